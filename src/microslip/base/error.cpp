@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/base/error.hpp"
+
+#include <fmt/format.h>
+
+namespace microslip {
+namespace {
+
+std::string sentence(std::string_view text) {
+  return text.empty() ? std::string{} : fmt::format(". {}", text);
+}
+
+std::string place_prefix(const TextPlace& place) {
+  std::string text = place.file.empty() ? "input" : place.file;
+  if (place.line > 0) text += fmt::format(":{}", place.line);
+  if (place.line > 0 && place.column > 0) text += fmt::format(":{}", place.column);
+  return text;
+}
+
+}  // namespace
+
+InputError::InputError(std::string_view what, double value, std::string_view rule,
+                       std::string_view remedy)
+    : InputError(what, fmt::format("{}", value), rule, remedy) {}
+
+InputError::InputError(std::string_view what, std::string_view value, std::string_view rule,
+                       std::string_view remedy)
+    : Error(fmt::format("{} = {}; {}{}", what, value, rule, sentence(remedy))), name_(what) {}
+
+InputError InputError::renamed(std::string_view name) const {
+  InputError copy = *this;
+  static_cast<Error&>(copy) = Error(fmt::format("{}{}", name, what() + name_.size()));
+  copy.name_ = name;
+  return copy;
+}
+
+FormatError::FormatError(const TextPlace& place, std::string_view expected, std::string_view found,
+                         std::string_view remedy)
+    : Error(fmt::format("{}: expected {}, found {}{}", place_prefix(place), expected, found,
+                        sentence(remedy))),
+      place_(place) {}
+
+FileError::FileError(std::string_view path, std::string_view reason, std::string_view remedy)
+    : Error(fmt::format("{}: {}{}", path, reason, sentence(remedy))) {}
+
+Cancelled::Cancelled() : Error("stopped on request") {}
+
+}  // namespace microslip

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+/// @file
+/// The errors of microslip. A message is one line that names the place, the value found, the rule it
+/// breaks and, where there is one, the remedy. The library throws these and never prints or aborts.
+/// Not converging is no error: a numerical method reports that in its Result.
+
+namespace microslip {
+
+/// Base of all errors that microslip throws on purpose.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A value given by the caller breaks a rule: "what = value; rule. remedy".
+class InputError : public Error {
+ public:
+  /// @param what    the name of the argument or key as the caller knows it, for instance
+  ///                `stiffness_N_per_m`.
+  /// @param value   the offending value.
+  /// @param rule    the rule it breaks, without a full stop: "must be positive and finite".
+  /// @param remedy  what to do about it, a sentence; may be empty.
+  InputError(std::string_view what, double value, std::string_view rule,
+             std::string_view remedy = {});
+  InputError(std::string_view what, std::string_view value, std::string_view rule,
+             std::string_view remedy = {});
+
+  /// The name of the argument or key.
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+  /// The same error under another name: that of the key in a file, for instance.
+  [[nodiscard]] InputError renamed(std::string_view name) const;
+
+ private:
+  std::string name_;
+};
+
+/// A place in a text: 1-based line and column; 0 where it is not known.
+struct TextPlace {
+  std::string file;
+  std::size_t line = 0;
+  std::size_t column = 0;
+};
+
+/// A text does not have the form it must have: "file:line:column: expected …, found …. remedy".
+class FormatError : public Error {
+ public:
+  FormatError(const TextPlace& place, std::string_view expected, std::string_view found,
+              std::string_view remedy = {});
+
+  [[nodiscard]] const TextPlace& place() const { return place_; }
+
+ private:
+  TextPlace place_;
+};
+
+/// A file cannot be opened, read or written.
+class FileError : public Error {
+ public:
+  /// @param path    the file's path.
+  /// @param reason  what the system said, for instance "permission denied".
+  FileError(std::string_view path, std::string_view reason, std::string_view remedy = {});
+};
+
+/// The caller's progress callback asked to stop.
+class Cancelled : public Error {
+ public:
+  Cancelled();
+};
+
+}  // namespace microslip

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/base/units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+
+namespace microslip {
+namespace {
+
+/// value in SI = value·factor·10^exponent; the power of ten apart, to be applied exactly in the
+/// end.
+struct Symbol {
+  std::string_view name;
+  double factor;
+  int exponent;
+  Dimension dimension;
+  std::string_view prefixes;
+};
+
+constexpr double kPoundForce = 4.4482216152605;  // N, exact by definition
+
+constexpr std::array kSymbols{
+    Symbol{"1", 1.0, 0, kDimensionless, ""},
+    Symbol{"%", 1.0, -2, kDimensionless, ""},
+    Symbol{"m", 1.0, 0, kLength, "numck"},
+    Symbol{"in", 254.0, -4, kLength, ""},
+    Symbol{"ft", 3048.0, -4, kLength, ""},
+    Symbol{"mil", 254.0, -7, kLength, ""},
+    Symbol{"kg", 1.0, 0, kMass, ""},
+    Symbol{"s", 1.0, 0, kTime, "num"},
+    Symbol{"Hz", 1.0, 0, kFrequency, "mkMG"},
+    Symbol{"rad", 1.0, 0, kAngle, "um"},
+    Symbol{"deg", std::numbers::pi / 180.0, 0, kAngle, ""},
+    Symbol{"N", 1.0, 0, kForce, "numkMG"},
+    Symbol{"lbf", kPoundForce, 0, kForce, ""},
+    Symbol{"J", 1.0, 0, kEnergy, "numkM"},
+    Symbol{"Pa", 1.0, 0, kPressure, "mkMG"},
+    Symbol{"psi", kPoundForce / (254.0 * 254.0), 8, kPressure, ""},
+    Symbol{"g", 9.80665, 0, kAcceleration, "um"},
+};
+
+/// What has a name, with the units that messages propose; the first one is SI.
+struct Quantity {
+  Dimension dimension;
+  std::string_view name;
+  std::string_view units;
+};
+
+constexpr std::array kQuantities{
+    Quantity{kDimensionless, "ratio", "1, %"},
+    Quantity{kLength, "length", "m, mm, um (µm), nm, cm, in, ft, mil"},
+    Quantity{kMass, "mass", "kg"},
+    Quantity{kTime, "time", "s, ms, us"},
+    Quantity{kAngle, "angle", "rad, deg"},
+    Quantity{kFrequency, "frequency", "Hz, kHz"},
+    Quantity{kAngularFrequency, "angular frequency", "rad/s"},
+    Quantity{kVelocity, "velocity", "m/s, mm/s, um/s, in/s"},
+    Quantity{kAcceleration, "acceleration", "m/s^2, mm/s^2, g, mg, in/s^2, ft/s^2"},
+    Quantity{kForce, "force", "N, mN, kN, lbf"},
+    Quantity{kEnergy, "energy", "J, mJ, uJ (µJ), nJ, N mm, lbf in"},
+    Quantity{kStiffness, "stiffness", "N/m, N/mm, kN/mm, N/um, lbf/in"},
+    Quantity{kPerForce, "inverse force", "1/N, 1/kN, 1/lbf"},
+    Quantity{kPressure, "pressure", "Pa, kPa, MPa, GPa, psi"},
+    Quantity{kMassDensity, "mass density", "kg/m^3"},
+};
+
+constexpr std::string_view kDigits = "0123456789";
+constexpr int kLargestPower = 9;
+
+/// One way to write each thing: both micro signs become u, raised digits become digits.
+std::string plain_ascii(std::string_view text) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kSpellings{{
+      {"µ", "u"},  // U+00B5 micro sign
+      {"μ", "u"},  // U+03BC Greek mu
+      {"°", "deg"},
+      {"·", "*"},
+      {"⋅", "*"},
+      {"⁻", "-"},
+      {"¹", "1"},
+      {"²", "2"},
+      {"³", "3"},
+      {"⁴", "4"},
+      {"−", "-"},
+      {"\t", " "},
+  }};
+  std::string result;
+  while (!text.empty()) {
+    const auto* found = std::find_if(kSpellings.begin(), kSpellings.end(),
+                                     [&](const auto& s) { return text.starts_with(s.first); });
+    const bool known = found != kSpellings.end();
+    result += known ? found->second : text.substr(0, 1);
+    text.remove_prefix(known ? found->first.size() : 1);
+  }
+  const std::size_t first = result.find_first_not_of(' ');
+  if (first == std::string::npos) return {};
+  return result.substr(first, result.find_last_not_of(' ') - first + 1);
+}
+
+int prefix_exponent(char prefix) {
+  switch (prefix) {
+    case 'n':
+      return -9;
+    case 'u':
+      return -6;
+    case 'm':
+      return -3;
+    case 'c':
+      return -2;
+    case 'k':
+      return 3;
+    case 'M':
+      return 6;
+    default:
+      return 9;  // G
+  }
+}
+
+std::optional<Symbol> find_symbol(std::string_view name) {
+  for (const Symbol& symbol : kSymbols) {
+    if (symbol.name == name) return symbol;
+  }
+  if (name.size() < 2) return std::nullopt;
+  for (Symbol symbol : kSymbols) {
+    if (symbol.name == name.substr(1) && symbol.prefixes.find(name[0]) != std::string_view::npos) {
+      symbol.exponent += prefix_exponent(name[0]);
+      return symbol;
+    }
+  }
+  return std::nullopt;
+}
+
+/// unit = factor (('/' | '*' | ' ') factor)*;  factor = '1' | symbol [['^'] ['-'] digit].
+class UnitParser {
+ public:
+  explicit UnitParser(std::string_view text) : text_(text) {}
+
+  std::optional<Unit> parse() {
+    if (!read_factor(1)) return std::nullopt;
+    while (!text_.empty()) {
+      const int sign = read_operator();
+      if (!read_factor(sign)) return std::nullopt;
+    }
+    if (std::abs(exponent_) > 300) return std::nullopt;
+    (exponent_ < 0 ? unit_.denominator : unit_.numerator) *= std::pow(10.0, std::abs(exponent_));
+    return unit_;
+  }
+
+ private:
+  void skip_blanks() { text_.remove_prefix(std::min(text_.find_first_not_of(' '), text_.size())); }
+
+  int read_operator() {
+    skip_blanks();
+    const char first = text_.empty() ? ' ' : text_.front();
+    if (first == '/' || first == '*') text_.remove_prefix(1);
+    skip_blanks();
+    return first == '/' ? -1 : 1;
+  }
+
+  bool read_factor(int sign) {
+    const std::string_view name = read_name();
+    const std::optional<Symbol> symbol = find_symbol(name);
+    const std::optional<int> power = name == "1" ? 1 : read_power();
+    if (!symbol || !power) return false;
+    const int n = sign * *power;
+    (n > 0 ? unit_.numerator : unit_.denominator) *= std::pow(symbol->factor, std::abs(n));
+    exponent_ += n * symbol->exponent;
+    unit_.dimension = unit_.dimension * symbol->dimension.power(n);
+    return true;
+  }
+
+  std::string_view read_name() {
+    const bool number = text_.starts_with('1');
+    const std::size_t end = number ? 1 : text_.find_first_of("^-/* 0123456789");
+    const std::string_view name = text_.substr(0, end);
+    text_.remove_prefix(name.size());
+    return name;
+  }
+
+  /// 1 where no power is written; nothing where it is written wrong.
+  std::optional<int> read_power() {
+    const bool raised = text_.starts_with('^');
+    if (raised) text_.remove_prefix(1);
+    const bool negative = text_.starts_with('-');
+    if (negative) text_.remove_prefix(1);
+    const std::size_t length = std::min(text_.find_first_not_of(kDigits), text_.size());
+    if (length == 0) return raised || negative ? std::nullopt : std::optional<int>(1);
+    const int power = text_.front() - '0';
+    text_.remove_prefix(length);
+    if (length > 1 || power == 0 || power > kLargestPower) return std::nullopt;
+    return negative ? -power : power;
+  }
+
+  std::string_view text_;
+  Unit unit_;
+  int exponent_ = 0;
+};
+
+const Quantity* find_quantity(const Dimension& dimension) {
+  const auto* found = std::find_if(kQuantities.begin(), kQuantities.end(),
+                                   [&](const Quantity& q) { return q.dimension == dimension; });
+  return found == kQuantities.end() ? nullptr : found;
+}
+
+std::string base_units(const Dimension& dimension) {
+  const std::array<std::pair<std::string_view, int>, 4> bases{{{"kg", dimension.mass},
+                                                               {"m", dimension.length},
+                                                               {"s", dimension.time},
+                                                               {"rad", dimension.angle}}};
+  std::string text;
+  for (const auto& [name, power] : bases) {
+    if (power == 0) continue;
+    text += fmt::format("{}{}", text.empty() ? "" : " ", name);
+    if (power != 1) text += fmt::format("^{}", power);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::optional<Unit> find_unit(std::string_view text) {
+  const std::string plain = plain_ascii(text);
+  if (plain == "-") return Unit{};
+  return UnitParser(plain).parse();
+}
+
+Unit parse_unit(std::string_view text, const Dimension& expected) {
+  const std::string rule = fmt::format("must be a unit of {}", dimension_name(expected));
+  const std::string remedy = fmt::format("Units that fit: {}.", usual_units(expected));
+  const std::optional<Unit> unit = find_unit(text);
+  if (!unit)
+    throw InputError("unit", fmt::format("'{}'", text), rule + " and is not known", remedy);
+  if (unit->dimension != expected) {
+    throw InputError("unit", fmt::format("'{}'", text),
+                     fmt::format("{} and is one of {}", rule, dimension_name(unit->dimension)),
+                     remedy);
+  }
+  return *unit;
+}
+
+std::string dimension_name(const Dimension& dimension) {
+  const Quantity* quantity = find_quantity(dimension);
+  return quantity != nullptr ? std::string(quantity->name) : base_units(dimension);
+}
+
+std::string si_unit(const Dimension& dimension) {
+  const Quantity* quantity = find_quantity(dimension);
+  if (quantity == nullptr) return base_units(dimension);
+  return std::string(quantity->units.substr(0, quantity->units.find(',')));
+}
+
+std::string usual_units(const Dimension& dimension) {
+  const Quantity* quantity = find_quantity(dimension);
+  return quantity != nullptr ? std::string(quantity->units) : base_units(dimension);
+}
+
+}  // namespace microslip

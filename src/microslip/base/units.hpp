@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+/// @file
+/// Units at the borders of the program: what a file states in mm, lbf or g becomes SI on the way
+/// in.
+
+namespace microslip {
+
+/// The exponents of metre, kilogram, second and radian. The radian counts, so that a frequency in
+/// Hz and an angular frequency in rad/s are two things and no factor 2π is lost between them.
+struct Dimension {
+  int length = 0;
+  int mass = 0;
+  int time = 0;
+  int angle = 0;
+
+  friend constexpr bool operator==(const Dimension&, const Dimension&) = default;
+
+  friend constexpr Dimension operator*(const Dimension& a, const Dimension& b) {
+    return {a.length + b.length, a.mass + b.mass, a.time + b.time, a.angle + b.angle};
+  }
+
+  [[nodiscard]] constexpr Dimension power(int n) const {
+    return {n * length, n * mass, n * time, n * angle};
+  }
+
+  friend constexpr Dimension operator/(const Dimension& a, const Dimension& b) {
+    return a * b.power(-1);
+  }
+};
+
+inline constexpr Dimension kDimensionless{};
+inline constexpr Dimension kLength{.length = 1};
+inline constexpr Dimension kMass{.mass = 1};
+inline constexpr Dimension kTime{.time = 1};
+inline constexpr Dimension kAngle{.angle = 1};
+inline constexpr Dimension kFrequency = kTime.power(-1);
+inline constexpr Dimension kAngularFrequency = kAngle / kTime;
+inline constexpr Dimension kVelocity = kLength / kTime;
+inline constexpr Dimension kAcceleration = kVelocity / kTime;
+inline constexpr Dimension kForce = kMass * kAcceleration;
+inline constexpr Dimension kEnergy = kForce * kLength;
+inline constexpr Dimension kStiffness = kForce / kLength;
+inline constexpr Dimension kPerForce = kForce.power(-1);
+inline constexpr Dimension kPressure = kForce / kLength.power(2);
+inline constexpr Dimension kMassDensity = kMass / kLength.power(3);
+
+/// A unit: value in SI = value·numerator/denominator. Two factors, so that powers of ten stay
+/// exact: 3 um is the double nearest to 3e-6.
+struct Unit {
+  double numerator = 1.0;
+  double denominator = 1.0;
+  Dimension dimension;
+
+  [[nodiscard]] double to_si(double value) const { return value * numerator / denominator; }
+  [[nodiscard]] double factor() const { return numerator / denominator; }
+};
+
+/// The unit that a text names: products, quotients and powers of m, in, ft, mil, N, lbf, J, kg, s,
+/// Hz, Pa, psi, rad, deg, g, with the usual prefixes n, u (µ), m, c, k, M, G where they are in use,
+/// and `1`, `-` or `%` for a number. `g` is standard gravity, 9.80665 m/s^2; masses are in kg.
+/// Powers read m/s^2, m/s2 or m/s²; products N m, N*m or N·m; a quotient is read from the left.
+/// @return  nothing where the text is no such unit.
+[[nodiscard]] std::optional<Unit> find_unit(std::string_view text);
+
+/// find_unit() for a unit that must be of the given dimension.
+/// @throws InputError  naming the unit, what it measures, and units that would do.
+[[nodiscard]] Unit parse_unit(std::string_view text, const Dimension& expected);
+
+/// In words: "length", or the unit where it has no name, such as "kg^2 s^-1".
+[[nodiscard]] std::string dimension_name(const Dimension& dimension);
+
+/// The SI unit as columns are labelled: "m", "N/m", "1/N", or in base units where it has none.
+[[nodiscard]] std::string si_unit(const Dimension& dimension);
+
+/// Units in use for a dimension, SI first: "m, mm, um (µm), nm, cm, in, ft, mil".
+[[nodiscard]] std::string usual_units(const Dimension& dimension);
+
+}  // namespace microslip

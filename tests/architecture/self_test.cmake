@@ -1,0 +1,68 @@
+# The checks must find what is wrong, name the line, and stay silent on what is right.
+# Arguments: CHECK, CHECK_LISTS, WORK_DIR.
+
+cmake_minimum_required(VERSION 3.25)
+
+# expect(<name> <script> <file> <content> <pattern>): the script, run on a tree that holds the file,
+# prints the pattern and fails; with an empty pattern it succeeds.
+function(expect name script file content pattern)
+  set(root "${WORK_DIR}/${name}")
+  file(REMOVE_RECURSE "${root}")
+  file(WRITE "${root}/src/microslip/CMakeLists.txt" "listed: base/listed.cpp # base/comment.cpp
+FILE_SET HEADERS joint/installed.hpp)\n")
+  file(WRITE "${root}/${file}" "${content}")
+  execute_process(
+    COMMAND "${CMAKE_COMMAND}" "-DROOT=${root}" -P "${script}"
+    RESULT_VARIABLE status
+    OUTPUT_VARIABLE printed
+    ERROR_VARIABLE printed)
+  if(pattern STREQUAL "")
+    if(NOT status EQUAL 0)
+      message(SEND_ERROR "${name}: must pass, but printed\n${printed}")
+    endif()
+  elseif(status EQUAL 0)
+    message(SEND_ERROR "${name}: must fail, but passed")
+  elseif(NOT printed MATCHES "${pattern}")
+    message(SEND_ERROR "${name}: must print '${pattern}', but printed\n${printed}")
+  endif()
+endfunction()
+
+set(src src/microslip)
+
+expect(clean "${CHECK}" ${src}/identify/a.cpp
+       "// std::cout, fopen(\n#include \"microslip/joint/joint.hpp\"\nint a[] = {1; 2};\n" "")
+expect(io_writes "${CHECK}" ${src}/io/a.cpp "#include <fstream>\nstd::ofstream out;\n" "")
+expect(upward "${CHECK}" ${src}/joint/a.cpp
+       "int a[3];\n\n// ; ]\n#include \"microslip/identify/levels.hpp\"\n"
+       "src/microslip/joint/a.cpp:4: joint must not include microslip/identify/levels.hpp")
+expect(upward_angle "${CHECK}" ${src}/base/a.hpp "#include <microslip/joint/joint.hpp>\n"
+       "base/a.hpp:1: base must not")
+expect(sideways "${CHECK}" ${src}/identify/a.cpp "#include \"microslip/io/csv.hpp\"\n"
+       "identify/a.cpp:1: identify must not")
+expect(relative "${CHECK}" ${src}/joint/a.cpp "#include \"../io/csv.hpp\"\n" "joint/a.cpp:1: write")
+expect(exposed "${CHECK}" ${src}/joint/installed.hpp "#include <vector>\n#include <Eigen/Core>\n"
+       "joint/installed.hpp:2: an installed header includes no other library: Eigen/Core")
+expect(exposed_by_another "${CHECK}" ${src}/joint/installed.hpp "#include \"microslip/joint/a.hpp\"\n"
+       "joint/installed.hpp:1: an installed header includes only such: microslip/joint/a.hpp")
+expect(version "${CHECK}" ${src}/joint/installed.hpp "#include \"microslip/base/version.hpp\"\n" "")
+expect(private "${CHECK}" ${src}/joint/a.hpp "#include <Eigen/Core>\n" "")
+expect(stream "${CHECK}" ${src}/report/a.cpp "\n#include <fstream>\n"
+       "report/a.cpp:2: only io touches files")
+expect(fopen "${CHECK}" ${src}/joint/a.cpp "\n\nauto f = std::fopen(name, mode);\n"
+       "joint/a.cpp:3: only io touches files")
+expect(filesystem "${CHECK}" ${src}/base/a.hpp "namespace fs = std::filesystem;\n"
+       "base/a.hpp:1: only io touches files")
+expect(prints "${CHECK}" ${src}/joint/a.cpp "std::cout << 1;\n" "joint/a.cpp:1: the library never prints")
+expect(prints_to_stream "${CHECK}" ${src}/joint/a.cpp "fmt::print(stderr, text);\n"
+       "joint/a.cpp:1: the library never prints")
+expect(aborts "${CHECK}" ${src}/io/a.cpp "std::abort();\n" "io/a.cpp:1: the library never ends")
+expect(draws "${CHECK}" ${src}/joint/a.cpp "std::mt19937 generator;\n" "joint/a.cpp:1: random numbers")
+expect(new_folder "${CHECK}" ${src}/fresh/a.cpp "\n" "the folder fresh has no line")
+expect(stray "${CHECK}" ${src}/a.cpp "\n" "src/microslip/a.cpp:1: a source lies in")
+expect(empty "${CHECK}" README.md "\n" "No source under")
+
+expect(listed "${CHECK_LISTS}" ${src}/base/listed.cpp "\n" "")
+expect(unlisted "${CHECK_LISTS}" ${src}/base/forgotten.hpp "\n"
+       "src/microslip/base/forgotten.hpp: not named")
+expect(listed_in_comment "${CHECK_LISTS}" ${src}/base/comment.cpp "\n"
+       "src/microslip/base/comment.cpp: not named")

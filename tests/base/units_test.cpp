@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/base/units.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "microslip/base/error.hpp"
+
+namespace microslip {
+namespace {
+
+struct Case {
+  std::string text;
+  double factor;
+  Dimension dimension;
+};
+
+std::vector<Case> known_units() {
+  return {
+      {"m", 1.0, kLength},
+      {"mm", 1e-3, kLength},
+      {"um", 1e-6, kLength},
+      {"\xC2\xB5m", 1e-6, kLength},  // U+00B5
+      {"\xCE\xBCm", 1e-6, kLength},  // U+03BC
+      {"nm", 1e-9, kLength},
+      {"cm", 1e-2, kLength},
+      {"km", 1e3, kLength},
+      {"in", 0.0254, kLength},
+      {"ft", 0.3048, kLength},
+      {"mil", 2.54e-5, kLength},
+      {"N", 1.0, kForce},
+      {"mN", 1e-3, kForce},
+      {"kN", 1e3, kForce},
+      {"lbf", 4.4482216152605, kForce},
+      {"J", 1.0, kEnergy},
+      {"mJ", 1e-3, kEnergy},
+      {"uJ", 1e-6, kEnergy},
+      {"µJ", 1e-6, kEnergy},
+      {"N m", 1.0, kEnergy},
+      {"N*mm", 1e-3, kEnergy},
+      {"N·m", 1.0, kEnergy},
+      {"lbf in", 4.4482216152605 * 0.0254, kEnergy},
+      {"N/m", 1.0, kStiffness},
+      {"N / mm", 1e3, kStiffness},
+      {"kN/mm", 1e6, kStiffness},
+      {"mN/mm", 1.0, kStiffness},
+      {"N/um", 1e6, kStiffness},
+      {"lbf/in", 4.4482216152605 / 0.0254, kStiffness},
+      {"1/N", 1.0, kPerForce},
+      {"1/kN", 1e-3, kPerForce},
+      {"N^-1", 1.0, kPerForce},
+      {"N⁻¹", 1.0, kPerForce},
+      {"s", 1.0, kTime},
+      {"ms", 1e-3, kTime},
+      {"us", 1e-6, kTime},
+      {"Hz", 1.0, kFrequency},
+      {"1/s", 1.0, kFrequency},
+      {"kHz", 1e3, kFrequency},
+      {"rad/s", 1.0, kAngularFrequency},
+      {"m/s", 1.0, kVelocity},
+      {"m/s^2", 1.0, kAcceleration},
+      {"m/s2", 1.0, kAcceleration},
+      {"m/s²", 1.0, kAcceleration},
+      {"m/s/s", 1.0, kAcceleration},
+      {"m s^-2", 1.0, kAcceleration},
+      {"mm/s^2", 1e-3, kAcceleration},
+      {"g", 9.80665, kAcceleration},
+      {"mg", 9.80665e-3, kAcceleration},
+      {"kg", 1.0, kMass},
+      {"rad", 1.0, kAngle},
+      {"deg", std::numbers::pi / 180.0, kAngle},
+      {"°", std::numbers::pi / 180.0, kAngle},
+      {"1", 1.0, kDimensionless},
+      {"-", 1.0, kDimensionless},
+      {"%", 1e-2, kDimensionless},
+      {"m/m", 1.0, kDimensionless},
+      {" Pa ", 1.0, kPressure},
+      {"kPa", 1e3, kPressure},
+      {"MPa", 1e6, kPressure},
+      {"GPa", 1e9, kPressure},
+      {"N/m^2", 1.0, kPressure},
+      {"psi", 6894.757293168361, kPressure},
+      {"kg/m^3", 1.0, kMassDensity},
+  };
+}
+
+TEST(Units, KnownOnesConvertToSi) {
+  for (const Case& c : known_units()) {
+    const auto unit = find_unit(c.text);
+    ASSERT_TRUE(unit) << c.text;
+    EXPECT_DOUBLE_EQ(unit->factor(), c.factor) << c.text;
+    EXPECT_EQ(unit->dimension, c.dimension) << c.text << ": " << dimension_name(unit->dimension);
+  }
+}
+
+TEST(Units, PowersOfTenAreExact) {
+  EXPECT_EQ(find_unit("um")->to_si(3.0), 3e-6);
+  EXPECT_EQ(find_unit("mm")->to_si(0.7), 0.7e-3);
+  EXPECT_EQ(find_unit("nm")->to_si(123.0), 123e-9);
+  EXPECT_EQ(find_unit("mN/mm")->to_si(0.1), 0.1);
+  EXPECT_EQ(find_unit("in")->to_si(1.0), 0.0254);
+}
+
+TEST(Units, UnknownOnesAreRefused) {
+  for (const char* text : {"",
+                           " ",
+                           "furlong",
+                           "hz",
+                           "KN",
+                           "kkg",
+                           "mkg",
+                           "mmm",
+                           "/",
+                           "1/",
+                           "/s",
+                           "m^",
+                           "m^0",
+                           "m^99",
+                           "m--2",
+                           "N//m",
+                           "m**2",
+                           "12",
+                           "\xB5m",
+                           "\xFF",
+                           "Mg",
+                           "kin",
+                           "m^9999999999999999999"}) {
+    EXPECT_FALSE(find_unit(text)) << text;
+  }
+  EXPECT_FALSE(find_unit(std::string(100000, 'm')));
+}
+
+TEST(Units, PowersAddUpOnlySoFar) {
+  std::string text = "Gm^1";
+  EXPECT_FALSE(find_unit(text)) << "giga-metres are not in use";
+  text = "km9";
+  for (int i = 0; i < 20; ++i) text += " km9";
+  EXPECT_FALSE(find_unit(text)) << "a factor beyond the range of numbers";
+}
+
+std::string message(std::string_view text, const Dimension& expected) {
+  try {
+    (void)parse_unit(text, expected);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Units, MessagesNameTheUnitTheRuleAndTheRemedy) {
+  EXPECT_EQ(message("furlong", kLength),
+            "unit = 'furlong'; must be a unit of length and is not known. Units that fit: "
+            "m, mm, um (µm), nm, cm, in, ft, mil.");
+  EXPECT_EQ(message("N", kLength),
+            "unit = 'N'; must be a unit of length and is one of force. Units that fit: "
+            "m, mm, um (µm), nm, cm, in, ft, mil.");
+  EXPECT_EQ(message("rad/s", kFrequency),
+            "unit = 'rad/s'; must be a unit of frequency and is one of angular frequency. "
+            "Units that fit: Hz, kHz.");
+  EXPECT_EQ(message("m", kLength), "no error");
+}
+
+TEST(Units, EachProposedUnitFits) {
+  for (const Dimension& dimension :
+       {kDimensionless, kLength, kMass, kTime, kAngle, kFrequency, kAngularFrequency, kVelocity,
+        kAcceleration, kForce, kEnergy, kStiffness, kPerForce, kPressure, kMassDensity}) {
+    EXPECT_EQ(find_unit(si_unit(dimension))->dimension, dimension) << si_unit(dimension);
+    EXPECT_EQ(find_unit(si_unit(dimension))->factor(), 1.0) << si_unit(dimension);
+    std::string_view list_view;
+    const std::string list = usual_units(dimension);
+    list_view = list;
+    while (!list_view.empty()) {
+      const std::string_view text = list_view.substr(0, list_view.find(','));
+      list_view.remove_prefix(std::min(text.size() + 1, list_view.size()));
+      EXPECT_EQ(parse_unit(text.substr(0, text.find('(')), dimension).dimension, dimension) << text;
+    }
+  }
+}
+
+TEST(Units, DimensionsWithoutANameAreSpelt) {
+  EXPECT_EQ(dimension_name(kMass.power(2) / kTime), "kg^2 s^-1");
+  EXPECT_EQ(si_unit(kMass.power(2) / kTime), "kg^2 s^-1");
+}
+
+}  // namespace
+}  // namespace microslip
