@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/joint/memory.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "microslip/base/error.hpp"
+#include "microslip/joint/path.hpp"
+
+namespace microslip {
+Memory::Curve Memory::curve(const Branch& branch) const {
+  const double sign = branch.direction < 0 ? -1.0 : 1.0;
+  if (!branch.from_present && branch.depth == 0) {
+    return {0.0, 0.0, sign, sign, 1.0, std::numeric_limits<double>::infinity()};
+  }
+  // A branch ends where the one before it turned, the first one at the mirror image of its own start,
+  // where the virgin curve takes over.
+  const std::size_t older = branch.from_present ? branch.depth : branch.depth - 1;
+  const ReversalPoint origin =
+      branch.from_present ? ReversalPoint{x_, force_} : reversals_[branch.depth - 1];
+  const double end = older == 0 ? -origin.displacement : reversals_[older - 1].displacement;
+  return {origin.displacement, origin.force, sign, 2.0 * sign, 0.5, sign * end};
+}
+
+Memory::Step Memory::step_to(double x) const {
+  if (!std::isfinite(x)) throw InputError("displacement", x, "must be finite");
+  Branch branch{reversals_.size(), false, direction_};
+  if (x != x_) {
+    const int direction = x > x_ ? 1 : -1;
+    branch.from_present = direction_ != 0 && direction != direction_;
+    branch.direction = direction;
+  }
+  for (;;) {  // close the minor loops that the step passes
+    const Curve on = curve(branch);
+    if (on.sign * x < on.end) return {branch, on};
+    const std::size_t older = branch.from_present ? branch.depth : branch.depth - 1;
+    branch.from_present = false;
+    branch.depth = older == 0 ? 0 : older - 1;
+  }
+}
+
+double Memory::force_on(const Curve& on, double x) const {
+  const double s = joint_->stiffness() * on.reach * std::abs(x - on.displacement);
+  return on.force + on.scale * joint_->backbone().force(s);
+}
+
+Memory::Response Memory::trial(double x) const {
+  const Curve on = step_to(x).curve;
+  return {force_on(on, x), joint_->tangent_stiffness(on.reach * std::abs(x - on.displacement))};
+}
+
+/// All that a step changes but the force.
+Memory::Curve Memory::move_to(double x) {
+  const Step step = step_to(x);
+  if (step.branch.from_present) {
+    reversals_.push_back({x_, force_});
+  } else {
+    reversals_.resize(step.branch.depth);
+  }
+  x_ = x;
+  direction_ = step.branch.direction;
+  return step.curve;
+}
+
+double Memory::advance(double x) {
+  force_ = force_on(move_to(x), x);
+  return force_;
+}
+
+/// How many samples ahead neither turn nor close a loop.
+std::size_t Memory::run_length(const Curve& on, std::span<const double> x) const {
+  double reached = on.sign * x_;
+  std::size_t i = 0;
+  for (; i < x.size(); ++i) {
+    const double ahead = on.sign * x[i];
+    if (!(ahead >= reached && ahead < on.end)) break;
+    reached = ahead;
+  }
+  return i;
+}
+
+// Most samples neither turn nor close a loop: they need no rules, only the virgin curve, in a loop
+// without branches of which the processor overlaps several rounds.
+void Memory::march(std::span<const double> x, std::span<double> force) {
+  check_path(x, force);
+  const Backbone& backbone = joint_->backbone();
+  while (!x.empty()) {
+    const Curve on = move_to(x.front());
+    force_ = force_on(on, x_);
+    force.front() = force_;
+    x = x.subspan(1);
+    force = force.subspan(1);
+    const std::size_t run = direction_ == 0 ? 0 : run_length(on, x);
+    if (run == 0) continue;
+    x_ = x[run - 1];
+    backbone.branch_forces({on.displacement, on.force, joint_->stiffness() * on.reach, on.scale},
+                           x.first(run), force.first(run));
+    force_ = force[run - 1];
+    x = x.subspan(run);
+    force = force.subspan(run);
+  }
+}
+
+void Memory::reset() {
+  reversals_.clear();
+  x_ = 0.0;
+  force_ = 0.0;
+  direction_ = 0;
+}
+
+}  // namespace microslip

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "microslip/joint/joint.hpp"
+
+namespace microslip {
+
+/// What a joint under constant normal load remembers of its displacement history, exactly
+/// (Madelung's rules, which Masing's rule makes explicit; the same as a play-operator
+/// Prandtl–Ishlinskii model):
+///
+///   * first loading follows the virgin curve F;
+///   * after a reversal at (x_r, f_r):  f = f_r ± 2F(|x − x_r|/2)                          [AR14 (3)]
+///   * where the path passes the previous extreme of the loop it is on, that minor loop is closed and
+///     forgotten, and the path continues on the curve it was on before;
+///   * where |x| exceeds the largest |x| ever reached, the virgin curve continues.
+///
+/// The state is a stack of reversal points: O(1) amortised a step, whatever the number of sliders.
+///
+/// A step is a straight move of x from where the joint stands. trial() evaluates a step without taking
+/// it, so an implicit integrator tries as many as it likes and then takes one by advance(). A Memory is
+/// a value: a copy is a snapshot of several steps to return to.
+class Memory {
+ public:
+  struct ReversalPoint {
+    double displacement;  ///< x_r, m
+    double force;         ///< f_r, N
+  };
+
+  struct Response {
+    double force;    ///< f, N
+    double tangent;  ///< df/dx in the direction of the move, N/m
+  };
+
+  /// Virgin, at rest at x = 0. @param joint  kept by reference; must outlive the Memory.
+  explicit Memory(const Joint& joint) : joint_(&joint) {}
+  explicit Memory(const Joint&&) = delete;
+
+  [[nodiscard]] double displacement() const { return x_; }
+  [[nodiscard]] double force() const { return force_; }
+
+  /// The reversals that still matter, oldest first; empty on the virgin curve.
+  [[nodiscard]] std::span<const ReversalPoint> reversals() const { return reversals_; }
+
+  /// Force and tangent stiffness after a step to x, which is not taken. Where x is the present
+  /// displacement: the present force and the tangent of going on. @param x  m, finite.
+  /// @throws InputError  where x is not finite.
+  [[nodiscard]] Response trial(double x) const;
+
+  /// Takes the step to x. @param x  m, finite. @return the force there, N.
+  /// @throws InputError  where x is not finite; then no step is taken.
+  double advance(double x);
+
+  /// Takes a step to each x in turn and writes the forces.
+  /// @param x      displacements, m; finite.
+  /// @param force  N; of the length of x; may be x itself.
+  /// @throws InputError  for another length, or naming the first x (0-based) that is not finite; then
+  ///                     no step is taken.
+  void march(std::span<const double> x, std::span<double> force);
+
+  /// Back to the virgin state at x = 0.
+  void reset();
+
+ private:
+  /// The curve that a step ends on: from the present point if the step reverses, else from the
+  /// reversal at the top of the first `depth` of the stack, or the virgin curve if there is none.
+  struct Branch {
+    std::size_t depth;
+    bool from_present;
+    int direction;  ///< +1 loading, −1 unloading
+  };
+
+  /// The curve of a branch and how far it reaches:
+  /// f = force + scale·F(k·reach·|x − displacement|) as long as sign·x grows and stays below `end`.
+  struct Curve {
+    double displacement;
+    double force;
+    double sign;
+    double scale;  ///< ±1 on the virgin curve, ±2 after a reversal
+    double reach;  ///< 1 on the virgin curve, ½ after a reversal
+    double end;    ///< sign·x at which the branch joins an older one; infinite on the virgin curve
+  };
+
+  struct Step {
+    Branch branch;
+    Curve curve;
+  };
+
+  [[nodiscard]] Step step_to(double x) const;
+  [[nodiscard]] Curve curve(const Branch& branch) const;
+  Curve move_to(double x);
+  [[nodiscard]] double force_on(const Curve& on, double x) const;
+  [[nodiscard]] std::size_t run_length(const Curve& on, std::span<const double> x) const;
+
+  const Joint* joint_;
+  std::vector<ReversalPoint> reversals_;
+  double x_ = 0.0;
+  double force_ = 0.0;
+  int direction_ = 0;  ///< of the last move; 0 in the virgin state at rest
+};
+
+}  // namespace microslip

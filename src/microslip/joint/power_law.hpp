@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "microslip/joint/density.hpp"
+
+/// @file
+/// Integrals of one power law φ = R f*^χ on [from, to], all accurate to a few rounding errors of
+/// their own value, also just above `from` and for χ near −1, −2 and −3 where the textbook
+/// antiderivatives cancel or divide by zero. s is in N and may be infinite unless said otherwise.
+
+namespace microslip {
+
+/// Φn(s) = ∫ f*ⁿ φ df* over [from, min(to, s)], n = 0, 1, 2.
+[[nodiscard]] PartialMoments power_law_moments(const PowerLawPart& part, double s);
+
+/// ∫ (s − f*) φ df* over [from, min(to, s)], N; s finite: what slip takes off the elastic force.
+[[nodiscard]] double power_law_force_deficit(const PowerLawPart& part, double s);
+
+/// ∫ f*(s − f*) φ df* over [from, min(to, s)], N²; s finite.
+[[nodiscard]] double power_law_slip_energy(const PowerLawPart& part, double s);
+
+}  // namespace microslip
