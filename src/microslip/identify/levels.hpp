@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace microslip {
+
+/// What was measured: one entry a level of vibration. The vectors `amplitude` and `dissipation` are
+/// of one length; each of the others is of that length or empty (not measured).
+struct Levels {
+  std::vector<double> amplitude;             ///< A, amplitude of the joint displacement, m
+  std::vector<double> dissipation;           ///< D, energy lost per cycle, J
+  std::vector<double> amplitude_std;         ///< standard deviation of A, m
+  std::vector<double> dissipation_std;       ///< standard deviation of D, J
+  std::vector<double> secant_stiffness;      ///< k_eq of the first harmonic, N/m
+  std::vector<double> secant_stiffness_std;  ///< standard deviation of k_eq, N/m
+
+  [[nodiscard]] std::size_t size() const { return amplitude.size(); }
+};
+
+/// Checks what every method needs: lengths agree, A > 0, all finite, D ≥ 0, k_eq > 0, standard deviations ≥ 0.
+/// Order and repetition are free. @throws InputError  naming the level (1-based) and the value.
+void check_levels(const Levels& levels);
+
+/// The levels by rising amplitude; levels of equal amplitude become one: the mean of D and k_eq
+/// weighted by 1/σ² where σ is given (equally otherwise), with its standard deviation.
+struct MergedLevels {
+  Levels levels;
+  std::vector<std::size_t> count;  ///< how many levels became this one
+};
+[[nodiscard]] MergedLevels sort_and_merge(const Levels& levels);
+
+}  // namespace microslip

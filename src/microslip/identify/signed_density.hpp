@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+namespace microslip {
+
+/// A density as (9) gives it from measured dissipation, point by point. Nothing keeps it positive
+/// or its area below 1: where noise or a normal load that varied is strong, it is negative.
+struct SignedDensity {
+  std::vector<double> slip_force;  ///< f* = kA, N; increasing
+  std::vector<double> density;     ///< φ(f*), 1/N; of the same length
+  /// Of φ, from that of D alone, 1/N; of the same length or empty (not known).
+  std::vector<double> standard_deviation;
+};
+
+/// φ(kA) = D″(A)/(4k²A), 1/N. [AR14 (9)]
+/// @param curvature  D″, J/m².
+/// @param amplitude  A, m; > 0.
+/// @param stiffness  k, N/m; > 0.
+[[nodiscard]] double density_from_curvature(double curvature, double amplitude, double stiffness);
+
+/// The rule on the stiffness k of a stuck joint. @throws InputError  unless positive and finite.
+void check_stiffness(double stiffness);
+
+}  // namespace microslip
