@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/identify/bands.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <cmath>
+#include <mutex>
+
+#include "microslip/base/error.hpp"
+#include "microslip/base/random.hpp"
+#include "microslip/identify/inversion_model.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr std::size_t kFewestSamples = 20;
+// See sample_density(): the share of λ that samples are smoothed with, and c.
+constexpr double kSampleLambda = 1.0 / 8.0;
+constexpr double kPriorNoise = 0.5;
+
+void check_options(const BandOptions& options) {
+  if (options.samples < kFewestSamples) {
+    throw InputError("number of band samples", static_cast<double>(options.samples),
+                     "must be 20 or more", "1000 give smooth bands.");
+  }
+  if (!(options.confidence > 0.0 && options.confidence < 1.0)) {
+    throw InputError("confidence", options.confidence, "must be between 0 and 1");
+  }
+  const auto check_gain = [](std::string_view name, double value) {
+    if (!(std::isfinite(value) && value >= 0.0 && value < 0.3)) {
+      throw InputError(name, value, "must be a relative standard deviation from 0 to 0.3");
+    }
+  };
+  check_gain("dissipation_gain_std", options.dissipation_gain_std);
+  check_gain("amplitude_gain_std", options.amplitude_gain_std);
+}
+
+/// The λ of one sample: drawn with its likelihood over the path, within the guard.
+const SmoothingPoint& draw_point(const InversionModel& model, double uniform) {
+  if (model.lambda_fixed) return model.solution();
+  double lowest = model.solution().likelihood;
+  for (const SmoothingPoint& point : model.path) {
+    if (point.edf <= model.most_edf) lowest = std::min(lowest, point.likelihood);
+  }
+  const auto weight = [&](const SmoothingPoint& point) {
+    return point.edf <= model.most_edf ? std::exp(-0.5 * (point.likelihood - lowest)) : 0.0;
+  };
+  double total = 0.0;
+  for (const SmoothingPoint& point : model.path) total += weight(point);
+  double left = uniform * total;
+  for (const SmoothingPoint& point : model.path) {
+    left -= weight(point);
+    if (left <= 0.0) return point;
+  }
+  return model.solution();
+}
+
+/// φ at a slip force, linear between knots and constant beyond them.
+double interpolate(const std::vector<double>& knots, const std::vector<double>& values, double f) {
+  const auto next = std::ranges::upper_bound(knots, f);
+  if (next == knots.begin()) return values.front();
+  if (next == knots.end()) return values.back();
+  const auto i = static_cast<std::size_t>(next - knots.begin());
+  const double share = (f - knots[i - 1]) / (knots[i] - knots[i - 1]);
+  return values[i - 1] + share * (values[i] - values[i - 1]);
+}
+
+/// With true D = e·D and true A = c·A, (7) holds for φ(f*) = e/c³ φ_found(f*/c).
+void apply_gains(const std::vector<double>& knots, double e, double c, DensitySample& sample) {
+  if (e == 1.0 && c == 1.0) return;
+  const std::vector<double> found = sample.density;
+  for (std::size_t j = 0; j < knots.size(); ++j) {
+    sample.density[j] = e / (c * c * c) * interpolate(knots, found, knots[j] / c);
+  }
+  sample.atom_weight *= e / (c * c);
+  sample.linear_damping *= e / (c * c);
+  sample.area = sample.atom_weight;
+  for (std::size_t j = 1; j < knots.size(); ++j) {
+    sample.area += 0.5 * (knots[j] - knots[j - 1]) * (sample.density[j] + sample.density[j - 1]);
+  }
+  // More stiffness than k cannot slip: such gains are not possible with that much density.
+  if (sample.area <= 1.0) return;
+  for (double& value : sample.density) value /= sample.area;
+  sample.atom_weight /= sample.area;
+  sample.area = 1.0;
+}
+
+std::pair<double, double> quantiles(std::vector<double>& values, double confidence) {
+  std::ranges::sort(values);
+  const auto at = [&](double share) {
+    const double position = share * static_cast<double>(values.size() - 1);
+    const auto low = static_cast<std::size_t>(position);
+    const std::size_t high = std::min(low + 1, values.size() - 1);
+    return values[low] + (position - static_cast<double>(low)) * (values[high] - values[low]);
+  };
+  return {at(0.5 * (1.0 - confidence)), at(0.5 * (1.0 + confidence))};
+}
+
+/// Counts finished samples for the progress callback, one caller at a time.
+class SharedProgress {
+ public:
+  SharedProgress(const Progress& progress, std::size_t total)
+      : progress_(progress), total_(total) {}
+
+  void add(std::size_t count) {
+    if (!progress_) return;
+    const std::scoped_lock lock(mutex_);
+    done_ += count;
+    if (!progress_(done_, total_)) throw Cancelled();
+  }
+
+ private:
+  const Progress& progress_;
+  std::size_t total_;
+  std::size_t done_ = 0;
+  std::mutex mutex_;
+};
+
+}  // namespace
+
+DensitySample sample_density(const InversionResult& result, const BandOptions& options,
+                             std::size_t index) {
+  const InversionModel& model = *result.model;
+  const SmoothingProblem& problem = model.problem();
+  RandomStream random(options.seed, index);
+
+  const SmoothingPoint& point = draw_point(model, random.uniform());
+  const double lambda = kSampleLambda * point.lambda;
+  const boost::math::chi_squared chi_squared(model.degrees_of_freedom);
+  const double s = model.scatter * std::sqrt(model.degrees_of_freedom /
+                                             boost::math::quantile(chi_squared, random.uniform()));
+  Eigen::VectorXd data_noise(problem.rows());
+  for (double& value : data_noise) value = random.normal();
+  Eigen::VectorXd prior_noise(problem.penalty().rows());
+  for (double& value : prior_noise) value = random.normal();
+  const Eigen::VectorXd linear =
+      problem.linear() + s * (problem.design().transpose() * data_noise) +
+      kPriorNoise * s * std::sqrt(lambda) * (problem.penalty().transpose() * prior_noise);
+
+  QuadraticProgram program(problem.area(), 1.0);
+  const Eigen::VectorXd x = program.solve(problem.hessian(lambda), linear, point.solution.free).x;
+
+  DensitySample sample;
+  const Eigen::VectorXd density = model.density(x);
+  sample.density.push_back(density(0));
+  sample.density.insert(sample.density.end(), density.begin(), density.end());
+  sample.area = problem.area().dot(x);
+  sample.linear_damping = model.linear_damping(x) * model.stiffness();
+  sample.atom_weight = model.atom_weight(x);
+  const double dissipation_gain = 1.0 + options.dissipation_gain_std * random.normal();
+  const double amplitude_gain = 1.0 + options.amplitude_gain_std * random.normal();
+  apply_gains(result.slip_force, std::max(0.0, dissipation_gain), std::max(0.1, amplitude_gain),
+              sample);
+  return sample;
+}
+
+DensityBands density_bands(const InversionResult& result, const BandOptions& options) {
+  check_options(options);
+  std::vector<DensitySample> samples(options.samples);
+  SharedProgress progress(options.progress, options.samples);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, options.samples, 16),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                        samples[i] = sample_density(result, options, i);
+                      }
+                      progress.add(range.size());
+                    });
+
+  DensityBands bands;
+  bands.confidence = options.confidence;
+  bands.samples = options.samples;
+  std::vector<double> values(samples.size());
+  const auto quantiles_of = [&](const auto& read) {
+    std::ranges::transform(samples, values.begin(), read);
+    return quantiles(values, options.confidence);
+  };
+  for (std::size_t j = 0; j < result.slip_force.size(); ++j) {
+    const auto [lower, upper] =
+        quantiles_of([j](const DensitySample& sample) { return sample.density[j]; });
+    bands.lower.push_back(lower);
+    bands.upper.push_back(upper);
+  }
+  bands.area = quantiles_of([](const DensitySample& sample) { return sample.area; });
+  bands.linear_damping =
+      quantiles_of([](const DensitySample& sample) { return sample.linear_damping; });
+  bands.atom_weight = quantiles_of([](const DensitySample& sample) { return sample.atom_weight; });
+  return bands;
+}
+
+}  // namespace microslip

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "microslip/base/summary.hpp"
+#include "microslip/identify/inversion.hpp"
+#include "microslip/identify/levels.hpp"
+
+namespace microslip {
+
+/// What levels alone give reason to say, before any method:
+///   * `few_levels`          fewer than 10 different amplitudes;
+///   * `amplitudes_merged`   equal amplitudes became one level each;
+///   * `std_ignored`         a standard deviation of zero somewhere, so none of that column is used; or
+///                           deviations of A without those of D.
+[[nodiscard]] std::vector<Warning> diagnose(const Levels& levels);
+
+/// What an inversion gives reason to say:
+///   * `density_negative`        without the limit φ would be significantly negative [AR14 Fig. B1];
+///   * `data_not_convex`         three neighbouring levels bend D the wrong way, beyond their scatter;
+///   * `stiffness_inconsistent`  the area would exceed 1: more stiffness slips than k has;
+///   * `secant_inconsistent`     measured secant stiffnesses do not belong to D and k;
+///   * `extrapolation`           much of the area lies below the lowest amplitude;
+///   * `damping_ambiguous`       linear damping takes most of D at the lowest level;
+///   * `scatter_large`           the levels scatter more than a usable measurement, or than was said;
+///   * `scatter_small`           they scatter much less than was said;
+///   * `macroslip_not_reached`   no atom was found.
+[[nodiscard]] std::vector<Warning> diagnose(const InversionResult& result,
+                                            const InversionOptions& options);
+
+}  // namespace microslip

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/identify/identification.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <variant>
+
+#include "microslip/base/error.hpp"
+#include "microslip/identify/diagnostics.hpp"
+#include "microslip/identify/differences.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr std::size_t kPlotPoints = 400;
+
+void append(std::vector<Warning>& all, std::vector<Warning> more) {
+  std::ranges::move(more, std::back_inserter(all));
+}
+
+double area_of(const std::vector<double>& slip_force, const std::vector<double>& density) {
+  double area = 0.0;
+  for (std::size_t j = 1; j < slip_force.size(); ++j) {
+    area += 0.5 * (slip_force[j] - slip_force[j - 1]) * (density[j] + density[j - 1]);
+  }
+  return area;
+}
+
+Joint joint_of(double stiffness, std::vector<double> slip_force, std::vector<double> density,
+               std::optional<std::pair<double, double>> atom) {
+  std::vector<DensityPart> parts;
+  parts.emplace_back(PiecewiseLinearPart{std::move(slip_force), std::move(density)});
+  if (atom && atom->second > 0.0) parts.emplace_back(AtomsPart{{atom->first}, {atom->second}});
+  return Joint(stiffness, SlipDensity(std::move(parts)));
+}
+
+/// A density that may be negative, made one that a joint can have.
+Joint feasible_joint(double stiffness, const SignedDensity& found, std::vector<Warning>& warnings) {
+  std::vector<double> density = found.density;
+  const auto negative = std::ranges::count_if(density, [](double v) { return v < 0.0; });
+  for (double& value : density) value = std::max(value, 0.0);
+  if (negative > 0) {
+    warnings.push_back({"density_clipped",
+                        fmt::format("The density is negative at {} of {} points; the joint has 0 "
+                                    "there. The method inversion needs no clipping.",
+                                    negative, density.size())});
+  }
+  const double area = area_of(found.slip_force, density);
+  if (area > 1.0) {
+    for (double& value : density) value /= area;
+    warnings.push_back({"density_scaled",
+                        fmt::format("The area of the density is {:.3f}, above 1; the joint has it "
+                                    "scaled down to 1. k may be too low.",
+                                    area)});
+  }
+  return joint_of(stiffness, found.slip_force, std::move(density), std::nullopt);
+}
+
+void read_density_of_joint(Identification& found) {
+  const auto& part = std::get<PiecewiseLinearPart>(found.joint.density().parts().front());
+  found.slip_force = part.slip_force;
+  found.density = part.density;
+}
+
+Identification by_inversion(const Levels& levels, const IdentificationOptions& options) {
+  InversionResult result = invert(levels, options.inversion);
+  std::optional<std::pair<double, double>> atom;
+  if (result.atom_slip_force) atom.emplace(*result.atom_slip_force, result.atom_weight);
+  Identification found(options.method, joint_of(options.inversion.stiffness, result.slip_force,
+                                                result.density, atom));
+  found.slip_force = result.slip_force;
+  found.density = result.density;
+  found.linear_damping = result.linear_damping;
+  found.summary = result.summary;
+  append(found.warnings, diagnose(result, options.inversion));
+  if (options.bands) {
+    found.bands = density_bands(result, *options.bands);
+    found.lower = found.bands->lower;
+    found.upper = found.bands->upper;
+  }
+  found.inversion = std::move(result);
+  return found;
+}
+
+Identification by_spline(const Levels& levels, const IdentificationOptions& options) {
+  const double k = options.inversion.stiffness;
+  SplineDensityResult result = density_by_spline(levels, k, {options.spline_smoothing});
+  std::vector<Warning> warnings = result.warnings;
+  Identification found(options.method, feasible_joint(k, result.density, warnings));
+  read_density_of_joint(found);
+  found.summary = result.fit.summary;
+  found.warnings = std::move(warnings);
+  found.spline = std::move(result);
+  return found;
+}
+
+Identification by_differences(const Levels& levels, const IdentificationOptions& options) {
+  const double k = options.inversion.stiffness;
+  SignedDensity result = density_by_differences(levels, k);
+  if (result.slip_force.size() < 2) {
+    throw InputError("number of different amplitudes",
+                     static_cast<double>(result.slip_force.size() + 2),
+                     "must be 4 or more to make a density of differences", "Measure more levels.");
+  }
+  std::vector<Warning> warnings;
+  Identification found(options.method, feasible_joint(k, result, warnings));
+  read_density_of_joint(found);
+  found.summary.method = "second differences";
+  found.summary.status = Status::kConverged;
+  found.summary.reason = "closed form";
+  found.warnings = std::move(warnings);
+  found.differences = std::move(result);
+  return found;
+}
+
+Identification by_method(const Levels& levels, const IdentificationOptions& options) {
+  switch (options.method) {
+    case IdentificationMethod::kSpline:
+      return by_spline(levels, options);
+    case IdentificationMethod::kDifferences:
+      return by_differences(levels, options);
+    case IdentificationMethod::kInversion:
+      break;
+  }
+  return by_inversion(levels, options);
+}
+
+/// The joint becomes the parametric one; what the method found stays beside it.
+void replace_by_fit(const Levels& levels, const IdentificationOptions& options,
+                    Identification& found) {
+  const double k = options.inversion.stiffness;
+  ParametricResult fit =
+      fit_parametric(levels, k, *options.fit, {.linear_damping = options.inversion.linear_damping});
+  found.joint = fit.joint;
+  found.summary = fit.summary;
+  if (options.inversion.linear_damping) found.linear_damping = fit.linear_damping;
+  append(found.warnings, fit.warnings);
+  found.slip_force.clear();
+  found.density.clear();
+  found.lower.clear();
+  found.upper.clear();
+  // Not at 0, where a power law has no finite density.
+  const double end = fit.joint.density().largest_slip_force();
+  for (std::size_t i = 1; i <= kPlotPoints; ++i) {
+    const double f = end * static_cast<double>(i) / static_cast<double>(kPlotPoints);
+    found.slip_force.push_back(f);
+    found.density.push_back(fit.joint.density().density(i == kPlotPoints ? f * (1 - 1e-12) : f));
+  }
+  found.parametric = std::move(fit);
+}
+
+}  // namespace
+
+std::string_view to_string(IdentificationMethod method) {
+  switch (method) {
+    case IdentificationMethod::kSpline:
+      return "spline";
+    case IdentificationMethod::kDifferences:
+      return "differences";
+    case IdentificationMethod::kInversion:
+      break;
+  }
+  return "inversion";
+}
+
+Identification identify(const Levels& levels, const IdentificationOptions& options) {
+  if (options.bands && options.method != IdentificationMethod::kInversion) {
+    throw InputError("bands", "asked for", "come with the method inversion only",
+                     "Leave out the method, or the bands.");
+  }
+  std::vector<Warning> warnings = diagnose(levels);
+  // A fit takes fewer levels than a free density.
+  const bool fit_only = options.fit && sort_and_merge(levels).levels.size() < kFewestLevels;
+  Identification found =
+      fit_only ? Identification(options.method, Joint(options.inversion.stiffness, SlipDensity()))
+               : by_method(levels, options);
+  if (options.fit) replace_by_fit(levels, options, found);
+  append(warnings, std::move(found.warnings));
+  found.warnings = std::move(warnings);
+  const auto [lowest, highest] = std::ranges::minmax(levels.amplitude);
+  found.covered_from = options.inversion.stiffness * lowest;
+  found.covered_to = options.inversion.stiffness * highest;
+  return found;
+}
+
+}  // namespace microslip

@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/identify/inversion.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/identify/inversion_model.hpp"
+#include "microslip/identify/signed_density.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr std::size_t kFirstPassPoints = 25;
+constexpr double kMostKktResidual = 1e-9;
+/// χ₀ stays where its power law has an area, and never rises: a rising reference would claim that
+/// there is no density at small slip forces, which D hardly tells.
+constexpr double kLeastExponent = -0.9;
+/// Slip forces at which an atom is sought first, and the levels that it takes.
+constexpr int kAtomCandidates = 41;
+constexpr Eigen::Index kFewestForAtom = 20;
+/// Of Schwarz's criterion: "very strong" [Kass & Raftery, J. Am. Stat. Assoc. 90 (1995) 773].
+constexpr double kStrongEvidence = 10.0;
+/// More points than this tell no more about a slope.
+constexpr Eigen::Index kSlopePoints = 200;
+
+/// The basis follows a density with steps and atoms to about this share of D: less scatter proves
+/// nothing about limits.
+constexpr double kResolution = 5e-3;
+/// Below this share of d ∝ a³ through the largest level the density has hardly begun. The edge
+/// where it does lies between knots, which is large against such a small d.
+constexpr double kBegunShare = 3e-2;
+
+void check_options(const InversionOptions& options) {
+  check_stiffness(options.stiffness);
+  if (options.lambda && !(std::isfinite(*options.lambda) && *options.lambda > 0.0)) {
+    throw InputError("lambda", *options.lambda, "must be positive and finite",
+                     "Take one of the path that an automatic choice reports.");
+  }
+  if (options.coefficients < 10) {
+    throw InputError("coefficients", options.coefficients, "must be 10 or more");
+  }
+  if (options.path_points < 5) {
+    throw InputError("path_points", static_cast<double>(options.path_points), "must be 5 or more");
+  }
+}
+
+void check_count(const Levels& merged) {
+  if (merged.size() < kFewestLevels) {
+    throw InputError("number of different amplitudes", static_cast<double>(merged.size()),
+                     fmt::format("must be {} or more to identify a density", kFewestLevels),
+                     "Measure more levels, or fit a model with fewer parameters.");
+  }
+  if (std::ranges::all_of(merged.dissipation, [](double d) { return d == 0.0; })) {
+    throw InputError("dissipation", "0 at all levels", "must be positive at one level at least");
+  }
+}
+
+/// χ₀: the median slope of ln d over ln a between levels far enough apart, less 3. [Theil & Sen]
+double reference_exponent(const ScaledLevels& levels, const Eigen::VectorXd& d) {
+  const Eigen::ArrayXd x = levels.amplitude.array().log();
+  const Eigen::ArrayXd y =
+      d.cwiseMax(1e-4 * d.maxCoeff() * levels.amplitude.array().cube().matrix()).array().log();
+  const double range = x(x.size() - 1) - x(0);
+  const Eigen::Index step = 1 + (x.size() - 1) / kSlopePoints;
+  std::vector<double> slopes;
+  for (Eigen::Index i = 0; i < x.size(); i += step) {
+    for (Eigen::Index j = i + step; j < x.size(); j += step) {
+      if (x(j) - x(i) > 0.3 * range) slopes.push_back((y(j) - y(i)) / (x(j) - x(i)));
+    }
+  }
+  const auto middle = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() / 2);
+  std::ranges::nth_element(slopes, middle);
+  return std::clamp(*middle - 3.0, kLeastExponent, 0.0);
+}
+
+/// d for the weights of the first pass: the median of d/a³ over five neighbouring levels, times a³.
+/// The noisy value itself would give a level that is far too low, or zero, the largest weight of
+/// all.
+Eigen::VectorXd typical_dissipation(const ScaledLevels& levels) {
+  const Eigen::VectorXd cube = levels.amplitude.array().cube();
+  const Eigen::VectorXd ratio = levels.dissipation.cwiseQuotient(cube);
+  const Eigen::Index n = ratio.size();
+  Eigen::VectorXd typical(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index from = std::max<Eigen::Index>(0, i - 2);
+    const Eigen::Index to = std::min(n, i + 3);
+    std::vector<double> near(ratio.begin() + from, ratio.begin() + to);
+    const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
+    std::ranges::nth_element(near, middle);
+    typical(i) = *middle * cube(i);
+  }
+  return typical;
+}
+
+/// ω of each second difference: larger, up to 3 times, where an earlier pass found little density.
+Eigen::VectorXd penalty_weights(const Eigen::VectorXd& theta) {
+  const Eigen::Index n = theta.size();
+  Eigen::VectorXd mean(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    double sum = 0.0;
+    for (Eigen::Index j = i - 2; j <= i + 2; ++j) {
+      sum += std::abs(theta(std::clamp<Eigen::Index>(j, 0, n - 1)));
+    }
+    mean(i) = sum / 5.0;
+  }
+  const double typical = std::max(1e-300, std::sqrt(mean.squaredNorm() / static_cast<double>(n)));
+  Eigen::ArrayXd level = (mean.head(n - 2) + mean.segment(1, n - 2) + mean.tail(n - 2)) / 3.0;
+  const Eigen::ArrayXd weight = (level / typical + 0.1).rsqrt();
+  return (weight / std::exp(weight.log().mean())).matrix();
+}
+
+/// The scatter, in units of 1/W, that the residual of a solution tells.
+struct Scatter {
+  double value;
+  double degrees_of_freedom;
+};
+
+Scatter estimate_scatter(const InversionModel& model, double residual, double edf) {
+  const double informative =
+      std::max(static_cast<double>(model.problem().unpenalised()) + 1.0, model.informative_rows());
+  const double rows = static_cast<double>(model.problem().rows());
+  const double freedom = informative - std::min({edf, 0.8 * informative, rows - 1.0});
+  return {std::sqrt(residual / freedom), freedom};
+}
+
+void run_path(InversionModel& model, const InversionOptions& options, std::size_t points) {
+  const SmoothingProblem& problem = model.problem();
+  model.most_edf = most_degrees_of_freedom(problem.rows(), problem.unpenalised());
+  std::vector<double> lambdas = problem.lambda_grid(points);
+  if (options.lambda) {  // the path goes from stiff to flexible
+    const auto after = std::ranges::find_if(lambdas, [&](double l) { return l < *options.lambda; });
+    model.chosen = static_cast<std::size_t>(after - lambdas.begin());
+    lambdas.insert(after, *options.lambda);
+  }
+  model.path = problem.path(lambdas);
+  model.lambda_fixed = options.lambda.has_value();
+  if (!model.lambda_fixed) model.chosen = choose(model.path, options.rule, model.most_edf);
+  const SmoothingPoint& point = model.solution();
+  const Scatter scatter = estimate_scatter(model, point.residual, point.edf);
+  model.scatter = scatter.value;
+  model.degrees_of_freedom = scatter.degrees_of_freedom;
+}
+
+/// A first pass with rough weights, then the one that counts: its weights, reference and penalty
+/// come from the first. A third would change nothing.
+InversionModel two_passes(const ScaledLevels& levels, const InversionOptions& options, double top,
+                          bool atom) {
+  PassOptions pass;
+  pass.top = top;
+  pass.atom = atom;
+  pass.linear_damping = options.linear_damping;
+  pass.coefficients = options.coefficients;
+  pass.fit = typical_dissipation(levels);
+  pass.exponent = reference_exponent(levels, levels.dissipation);
+  InversionOptions automatic = options;
+  automatic.lambda.reset();
+  InversionModel first(levels, pass);
+  run_path(first, automatic, kFirstPassPoints);
+
+  const Eigen::VectorXd& x = first.solution().solution.x;
+  pass.fit = first.dissipation(x);
+  pass.penalty_weights = penalty_weights(first.theta(x));
+  if (options.linear_damping) {
+    const Eigen::VectorXd damping = first.linear_damping(x) * levels.amplitude.cwiseAbs2();
+    pass.exponent =
+        reference_exponent(levels, (levels.dissipation - damping).cwiseMax(levels.floor));
+  }
+  InversionModel second(levels, pass);
+  run_path(second, options, options.path_points);
+  return second;
+}
+
+/// Schwarz's criterion of a model: m ln rss + edf ln m, with residuals relative to the same d for all
+/// models, whatever weights each of them took.
+double schwarz_criterion(const ScaledLevels& levels, const InversionModel& model) {
+  const SmoothingPoint& point = model.solution();
+  const Eigen::ArrayXd typical = typical_dissipation(levels).cwiseMax(levels.floor).array();
+  const Eigen::ArrayXd left = (levels.dissipation - model.dissipation(point.solution.x)).array();
+  const double residual = std::max(1e-20, (left / typical).square().sum());
+  const auto m = static_cast<double>(levels.amplitude.size());
+  return m * std::log(residual) + point.edf * std::log(m);
+}
+
+/// The slip force of an atom at macro-slip, as a share of kA_max: it ends the density, and above it D
+/// grows in a straight line. Nothing where the density goes on to the end of the data, or the levels
+/// are too few to tell.
+std::optional<double> find_atom(const ScaledLevels& levels, const InversionOptions& options) {
+  const Eigen::Index count = levels.amplitude.size();
+  if (count < kFewestForAtom) return std::nullopt;
+  const auto criterion = [&](double top) {
+    return schwarz_criterion(levels, two_passes(levels, options, top, true));
+  };
+  // Two levels at least must lie beyond an atom to show the straight line.
+  const double first = levels.amplitude(2);
+  const double last = levels.amplitude(count - 3);
+  const double ratio = std::pow(last / first, 1.0 / (kAtomCandidates - 1));
+  double best = first;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kAtomCandidates; ++i) {
+    const double top = first * std::pow(ratio, i);
+    const double value = criterion(top);
+    if (value < lowest) {
+      best = top;
+      lowest = value;
+    }
+  }
+  const double without = schwarz_criterion(levels, two_passes(levels, options, 1.0, false));
+  // The position is a parameter of its own.
+  const double price = std::log(static_cast<double>(count)) + kStrongEvidence;
+  if (!(lowest + price < without)) return std::nullopt;
+  std::uintmax_t iterations = 20;
+  return boost::math::tools::brent_find_minima(criterion, best / ratio,
+                                               std::min(best * ratio, last), 12, iterations)
+      .first;
+}
+
+/// σ̂ in units of 1/W from a residual, not below what the basis resolves.
+double scatter_beyond_resolution(const InversionModel& model, const ScaledLevels& levels,
+                                 const SmoothingPoint& point) {
+  const Eigen::ArrayXd told = model.problem().data().head(levels.amplitude.size());  // d/σ
+  std::vector<double> sorted(told.begin(), told.end());
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::ranges::nth_element(sorted, middle);
+  return std::max(
+      {estimate_scatter(model, point.residual, point.edf).value, kResolution * *middle, 1e-150});
+}
+
+/// The likeliest solution without any limit.
+SmoothingPoint unlimited_solution(const InversionModel& model) {
+  SmoothingPoint best;
+  best.likelihood = std::numeric_limits<double>::infinity();
+  for (const SmoothingPoint& point : model.path) {
+    SmoothingPoint unlimited = model.problem().solve_unlimited(point.lambda);
+    const bool allowed = unlimited.edf <= model.most_edf;
+    if (allowed && unlimited.likelihood < best.likelihood) best = std::move(unlimited);
+  }
+  return best;
+}
+
+// A test of the unlimited density itself would find every peak and edge guilty, as a smoother rings
+// beside them. What a flexible density ≥ 0 leaves of D has no peaks and edges any more, only what
+// no such density can give.
+void judge_sign(const InversionModel& model, const ScaledLevels& levels, InversionResult& result) {
+  const SmoothingProblem& problem = model.problem();
+  const SmoothingPoint unlimited = unlimited_solution(model);
+  if (unlimited.lambda == 0.0) return;
+  QuadraticProgram no_budget(problem.area(), 1e9);
+  const SmoothingPoint& last = model.path.back();
+  const double lambda = std::max(1e-3 * unlimited.lambda, last.lambda);
+  const Eigen::VectorXd flexible =
+      no_budget.solve(problem.hessian(lambda), problem.linear(), last.solution.free).x;
+  Eigen::VectorXd left = problem.data() - problem.design() * flexible;
+  const double largest = levels.dissipation.maxCoeff();
+  for (Eigen::Index i = 0; i < levels.amplitude.size(); ++i) {
+    const double begun = kBegunShare * largest * std::pow(levels.amplitude(i), 3);
+    if (levels.dissipation(i) < begun) left(i) = 0.0;
+  }
+
+  // Posterior covariance of the coefficients: variance·H⁻¹; of the densities row by row.
+  const double scatter = scatter_beyond_resolution(model, levels, unlimited);
+  const Eigen::LLT<Eigen::MatrixXd> factor(problem.hessian(unlimited.lambda));
+  const Eigen::VectorXd change = factor.solve(problem.design().transpose() * left);
+  const Eigen::MatrixXd to_density = model.density_matrix();
+  const Eigen::MatrixXd whitened = factor.matrixL().solve(to_density.transpose());
+  const Eigen::ArrayXd deviation = scatter * whitened.colwise().norm().transpose().array();
+  const Eigen::ArrayXd changed = (to_density * (flexible + change)).array();
+  const Eigen::ArrayXd score =
+      (changed < 0.0).select((to_density * change).array() / deviation, 0.0);
+  Eigen::Index lowest = 0;
+  result.lowest_score = std::min(0.0, score.minCoeff(&lowest));
+  result.lowest_at =
+      model.largest_slip_force() * model.basis().knots()[static_cast<std::size_t>(lowest)];
+}
+
+/// What area ≤ 1 costs: the solution without it, at the same λ.
+void judge_area(const InversionModel& model, const ScaledLevels& levels, InversionResult& result) {
+  const SmoothingPoint& point = model.solution();
+  const SmoothingProblem& problem = model.problem();
+  const auto objective = [&](const Eigen::VectorXd& x) {
+    return (problem.data() - problem.design() * x).squaredNorm() +
+           point.lambda * (problem.penalty() * x).squaredNorm();
+  };
+  QuadraticProgram unlimited(problem.area(), 1e9);
+  const Eigen::VectorXd positive =
+      unlimited.solve(problem.hessian(point.lambda), problem.linear(), point.solution.free).x;
+  result.unlimited_area = problem.area().dot(positive);
+  const double scatter =
+      scatter_beyond_resolution(model, levels, problem.solve_unlimited(point.lambda));
+  result.area_cost =
+      std::max(0.0, objective(point.solution.x) - objective(positive)) / (scatter * scatter);
+}
+
+void read_density(const InversionModel& model, InversionResult& result) {
+  const Eigen::VectorXd& x = model.solution().solution.x;
+  const Eigen::VectorXd density = model.density(x);
+  result.slip_force.push_back(0.0);
+  result.density.push_back(density(0));
+  for (Eigen::Index j = 0; j < density.size(); ++j) {
+    result.slip_force.push_back(model.largest_slip_force() *
+                                model.basis().knots()[static_cast<std::size_t>(j)]);
+    result.density.push_back(density(j));
+  }
+  result.area = model.problem().area().dot(x);
+  result.atom_weight = model.atom_weight(x);
+}
+
+void read_fit(const InversionModel& model, const ScaledLevels& levels, InversionResult& result) {
+  const Eigen::VectorXd& x = model.solution().solution.x;
+  const Eigen::VectorXd d =
+      levels.largest_slip_force * levels.largest_amplitude * model.dissipation(x);
+  result.fitted_dissipation.assign(d.begin(), d.end());
+  if (levels.softening.size() == 0) return;
+  const Eigen::VectorXd soft = model.softening(x);
+  const Eigen::ArrayXd precision = levels.softening_std.array().square().inverse();
+  const double offset = (precision * (soft - levels.softening).array()).sum() / precision.sum();
+  result.secant_offset = levels.stiffness * offset;
+  for (const double s : soft) {
+    result.fitted_secant_stiffness.push_back(levels.stiffness * (1.0 - s + offset));
+  }
+}
+
+void read_path(const InversionModel& model, InversionResult& result) {
+  const auto rows = static_cast<double>(model.problem().rows());
+  for (const SmoothingPoint& point : model.path) {
+    result.path.push_back({point.lambda, point.edf, std::sqrt(point.residual / rows), point.gcv,
+                           point.likelihood, point.solution.kkt_residual});
+  }
+  result.chosen = model.chosen;
+  result.edf = model.solution().edf;
+}
+
+void summarise(const InversionModel& model, Summary& summary) {
+  const QuadraticProgram::Solution& solution = model.solution().solution;
+  summary.method = "regularised convex inversion";
+  summary.residual = solution.kkt_residual;
+  for (const SmoothingPoint& point : model.path) summary.iterations += point.solution.exchanges;
+  const bool solved =
+      solution.converged && solution.kkt_residual <= kMostKktResidual + solution.rounding;
+  summary.status = solved ? Status::kConverged : Status::kNotConverged;
+  summary.reason =
+      solved ? fmt::format("optimality conditions hold to {:.0e} or rounding", kMostKktResidual)
+             : fmt::format("optimality conditions hold to {:.0e} only, {:.0e} wanted",
+                           solution.kkt_residual, kMostKktResidual);
+}
+
+}  // namespace
+
+InversionResult invert(const Levels& levels, const InversionOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  check_options(options);
+  const MergedLevels merged = sort_and_merge(levels);
+  check_count(merged.levels);
+  const ScaledLevels scaled(merged, options.stiffness);
+
+  InversionResult result;
+  double top = 1.0;
+  if (options.atom) {
+    if (const std::optional<double> found = find_atom(scaled, options)) {
+      top = *found;
+      result.atom_slip_force = top * scaled.largest_slip_force;
+    }
+  }
+  auto model = std::make_shared<InversionModel>(
+      two_passes(scaled, options, top, result.atom_slip_force.has_value()));
+  result.levels = merged.levels;
+  read_density(*model, result);
+  read_fit(*model, scaled, result);
+  read_path(*model, result);
+  if (options.linear_damping) {
+    result.linear_damping = options.stiffness * model->linear_damping(model->solution().solution.x);
+  }
+  result.scatter = model->scatter * (scaled.deviations_given() ? 1.0 : scaled.relative_std);
+  result.scatter_is_relative = !scaled.deviations_given();
+  judge_sign(*model, scaled, result);
+  judge_area(*model, scaled, result);
+  summarise(*model, result.summary);
+  result.model = std::move(model);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+  result.summary.wall_seconds = elapsed.count();
+  return result;
+}
+
+}  // namespace microslip

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "microslip/base/summary.hpp"
+#include "microslip/identify/levels.hpp"
+#include "microslip/identify/smoothing_rule.hpp"
+
+namespace microslip {
+
+class InversionModel;
+
+/// How invert() solves.
+struct InversionOptions {
+  /// k, stiffness of the stuck joint, N/m; > 0. It scales the slip forces: f* = kA.
+  double stiffness = 0.0;
+
+  /// How the smoothing parameter λ is chosen, unless `lambda` is given.
+  SmoothingRule rule = SmoothingRule::kGcv;
+
+  /// λ in the scaled variables of the inversion, as the path reports it; > 0.
+  std::optional<double> lambda = {};
+
+  /// Adds βA² with β ≥ 0 to D: linear (material, air, shaker) damping that was not subtracted. Where
+  /// the density goes on below the lowest amplitude the two can hardly be told apart.
+  bool linear_damping = false;
+
+  /// Adds an atom where the density ends: the slip force at which the joint passes into macro-slip,
+  /// sought within the range of the data.
+  bool atom = false;
+
+  /// Coefficients of the density; ≥ 10. More than the default change nothing but the time.
+  int coefficients = 56;
+
+  /// Points of the λ path; ≥ 5.
+  std::size_t path_points = 50;
+};
+
+/// One point of the λ path.
+struct PathPoint {
+  double lambda;        ///< 1
+  double edf;           ///< effective degrees of freedom
+  double residual;      ///< rms of the weighted residuals
+  double gcv;           ///< generalised cross-validation score, with the factor 1.4
+  double likelihood;    ///< −2 log restricted likelihood, up to a constant
+  double kkt_residual;  ///< of the constrained solution, relative
+};
+
+/// What invert() found. The density is continuous and linear between the knots, up to the last one.
+struct InversionResult {
+  std::vector<double> slip_force;  ///< knots, N; from 0 to kA_max, or to the atom
+  std::vector<double> density;     ///< φ at the knots, 1/N; ≥ 0
+  double area = 0.0;               ///< Φ0 of the density and the atom, 1; ≤ 1
+
+  std::optional<double> linear_damping;   ///< β, J/m²
+  std::optional<double> atom_slip_force;  ///< N; nothing where the data do not reach macro-slip
+  double atom_weight = 0.0;               ///< 1
+
+  std::vector<PathPoint> path;  ///< from stiff to flexible
+  std::size_t chosen = 0;       ///< index into the path
+  double edf = 0.0;             ///< effective degrees of freedom of the solution
+
+  /// Estimated scatter of the levels: relative to D where no standard deviation was given; relative to
+  /// that deviation (1 where it is right) where it was.
+  double scatter = 0.0;
+  bool scatter_is_relative = true;
+
+  Levels levels;                                ///< sorted and merged
+  std::vector<double> fitted_dissipation;       ///< D of the result at these levels, J
+  std::vector<double> fitted_secant_stiffness;  ///< N/m; where k_eq was measured; with the offset
+  double secant_offset = 0.0;  ///< weighted mean of k_eq as measured less as D and k give it, N/m
+
+  /// By how much D asks for a negative density, in standard deviations (smoothing included): what the
+  /// residual of a flexible density ≥ 0 still tells, smoothed as without limits, where it makes the
+  /// density negative. Below −3.5 or so the data contradict φ ≥ 0. ≤ 0.
+  double lowest_score = 0.0;
+  double lowest_at = 0.0;  ///< slip force there, N
+
+  /// Objective that area ≤ 1 costs in units of the scatter's variance, and Φ0 without that limit: a
+  /// cost above a dozen or so contradicts the stiffness k.
+  double area_cost = 0.0;
+  double unlimited_area = 0.0;
+
+  Summary summary;
+
+  /// What bands() needs again.
+  std::shared_ptr<const InversionModel> model;
+};
+
+/// The least number of levels that invert() takes.
+inline constexpr std::size_t kFewestLevels = 4;
+
+/// Identifies the slip-force density from measured dissipation by solving (7) for it,
+///
+///     minimise ½‖W(Kθ + βA² − D)‖² + ½λ‖Lθ‖²  subject to  θ ≥ 0, β ≥ 0, ∫φ df* ≤ 1,
+///
+/// φ = Σθ_jN_j on knots that follow the data (InversionBasis). W is 1/σ where σ is given and 1/D
+/// otherwise, D from a first fit and not from the noisy value. The penalty is on second differences of
+/// θ, weaker where a first pass found little density, so that empty ranges stay empty and peaks are not
+/// flattened. Secant stiffnesses add rows of the same θ,
+/// each less the weighted mean of them all: their change over the amplitude is used, their absolute level
+/// is not, as it stands and falls with k.
+///
+/// @param levels  at least kFewestLevels different amplitudes, in any order; equal ones are merged.
+/// @throws InputError  naming the level or option that breaks a rule.
+[[nodiscard]] InversionResult invert(const Levels& levels, const InversionOptions& options);
+
+}  // namespace microslip
