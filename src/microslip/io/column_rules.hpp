@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "microslip/io/csv.hpp"
+
+/// @file
+/// Rules on the numbers of a column. @throws FormatError  at the first cell that breaks the rule.
+
+namespace microslip {
+
+void require_positive(const CsvTable& table, std::string_view name, std::span<const double> values,
+                      std::string_view remedy = {});
+
+void require_non_negative(const CsvTable& table, std::string_view name,
+                          std::span<const double> values, std::string_view remedy = {});
+
+/// Each value at least that of the row before it.
+void require_rising(const CsvTable& table, std::string_view name, std::span<const double> values,
+                    std::string_view remedy = {});
+
+}  // namespace microslip

@@ -1,0 +1,503 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <unordered_map>
+#include <utility>
+
+#include "microslip/io/signature.hpp"
+#include "microslip/io/text.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::string_view kExampleHeader = "'amplitude [m],dissipation [J]'";
+
+/// The whole text as a finite number with a decimal point; a leading + is fine.
+std::optional<double> parse_number(std::string_view text) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || stop != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+/// The same with a decimal comma.
+std::optional<double> parse_comma_number(std::string_view text) {
+  constexpr std::size_t kLongestNumber = 400;
+  if (text.size() > kLongestNumber || text.find('.') != std::string_view::npos) return std::nullopt;
+  std::string copy(text);
+  const std::size_t comma = copy.find(',');
+  if (comma != std::string::npos) copy[comma] = '.';
+  return parse_number(copy);
+}
+
+/// A cell between `begin` and `end`, without quotes and outer blanks; `next` is at the separator,
+/// the line break or the end of the text.
+struct RawCell {
+  const char* begin;
+  const char* end;
+  const char* next;
+  bool quoted;
+
+  [[nodiscard]] std::string_view view() const {
+    return {begin, static_cast<std::size_t>(end - begin)};
+  }
+};
+
+/// Finds where cells end.
+class CellScanner {
+ public:
+  CellScanner(std::string_view text, std::string_view file, char separator)
+      : text_(text), end_(text.data() + text.size()), file_(file), separator_(separator) {}
+
+  [[nodiscard]] const char* skip_blanks(const char* p) const {
+    while (p != end_ && (*p == ' ' || (*p == '\t' && separator_ != '\t'))) ++p;
+    return p;
+  }
+
+  [[nodiscard]] bool at_line_end(const char* p) const {
+    return p == end_ || *p == '\n' || (*p == '\r' && (p + 1 == end_ || p[1] == '\n'));
+  }
+
+  [[nodiscard]] bool at_cell_end(const char* p) const {
+    return p == end_ || *p == separator_ || at_line_end(p);
+  }
+
+  [[nodiscard]] const char* skip_line_end(const char* p) const {
+    if (p != end_ && *p == '\r') ++p;
+    if (p != end_ && *p == '\n') ++p;
+    return p;
+  }
+
+  [[nodiscard]] RawCell scan(const char* p) const {
+    p = skip_blanks(p);
+    return p != end_ && *p == '"' ? scan_quoted(p) : scan_plain(p);
+  }
+
+  [[nodiscard]] TextPlace place(const char* p) const {
+    return place_at(text_, static_cast<std::size_t>(p - text_.data()), file_);
+  }
+
+ private:
+  [[nodiscard]] RawCell scan_plain(const char* begin) const {
+    const char* p = begin;
+    for (; !at_cell_end(p); ++p) check_printable(p);
+    const char* end = p;
+    while (end != begin && (end[-1] == ' ' || end[-1] == '\t')) --end;
+    return {begin, end, p, false};
+  }
+
+  [[nodiscard]] RawCell scan_quoted(const char* open) const {
+    const char* p = open + 1;
+    while (!at_line_end(p) && (*p != '"' || (p + 1 != end_ && p[1] == '"'))) {
+      check_printable(p);
+      p += *p == '"' ? 2 : 1;
+    }
+    if (at_line_end(p)) {
+      throw FormatError(place(open), "a closing quote on the line of the opening one",
+                        "the end of the line", "Close the quote or remove it.");
+    }
+    const char* next = skip_blanks(p + 1);
+    if (!at_cell_end(next)) {
+      throw FormatError(place(next), "a separator after the closing quote", in_quotes({next, 1}),
+                        "Double the quotes that belong to the text.");
+    }
+    return {open + 1, p, next, true};
+  }
+
+  void check_printable(const char* p) const {
+    const auto byte = static_cast<unsigned char>(*p);
+    if ((byte >= 0x20 && byte != 0x7F) || byte == '\t') return;
+    throw FormatError(
+        place(p), "text", fmt::format("the byte 0x{:02X}", byte),
+        byte == '\r' ? "Save the table with line breaks LF or CRLF." : "Is this a text table?");
+  }
+
+  std::string_view text_;
+  const char* end_;
+  std::string_view file_;
+  char separator_;
+};
+
+std::string unescaped(const RawCell& cell) {
+  std::string text(cell.view());
+  if (!cell.quoted) return text;
+  for (std::size_t i = text.find("\"\""); i != std::string::npos; i = text.find("\"\"", i + 1)) {
+    text.erase(i, 1);
+  }
+  return text;
+}
+
+/// The first of `;` `,` tab that stands in the header outside of quotes.
+char find_separator(std::string_view header) {
+  bool in_quotes = false;
+  std::string outside;
+  for (const char c : header) {
+    if (c == '"') in_quotes = !in_quotes;
+    if (!in_quotes) outside += c;
+  }
+  for (const char separator : {';', ',', '\t'}) {
+    if (outside.find(separator) != std::string::npos) return separator;
+  }
+  return ',';
+}
+
+}  // namespace
+
+/// One pass over the text. Cells that from_chars can read in place are numbers at once; the others
+/// are marked as text.
+class CsvTable::Parser {
+ public:
+  explicit Parser(CsvTable& table)
+      : table_(table),
+        text_(table.text_),
+        end_(text_.data() + text_.size()),
+        position_(text_.data()),
+        scanner_(text_, table.file_, ',') {}
+
+  void parse_header() {
+    if (text_.starts_with(kByteOrderMark)) position_ += kByteOrderMark.size();
+    while (position_ != end_ && skip_blank_or_comment()) {
+    }
+    if (position_ == end_) {
+      throw FormatError({table_.file_, 0, 0}, fmt::format("a header such as {}", kExampleHeader),
+                        text_.empty() ? "an empty file" : "nothing but blanks and comments");
+    }
+    table_.header_start_ = offset(position_);
+    const std::string_view rest = text_.substr(table_.header_start_);
+    table_.separator_ = find_separator(rest.substr(0, rest.find('\n')));
+    scanner_ = CellScanner(text_, table_.file_, table_.separator_);
+    read_columns();
+  }
+
+  void parse_rows() {
+    const char* start = position_;
+    const std::size_t comments = table_.comments_.size();
+    if (!read_rows()) {
+      position_ = start;
+      table_.decimal_comma_ = true;
+      table_.comments_.resize(comments);
+      table_.row_start_.clear();
+      table_.values_.clear();
+      table_.text_cells_.clear();
+      read_rows();
+    }
+    if (table_.rows() == 0) {
+      throw FormatError(scanner_.place(end_), "a row of values below the header",
+                        "the end of the file");
+    }
+  }
+
+ private:
+  [[nodiscard]] std::size_t offset(const char* p) const {
+    return static_cast<std::size_t>(p - text_.data());
+  }
+
+  bool skip_blank_or_comment() {
+    const char* p = position_;
+    while (p != end_ && (*p == ' ' || *p == '\t')) ++p;
+    if (p != end_ && *p == '#') {
+      const std::string_view rest = text_.substr(offset(p) + 1);
+      std::string_view comment = rest.substr(0, rest.find('\n'));
+      p = comment.data() + comment.size();
+      if (comment.ends_with('\r')) comment.remove_suffix(1);
+      table_.comments_.emplace_back(trimmed(comment));
+    }
+    if (!scanner_.at_line_end(p)) return false;
+    position_ = scanner_.skip_line_end(p);
+    return true;
+  }
+
+  void read_columns() {
+    std::unordered_map<std::string, std::size_t> seen;
+    bool all_numbers = true;
+    for (;;) {
+      const RawCell cell = scanner_.scan(position_);
+      const bool last = scanner_.at_line_end(cell.next);
+      const bool trailing = last && cell.begin == cell.end && !table_.columns_.empty();
+      if (!trailing) {
+        all_numbers = all_numbers && parse_number(cell.view()).has_value();
+        add_column(cell, seen);
+      }
+      position_ = last ? scanner_.skip_line_end(cell.next) : cell.next + 1;
+      if (last) break;
+    }
+    if (all_numbers) {
+      throw FormatError(place_at(text_, table_.header_start_, table_.file_),
+                        fmt::format("a header such as {}", kExampleHeader), "a row of numbers",
+                        "Add a first line that names each column with its unit.");
+    }
+  }
+
+  void add_column(const RawCell& cell, std::unordered_map<std::string, std::size_t>& seen) {
+    const std::string text = unescaped(cell);
+    const std::size_t bracket = text.find('[');
+    CsvColumn column{.name = std::string(trimmed(text.substr(0, bracket))), .unit = {}};
+    const std::size_t number = table_.columns_.size() + 1;
+    if (column.name.empty()) {
+      throw FormatError(scanner_.place(cell.begin), fmt::format("a name for column {}", number),
+                        text.empty() ? "an empty cell" : in_quotes(text));
+    }
+    if (bracket != std::string::npos) {
+      if (!text.ends_with(']')) {
+        throw FormatError(scanner_.place(cell.begin),
+                          fmt::format("'name [unit]' as the header of column {}", number),
+                          in_quotes(text));
+      }
+      column.unit = trimmed(std::string_view(text).substr(bracket + 1, text.size() - bracket - 2));
+    }
+    const auto [first, is_new] = seen.emplace(column.name, number);
+    if (!is_new) {
+      throw FormatError(scanner_.place(cell.begin), "columns with different names",
+                        fmt::format("{} as column {} and as column {}", in_quotes(column.name),
+                                    first->second, number),
+                        "Rename or remove one of them.");
+    }
+    table_.columns_.push_back(std::move(column));
+  }
+
+  /// False where a decimal comma turns up in a table that was read with decimal points so far.
+  bool read_rows() {
+    while (position_ != end_) {
+      if (skip_blank_or_comment()) continue;
+      if (!read_row()) return false;
+    }
+    return true;
+  }
+
+  bool read_row() {
+    const std::size_t first_value = table_.values_.size();
+    const char* start = position_;
+    table_.row_start_.push_back(offset(start));
+    bool last_is_empty = false;
+    for (;;) {
+      double value = 0.0;
+      const char* next = table_.decimal_comma_ ? nullptr : read_plain_number(value);
+      last_is_empty = false;
+      if (next == nullptr) {
+        const RawCell cell = scanner_.scan(position_);
+        if (!read_other_cell(cell, value)) return false;
+        last_is_empty = cell.begin == cell.end;
+        next = cell.next;
+      }
+      table_.values_.push_back(value);
+      if (scanner_.at_line_end(next)) {
+        position_ = scanner_.skip_line_end(next);
+        break;
+      }
+      position_ = next + 1;
+    }
+    finish_row(start, table_.values_.size() - first_value, last_is_empty);
+    return true;
+  }
+
+  /// The common case without a look for the cell's end: where from_chars stops, the cell must stop.
+  const char* read_plain_number(double& value) const {
+    const char* p = scanner_.skip_blanks(position_);
+    if (end_ - p > 1 && *p == '+' && p[1] != '-') ++p;
+    const auto [stop, error] = std::from_chars(p, end_, value);
+    if (error != std::errc{} || !std::isfinite(value)) {
+      value = 0.0;
+      return nullptr;
+    }
+    const char* next = scanner_.skip_blanks(stop);
+    return scanner_.at_cell_end(next) ? next : nullptr;
+  }
+
+  bool read_other_cell(const RawCell& cell, double& value) {
+    const bool may_have_comma = table_.separator_ != ',';
+    std::optional<double> number =
+        table_.decimal_comma_ ? parse_comma_number(cell.view()) : parse_number(cell.view());
+    if (!number && may_have_comma && !table_.decimal_comma_ && parse_comma_number(cell.view())) {
+      return false;
+    }
+    if (!number) table_.text_cells_.push_back(table_.values_.size());
+    value = number.value_or(0.0);
+    return true;
+  }
+
+  void finish_row(const char* start, std::size_t cells, bool last_is_empty) {
+    const std::size_t columns = table_.columns_.size();
+    if (cells == columns + 1 && last_is_empty) {
+      table_.values_.pop_back();
+      table_.text_cells_.pop_back();
+      --cells;
+    }
+    if (cells == columns) return;
+    throw FormatError(
+        scanner_.place(start),
+        fmt::format("{} cell{} as in the header", columns, columns == 1 ? "" : "s"),
+        fmt::format("{}", cells),
+        cells == 1 || table_.separator_ != ','
+            ? fmt::format("The separator of this table is {}.",
+                          table_.separator_ == '\t' ? "a tab" : in_quotes({&table_.separator_, 1}))
+            : "Decimal commas need ';' or tabs between the columns.");
+  }
+
+  CsvTable& table_;
+  std::string_view text_;
+  const char* end_;
+  const char* position_;
+  CellScanner scanner_;
+};
+
+namespace {
+
+RawCell find_cell(std::string_view text, std::string_view file, char separator,
+                  std::size_t row_start, std::size_t column) {
+  const CellScanner scanner(text, file, separator);
+  RawCell cell = scanner.scan(text.data() + row_start);
+  for (; column > 0; --column) cell = scanner.scan(cell.next + 1);
+  return cell;
+}
+
+}  // namespace
+
+CsvTable::CsvTable(std::string text, std::string_view file) : text_(std::move(text)), file_(file) {
+  const std::string_view other = signature(text_);
+  if (!other.empty()) {
+    throw FormatError({file_, 0, 0}, "a table of comma-separated values", other);
+  }
+  Parser parser(*this);
+  parser.parse_header();
+  parser.parse_rows();
+}
+
+std::optional<std::size_t> CsvTable::find(std::string_view name) const {
+  const auto found = std::find_if(columns_.begin(), columns_.end(),
+                                  [&](const CsvColumn& column) { return column.name == name; });
+  if (found == columns_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - columns_.begin());
+}
+
+std::size_t CsvTable::require(std::string_view name, std::string_view header) const {
+  const std::optional<std::size_t> column = find(name);
+  if (column) return *column;
+  std::string names;
+  for (const CsvColumn& c : columns_) {
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", c.name);
+  }
+  throw FormatError(place_at(text_, header_start_, file_), fmt::format("a column '{}'", header),
+                    fmt::format("the columns {}", in_quotes(names, 120)),
+                    "Names are case-sensitive; a unit stands in square brackets.");
+}
+
+std::string CsvTable::label(std::size_t column) const {
+  const CsvColumn& c = columns_[column];
+  return fmt::format("column {} {}", column + 1,
+                     in_quotes(c.unit ? fmt::format("{} [{}]", c.name, *c.unit) : c.name));
+}
+
+Unit CsvTable::unit_of(std::size_t column, const Dimension& expected) const {
+  const CsvColumn& c = columns_[column];
+  const auto place = [&] {
+    const RawCell cell = find_cell(text_, file_, separator_, header_start_, column);
+    return place_at(text_, static_cast<std::size_t>(cell.begin - text_.data()), file_);
+  };
+  const std::string rule =
+      fmt::format("a unit of {} for column {}", dimension_name(expected), column + 1);
+  if (!c.unit) {
+    throw FormatError(place(), rule, fmt::format("{} without one", in_quotes(c.name)),
+                      fmt::format("Write '{} [{}]'.", c.name, si_unit(expected)));
+  }
+  const std::optional<Unit> unit = find_unit(*c.unit);
+  const std::string remedy = fmt::format("Units that fit: {}.", usual_units(expected));
+  if (!unit) {
+    throw FormatError(
+        place(), rule,
+        fmt::format("the unknown unit {} of {}", in_quotes(*c.unit), in_quotes(c.name)), remedy);
+  }
+  if (unit->dimension != expected) {
+    throw FormatError(place(), rule,
+                      fmt::format("{}, a unit of {}, for {}", in_quotes(*c.unit),
+                                  dimension_name(unit->dimension), in_quotes(c.name)),
+                      remedy);
+  }
+  return *unit;
+}
+
+std::vector<double> CsvTable::numbers(std::string_view name, const Dimension& expected) const {
+  const std::size_t column = require(name, fmt::format("{} [{}]", name, si_unit(expected)));
+  const Unit unit = unit_of(column, expected);
+  const std::size_t width = columns_.size();
+  for (const std::size_t index : text_cells_) {
+    if (index % width == column) reject_number(index / width, column);
+  }
+  std::vector<double> result(rows());
+  for (std::size_t row = 0; row < result.size(); ++row) {
+    result[row] = unit.to_si(values_[row * width + column]);
+    if (!std::isfinite(result[row])) reject_number(row, column);
+  }
+  return result;
+}
+
+std::vector<double> CsvTable::numbers_if_present(std::string_view name,
+                                                 const Dimension& expected) const {
+  return has(name) ? numbers(name, expected) : std::vector<double>{};
+}
+
+std::vector<std::string> CsvTable::text(std::string_view name) const {
+  const std::size_t column = require(name, name);
+  std::vector<std::string> result;
+  result.reserve(rows());
+  for (const std::size_t start : row_start_) {
+    result.push_back(unescaped(find_cell(text_, file_, separator_, start, column)));
+  }
+  return result;
+}
+
+std::vector<std::size_t> CsvTable::row_lines() const {
+  std::vector<std::size_t> lines;
+  lines.reserve(rows());
+  std::size_t line = 1;
+  auto position = text_.begin();
+  for (const std::size_t start : row_start_) {
+    const auto row = text_.begin() + static_cast<std::ptrdiff_t>(start);
+    line += static_cast<std::size_t>(std::count(position, row, '\n'));
+    position = row;
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+void CsvTable::reject(std::size_t row, std::string_view name, std::string_view expected,
+                      std::string_view remedy) const {
+  const std::size_t column = require(name, name);
+  const RawCell cell = find_cell(text_, file_, separator_, row_start_[row], column);
+  throw FormatError(place_at(text_, static_cast<std::size_t>(cell.begin - text_.data()), file_),
+                    fmt::format("{} in {}", expected, label(column)),
+                    cell.begin == cell.end ? "an empty cell" : in_quotes(cell.view()), remedy);
+}
+
+void CsvTable::reject_number(std::size_t row, std::size_t column) const {
+  const RawCell cell = find_cell(text_, file_, separator_, row_start_[row], column);
+  const std::string_view text = cell.view();
+  std::string_view remedy = "Correct the cell or remove the row.";
+  if (decimal_comma_ && text.find('.') != std::string_view::npos) {
+    remedy = "This table has decimal commas elsewhere: write all numbers one way.";
+  }
+  reject(row, columns_[column].name, "a finite number", remedy);
+}
+
+std::vector<std::string> csv_column_names(std::string_view head) {
+  std::vector<std::string> names;
+  if (!signature(head).empty()) return names;
+  CsvTable table;
+  table.text_ = head;
+  try {
+    CsvTable::Parser(table).parse_header();
+  } catch (const FormatError&) {
+    return names;
+  }
+  for (const CsvColumn& column : table.columns_) names.push_back(column.name);
+  return names;
+}
+
+}  // namespace microslip

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/csv_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/text.hpp"
+
+namespace microslip {
+namespace {
+
+std::string on_one_line(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
+  }
+  return result;
+}
+
+/// Quoted where it would not read back as it is; empty cells too, which could make a blank line.
+void append_text(std::string& text, std::string_view cell) {
+  const bool plain = !cell.empty() && cell.find_first_of(",;\"#") == std::string_view::npos &&
+                     trimmed(cell).size() == cell.size() && !cell.starts_with("\xEF\xBB\xBF");
+  if (plain) {
+    text += cell;
+    return;
+  }
+  text += '"';
+  for (const char c : cell) {
+    if (c == '"') text += '"';
+    text += c;
+  }
+  text += '"';
+}
+
+}  // namespace
+
+void CsvWriter::add_comment(std::string_view text) {
+  for (;;) {
+    const std::size_t end = text.find('\n');
+    const std::string line = on_one_line(text.substr(0, end));
+    comments_ += line.empty() ? "#\n" : fmt::format("# {}\n", line);
+    if (end == std::string_view::npos) return;
+    text.remove_prefix(end + 1);
+  }
+}
+
+void CsvWriter::check_column(std::string_view name, std::size_t size) const {
+  if (name.empty() || name.find_first_of("[],;\"#\t\r\n") != std::string_view::npos) {
+    throw InputError("column name", in_quotes(name), "must be text without [ ] , ; \" # and tabs");
+  }
+  if (!columns_.empty() && size != rows_) {
+    throw InputError(name, fmt::format("{} values", size),
+                     fmt::format("must have {} values like the columns before it", rows_));
+  }
+}
+
+void CsvWriter::add_numbers(std::string_view name, const Dimension& dimension,
+                            std::span<const double> values) {
+  check_column(name, values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!std::isfinite(values[i])) {
+      throw InputError(fmt::format("{}[{}]", name, i), values[i], "must be finite to be written");
+    }
+  }
+  rows_ = values.size();
+  columns_.push_back({.header = fmt::format("{} [{}]", name, si_unit(dimension)),
+                      .numbers = {values.begin(), values.end()},
+                      .texts = {},
+                      .is_text = false});
+}
+
+void CsvWriter::add_text(std::string_view name, std::span<const std::string> values) {
+  check_column(name, values.size());
+  rows_ = values.size();
+  Column column{.header = std::string(name), .numbers = {}, .texts = {}, .is_text = true};
+  std::transform(values.begin(), values.end(), std::back_inserter(column.texts), on_one_line);
+  columns_.push_back(std::move(column));
+}
+
+std::string CsvWriter::str() const {
+  if (rows_ == 0) throw InputError("rows", 0.0, "must be 1 or more in a table to be written");
+  std::string text = comments_;
+  for (const Column& column : columns_) {
+    if (&column != columns_.data()) text += ',';
+    text += column.header;
+  }
+  text += '\n';
+  for (std::size_t row = 0; row < rows_; ++row) {
+    for (const Column& column : columns_) {
+      if (&column != columns_.data()) text += ',';
+      column.is_text ? append_text(text, column.texts[row])
+                     : append_number(text, column.numbers[row]);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace microslip

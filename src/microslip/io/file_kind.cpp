@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/file_kind.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <vector>
+
+#include "microslip/io/csv.hpp"
+#include "microslip/io/signature.hpp"
+#include "microslip/io/text.hpp"
+
+namespace microslip {
+namespace {
+
+/// A table is of the first kind whose columns it has, if it is no history in time: one of these can
+/// be a recording, which nothing but the same channels may replace.
+struct TableKind {
+  std::string_view kind;
+  std::array<std::string_view, 3> columns;  // unused ones are empty
+};
+
+constexpr std::array kTableKinds{
+    TableKind{kDissipationKind, {"amplitude", "dissipation", "loss_factor"}},
+    TableKind{kLevelsKind, {"amplitude", "dissipation"}},
+    TableKind{kDensityKind, {"slip_force", "density"}},
+    TableKind{kResponseKind, {"frequency", "displacement", "phase"}},
+    TableKind{kBackboneKind, {"frequency", "displacement", "damping_ratio"}},
+    TableKind{kLoopKind, {"displacement", "force"}},
+    TableKind{kPathKind, {"displacement"}},
+};
+
+std::string table_kind(const std::vector<std::string>& names) {
+  const auto has = [&](std::string_view name) {
+    return name.empty() || std::find(names.begin(), names.end(), name) != names.end();
+  };
+  const bool is_history = std::find(names.begin(), names.end(), "time") != names.end();
+  for (const TableKind& kind : kTableKinds) {
+    if (is_history) break;
+    if (std::all_of(kind.columns.begin(), kind.columns.end(), has)) return std::string(kind.kind);
+  }
+  std::string list;
+  for (const std::string& name : names) list += fmt::format("{}{}", list.empty() ? "" : ", ", name);
+  return fmt::format("a table of {}", in_quotes(list, 120));
+}
+
+/// The text in quotes after `key` and the sign between them; empty where it does not come so.
+std::string_view quoted_value(std::string_view head, std::string_view key, char sign) {
+  const std::size_t start = head.find(key);
+  if (start == std::string_view::npos) return {};
+  std::string_view rest = trimmed(head.substr(start + key.size()));
+  if (!rest.starts_with(sign)) return {};
+  rest = trimmed(rest.substr(1));
+  const std::size_t end = rest.find('"', 1);
+  return rest.starts_with('"') && end != std::string_view::npos ? rest.substr(1, end - 1)
+                                                                : std::string_view{};
+}
+
+/// TOML: the first line that is no comment is schema = "…".
+std::string_view toml_schema(std::string_view head) {
+  while (!head.empty()) {
+    const std::string_view line = head.substr(0, head.find('\n'));
+    const std::string_view text = trimmed(line.substr(0, line.find('\r')));
+    if (text.starts_with("schema")) return quoted_value(text, "schema", '=');
+    if (!text.empty() && !text.starts_with('#')) return {};
+    head.remove_prefix(std::min(line.size() + 1, head.size()));
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string file_kind(std::string_view head) {
+  const std::string_view name = signature(head);
+  if (name == "JSON") {
+    const std::string_view schema = quoted_value(head, "\"schema\"", ':');
+    if (!schema.empty()) return std::string(schema);
+  }
+  if (!name.empty()) return std::string(name);
+  if (const std::string_view schema = toml_schema(head); !schema.empty())
+    return std::string(schema);
+  const std::vector<std::string> names = csv_column_names(head);
+  return names.empty() ? std::string{} : table_kind(names);
+}
+
+}  // namespace microslip

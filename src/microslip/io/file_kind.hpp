@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace microslip {
+
+inline constexpr std::string_view kJointKind = "microslip.joint/1";
+inline constexpr std::string_view kLevelsKind = "a table of levels";
+inline constexpr std::string_view kDensityKind = "a table of a density";
+inline constexpr std::string_view kDissipationKind = "a table of a dissipation curve";
+inline constexpr std::string_view kPathKind = "a table of a displacement path";
+inline constexpr std::string_view kLoopKind = "a table of forces on a path";
+inline constexpr std::string_view kResponseKind = "a table of a frequency response";
+inline constexpr std::string_view kBackboneKind = "a table of a backbone";
+
+/// So much of a file tells its kind.
+inline constexpr std::size_t kKindHeadSize = 65536;
+
+/// What a file is, by its first bytes: the schema of a JSON or TOML file, one of the kinds above by
+/// the columns of a table, or its signature. Other tables are told apart by the names of their
+/// columns. Empty where it is none of these. Two files of one kind may replace each other.
+[[nodiscard]] std::string file_kind(std::string_view head);
+
+}  // namespace microslip

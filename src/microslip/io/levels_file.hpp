@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "microslip/identify/levels.hpp"
+#include "microslip/io/csv_writer.hpp"
+
+/// @file
+/// levels.csv: one row a level. Needed: `amplitude [m]`, `dissipation [J]`. Used when there:
+/// `amplitude_std [m]`, `dissipation_std [J]`, `secant_stiffness [N/m]`, `secant_stiffness_std
+/// [N/m]`. Other columns are left alone.
+
+namespace microslip {
+
+/// Levels in the order of the file, with the place of each.
+struct LevelsFile {
+  Levels levels;
+  std::string file;
+  std::vector<std::size_t> line;  ///< one a level, from 1
+};
+
+/// @throws FormatError  at the cell that breaks a rule: A > 0, D ≥ 0, k_eq > 0, σ ≥ 0, all finite.
+[[nodiscard]] LevelsFile parse_levels(std::string text, std::string_view file);
+
+/// parse_levels() of a file; "-" is standard input. @throws FileError, FormatError
+[[nodiscard]] LevelsFile read_levels(const std::string& path);
+
+/// The columns of the levels; more may be added before it is written.
+/// @throws InputError  where the lengths differ or a value is not finite.
+[[nodiscard]] CsvWriter levels_table(const Levels& levels);
+
+}  // namespace microslip

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/output_files.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/file_descriptor.hpp"
+#include "microslip/io/file_kind.hpp"
+#include "microslip/io/input_file.hpp"
+
+namespace microslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kStandardOutput = "standard output";
+
+std::string_view remedy_for(int error) {
+  switch (error) {
+    case ENOENT:
+      return "Create the folder first.";
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      return "Choose a folder that you may write to.";
+    case ENOSPC:
+    case EDQUOT:
+      return "Make room, or choose another folder.";
+    case ENAMETOOLONG:
+      return "Choose a shorter name.";
+    default:
+      return {};
+  }
+}
+
+[[noreturn]] void fail(std::string_view path, int error) {
+  throw FileError(path,
+                  fmt::format("cannot be written: {}", std::generic_category().message(error)),
+                  remedy_for(error));
+}
+
+std::string folder_of(const std::string& target) {
+  const std::string folder = fs::path(target).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+/// The file behind a link, so that writing to the link does not replace it.
+std::string behind_links(const std::string& path) {
+  struct stat status {};
+  if (::lstat(path.c_str(), &status) != 0 || !S_ISLNK(status.st_mode)) return path;
+  std::error_code error;
+  const fs::path target = fs::canonical(path, error);
+  if (error) throw FileError(path, "is a link to nothing", "Remove it or choose another name.");
+  return target.string();
+}
+
+/// Of two names of one file, or of one that is to be.
+bool is_same_file(const std::string& a, const std::string& b) {
+  return fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));
+}
+
+void check_folder(const std::string& path, const std::string& target) {
+  const std::string folder = folder_of(target);
+  struct stat status {};
+  if (::stat(folder.c_str(), &status) != 0) {
+    if (errno != ENOENT) fail(path, errno);
+    throw FileError(path, fmt::format("cannot be written: there is no folder '{}'", folder),
+                    "Create it first.");
+  }
+  if (!S_ISDIR(status.st_mode)) {
+    throw FileError(path, fmt::format("cannot be written: '{}' is no folder", folder),
+                    "Choose another name.");
+  }
+  if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0) fail(path, errno);
+}
+
+/// Where a path leads, and what is there to be replaced.
+struct Target {
+  std::string file;
+  std::optional<struct stat> replaced;
+};
+
+void check_replaceable(const std::string& path, const Target& target) {
+  if (!target.replaced) return;
+  if (S_ISDIR(target.replaced->st_mode)) {
+    throw FileError(path, "is a folder and cannot be replaced", "Name a file in it.");
+  }
+  if (!S_ISREG(target.replaced->st_mode)) {
+    throw FileError(path, "is no regular file and cannot be replaced",
+                    "Write to - and redirect standard output.");
+  }
+  if (::faccessat(AT_FDCWD, target.file.c_str(), W_OK, AT_EACCESS) != 0) {
+    throw FileError(path, "is closed to writing", "Choose another name or change its permissions.");
+  }
+}
+
+Target checked_target(const std::string& path) {
+  if (path.empty() || path.find('\0') != std::string::npos) {
+    throw FileError(path.empty() ? "''" : path.c_str(), "is no name of a file");
+  }
+  Target target{.file = behind_links(path), .replaced = {}};
+  check_folder(path, target.file);
+  struct stat status {};
+  if (::stat(target.file.c_str(), &status) == 0) {
+    target.replaced = status;
+  } else if (errno != ENOENT) {
+    fail(path, errno);
+  }
+  check_replaceable(path, target);
+  return target;
+}
+
+void check_kind(const std::string& path, const std::string& target, std::string_view kind) {
+  const std::string old_head = read_file_head(target, kKindHeadSize);
+  if (old_head.empty()) return;
+  const std::string old_kind = file_kind(old_head);
+  if (!kind.empty() && old_kind == kind) return;
+  throw FileError(path,
+                  fmt::format("exists and holds {}; it would be replaced by {}",
+                              old_kind.empty() ? "something else" : old_kind,
+                              kind.empty() ? "something else" : kind),
+                  "Remove it or choose another name.");
+}
+
+void write_all(int file, std::string_view path, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t count = ::write(file, content.data(), content.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail(path, errno);
+    content.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+/// A new file in the folder of the target, with the permissions of the file it is going to replace.
+std::pair<Temporary, FileDescriptor> create_beside(const std::string& path, const Target& target) {
+  static std::atomic<unsigned> counter{0};
+  for (;;) {
+    Temporary temporary(
+        fmt::format("{}/.microslip-{}-{}.tmp", folder_of(target.file), ::getpid(), counter++));
+    FileDescriptor file(
+        ::open(temporary.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (file.is_open()) {
+      if (target.replaced) ::fchmod(file.number(), target.replaced->st_mode & 07777U);
+      return {std::move(temporary), std::move(file)};
+    }
+    const int error = errno;
+    temporary.keep();
+    if (error != EEXIST) fail(path, error);
+  }
+}
+
+/// To disk, or the new name could outlive the content in a power failure.
+void flush_to_disk(const std::string& path, const std::string& temporary) {
+  const FileDescriptor file(::open(temporary.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.is_open() && ::fsync(file.number()) != 0 && errno != EINVAL && errno != ENOTSUP) {
+    fail(path, errno);
+  }
+}
+
+void flush_folder(const std::string& target) {
+  const FileDescriptor folder(
+      ::open(folder_of(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder.is_open()) ::fsync(folder.number());  // some file systems refuse: no harm
+}
+
+/// A file that has got its final name, and how to take that back.
+struct Placed {
+  std::string target;
+  bool replaced;
+  std::optional<Temporary> old;  ///< the file that was there, where the file system can keep it
+
+  void take_back() {
+    if (!replaced) {
+      ::unlink(target.c_str());
+    } else if (old && ::rename(old->path().c_str(), target.c_str()) == 0) {
+      old->keep();
+    }
+  }
+};
+
+std::optional<Temporary> second_name(const std::string& target, const std::string& temporary) {
+  std::optional<Temporary> old(temporary + ".old");
+  if (::link(target.c_str(), old->path().c_str()) != 0) old.reset();
+  return old;
+}
+
+}  // namespace
+
+void check_output(const std::string& path, std::string_view kind) {
+  if (path == "-") return;
+  const Target target = checked_target(path);
+  if (target.replaced && !kind.empty()) check_kind(path, target.file, kind);
+}
+
+std::pair<OutputFiles::File*, FileDescriptor> OutputFiles::create(const std::string& path) {
+  const Target target = checked_target(path);
+  const auto same = [&](const File& file) { return is_same_file(file.target, target.file); };
+  if (std::any_of(files_.begin(), files_.end(), same)) {
+    throw FileError(path, "would be written twice", "Choose different names.");
+  }
+  auto created = create_beside(path, target);
+  File& file = files_.emplace_back(File{path, target.file, std::move(created.first)});
+  return {&file, std::move(created.second)};
+}
+
+void OutputFiles::add(const std::string& path, std::string_view content) {
+  if (path == "-") {
+    if (standard_output_) {
+      throw FileError(kStandardOutput, "would be written twice", "Name a file for one of them.");
+    }
+    standard_output_ = content;
+    return;
+  }
+  auto [file, descriptor] = create(path);
+  write_all(descriptor.number(), path, content);
+  if (!descriptor.close()) fail(path, errno);
+}
+
+std::string OutputFiles::stage(const std::string& path) {
+  if (path == "-") throw FileError(kStandardOutput, "cannot take this format", "Name a file.");
+  return create(path).first->temporary.path();
+}
+
+void OutputFiles::check_all() const {
+  for (const File& file : files_) {
+    const Target target = checked_target(file.path);
+    const std::string& temporary = file.temporary.path();
+    if (target.replaced) {
+      check_kind(file.path, target.file, file_kind(read_file_head(temporary, kKindHeadSize)));
+    }
+    flush_to_disk(file.path, temporary);
+  }
+}
+
+void OutputFiles::commit() {
+  check_all();
+  if (standard_output_) {
+    std::fflush(stdout);
+    write_all(STDOUT_FILENO, kStandardOutput, *standard_output_);
+  }
+  std::vector<Placed> placed;
+  placed.reserve(files_.size());
+  for (File& file : files_) {
+    const bool replaced = fs::exists(fs::symlink_status(file.target));
+    auto old = replaced && files_.size() > 1 ? second_name(file.target, file.temporary.path())
+                                             : std::nullopt;
+    if (::rename(file.temporary.path().c_str(), file.target.c_str()) != 0) {
+      const int error = errno;
+      for (Placed& earlier : placed) earlier.take_back();
+      fail(file.path, error);
+    }
+    file.temporary.keep();
+    placed.push_back({file.target, replaced, std::move(old)});
+  }
+  for (const File& file : files_) flush_folder(file.target);
+  files_.clear();
+  standard_output_.reset();
+}
+
+void write_file(const std::string& path, std::string_view content) {
+  OutputFiles files;
+  files.add(path, content);
+  files.commit();
+}
+
+}  // namespace microslip

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace microslip {
+
+/// Any other JSON value, as text.
+struct JsonText {
+  std::string text;
+
+  friend bool operator==(const JsonText&, const JsonText&) = default;
+};
+
+using RecordValue = std::variant<double, std::string, std::vector<double>, JsonText>;
+
+/// Named values in their order. Names of quantities end in their unit, as in `covered_to_N`.
+using Record = std::vector<std::pair<std::string, RecordValue>>;
+
+/// An input of a computation.
+struct InputHash {
+  std::string file;
+  std::string sha256;  ///< of its content, hexadecimal
+
+  friend bool operator==(const InputHash&, const InputHash&) = default;
+};
+
+/// How a file came to be. No clock time: the same call on the same inputs writes the same bytes.
+struct Provenance {
+  std::string program = "microslip";
+  std::string version;
+  std::string command;  ///< the call as it was typed
+  std::vector<InputHash> inputs;
+  Record options;  ///< what was in force, the defaults included
+  std::optional<std::uint64_t> seed;
+  Record other;  ///< what else a file says
+
+  friend bool operator==(const Provenance&, const Provenance&) = default;
+};
+
+}  // namespace microslip

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/temporaries.hpp"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <utility>
+
+namespace microslip {
+namespace {
+
+enum class State { kFree, kClaimed, kLive, kRemoved };
+
+}  // namespace
+
+/// A list that only grows; entries are used again. An entry's path changes only while it is
+/// claimed, and a signal handler looks only at live ones, which it takes out first.
+struct Temporary::Entry {
+  std::atomic<State> state{State::kClaimed};
+  std::string path;
+  Entry* next = nullptr;
+
+  static inline std::atomic<Entry*> first{nullptr};
+  static_assert(std::atomic<Entry*>::is_always_lock_free &&
+                std::atomic<State>::is_always_lock_free);
+};
+
+Temporary::Entry* Temporary::claim_entry() {
+  for (Entry* entry = Entry::first.load(); entry != nullptr; entry = entry->next) {
+    State expected = State::kFree;
+    if (entry->state.compare_exchange_strong(expected, State::kClaimed)) return entry;
+  }
+  auto* entry = new Entry;  // never freed: a handler may walk the list at any time
+  entry->next = Entry::first.load();
+  while (!Entry::first.compare_exchange_weak(entry->next, entry)) {
+  }
+  return entry;
+}
+
+Temporary::Temporary(std::string path) : path_(std::move(path)), entry_(claim_entry()) {
+  entry_->path = path_;
+  entry_->state.store(State::kLive);
+}
+
+Temporary::Temporary(Temporary&& other) noexcept
+    : path_(std::move(other.path_)), entry_(std::exchange(other.entry_, nullptr)) {}
+
+Temporary::~Temporary() {
+  if (entry_ == nullptr) return;
+  ::unlink(path_.c_str());
+  keep();
+}
+
+void Temporary::keep() {
+  if (entry_ == nullptr) return;
+  State expected = State::kLive;
+  entry_->state.compare_exchange_strong(expected, State::kFree);
+  entry_ = nullptr;
+}
+
+void remove_temporaries() noexcept {
+  for (auto* entry = Temporary::Entry::first.load(); entry != nullptr; entry = entry->next) {
+    State expected = State::kLive;
+    if (entry->state.compare_exchange_strong(expected, State::kRemoved)) {
+      ::unlink(entry->path.c_str());
+    }
+  }
+}
+
+}  // namespace microslip

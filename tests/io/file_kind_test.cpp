@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/file_kind.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace microslip {
+namespace {
+
+using std::literals::operator""s;
+
+TEST(FileKind, KnowsTheFilesOfTheProgram) {
+  EXPECT_EQ(file_kind("{\n \"schema\": \"microslip.joint/1\", \"stiff"), kJointKind);
+  EXPECT_EQ(file_kind("# a rig\n\nschema = \"microslip.rig/1\"\n[beam]"), "microslip.rig/1");
+  EXPECT_EQ(file_kind("# c\namplitude [um],dissipation [J],source\n1,2,"), kLevelsKind);
+  EXPECT_EQ(
+      file_kind("amplitude [m],force [N],dissipation [J],secant_stiffness [N/m],loss_factor [1]\n"),
+      kDissipationKind);
+  EXPECT_EQ(file_kind("slip_force [N],density [1/N]\n"), kDensityKind);
+  EXPECT_EQ(file_kind("displacement [m],normal_load [1]\n"), kPathKind);
+  EXPECT_EQ(file_kind("displacement [m],force [N]\n"), kLoopKind);
+  EXPECT_EQ(file_kind("frequency [Hz],force [N],displacement [m],phase [rad]\n"), kResponseKind);
+  EXPECT_EQ(file_kind("displacement [m],force [N],frequency [Hz],damping_ratio [1]\n"),
+            kBackboneKind);
+}
+
+TEST(FileKind, KnowsOtherFormats) {
+  EXPECT_EQ(file_kind("\x89PNG\r\n\x1A\nrest"), "a PNG picture");
+  EXPECT_EQ(file_kind("<?xml version=\"1.0\"?>\n<svg>"), "an SVG picture");
+  EXPECT_EQ(file_kind("<!DOCTYPE html>"), "an HTML page");
+  EXPECT_EQ(file_kind("{\"a\": 1}"), "JSON");
+  EXPECT_EQ(file_kind("MATLAB 5.0 MAT-file, Platform"), "a MATLAB file");
+  EXPECT_EQ(file_kind("\x89HDF\r\n\x1A\n"), "an HDF5 file");
+  EXPECT_EQ(file_kind("    -1\n    58\n"), "a universal file");
+}
+
+TEST(FileKind, TellsHistoriesApartByAllOfTheirColumns) {
+  EXPECT_EQ(file_kind("time [s],force [N],acc1 [m/s^2]\n"), "a table of 'time, force, acc1'");
+  EXPECT_NE(file_kind("time [s],displacement [m],force [N]\n"),
+            file_kind("displacement [m],force [N]\n"));
+}
+
+TEST(FileKind, TellsOtherTablesApart) {
+  EXPECT_EQ(file_kind("a,b\n1,2\n"), "a table of 'a, b'");
+  EXPECT_NE(file_kind("a,b\n1,2\n"), file_kind("a,c\n1,2\n"));
+}
+
+TEST(FileKind, IsEmptyForTheRest) {
+  EXPECT_EQ(file_kind(""), "");
+  EXPECT_EQ(file_kind("\n \n"), "");
+  EXPECT_EQ(file_kind("\0\1\2"s), "");
+  EXPECT_EQ(file_kind("1,2,3\n"), "");
+}
+
+}  // namespace
+}  // namespace microslip

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/input_file.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+#include <thread>
+
+#include "io/support.hpp"
+
+namespace microslip {
+namespace {
+
+using test::message_of;
+using test::put;
+
+TEST(InputFile, ReadsAllBytes) {
+  const test::TemporaryFolder folder;
+  for (const std::size_t size : {0U, 1U, 65535U, 65536U, 65537U, 1000000U}) {
+    std::string content(size, '\0');
+    for (std::size_t i = 0; i < size; ++i) content[i] = static_cast<char>(i % 251);
+    put(folder.file("f"), content);
+    EXPECT_EQ(read_file(folder.file("f")), content);
+    EXPECT_EQ(read_file_head(folder.file("f"), 100), content.substr(0, 100));
+  }
+}
+
+TEST(InputFile, ReadsAPipe) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("pipe");
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  const std::string content(300000, 'x');
+  std::thread writer([&] { put(path, content); });
+  EXPECT_EQ(read_file(path), content);
+  writer.join();
+}
+
+TEST(InputFile, ReadsStandardInput) {
+  const test::TemporaryFolder folder;
+  put(folder.file("f"), "content");
+  const int before = ::dup(STDIN_FILENO);
+  const int file = ::open(folder.file("f").c_str(), O_RDONLY);
+  ::dup2(file, STDIN_FILENO);
+  EXPECT_EQ(read_file("-"), "content");
+  ::dup2(before, STDIN_FILENO);
+  ::close(before);
+  ::close(file);
+  EXPECT_EQ(input_name("-"), "standard input");
+}
+
+TEST(InputFileFault, Missing) {
+  EXPECT_EQ(message_of<FileError>([] { return read_file("no/such.csv"); }),
+            "no/such.csv: cannot be read: No such file or directory. Check the path.");
+  EXPECT_EQ(message_of<FileError>([] { return read_file(""); }),
+            ": cannot be read: No such file or directory. Check the path.");
+  EXPECT_EQ(message_of<FileError>([] { return read_file(std::string("a\0b", 3)); }),
+            "a: cannot be read: the path holds a zero byte");
+}
+
+TEST(InputFileFault, Folder) {
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(message_of<FileError>([&] { return read_file(folder.file("")); }),
+            folder.file("") + ": is a folder. Name a file in it.");
+}
+
+TEST(InputFileFault, NotAFolder) {
+  const test::TemporaryFolder folder;
+  put(folder.file("f"), "");
+  EXPECT_EQ(message_of<FileError>([&] { return read_file(folder.file("f/g")); }),
+            folder.file("f/g") +
+                ": cannot be read: Not a directory. A part of the path is a file, not a folder.");
+}
+
+TEST(InputFileFault, NotPermitted) {
+  const test::TemporaryFolder folder;
+  put(folder.file("f"), "x");
+  std::filesystem::permissions(folder.file("f"), std::filesystem::perms::none);
+  const test::Unprivileged unprivileged;
+  EXPECT_EQ(
+      message_of<FileError>([&] { return read_file(folder.file("f")); }),
+      folder.file("f") + ": cannot be read: Permission denied. Ask for the right to read it.");
+}
+
+TEST(InputFileFault, TooLarge) {
+  const test::TemporaryFolder folder;
+  put(folder.file("f"), std::string(100, 'x'));
+  EXPECT_EQ(read_file(folder.file("f"), 100).size(), 100U);
+  EXPECT_EQ(message_of<FileError>([&] { return read_file(folder.file("f"), 99); }),
+            folder.file("f") + ": is larger than 99 bytes. Is it the right file?");
+  EXPECT_EQ(message_of<FileError>([] { return read_file("/dev/zero", 1000000); }),
+            "/dev/zero: is larger than 1000000 bytes. Is it the right file?");
+}
+
+}  // namespace
+}  // namespace microslip

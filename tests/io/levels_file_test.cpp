@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/levels_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "io/support.hpp"
+#include "microslip/base/error.hpp"
+
+namespace microslip {
+namespace {
+
+using test::message_of;
+using Numbers = std::vector<double>;
+
+std::string fault(const std::string& text) {
+  return message_of<FormatError>([&] { return parse_levels(text, "levels.csv"); });
+}
+
+TEST(LevelsFile, ReadsWhatIsNeeded) {
+  const LevelsFile file = parse_levels(
+      "# bolted lap joint\namplitude [um],dissipation [mJ],frequency [Hz],source\n"
+      "19.562,0.0018186,80.3654,a.csv\n\n79.241,0.037397,80.1827,b.csv\n",
+      "levels.csv");
+  EXPECT_EQ(file.levels.amplitude, (Numbers{19.562e-6, 79.241e-6}));
+  EXPECT_EQ(file.levels.dissipation, (Numbers{1.8186e-6, 3.7397e-5}));
+  EXPECT_TRUE(file.levels.amplitude_std.empty());
+  EXPECT_TRUE(file.levels.secant_stiffness.empty());
+  EXPECT_EQ(file.line, (std::vector<std::size_t>{3, 5}));
+  EXPECT_EQ(file.file, "levels.csv");
+}
+
+TEST(LevelsFile, ReadsWhatIsOptional) {
+  const LevelsFile file = parse_levels(
+      "secant_stiffness_std [N/m],amplitude [m],amplitude_std [nm],dissipation [J],"
+      "dissipation_std [J],secant_stiffness [kN/mm]\n1,2,3,4,5,6\n",
+      "levels.csv");
+  EXPECT_EQ(file.levels.amplitude_std, Numbers{3e-9});
+  EXPECT_EQ(file.levels.dissipation_std, Numbers{5.0});
+  EXPECT_EQ(file.levels.secant_stiffness, Numbers{6e6});
+  EXPECT_EQ(file.levels.secant_stiffness_std, Numbers{1.0});
+}
+
+TEST(LevelsFile, LeavesOrderRepetitionAndNumberToTheIdentification) {
+  EXPECT_EQ(parse_levels("amplitude [m],dissipation [J]\n1,0\n", "").levels.size(), 1U);
+  EXPECT_EQ(parse_levels("amplitude [m],dissipation [J]\n2,1\n1,1\n2,1\n", "").levels.amplitude,
+            (Numbers{2.0, 1.0, 2.0}));
+}
+
+TEST(LevelsFileFault, ValuesThatBreakARule) {
+  EXPECT_EQ(fault("amplitude [um],dissipation [J]\n1,2\n-1,2\n"),
+            "levels.csv:3:1: expected a number above 0 in column 1 'amplitude [um]', found '-1'. A "
+            "level without motion tells nothing: remove the row.");
+  EXPECT_NE(fault("amplitude [um],dissipation [J]\n0,2\n").find("levels.csv:2:1"),
+            std::string::npos);
+  EXPECT_EQ(fault("amplitude [um],dissipation [J]\n1,-2e-9\n"),
+            "levels.csv:2:3: expected a number of 0 or more in column 2 'dissipation [J]', found "
+            "'-2e-9'. A contact cannot give energy: remove the row, or check the phase.");
+  EXPECT_NE(fault("amplitude [m],dissipation [J],amplitude_std [m]\n1,2,-3\n")
+                .find("levels.csv:2:5: expected a number of 0 or more in column 3"),
+            std::string::npos);
+  EXPECT_NE(fault("amplitude [m],dissipation [J],secant_stiffness [N/m]\n1,2,0\n")
+                .find("levels.csv:2:5: expected a number above 0 in column 3"),
+            std::string::npos);
+}
+
+TEST(LevelsFileFault, NaNTextAndEmptyCells) {
+  EXPECT_NE(
+      fault("amplitude [m],dissipation [J]\n1,nan\n").find("levels.csv:2:3: expected a finite"),
+      std::string::npos);
+  EXPECT_NE(fault("amplitude [m],dissipation [J]\nhigh,1\n").find("found 'high'"),
+            std::string::npos);
+  EXPECT_NE(
+      fault("amplitude [m],dissipation [J],dissipation_std [J]\n1,1,\n").find("an empty cell"),
+      std::string::npos);
+}
+
+TEST(LevelsFileFault, ColumnsAndUnits) {
+  EXPECT_NE(fault("amplitude [m]\n1\n")
+                .find("a column 'dissipation [J]', found the columns "
+                      "'amplitude'"),
+            std::string::npos);
+  EXPECT_NE(fault("amplitude,dissipation [J]\n1,1\n").find("Write 'amplitude [m]'."),
+            std::string::npos);
+  EXPECT_NE(fault("amplitude [N],dissipation [J]\n1,1\n").find("'N', a unit of force"),
+            std::string::npos);
+  EXPECT_EQ(message_of<FileError>([] { return read_levels("no-such-levels.csv"); }),
+            "no-such-levels.csv: cannot be read: No such file or directory. Check the path.");
+}
+
+TEST(LevelsFile, SurvivesTheRoundTrip) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> exponent(-300.0, 300.0);
+  Levels levels;
+  for (int i = 0; i < 2000; ++i) {
+    levels.amplitude.push_back(std::pow(10.0, exponent(random)));
+    levels.dissipation.push_back(std::pow(10.0, exponent(random)));
+    levels.dissipation_std.push_back(std::pow(10.0, exponent(random)));
+    levels.secant_stiffness.push_back(std::pow(10.0, exponent(random)));
+  }
+  CsvWriter writer = levels_table(levels);
+  writer.add_text("source", std::vector<std::string>(2000, "a, b"));
+  const Levels back = parse_levels(writer.str(), "").levels;
+  EXPECT_EQ(back.amplitude, levels.amplitude);
+  EXPECT_EQ(back.dissipation, levels.dissipation);
+  EXPECT_TRUE(back.amplitude_std.empty());
+  EXPECT_EQ(back.dissipation_std, levels.dissipation_std);
+  EXPECT_EQ(back.secant_stiffness, levels.secant_stiffness);
+}
+
+}  // namespace
+}  // namespace microslip

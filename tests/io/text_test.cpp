@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace microslip {
+namespace {
+
+TEST(Text, QuotesWhatIsPrintable) {
+  EXPECT_EQ(in_quotes("amplitude [µm]"), "'amplitude [µm]'");
+  EXPECT_EQ(in_quotes(""), "''");
+}
+
+TEST(Text, QuotesBytesThatAreNoPrintableUtf8AsHex) {
+  EXPECT_EQ(in_quotes(std::string("a\0b\n\x7F", 5)), "'a\\x00b\\x0A\\x7F'");
+  EXPECT_EQ(in_quotes("\xB5m"), "'\\xB5m'") << "Latin-1";
+  EXPECT_EQ(in_quotes("\xC0\xAF"), "'\\xC0\\xAF'") << "overlong form";
+  EXPECT_EQ(in_quotes("\xED\xA0\x80"), "'\\xED\\xA0\\x80'") << "surrogate";
+  EXPECT_EQ(in_quotes("\xE2\x82"), "'\\xE2\\x82'") << "cut in mid-character";
+  EXPECT_EQ(in_quotes("\xC2\x9B"), "'\\xC2\\x9B'") << "C1 control: terminals obey it";
+}
+
+TEST(Text, QuotesTheBeginningOfLongText) {
+  EXPECT_EQ(in_quotes(std::string(1000, 'x'), 5), "'xxxxx…' (1000 bytes)");
+  EXPECT_EQ(in_quotes("µµµ", 3), "'µµ…' (6 bytes)") << "characters stay whole";
+}
+
+TEST(Text, PlacesCountLinesAndCharacters) {
+  const TextPlace place = place_at("ab\nµ[x", 6, "file");
+  EXPECT_EQ(place.file, "file");
+  EXPECT_EQ(place.line, 2U);
+  EXPECT_EQ(place.column, 3U);
+  EXPECT_EQ(place_at("\xEF\xBB\xBF"
+                     "a",
+                     3, "")
+                .column,
+            1U)
+      << "the byte order mark is no character";
+  EXPECT_EQ(place_at("", 0, "").line, 1U);
+}
+
+TEST(Text, TrimsBlanksAndTabs) {
+  EXPECT_EQ(trimmed(" \ta b\t "), "a b");
+  EXPECT_EQ(trimmed(" \t "), "");
+}
+
+}  // namespace
+}  // namespace microslip
