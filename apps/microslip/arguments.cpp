@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/text.hpp"
+
+namespace microslip::app {
+namespace {
+
+constexpr std::uint64_t kMostPoints = 10'000'000;
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+}  // namespace
+
+double parse_quantity(std::string_view option, std::string_view text, const Dimension& dimension) {
+  std::string_view rest = trimmed(text);
+  if (rest.starts_with('+')) rest.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+  if (error != std::errc{} || !std::isfinite(value)) {
+    throw InputError(option, in_quotes(text),
+                     dimension == kDimensionless
+                         ? "must be a finite number"
+                         : fmt::format("must be a finite number, in {} or with a unit behind it",
+                                       si_unit(dimension)));
+  }
+  rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+  rest = trimmed(rest);
+  return rest.empty() ? value : parse_option_unit(option, rest, dimension).to_si(value);
+}
+
+Unit parse_option_unit(std::string_view option, std::string_view text, const Dimension& dimension) {
+  try {
+    return parse_unit(text, dimension);
+  } catch (const InputError& error) {
+    throw error.renamed(fmt::format("{}: {}", option, error.name()));
+  }
+}
+
+std::uint64_t parse_whole_number(std::string_view option, std::string_view text, std::uint64_t from,
+                                 std::uint64_t to, std::string_view remedy) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || value < from || value > to) {
+    throw InputError(option, in_quotes(text),
+                     fmt::format("must be a whole number in digits, from {} to {}", from, to),
+                     remedy);
+  }
+  return value;
+}
+
+std::vector<double> parse_range(std::string_view option, std::string_view text,
+                                const Dimension& dimension) {
+  const auto fail = [&](std::string_view rule, std::string_view remedy = {}) {
+    throw InputError(option, in_quotes(text), rule, remedy);
+  };
+  const std::vector<std::string_view> parts = split(text, ':');
+  if (parts.size() < 3 || parts.size() > 4 || (parts.size() == 4 && parts[3] != "log")) {
+    fail("must read FROM:TO:COUNT or FROM:TO:COUNT:log", "For instance 1e-6:3e-4:50:log.");
+  }
+  const double from = parse_quantity(fmt::format("FROM of {}", option), parts[0], dimension);
+  const double to = parse_quantity(fmt::format("TO of {}", option), parts[1], dimension);
+  const std::uint64_t n =
+      parse_whole_number(fmt::format("COUNT of {}", option), parts[2], 2, kMostPoints);
+  const bool log = parts.size() == 4;
+  if (!(from < to)) fail("FROM must be below TO", "Swap the two.");
+  if (log && from <= 0.0) fail("FROM must be above 0 for equal ratios", "Leave out :log.");
+
+  std::vector<double> values(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(n - 1);
+    values[i] = log ? from * std::pow(to / from, share) : from + (to - from) * share;
+  }
+  values.back() = to;
+  return values;
+}
+
+}  // namespace microslip::app

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "microslip/base/units.hpp"
+
+/// @file
+/// Values on the command line.
+
+namespace microslip::app {
+
+/// A number, with or without a unit right behind it: "3e-4", "300um", "0.3mm". Without one it is SI.
+/// @param option  for messages, for instance "--amplitude".
+/// @throws InputError  where it is neither, or the unit is of another dimension.
+[[nodiscard]] double parse_quantity(std::string_view option, std::string_view text,
+                                    const Dimension& dimension);
+
+/// A unit alone. @throws InputError  naming the option, where it is unknown or of another dimension.
+[[nodiscard]] Unit parse_option_unit(std::string_view option, std::string_view text,
+                                     const Dimension& dimension);
+
+/// A whole number in digits. @throws InputError  where it is none, or outside of the range.
+[[nodiscard]] std::uint64_t parse_whole_number(std::string_view option, std::string_view text,
+                                               std::uint64_t from, std::uint64_t to,
+                                               std::string_view remedy = {});
+
+/// FROM:TO:COUNT[:log]: COUNT values from FROM to TO, equally spaced or in equal ratios.
+/// @throws InputError  where it has another form, FROM is not below TO, COUNT is no whole number from
+///                     2 to 10 million, or `log` comes with FROM = 0 or less.
+[[nodiscard]] std::vector<double> parse_range(std::string_view option, std::string_view text,
+                                              const Dimension& dimension);
+
+}  // namespace microslip::app

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/joint/dissipation.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "arguments.hpp"
+#include "command.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/io/csv_writer.hpp"
+#include "microslip/io/file_kind.hpp"
+#include "microslip/io/joint_file.hpp"
+#include "microslip/io/output_files.hpp"
+#include "microslip/joint/secant.hpp"
+
+namespace microslip::app {
+namespace {
+
+struct DissipationOptions {
+  std::string joint;
+  std::string amplitude;
+  std::string out;
+};
+
+int run(const DissipationOptions& options) {
+  check_output(options.out, kDissipationKind);
+  const std::vector<double> amplitude = parse_range("--amplitude", options.amplitude, kLength);
+  if (amplitude.front() < 0.0) {
+    throw InputError("--amplitude", amplitude.front(), "FROM must be 0 m or more");
+  }
+  const Joint joint = read_joint(options.joint).joint;
+
+  std::vector<double> force;
+  std::vector<double> energy;
+  std::vector<double> secant;
+  std::vector<double> loss;
+  for (const double a : amplitude) {
+    force.push_back(joint.virgin_force(a));
+    energy.push_back(dissipation(joint, a));
+    secant.push_back(secant_stiffness(joint, a));
+    loss.push_back(loss_factor(joint, a));
+  }
+  CsvWriter table;
+  table.add_numbers("amplitude", kLength, amplitude);
+  table.add_numbers("force", kForce, force);
+  table.add_numbers("dissipation", kEnergy, energy);
+  table.add_numbers("secant_stiffness", kStiffness, secant);
+  table.add_numbers("loss_factor", kDimensionless, loss);
+  write_file(options.out, table.str());
+  return kDone;
+}
+
+}  // namespace
+
+void add_dissipation(CLI::App& program, Call& call) {
+  auto options = std::make_shared<DissipationOptions>();
+  CLI::App* command = program.add_subcommand(
+      "dissipation", "Energy per cycle, secant stiffness and loss factor over the amplitude");
+  command->add_option("joint", options->joint, "Joint model, joint.json")->required();
+  command
+      ->add_option("--amplitude", options->amplitude,
+                   "FROM:TO:COUNT[:log], in m or with units; :log for equal ratios")
+      ->required();
+  command
+      ->add_option("--out", options->out,
+                   "CSV to write: amplitude [m], force [N], dissipation [J], "
+                   "secant_stiffness [N/m], loss_factor [1]; - is standard output")
+      ->required();
+  add_examples(*command,
+               {"microslip dissipation joint.json --amplitude 1um:300um:50:log --out curve.csv"});
+  command->callback([options, &call] { call.run = [options] { return run(*options); }; });
+}
+
+}  // namespace microslip::app

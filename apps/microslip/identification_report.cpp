@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "identification_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace microslip::app {
+namespace {
+
+constexpr std::size_t kTextWidth = 78;
+
+std::string line(std::string_view name, std::string_view text) {
+  return fmt::format("  {:<20} {}\n", name, text);
+}
+
+/// Breaks a paragraph between words, later lines indented.
+std::string wrapped(std::string_view first, std::string_view text, std::size_t indent) {
+  std::string result(first);
+  std::size_t column = first.size();
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    if (column + end > kTextWidth && column > indent) {
+      result.pop_back();  // the blank before the break
+      result += "\n" + std::string(indent, ' ');
+      column = indent;
+    }
+    result += text.substr(0, end);
+    column += end;
+    text.remove_prefix(end);
+    if (!text.empty()) {
+      text.remove_prefix(1);
+      result += ' ';
+      ++column;
+    }
+  }
+  return result + "\n";
+}
+
+std::string method_name(const Identification& found) {
+  if (found.parametric) {
+    return fmt::format("fit of the model {}", to_string(found.parametric->model));
+  }
+  return found.summary.method;
+}
+
+std::string describe_scatter(const InversionResult& result) {
+  return result.scatter_is_relative
+             ? fmt::format("{:.2g} % of D about the fit (estimated)", 100.0 * result.scatter)
+             : fmt::format("{:.2f} of the standard deviations given", result.scatter);
+}
+
+std::string describe_inversion(const Identification& found) {
+  const InversionResult& result = *found.inversion;
+  const PathPoint& point = result.path[result.chosen];
+  std::string text = line("scatter", describe_scatter(result));
+  text += line("smoothing",
+               fmt::format("lambda {:.3g}, {:.1f} degrees of freedom", point.lambda, point.edf));
+  if (found.parametric) return text;
+  if (result.atom_slip_force) {
+    text += line("macro-slip at", fmt::format("{:.4g} N, by an atom of weight {:.3f}",
+                                              *result.atom_slip_force, result.atom_weight));
+  }
+  if (found.bands) {
+    text += line("area Φ0", fmt::format("{:.3f}, {:.0f} % band {:.3f} to {:.3f}", result.area,
+                                        100.0 * found.bands->confidence, found.bands->area.first,
+                                        found.bands->area.second));
+  }
+  return text;
+}
+
+std::string describe_parameters(const ParametricResult& fit) {
+  std::string text;
+  for (const FittedParameter& parameter : fit.parameters) {
+    const std::string unit = parameter.unit == "1" ? "" : " " + parameter.unit;
+    text += line(
+        parameter.name,
+        parameter.at_bound
+            ? fmt::format("{:.4g}{} (at the end of its range)", parameter.value, unit)
+            : fmt::format("{:.4g} ± {:.2g}{}", parameter.value, parameter.standard_error, unit));
+  }
+  text += line("misfit", fmt::format("{:.2g} % of D, rms", 100.0 * fit.misfit));
+  return text;
+}
+
+/// The density at a few slip forces, as a table.
+std::string describe_density(const Identification& found) {
+  constexpr int kRows = 7;
+  std::string text = found.lower.empty() ? "  slip force [N]   density [1/N]\n"
+                                         : "  slip force [N]   density [1/N]   band [1/N]\n";
+  const double from = std::max(found.covered_from, found.slip_force.front());
+  const double to = std::min(found.covered_to, found.slip_force.back());
+  for (int i = 0; i < kRows; ++i) {
+    const double f = from + (to - from) * i / (kRows - 1);
+    const auto near = std::ranges::min_element(found.slip_force, {},
+                                               [&](double knot) { return std::abs(knot - f); });
+    const auto j = static_cast<std::size_t>(near - found.slip_force.begin());
+    text += fmt::format("  {:14.4g}   {:13.4g}", found.slip_force[j], found.density[j]);
+    if (!found.lower.empty()) {
+      text += fmt::format("   {:.4g} to {:.4g}", found.lower[j], found.upper[j]);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+JsonText warnings_as_json(const std::vector<Warning>& warnings) {
+  std::string text = "[";
+  for (const Warning& warning : warnings) {
+    if (text.size() > 1) text += ",";
+    text += "\"" + warning.code + "\"";
+  }
+  return {text + "]"};
+}
+
+void add_path(const InversionResult& result, Record& record) {
+  std::vector<double> lambda;
+  std::vector<double> edf;
+  std::vector<double> residual;
+  std::vector<double> gcv;
+  for (const PathPoint& point : result.path) {
+    if (!std::isfinite(point.gcv)) continue;
+    lambda.push_back(point.lambda);
+    edf.push_back(point.edf);
+    residual.push_back(point.residual);
+    gcv.push_back(point.gcv);
+  }
+  record.emplace_back("lambda", result.path[result.chosen].lambda);
+  record.emplace_back("degrees_of_freedom", result.edf);
+  record.emplace_back("scatter", result.scatter);
+  record.emplace_back("scatter_of", result.scatter_is_relative ? "dissipation" : "dissipation_std");
+  record.emplace_back("path_lambda", std::move(lambda));
+  record.emplace_back("path_degrees_of_freedom", std::move(edf));
+  record.emplace_back("path_residual", std::move(residual));
+  record.emplace_back("path_gcv", std::move(gcv));
+}
+
+void add_parameters(const ParametricResult& fit, Record& record) {
+  for (const FittedParameter& parameter : fit.parameters) {
+    record.emplace_back("fitted_" + parameter.name, parameter.value);
+    if (std::isfinite(parameter.standard_error)) {
+      record.emplace_back("std_" + parameter.name, parameter.standard_error);
+    }
+  }
+  // Parameters that the levels do not determine have none.
+  if (std::ranges::all_of(fit.covariance, [](double c) { return std::isfinite(c); })) {
+    record.emplace_back("covariance", fit.covariance);
+  }
+  record.emplace_back("misfit", fit.misfit);
+}
+
+}  // namespace
+
+std::string describe(const Identification& found, std::size_t level_count) {
+  const Joint& joint = found.joint;
+  const SlipDensity& density = joint.density();
+  std::string text = "Identified joint\n";
+  text += line("method", method_name(found));
+  text += line("levels", fmt::format("{}", level_count));
+  text += line("stiffness k", fmt::format("{:.6g} N/m", joint.stiffness()));
+  text += line("slip forces covered",
+               fmt::format("{:.4g} to {:.4g} N", found.covered_from, found.covered_to));
+  if (found.inversion) text += describe_inversion(found);
+  if (found.parametric) text += describe_parameters(*found.parametric);
+  text += line("stiffness slipped",
+               fmt::format("{:.1f} % (elastic remainder {:.1f} %)", 100.0 * density.total().zeroth,
+                           100.0 * density.elastic_remainder()));
+  text += line("slipped part carries", fmt::format("{:.4g} N at most", joint.macroslip_force()));
+  if (found.linear_damping && !found.parametric) {
+    text += line("linear damping",
+                 fmt::format("{:.4g} J/m^2 (adds to D with A^2)", *found.linear_damping));
+  }
+  text +=
+      line("solver", fmt::format("{}: {}", to_string(found.summary.status), found.summary.reason));
+  text += describe_density(found);
+  for (const Warning& warning : found.warnings) {
+    text += wrapped("  warning: ", warning.text, 11);
+  }
+  return text;
+}
+
+Record record_of(const Identification& found) {
+  Record record;
+  record.emplace_back("method", std::string(to_string(found.method)));
+  if (found.parametric) {
+    record.emplace_back("model", std::string(to_string(found.parametric->model)));
+  }
+  record.emplace_back("status", std::string(to_string(found.summary.status)));
+  record.emplace_back("covered_from_N", found.covered_from);
+  record.emplace_back("covered_to_N", found.covered_to);
+  record.emplace_back("elastic_remainder", found.joint.density().elastic_remainder());
+  if (found.linear_damping) {
+    record.emplace_back("linear_damping_J_per_m2", *found.linear_damping);
+  }
+  if (found.inversion) add_path(*found.inversion, record);
+  if (found.spline) {
+    record.emplace_back("lambda_m3", found.spline->fit.lambda);
+    record.emplace_back("degrees_of_freedom", found.spline->fit.edf);
+  }
+  if (found.parametric) add_parameters(*found.parametric, record);
+  if (!found.lower.empty()) {
+    record.emplace_back("band_confidence", found.bands->confidence);
+    record.emplace_back("band_slip_force_N", found.slip_force);
+    record.emplace_back("band_lower_per_N", found.lower);
+    record.emplace_back("band_upper_per_N", found.upper);
+  }
+  record.emplace_back("warnings", warnings_as_json(found.warnings));
+  return record;
+}
+
+DensityTable density_table_of(const Identification& found) {
+  DensityTable table{found.slip_force, found.density, found.lower, found.upper};
+  for (double& value : table.density) value = std::max(value, 0.0);
+  return table;
+}
+
+}  // namespace microslip::app

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "microslip/identify/identification.hpp"
+#include "microslip/io/density_file.hpp"
+#include "microslip/io/record.hpp"
+
+/// @file
+/// An identification as text for a person and as a record for the joint file.
+
+namespace microslip::app {
+
+/// What was identified, how sure it is and what to worry about; some twenty lines.
+/// @param level_count  of the levels as read, or as merged where only that is known.
+[[nodiscard]] std::string describe(const Identification& found, std::size_t level_count);
+
+/// What joint.json says of the identification under that key.
+[[nodiscard]] Record record_of(const Identification& found);
+
+/// For density.csv; negative values of methods that allow them are written as 0.
+[[nodiscard]] DensityTable density_table_of(const Identification& found);
+
+}  // namespace microslip::app

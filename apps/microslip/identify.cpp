@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: MIT
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arguments.hpp"
+#include "command.hpp"
+#include "identification_report.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/base/version.hpp"
+#include "microslip/identify/identification.hpp"
+#include "microslip/io/density_file.hpp"
+#include "microslip/io/file_kind.hpp"
+#include "microslip/io/input_file.hpp"
+#include "microslip/io/joint_file.hpp"
+#include "microslip/io/levels_file.hpp"
+#include "microslip/io/output_files.hpp"
+#include "microslip/io/sha256.hpp"
+#include "microslip/io/text.hpp"
+#include "progress_bar.hpp"
+#include "smoothing_argument.hpp"
+
+namespace microslip::app {
+namespace {
+
+struct IdentifyOptions {
+  std::string levels;
+  std::string stiffness;
+  std::string out;
+  std::string density_csv;
+  std::string method = "inversion";
+  std::string smoothing = "gcv";
+  std::optional<std::string> smoothing_unit;
+  std::string linear_damping = "none";
+  bool atom = false;
+  std::string bands = "0";
+  std::string seed = "1";
+  std::string dissipation_gain = "0";
+  std::string amplitude_gain = "0";
+  std::string fit = "none";
+};
+
+const std::map<std::string, IdentificationMethod> kMethods{
+    {"inversion", IdentificationMethod::kInversion},
+    {"spline", IdentificationMethod::kSpline},
+    {"differences", IdentificationMethod::kDifferences}};
+
+const std::map<std::string, ParametricModel> kModels{
+    {"four_parameter", ParametricModel::kFourParameter},
+    {"power_law", ParametricModel::kPowerLaw},
+    {"uniform", ParametricModel::kUniform}};
+
+template <typename Map>
+std::vector<std::string> names_of(const Map& map) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : map) names.push_back(name);
+  return names;
+}
+
+// Far beyond every joint, see check_sizes().
+constexpr double kSmallestStiffness = 1e-6;  // N/m
+constexpr double kLargestStiffness = 1e15;
+
+double stiffness_of(const IdentifyOptions& options) {
+  const double k = parse_quantity("--stiffness", options.stiffness, kStiffness);
+  if (k > 0.0 && !(k >= kSmallestStiffness && k <= kLargestStiffness)) {
+    throw InputError("--stiffness", k, "must be from 1e-6 to 1e15 N/m", "Check its unit.");
+  }
+  if (!(k > 0.0)) {
+    throw InputError("--stiffness", k, "must be above 0 N/m",
+                     "Give the stiffness of the stuck joint, for instance from a low-level test.");
+  }
+  return k;
+}
+
+/// A standard deviation of a gain, as a share of it.
+double gain_of(std::string_view option, const std::string& text) {
+  constexpr double kLargest = 0.3;
+  const double gain = parse_quantity(option, text, kDimensionless);
+  if (!(gain >= 0.0 && gain < kLargest)) {
+    throw InputError(option, in_quotes(text), "must be 0 or more and below 0.3, as a share of 1");
+  }
+  return gain;
+}
+
+/// What belongs to the band of the free density; nothing where none was asked for.
+std::optional<BandOptions> bands_of(const IdentifyOptions& options, bool quiet) {
+  constexpr std::uint64_t kFewest = 20;
+  constexpr std::uint64_t kMost = 1'000'000;  // more memory than use
+  BandOptions bands;
+  bands.seed =
+      parse_whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
+  bands.dissipation_gain_std = gain_of("--dissipation-gain-std", options.dissipation_gain);
+  bands.amplitude_gain_std = gain_of("--amplitude-gain-std", options.amplitude_gain);
+  if (options.bands == "0") return std::nullopt;
+  bands.samples = parse_whole_number("--bands", options.bands, kFewest, kMost,
+                                     "1000 give a smooth band, 0 gives none.");
+  bands.progress = progress_bar("bands", quiet);
+  return bands;
+}
+
+/// What only the inversion can do is refused elsewhere, not ignored.
+void check_method(const IdentifyOptions& options) {
+  const bool fit = options.fit != "none";
+  const auto refuse = [&](std::string_view option) {
+    const bool by_fit = options.method == "inversion";
+    throw InputError(by_fit ? "--fit" : "--method",
+                     in_quotes(by_fit ? options.fit : options.method),
+                     fmt::format("does not go with {}, which belongs to the free density of "
+                                 "--method inversion",
+                                 option),
+                     "Leave one of them out.");
+  };
+  if (options.method == "inversion" && !fit) return;
+  if (options.atom) refuse("--atom");
+  if (options.bands != "0") refuse("--bands");
+  if (options.linear_damping == "fit" && !fit) refuse("--linear-damping fit");
+}
+
+IdentificationOptions library_options(const IdentifyOptions& options, bool quiet) {
+  IdentificationOptions all;
+  all.bands = bands_of(options, quiet);
+  check_method(options);
+  all.method = kMethods.at(options.method);
+  all.inversion.stiffness = stiffness_of(options);
+  all.inversion.linear_damping = options.linear_damping == "fit";
+  all.inversion.atom = options.atom;
+  if (options.fit != "none") all.fit = kModels.at(options.fit);
+  set_smoothing(options.smoothing, options.smoothing_unit, all);
+  return all;
+}
+
+Record options_record(const IdentifyOptions& options, const IdentificationOptions& library) {
+  BandOptions none;
+  none.samples = 0;
+  const BandOptions bands = library.bands.value_or(none);
+  Record record;
+  record.emplace_back("method", options.method);
+  record.emplace_back("smoothing", options.smoothing);
+  if (options.smoothing_unit) record.emplace_back("smoothing_unit", *options.smoothing_unit);
+  record.emplace_back("linear_damping", options.linear_damping);
+  record.emplace_back("atom", options.atom ? "sought" : "none");
+  record.emplace_back("bands", static_cast<double>(bands.samples));
+  record.emplace_back("dissipation_gain_std", bands.dissipation_gain_std);
+  record.emplace_back("amplitude_gain_std", bands.amplitude_gain_std);
+  record.emplace_back("fit", options.fit);
+  return record;
+}
+
+void check_size(const LevelsFile& file, const std::vector<double>& values, std::string_view name,
+                double from, double to, const Dimension& dimension) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i] >= from && values[i] <= to) continue;
+    throw FormatError({.file = file.file, .line = file.line[i], .column = 0},
+                      fmt::format("{} from {:g} to {:g} {}", name, from, to, si_unit(dimension)),
+                      fmt::format("{:g}", values[i]),
+                      "Check the value and the unit of the column.");
+  }
+}
+
+/// Far beyond every joint something else was measured or labelled, and products of such numbers leave
+/// the range of doubles.
+void check_sizes(const LevelsFile& file) {
+  const Levels& levels = file.levels;
+  check_size(file, levels.amplitude, "amplitude", 1e-15, 1e6, kLength);
+  check_size(file, levels.amplitude_std, "amplitude_std", 0.0, 1e6, kLength);
+  check_size(file, levels.dissipation, "dissipation", 0.0, 1e12, kEnergy);
+  check_size(file, levels.dissipation_std, "dissipation_std", 0.0, 1e12, kEnergy);
+  check_size(file, levels.secant_stiffness, "secant_stiffness", kSmallestStiffness,
+             kLargestStiffness, kStiffness);
+  check_size(file, levels.secant_stiffness_std, "secant_stiffness_std", 0.0, kLargestStiffness,
+             kStiffness);
+}
+
+/// The options were checked before: what is left to complain of are the levels.
+Identification identify_file(const LevelsFile& file, const IdentificationOptions& options) {
+  check_sizes(file);
+  try {
+    return identify(file.levels, options);
+  } catch (const InputError& error) {
+    throw error.renamed(fmt::format("{}: {}", file.file, error.name()));
+  }
+}
+
+int run(const IdentifyOptions& options, const Call& call) {
+  check_output(options.out, kJointKind);
+  if (!options.density_csv.empty()) check_output(options.density_csv, kDensityKind);
+  const IdentificationOptions library = library_options(options, call.quiet);
+  const std::string text = read_file(options.levels);
+  const LevelsFile file = parse_levels(text, input_name(options.levels));
+  const Identification found = identify_file(file, library);
+
+  Provenance provenance;
+  provenance.version = kVersion;
+  provenance.command = call.command_line;
+  provenance.inputs.push_back({options.levels, sha256(text)});
+  provenance.options = options_record(options, library);
+  if (library.bands) provenance.seed = library.bands->seed;
+  OutputFiles outputs;
+  outputs.add(options.out, format_joint({found.joint, provenance, record_of(found)}));
+  if (!options.density_csv.empty()) {
+    outputs.add(options.density_csv, density_table(density_table_of(found)).str());
+  }
+  outputs.commit();
+  if (!call.quiet) {
+    const bool data_on_stdout = options.out == "-" || options.density_csv == "-";
+    fmt::print(data_on_stdout ? stderr : stdout, "{}", describe(found, file.levels.size()));
+  }
+  return found.summary.converged() ? kDone : kNotConverged;
+}
+
+void add_output_options(CLI::App& command, IdentifyOptions& options) {
+  command
+      .add_option("--out", options.out, "Joint model to write, joint.json; - is standard output")
+      ->required();
+  command.add_option("--density-csv", options.density_csv,
+                     "Density as CSV: slip_force [N], density [1/N], lower [1/N], upper [1/N]");
+}
+
+void add_method_options(CLI::App& command, IdentifyOptions& options) {
+  command.add_option("--method", options.method, "How the density is found")
+      ->check(CLI::IsMember(names_of(kMethods)))
+      ->capture_default_str();
+  command
+      .add_option("--smoothing", options.smoothing,
+                  "gcv chooses; lambda=X; p=X of csaps (spline only)")
+      ->capture_default_str();
+  command.add_option("--smoothing-unit", options.smoothing_unit,
+                     "Unit of the amplitude that p or lambda of the spline belongs to: um, mm, m");
+  command
+      .add_option("--linear-damping", options.linear_damping,
+                  "fit: D holds a linear damping beta*A^2 that was not subtracted")
+      ->check(CLI::IsMember({"none", "fit"}))
+      ->capture_default_str();
+  command.add_flag("--atom", options.atom, "Seek an atom of the density where macro-slip begins");
+  command
+      .add_option("--fit", options.fit, "Write this parametric model in place of the free density")
+      ->check(CLI::IsMember(names_of(kModels)));
+}
+
+void add_band_options(CLI::App& command, IdentifyOptions& options) {
+  command
+      .add_option("--bands", options.bands,
+                  "Samples of the 95 % band; 0 for none, 1000 for a smooth one")
+      ->type_name("UINT")
+      ->capture_default_str();
+  command.add_option("--seed", options.seed, "Seed of the samples")
+      ->type_name("UINT")
+      ->capture_default_str();
+  command
+      .add_option("--dissipation-gain-std", options.dissipation_gain,
+                  "Relative gain error of D that all levels share, for the band [1]; also in %")
+      ->needs("--bands")
+      ->type_name("FLOAT")
+      ->capture_default_str();
+  command
+      .add_option("--amplitude-gain-std", options.amplitude_gain,
+                  "Relative gain error of A that all levels share, for the band [1]; also in %")
+      ->needs("--bands")
+      ->type_name("FLOAT")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_identify(CLI::App& program, Call& call) {
+  auto options = std::make_shared<IdentifyOptions>();
+  CLI::App* command = program.add_subcommand(
+      "identify", "Slip-force density of a joint from its measured dissipation");
+  command
+      ->add_option("levels", options->levels,
+                   "CSV, one row a level: amplitude [m], dissipation [J]; used when there: "
+                   "amplitude_std, dissipation_std, secant_stiffness [N/m], secant_stiffness_std")
+      ->required();
+  command
+      ->add_option("--stiffness", options->stiffness,
+                   "k of the stuck joint, in N/m or with a unit: slip forces are k times A")
+      ->required();
+  add_output_options(*command, *options);
+  add_method_options(*command, *options);
+  add_band_options(*command, *options);
+  command->add_flag("--quiet", call.quiet, "No summary, no progress");
+  add_examples(*command, {"microslip identify levels.csv --stiffness 1.7e5 --out joint.json",
+                          "microslip identify levels.csv --stiffness 1.7e5 --bands 1000 \\",
+                          "          --out joint.json --density-csv density.csv",
+                          "microslip identify levels.csv --stiffness 170kN/m --method spline \\",
+                          "          --smoothing p=0.99999 --smoothing-unit mm --out joint.json"});
+  command->callback(
+      [options, &call] { call.run = [options, &call] { return run(*options, call); }; });
+}
+
+}  // namespace microslip::app

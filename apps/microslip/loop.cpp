@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "arguments.hpp"
+#include "command.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/io/file_kind.hpp"
+#include "microslip/io/joint_file.hpp"
+#include "microslip/io/output_files.hpp"
+#include "microslip/io/path_file.hpp"
+#include "microslip/joint/jenkins_network.hpp"
+#include "microslip/joint/memory.hpp"
+
+namespace microslip::app {
+namespace {
+
+struct LoopOptions {
+  std::string joint;
+  std::string path;
+  std::string amplitude;
+  std::string law = "incremental";
+  std::string out;
+  std::size_t points = 200;
+  std::size_t elements = 1000;
+};
+
+/// First loading to A, then one steady cycle: A to −A and back.
+std::vector<double> cycle(double amplitude, std::size_t points) {
+  std::vector<double> x;
+  x.reserve(3 * points + 1);
+  const auto branch = [&](double from, double to) {
+    for (std::size_t i = 1; i <= points; ++i) {
+      x.push_back(from + (to - from) * static_cast<double>(i) / static_cast<double>(points));
+    }
+  };
+  x.push_back(0.0);
+  branch(0.0, amplitude);
+  branch(amplitude, -amplitude);
+  branch(-amplitude, amplitude);
+  return x;
+}
+
+DisplacementPath path_of(const LoopOptions& options) {
+  if (!options.path.empty()) return read_path(options.path);
+  const double amplitude = parse_quantity("--amplitude", options.amplitude, kLength);
+  if (!(amplitude > 0.0)) throw InputError("--amplitude", amplitude, "must be above 0 m");
+  return {cycle(amplitude, options.points), {}};
+}
+
+/// Constant normal load has an exact memory; a varying one needs elements that are marched.
+std::vector<double> forces(const Joint& joint, const DisplacementPath& path,
+                           const LoopOptions& options) {
+  std::vector<double> force(path.displacement.size());
+  if (path.normal_load.empty()) {
+    Memory(joint).march(path.displacement, force);
+    return force;
+  }
+  const JenkinsNetwork network = JenkinsNetwork::discretise(joint, options.elements);
+  const NormalLoadLaw law =
+      options.law == "total" ? NormalLoadLaw::kTotal : NormalLoadLaw::kIncremental;
+  NetworkMemory(network, law).march(path.displacement, path.normal_load, force);
+  return force;
+}
+
+int run(const LoopOptions& options) {
+  check_output(options.out, kLoopKind);
+  const JointFile file = read_joint(options.joint);
+  const DisplacementPath path = path_of(options);
+  write_file(options.out, loop_table(path, forces(file.joint, path, options)).str());
+  return kDone;
+}
+
+}  // namespace
+
+void add_loop(CLI::App& program, Call& call) {
+  auto options = std::make_shared<LoopOptions>();
+  CLI::App* command = program.add_subcommand(
+      "loop", "Force of a joint along a displacement path, or around one steady cycle");
+  command->add_option("joint", options->joint, "Joint model, joint.json")->required();
+  CLI::Option* path = command->add_option(
+      "--path", options->path,
+      "Path as CSV: displacement [m], and normal_load [1] where the normal load varies");
+  CLI::Option* amplitude =
+      command->add_option("--amplitude", options->amplitude,
+                          "First loading and one cycle of this amplitude, in m or with a unit");
+  path->excludes(amplitude);
+  command
+      ->add_option("--normal-load-law", options->law,
+                   "What a stuck element does when its normal load varies")
+      ->check(CLI::IsMember({"incremental", "total"}))
+      ->capture_default_str();
+  command->add_option("--points", options->points, "Points a branch, with --amplitude")
+      ->check(CLI::Range(2, 1000000))
+      ->capture_default_str();
+  command
+      ->add_option("--elements", options->elements,
+                   "Jenkins elements, where the normal load varies")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  command->add_option("--out", options->out, "CSV to write; - is standard output")->required();
+  add_examples(*command, {"microslip loop joint.json --amplitude 300um --out loop.csv",
+                          "microslip loop joint.json --path path.csv --out -"});
+  command->callback([options, &call] {
+    if (options->path.empty() && options->amplitude.empty()) {
+      throw CLI::RequiredError("--path or --amplitude");
+    }
+    call.run = [options] { return run(*options); };
+  });
+}
+
+}  // namespace microslip::app

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "microslip/base/progress.hpp"
+
+namespace microslip::app {
+
+/// A bar with the share done and the time left, on standard error. An empty function, so that nobody
+/// is told, when that is no terminal or `quiet`.
+[[nodiscard]] Progress progress_bar(std::string what, bool quiet);
+
+}  // namespace microslip::app

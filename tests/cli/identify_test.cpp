@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/run_program.hpp"
+#include "cli/samples.hpp"
+#include "microslip/base/version.hpp"
+#include "microslip/identify/identification.hpp"
+#include "microslip/io/density_file.hpp"
+#include "microslip/io/sha256.hpp"
+
+namespace microslip::cli_test {
+namespace {
+
+using nlohmann::json;
+
+Sandbox sandbox() { return Sandbox{{"levels.csv", sample_levels_text()}}; }
+
+/// identify levels.csv --stiffness 1.7e5 --out joint.json and more.
+Arguments identify_with(const Arguments& more) {
+  Arguments all{"identify", "levels.csv", "--stiffness", "1.7e5", "--out", "joint.json"};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+IdentificationOptions library_options() {
+  IdentificationOptions options;
+  options.inversion.stiffness = kSampleStiffness;
+  return options;
+}
+
+/// Stiffness and density as the file has them: to the last digit.
+std::string text_of(const Joint& joint) { return format_joint({joint, {}, {}}); }
+
+/// The joint that the call writes is that of the library.
+void expect_as_library(const Arguments& more, const IdentificationOptions& options) {
+  const Sandbox box = sandbox();
+  expect_done(box, identify_with(more));
+  const JointFile file = read_joint(box.file("joint.json"));
+  EXPECT_EQ(text_of(file.joint), text_of(identify(sample_levels(), options).joint));
+}
+
+json record(const Sandbox& box, const std::string& key) {
+  return json::parse(box.get("joint.json")).at(key);
+}
+
+std::vector<double> numbers(const json& value) { return value.get<std::vector<double>>(); }
+
+TEST(identify, FindsWhatTheLibraryFinds) { expect_as_library({}, library_options()); }
+
+TEST(identify, TakesAUnitOfTheStiffness) {
+  const Sandbox box = sandbox();
+  expect_done(box, {"identify", "levels.csv", "--stiffness", "170kN/m", "--out", "a.json"});
+  expect_done(box, {"identify", "levels.csv", "--stiffness", "0.17 N/um", "--out", "b.json"});
+  const std::string expected = text_of(identify(sample_levels(), library_options()).joint);
+  EXPECT_EQ(text_of(read_joint(box.file("a.json")).joint), expected);
+  EXPECT_DOUBLE_EQ(read_joint(box.file("b.json")).joint.stiffness(), 1.7e5);
+}
+
+TEST(identify, FitsLinearDamping) {
+  IdentificationOptions options = library_options();
+  options.inversion.linear_damping = true;
+  expect_as_library({"--linear-damping", "fit"}, options);
+  const Sandbox box = sandbox();
+  const Outcome run = expect_done(box, identify_with({"--linear-damping", "fit"}));
+  EXPECT_NE(run.out.find("linear damping"), std::string::npos) << run.out;
+  EXPECT_EQ(record(box, "identification").at("linear_damping_J_per_m2"),
+            *identify(sample_levels(), options).linear_damping);
+}
+
+TEST(identify, SeeksAnAtom) {
+  IdentificationOptions options = library_options();
+  options.inversion.atom = true;
+  expect_as_library({"--atom"}, options);
+}
+
+TEST(identify, SmoothsTheInversionAsTold) {
+  IdentificationOptions options = library_options();
+  options.inversion.lambda = 1e-3;
+  expect_as_library({"--smoothing", "lambda=1e-3"}, options);
+}
+
+TEST(identify, BySplineWithEachSmoothing) {
+  IdentificationOptions options = library_options();
+  options.method = IdentificationMethod::kSpline;
+  expect_as_library({"--method", "spline"}, options);
+  options.spline_smoothing = MatlabP{0.9, 1e-6};
+  expect_as_library({"--method", "spline", "--smoothing", "p=0.9", "--smoothing-unit", "um"},
+                    options);
+  options.spline_smoothing = FixedLambda{0.2 * 1e-3 * 1e-3 * 1e-3};
+  expect_as_library({"--method", "spline", "--smoothing", "lambda=0.2", "--smoothing-unit", "mm"},
+                    options);
+}
+
+TEST(identify, ByDifferences) {
+  IdentificationOptions options = library_options();
+  options.method = IdentificationMethod::kDifferences;
+  expect_as_library({"--method", "differences"}, options);
+}
+
+TEST(identify, FitsEachModel) {
+  for (const auto& [name, model] : {std::pair{"four_parameter", ParametricModel::kFourParameter},
+                                    std::pair{"power_law", ParametricModel::kPowerLaw},
+                                    std::pair{"uniform", ParametricModel::kUniform}}) {
+    IdentificationOptions options = library_options();
+    options.fit = model;
+    expect_as_library({"--fit", name}, options);
+    const Sandbox box = sandbox();
+    const Outcome run = expect_done(box, identify_with({"--fit", name, "--density-csv", "d.csv"}));
+    EXPECT_NE(run.out.find(name), std::string::npos) << run.out;
+    EXPECT_EQ(record(box, "identification").at("model"), name);
+    EXPECT_GT(read_density(box.file("d.csv")).slip_force.size(), 10U);
+  }
+}
+
+TEST(identify, WritesTheDensity) {
+  const Sandbox box = sandbox();
+  expect_done(box, identify_with({"--density-csv", "density.csv"}));
+  EXPECT_TRUE(box.get("density.csv").starts_with("slip_force [N],density [1/N]\n"));
+  const DensityTable table = read_density(box.file("density.csv"));
+  const Identification expected = identify(sample_levels(), library_options());
+  EXPECT_EQ(table.slip_force, expected.slip_force);
+  EXPECT_EQ(table.density, expected.density);
+}
+
+TEST(identify, WritesTheBand) {
+  const Sandbox box = sandbox();
+  const Outcome run = expect_done(
+      box, identify_with({"--bands", "40", "--seed", "7", "--density-csv", "density.csv",
+                          "--dissipation-gain-std", "2%", "--amplitude-gain-std", "0.01"}));
+  EXPECT_TRUE(
+      box.get("density.csv").starts_with("slip_force [N],density [1/N],lower [1/N],upper [1/N]\n"));
+  IdentificationOptions options = library_options();
+  options.bands = BandOptions{.samples = 40,
+                              .seed = 7,
+                              .dissipation_gain_std = 0.02,
+                              .amplitude_gain_std = 0.01,
+                              .progress = {}};
+  const Identification expected = identify(sample_levels(), options);
+  const DensityTable table = read_density(box.file("density.csv"));
+  EXPECT_EQ(table.lower, expected.lower);
+  EXPECT_EQ(table.upper, expected.upper);
+  const json found = record(box, "identification");
+  EXPECT_EQ(found.at("band_confidence"), 0.95);
+  EXPECT_EQ(numbers(found.at("band_slip_force_N")), expected.slip_force);
+  EXPECT_EQ(numbers(found.at("band_lower_per_N")), expected.lower);
+  EXPECT_EQ(numbers(found.at("band_upper_per_N")), expected.upper);
+  EXPECT_NE(run.out.find("95 % band"), std::string::npos) << run.out;
+}
+
+TEST(identify, IsReproducibleForASeed) {
+  const Arguments bands =
+      identify_with({"--bands", "40", "--seed", "18446744073709551615", "--density-csv", "d.csv"});
+  const Sandbox first = sandbox();
+  const Sandbox second = sandbox();
+  const Outcome a = expect_done(first, bands);
+  const Outcome b = expect_done(second, bands);
+  EXPECT_EQ(first.get("joint.json"), second.get("joint.json"));
+  EXPECT_EQ(first.get("d.csv"), second.get("d.csv"));
+  EXPECT_EQ(a.out, b.out);
+  expect_done(second, identify_with({"--bands", "40", "--seed", "3", "--density-csv", "d.csv"}));
+  EXPECT_NE(first.get("d.csv"), second.get("d.csv")) << "another seed, another band";
+  EXPECT_EQ(text_of(read_joint(first.file("joint.json")).joint),
+            text_of(read_joint(second.file("joint.json")).joint))
+      << "the density itself knows no seed";
+}
+
+TEST(identify, WritesItsProvenance) {
+  const Sandbox box = sandbox();
+  expect_done(box, {"identify", "levels.csv", "--stiffness", "170 kN/m", "--out", "joint.json",
+                    "--bands", "20", "--seed", "5", "--quiet"});
+  const json provenance = record(box, "provenance");
+  EXPECT_EQ(provenance.at("program"), "microslip");
+  EXPECT_EQ(provenance.at("version"), kVersion);
+  EXPECT_EQ(provenance.at("command"),
+            "microslip identify levels.csv --stiffness '170 kN/m' --out joint.json --bands 20 "
+            "--seed 5 --quiet");
+  EXPECT_EQ(provenance.at("inputs"),
+            json::array({{{"file", "levels.csv"}, {"sha256", sha256(sample_levels_text())}}}));
+  EXPECT_EQ(provenance.at("seed"), 5);
+  EXPECT_EQ(provenance.at("options"), json({{"method", "inversion"},
+                                            {"smoothing", "gcv"},
+                                            {"linear_damping", "none"},
+                                            {"atom", "none"},
+                                            {"bands", 20},
+                                            {"dissipation_gain_std", 0},
+                                            {"amplitude_gain_std", 0},
+                                            {"fit", "none"}}));
+}
+
+TEST(identify, SaysWhatItKnowsOfTheResult) {
+  const Sandbox box = sandbox();
+  expect_done(box, identify_with({}));
+  const json found = record(box, "identification");
+  EXPECT_EQ(found.at("method"), "inversion");
+  EXPECT_EQ(found.at("status"), "converged");
+  EXPECT_DOUBLE_EQ(found.at("covered_from_N"), 1.7);
+  EXPECT_DOUBLE_EQ(found.at("covered_to_N"), 34.0);
+  EXPECT_DOUBLE_EQ(found.at("elastic_remainder"),
+                   read_joint(box.file("joint.json")).joint.density().elastic_remainder());
+  EXPECT_TRUE(found.contains("lambda"));
+}
+
+TEST(identify, TakesOtherUnitsAndOtherColumns) {
+  const Sandbox box = sandbox();
+  std::string text =
+      "# a comment\nsource;frequency [Hz];amplitude [µm];dissipation [nJ];secant_stiffness "
+      "[kN/mm];response [g]\r\n";
+  const Levels levels = sample_levels();
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    text += fmt::format("run {};57.1;{};{};0.12;1e-3\r\n", i, 10 * (i + 1),
+                        1e9 * levels.dissipation[i]);
+  }
+  std::replace(text.begin(), text.end(), '.', ',');  // decimal commas, as spreadsheets write them
+  box.put("other.csv", text);
+  expect_done(box, {"identify", "other.csv", "--stiffness", "1.7e5", "--out", "a.json"});
+  EXPECT_DOUBLE_EQ(json::parse(box.get("a.json")).at("identification").at("covered_to_N"), 34.0);
+}
+
+TEST(identify, ConvertsUnitsExactly) {
+  const Sandbox box{{"si.csv",
+                     "amplitude [m],dissipation [J]\n1e-5,2e-6\n2e-5,9e-6\n3e-5,2.3e-5\n"
+                     "4e-5,4.1e-5\n5e-5,6.9e-5\n"},
+                    {"small.csv",
+                     "amplitude [um],dissipation [uJ]\n10,2\n20,9\n30,23\n40,41\n"
+                     "50,69\n"}};
+  for (const std::string name : {"si", "small"}) {
+    expect_done(box, {"identify", name + ".csv", "--stiffness", "1e5", "--out", name + ".json"});
+  }
+  EXPECT_EQ(text_of(read_joint(box.file("si.json")).joint),
+            text_of(read_joint(box.file("small.json")).joint));
+}
+
+TEST(identify, DoesNotMindTheOrderOfLevels) {
+  const Sandbox box = sandbox();
+  Levels levels = sample_levels();
+  std::reverse(levels.amplitude.begin(), levels.amplitude.end());
+  std::reverse(levels.dissipation.begin(), levels.dissipation.end());
+  std::swap(levels.amplitude[3], levels.amplitude[11]);
+  std::swap(levels.dissipation[3], levels.dissipation[11]);
+  box.put("shuffled.csv", levels_table(levels).str());
+  const Outcome sorted = expect_done(box, identify_with({}));
+  const Outcome shuffled = expect_done(
+      box, {"identify", "shuffled.csv", "--stiffness", "1.7e5", "--out", "shuffled.json"});
+  EXPECT_EQ(sorted.out, shuffled.out);
+  EXPECT_EQ(text_of(read_joint(box.file("joint.json")).joint),
+            text_of(read_joint(box.file("shuffled.json")).joint));
+}
+
+TEST(identify, MergesEqualLevelsWithAWarning) {
+  const Sandbox box = sandbox();
+  const std::string text = sample_levels_text();
+  box.put("twice.csv", text + text.substr(text.find('\n') + 1));
+  const Outcome once = expect_done(box, identify_with({}));
+  EXPECT_EQ(once.out.find("warning: 40 levels"), std::string::npos) << once.out;
+  const Outcome twice =
+      expect_done(box, {"identify", "twice.csv", "--stiffness", "1.7e5", "--out", "twice.json"});
+  EXPECT_NE(twice.out.find("warning: 40 levels have 20 different amplitudes"), std::string::npos)
+      << twice.out;
+  const json warnings = json::parse(box.get("twice.json")).at("identification").at("warnings");
+  EXPECT_EQ(std::count(warnings.begin(), warnings.end(), "amplitudes_merged"), 1);
+}
+
+TEST(identify, PrintsItsSummary) {
+  const Sandbox box = sandbox();
+  const Outcome run = expect_done(box, identify_with({}));
+  EXPECT_TRUE(run.out.starts_with("Identified joint\n")) << run.out;
+  for (const std::string part : {"levels               20\n", "170000 N/m", "1.7 to 34 N",
+                                 "solver               converged", "slip force [N]"}) {
+    EXPECT_NE(run.out.find(part), std::string::npos) << part << " in\n" << run.out;
+  }
+  EXPECT_EQ(run.out.find(" \n"), std::string::npos) << "no blank before a line break";
+}
+
+TEST(identify, PrintsNothingWhenQuiet) {
+  const Sandbox box = sandbox();
+  const Outcome run = expect_done(box, identify_with({"--quiet", "--bands", "20"}));
+  EXPECT_EQ(run.out, "");
+  EXPECT_TRUE(box.has("joint.json"));
+}
+
+TEST(identify, KeepsStandardOutputForTheData) {
+  const Sandbox box = sandbox();
+  const Outcome joint = box.run({"identify", "levels.csv", "--stiffness", "1.7e5", "--out", "-"});
+  EXPECT_EQ(joint.status, 0);
+  EXPECT_EQ(parse_joint(joint.out, "out").joint.stiffness(), 1.7e5);
+  EXPECT_TRUE(joint.err.starts_with("Identified joint\n")) << joint.err;
+  const Outcome density = box.run(identify_with({"--density-csv", "-"}));
+  EXPECT_EQ(density.status, 0);
+  EXPECT_GT(parse_density(density.out, "out").density.size(), 10U);
+  EXPECT_TRUE(density.err.starts_with("Identified joint\n")) << density.err;
+  const Outcome quiet =
+      expect_done(box, {"identify", "levels.csv", "--stiffness", "1.7e5", "--out", "-", "--quiet"});
+  EXPECT_EQ(quiet.out.find("Identified"), std::string::npos);
+}
+
+TEST(identify, ReadsLevelsFromStandardInput) {
+  const Sandbox box;
+  const Outcome run =
+      expect_done(box, {"identify", "-", "--stiffness", "1.7e5", "--out", "-", "--quiet"},
+                  {.in = sample_levels_text()});
+  EXPECT_EQ(text_of(parse_joint(run.out, "out").joint),
+            text_of(identify(sample_levels(), library_options()).joint));
+}
+
+TEST(identify, WritesAndMarksWhatDidNotConverge) {
+  const Sandbox box = sandbox();
+  // So much smoothing that nothing is left of the equations but rounding.
+  const Outcome run = box.run(identify_with({"--smoothing", "lambda=1e100"}));
+  EXPECT_EQ(run.status, 3) << run.err;
+  EXPECT_NE(run.out.find("not converged"), std::string::npos) << run.out;
+  EXPECT_EQ(record(box, "identification").at("status"), "not converged");
+}
+
+TEST(identify, TakesATableFromASpreadsheet) {
+  const Sandbox box;
+  box.put("levels.csv", "\xEF\xBB\xBF" + sample_levels_text());  // with a byte order mark
+  expect_done(box, identify_with({}));
+  EXPECT_EQ(text_of(read_joint(box.file("joint.json")).joint),
+            text_of(identify(sample_levels(), library_options()).joint));
+}
+
+}  // namespace
+}  // namespace microslip::cli_test

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "microslip/identify/levels.hpp"
+#include "microslip/io/joint_file.hpp"
+#include "microslip/io/levels_file.hpp"
+#include "microslip/joint/dissipation.hpp"
+
+/// @file
+/// Inputs that the program takes.
+
+namespace microslip::cli_test {
+
+/// Part of the stiffness never slips; macro-slip ends at 40 N.
+inline const std::string kJointText = R"({
+  "schema": "microslip.joint/1",
+  "stiffness_N_per_m": 1.7e5,
+  "density": [
+    {"type": "uniform", "from_N": 0, "to_N": 20, "weight": 0.4},
+    {"type": "piecewise_linear", "slip_force_N": [5, 25, 40], "density_per_N": [0, 0.02, 0]}
+  ]
+}
+)";
+
+inline Joint sample_joint() { return parse_joint(kJointText, "joint.json").joint; }
+
+/// Levels of that joint: 20 amplitudes from 10 to 200 µm, D with a scatter of some 0.3 %.
+inline Levels sample_levels() {
+  constexpr int kLevels = 20;
+  const Joint joint = sample_joint();
+  Levels levels;
+  for (int i = 1; i <= kLevels; ++i) {
+    const double amplitude = 1e-5 * i;
+    levels.amplitude.push_back(amplitude);
+    levels.dissipation.push_back(dissipation(joint, amplitude) * (1.0 + 0.004 * std::sin(7.0 * i)));
+  }
+  return levels;
+}
+
+inline std::string sample_levels_text() { return levels_table(sample_levels()).str(); }
+
+constexpr double kSampleStiffness = 1.7e5;  // N/m
+
+}  // namespace microslip::cli_test
