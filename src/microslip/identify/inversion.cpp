@@ -13,6 +13,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/identify/inversion_model.hpp"
+#include "microslip/identify/median.hpp"
 #include "microslip/identify/signed_density.hpp"
 
 namespace microslip {
@@ -76,9 +77,7 @@ double reference_exponent(const ScaledLevels& levels, const Eigen::VectorXd& d) 
       if (x(j) - x(i) > 0.3 * range) slopes.push_back((y(j) - y(i)) / (x(j) - x(i)));
     }
   }
-  const auto middle = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() / 2);
-  std::ranges::nth_element(slopes, middle);
-  return std::clamp(*middle - 3.0, kLeastExponent, 0.0);
+  return std::clamp(median(std::move(slopes)) - 3.0, kLeastExponent, 0.0);
 }
 
 /// d for the weights of the first pass: the median of d/a³ over five neighbouring levels, times a³.
@@ -92,10 +91,7 @@ Eigen::VectorXd typical_dissipation(const ScaledLevels& levels) {
   for (Eigen::Index i = 0; i < n; ++i) {
     const Eigen::Index from = std::max<Eigen::Index>(0, i - 2);
     const Eigen::Index to = std::min(n, i + 3);
-    std::vector<double> near(ratio.begin() + from, ratio.begin() + to);
-    const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
-    std::ranges::nth_element(near, middle);
-    typical(i) = *middle * cube(i);
+    typical(i) = median({ratio.begin() + from, ratio.begin() + to}) * cube(i);
   }
   return typical;
 }
@@ -226,11 +222,9 @@ std::optional<double> find_atom(const ScaledLevels& levels, const InversionOptio
 double scatter_beyond_resolution(const InversionModel& model, const ScaledLevels& levels,
                                  const SmoothingPoint& point) {
   const Eigen::ArrayXd told = model.problem().data().head(levels.amplitude.size());  // d/σ
-  std::vector<double> sorted(told.begin(), told.end());
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::ranges::nth_element(sorted, middle);
+  const double typical = median({told.begin(), told.end()});
   return std::max(
-      {estimate_scatter(model, point.residual, point.edf).value, kResolution * *middle, 1e-150});
+      {estimate_scatter(model, point.residual, point.edf).value, kResolution * typical, 1e-150});
 }
 
 /// The likeliest solution without any limit.

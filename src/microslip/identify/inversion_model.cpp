@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "microslip/identify/median.hpp"
 #include "microslip/identify/noise.hpp"
 
 namespace microslip {
@@ -37,10 +38,8 @@ double scatter(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
 Eigen::VectorXd floored_deviations(const Eigen::VectorXd& deviation, const Eigen::VectorXd& d,
                                    const Eigen::VectorXd& floor) {
   const Eigen::ArrayXd relative = deviation.cwiseQuotient(d.cwiseMax(floor)).array();
-  std::vector<double> sorted(relative.begin(), relative.end());
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::ranges::nth_element(sorted, middle);
-  return (d.array() < floor.array()).select(deviation.cwiseMax(*middle * floor), deviation);
+  const double typical = median({relative.begin(), relative.end()});
+  return (d.array() < floor.array()).select(deviation.cwiseMax(typical * floor), deviation);
 }
 
 }  // namespace

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "microslip/base/error.hpp"
+#include "microslip/identify/median.hpp"
 
 namespace microslip {
 
@@ -24,10 +26,8 @@ double scatter_about_neighbours(std::span<const double> x, std::span<const doubl
     const double deviation = left * y[i - 1] + right * y[i + 1] - y[i];
     deviations.push_back(std::abs(deviation) / std::sqrt(left * left + right * right + 1.0));
   }
-  const auto middle = deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2);
-  std::ranges::nth_element(deviations, middle);
   constexpr double kMedianOfNormal = 0.6744897501960817;  // of |z|, z standard normal
-  return *middle / kMedianOfNormal;
+  return median(std::move(deviations)) / kMedianOfNormal;
 }
 
 }  // namespace microslip
