@@ -98,7 +98,7 @@ void check_layer(const std::string& name, const MarkerLayer& layer) {
   check_stroke(name, layer.stroke);
 }
 
-void check_axis(const std::string& name, const Axis& axis) {
+void check_axis(const std::string& name, const FigureAxis& axis) {
   if (!axis.range) return;
   check_number(name + ".range.from", axis.range->from);
   check_number(name + ".range.to", axis.range->to);

@@ -33,7 +33,7 @@ struct AxisRange {
   double to = 1.0;  ///< > from
 };
 
-struct Axis {
+struct FigureAxis {
   std::string label = {};               ///< with the unit: "slip force f* [N]"
   bool log = false;                     ///< to base 10
   std::optional<AxisRange> range = {};  ///< ≥ 1e-100 where log; without one, what the layers cover
@@ -104,8 +104,8 @@ enum class Legend { kBelow, kRight, kTopLeft, kTopRight, kBottomLeft, kBottomRig
 struct Figure {
   std::string title = {};
   std::string subtitle = {};
-  Axis x = {};
-  Axis y = {};
+  FigureAxis x = {};
+  FigureAxis y = {};
   std::vector<Layer> layers = {};
   Legend legend = Legend::kBelow;
 };

@@ -130,7 +130,7 @@ class PanelWriter {
     line("set tmargin at screen {:.6f}", axes.top / space_.picture_height);
   }
 
-  void append_axis(std::string_view name, const Axis& axis, const AxisRange& range,
+  void append_axis(std::string_view name, const FigureAxis& axis, const AxisRange& range,
                    const Ticks& ticks) {
     line("set {}range [{}:{}]", name, range.from, range.to);
     if (axis.log) line("set logscale {} 10", name);
@@ -266,7 +266,7 @@ class PanelWriter {
   }
 
   /// The end of the axis in place of what a logarithmic axis cannot show.
-  static double on_axis(double low, const Axis& axis, const AxisRange& range) {
+  static double on_axis(double low, const FigureAxis& axis, const AxisRange& range) {
     return axis.log && low < kSmallestOnLog ? range.from : low;
   }
 
