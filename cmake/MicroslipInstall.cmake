@@ -22,10 +22,21 @@ install(
   NAMESPACE microslip::
   DESTINATION "${microslip_package_dir}")
 
-# A static library leaves the linking of fmt and TBB to its user; a shared one has done it.
+# A static library leaves the linking of fmt, TBB, HDF5, matio and zlib to its user; a shared one
+# has done it.
 get_target_property(microslip_type microslip TYPE)
 if(microslip_type STREQUAL "STATIC_LIBRARY")
-  set(microslip_find_dependencies "find_dependency(fmt)\nfind_dependency(TBB CONFIG)")
+  string(
+    JOIN "\n" microslip_find_dependencies
+    "list(APPEND CMAKE_MODULE_PATH \"\${CMAKE_CURRENT_LIST_DIR}\")"
+    "find_dependency(fmt)"
+    "find_dependency(TBB CONFIG)"
+    "find_dependency(Hdf5Library)"
+    "find_dependency(Matio)"
+    "find_dependency(ZLIB)")
+  install(FILES "${PROJECT_SOURCE_DIR}/cmake/FindHdf5Library.cmake"
+                "${PROJECT_SOURCE_DIR}/cmake/FindMatio.cmake"
+          DESTINATION "${microslip_package_dir}")
 else()
   set(microslip_find_dependencies "")
 endif()

@@ -17,7 +17,7 @@ set(signal_may_include base signal)
 set(identify_may_include base joint identify)
 set(dynamics_may_include base joint structure dynamics)
 set(rig_may_include base joint structure signal identify dynamics rig)
-set(io_may_include base joint identify io)
+set(io_may_include base joint structure signal identify rig io)
 set(report_may_include base joint identify report)
 
 string(
@@ -31,6 +31,9 @@ string(JOIN "|" print "# *include *<(iostream|print|syncstream)>" "std::(cout|ce
 string(JOIN "|" end "(^|[^A-Za-z0-9_.>])(abort|exit|_exit|quick_exit|terminate) *\\(" "std::(system|raise)")
 string(JOIN "|" random "# *include *<random>" "std::(random_device|mt19937|rand|srand)"
        "(^|[^A-Za-z0-9_:.>])s?rand *\\(")
+
+# What may end a process all the same: the copy of this process that it started itself.
+set(may_end src/microslip/io/trial_process.cpp)
 
 set(offences 0)
 function(offend file number text)
@@ -106,7 +109,7 @@ foreach(file IN LISTS files)
     if(NOT folder STREQUAL "io" AND code MATCHES "${print}")
       offend("${file}" ${number} "the library never prints: ${code}")
     endif()
-    if(code MATCHES "${end}")
+    if(code MATCHES "${end}" AND NOT file IN_LIST may_end)
       offend("${file}" ${number} "the library never ends the process: ${code}")
     endif()
     if(code MATCHES "${random}")

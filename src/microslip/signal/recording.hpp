@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "microslip/base/units.hpp"
+
+namespace microslip {
+
+/// What the values of a recording are given over: time as a rule, frequency for what an analyser has
+/// transformed. Point i lies at start + i·step, or at values[i] where the points are not evenly
+/// spaced.
+struct Axis {
+  Dimension dimension = kTime;
+  double start = 0.0;          ///< SI; the time zero of a record is where this axis has its 0
+  double step = 0.0;           ///< SI, above 0 where the points are evenly spaced
+  std::vector<double> values;  ///< SI; empty where they are
+
+  [[nodiscard]] bool even() const { return values.empty(); }
+  [[nodiscard]] double at(std::size_t i) const {
+    return even() ? start + static_cast<double>(i) * step : values[i];
+  }
+
+  friend bool operator==(const Axis&, const Axis&) = default;
+};
+
+/// What a file says of a recording or a channel beside its values, by name: "description",
+/// "serial number".
+using Attributes = std::vector<std::pair<std::string, std::string>>;
+
+/// One signal. Values are in SI where the unit is known.
+struct Channel {
+  std::string name;
+  std::optional<Dimension> dimension;  ///< nothing: the file has no unit; values are as it has them
+  std::vector<double> values;
+  std::vector<double> imaginary;  ///< empty, or of the same length: the values are complex
+  Attributes attributes;
+
+  friend bool operator==(const Channel&, const Channel&) = default;
+};
+
+/// Channels measured together, over one axis; each has a value at each of its points.
+struct Recording {
+  std::string source;  ///< where it comes from, for messages and tables: "level_1.csv"
+  Axis axis;
+  std::vector<Channel> channels;
+  Attributes attributes;
+
+  /// The number of points.
+  [[nodiscard]] std::size_t size() const {
+    return channels.empty() ? axis.values.size() : channels.front().values.size();
+  }
+
+  /// 1/step, 1/s. Only for a recording over evenly spaced times.
+  [[nodiscard]] double sampling_rate() const { return 1.0 / axis.step; }
+
+  /// @throws InputError  naming the source, the channel and those there are, where it is missing.
+  [[nodiscard]] const Channel& channel(std::string_view name) const;
+
+  /// The values of a real channel over time, in SI.
+  /// @throws InputError  naming the source and the channel, where it is missing, complex, not over
+  ///                     time, without unit or of another dimension.
+  [[nodiscard]] std::span<const double> signal(std::string_view name,
+                                               const Dimension& expected) const;
+
+  /// Says in which unit the values of a channel without one are; they become SI.
+  /// @throws InputError  where the channel is missing or has a unit.
+  void assume_unit(std::string_view name, const Unit& unit);
+};
+
+/// Checks that the recording is whole: a channel and two points at least, names unique and not
+/// empty, lengths equal, a step above 0 or values that rise, everything finite.
+/// @throws InputError  naming the source, the channel and the value.
+void check_recording(const Recording& recording);
+
+}  // namespace microslip
