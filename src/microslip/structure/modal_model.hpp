@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace microslip {
+
+/// A natural vibration of a linear structure.
+struct Mode {
+  double angular_frequency;  ///< ω, rad/s; ≥ 0, and 0 for a rigid body
+  double loss_factor = 0.0;  ///< η = 2ζ, 1; ≥ 0, ζ the damping ratio
+};
+
+/// A place of the structure and a direction there, by the share of each mode in its displacement.
+struct ModalPoint {
+  std::string name;
+  std::vector<double> shape;  ///< φ_i, mass-normalised, kg^−½; one a mode
+};
+
+/// How a loss factor acts off the natural frequency; at it the two are the same.
+enum class DampingLaw {
+  kViscous,     ///< η_i ω_i q̇_i: i η_i ω_i ω q_i in a harmonic of ω
+  kHysteretic,  ///< i η_i ω_i² q_i in each harmonic, whatever its ω
+};
+
+/// A linear structure by its modes and their mass-normalised shapes at named points:
+///
+///     q̈_i + η_i ω_i q̇_i + ω_i² q_i = Σ_p φ_i(p) f_p,   w(p) = Σ_i φ_i(p) q_i
+///
+/// with f_p the force at p, N, and w(p) its displacement, m. A point may be anything that displaces
+/// linearly: a relative displacement across a joint, a rotation times a radius. Immutable.
+class ModalModel {
+ public:
+  /// @param modes   at least one, in any order.
+  /// @param points  names not empty and no two the same; may be none.
+  /// @throws InputError  naming the mode or the point and the rule it breaks.
+  ModalModel(std::vector<Mode> modes, std::vector<ModalPoint> points);
+
+  /// The number of modes.
+  [[nodiscard]] std::size_t size() const { return modes_.size(); }
+  [[nodiscard]] std::span<const Mode> modes() const { return modes_; }
+  [[nodiscard]] std::span<const ModalPoint> points() const { return points_; }
+
+  /// φ_i(point), one a mode.
+  /// @throws InputError  naming the points there are, where it is missing.
+  [[nodiscard]] std::span<const double> shape(std::string_view point) const;
+
+  /// The displacement at `to` over the force at `from`, both as factors of e^{iωt}, m/N:
+  ///
+  ///     H(ω) = Σ_i φ_i(to) φ_i(from) / (ω_i² − ω² + i η_i ω_i ω)      (kViscous)
+  ///
+  /// and ω_i in place of the last ω for kHysteretic. Infinite at the natural frequency of a mode
+  /// without damping that both points take part in.
+  /// @param angular_frequency  ω, rad/s; ≥ 0 and finite.
+  /// @throws InputError  where a point is missing or ω out of its range.
+  [[nodiscard]] std::complex<double> receptance(std::string_view to, std::string_view from,
+                                                double angular_frequency,
+                                                DampingLaw law = DampingLaw::kViscous) const;
+
+ private:
+  std::vector<Mode> modes_;
+  std::vector<ModalPoint> points_;
+};
+
+/// ω_i² − ω² + i η_i ω_i ω, or i η_i ω_i² for kHysteretic, rad²/s²: the dynamic stiffness of one mode.
+/// @param angular_frequency  ω, rad/s; ≥ 0, not checked.
+[[nodiscard]] std::complex<double> modal_stiffness(const Mode& mode, double angular_frequency,
+                                                   DampingLaw law = DampingLaw::kViscous);
+
+}  // namespace microslip
