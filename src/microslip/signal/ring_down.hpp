@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "microslip/base/summary.hpp"
+#include "microslip/base/units.hpp"
+#include "microslip/signal/recording.hpp"
+
+/// @file
+/// Amplitude, frequency and damping of one mode from its free decay, as functions of time.
+///
+/// A mode of mass m has a restoring force of Masing's kind: after a reversal at (x_r, f_r) it is
+/// f_r − 2F((x_r − x)/2), F the virgin curve of all that restores, joint and linear springs. On the way
+/// from a peak A + e to the next, −(A − e), it runs through a branch of the steady loop of amplitude A
+/// that is shifted by e along x and, the reversal lying on F up to e², by F′(A)e along f. At both peaks
+/// nothing moves, so the work in between vanishes: 2A·F′(A)e = D(A)/2. With 4e, what a cycle takes off A,
+///
+///     D = A F′(A)·4e = A·[what a cycle takes off F(A)].
+///
+/// At a peak the force is that of inertia, F(A) = mω²A, so the decay of ω²A counts, that of the
+/// acceleration:
+///
+///     D = −(2π/ω) m A d(ω²A)/dt = 2πζω² m A²,     ζ = (δ − 2ω̇/ω)/ω,     δ = −Ȧ/A,     k_eq = mω²,
+///
+/// up to terms of the order ζ². In a softening mode ω rises while A falls: ω̇ takes several per cent off
+/// δω where the joint has lost a tenth of the mode's stiffness. Viscous losses add to D. Where the
+/// frequency moves for another reason than friction (a geometric softening has δ − ω̇/(2ω), by its
+/// action ½mωA²) D is wrong by up to 3/2·ω̇/(δω). The amplitudes here are of the first harmonic, which
+/// stands for the peak within some tenths of a per cent; where D(A) has a kink, at the beginning of
+/// macro-slip, a window rounds it off.
+
+namespace microslip {
+
+struct RingDownOptions {
+  /// Near which the mode is sought, within 10 %, Hz. Without it: the highest peak of the spectrum.
+  std::optional<double> frequency = {};
+  /// Hz, low and high: the mode is sought inside and what is outside is kept out. Without it: as far as
+  /// the next peaks of the spectrum.
+  std::optional<std::pair<double, double>> band = {};
+  /// Where the free decay begins and ends, s on the axis of the recording. Without them: found, and the
+  /// end of the record.
+  std::optional<double> from = {};
+  std::optional<double> to = {};
+  /// The windows are as short as this many periods where noise and other modes allow; from 3.
+  double least_periods = 6.0;
+  /// ln of the ratio of amplitudes over the longest window; above 0, up to 6. A longer window gives less
+  /// scatter and more bias where the exponent of D(A) changes fast.
+  double largest_fall = 2.0;
+  /// Windows are as long as this standard deviation of ζ, over ζ, needs; above 0.
+  double wanted_std = 0.005;
+  /// The decay ends where the longest window does not keep to this one; above 0.
+  double largest_std = 0.1;
+};
+
+/// The mode over time: one entry a window, each of the last fitted value at its centre. Windows
+/// overlap; two that are half a window apart or more are all but independent (correlation −0.2).
+struct RingDown {
+  std::vector<double> time;       ///< s, on the axis of the recording
+  std::vector<double> amplitude;  ///< A, of the displacement at the sensor, m
+  std::vector<double> amplitude_std;
+  std::vector<double> frequency;  ///< ω/2π, Hz
+  std::vector<double> frequency_std;
+  std::vector<double> damping_ratio;  ///< ζ above, 1; for a viscous mode ζ/√(1 − ζ²)
+  std::vector<double> damping_ratio_std;
+  std::vector<double> loss;      ///< 2πζω²A² = D/m, J/kg
+  std::vector<double> loss_std;  ///< with the correlation of ζ and A
+  std::vector<double> window;    ///< length of each, s
+
+  double from = 0.0;  ///< s: the range in which the windows lie
+  double to = 0.0;    ///< s
+  double noise_std =
+      0.0;  ///< of a sample, in the unit of the signal, by the density beside the mode
+  Dimension measured = kLength;  ///< what the signal is: kLength, kVelocity or kAcceleration
+  /// Converged where the decay was followed until the record ended or the rest was noise. The residual
+  /// is noise_std over the first window's amplitude.
+  Summary summary;
+  std::vector<Warning> warnings;
+
+  [[nodiscard]] std::size_t size() const { return time.size(); }
+};
+
+/// @param signal    evenly sampled at `rate`, Hz; in SI. Its first sample is at time 0.
+/// @param measured  what it is: kLength, kVelocity or kAcceleration.
+/// @throws InputError  for options out of range; where the signal is not finite, too short, clipped, or
+///                     holds no decay above the noise.
+[[nodiscard]] RingDown ring_down(std::span<const double> signal, double rate,
+                                 const Dimension& measured, const RingDownOptions& options = {});
+
+/// The same of a channel; its unit tells what it is.
+/// @throws InputError  also where the channel is missing, not evenly sampled over time or of no motion.
+[[nodiscard]] RingDown ring_down(const Recording& recording, std::string_view channel,
+                                 const RingDownOptions& options = {});
+
+}  // namespace microslip

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "microslip/signal/ring_down.hpp"
+
+namespace microslip {
+
+struct RingDownLevelsOptions {
+  /// m, kg, above 0: the mode's mass at the sensor, 1/φ² with its mass-normalised shape φ there.
+  double modal_mass = 0.0;
+  /// Joint displacement over displacement at the sensor, 1; not 0. The mode's shape is taken as fixed.
+  double joint_ratio = 1.0;
+  /// η of the linear part, 1, ≥ 0; its loss πηmω₀²A² a cycle is taken off.
+  double loss_factor = 0.0;
+  /// ω₀/2π, Hz: the mode's frequency with the joint stuck. Without it the highest frequency of the
+  /// decay counts as such where η needs one.
+  std::optional<double> stick_frequency = {};
+  /// k of the stuck joint, N/m. With it, and the stick frequency, the secant stiffness is given.
+  std::optional<double> joint_stiffness = {};
+};
+
+/// What a decay tells of its joint, one entry a level by falling amplitude. Levels are half a window
+/// apart, so that they are all but independent.
+struct RingDownLevels {
+  std::vector<double> amplitude;  ///< of the joint's displacement, |joint_ratio|·A, m
+  std::vector<double> amplitude_std;
+  std::vector<double> dissipation;  ///< D = 2πζω²mA² − πηmω₀²A², J a cycle
+  std::vector<double> dissipation_std;
+  /// k + m(ω² − ω₀²)/joint_ratio², N/m, of first order in the change; empty without k.
+  std::vector<double> secant_stiffness;
+  std::vector<double> secant_stiffness_std;
+  std::vector<double> time;           ///< s
+  std::vector<double> frequency;      ///< Hz
+  std::vector<double> damping_ratio;  ///< of the mode, linear part included, 1
+  std::vector<Warning> warnings;      ///< what was left out, and why
+};
+
+/// @throws InputError  for an option out of range, or k without the stick frequency.
+[[nodiscard]] RingDownLevels levels_of(const RingDown& decay, const RingDownLevelsOptions& options);
+
+}  // namespace microslip

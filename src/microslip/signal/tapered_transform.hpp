@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+/// @file
+/// A stretch of a signal under the taper cos⁴(πτ/T), τ from −T/2 to T/2, and its Fourier transform at
+/// any frequency. Internal to signal.
+
+namespace microslip {
+
+class TaperedWindow {
+ public:
+  /// @param centre  s from the first sample; what lies outside of the signal is left out.
+  /// @param length  T, s.
+  TaperedWindow(std::span<const double> signal, double rate, double centre, double length);
+
+  [[nodiscard]] std::size_t size() const { return values_.size(); }
+  [[nodiscard]] double length() const { return length_; }
+  /// 2τ/T of sample i.
+  [[nodiscard]] double place(std::size_t i) const {
+    return first_ + static_cast<double>(i) * step_;
+  }
+  [[nodiscard]] double weight(std::size_t i) const { return weights_[i]; }
+  [[nodiscard]] double value(std::size_t i) const { return values_[i]; }
+  [[nodiscard]] double largest() const;
+
+  /// Σ w y e^{−iωτ}/Σ w. @param omega  rad/s.
+  [[nodiscard]] std::complex<double> transform(double omega) const;
+
+  /// Mean square of the transform of white noise of variance 1: Σ w²/(Σ w)².
+  [[nodiscard]] double noise_gain() const;
+
+  /// The frequency of the largest transform in a range, to T⁻¹/8. rad/s.
+  [[nodiscard]] double strongest(double from, double to) const;
+
+  /// The first (0) or second (1) half under a taper of its own.
+  [[nodiscard]] TaperedWindow half(int which) const;
+
+  /// The same window over other values. @param values  as many as there are.
+  [[nodiscard]] TaperedWindow with_values(std::span<const double> values) const;
+
+ private:
+  std::span<const double> values_;
+  double length_;
+  double rate_;
+  double first_ = 0.0;  ///< place of the first sample
+  double step_ = 0.0;   ///< from place to place
+  std::vector<double> weights_;
+};
+
+}  // namespace microslip

@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/signal/ring_down.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "microslip/base/error.hpp"
+#include "microslip/joint/dissipation.hpp"
+#include "microslip/joint/secant.hpp"
+#include "signal/decays.hpp"
+
+namespace microslip {
+namespace {
+
+using testing::JointedMode;
+using testing::sampled;
+using testing::ViscousMode;
+using testing::with_noise;
+
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+constexpr double kRate = 5000.0;  // Hz
+
+/// By the number of derivatives of displacement.
+constexpr Dimension kMeasured[] = {kLength, kVelocity, kAcceleration};
+
+bool warns_of(const RingDown& decay, const std::string& code) {
+  return std::ranges::find(decay.warnings, code, &Warning::code) != decay.warnings.end();
+}
+
+/// Largest relative deviations from a viscous mode.
+void expect_viscous(const RingDown& decay, const ViscousMode& mode, double tolerance) {
+  ASSERT_GT(decay.size(), 5U);
+  const double z = mode.damping_ratio;
+  for (std::size_t i = 0; i < decay.size(); ++i) {
+    const double a = mode.amplitude * std::exp(-mode.decay() * (decay.time[i] - mode.start));
+    EXPECT_NEAR(decay.amplitude[i] / a, 1.0, tolerance) << i;
+    EXPECT_NEAR(decay.frequency[i] * kTwoPi / mode.damped_omega(), 1.0, tolerance) << i;
+    EXPECT_NEAR(decay.damping_ratio[i] * std::sqrt(1.0 - z * z) / z, 1.0, tolerance) << i;
+    // D = πcω_d A² with c = 2mδ.
+    const double loss = kTwoPi * mode.decay() * mode.damped_omega() * a * a;
+    EXPECT_NEAR(decay.loss[i] / loss, 1.0, 4.0 * tolerance) << i;
+  }
+}
+
+TEST(RingDown, IsExactForAViscousMode) {
+  for (const double damping : {0.001, 0.01, 0.04}) {
+    const ViscousMode mode{.damping_ratio = damping};
+    for (int n = 0; n <= 2; ++n) {
+      const RingDown decay =
+          ring_down(sampled({mode}, n, kRate, 2.0), kRate, kMeasured[static_cast<std::size_t>(n)]);
+      // The model is exact; the fit stops at steps of 1e−8 in ln A, over a decay of 0.04 a window.
+      expect_viscous(decay, mode, 1e-6);
+      EXPECT_TRUE(decay.summary.converged()) << decay.summary.full();
+      EXPECT_TRUE(decay.warnings.empty());
+    }
+  }
+}
+
+TEST(RingDown, StandardDeviationsAreThoseOfRepeatedMeasurements) {
+  const ViscousMode mode{.damping_ratio = 0.008};
+  const std::vector<double> clean = sampled({mode}, 2, kRate, 2.0);
+  double sum[3] = {};
+  double count = 0.0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const RingDown decay = ring_down(with_noise(clean, 0.02, seed), kRate, kAcceleration);
+    for (std::size_t i = 0; i < decay.size(); ++i) {
+      const double a = mode.amplitude * std::exp(-mode.decay() * decay.time[i]);
+      const double f = mode.damped_omega() / kTwoPi;
+      const double z = mode.decay() / mode.damped_omega();
+      sum[0] += std::pow((decay.amplitude[i] - a) / decay.amplitude_std[i], 2);
+      sum[1] += std::pow((decay.frequency[i] - f) / decay.frequency_std[i], 2);
+      sum[2] += std::pow((decay.damping_ratio[i] - z) / decay.damping_ratio_std[i], 2);
+      count += 1.0;
+    }
+  }
+  // Some 40 × 6 independent values: their rms is known to 5 %, the noise of each record to 10 %.
+  for (const double s : sum) {
+    EXPECT_LT(std::sqrt(s / count), 1.3);
+    EXPECT_GT(std::sqrt(s / count), 1.0 / 1.3);
+  }
+}
+
+TEST(RingDown, KeepsOtherModesOut) {
+  const ViscousMode mode{.damping_ratio = 0.005};
+  const ViscousMode above{.frequency = 66.0, .damping_ratio = 0.004, .amplitude = 0.8e-4};
+  const ViscousMode below{.frequency = 31.0, .damping_ratio = 0.006, .amplitude = 0.5e-4};
+  const ViscousMode far{.frequency = 210.0, .damping_ratio = 0.003, .amplitude = 0.5e-4};
+  const std::vector<double> signal = sampled({mode, above, below, far}, 0, kRate, 3.0);
+  RingDownOptions options;
+  options.frequency = 50.0;
+  const RingDown found = ring_down(signal, kRate, kLength, options);
+  // What the taper lets through of a mode of like amplitude six lines away, see decay_window.hpp.
+  expect_viscous(found, mode, 5e-3);
+  EXPECT_TRUE(warns_of(found, "other_peaks"));
+
+  options.band = {{36.0, 62.0}};
+  const RingDown banded = ring_down(signal, kRate, kLength, options);
+  expect_viscous(banded, mode, 5e-3);
+  EXPECT_TRUE(banded.warnings.empty());
+}
+
+// A fifth of the stiffness is the joint's; released at 1.1 of the displacement where macro-slip begins.
+JointedMode jointed_mode() {
+  const double k = std::pow(kTwoPi * 50.0, 2);
+  return {.joint = Joint::four_parameter(0.5 * 0.2 * k * 1e-4, 0.2 * k, -0.5, 0.5),
+          .mass = 1.0,
+          .viscosity = 2.0 * 0.0005 * kTwoPi * 50.0,
+          .stiffness = 0.8 * k,
+          .release = 1e-4};
+}
+
+double dissipation_of(const JointedMode& mode, double a, double frequency) {
+  return dissipation(mode.joint, a) +
+         std::numbers::pi * mode.viscosity * kTwoPi * frequency * a * a;
+}
+
+constexpr double kJointRate = 20480.0;
+
+TEST(RingDown, GivesTheDissipationOfAJointWithoutNoise) {
+  const JointedMode mode = jointed_mode();
+  for (int n = 0; n <= 2; ++n) {
+    const RingDown decay = ring_down(mode.sampled(n, kJointRate, 1.5, 5), kJointRate,
+                                     kMeasured[static_cast<std::size_t>(n)]);
+    ASSERT_LT(decay.amplitude.back(), 0.1 * decay.amplitude.front());
+    for (std::size_t i = 0; i < decay.size(); ++i) {
+      const double a = decay.amplitude[i];
+      // Terms of the order ζ = 0.01 cancel in the derivation; what is left is that of the harmonics. With
+      // δ − ω̇/(2ω) in place of δ − 2ω̇/ω it would be 3.5 %.
+      EXPECT_NEAR(mode.mass * decay.loss[i] / dissipation_of(mode, a, decay.frequency[i]), 1.0,
+                  0.003)
+          << i;
+      const double k = mode.stiffness + secant_stiffness(mode.joint, a);
+      EXPECT_NEAR(mode.mass * std::pow(kTwoPi * decay.frequency[i], 2) / k, 1.0, 5e-4) << i;
+    }
+  }
+}
+
+/// Largest relative error of D over a decade of amplitude, and over the standard deviation.
+struct DecadeError {
+  double relative = 0.0;
+  double normalised = 0.0;
+};
+
+DecadeError error_over_a_decade(const JointedMode& mode, const RingDown& decay) {
+  EXPECT_LT(decay.amplitude.back(), 0.1 * decay.amplitude.front());
+  DecadeError worst;
+  for (std::size_t i = 0; i < decay.size(); ++i) {
+    const double a = decay.amplitude[i];
+    if (a < 0.1 * decay.amplitude.front()) break;
+    const double d = dissipation_of(mode, a, decay.frequency[i]);
+    worst.relative = std::max(worst.relative, std::abs(mode.mass * decay.loss[i] / d - 1.0));
+    worst.normalised = std::max(worst.normalised, std::abs(mode.mass * decay.loss[i] - d) /
+                                                      (mode.mass * decay.loss_std[i]));
+  }
+  return worst;
+}
+
+// 40 dB: noise with a standard deviation of 1 % of the first amplitude, 10 % of the last.
+TEST(RingDown, GivesTheDissipationWithin2PercentAt40Decibels) {
+  const JointedMode mode = jointed_mode();
+  for (int n = 0; n <= 2; ++n) {
+    const std::vector<double> clean = mode.sampled(n, kJointRate, 2.0, 5);
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      const RingDown decay = ring_down(with_noise(clean, 0.01, seed), kJointRate,
+                                       kMeasured[static_cast<std::size_t>(n)]);
+      const DecadeError worst = error_over_a_decade(mode, decay);
+      EXPECT_LT(worst.relative, 0.02) << n << ", seed " << seed;
+      EXPECT_LT(worst.normalised, 4.0) << n << ", seed " << seed;
+    }
+  }
+}
+
+TEST(RingDown, GivesTheDissipationWithin6PercentAt30Decibels) {
+  const JointedMode mode = jointed_mode();
+  const std::vector<double> clean = mode.sampled(2, kJointRate, 4.0, 5);
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const RingDown decay = ring_down(with_noise(clean, 0.03162, seed), kJointRate, kAcceleration);
+    const DecadeError worst = error_over_a_decade(mode, decay);
+    EXPECT_LT(worst.relative, 0.06) << seed;  // three of the standard deviations at the end, 2 %
+    EXPECT_LT(worst.normalised, 4.0) << seed;
+  }
+}
+
+TEST(RingDown, BeginsAfterTheImpact) {
+  const ViscousMode mode{.damping_ratio = 0.01, .start = 0.437};
+  std::vector<double> signal = sampled({mode}, 2, kRate, 3.0);
+  const auto impact = static_cast<std::size_t>(mode.start * kRate) + 1;
+  const double peak = mode.omega() * mode.omega() * mode.amplitude;
+  for (std::size_t i = 0; i < 10; ++i) signal[impact + i] += 20.0 * peak;  // 2 ms
+  const RingDown decay = ring_down(with_noise(signal, 1e-5, 1), kRate, kAcceleration);
+  EXPECT_GT(decay.from, mode.start + 0.002);
+  EXPECT_LT(decay.from, mode.start + 5.0 / mode.frequency);
+  EXPECT_NEAR(decay.damping_ratio.front() / mode.damping_ratio, 1.0, 0.01);
+}
+
+/// Largest relative difference between what two results of equal levels say.
+double difference(const RingDown& a, const RingDown& b) {
+  double most = 0.0;
+  for (const auto column : {&RingDown::time, &RingDown::amplitude, &RingDown::frequency,
+                            &RingDown::damping_ratio, &RingDown::loss, &RingDown::window}) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      most = std::max(most, std::abs((a.*column)[i] / (b.*column)[i] - 1.0));
+    }
+  }
+  return most;
+}
+
+TEST(RingDown, TakesAnOffsetForNoPartOfTheDecay) {
+  for (const double start : {0.0, 0.437}) {  // without and with what comes before the trigger
+    const ViscousMode mode{.damping_ratio = 0.01, .start = start};
+    for (int n = 0; n <= 2; ++n) {
+      const Dimension& measured = kMeasured[static_cast<std::size_t>(n)];
+      const std::vector<double> plain = with_noise(sampled({mode}, n, kRate, 3.0), 1e-3, 4);
+      const RingDown expected = ring_down(plain, kRate, measured);
+      ASSERT_GT(expected.size(), 5U);
+      EXPECT_LT(expected.from, start + 5.0 / mode.frequency);
+      for (const double offset : {1.0, -1.0, 100.0}) {
+        std::vector<double> signal = plain;
+        const double peak = std::pow(mode.omega(), n) * mode.amplitude;
+        for (double& y : signal) y += offset * peak;
+        const RingDown decay = ring_down(signal, kRate, measured);
+        ASSERT_EQ(decay.size(), expected.size()) << n << ", " << offset;
+        // Samples are rounded to 1e−14 of the amplitude; each fit stops at steps of 1e−8.
+        EXPECT_LT(difference(decay, expected), 1e-6) << n << ", " << offset;
+      }
+    }
+  }
+}
+
+TEST(RingDown, BeginsAfterAPlateau) {
+  ViscousMode mode{.damping_ratio = 0.006, .start = 1.0};
+  std::vector<double> signal = sampled({mode}, 0, kRate, 4.0);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(mode.start * kRate); ++i) {
+    const double t = static_cast<double>(i) / kRate - mode.start;
+    signal[i] = mode.amplitude * std::cos(mode.damped_omega() * t + mode.phase);
+  }
+  const RingDown decay = ring_down(with_noise(signal, 1e-3, 1), kRate, kLength);
+  EXPECT_GT(decay.from, mode.start);
+  EXPECT_LT(decay.from, mode.start + 8.0 / mode.frequency);
+  EXPECT_NEAR(decay.damping_ratio.front() / mode.damping_ratio, 1.0, 0.02);
+}
+
+TEST(RingDown, EndsBeforeTheNoise) {
+  const ViscousMode mode{.damping_ratio = 0.02};
+  const std::vector<double> clean = sampled({mode}, 0, kRate, 10.0);  // e^−63
+  const RingDown decay = ring_down(with_noise(clean, 0.01, 3), kRate, kLength);
+  EXPECT_TRUE(decay.summary.converged());
+  EXPECT_LT(decay.to, 2.0);
+  EXPECT_NEAR(decay.noise_std / (0.01 * clean.front() / std::cos(mode.phase)), 1.0, 0.2);
+  for (std::size_t i = 0; i < decay.size(); ++i) {
+    EXPECT_LT(decay.damping_ratio_std[i], 0.1 * decay.damping_ratio[i]);
+    EXPECT_NEAR(decay.damping_ratio[i], mode.damping_ratio, 4.0 * decay.damping_ratio_std[i]);
+  }
+}
+
+TEST(RingDown, EndsAtASecondImpact) {
+  const ViscousMode mode{.damping_ratio = 0.01};
+  ViscousMode second = mode;
+  second.start = 1.0;
+  const RingDown decay = ring_down(with_noise(sampled({mode, second}, 0, kRate, 3.0), 1e-3, 1),
+                                   kRate, kLength, {.to = 2.0});
+  // The larger one is the second: the first is not free decay up to it.
+  EXPECT_GT(decay.from, 1.0);
+  second.amplitude *= 0.5;
+  const RingDown first =
+      ring_down(with_noise(sampled({mode, second}, 0, kRate, 3.0), 1e-3, 1), kRate, kLength);
+  EXPECT_LT(first.time.back(), 1.0);
+  EXPECT_FALSE(first.summary.converged());
+  EXPECT_TRUE(warns_of(first, "amplitude_rises") || warns_of(first, "mode_lost"));
+}
+
+Recording recording_of(std::vector<double> values, const Dimension& dimension) {
+  return {.source = "hit.csv",
+          .axis = {.dimension = kTime, .start = -0.5, .step = 1.0 / kRate, .values = {}},
+          .channels = {{"acc1", dimension, std::move(values), {}, {}}},
+          .attributes = {}};
+}
+
+TEST(RingDown, TakesMotionAndTimeFromTheRecording) {
+  const ViscousMode mode;
+  const Recording recording = recording_of(sampled({mode}, 1, kRate, 2.0), kVelocity);
+  const RingDown decay = ring_down(recording, "acc1", {.from = 0.0});
+  EXPECT_EQ(decay.measured, kVelocity);
+  EXPECT_NEAR(decay.from, 0.0, 1.0 / kRate);
+  const double a = mode.amplitude * std::exp(-mode.decay() * (decay.time.front() + 0.5));
+  EXPECT_NEAR(decay.amplitude.front() / a, 1.0, 1e-6);
+}
+
+void expect_refused(const std::function<void()>& call, const std::vector<std::string>& parts) {
+  try {
+    call();
+    ADD_FAILURE() << "not refused: " << parts.front();
+  } catch (const InputError& error) {
+    for (const std::string& part : parts) {
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  }
+}
+
+void expect_signal_refused(const std::vector<double>& signal, const std::vector<std::string>& parts,
+                           const RingDownOptions& options = {}) {
+  expect_refused([&] { (void)ring_down(signal, kRate, kLength, options); }, parts);
+}
+
+TEST(RingDown, RefusesWhatIsNoDecay) {
+  const ViscousMode mode;
+  const std::vector<double> good = sampled({mode}, 0, kRate, 2.0);
+  expect_signal_refused({}, {"too short"});
+  expect_signal_refused(std::vector<double>(good.begin(), good.begin() + 500), {"too short"});
+  expect_signal_refused(std::vector<double>(5000, 0.0), {"no decay found"});
+  expect_signal_refused(with_noise(std::vector<double>(5000, 1.0), 1.0, 7), {"no decay found"});
+  // Constant or growing to the end of the record: nothing is left behind the largest amplitude.
+  expect_signal_refused(sampled({{.damping_ratio = 0.0}}, 0, kRate, 2.0),
+                        {"free decay", "too short"});
+  expect_signal_refused(sampled({{.damping_ratio = -0.01}}, 0, kRate, 2.0),
+                        {"free decay", "too short"});
+  expect_signal_refused(with_noise(good, 2.0, 5), {"no decay found"}, {.frequency = 50.0});
+
+  std::vector<double> clipped = good;
+  for (double& y : clipped) y = std::clamp(y, -5e-5, 5e-5);
+  expect_signal_refused(clipped, {"clipped"});
+  std::vector<double> broken = good;
+  broken[7] = std::numeric_limits<double>::quiet_NaN();
+  expect_signal_refused(broken, {"sample 8", "must be finite"});
+}
+
+TEST(RingDown, RefusesOptionsOutOfRange) {
+  const std::vector<double> good = sampled({ViscousMode{}}, 0, kRate, 2.0);
+  expect_signal_refused(good, {"frequency", "above 0"}, {.frequency = -1.0});
+  expect_signal_refused(good, {"frequency", "at most 2250"}, {.frequency = 2400.0});
+  expect_signal_refused(good, {"band", "must rise"}, {.band = {{60.0, 40.0}}});
+  expect_signal_refused(good, {"frequency", "inside of the band"},
+                        {.frequency = 80.0, .band = {{40.0, 60.0}}});
+  expect_signal_refused(good, {"range", "must rise"}, {.from = 1.0, .to = 0.5});
+  expect_signal_refused(good, {"range", "meet the record"}, {.from = 3.0});
+  expect_signal_refused(good, {"least_periods"}, {.least_periods = 1.0});
+  expect_signal_refused(good, {"largest_fall"}, {.largest_fall = 0.0});
+  expect_signal_refused(good, {"wanted_std"}, {.wanted_std = 0.0});
+  expect_signal_refused(good, {"largest_std"}, {.largest_std = 2.0});
+  expect_refused([&] { (void)ring_down(good, 0.0, kLength); }, {"sampling rate"});
+  expect_refused([&] { (void)ring_down(good, kRate, kForce); }, {"force", "must be displacement"});
+}
+
+TEST(RingDown, NamesTheChannelAtFault) {
+  const Recording recording = recording_of(sampled({ViscousMode{}}, 1, kRate, 2.0), kVelocity);
+  expect_refused([&] { (void)ring_down(recording, "ldv"); }, {"hit.csv", "'ldv'", "'acc1'"});
+  Recording force = recording;
+  force.channels[0].dimension = kForce;
+  expect_refused([&] { (void)ring_down(force, "acc1"); }, {"hit.csv", "'acc1'", "force"});
+  Recording silent = recording;
+  std::ranges::fill(silent.channels[0].values, 0.0);
+  expect_refused([&] { (void)ring_down(silent, "acc1"); }, {"hit.csv", "'acc1'", "no decay"});
+}
+
+}  // namespace
+}  // namespace microslip
