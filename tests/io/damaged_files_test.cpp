@@ -5,22 +5,23 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <random>
 #include <string>
 
+#include "io/damage.hpp"
+#include "io/support.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/identify/levels.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/joint_file.hpp"
 #include "microslip/io/levels_file.hpp"
+#include "microslip/io/rig_file.hpp"
 
 namespace microslip {
 namespace {
 
-constexpr int kCases = 10000;
+using test::damage;
+using test::expect_clear;
 
 const std::string kLevels =
     "# bolted lap joint, 8 levels\n"
@@ -47,70 +48,21 @@ const std::string kJoint = R"({ "schema": "microslip.joint/1", "stiffness_N_per_
   "identification": {"covered_N": [0, 25], "note": "µ", "deep": {"a": [1, null, "x"]}} }
 )";
 
-/// Bytes that matter to the formats come more often than chance would have it.
-char any_byte(std::mt19937_64& random) {
-  static const std::string favourites = "\n\r\t ,;\"#[]{}:.+-eE0919nai\\/\xEF\xBB\xBF\xB5\xFF";
-  const std::uint64_t choice = random();
-  return choice % 3 == 0 ? static_cast<char>(choice >> 32U)
-                         : favourites[(choice >> 8U) % favourites.size()];
-}
+const std::string kRig = test::get(MICROSLIP_EXAMPLES "/reference_rig/rig.toml");
 
-std::string damaged(std::string text, std::mt19937_64& random) {
-  const auto position = [&] { return random() % (text.size() + 1); };
-  for (std::uint64_t n = 1 + random() % 4; n > 0; --n) {
-    const std::size_t at = position();
-    switch (random() % 6) {
-      case 0:
-        text.resize(at);
-        break;
-      case 1:
-        text.erase(at, random() % 20);
-        break;
-      case 2:
-        text.insert(at, 1, any_byte(random));
-        break;
-      case 3:
-        text.insert(at, text.substr(position(), random() % 60));
-        break;
-      default:
-        if (at < text.size()) text[at] = any_byte(random);
-    }
-  }
-  return text;
-}
-
-void expect_clear(const std::string& message, const std::string& file) {
-  EXPECT_EQ(message.substr(0, file.size()), file) << message;
-  EXPECT_LT(message.size(), 500U) << message;
-  EXPECT_TRUE(std::none_of(message.begin(), message.end(), [](char c) {
-    return static_cast<unsigned char>(c) < 0x20;
-  })) << message;
-}
-
-struct Counts {
-  int read = 0;
-  int refused = 0;
-};
-
-template <class Read>
-Counts damage(const std::string& original, std::uint64_t seed, const Read& read) {
-  Counts counts;
-  std::mt19937_64 random(seed);
-  for (int i = 0; i < kCases; ++i) {
-    const std::string text = damaged(original, random);
-    (void)file_kind(text);
-    try {
-      read(text);
-      ++counts.read;
-    } catch (const Error& error) {
-      ++counts.refused;
-      expect_clear(error.what(), "the file");
-    }
-  }
-  EXPECT_GT(counts.read, kCases / 100);
-  EXPECT_GT(counts.refused, kCases / 10);
-  return counts;
-}
+const std::string kModesRig = R"(schema = 'microslip.rig/1'
+damping = { loss_factor = [1e-3] }
+modes.frequency_Hz = [ 55.8, +3_49.5,
+  978, ] # three
+modes.excitation = [1.1, -0.8, 0.3]
+"modes".joint = [-2.1e-2, 0x10, 1_0.5]
+excitation.channel = """
+force"""
+accelerometer = [{ shape = [1, 0.5, 0], channel = "a\u00B5" }, { shape = [0, 1, 2], channel = 'b' }]
+[vibrometer]
+channel = "'"
+measures = "joint"
+)";
 
 void read_damaged_levels(const std::string& text) {
   const LevelsFile file = parse_levels(text, "the file");
@@ -129,11 +81,37 @@ void read_damaged_joint(const std::string& text) {
   EXPECT_EQ(format_joint(parse_joint(written, "written")), written);
 }
 
-TEST(DamagedFiles, Levels) { damage(kLevels, 1, read_damaged_levels); }
+TEST(DamagedFiles, Levels) { damage(kLevels, 1, "the file", read_damaged_levels); }
 
-TEST(DamagedFiles, LevelsWithDecimalCommas) { damage(kSemicolonLevels, 2, read_damaged_levels); }
+TEST(DamagedFiles, LevelsWithDecimalCommas) {
+  damage(kSemicolonLevels, 2, "the file", read_damaged_levels);
+}
 
-TEST(DamagedFiles, Joint) { damage(kJoint, 3, read_damaged_joint); }
+TEST(DamagedFiles, Joint) { damage(kJoint, 3, "the file", read_damaged_joint); }
+
+void read_damaged_rig(const std::string& text) {
+  const Rig rig = parse_rig(text, "the file");
+  EXPECT_NO_THROW(check_rig(rig));
+  EXPECT_GT(rig.loss_factor_of(0), -1.0);
+}
+
+TEST(DamagedFiles, Rig) { damage(kRig, 4, "the file", read_damaged_rig); }
+
+TEST(DamagedFiles, RigOfModes) {
+  EXPECT_NO_THROW(read_damaged_rig(kModesRig));
+  damage(kModesRig, 5, "the file", read_damaged_rig);
+}
+
+TEST(DamagedFiles, RigCutAtEachByte) {
+  for (std::size_t size = 0; size <= kRig.size(); ++size) {
+    try {
+      read_damaged_rig(kRig.substr(0, size));
+      EXPECT_GT(size, kRig.find("\"acc1\"")) << "all before it is needed";
+    } catch (const Error& error) {
+      expect_clear(error.what(), "the file");
+    }
+  }
+}
 
 TEST(DamagedFiles, LevelsCutAtEachByte) {
   for (std::size_t size = 0; size <= kLevels.size(); ++size) {

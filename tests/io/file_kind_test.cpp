@@ -12,7 +12,8 @@ using std::literals::operator""s;
 
 TEST(FileKind, KnowsTheFilesOfTheProgram) {
   EXPECT_EQ(file_kind("{\n \"schema\": \"microslip.joint/1\", \"stiff"), kJointKind);
-  EXPECT_EQ(file_kind("# a rig\n\nschema = \"microslip.rig/1\"\n[beam]"), "microslip.rig/1");
+  EXPECT_EQ(file_kind("# a rig\n\nschema = \"microslip.rig/1\"\n[beam]"), kRigKind);
+  EXPECT_EQ(file_kind("\xEF\xBB\xBFschema='microslip.rig/1' # a rig\r\n"), kRigKind);
   EXPECT_EQ(file_kind("# c\namplitude [um],dissipation [J],source\n1,2,"), kLevelsKind);
   EXPECT_EQ(
       file_kind("amplitude [m],force [N],dissipation [J],secant_stiffness [N/m],loss_factor [1]\n"),

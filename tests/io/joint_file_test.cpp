@@ -223,10 +223,11 @@ TEST(JointFileFault, Schema) {
 TEST(JointFileFault, UnknownKey) {
   EXPECT_EQ(fault(R"({"schema": "microslip.joint/1", "stiffness": 1})"),
             "joint.json: expected at the top the keys schema, stiffness_N_per_m, density, "
-            "provenance, identification, found the unknown key 'stiffness'. Correct or remove it.");
+            "provenance, identification, found the unknown key 'stiffness'. Is it to be "
+            "'stiffness_N_per_m'?");
   EXPECT_EQ(fault(with_density(R"([{"type": "uniform", "form_N": 0, "to_N": 5, "weight": 1}])")),
             "joint.json: expected in density[0] the keys type, from_N, to_N, weight, found the "
-            "unknown key 'form_N'. Correct or remove it.");
+            "unknown key 'form_N'. Is it to be 'from_N'?");
 }
 
 TEST(JointFileFault, MissingKey) {

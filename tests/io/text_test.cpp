@@ -41,6 +41,24 @@ TEST(Text, PlacesCountLinesAndCharacters) {
   EXPECT_EQ(place_at("", 0, "").line, 1U);
 }
 
+TEST(Text, OffsetsAreTheInverseOfPlaces) {
+  const std::string text =
+      "\xEF\xBB\xBF"
+      "ab\r\n\nµ[x\n";
+  for (const std::size_t offset : {3U, 4U, 5U, 6U, 7U, 8U, 10U, 11U, 12U, 13U}) {
+    EXPECT_EQ(offset_of(text, place_at(text, offset, "")), offset);
+  }
+  EXPECT_EQ(offset_of(text, {"", 9, 1}), text.size());
+  EXPECT_EQ(offset_of("", {"", 1, 1}), 0U);
+}
+
+TEST(Text, ShowsWhatIsFoundAtAnOffset) {
+  EXPECT_EQ(found_at("a = b c\r\nd", 4), "'b c'");
+  EXPECT_EQ(found_at("a = \nd", 4), "the end of the line");
+  EXPECT_EQ(found_at("a = ", 4), "the end of the file");
+  EXPECT_EQ(found_at(std::string(100, 'x'), 0), "'xxxxxxxxxxxxxxxxxxxx'");
+}
+
 TEST(Text, TrimsBlanksAndTabs) {
   EXPECT_EQ(trimmed(" \ta b\t "), "a b");
   EXPECT_EQ(trimmed(" \t "), "");

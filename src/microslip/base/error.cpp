@@ -10,14 +10,14 @@ std::string sentence(std::string_view text) {
   return text.empty() ? std::string{} : fmt::format(". {}", text);
 }
 
-std::string place_prefix(const TextPlace& place) {
+}  // namespace
+
+std::string place_text(const TextPlace& place) {
   std::string text = place.file.empty() ? "input" : place.file;
   if (place.line > 0) text += fmt::format(":{}", place.line);
   if (place.line > 0 && place.column > 0) text += fmt::format(":{}", place.column);
   return text;
 }
-
-}  // namespace
 
 InputError::InputError(std::string_view what, double value, std::string_view rule,
                        std::string_view remedy)
@@ -36,7 +36,7 @@ InputError InputError::renamed(std::string_view name) const {
 
 FormatError::FormatError(const TextPlace& place, std::string_view expected, std::string_view found,
                          std::string_view remedy)
-    : Error(fmt::format("{}: expected {}, found {}{}", place_prefix(place), expected, found,
+    : Error(fmt::format("{}: expected {}, found {}{}", place_text(place), expected, found,
                         sentence(remedy))),
       place_(place) {}
 

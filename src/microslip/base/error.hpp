@@ -49,6 +49,9 @@ struct TextPlace {
   std::size_t column = 0;
 };
 
+/// "file:line:column" without what is not known; "input" for a text without a name.
+[[nodiscard]] std::string place_text(const TextPlace& place);
+
 /// A text does not have the form it must have: "file:line:column: expected …, found …. remedy".
 class FormatError : public Error {
  public:

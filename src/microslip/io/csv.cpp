@@ -9,145 +9,14 @@
 #include <unordered_map>
 #include <utility>
 
+#include "microslip/io/csv_cells.hpp"
 #include "microslip/io/signature.hpp"
 #include "microslip/io/text.hpp"
 
 namespace microslip {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kExampleHeader = "'amplitude [m],dissipation [J]'";
-
-/// The whole text as a finite number with a decimal point; a leading + is fine.
-std::optional<double> parse_number(std::string_view text) {
-  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
-  double value = 0.0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || stop != end || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-/// The same with a decimal comma.
-std::optional<double> parse_comma_number(std::string_view text) {
-  constexpr std::size_t kLongestNumber = 400;
-  if (text.size() > kLongestNumber || text.find('.') != std::string_view::npos) return std::nullopt;
-  std::string copy(text);
-  const std::size_t comma = copy.find(',');
-  if (comma != std::string::npos) copy[comma] = '.';
-  return parse_number(copy);
-}
-
-/// A cell between `begin` and `end`, without quotes and outer blanks; `next` is at the separator,
-/// the line break or the end of the text.
-struct RawCell {
-  const char* begin;
-  const char* end;
-  const char* next;
-  bool quoted;
-
-  [[nodiscard]] std::string_view view() const {
-    return {begin, static_cast<std::size_t>(end - begin)};
-  }
-};
-
-/// Finds where cells end.
-class CellScanner {
- public:
-  CellScanner(std::string_view text, std::string_view file, char separator)
-      : text_(text), end_(text.data() + text.size()), file_(file), separator_(separator) {}
-
-  [[nodiscard]] const char* skip_blanks(const char* p) const {
-    while (p != end_ && (*p == ' ' || (*p == '\t' && separator_ != '\t'))) ++p;
-    return p;
-  }
-
-  [[nodiscard]] bool at_line_end(const char* p) const {
-    return p == end_ || *p == '\n' || (*p == '\r' && (p + 1 == end_ || p[1] == '\n'));
-  }
-
-  [[nodiscard]] bool at_cell_end(const char* p) const {
-    return p == end_ || *p == separator_ || at_line_end(p);
-  }
-
-  [[nodiscard]] const char* skip_line_end(const char* p) const {
-    if (p != end_ && *p == '\r') ++p;
-    if (p != end_ && *p == '\n') ++p;
-    return p;
-  }
-
-  [[nodiscard]] RawCell scan(const char* p) const {
-    p = skip_blanks(p);
-    return p != end_ && *p == '"' ? scan_quoted(p) : scan_plain(p);
-  }
-
-  [[nodiscard]] TextPlace place(const char* p) const {
-    return place_at(text_, static_cast<std::size_t>(p - text_.data()), file_);
-  }
-
- private:
-  [[nodiscard]] RawCell scan_plain(const char* begin) const {
-    const char* p = begin;
-    for (; !at_cell_end(p); ++p) check_printable(p);
-    const char* end = p;
-    while (end != begin && (end[-1] == ' ' || end[-1] == '\t')) --end;
-    return {begin, end, p, false};
-  }
-
-  [[nodiscard]] RawCell scan_quoted(const char* open) const {
-    const char* p = open + 1;
-    while (!at_line_end(p) && (*p != '"' || (p + 1 != end_ && p[1] == '"'))) {
-      check_printable(p);
-      p += *p == '"' ? 2 : 1;
-    }
-    if (at_line_end(p)) {
-      throw FormatError(place(open), "a closing quote on the line of the opening one",
-                        "the end of the line", "Close the quote or remove it.");
-    }
-    const char* next = skip_blanks(p + 1);
-    if (!at_cell_end(next)) {
-      throw FormatError(place(next), "a separator after the closing quote", in_quotes({next, 1}),
-                        "Double the quotes that belong to the text.");
-    }
-    return {open + 1, p, next, true};
-  }
-
-  void check_printable(const char* p) const {
-    const auto byte = static_cast<unsigned char>(*p);
-    if ((byte >= 0x20 && byte != 0x7F) || byte == '\t') return;
-    throw FormatError(
-        place(p), "text", fmt::format("the byte 0x{:02X}", byte),
-        byte == '\r' ? "Save the table with line breaks LF or CRLF." : "Is this a text table?");
-  }
-
-  std::string_view text_;
-  const char* end_;
-  std::string_view file_;
-  char separator_;
-};
-
-std::string unescaped(const RawCell& cell) {
-  std::string text(cell.view());
-  if (!cell.quoted) return text;
-  for (std::size_t i = text.find("\"\""); i != std::string::npos; i = text.find("\"\"", i + 1)) {
-    text.erase(i, 1);
-  }
-  return text;
-}
-
-/// The first of `;` `,` tab that stands in the header outside of quotes.
-char find_separator(std::string_view header) {
-  bool in_quotes = false;
-  std::string outside;
-  for (const char c : header) {
-    if (c == '"') in_quotes = !in_quotes;
-    if (!in_quotes) outside += c;
-  }
-  for (const char separator : {';', ',', '\t'}) {
-    if (outside.find(separator) != std::string::npos) return separator;
-  }
-  return ',';
-}
 
 }  // namespace
 
@@ -238,29 +107,25 @@ class CsvTable::Parser {
 
   void add_column(const RawCell& cell, std::unordered_map<std::string, std::size_t>& seen) {
     const std::string text = unescaped(cell);
-    const std::size_t bracket = text.find('[');
-    CsvColumn column{.name = std::string(trimmed(text.substr(0, bracket))), .unit = {}};
     const std::size_t number = table_.columns_.size() + 1;
-    if (column.name.empty()) {
+    if (trimmed(text.substr(0, text.find('['))).empty()) {
       throw FormatError(scanner_.place(cell.begin), fmt::format("a name for column {}", number),
                         text.empty() ? "an empty cell" : in_quotes(text));
     }
-    if (bracket != std::string::npos) {
-      if (!text.ends_with(']')) {
-        throw FormatError(scanner_.place(cell.begin),
-                          fmt::format("'name [unit]' as the header of column {}", number),
-                          in_quotes(text));
-      }
-      column.unit = trimmed(std::string_view(text).substr(bracket + 1, text.size() - bracket - 2));
+    std::optional<CsvColumn> column = parse_column(text, false);
+    if (!column) {
+      throw FormatError(scanner_.place(cell.begin),
+                        fmt::format("'name [unit]' as the header of column {}", number),
+                        in_quotes(text));
     }
-    const auto [first, is_new] = seen.emplace(column.name, number);
+    const auto [first, is_new] = seen.emplace(column->name, number);
     if (!is_new) {
       throw FormatError(scanner_.place(cell.begin), "columns with different names",
-                        fmt::format("{} as column {} and as column {}", in_quotes(column.name),
+                        fmt::format("{} as column {} and as column {}", in_quotes(column->name),
                                     first->second, number),
                         "Rename or remove one of them.");
     }
-    table_.columns_.push_back(std::move(column));
+    table_.columns_.push_back(std::move(*column));
   }
 
   /// False where a decimal comma turns up in a table that was read with decimal points so far.
@@ -331,14 +196,7 @@ class CsvTable::Parser {
       --cells;
     }
     if (cells == columns) return;
-    throw FormatError(
-        scanner_.place(start),
-        fmt::format("{} cell{} as in the header", columns, columns == 1 ? "" : "s"),
-        fmt::format("{}", cells),
-        cells == 1 || table_.separator_ != ','
-            ? fmt::format("The separator of this table is {}.",
-                          table_.separator_ == '\t' ? "a tab" : in_quotes({&table_.separator_, 1}))
-            : "Decimal commas need ';' or tabs between the columns.");
+    throw ragged_row(scanner_.place(start), columns, cells, table_.separator_);
   }
 
   CsvTable& table_;

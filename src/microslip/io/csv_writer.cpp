@@ -9,36 +9,10 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/io/csv_cells.hpp"
 #include "microslip/io/text.hpp"
 
 namespace microslip {
-namespace {
-
-std::string on_one_line(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
-  }
-  return result;
-}
-
-/// Quoted where it would not read back as it is; empty cells too, which could make a blank line.
-void append_text(std::string& text, std::string_view cell) {
-  const bool plain = !cell.empty() && cell.find_first_of(",;\"#") == std::string_view::npos &&
-                     trimmed(cell).size() == cell.size() && !cell.starts_with("\xEF\xBB\xBF");
-  if (plain) {
-    text += cell;
-    return;
-  }
-  text += '"';
-  for (const char c : cell) {
-    if (c == '"') text += '"';
-    text += c;
-  }
-  text += '"';
-}
-
-}  // namespace
 
 void CsvWriter::add_comment(std::string_view text) {
   for (;;) {
@@ -94,7 +68,7 @@ std::string CsvWriter::str() const {
   for (std::size_t row = 0; row < rows_; ++row) {
     for (const Column& column : columns_) {
       if (&column != columns_.data()) text += ',';
-      column.is_text ? append_text(text, column.texts[row])
+      column.is_text ? append_text_cell(text, column.texts[row])
                      : append_number(text, column.numbers[row]);
     }
     text += '\n';

@@ -46,20 +46,22 @@ std::string table_kind(const std::vector<std::string>& names) {
   return fmt::format("a table of {}", in_quotes(list, 120));
 }
 
-/// The text in quotes after `key` and the sign between them; empty where it does not come so.
+/// The text in quotes, double or single, after `key` and the sign between them; empty where it does
+/// not come so.
 std::string_view quoted_value(std::string_view head, std::string_view key, char sign) {
   const std::size_t start = head.find(key);
   if (start == std::string_view::npos) return {};
   std::string_view rest = trimmed(head.substr(start + key.size()));
   if (!rest.starts_with(sign)) return {};
   rest = trimmed(rest.substr(1));
-  const std::size_t end = rest.find('"', 1);
-  return rest.starts_with('"') && end != std::string_view::npos ? rest.substr(1, end - 1)
-                                                                : std::string_view{};
+  if (!rest.starts_with('"') && !rest.starts_with('\'')) return {};
+  const std::size_t end = rest.find(rest.front(), 1);
+  return end == std::string_view::npos ? std::string_view{} : rest.substr(1, end - 1);
 }
 
 /// TOML: the first line that is no comment is schema = "…".
 std::string_view toml_schema(std::string_view head) {
+  if (head.starts_with(kByteOrderMark)) head.remove_prefix(kByteOrderMark.size());
   while (!head.empty()) {
     const std::string_view line = head.substr(0, head.find('\n'));
     const std::string_view text = trimmed(line.substr(0, line.find('\r')));

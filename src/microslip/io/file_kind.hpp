@@ -8,6 +8,7 @@
 namespace microslip {
 
 inline constexpr std::string_view kJointKind = "microslip.joint/1";
+inline constexpr std::string_view kRigKind = "microslip.rig/1";
 inline constexpr std::string_view kLevelsKind = "a table of levels";
 inline constexpr std::string_view kDensityKind = "a table of a density";
 inline constexpr std::string_view kDissipationKind = "a table of a dissipation curve";

@@ -14,6 +14,7 @@
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/json_input.hpp"
 #include "microslip/io/record_json.hpp"
+#include "microslip/io/structured_input.hpp"
 #include "microslip/io/text.hpp"
 
 namespace microslip {
@@ -22,13 +23,6 @@ namespace {
 constexpr std::size_t kLargestJointFile = std::size_t{256} << 20U;
 
 // ---- From JSON to a joint. ----
-
-void check_schema(const JsonObject& top, std::string_view file) {
-  const std::string schema = top.text("schema");
-  if (schema == kJointKind) return;
-  throw FormatError({std::string(file), 0, 0}, fmt::format("the schema '{}'", kJointKind),
-                    in_quotes(schema), "Is it a joint, and of this version of the program?");
-}
 
 DensityPart read_uniform(const JsonObject& part) {
   part.allow_only({"type", "from_N", "to_N", "weight"});
@@ -190,7 +184,7 @@ void append_object(std::string& text, std::string_view key, const Record& record
 JointFile parse_joint(std::string_view text, std::string_view file) {
   const Json json = parse_json(text, file);
   const JsonObject top(json, file, "");
-  check_schema(top, file);
+  check_schema({std::string(file), 0, 0}, top.text("schema"), kJointKind, "a joint");
   top.allow_only({"schema", "stiffness_N_per_m", "density", "provenance", "identification"});
   JointFile result{.joint = read_joint_object(top, file), .provenance = {}, .identification = {}};
   for (const char* key : {"provenance", "identification"}) {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "microslip/base/error.hpp"
+#include "microslip/io/structured_input.hpp"
 #include "microslip/io/text.hpp"
 
 namespace microslip {
@@ -49,12 +50,6 @@ class StructureCheck {
   std::vector<std::set<std::string>> keys_;
 };
 
-std::string found_at(std::string_view text, std::size_t offset) {
-  if (offset >= text.size()) return "the end of the file";
-  const std::string_view rest = text.substr(offset);
-  return in_quotes(rest.substr(0, std::min<std::size_t>(rest.find_first_of("\r\n"), 20)));
-}
-
 /// The parser's words are "… while parsing object key - invalid literal; last read: '{n'; expected
 /// string literal", where each piece may be missing.
 [[noreturn]] void fail_syntax(std::string_view text, std::string_view file,
@@ -79,18 +74,10 @@ std::string found_at(std::string_view text, std::size_t offset) {
                     "a number within the range of doubles", in_quotes(number));
 }
 
-InputError wrong_type(const std::string& name, const Json& value, std::string_view type) {
-  const bool quoted_number = value.is_string() && type == "a number";
-  return {name, described(value), fmt::format("must be {}", type),
-          quoted_number ? "Write it without quotes." : ""};
-}
-
 }  // namespace
 
 Json parse_json(std::string_view text, std::string_view file) {
-  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    throw FormatError({std::string(file), 0, 0}, "JSON", "an empty file");
-  }
+  require_content(text, "JSON", file);
   try {
     return Json::parse(text.begin(), text.end(), StructureCheck(file));
   } catch (const Json::parse_error& error) {
@@ -111,11 +98,7 @@ JsonObject::JsonObject(const Json& value, std::string_view file, std::string_vie
 void JsonObject::allow_only(const std::vector<std::string_view>& keys) const {
   for (const auto& [key, value] : value_.items()) {
     if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
-    throw FormatError(
-        {file_, 0, 0},
-        fmt::format("{} the keys {}", path_.empty() ? "at the top" : fmt::format("in {}", path_),
-                    fmt::join(keys, ", ")),
-        fmt::format("the unknown key {}", in_quotes(key)), "Correct or remove it.");
+    throw unknown_key({file_, 0, 0}, path_, key, keys);
   }
 }
 
@@ -126,29 +109,26 @@ bool JsonObject::has(std::string_view key) const {
 const Json& JsonObject::at(std::string_view key) const {
   const auto found = value_.find(std::string(key));
   if (found != value_.end()) return *found;
-  std::string keys;
-  for (const auto& [other, value] : value_.items()) keys += (keys.empty() ? "" : ", ") + other;
-  throw FormatError({file_, 0, 0},
-                    fmt::format("the key '{}' {}", key,
-                                path_.empty() ? "at the top" : fmt::format("in {}", path_)),
-                    keys.empty() ? "no key" : fmt::format("the keys {}", in_quotes(keys, 120)));
+  std::vector<std::string_view> keys;
+  for (const auto& [other, value] : value_.items()) keys.push_back(other);
+  throw missing_key({file_, 0, 0}, path_, key, keys);
 }
 
 double JsonObject::number(std::string_view key) const {
   const Json& value = at(key);
-  if (!value.is_number()) throw wrong_type(name(key), value, "a number");
+  if (!value.is_number()) throw wrong_type(name(key), described(value), kNumber);
   return value.get<double>();
 }
 
 std::string JsonObject::text(std::string_view key) const {
   const Json& value = at(key);
-  if (!value.is_string()) throw wrong_type(name(key), value, "a text in quotes");
+  if (!value.is_string()) throw wrong_type(name(key), described(value), kText);
   return value.get<std::string>();
 }
 
 const Json& JsonObject::array(std::string_view key) const {
   const Json& value = at(key);
-  if (!value.is_array()) throw wrong_type(name(key), value, "an array");
+  if (!value.is_array()) throw wrong_type(name(key), described(value), "an array");
   return value;
 }
 
@@ -156,7 +136,7 @@ std::vector<double> JsonObject::numbers(std::string_view key) const {
   std::vector<double> result;
   for (const Json& value : array(key)) {
     if (!value.is_number()) {
-      throw wrong_type(fmt::format("{}[{}]", name(key), result.size()), value, "a number");
+      throw wrong_type(fmt::format("{}[{}]", name(key), result.size()), described(value), kNumber);
     }
     result.push_back(value.get<double>());
   }
@@ -164,7 +144,7 @@ std::vector<double> JsonObject::numbers(std::string_view key) const {
 }
 
 std::string JsonObject::name(std::string_view key) const {
-  return fmt::format("{}: {}{}{}", file_, path_, path_.empty() ? "" : ".", key);
+  return fmt::format("{}: {}", file_, key_path(path_, key));
 }
 
 std::string described(const Json& value) {

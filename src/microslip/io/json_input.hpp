@@ -14,13 +14,12 @@ namespace microslip {
 
 using Json = nlohmann::ordered_json;
 
-/// Nothing that is written here comes near these; they bound the work that a broken file can cause.
-inline constexpr int kDeepestNesting = 64;
+/// Nothing that is written here comes near it; it bounds the work that a broken file can cause.
 inline constexpr std::size_t kMostKeys = 1000;
 
 /// @throws FormatError  for a syntax error, with its place; a number beyond the range of doubles; a
-///                      key given twice in one object; nesting deeper or an object larger than the
-///                      limits.
+///                      key given twice in one object; nesting deeper than kDeepestNesting or an
+///                      object larger than kMostKeys.
 [[nodiscard]] Json parse_json(std::string_view text, std::string_view file);
 
 /// An object of a file; messages name its keys as `file: density[2].from_N`.

@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "microslip/io/text.hpp"
+
 namespace microslip {
 namespace {
 
@@ -33,8 +35,6 @@ constexpr std::array kText{
     Signature{"<!DOCTYPE html"sv, "an HTML page"},
     Signature{"<html"sv, "an HTML page"},
 };
-
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 /// A universal file: the first line is -1, right-adjusted in six columns.
 bool is_universal_file(std::string_view head) {

@@ -10,7 +10,10 @@
 namespace microslip {
 namespace {
 
-/// Bytes of the printable character that the text starts with; 0 where there is none.
+bool starts_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
+
+}  // namespace
+
 std::size_t printable_length(std::string_view text) {
   const auto first = static_cast<unsigned char>(text.front());
   if (first < 0x80) return first >= 0x20 && first != 0x7F ? 1 : 0;
@@ -30,8 +33,6 @@ std::size_t printable_length(std::string_view text) {
              ? length
              : 0;
 }
-
-}  // namespace
 
 std::string in_quotes(std::string_view text, std::size_t limit) {
   std::string result = "'";
@@ -53,14 +54,32 @@ TextPlace place_at(std::string_view text, std::size_t offset, std::string_view f
   const std::string_view before = text.substr(0, offset);
   const std::size_t line_break = before.rfind('\n');
   std::string_view line = before.substr(line_break == std::string_view::npos ? 0 : line_break + 1);
-  if (line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
-  const auto starts_character = [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-  };
+  if (line.starts_with(kByteOrderMark)) line.remove_prefix(kByteOrderMark.size());
   return {.file = std::string(file),
           .line = 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')),
           .column = 1 + static_cast<std::size_t>(
                             std::count_if(line.begin(), line.end(), starts_character))};
+}
+
+std::size_t offset_of(std::string_view text, const TextPlace& place) {
+  std::size_t offset = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+  for (std::size_t line = 1; line < place.line; ++line) {
+    const std::size_t line_break = text.find('\n', offset);
+    if (line_break == std::string_view::npos) return text.size();
+    offset = line_break + 1;
+  }
+  std::size_t column = 0;
+  for (; offset < text.size(); ++offset) {
+    if (starts_character(text[offset]) && ++column >= place.column) break;
+  }
+  return offset;
+}
+
+std::string found_at(std::string_view text, std::size_t offset) {
+  if (offset >= text.size()) return "the end of the file";
+  const std::string_view rest = text.substr(offset);
+  const std::size_t length = std::min<std::size_t>(rest.find_first_of("\r\n"), 20);
+  return length == 0 ? "the end of the line" : in_quotes(rest.substr(0, length));
 }
 
 std::string_view trimmed(std::string_view text) {

@@ -12,12 +12,26 @@
 
 namespace microslip {
 
+/// Some programs begin a text of UTF-8 with it.
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 /// The text in single quotes, fit for a message of one line: cut after `limit` bytes with its
 /// length in all, bytes that are no printable UTF-8 written as \xNN.
 [[nodiscard]] std::string in_quotes(std::string_view text, std::size_t limit = 40);
 
+/// Bytes of the printable character of UTF-8 that the text, not empty, starts with; 0 where there is
+/// none.
+[[nodiscard]] std::size_t printable_length(std::string_view text);
+
 /// Line and column, both from 1, of the byte at `offset`; the column counts characters of UTF-8.
 [[nodiscard]] TextPlace place_at(std::string_view text, std::size_t offset, std::string_view file);
+
+/// The byte that place_at() calls so; the end of the text where there is none.
+[[nodiscard]] std::size_t offset_of(std::string_view text, const TextPlace& place);
+
+/// What stands at the byte at `offset`: the beginning of the rest of its line, in quotes, or "the
+/// end of the line" or of the file.
+[[nodiscard]] std::string found_at(std::string_view text, std::size_t offset);
 
 /// The text without blanks and tabs at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);

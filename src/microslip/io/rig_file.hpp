@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "microslip/rig/rig.hpp"
+
+/// @file
+/// rig.toml, schema microslip.rig/1: a frictional-support test. Values are SI, their keys end in the
+/// unit.
+///
+///     schema = "microslip.rig/1"
+///     [beam]            length_m, width_m, thickness_m, youngs_modulus_Pa, mass_density_kg_per_m3
+///     [contact]         rod_radius_m, stiffness_N_per_m or stick_frequency_Hz, joint (optional)
+///     [damping]         loss_factor = […]
+///     [[mass]]          position_m, mass_kg; any number of them
+///     [excitation]      position_m, channel
+///     [[accelerometer]] position_m, channel; one at least
+///     [vibrometer]      channel, measures = "joint" or "axial"; optional
+///     [test]            response_acceleration = { from_m_per_s2, to_m_per_s2, count,
+///                       spacing = "linear" or "log" }, sampling_rate_Hz, duration_s and, optional,
+///                       frequency_resolution_Hz, modes, harmonics; optional
+///     [noise]           force_N, acceleration_m_per_s2, vibrometer_m, each optional; optional
+///
+/// With `[modes] frequency_Hz, excitation, joint` in place of [beam] an accelerometer has `shape`
+/// and no position, the excitation only its channel, and the contact, then optional, no rod; there
+/// are no masses. What is optional and left out has the default of Rig.
+
+namespace microslip {
+
+/// A rig and the file that it comes from: the paths in it are relative to the folder of that.
+struct RigFile {
+  Rig rig;
+  std::string file;
+};
+
+/// contact.joint is the path as written.
+/// @throws FormatError  for text that is no TOML, another schema, keys unknown or missing.
+/// @throws InputError   naming `file:line:column: accelerometer[1].position_m` for a value of a
+///                      wrong type or one that breaks a rule of check_rig().
+[[nodiscard]] Rig parse_rig(std::string_view text, std::string_view file);
+
+/// parse_rig() of a file; "-" is standard input. @throws FileError, FormatError, InputError
+[[nodiscard]] Rig read_rig(const std::string& path);
+
+}  // namespace microslip

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/structured_input.hpp"
+
+#include <fmt/format.h>
+
+#include "microslip/io/closest_name.hpp"
+#include "microslip/io/text.hpp"
+
+namespace microslip {
+namespace {
+
+std::string where(std::string_view path) {
+  return path.empty() ? "at the top" : fmt::format("in {}", path);
+}
+
+}  // namespace
+
+void require_content(std::string_view text, std::string_view format, std::string_view file) {
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  if (text.find_first_not_of(" \t\r\n") != std::string_view::npos) return;
+  throw FormatError({std::string(file), 0, 0}, format, "an empty file");
+}
+
+std::string key_path(std::string_view path, std::string_view key) {
+  return fmt::format("{}{}{}", path, path.empty() ? "" : ".", key);
+}
+
+FormatError unknown_key(const TextPlace& place, std::string_view path, std::string_view key,
+                        const std::vector<std::string_view>& allowed) {
+  const std::string_view closest = closest_name(key, allowed);
+  return {place, fmt::format("{} the keys {}", where(path), fmt::join(allowed, ", ")),
+          fmt::format("the unknown key {}", in_quotes(key)),
+          closest.empty() ? "Correct or remove it." : fmt::format("Is it to be '{}'?", closest)};
+}
+
+FormatError missing_key(const TextPlace& place, std::string_view path, std::string_view key,
+                        const std::vector<std::string_view>& present) {
+  const std::string keys = fmt::format("{}", fmt::join(present, ", "));
+  return {place, fmt::format("the key '{}' {}", key, where(path)),
+          keys.empty() ? "no key" : fmt::format("the keys {}", in_quotes(keys, 120))};
+}
+
+InputError wrong_type(std::string_view name, std::string_view found, std::string_view type,
+                      std::string_view remedy) {
+  const bool quoted_number = found.starts_with('\'') && type == kNumber;
+  return {name, found, fmt::format("must be {}", type),
+          quoted_number ? "Write it without quotes." : remedy};
+}
+
+void check_schema(const TextPlace& place, std::string_view found, std::string_view schema,
+                  std::string_view content) {
+  if (found == schema) return;
+  throw FormatError(place, fmt::format("the schema '{}'", schema), in_quotes(found),
+                    fmt::format("Is it {}, and of this version of the program?", content));
+}
+
+}  // namespace microslip

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/toml_input.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "microslip/io/signature.hpp"
+#include "microslip/io/structured_input.hpp"
+#include "microslip/io/text.hpp"
+#include "microslip/io/toml_nesting.hpp"
+
+namespace microslip {
+namespace {
+
+TextPlace place_of(const toml::source_position& position, std::string_view file) {
+  return {std::string(file), position.line, position.column};
+}
+
+std::string name_of(const toml::node& node, std::string_view file, std::string_view path) {
+  return fmt::format("{}: {}", place_text(place_of(node.source().begin, file)), path);
+}
+
+// ---- The words of the parser: "Error while parsing floating-point: expected decimal digit, saw
+// 'm'", "Error while parsing key-value pair: cannot redefine existing integer 'count'"… ----
+
+struct ParserWords {
+  std::string_view scope;  ///< "key-value pair"; may be empty
+  std::string_view reason;
+};
+
+ParserWords split(std::string_view words) {
+  constexpr std::string_view kScope = "Error while parsing ";
+  const std::size_t colon = words.find(": ");
+  if (!words.starts_with(kScope) || colon == std::string_view::npos) return {{}, words};
+  return {words.substr(kScope.size(), colon - kScope.size()), words.substr(colon + 2)};
+}
+
+/// The text between the first quote of the reason and the last.
+std::string_view quoted_in(std::string_view reason) {
+  const std::size_t first = reason.find('\'');
+  if (first == std::string_view::npos) return {};
+  const std::size_t last = reason.rfind('\'');
+  return last == first ? reason.substr(first + 1) : reason.substr(first + 1, last - first - 1);
+}
+
+std::string remedy_for(const ParserWords& words) {
+  constexpr std::array<std::string_view, 5> kOfValues{"value", "key-value pair", "floating-point",
+                                                      "boolean", "decimal integer"};
+  if (std::find(kOfValues.begin(), kOfValues.end(), words.scope) == kOfValues.end()) {
+    return "Check quotes, commas and brackets.";
+  }
+  return "A text stands in quotes; a number has a decimal point and no unit.";
+}
+
+[[noreturn]] void fail_syntax(std::string_view text, std::string_view file,
+                              const toml::parse_error& error) {
+  const TextPlace place = place_of(error.source().begin, file);
+  const ParserWords words = split(error.description());
+  const std::string found = found_at(text, offset_of(text, place));
+  if (words.reason.find("utf-8") != std::string_view::npos) {
+    throw FormatError(place, "UTF-8 after this place", found, "Save the file as UTF-8.");
+  }
+  const std::string remedy = remedy_for(words);
+  if (words.reason.starts_with("cannot redefine") || words.reason.starts_with("cannot insert")) {
+    const std::string_view key = quoted_in(words.reason);
+    throw FormatError(place, "each key once in a table",
+                      fmt::format("{} again", key.empty() ? found : in_quotes(key)),
+                      "Remove one of them, or write each of several tables as [[table]].");
+  }
+  constexpr std::string_view kExpected = "expected ";
+  const std::size_t saw = words.reason.rfind(", saw ");
+  if (words.reason.starts_with(kExpected) && saw != std::string_view::npos) {
+    const auto expected = words.reason.substr(kExpected.size(), saw - kExpected.size());
+    throw FormatError(place, fmt::format("{} (TOML)", expected), found, remedy);
+  }
+  if (words.reason == "encountered end-of-file") {
+    throw FormatError(place, fmt::format("the rest of the {} (TOML)", words.scope),
+                      "the end of the file", remedy);
+  }
+  throw FormatError(place, fmt::format("{} in TOML", words.scope.empty() ? "text" : words.scope),
+                    found, fmt::format("The parser says: {}. {}", words.reason, remedy));
+}
+
+void require_toml(std::string_view text, std::string_view file) {
+  require_content(text, "TOML", file);
+  const std::string_view other = signature(text);
+  if (other.empty()) return;
+  throw FormatError({std::string(file), 0, 0}, "TOML", other, "Is it the right file?");
+}
+
+}  // namespace
+
+toml::table parse_toml(std::string_view text, std::string_view file) {
+  require_toml(text, file);
+  check_toml_nesting(text, file);
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    fail_syntax(text, file, error);
+  }
+}
+
+TomlTable::TomlTable(const toml::table& table, std::string_view file, std::string_view path)
+    : table_(table), file_(file), path_(path) {}
+
+void TomlTable::allow_only(const std::vector<std::string_view>& keys) const {
+  for (const auto& [key, value] : table_) {
+    if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
+    throw unknown_key(place_of(key.source().begin, file_), path_, key.str(), keys);
+  }
+}
+
+bool TomlTable::has(std::string_view key) const { return table_.contains(key); }
+
+const toml::node& TomlTable::at(std::string_view key) const {
+  if (const toml::node* node = table_.get(key)) return *node;
+  std::vector<std::string_view> keys;
+  for (const auto& [other, value] : table_) keys.push_back(other.str());
+  throw missing_key(place(key), path_, key, keys);
+}
+
+double TomlTable::number(std::string_view key) const {
+  return number_of(at(key), key_path(path_, key));
+}
+
+double TomlTable::number_of(const toml::node& node, std::string_view path) const {
+  if (!node.is_number()) throw wrong(node, path, kNumber);
+  return *node.value<double>();
+}
+
+std::vector<double> TomlTable::numbers(std::string_view key) const {
+  const toml::node& node = at(key);
+  const toml::array* array = node.as_array();
+  if (!array) {
+    throw wrong(node, key_path(path_, key), "an array of numbers",
+                node.is_number() ? "Write it in [ ]." : "");
+  }
+  std::vector<double> result;
+  for (const toml::node& element : *array) {
+    result.push_back(number_of(element, element_path(key, result.size())));
+  }
+  return result;
+}
+
+std::size_t TomlTable::whole(std::string_view key) const {
+  const toml::node& node = at(key);
+  const toml::value<std::int64_t>* integer = node.as_integer();
+  if (!integer || integer->get() < 0) {
+    throw wrong(node, key_path(path_, key), "a whole number, 0 or more");
+  }
+  return static_cast<std::size_t>(integer->get());
+}
+
+std::string TomlTable::text(std::string_view key) const {
+  const toml::node& node = at(key);
+  const toml::value<std::string>* text = node.as_string();
+  if (!text) throw wrong(node, key_path(path_, key), kText);
+  return text->get();
+}
+
+TomlTable TomlTable::table(std::string_view key) const {
+  const toml::node& node = at(key);
+  const std::string path = key_path(path_, key);
+  if (const toml::table* table = node.as_table()) return {*table, file_, path};
+  throw wrong(node, path, "a table",
+              node.is_array_of_tables() ? fmt::format("Write [{}], and only once.", path) : "");
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
+  const toml::node& node = at(key);
+  const toml::array* array = node.as_array();
+  if (!array) {
+    const std::string path = key_path(path_, key);
+    throw wrong(node, path, "an array of tables", fmt::format("Write [[{}]].", path));
+  }
+  std::vector<TomlTable> result;
+  for (const toml::node& element : *array) {
+    const std::string path = element_path(key, result.size());
+    if (!element.is_table()) throw wrong(element, path, "a table");
+    result.emplace_back(*element.as_table(), file_, path);
+  }
+  return result;
+}
+
+TextPlace TomlTable::place(std::string_view key) const {
+  const toml::node* node = table_.get(key);
+  return place_of((node ? *node : table_).source().begin, file_);
+}
+
+std::string TomlTable::name(std::string_view key) const {
+  return fmt::format("{}: {}", place_text(place(key)), key_path(path_, key));
+}
+
+std::string TomlTable::element_path(std::string_view key, std::size_t index) const {
+  return fmt::format("{}[{}]", key_path(path_, key), index);
+}
+
+InputError TomlTable::wrong(const toml::node& node, std::string_view path, std::string_view type,
+                            std::string_view remedy) const {
+  return wrong_type(name_of(node, file_, path), described(node), type, remedy);
+}
+
+std::string toml_name(const toml::table& top, std::string_view file, std::string_view path) {
+  for (std::string_view part = path; !part.empty();) {
+    if (const toml::node* node = top.at_path(part).node()) return name_of(*node, file, path);
+    const std::size_t end = part.find_last_of(".[");
+    part = part.substr(0, end == std::string_view::npos ? 0 : end);
+  }
+  return name_of(top, file, path);
+}
+
+std::string described(const toml::node& value) {
+  if (const auto* integer = value.as_integer()) return fmt::format("{}", integer->get());
+  if (const auto* number = value.as_floating_point()) return fmt::format("{}", number->get());
+  if (const auto* boolean = value.as_boolean()) return boolean->get() ? "true" : "false";
+  if (const auto* text = value.as_string()) return in_quotes(text->get());
+  if (const auto* array = value.as_array()) return fmt::format("an array of {}", array->size());
+  return value.is_table() ? "a table" : "a date or time";
+}
+
+}  // namespace microslip

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// @file
+/// The description of a frictional-support test, as rig.toml states it. All values are SI. The names
+/// of the checks are the keys of that file, so that a message leads to its line.
+
+namespace microslip {
+
+/// A slender uniform beam of rectangular section, clamped at x = 0 and resting by a rod on the
+/// frictional support at x = L. [AR14 (10)]
+struct RigBeam {
+  double length = 0.0;          ///< L, m; above 0
+  double width = 0.0;           ///< b, m; above 0
+  double thickness = 0.0;       ///< h, m; above 0
+  double youngs_modulus = 0.0;  ///< E, Pa; above 0
+  double mass_density = 0.0;    ///< ρ, kg/m³; above 0
+
+  [[nodiscard]] double area() const { return width * thickness; }
+  [[nodiscard]] double bending_stiffness() const {
+    return youngs_modulus * width * thickness * thickness * thickness / 12.0;
+  }
+};
+
+/// The linear structure with the stuck joint in it, by modes measured or computed elsewhere,
+/// mass-normalised: shapes in kg^-1/2.
+struct RigModes {
+  std::vector<double> frequency;   ///< f_i, Hz; above 0, rising
+  std::vector<double> excitation;  ///< φ_i at the exciter
+  std::vector<double> joint;       ///< relative displacement across the joint per modal coordinate
+};
+
+/// The frictional contact.
+struct RigContact {
+  double rod_radius = 0.0;  ///< r, m; above 0 for a beam, without meaning for modes
+  /// k, N/m; above 0. For a beam either this or the stick frequency is given.
+  std::optional<double> stiffness = {};
+  /// First natural frequency of the beam with the stuck joint, Hz; above 0.
+  std::optional<double> stick_frequency = {};
+  std::string joint = {};  ///< file of the true joint; only the virtual test has one
+};
+
+/// The mass of a sensor on the beam.
+struct RigMass {
+  double position = 0.0;  ///< x, m; 0 to L
+  double mass = 0.0;      ///< kg; 0 or more
+};
+
+/// Where a force acts or an acceleration is measured, and the channel that records it.
+struct RigSensor {
+  double position = 0.0;      ///< x, m; above 0 and below L. For a beam
+  std::vector<double> shape;  ///< φ_i there, kg^-1/2. For an accelerometer where modes are given
+  std::string channel;
+};
+
+/// A displacement sensor at the joint.
+struct RigVibrometer {
+  enum class Measures {
+    kJoint,  ///< the joint displacement u itself
+    kAxial,  ///< the axial motion of the beam's centre line, to which r w′(L) is added [AR14 (13)]
+  };
+  std::string channel;
+  Measures measures = Measures::kJoint;
+};
+
+/// The virtual test.
+struct RigTest {
+  double response_from = 0.0;         ///< acceleration amplitude at the exciter, m/s²; above 0
+  double response_to = 0.0;           ///< at or above response_from
+  std::size_t count = 1;              ///< levels
+  bool logarithmic = false;           ///< in equal ratios; equally spaced otherwise
+  double sampling_rate = 0.0;         ///< Hz; above 0
+  double duration = 0.0;              ///< of a record, s; above 0
+  double frequency_resolution = 0.0;  ///< of the drive, Hz; 0 or more
+  std::size_t modes = 7;
+  std::size_t harmonics = 9;
+};
+
+/// Standard deviation of the noise of a sample.
+struct RigNoise {
+  double force = 0.0;         ///< N; 0 or more
+  double acceleration = 0.0;  ///< m/s²; 0 or more
+  double vibrometer = 0.0;    ///< m; 0 or more
+};
+
+/// A frictional-support test.
+struct Rig {
+  std::variant<RigBeam, RigModes> structure;
+  RigContact contact;
+  std::vector<double> loss_factor;  ///< η_i, 0 or more; later modes take the last value
+  std::vector<RigMass> masses;      ///< for a beam
+  RigSensor excitation;
+  std::vector<RigSensor> accelerometers;  ///< one at least
+  std::optional<RigVibrometer> vibrometer = {};
+  std::optional<RigTest> test = {};
+  std::optional<RigNoise> noise = {};
+
+  [[nodiscard]] const RigBeam* beam() const { return std::get_if<RigBeam>(&structure); }
+  [[nodiscard]] const RigModes* modes() const { return std::get_if<RigModes>(&structure); }
+
+  /// η of mode i, counted from 0.
+  [[nodiscard]] double loss_factor_of(std::size_t mode) const {
+    return loss_factor[mode < loss_factor.size() ? mode : loss_factor.size() - 1];
+  }
+};
+
+/// @throws InputError  naming the key of rig.toml, its value and the rule that it breaks.
+void check_rig(const Rig& rig);
+
+}  // namespace microslip
