@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <zlib.h>
+
+#include <array>
+#include <cstddef>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/base/progress.hpp"
+
+namespace microslip {
+
+/// The bytes of a MAT file in their order.
+class MatStream {
+ public:
+  /// The file ends before what it announces.
+  class Ended : public FormatError {
+   public:
+    using FormatError::FormatError;
+  };
+
+  explicit MatStream(std::string name) : name_(std::move(name)) {}
+  MatStream(const MatStream&) = delete;
+  MatStream& operator=(const MatStream&) = delete;
+  virtual ~MatStream() = default;
+
+  /// Bytes taken so far.
+  [[nodiscard]] std::size_t offset() const { return offset_; }
+  /// No more bytes than these can follow.
+  [[nodiscard]] virtual std::size_t at_most() const = 0;
+
+  /// @throws Ended, FormatError  where fewer bytes follow, or those that do are damaged.
+  void read(char* to, std::size_t size);
+  void skip(std::size_t size);
+
+  /// The name and the place in it, for messages.
+  [[nodiscard]] std::string label() const;
+
+  /// A FormatError at the place where the stream is.
+  [[noreturn]] void fail(std::string_view expected, std::string_view found) const;
+  [[noreturn]] void fail_ended(std::string_view expected) const;
+
+ protected:
+  virtual std::size_t read_some(char* to, std::size_t size) = 0;
+
+ private:
+  std::string name_;
+  std::size_t offset_ = 0;
+};
+
+class MatFileStream : public MatStream {
+ public:
+  /// @throws FileError  as read_file_head().
+  MatFileStream(const std::string& path, Progress progress);
+
+  [[nodiscard]] std::size_t at_most() const override { return size_ - offset(); }
+  [[nodiscard]] bool at_end() const { return offset() == size_; }
+
+ private:
+  std::size_t read_some(char* to, std::size_t size) override;
+
+  std::ifstream file_;
+  std::size_t size_ = 0;
+  Progress progress_;
+  std::size_t next_report_ = 0;
+};
+
+/// What an element of a file holds once inflated (RFC 1950).
+class MatInflateStream : public MatStream {
+ public:
+  /// @param compressed  bytes that the element has in the file.
+  MatInflateStream(MatFileStream& file, std::size_t compressed);
+  ~MatInflateStream() override { ::inflateEnd(&state_); }
+
+  [[nodiscard]] std::size_t at_most() const override;
+
+  /// Checks that nothing follows, and the checksum of the whole.
+  void finish();
+  /// Goes on to the end of the element in the file.
+  void abandon() { file_.skip(compressed_); }
+
+ private:
+  std::size_t read_some(char* to, std::size_t size) override;
+  void refill();
+
+  MatFileStream& file_;
+  std::size_t compressed_;  ///< bytes not yet taken from the file
+  bool ended_ = false;
+  z_stream state_{};
+  std::array<char, 65536> buffer_;
+};
+
+}  // namespace microslip

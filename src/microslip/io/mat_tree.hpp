@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "microslip/base/progress.hpp"
+
+/// @file
+/// What a MAT file holds, whatever its version.
+
+namespace microslip {
+
+/// A value of MATLAB. Arrays are stored column by column, as there.
+struct MatValue {
+  enum class Kind { kNumbers, kText, kCell, kStruct, kOther, kNotRead };
+
+  Kind kind = Kind::kNotRead;
+  std::vector<std::size_t> sizes;   ///< the length along each dimension
+  std::vector<double> real;         ///< kNumbers; integers beyond 2^53 are rounded
+  std::vector<double> imaginary;    ///< of the same length, or empty: real numbers
+  std::vector<std::string> texts;   ///< kText: UTF-8, one per row
+  std::vector<std::string> fields;  ///< kStruct: the names
+  /// kCell: the elements. kStruct: the fields of the first element, then those of the second, ….
+  std::vector<MatValue> children;
+  std::string other;  ///< kOther: what it is, in words
+
+  /// The product of the sizes.
+  [[nodiscard]] std::size_t count() const;
+  /// At most one size is not 1.
+  [[nodiscard]] bool is_vector() const;
+};
+
+/// "a struct of 1 × 8 with the fields 'a', 'b'".
+[[nodiscard]] std::string describe(const MatValue& value);
+
+/// "'a', 'b'", cut after a dozen.
+[[nodiscard]] std::string list_of_names(const std::vector<std::string>& names);
+
+/// The variables of a file, as a struct of one element.
+struct MatTree {
+  MatValue root;
+  bool truncated = false;  ///< the file ends within the last variable, which is left out
+};
+
+struct MatReadOptions {
+  /// Read this variable alone, the others are kNotRead; without it all are read.
+  std::optional<std::string_view> only = {};
+  bool allow_truncated = false;
+  Progress progress = {};
+};
+
+/// Reads a file of version 4, 5 (compressed or not) or 7.3.
+/// @throws FileError    where it cannot be read.
+/// @throws FormatError  where it is no such file or is damaged.
+[[nodiscard]] MatTree read_mat_tree(const std::string& path, const MatReadOptions& options = {});
+
+/// Values of one file may not be more than these, nor nested deeper: no measurement is, and a damaged
+/// file must not exhaust the memory.
+inline constexpr std::size_t kMostMatValues = 1'000'000;
+inline constexpr int kDeepestMatValue = 64;
+
+}  // namespace microslip

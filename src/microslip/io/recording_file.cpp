@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/recording_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <system_error>
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/file_kind.hpp"
+#include "microslip/io/hdf5_recording.hpp"
+#include "microslip/io/input_stream.hpp"
+#include "microslip/io/mat_recording.hpp"
+#include "microslip/io/recording_csv.hpp"
+#include "microslip/io/signature.hpp"
+#include "microslip/io/text.hpp"
+#include "microslip/io/uff_recording.hpp"
+
+namespace microslip {
+namespace {
+
+struct FormatEntry {
+  std::string_view name;  ///< on the command line
+  RecordingFormat format;
+  std::string_view kind;
+};
+
+constexpr std::array kFormats{
+    FormatEntry{"csv", RecordingFormat::kCsv, ""},
+    FormatEntry{"uff", RecordingFormat::kUffBinary, "a universal file"},
+    FormatEntry{"uff-ascii", RecordingFormat::kUff, "a universal file"},
+    FormatEntry{"mat", RecordingFormat::kMat, "a MATLAB file"},
+    FormatEntry{"h5", RecordingFormat::kHdf5, "an HDF5 file"},
+};
+
+struct Ending {
+  std::string_view text;
+  RecordingFormat format;
+};
+
+constexpr std::array kEndings{
+    Ending{".csv", RecordingFormat::kCsv},       Ending{".uff", RecordingFormat::kUffBinary},
+    Ending{".unv", RecordingFormat::kUffBinary}, Ending{".uf", RecordingFormat::kUffBinary},
+    Ending{".mat", RecordingFormat::kMat},       Ending{".h5", RecordingFormat::kHdf5},
+    Ending{".hdf5", RecordingFormat::kHdf5},
+};
+
+/// A whole number of four bytes, the low one first or last.
+std::uint32_t whole_number(std::string_view bytes, bool low_first) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    value = value << 8U | static_cast<unsigned char>(bytes[low_first ? 3 - i : i]);
+  }
+  return value;
+}
+
+/// MATLAB's format of level 4 has no signature. Its header is five numbers: type (MOPT in decimal
+/// digits), rows, columns, 0 or 1 for complex, length of the name with the 0 that ends it.
+bool is_mat4(std::string_view head, bool low_first) {
+  constexpr std::size_t kHeader = 20;
+  constexpr std::uint32_t kLongestName = 64;
+  if (head.size() < kHeader) return false;
+  const std::uint32_t type = whole_number(head, low_first);
+  const std::uint32_t complex = whole_number(head.substr(12), low_first);
+  const std::uint32_t name = whole_number(head.substr(16), low_first);
+  if (type >= 5000 || type % 1000 >= 100 || type % 100 / 10 > 5 || type % 10 > 2) return false;
+  return complex <= 1 && name > 1 && name <= kLongestName && head.size() >= kHeader + name &&
+         head.substr(kHeader, name).find('\0') == name - 1;
+}
+
+/// HDF5 may begin after 512 bytes, 1024, and so on.
+bool is_hdf5_after_other(std::string_view head) {
+  for (std::size_t start = 512; start < head.size(); start *= 2) {
+    if (signature(head.substr(start)) == "an HDF5 file") return true;
+  }
+  return false;
+}
+
+/// Whether a line of a universal file announces binary data.
+bool has_binary_dataset(std::string_view head) {
+  return head.find("\n    58b") != std::string_view::npos;
+}
+
+RecordingFormat format_of(std::string_view head, const std::string& name) {
+  const std::string_view found = signature(head);
+  if (found == "a universal file") {
+    return has_binary_dataset(head) ? RecordingFormat::kUffBinary : RecordingFormat::kUff;
+  }
+  if (found == "a MATLAB file" || is_mat4(head, true) || is_mat4(head, false)) {
+    return RecordingFormat::kMat;
+  }
+  if (found == "an HDF5 file" || (found.empty() && is_hdf5_after_other(head))) {
+    return RecordingFormat::kHdf5;
+  }
+  if (found.empty()) return RecordingFormat::kCsv;
+  throw FormatError({name, 0, 0}, "a recording in CSV, a universal file, MATLAB or HDF5", found);
+}
+
+void require_rewind(InputStream& file) {
+  if (file.rewind()) return;
+  throw FileError(file.name(), "is a pipe, which takes recordings in CSV alone",
+                  "Save them in a file and name that.");
+}
+
+Recordings read_format(InputStream& file, const PartOfFile& part,
+                       const RecordingReadOptions& options) {
+  const RecordingFormat format = format_of(file.peek(kKindHeadSize), file.name());
+  if (!part.variable.empty() && format != RecordingFormat::kMat) {
+    throw InputError(part.file, in_quotes(":" + part.variable),
+                     "must follow a MATLAB file, to name a variable in it",
+                     "Name the file alone; all its recordings are read.");
+  }
+  if (format == RecordingFormat::kCsv) return read_recordings_csv(file, options);
+  if (format == RecordingFormat::kUff || format == RecordingFormat::kUffBinary) {
+    require_rewind(file);  // "-" is read on from where it stands
+    return read_recordings_uff(part.file, options);
+  }
+  if (part.file == "-") {
+    throw FileError(file.name(), "takes recordings in CSV or a universal file alone",
+                    "Save them in a file and name that.");
+  }
+  return format == RecordingFormat::kMat ? read_recordings_mat(part.file, part.variable, options)
+                                         : read_recordings_hdf5(part.file, options);
+}
+
+void write_csv(OutputFiles& files, const std::string& path, std::span<const Recording> recordings) {
+  if (recordings.size() != 1) {
+    throw InputError(path, fmt::format("{} recordings", recordings.size()),
+                     "must be one in a CSV file",
+                     "Choose one of them, or a format that holds several: uff, mat or h5.");
+  }
+  if (path == "-") {
+    files.add(path, format_recording_csv(recordings.front()));
+  } else {
+    write_recording_csv(files.stage(path), recordings.front());
+  }
+}
+
+}  // namespace
+
+PartOfFile part_of_file(const std::string& path) {
+  const auto is_there = [](const std::string& file) {
+    std::error_code ignored;
+    return std::filesystem::exists(file, ignored);
+  };
+  if (path == "-" || is_there(path)) return {path, {}};
+  for (std::size_t i = path.rfind(':'); i != std::string::npos && i > 0;
+       i = path.rfind(':', i - 1)) {
+    std::string file = path.substr(0, i);
+    if (is_there(file)) return {std::move(file), path.substr(i + 1)};
+  }
+  return {path, {}};
+}
+
+RecordingFormat recording_format(const std::string& path) {
+  InputStream file(path);
+  const RecordingFormat format = format_of(file.peek(kKindHeadSize), file.name());
+  if (path == "-") require_rewind(file);
+  return format;
+}
+
+RecordingFormat recording_format_of_name(std::string_view path) {
+  if (path == "-") return RecordingFormat::kCsv;
+  std::string name(path);
+  std::ranges::transform(name, name.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  const auto* found =
+      std::ranges::find_if(kEndings, [&](const Ending& e) { return name.ends_with(e.text); });
+  if (found != kEndings.end()) return found->format;
+  throw InputError("name of the output", in_quotes(path),
+                   "must end in .csv, .uff, .unv, .uf, .mat, .h5 or .hdf5",
+                   "Or give the format with --format.");
+}
+
+std::optional<RecordingFormat> find_recording_format(std::string_view name) {
+  const auto* found = std::ranges::find(kFormats, name, &FormatEntry::name);
+  if (found == kFormats.end()) return std::nullopt;
+  return found->format;
+}
+
+std::string_view recording_kind(RecordingFormat format) {
+  return std::ranges::find(kFormats, format, &FormatEntry::format)->kind;
+}
+
+Recordings read_recordings(const std::string& path, const RecordingReadOptions& options) {
+  const PartOfFile part = part_of_file(path);
+  InputStream file(part.file);
+  Recordings result = read_format(file, part, options);
+  assume_units(options.assumed_units, result.recordings);
+  return result;
+}
+
+void write_recordings(OutputFiles& files, const std::string& path,
+                      std::span<const Recording> recordings, RecordingFormat format) {
+  switch (format) {
+    case RecordingFormat::kCsv:
+      return write_csv(files, path, recordings);
+    case RecordingFormat::kUff:
+    case RecordingFormat::kUffBinary:
+      return write_recordings_uff(files.stage(path), recordings,
+                                  format == RecordingFormat::kUffBinary);
+    case RecordingFormat::kMat:
+      return write_recordings_mat(files.stage(path), recordings);
+    case RecordingFormat::kHdf5:
+      return write_recordings_hdf5(files.stage(path), recordings);
+  }
+}
+
+}  // namespace microslip

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "microslip/base/summary.hpp"
+
+/// @file
+/// Mode shapes from universal files: dataset 55, "data at nodes", of the Structural Dynamics Research
+/// Laboratory, University of Cincinnati.
+
+namespace microslip {
+
+/// What a dataset 55 can be.
+enum class UffAnalysis {
+  kOther,
+  kNormalMode,         ///< real mode of the undamped structure
+  kComplexMode,        ///< from a complex eigenvalue
+  kFrequencyResponse,  ///< deflection shape at a frequency
+};
+
+/// Values at nodes, in the units of the file: the scale of a mode shape is its maker's choice.
+struct UffModeShape {
+  std::array<std::string, 5> id_lines;  ///< empty where the file has NONE
+  UffAnalysis analysis = UffAnalysis::kOther;
+  std::int64_t load_case = 0;
+  std::int64_t number = 0;           ///< of the mode or of the frequency
+  std::int64_t specific_type = 0;    ///< 8 displacement, 11 velocity, 12 acceleration
+  double frequency = 0.0;            ///< Hz; of a complex mode |λ|/2π
+  double damping_ratio = 0.0;        ///< viscous, ζ, 1; of a complex mode -Re λ/|λ|
+  double loss_factor = 0.0;          ///< hysteretic, η, 1
+  std::optional<double> modal_mass;  ///< of a normal mode, as in the file
+  std::size_t values_per_node = 0;   ///< 3: X, Y, Z; 6: rotations too
+  std::vector<std::int64_t> nodes;
+  std::vector<double> values;     ///< nodes × values_per_node, a node after the other
+  std::vector<double> imaginary;  ///< of the same length, or empty where values are real
+
+  /// Value j of node number i of the list, both from 0.
+  [[nodiscard]] double at(std::size_t i, std::size_t j) const {
+    return values[i * values_per_node + j];
+  }
+};
+
+struct UffModeShapes {
+  std::vector<UffModeShape> shapes;  ///< in the order of the file; none where it has no dataset 55
+  std::vector<Warning> warnings;
+};
+
+/// Reads all datasets 55 of a file and skips the others.
+/// @throws FormatError  where the file is not of this form or ends within a dataset.
+/// @throws FileError    where it cannot be read.
+[[nodiscard]] UffModeShapes read_mode_shapes_uff(const std::string& path);
+
+}  // namespace microslip

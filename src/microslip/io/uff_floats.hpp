@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+/// @file
+/// The floating-point numbers of binary datasets. Internal to io.
+
+namespace microslip {
+
+/// How a real number is stored.
+enum class UffFloat {
+  kIeee4Little,
+  kIeee4Big,
+  kIeee8Little,
+  kIeee8Big,
+  kIbm4Little,
+  kIbm4Big,
+  kIbm8Little,
+  kIbm8Big,
+  kVaxF,  ///< F_floating of DEC, two words with the bytes of each swapped, as a VAX has them
+};
+
+/// By the codes of the header of 58b.
+/// @param byte_order  1 little-endian, 2 big-endian.
+/// @param format      1 DEC VMS, 2 IEEE 754, 3 IBM System/370 (base 16).
+/// @param size        4 or 8 bytes.
+/// @return  nothing where that is not known here: 8 bytes of DEC can be D_floating or G_floating,
+///          and nothing in the file tells which; in big-endian order nothing is defined for it.
+[[nodiscard]] std::optional<UffFloat> uff_float(long long byte_order, long long format,
+                                                std::size_t size);
+
+/// Every stride-th number from `bytes` on.
+/// @param stride  bytes from one to the next.
+void decode_uff_floats(UffFloat format, const char* bytes, std::size_t stride,
+                       std::span<double> numbers);
+
+}  // namespace microslip

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/hdf5_recording.hpp"
+
+#include <gtest/gtest.h>
+#include <hdf5.h>
+
+#include <bit>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/damaged_binary.hpp"
+#include "io/sample_recordings.hpp"
+#include "io/support.hpp"
+
+namespace microslip {
+namespace {
+
+using test::message_of;
+
+/// A file as another program would write it, straight by the library.
+class OtherFile {
+ public:
+  explicit OtherFile(const std::string& path)
+      : file_(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)) {}
+  OtherFile(const OtherFile&) = delete;
+  OtherFile& operator=(const OtherFile&) = delete;
+  ~OtherFile() { H5Fclose(file_); }
+
+  void group(const char* name) {
+    H5Gclose(H5Gcreate2(file_, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  }
+
+  template <class T>
+  void dataset(const char* name, hid_t type, const std::vector<hsize_t>& sizes,
+               const std::vector<T>& values) {
+    const hid_t space = H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr);
+    const hid_t set = H5Dcreate2(file_, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    if (!values.empty()) H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+    H5Dclose(set);
+    H5Sclose(space);
+  }
+
+  void number(const char* object, const char* name, double value) {
+    const hid_t space = H5Screate(H5S_SCALAR);
+    attribute(object, name, H5T_NATIVE_DOUBLE, space, &value);
+    H5Sclose(space);
+  }
+
+  /// Of variable length, as h5py writes texts.
+  void text(const char* object, const char* name, const char* value) {
+    const hid_t space = H5Screate(H5S_SCALAR);
+    const hid_t type = H5Tcopy(H5T_C_S1);
+    H5Tset_size(type, H5T_VARIABLE);
+    attribute(object, name, type, space, &value);
+    H5Tclose(type);
+    H5Sclose(space);
+  }
+
+ private:
+  void attribute(const char* object, const char* name, hid_t type, hid_t space, const void* value) {
+    const hid_t at =
+        H5Acreate_by_name(file_, object, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    H5Awrite(at, type, value);
+    H5Aclose(at);
+  }
+
+  hid_t file_;
+};
+
+class Hdf5Recording : public testing::Test {
+ protected:
+  std::string message() {
+    return message_of<Error>([&] { return read_recordings_hdf5(path_); });
+  }
+
+  test::TemporaryFolder folder_;
+  std::string path_ = folder_.file("a.h5");
+};
+
+TEST_F(Hdf5Recording, SurvivesTheRoundTripBitForBit) {
+  const std::vector<Recording> written = test::twelve_recordings();
+  write_recordings_hdf5(path_, written);
+  const Recordings read = read_recordings_hdf5(path_);
+  test::expect_same(read.recordings, written);
+  EXPECT_TRUE(read.warnings.empty());
+  // == takes −0 for 0.
+  const double zero = read.recordings.back().channels[0].values[2];
+  EXPECT_EQ(std::bit_cast<std::uint64_t>(zero), std::bit_cast<std::uint64_t>(-0.0));
+}
+
+TEST_F(Hdf5Recording, SurvivesInSeveralChunks) {
+  std::vector<Recording> written{test::time_recording(300'001)};
+  written[0].channels[1].imaginary = written[0].channels[0].values;
+  write_recordings_hdf5(path_, written);
+  test::expect_same(read_recordings_hdf5(path_).recordings, written);
+}
+
+TEST_F(Hdf5Recording, TakesDatasetsWithTheUsualAttributes) {
+  {
+    OtherFile file(path_);
+    file.dataset<float>("acc", H5T_NATIVE_FLOAT, {3}, {1.0F, 2.0F, 0.5F});
+    file.number("acc", "fs", 256.0);
+    file.text("acc", "unit_str", "mm/s^2");
+    file.text("acc", "channel_name", "tip");
+    file.text("acc", "serial_number", "17");
+    file.dataset<short>("raw", H5T_NATIVE_SHORT, {3}, {-1, 2, 300});
+    file.number("raw", "dt", 1.0 / 256.0);
+  }
+  const Recordings read = read_recordings_hdf5(path_);
+  ASSERT_EQ(read.recordings.size(), 1U);
+  const Recording& recording = read.recordings[0];
+  EXPECT_EQ(recording.source, "a.h5");
+  EXPECT_EQ(recording.sampling_rate(), 256.0);
+  EXPECT_EQ(recording.channel("tip").values, (std::vector{1e-3, 2e-3, 0.5e-3}));
+  EXPECT_EQ(recording.channel("tip").dimension, kAcceleration);
+  EXPECT_EQ(recording.channel("tip").attributes, (Attributes{{"serial_number", "17"}}));
+  EXPECT_EQ(recording.channel("raw").values, (std::vector{-1.0, 2.0, 300.0}));
+  EXPECT_FALSE(recording.channel("raw").dimension);
+}
+
+TEST_F(Hdf5Recording, TakesTimesAndMatricesOfEitherShape) {
+  {
+    OtherFile file(path_);
+    file.group("run");
+    file.dataset<double>("run/time", H5T_NATIVE_DOUBLE, {3}, {1.0, 3.0, 4.0});
+    file.text("run/time", "units", "ms");
+    file.dataset<double>("run/tall", H5T_NATIVE_DOUBLE, {3, 2}, {1, 10, 2, 20, 3, 30});
+    file.dataset<double>("run/wide", H5T_NATIVE_DOUBLE, {2, 3}, {1, 2, 3, 10, 20, 30});
+  }
+  const Recordings read = read_recordings_hdf5(path_);
+  ASSERT_EQ(read.recordings.size(), 1U);
+  const Recording& recording = read.recordings[0];
+  EXPECT_EQ(recording.source, "a.h5:/run");
+  EXPECT_EQ(recording.axis.values, (std::vector{1e-3, 3e-3, 4e-3}));
+  for (const char* name : {"tall_2", "wide_2"}) {
+    EXPECT_EQ(recording.channel(name).values, (std::vector{10.0, 20.0, 30.0})) << name;
+  }
+}
+
+TEST_F(Hdf5Recording, TakesTheRateOfTheGroupAround) {
+  {
+    OtherFile file(path_);
+    file.number("/", "sampling_rate", 8.0);
+    file.group("a");
+    file.dataset<double>("a/x", H5T_NATIVE_DOUBLE, {2}, {1, 2});
+    file.dataset<double>("a/longer", H5T_NATIVE_DOUBLE, {3}, {1, 2, 3});
+    file.group("b");
+    file.dataset<double>("b/fs", H5T_NATIVE_DOUBLE, {1}, {4.0});
+    file.dataset<double>("b/x", H5T_NATIVE_DOUBLE, {2}, {1, 2});
+  }
+  const Recordings read = read_recordings_hdf5(path_);
+  ASSERT_EQ(read.recordings.size(), 3U);
+  EXPECT_EQ(read.recordings[0].sampling_rate(), 8.0);
+  EXPECT_EQ(read.recordings[1].source, "a.h5:/a #2");
+  EXPECT_EQ(read.recordings[2].sampling_rate(), 4.0);
+}
+
+TEST_F(Hdf5Recording, TakesOneLetterAsTheAxisOnlyWhereItRises) {
+  {
+    OtherFile file(path_);
+    file.number("/", "fs", 8.0);
+    file.dataset<double>("f", H5T_NATIVE_DOUBLE, {3}, {1.0, 3.0, 2.0});
+    file.dataset<double>("t", H5T_NATIVE_DOUBLE, {3}, {5.0, 5.0, 5.0});
+    file.dataset<double>("x", H5T_NATIVE_DOUBLE, {3}, {1, 2, 3});
+    file.group("sweep");
+    file.dataset<double>("sweep/f", H5T_NATIVE_DOUBLE, {3}, {1.0, 2.0, 4.0});
+    file.dataset<double>("sweep/x", H5T_NATIVE_DOUBLE, {3}, {1, 2, 3});
+  }
+  const Recordings read = read_recordings_hdf5(path_);
+  ASSERT_EQ(read.recordings.size(), 2U);
+  EXPECT_EQ(read.recordings[0].sampling_rate(), 8.0);
+  EXPECT_EQ(read.recordings[0].channels.size(), 3U);
+  EXPECT_EQ(read.recordings[0].channel("f").values, (std::vector{1.0, 3.0, 2.0}));
+  EXPECT_EQ(read.recordings[1].axis.dimension, kFrequency);
+  EXPECT_EQ(read.recordings[1].channels.size(), 1U);
+}
+
+TEST_F(Hdf5Recording, SaysWhatToAddWithoutSamplingRate) {
+  {
+    OtherFile file(path_);
+    file.dataset<double>("x", H5T_NATIVE_DOUBLE, {2}, {1, 2});
+  }
+  EXPECT_EQ(message(),
+            path_ +
+                ":/x: expected a sampling rate, found none. Add the attribute fs [Hz] to "
+                "the dataset, to a group that it lies in or to the file, or a dataset "
+                "'time' [s] beside it.");
+}
+
+TEST_F(Hdf5Recording, WarnsOfAnUnknownUnit) {
+  {
+    OtherFile file(path_);
+    file.dataset<double>("x", H5T_NATIVE_DOUBLE, {2}, {1, 2});
+    file.number("x", "fs", 1.0);
+    file.text("x", "unit", "furlong");
+  }
+  const Recordings read = read_recordings_hdf5(path_);
+  ASSERT_EQ(read.warnings.size(), 1U);
+  EXPECT_EQ(read.warnings[0].code, "unit_unknown");
+  EXPECT_FALSE(read.recordings[0].channels[0].dimension);
+  EXPECT_EQ(read.recordings[0].channels[0].attributes, (Attributes{{"unit", "furlong"}}));
+}
+
+// Such a dataset would be read as zeros.
+TEST_F(Hdf5Recording, RefusesADatasetThatWasNeverWritten) {
+  {
+    OtherFile file(path_);
+    file.dataset<double>("x", H5T_NATIVE_DOUBLE, {5}, {});
+    file.number("x", "fs", 1.0);
+  }
+  EXPECT_NE(message().find(":/x: expected 5 values, found fewer in the file"), std::string::npos)
+      << message();
+}
+
+TEST_F(Hdf5Recording, RefusesWhatIsNoHdf5File) {
+  EXPECT_NE(message().find("No such file"), std::string::npos) << message();
+  test::put(path_, "time [s],force [N]\n");
+  EXPECT_NE(message().find(path_ + ": expected a whole HDF5 file, found"), std::string::npos)
+      << message();
+}
+
+TEST_F(Hdf5Recording, ReportsADiskThatIsFull) {
+  EXPECT_NE(message_of<FileError>([&] {
+              write_recordings_hdf5("/dev/full", std::vector{test::time_recording()});
+            }).find("/dev/full"),
+            std::string::npos);
+}
+
+TEST_F(Hdf5Recording, RefusesFilesCutShort) {
+  write_recordings_hdf5(path_, std::vector{test::frequency_recording()});
+  test::read_cut(path_, 1, [&] { (void)read_recordings_hdf5(path_); });
+}
+
+// Each byte of our files that matters is covered by a checksum: a change is found or does no harm.
+TEST_F(Hdf5Recording, FindsEveryChange) {
+  const std::vector<Recording> written{test::frequency_recording()};
+  write_recordings_hdf5(path_, written);
+  test::read_changed(path_, 2,
+                     [&] { test::expect_same(read_recordings_hdf5(path_).recordings, written); });
+}
+
+// Here no checksums guard what the library follows, and it crashes on some of the files.
+TEST_F(Hdf5Recording, ReadsOrRefusesDamagedFilesOfOthers) {
+  {
+    OtherFile file(path_);
+    file.group("run");
+    for (const char* name : {"run/force", "run/acceleration", "run/velocity"}) {
+      file.dataset<double>(name, H5T_NATIVE_DOUBLE, {6}, {1, 2, 3, 4, 5, 6});
+      file.number(name, "fs", 1000.0);
+      file.text(name, "unit_str", "N");
+      file.text(name, "serial_number", "0042");
+    }
+  }
+  const auto read = [&] {
+    for (const Recording& r : read_recordings_hdf5(path_).recordings) check_recording(r);
+  };
+  test::read_changed(path_, 3, read, 500);
+}
+
+}  // namespace
+}  // namespace microslip

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/mat_recording.hpp"
+
+#include <gtest/gtest.h>
+#include <matio.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/damaged_binary.hpp"
+#include "io/sample_recordings.hpp"
+#include "io/support.hpp"
+#include "microslip/io/mat_writer.hpp"
+
+namespace microslip {
+namespace {
+
+using test::message_of;
+
+std::string sample(const std::string& name) {
+  return std::string(MICROSLIP_TEST_DATA) + "/mat/" + name;
+}
+
+class MatRecording : public testing::Test {
+ protected:
+  test::TemporaryFolder folder_;
+  std::string path_ = folder_.file("a.mat");
+};
+
+TEST_F(MatRecording, SurvivesTheRoundTripBitForBit) {
+  const std::vector<Recording> written = test::twelve_recordings();
+  for (const MatVersion version : {MatVersion::k5, MatVersion::k73}) {
+    write_mat(path_, written, version);
+    const Recordings read = read_recordings_mat(path_);
+    test::expect_same(read.recordings, written);
+    EXPECT_TRUE(read.warnings.empty());
+  }
+}
+
+TEST_F(MatRecording, ReadsOneOfSeveral) {
+  const std::vector<Recording> written = test::twelve_recordings();
+  write_recordings_mat(path_, written);
+  const Recordings read = read_recordings_mat(path_, "recording_12");
+  ASSERT_EQ(read.recordings.size(), 1U);
+  test::expect_same(read.recordings, {written[11]});
+}
+
+TEST_F(MatRecording, TakesVectorsAtTheTopAndStructsBelow) {
+  for (const char* name : {"plain5.mat", "compressed5.mat"}) {
+    const Recordings read = read_recordings_mat(sample(name));
+    ASSERT_EQ(read.recordings.size(), 3U) << name;
+    const Recording& top = read.recordings[0];
+    EXPECT_EQ(top.source, name);
+    EXPECT_EQ(top.sampling_rate(), 512.0);
+    EXPECT_EQ(top.channel("force").values, (std::vector{0.5, -1.25, 3e-300}));
+    EXPECT_FALSE(top.channel("force").dimension);
+    const Recording& nested = read.recordings[2];
+    EXPECT_EQ(nested.sampling_rate(), 256.0);
+    EXPECT_EQ(nested.channel("force").values[0], 4.4482216152605);
+    EXPECT_EQ(nested.channel("force").dimension, kForce);
+    EXPECT_EQ(nested.channel("response").imaginary, (std::vector{2e-3, 0.0, 0.5e-3}));
+  }
+}
+
+TEST_F(MatRecording, TakesAVectorOfItsOwn) {
+  const Recordings read = read_recordings_mat(sample("level4.mat"), "force");
+  ASSERT_EQ(read.recordings.size(), 1U);
+  ASSERT_EQ(read.recordings[0].channels.size(), 1U);
+  EXPECT_EQ(read.recordings[0].channels[0].name, "force");
+  EXPECT_EQ(read.recordings[0].sampling_rate(), 512.0);
+}
+
+TEST_F(MatRecording, TakesOneLetterAsTheAxisOnlyWhereItRises) {
+  const auto read_with_f = [&](std::vector<double> f) {
+    mat_t* file = Mat_CreateVer(path_.c_str(), nullptr, MAT_FT_MAT5);
+    const auto add = [&](const char* name, std::vector<double> values) {
+      std::array<std::size_t, 2> sizes{values.size(), 1};
+      matvar_t* variable =
+          Mat_VarCreate(name, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, sizes.data(), values.data(), 0);
+      Mat_VarWrite(file, variable, MAT_COMPRESSION_NONE);
+      Mat_VarFree(variable);
+    };
+    add("fs", {8.0});
+    add("f", std::move(f));
+    add("x", {1.0, 2.0, 3.0});
+    Mat_Close(file);
+    return read_recordings_mat(path_).recordings.at(0);
+  };
+  const Recording history = read_with_f({1.0, 3.0, 2.0});
+  EXPECT_EQ(history.sampling_rate(), 8.0);
+  EXPECT_EQ(history.channel("f").values, (std::vector{1.0, 3.0, 2.0}));
+  EXPECT_EQ(history.channels.size(), 2U);
+  const Recording sweep = read_with_f({1.0, 2.0, 4.0});
+  EXPECT_EQ(sweep.axis.dimension, kFrequency);
+  EXPECT_EQ(sweep.channels.size(), 1U);
+}
+
+TEST_F(MatRecording, RefusesTextsThatAreNotUtf8) {
+  Recording recording = test::time_recording();
+  recording.channels[0].name = "gr\xF6\xDF";
+  EXPECT_NE(message_of<InputError>([&] {
+              write_recordings_mat(path_, std::vector{recording});
+            }).find("must be UTF-8"),
+            std::string::npos);
+}
+
+TEST_F(MatRecording, ReportsADiskThatIsFull) {
+  EXPECT_NE(message_of<FileError>([] {
+              write_recordings_mat("/dev/full", std::vector{test::time_recording()});
+            }).find("/dev/full"),
+            std::string::npos);
+}
+
+// What no checksum guards, numbers above all, may be read changed, but keeps the rules.
+TEST_F(MatRecording, ReadsOrRefusesDamagedFiles) {
+  write_recordings_mat(path_, std::vector{test::time_recording(), test::frequency_recording()});
+  const auto read = [&] {
+    for (const Recording& r : read_recordings_mat(path_).recordings) check_recording(r);
+  };
+  test::read_cut(path_, 5, read);
+  test::read_changed(path_, 6, read);
+}
+
+// Version 7.3 is HDF5 without checksums, and changed bytes can crash the HDF5 library itself.
+TEST_F(MatRecording, ReadsOrRefusesDamagedFilesOfVersion73) {
+  write_mat(path_, std::vector{test::frequency_recording()}, MatVersion::k73);
+  const auto read = [&] {
+    for (const Recording& r : read_recordings_mat(path_).recordings) check_recording(r);
+  };
+  test::read_cut(path_, 7, read, 1000);
+  test::read_changed(path_, 8, read, 500);
+}
+
+TEST_F(MatRecording, TakesTheWholeVariablesOfACutFile) {
+  write_recordings_mat(path_, test::twelve_recordings());
+  const std::string whole = test::get(path_);
+  test::put(path_, whole.substr(0, whole.size() - 9));
+  EXPECT_NE(message_of<FormatError>([&] {
+              return read_recordings_mat(path_);
+            }).find("found the end of the file"),
+            std::string::npos);
+  const Recordings read = read_recordings_mat(path_, {}, {.allow_truncated = true});
+  EXPECT_EQ(read.recordings.size(), 11U);
+  ASSERT_EQ(read.warnings.size(), 1U);
+  EXPECT_EQ(read.warnings[0].code, "file_truncated");
+}
+
+// Chen et al., Jin et al., MSSP 166 (2022) 108401, 108402; the figures are those that SciPy 1.10.1
+// reads from the authors' file.
+TEST_F(MatRecording, ReadsTheBrakeReussBeam) {
+  const char* folder = std::getenv("MICROSLIP_DATA_DIR");
+  if (folder == nullptr) GTEST_SKIP() << "MICROSLIP_DATA_DIR is not set";
+  const std::string path = std::string(folder) + "/brake_reuss_beam/ForcedFrequencyResponses.mat";
+  EXPECT_EQ(read_recordings_mat(path).recordings.size(), 12U);
+  const Recordings read = read_recordings_mat(path, "FRdata.ResponseControl");
+  ASSERT_EQ(read.recordings.size(), 8U);
+  const Recording& first = read.recordings[0];
+  EXPECT_EQ(first.source, "ForcedFrequencyResponses.mat:FRdata.ResponseControl(1)");
+  EXPECT_EQ(first.axis.dimension, kFrequency);
+  EXPECT_EQ(first.axis.start, 79.0);
+  EXPECT_NEAR(first.axis.step, 0.05, 1e-12);  // 2 Hz in 40 steps, rounded
+  EXPECT_EQ(first.size(), 41U);
+  EXPECT_EQ(first.channel("force").dimension, kForce);
+  EXPECT_EQ(first.channel("phase").dimension, kAngle);
+  EXPECT_NEAR(first.channel("force").values[0], 0.36465208, 5e-9);  // digits printed
+  EXPECT_NEAR(first.channel("amplitude").values[40], 4.98435053, 5e-9);
+}
+
+}  // namespace
+}  // namespace microslip

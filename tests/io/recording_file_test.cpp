@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/recording_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "io/support.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/io/recording_csv.hpp"
+
+namespace microslip {
+namespace {
+
+using std::literals::operator""s;
+using test::message_of;
+
+RecordingFormat format_of(const std::string& content) {
+  const test::TemporaryFolder folder;
+  test::put(folder.file("r"), content);
+  return recording_format(folder.file("r"));
+}
+
+Recording sample() {
+  Recording r;
+  r.source = "sample";
+  r.axis.step = 1.0 / 512.0;
+  for (const char* name : {"force", "acc1"}) {
+    Channel channel{.name = name,
+                    .dimension = name[0] == 'f' ? kForce : kAcceleration,
+                    .values = {},
+                    .imaginary = {},
+                    .attributes = {}};
+    for (int i = 0; i < 100; ++i) channel.values.push_back(std::sin(0.1 * i + name[0]));
+    r.channels.push_back(std::move(channel));
+  }
+  return r;
+}
+
+void write(const std::string& path, const std::vector<Recording>& recordings,
+           RecordingFormat format) {
+  OutputFiles files;
+  write_recordings(files, path, recordings, format);
+  files.commit();
+}
+
+// ---- Formats. ----
+
+TEST(RecordingFormat, IsToldByTheContent) {
+  EXPECT_EQ(format_of("time [s],a\n0,1\n"), RecordingFormat::kCsv);
+  EXPECT_EQ(format_of(""), RecordingFormat::kCsv) << "its reader will complain";
+  EXPECT_EQ(format_of("    -1\n    58\n"), RecordingFormat::kUff);
+  EXPECT_EQ(format_of("    -1\r\n   151\r\n"), RecordingFormat::kUff);
+  EXPECT_EQ(format_of("    -1\n   151\nx\n    -1\n    -1\n    58b     1     2\n"),
+            RecordingFormat::kUffBinary);
+  EXPECT_EQ(format_of("MATLAB 5.0 MAT-file, Platform: GLNXA64"), RecordingFormat::kMat);
+  EXPECT_EQ(format_of("MATLAB 7.3 MAT-file, Platform: GLNXA64"), RecordingFormat::kMat);
+  EXPECT_EQ(format_of("\x89HDF\r\n\x1A\n"), RecordingFormat::kHdf5);
+  EXPECT_EQ(format_of(std::string(1024, '\0') + "\x89HDF\r\n\x1A\n"), RecordingFormat::kHdf5);
+}
+
+TEST(RecordingFormat, KnowsMatlabFilesWithoutSignature) {
+  // Level 4: double matrix of 2 x 3, real, called x; the low byte first, and the high one.
+  EXPECT_EQ(format_of("\0\0\0\0\2\0\0\0\3\0\0\0\0\0\0\0\2\0\0\0x\0"s), RecordingFormat::kMat);
+  EXPECT_EQ(format_of("\0\0\x03\xE8\0\0\0\2\0\0\0\3\0\0\0\0\0\0\0\2x\0"s), RecordingFormat::kMat);
+  EXPECT_EQ(format_of("\0\0\0\0\2\0\0\0\3\0\0\0\0\0\0\0\2\0\0\0xy"s), RecordingFormat::kCsv)
+      << "the name has no end";
+}
+
+TEST(RecordingFormat, RefusesOtherSignatures) {
+  EXPECT_NE(message_of<FormatError>([] {
+              return format_of("\x89PNG\r\n\x1A\n");
+            }).find("expected a recording in CSV, a universal file, MATLAB or HDF5, found a PNG"),
+            std::string::npos);
+  EXPECT_THROW(format_of("{\"a\": 1}"), FormatError);
+}
+
+TEST(RecordingFormat, OfNamesOfOutputs) {
+  EXPECT_EQ(recording_format_of_name("a/b.CSV"), RecordingFormat::kCsv);
+  EXPECT_EQ(recording_format_of_name("-"), RecordingFormat::kCsv);
+  EXPECT_EQ(recording_format_of_name("x.csv.uff"), RecordingFormat::kUffBinary);
+  EXPECT_EQ(recording_format_of_name("x.unv"), RecordingFormat::kUffBinary);
+  EXPECT_EQ(recording_format_of_name("x.uf"), RecordingFormat::kUffBinary);
+  EXPECT_EQ(recording_format_of_name("x.mat"), RecordingFormat::kMat);
+  EXPECT_EQ(recording_format_of_name("x.h5"), RecordingFormat::kHdf5);
+  EXPECT_EQ(recording_format_of_name("x.hdf5"), RecordingFormat::kHdf5);
+  EXPECT_NE(message_of<InputError>([] { return recording_format_of_name("x.txt"); }).find(".hdf5"),
+            std::string::npos);
+  EXPECT_EQ(find_recording_format("uff-ascii"), RecordingFormat::kUff);
+  EXPECT_FALSE(find_recording_format("txt").has_value());
+}
+
+// ---- Reading. ----
+
+TEST(RecordingFile, GivesAssumedUnits) {
+  const test::TemporaryFolder folder;
+  test::put(folder.file("r.csv"), "t,force,acc1\n0,1,1\n500,2,2\n");
+  const std::vector<std::string> arguments{"t=ms", "force=kN", "SI"};
+  const Recordings found =
+      read_recordings(folder.file("r.csv"), {.assumed_units = parse_assumed_units(arguments)});
+  const Recording& r = found.recordings.at(0);
+  EXPECT_EQ(r.axis.step, 0.5);
+  EXPECT_EQ(r.signal("force", kForce)[1], 2000.0);
+  EXPECT_EQ(r.signal("acc1", kAcceleration)[1], 2.0);
+}
+
+TEST(RecordingFile, AColonIsPartOfANameThatIsThere) {
+  const test::TemporaryFolder folder;
+  test::put(folder.file("a:b.csv"), "time [s],x\n0,1\n1,2\n");
+  test::put(folder.file("a"), "time [s],x\n0,1\n1,2\n");
+  EXPECT_EQ(read_recordings(folder.file("a:b.csv"), {}).recordings.at(0).source, "a:b.csv");
+  EXPECT_NE(message_of<InputError>([&] {
+              return read_recordings(folder.file("a:x.y[1]"), {});
+            }).find("':x.y[1]'; must follow a MATLAB file"),
+            std::string::npos);
+  EXPECT_NE(message_of<FileError>([&] {
+              return read_recordings(folder.file("no:b"), {});
+            }).find("no:b: cannot be read"),
+            std::string::npos);
+}
+
+// ---- Writing. ----
+
+TEST(RecordingFile, CsvHoldsOneRecording) {
+  const test::TemporaryFolder folder;
+  const auto fault = message_of<InputError>([&] {
+    write(folder.file("r.csv"), {sample(), sample()}, RecordingFormat::kCsv);
+    return 0;
+  });
+  EXPECT_NE(fault.find("2 recordings; must be one in a CSV file"), std::string::npos) << fault;
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(RecordingFile, ReplacesItsOwnKindAlone) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("r.csv");
+  write(path, {sample()}, RecordingFormat::kCsv);
+  write(path, {sample()}, RecordingFormat::kCsv);
+  Recording other = sample();
+  other.channels.pop_back();
+  const std::string before = test::get(path);
+  EXPECT_THROW(write(path, {other}, RecordingFormat::kCsv), FileError) << "of other channels";
+  test::put(folder.file("l.csv"), "amplitude [m],dissipation [J]\n1,1\n");
+  EXPECT_THROW(write(folder.file("l.csv"), {sample()}, RecordingFormat::kCsv), FileError);
+  EXPECT_EQ(test::get(path), before);
+  EXPECT_EQ(folder.names().size(), 2U) << "no temporaries";
+}
+
+class EachFormat : public testing::TestWithParam<RecordingFormat> {};
+
+TEST_P(EachFormat, ReadsBackWhatWasWritten) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("recording");
+  try {
+    write(path, {sample()}, GetParam());
+  } catch (const FileError& error) {
+    if (std::string(error.what()).find("not there yet") == std::string::npos) throw;
+    GTEST_SKIP() << error.what();
+  }
+  EXPECT_EQ(recording_format(path), GetParam());
+  const Recordings found = read_recordings(path, {});
+  ASSERT_EQ(found.recordings.size(), 1U);
+  const Recording& back = found.recordings[0];
+  ASSERT_EQ(back.size(), 100U);
+  EXPECT_TRUE(back.axis.even());
+  EXPECT_EQ(back.sampling_rate(), 512.0);
+  const Recording written = sample();
+  for (const Channel& channel : written.channels) {
+    const auto values = back.signal(channel.name, *channel.dimension);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      // 13 significant digits in the text of a universal file; all of them elsewhere.
+      const double tolerance = GetParam() == RecordingFormat::kUff ? 1e-12 : 0.0;
+      EXPECT_NEAR(values[i], channel.values[i], tolerance) << channel.name << " " << i;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(RecordingFile, EachFormat,
+                         testing::Values(RecordingFormat::kCsv, RecordingFormat::kUff,
+                                         RecordingFormat::kUffBinary, RecordingFormat::kMat,
+                                         RecordingFormat::kHdf5));
+
+}  // namespace
+}  // namespace microslip

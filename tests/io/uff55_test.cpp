@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/uff55.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "io/uff_support.hpp"
+
+namespace microslip {
+namespace {
+
+using test::marker;
+
+UffModeShapes read_shapes(const std::string& content) {
+  const test::TemporaryFolder folder;
+  test::put(folder.file("t.uff"), content);
+  return read_mode_shapes_uff(folder.file("t.uff"));
+}
+
+std::string shape_text(const std::string& form, const std::string& body) {
+  return marker() + "    55\nmode\nNONE\nNONE\nNONE\nNONE\n" + form + body + marker();
+}
+
+const std::string kNormalForm =
+    "         1         2         3         8         2         6\n"
+    "         2         4         5         7\n"
+    "  5.58000E+01  2.50000E+00  1.00000E-02  2.00000E-02\n";
+
+TEST(Uff55, NormalModeOfSixDegreesOfFreedom) {
+  const UffModeShapes read = read_shapes(
+      shape_text(kNormalForm,
+                 "        10\n  1.00000E+00  2.00000E+00  3.00000E+00  4.00000E+00  5.00000E+00"
+                 "  6.00000E+00\n        20\n -1.00000E+00  0.00000E+00  0.00000E+00  0.00000E+00"
+                 "  0.00000E+00  7.00000E+00\n"));
+  ASSERT_EQ(read.shapes.size(), 1U);
+  const UffModeShape& shape = read.shapes[0];
+  EXPECT_EQ(shape.id_lines[0], "mode");
+  EXPECT_EQ(shape.id_lines[1], "");
+  EXPECT_EQ(shape.load_case, 5);
+  EXPECT_EQ(shape.number, 7);
+  EXPECT_EQ(shape.frequency, 55.8);
+  EXPECT_EQ(shape.modal_mass, 2.5);
+  EXPECT_EQ(shape.damping_ratio, 0.01);
+  EXPECT_EQ(shape.loss_factor, 0.02);
+  EXPECT_EQ(shape.nodes, (std::vector<std::int64_t>{10, 20}));
+  EXPECT_EQ(shape.at(1, 0), -1.0);
+  EXPECT_EQ(shape.at(1, 5), 7.0);
+}
+
+TEST(Uff55, ComplexModeOverTwoLines) {
+  // λ = -3 + 4i rad/s: |λ| = 5 rad/s, ζ = 3/5.
+  const UffModeShapes read = read_shapes(
+      shape_text("         1         3         3         8         5         4\n"
+                 "         2         6         1         1\n"
+                 " -3.00000E+00  4.00000E+00  0.00000E+00  0.00000E+00  0.00000E+00  0.00000E+00\n",
+                 "         1\n  1.00000E+00  2.00000E+00  3.00000E+00  4.00000E+00  5.00000E+00"
+                 "  6.00000E+00\n  7.00000E+00  8.00000E+00\n"));
+  const UffModeShape& shape = read.shapes.at(0);
+  EXPECT_EQ(shape.analysis, UffAnalysis::kComplexMode);
+  EXPECT_DOUBLE_EQ(shape.frequency, 5.0 / (2.0 * std::numbers::pi));
+  EXPECT_DOUBLE_EQ(shape.damping_ratio, 0.6);
+  EXPECT_EQ(shape.modal_mass, std::nullopt);
+  EXPECT_EQ(shape.values, (std::vector<double>{1, 3, 5, 7}));
+  EXPECT_EQ(shape.imaginary, (std::vector<double>{2, 4, 6, 8}));
+}
+
+TEST(Uff55, SkipsOtherDatasets) {
+  test::Function58 f;
+  f.points = 2;
+  const std::string values = "\n    -1\n    -1 \n";  // bytes of two doubles
+  ASSERT_EQ(values.size(), 16U);
+  const UffModeShapes read =
+      read_shapes(binary_dataset(f, values, 16) + marker() + "    15\n         1\n" + marker() +
+                  shape_text(kNormalForm, ""));
+  ASSERT_EQ(read.shapes.size(), 1U);
+  EXPECT_TRUE(read.shapes[0].nodes.empty());
+}
+
+TEST(Uff55, SaysWhatIsMissing) {
+  const auto fault = [](const std::string& content) {
+    const std::string message = test::message_of<FormatError>([&] { return read_shapes(content); });
+    return message.substr(std::min(message.find("t.uff"), message.size()));
+  };
+  EXPECT_EQ(fault(shape_text(kNormalForm, "        10\n  1.00000E+00\n")),
+            "t.uff:13: expected values of a node of dataset 1, found the line '    -1' that closes "
+            "it");
+  EXPECT_NE(fault(shape_text("         1         2         3         8         4         6\n", ""))
+                .find("the data type 2 (real) or 5 (complex), found 4"),
+            std::string::npos);
+  EXPECT_NE(fault(shape_text("         1         2         3         8         2 999999999\n", ""))
+                .find("the number of values of a node from 0 to 1000"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace microslip
