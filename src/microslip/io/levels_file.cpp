@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/io/levels_file.hpp"
 
+#include <type_traits>
 #include <utility>
 
 #include "microslip/base/units.hpp"
@@ -42,7 +43,37 @@ LevelsFile parse_levels(std::string text, std::string_view file) {
   require_non_negative(table, "dissipation", levels.dissipation,
                        "A contact cannot give energy: remove the row, or check the phase.");
   require_positive(table, "secant_stiffness", levels.secant_stiffness);
-  return {std::move(levels), table.file(), table.row_lines()};
+  std::vector<double> reversals = table.numbers_if_present("reversals", kDimensionless);
+  require_non_negative(table, "reversals", reversals);
+  return {std::move(levels), table.file(), table.row_lines(), std::move(reversals)};
+}
+
+std::vector<std::size_t> LevelsFile::lines_with_inner_reversals() const {
+  std::vector<std::size_t> lines;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    if (has_inner_reversals(i)) lines.push_back(line[i]);
+  }
+  return lines;
+}
+
+LevelsFile without_inner_reversals(const LevelsFile& file) {
+  const auto kept = [&](const auto& values) {
+    std::remove_cvref_t<decltype(values)> result;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!file.has_inner_reversals(i)) result.push_back(values[i]);
+    }
+    return result;
+  };
+  LevelsFile result;
+  result.file = file.file;
+  result.line = kept(file.line);
+  result.reversals = kept(file.reversals);
+  result.levels.amplitude = kept(file.levels.amplitude);
+  result.levels.dissipation = kept(file.levels.dissipation);
+  for (const OptionalColumn& column : kOptionalColumns) {
+    result.levels.*column.values = kept(file.levels.*column.values);
+  }
+  return result;
 }
 
 LevelsFile read_levels(const std::string& path) {

@@ -12,7 +12,7 @@
 /// @file
 /// levels.csv: one row a level. Needed: `amplitude [m]`, `dissipation [J]`. Used when there:
 /// `amplitude_std [m]`, `dissipation_std [J]`, `secant_stiffness [N/m]`, `secant_stiffness_std
-/// [N/m]`. Other columns are left alone.
+/// [N/m]`, and `reversals [1]` of the joint displacement in a cycle. Other columns are left alone.
 
 namespace microslip {
 
@@ -21,7 +21,20 @@ struct LevelsFile {
   Levels levels;
   std::string file;
   std::vector<std::size_t> line;  ///< one a level, from 1
+  std::vector<double> reversals;  ///< one a level, 1; empty where the file does not tell
+
+  /// D tells of the density where the joint turns twice a cycle; with inner reversals it holds the
+  /// loss of inner loops too [AR14 (7)].
+  [[nodiscard]] bool has_inner_reversals(std::size_t level) const {
+    return !reversals.empty() && reversals[level] > 2.0;
+  }
+
+  /// The lines of the levels with inner reversals.
+  [[nodiscard]] std::vector<std::size_t> lines_with_inner_reversals() const;
 };
+
+/// The file without the levels that have inner reversals.
+[[nodiscard]] LevelsFile without_inner_reversals(const LevelsFile& file);
 
 /// @throws FormatError  at the cell that breaks a rule: A > 0, D ≥ 0, k_eq > 0, σ ≥ 0, all finite.
 [[nodiscard]] LevelsFile parse_levels(std::string text, std::string_view file);

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/rig/reduction_flags.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <string_view>
+
+#include "microslip/signal/signal_quality.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr double kFewCycles = 10.0;
+constexpr double kTelling = 3.0;  // standard deviations
+/// The largest of 1e9 residuals of normal noise is at 6 of its standard deviations.
+constexpr double kSpike = 8.0;
+/// A noisy cycle is not one out of step.
+constexpr double kTellingPhase = 5.0;  // standard deviations
+/// Of the drive in the rig's first mode: beyond, the rig is not the one that was measured.
+constexpr double kFarFromMode = 1.5;
+constexpr double kMostAboveStuck = 1.1;
+/// Of an energy: two ways of summing differ by more than rounding.
+constexpr double kTellingEnergy = 1e-6;
+
+void add_flag(ReducedLevel& level, std::string_view code, std::string_view text) {
+  if (!level.has_flag(code)) level.flags.push_back({std::string(code), std::string(text)});
+}
+
+// ---- Of the level. ----
+
+void flag_reversals(ReducedLevel& level) {
+  if (level.reversals <= 2) return;
+  add_flag(
+      level, kInnerReversals,
+      fmt::format("{} reversals of the joint displacement in a cycle: the density follows from "
+                  "D where there are 2.",
+                  level.reversals));
+}
+
+void flag_dissipation(ReducedLevel& level, double stiffness) {
+  const Measured& d = level.dissipation;
+  const double bound = stiffness * level.amplitude.value * level.amplitude.value;
+  if (d.value < 0.0) {
+    add_flag(
+        level, kNegativeDissipation,
+        fmt::format("D = {:.3g} J: the input of {:.3g} J is below the linear loss of {:.3g} J. "
+                    "Check sign and unit of the force, and the loss factors.",
+                    d.value, level.input_energy.value, level.linear_dissipation));
+  } else if (stiffness > 0.0 && d.value > bound) {
+    add_flag(
+        level, "dissipation_above_bound",
+        fmt::format("D = {:.3g} J is above k A^2 = {:.3g} J, the most that a joint of stiffness k "
+                    "can take. Check the units of force, acceleration and displacement.",
+                    d.value, bound));
+  } else if (d.value < kTelling * d.std) {
+    add_flag(level, "dissipation_in_noise",
+             fmt::format("D = {:.3g} J has a standard deviation of {:.3g} J.", d.value, d.std));
+  }
+}
+
+void flag_secant_stiffness(ReducedLevel& level, double stiffness) {
+  if (!level.secant_stiffness) return;
+  const double k_eq = level.secant_stiffness->value;
+  if (!(k_eq > 0.0)) {
+    add_flag(
+        level, "secant_not_positive",
+        fmt::format("k_eq = {:.3g} N/m is left out. Check the sign of the displacement and the "
+                    "rig's first frequency.",
+                    k_eq));
+    level.secant_stiffness.reset();
+  } else if (k_eq > kMostAboveStuck * stiffness) {
+    add_flag(level, "secant_above_stuck",
+             fmt::format("k_eq = {:.3g} N/m is above k = {:.3g} N/m of the stuck joint. Check the "
+                         "rig's first frequency.",
+                         k_eq, stiffness));
+  }
+}
+
+void flag_energies(ReducedLevel& level) {
+  if (!level.input_energy_by_sum) return;
+  const Measured& sum = *level.input_energy_by_sum;
+  const double difference = std::abs(level.input_energy.value - sum.value);
+  const double error = std::hypot(level.input_energy.std, sum.std);
+  if (!(difference > kTelling * error) || difference < kTellingEnergy * std::abs(sum.value)) return;
+  add_flag(
+      level, "energies_differ",
+      fmt::format("The input energy is {:.4g} J by the Fourier coefficients and {:.4g} J by the "
+                  "sum over the samples.",
+                  level.input_energy.value, sum.value));
+}
+
+void flag_force(ReducedLevel& level, double most) {
+  if (level.force_distortion <= most) return;
+  add_flag(level, "force_distortion",
+           fmt::format("Harmonics of the force are {:.2g} % of the fundamental, above {:.2g} %.",
+                       100.0 * level.force_distortion, 100.0 * most));
+}
+
+// ---- Of the rig. ----
+
+void flag_frequency(ReducedLevel& level, const StickState& state) {
+  const double first = natural_frequency(state, 0.0);
+  if (level.frequency <= kFarFromMode * first && first <= kFarFromMode * level.frequency) return;
+  add_flag(
+      level, "far_from_first_mode",
+      fmt::format("{:.5g} Hz is far from the rig's first mode, {:.5g} Hz. Check the beam and the "
+                  "units of the rig.",
+                  level.frequency, first));
+}
+
+void flag_misfit(ReducedLevel& level, const Rig& rig, const std::vector<double>& misfit,
+                 double most) {
+  if (level.misfit <= most) return;
+  const auto worst = static_cast<std::size_t>(std::ranges::max_element(misfit) - misfit.begin());
+  add_flag(
+      level, "model_misfit",
+      fmt::format("The rig's modes leave {:.2g} % of channel '{}' unexplained, more than {:.2g} "
+                  "%. Check position, sign and unit of the accelerometers, and the beam.",
+                  100.0 * level.misfit, rig.accelerometers[worst].channel, 100.0 * most));
+}
+
+/// Its sign and phase count as well.
+void flag_vibrometer(ReducedLevel& level, const Rig& rig, const CycleResult& cycle, double most) {
+  const std::complex<double> ratio = cycle.displacement.c(1) / cycle.motion.kinematic.c(1);
+  if (std::abs(ratio - 1.0) <= most) return;
+  add_flag(
+      level, "vibrometer_mismatch",
+      fmt::format("Channel '{}' gives {:.3g} times the joint displacement that follows from the "
+                  "accelerometers, {:.2g} rad out of phase. Check its sign, its unit, and what it "
+                  "measures.",
+                  rig.vibrometer->channel, std::abs(ratio), std::abs(std::arg(ratio))));
+}
+
+// ---- Of the record. ----
+
+/// A jump of the phase, lost samples, a drive whose frequency wanders: some cycle is out of step with
+/// the whole record.
+void flag_phase(ReducedLevel& level, const RecordAnalysis& record, std::size_t signal,
+                double most) {
+  const std::complex<double> whole = record.fit.series[signal].c(1);
+  double largest = 0.0;
+  double when = 0.0;
+  for (std::size_t b = 0; b < record.cycles.block.size(); ++b) {
+    const double phase = std::abs(std::arg(record.cycles.block[b][signal].c(1) / whole));
+    if (phase <= largest) continue;
+    largest = phase;
+    when = record.cycles.middle[b];
+  }
+  const double cycles = static_cast<double>(record.cycles.block.size());
+  const double noise = record.fit.residual_rms[signal] / std::abs(whole) *
+                       std::sqrt(2.0 * cycles / static_cast<double>(record.fit.points));
+  if (largest <= std::max(most, kTellingPhase * noise)) return;
+  add_flag(
+      level, "phase_unsteady",
+      fmt::format("No steady state: at {:.4g} s channel '{}' is {:.2g} rad out of step with the "
+                  "whole record. Are samples missing, or does the drive's frequency wander?",
+                  when, record.signals.names[signal], largest));
+}
+
+void flag_spike(ReducedLevel& level, const RecordAnalysis& record, std::size_t signal) {
+  const double ratio = record.fit.residual_peak[signal] / record.fit.residual_rms[signal];
+  // Residuals that are rounding are not noise.
+  const bool rounding = record.fit.residual_peak[signal] < 1e-6 * rms(record.fit.series[signal]);
+  if (!(ratio > kSpike) || rounding) return;
+  add_flag(level, "spike",
+           fmt::format("At {:.6g} s channel '{}' is off by {:.3g} times the rms of its residuals.",
+                       record.recording.axis.at(record.fit.peak_point[signal]),
+                       record.signals.names[signal], ratio));
+}
+
+void flag_signals(ReducedLevel& level, const RecordAnalysis& record, double most_phase) {
+  const RecordSignals& signals = record.signals;
+  for (std::size_t j = 0; j < signals.names.size(); ++j) {
+    flag_phase(level, record, j, most_phase);
+    flag_spike(level, record, j);
+    const SignalQuality quality = signal_quality(record.recording.axis, signals.values, record.fit,
+                                                 record.cycles, j, signals.names[j]);
+    for (const Warning& warning : quality.warnings) add_flag(level, warning.code, warning.text);
+  }
+  for (const Warning& warning : record.fit.warnings) add_flag(level, warning.code, warning.text);
+  if (!record.recording.axis.even()) {
+    add_flag(level, "uneven_sampling", "The samples are not evenly spaced.");
+  }
+  if (record.fit.cycles >= kFewCycles) return;
+  add_flag(level, "few_cycles",
+           fmt::format("{:.1f} cycles: their scatter says little.", record.fit.cycles));
+}
+
+}  // namespace
+
+void add_flags(ReducedLevel& level, const RecordAnalysis& record, const Reducer& reducer) {
+  const ReductionOptions& options = reducer.options();
+  const StickState& state = reducer.state();
+  flag_reversals(level);
+  flag_frequency(level, state);
+  flag_misfit(level, reducer.rig(), record.whole.motion.misfit, options.most_misfit);
+  if (record.layout.vibrometer) {
+    flag_vibrometer(level, reducer.rig(), record.whole, options.most_mismatch);
+  }
+  flag_dissipation(level, state.stiffness);
+  flag_secant_stiffness(level, state.stiffness);
+  flag_energies(level);
+  flag_force(level, options.most_distortion);
+  flag_signals(level, record, options.most_phase);
+}
+
+}  // namespace microslip
