@@ -7,37 +7,10 @@
 #include <cmath>
 #include <vector>
 
+#include "report_text.hpp"
+
 namespace microslip::app {
 namespace {
-
-constexpr std::size_t kTextWidth = 78;
-
-std::string line(std::string_view name, std::string_view text) {
-  return fmt::format("  {:<20} {}\n", name, text);
-}
-
-/// Breaks a paragraph between words, later lines indented.
-std::string wrapped(std::string_view first, std::string_view text, std::size_t indent) {
-  std::string result(first);
-  std::size_t column = first.size();
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(' '), text.size());
-    if (column + end > kTextWidth && column > indent) {
-      result.pop_back();  // the blank before the break
-      result += "\n" + std::string(indent, ' ');
-      column = indent;
-    }
-    result += text.substr(0, end);
-    column += end;
-    text.remove_prefix(end);
-    if (!text.empty()) {
-      text.remove_prefix(1);
-      result += ' ';
-      ++column;
-    }
-  }
-  return result + "\n";
-}
 
 std::string method_name(const Identification& found) {
   if (found.parametric) {

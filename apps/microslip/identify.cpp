@@ -47,6 +47,7 @@ struct IdentifyOptions {
   std::string dissipation_gain = "0";
   std::string amplitude_gain = "0";
   std::string fit = "none";
+  std::string inner_reversals = "leave-out";
 };
 
 const std::map<std::string, IdentificationMethod> kMethods{
@@ -153,6 +154,7 @@ Record options_record(const IdentifyOptions& options, const IdentificationOption
   record.emplace_back("dissipation_gain_std", bands.dissipation_gain_std);
   record.emplace_back("amplitude_gain_std", bands.amplitude_gain_std);
   record.emplace_back("fit", options.fit);
+  record.emplace_back("inner_reversals", options.inner_reversals);
   return record;
 }
 
@@ -181,6 +183,28 @@ void check_sizes(const LevelsFile& file) {
              kStiffness);
 }
 
+/// D of a level whose joint turns more than twice a cycle is not that of [AR14 (7)].
+LevelsFile usable_levels(LevelsFile file, const IdentifyOptions& options) {
+  if (options.inner_reversals == "use") return file;
+  LevelsFile usable = without_inner_reversals(file);
+  if (usable.levels.size() > 0) return usable;
+  throw FormatError({.file = file.file, .line = file.line.front(), .column = 0},
+                    "a level with 2 reversals a cycle",
+                    fmt::format("inner reversals in all {}", file.levels.size()),
+                    "--inner-reversals use takes them all the same.");
+}
+
+/// What was left out, for the summary; empty if nothing.
+std::string describe_left_out(const LevelsFile& file, const IdentifyOptions& options) {
+  const std::vector<std::size_t> lines = file.lines_with_inner_reversals();
+  if (lines.empty()) return {};
+  const bool used = options.inner_reversals == "use";
+  return fmt::format("  {:<20} {} level{} (line{} {}){}\n", "inner reversals", lines.size(),
+                     lines.size() == 1 ? "" : "s", lines.size() == 1 ? "" : "s",
+                     fmt::join(lines, ", "),
+                     used ? ", used all the same" : ", left out; --inner-reversals use takes them");
+}
+
 /// The options were checked before: what is left to complain of are the levels.
 Identification identify_file(const LevelsFile& file, const IdentificationOptions& options) {
   check_sizes(file);
@@ -196,7 +220,8 @@ int run(const IdentifyOptions& options, const Call& call) {
   if (!options.density_csv.empty()) check_output(options.density_csv, kDensityKind);
   const IdentificationOptions library = library_options(options, call.quiet);
   const std::string text = read_file(options.levels);
-  const LevelsFile file = parse_levels(text, input_name(options.levels));
+  const LevelsFile all = parse_levels(text, input_name(options.levels));
+  const LevelsFile file = usable_levels(all, options);
   const Identification found = identify_file(file, library);
 
   Provenance provenance;
@@ -213,7 +238,8 @@ int run(const IdentifyOptions& options, const Call& call) {
   outputs.commit();
   if (!call.quiet) {
     const bool data_on_stdout = options.out == "-" || options.density_csv == "-";
-    fmt::print(data_on_stdout ? stderr : stdout, "{}", describe(found, file.levels.size()));
+    fmt::print(data_on_stdout ? stderr : stdout, "{}{}", describe(found, file.levels.size()),
+               describe_left_out(all, options));
   }
   return found.summary.converged() ? kDone : kNotConverged;
 }
@@ -240,6 +266,11 @@ void add_method_options(CLI::App& command, IdentifyOptions& options) {
       .add_option("--linear-damping", options.linear_damping,
                   "fit: D holds a linear damping beta*A^2 that was not subtracted")
       ->check(CLI::IsMember({"none", "fit"}))
+      ->capture_default_str();
+  command
+      .add_option("--inner-reversals", options.inner_reversals,
+                  "Levels whose joint turns more than twice a cycle (column reversals)")
+      ->check(CLI::IsMember({"leave-out", "use"}))
       ->capture_default_str();
   command.add_flag("--atom", options.atom, "Seek an atom of the density where macro-slip begins");
   command

@@ -107,9 +107,12 @@ int main(int argc, char** argv) {
     program.get_formatter()->column_width(36);
     Call call;
     call.command_line = command_line(argc, argv);
+    add_reduce(program, call);
     add_identify(program, call);
     add_loop(program, call);
     add_dissipation(program, call);
+    add_convert(program, call);
+    add_ringdown(program, call);
     add_demo(program, call);
     return parse_and_run(program, call, argc, argv);
   } catch (const microslip::InputError& error) {

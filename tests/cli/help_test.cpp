@@ -47,7 +47,8 @@ void expect_parts(const std::string& text, const std::vector<std::string>& parts
 }
 
 TEST(Help, OfTheProgramNamesTheSubcommandsAndTheUnits) {
-  expect_parts(help_of(""), {"identify", "loop", "dissipation", "demo", "SI", "--version"});
+  expect_parts(help_of(""), {"reduce", "ringdown", "convert", "identify", "loop", "dissipation",
+                             "demo", "SI", "--version"});
 }
 
 TEST(Help, OfEachSubcommandNamesColumnsAndUnits) {
@@ -60,6 +61,12 @@ TEST(Help, OfEachSubcommandNamesColumnsAndUnits) {
       help_of("dissipation"),
       {"FROM:TO:COUNT[:log]", "in m or with units",
        "amplitude [m], force [N], dissipation [J], secant_stiffness [N/m], loss_factor [1]"});
+  expect_parts(help_of("ringdown"), {"time [s]", "amplitude [m]", "dissipation [J]",
+                                     "LOW:HIGH [Hz]", "[kg]", "- is standard output"});
+  expect_parts(help_of("reduce"),
+               {"rig.toml", "frequency [Hz], force [N], acceleration [m/s^2], phase [rad]",
+                "FILE.mat:VARIABLE", "CHANNEL=UNIT", "- is standard output"});
+  expect_parts(help_of("convert"), {"CHANNEL=UNIT", "--list", ".hdf5", "- is standard"});
   expect_parts(help_of("demo"), {"--out", "Folder"});
 }
 
@@ -69,14 +76,50 @@ TEST(Help, IsForShortOptionsToo) {
 }
 
 TEST(Help, ExamplesRun) {
-  const Sandbox box(
-      {{"levels.csv", sample_levels_text()}, {"path.csv", "displacement [m]\n0\n1e-4\n-1e-4\n"}});
-  for (const std::string subcommand : {"identify", "loop", "dissipation"}) {
+  const Sandbox box({{"levels.csv", sample_levels_text()},
+                     {"path.csv", "displacement [m]\n0\n1e-4\n-1e-4\n"},
+                     {"decay.csv", sample_decay_text()}});
+  for (const std::string subcommand : {"identify", "loop", "dissipation", "ringdown"}) {
     const std::vector<Arguments> calls = examples(help_of(subcommand));
     EXPECT_FALSE(calls.empty()) << subcommand;
     for (const Arguments& call : calls) {
       EXPECT_EQ(call.front(), subcommand);
       const Outcome run = box.run(call);
+      EXPECT_EQ(run.status, 0) << typed(call) << "\n" << run.err;
+    }
+  }
+}
+
+/// The pattern of a shell.
+Arguments expanded(const Arguments& call) {
+  Arguments result;
+  for (const std::string& word : call) {
+    if (word == "level_*.csv") {
+      result.insert(result.end(), {"level_1.csv", "level_2.csv"});
+    } else {
+      result.push_back(word);
+    }
+  }
+  return result;
+}
+
+TEST(Help, ExamplesWithRecordingsRun) {
+  const std::string rig = MICROSLIP_EXAMPLES "/reference_rig/";
+  const std::string modes = MICROSLIP_EXAMPLES "/brake_reuss_beam/rig.toml";
+  for (const std::string subcommand : {"convert", "reduce"}) {
+    const std::vector<Arguments> calls = examples(help_of(subcommand));
+    EXPECT_FALSE(calls.empty()) << subcommand;
+    const Sandbox box({{"rig.toml", test::get(rig + "rig.toml")},
+                       {"modes.toml", test::get(modes)},
+                       {"level_1.csv", test::get(rig + "recordings/level_01.csv")},
+                       {"level_2.csv", test::get(rig + "recordings/level_12.csv")},
+                       {"logger.csv", "time,acc1\n0,1\n0.5,0\n1,-1\n"},
+                       {"sweep.csv",
+                        "frequency [Hz],force [N],acceleration [m/s^2],phase [deg]\n"
+                        "80.2,1,40,-80\n80.4,1,41,-100\n"}});
+    expect_done(box, {"convert", "level_1.csv", "test.h5", "--quiet"});
+    for (const Arguments& call : calls) {
+      const Outcome run = box.run(expanded(call));
       EXPECT_EQ(run.status, 0) << typed(call) << "\n" << run.err;
     }
   }

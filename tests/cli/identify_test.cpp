@@ -190,7 +190,8 @@ TEST(identify, WritesItsProvenance) {
                                             {"bands", 20},
                                             {"dissipation_gain_std", 0},
                                             {"amplitude_gain_std", 0},
-                                            {"fit", "none"}}));
+                                            {"fit", "none"},
+                                            {"inner_reversals", "leave-out"}}));
 }
 
 TEST(identify, SaysWhatItKnowsOfTheResult) {

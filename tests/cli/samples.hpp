@@ -3,8 +3,11 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
+#include "microslip/base/units.hpp"
 #include "microslip/identify/levels.hpp"
+#include "microslip/io/csv_writer.hpp"
 #include "microslip/io/joint_file.hpp"
 #include "microslip/io/levels_file.hpp"
 #include "microslip/joint/dissipation.hpp"
@@ -41,6 +44,34 @@ inline Levels sample_levels() {
 }
 
 inline std::string sample_levels_text() { return levels_table(sample_levels()).str(); }
+
+/// A decay as an accelerometer would see it: damping falls with the amplitude and the frequency rises.
+struct SampleDecay {
+  double rate = 2000.0;     ///< Hz
+  double duration = 2.0;    ///< s
+  double amplitude = 1e-4;  ///< of the displacement at time 0, m
+  double frequency = 50.0;  ///< at time 0, Hz
+  double damping = 0.01;    ///< at time 0, of the acceleration
+};
+
+/// Acceleration a e^{u} cos φ of u̇ = −δe^{u}, so e^{u} = 1/(1 + δt), and ω̇ = ω·0.01·δe^{u}.
+inline std::string sample_decay_text(const SampleDecay& decay = {}) {
+  const double omega = 2.0 * 3.14159265358979 * decay.frequency;
+  const double delta = decay.damping * omega;
+  std::vector<double> time;
+  std::vector<double> acceleration;
+  for (int i = 0; i < static_cast<int>(decay.rate * decay.duration); ++i) {
+    const double t = i / decay.rate;
+    const double s = 1.0 + delta * t;
+    const double phase = omega * (t + 0.01 * (s * std::log(s) - s + 1.0) / delta);
+    time.push_back(t);
+    acceleration.push_back(decay.amplitude * omega * omega / s * std::cos(phase));
+  }
+  CsvWriter writer;
+  writer.add_numbers("time", kTime, time);
+  writer.add_numbers("acc1", kAcceleration, acceleration);
+  return writer.str();
+}
 
 constexpr double kSampleStiffness = 1.7e5;  // N/m
 

@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
-# Runs the block of README.md that follows the line "<!-- session -->" in an empty folder, with the
+# Runs the blocks of README.md that follow a line "<!-- session -->", one after the other in an empty folder, with the
 # repository beside it as the block expects. Usage: run_session.sh ROOT FOLDER_OF_THE_PROGRAM
 set -euo pipefail
 root="$1" programs="$2"
-session="$(sed -n '/^<!-- session -->$/,/^```$/p' "$root/README.md" | sed '1,2d;$d')"
+session="$(awk '/^<!-- session -->$/ {next_block = 1; next}
+                /^```/ {inside = !inside && next_block; if (!inside) next_block = 0; next}
+                inside' "$root/README.md")"
 [[ -n "$session" ]] || { echo "README.md has no session block" >&2; exit 1; }
 folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT

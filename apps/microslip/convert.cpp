@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arguments.hpp"
+#include "command.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/io/assumed_units.hpp"
+#include "microslip/io/output_files.hpp"
+#include "microslip/io/recording_file.hpp"
+#include "microslip/io/uff_recording.hpp"
+#include "progress_bar.hpp"
+#include "recording_arguments.hpp"
+#include "recording_list.hpp"
+
+namespace microslip::app {
+namespace {
+
+struct ConvertOptions {
+  std::string in;
+  std::string out;
+  std::string format;
+  std::string recording;
+  std::vector<std::string> channels;
+  RecordingArguments reading;
+  bool list = false;
+};
+
+RecordingFormat format_of(const ConvertOptions& options) {
+  const std::optional<RecordingFormat> named = find_recording_format(options.format);
+  return named ? *named : recording_format_of_name(options.out);
+}
+
+Recordings read(const ConvertOptions& options, bool quiet) {
+  return read_recordings(options.in, read_options(options.reading, progress_bar("reading", quiet)));
+}
+
+void choose_recording(const ConvertOptions& options, std::vector<Recording>& recordings) {
+  if (options.recording.empty()) return;
+  const std::uint64_t number = parse_whole_number(
+      "--recording", options.recording, 1, recordings.size(), "--list shows what the file holds.");
+  recordings = {std::move(recordings[number - 1])};
+}
+
+/// In the order of the call.
+void choose_channels(const ConvertOptions& options, Recording& recording) {
+  if (options.channels.empty()) return;
+  std::vector<Channel> chosen;
+  for (const std::string& name : options.channels) chosen.push_back(recording.channel(name));
+  recording.channels = std::move(chosen);
+}
+
+void check_count(const ConvertOptions& options, RecordingFormat format, std::size_t count) {
+  if (format != RecordingFormat::kCsv || count == 1) return;
+  throw InputError(options.in, fmt::format("{} recordings", count),
+                   "must be one where the output is CSV",
+                   "Choose it with --recording N (see --list), or write uff, mat or h5.");
+}
+
+void print_summary(const ConvertOptions& options, const std::vector<Recording>& recordings) {
+  std::size_t channels = 0;
+  for (const Recording& recording : recordings) channels += recording.channels.size();
+  const auto plural = [](std::size_t n) { return n == 1 ? "" : "s"; };
+  fmt::print("{}: {} recording{}, {} channel{}\n", options.out, recordings.size(),
+             plural(recordings.size()), channels, plural(channels));
+}
+
+/// Whether mode shapes may be listed: of a universal file, and not of standard input, which may be a
+/// pipe that can be read only once.
+bool may_have_mode_shapes(const ConvertOptions& options) {
+  if (options.in == "-" || !options.recording.empty() || !options.channels.empty()) return false;
+  const PartOfFile part = part_of_file(options.in);
+  if (!part.variable.empty()) return false;
+  const RecordingFormat format = recording_format(part.file);
+  return format == RecordingFormat::kUff || format == RecordingFormat::kUffBinary;
+}
+
+UffContents read_contents(const ConvertOptions& options, bool quiet) {
+  if (!may_have_mode_shapes(options)) {
+    return {.recordings = read(options, quiet), .mode_shapes = {}};
+  }
+  const RecordingReadOptions how = read_options(options.reading, progress_bar("reading", quiet));
+  UffContents contents = read_contents_uff(options.in, how);
+  assume_units(how.assumed_units, contents.recordings.recordings);
+  return contents;
+}
+
+int list(const ConvertOptions& options, bool quiet) {
+  auto [found, mode_shapes] = read_contents(options, quiet);
+  if (!quiet) show_warnings(found.warnings);
+  choose_recording(options, found.recordings);
+  for (Recording& recording : found.recordings) choose_channels(options, recording);
+  fmt::print("{}{}", list_recordings(found), list_mode_shapes(mode_shapes));
+  return kDone;
+}
+
+int convert(const ConvertOptions& options, bool quiet) {
+  const RecordingFormat format = format_of(options);
+  check_output(options.out, recording_kind(format));
+  Recordings found = read(options, quiet);
+  choose_recording(options, found.recordings);
+  check_count(options, format, found.recordings.size());
+  for (Recording& recording : found.recordings) choose_channels(options, recording);
+  OutputFiles files;
+  write_recordings(files, options.out, found.recordings, format);
+  files.commit();
+  if (quiet) return kDone;
+  show_warnings(found.warnings);
+  if (options.out != "-") print_summary(options, found.recordings);
+  return kDone;
+}
+
+void add_options(CLI::App& command, ConvertOptions& options) {
+  command
+      .add_option("in", options.in,
+                  "Recordings: CSV, universal file (UFF), MATLAB or HDF5, told by the content; "
+                  "FILE.mat:VARIABLE for a part of a MATLAB file; - is standard input")
+      ->required();
+  command.add_option("out", options.out,
+                     "File to write; .csv, .uff, .unv, .uf, .mat, .h5 or .hdf5 tells the format; "
+                     "- is standard output, in CSV");
+  command.add_flag("--list", options.list, "Show what the file holds, and write nothing");
+  command
+      .add_option("--format", options.format, "Format to write, whatever the name; uff is binary")
+      ->check(CLI::IsMember({"csv", "uff", "uff-ascii", "mat", "h5"}));
+  command.add_option("--recording", options.recording,
+                     "Number of the one to take, from 1, where the file holds several");
+  command.add_option("--channel", options.channels, "Channel to take; may be repeated")
+      ->allow_extra_args(false);
+  add_recording_arguments(command, options.reading);
+}
+
+}  // namespace
+
+void add_convert(CLI::App& program, Call& call) {
+  auto options = std::make_shared<ConvertOptions>();
+  CLI::App* command = program.add_subcommand(
+      "convert", "Recordings from one format to another, or a list of what a file holds");
+  add_options(*command, *options);
+  command->add_flag("--quiet", call.quiet, "No summary, no warnings, no progress");
+  add_examples(*command,
+               {"microslip convert level_1.csv --list", "microslip convert level_1.csv level_1.uff",
+                "microslip convert level_1.csv force.csv --channel force",
+                "microslip convert logger.csv level.mat \\",
+                "          --assume-units time=ms --assume-units acc1=g"});
+  command->callback([options, &call] {
+    if (options->out.empty() && !options->list) throw CLI::RequiredError("out or --list");
+    if (!options->out.empty() && options->list) throw CLI::ExcludesError("--list", "out");
+    call.run = [options, &call] {
+      return options->list ? list(*options, call.quiet) : convert(*options, call.quiet);
+    };
+  });
+}
+
+}  // namespace microslip::app

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "arguments.hpp"
+#include "command.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/base/version.hpp"
+#include "microslip/io/file_kind.hpp"
+#include "microslip/io/input_file.hpp"
+#include "microslip/io/output_files.hpp"
+#include "microslip/io/recording_file.hpp"
+#include "microslip/io/reduction_file.hpp"
+#include "microslip/io/rig_file.hpp"
+#include "microslip/io/stepped_sine_file.hpp"
+#include "microslip/rig/reduction.hpp"
+#include "microslip/rig/reduction_batch.hpp"
+#include "microslip/rig/stepped_sine.hpp"
+#include "progress_bar.hpp"
+#include "recording_arguments.hpp"
+#include "reduction_report.hpp"
+
+namespace microslip::app {
+namespace {
+
+struct ReduceOptions {
+  std::string rig;
+  std::vector<std::string> recordings;
+  std::string out;
+  std::string frequency;
+  std::size_t order = 10;
+  std::size_t modes = 0;
+  bool no_vibrometer = false;
+  RecordingArguments reading;
+  bool skip_faulty = false;
+};
+
+ReductionOptions reduction_options(const ReduceOptions& options) {
+  ReductionOptions reduction;
+  reduction.fit.order = static_cast<int>(options.order);
+  reduction.modes = options.modes;
+  reduction.use_vibrometer = !options.no_vibrometer;
+  if (!options.frequency.empty()) {
+    const double guess = parse_quantity("--frequency", options.frequency, kFrequency);
+    if (!(guess > 0.0)) throw InputError("--frequency", guess, "must be above 0 Hz");
+    reduction.fit.frequency_guess = guess;
+  }
+  return reduction;
+}
+
+/// Stepped-sine tables have no scatter: a column that only some levels could have would be missing
+/// in all.
+[[noreturn]] void throw_mixed(const std::string& path, std::string_view found,
+                              std::string_view wanted) {
+  throw InputError(path, found, fmt::format("must be {}, as the first file is", wanted),
+                   "Reduce the two kinds one after the other.");
+}
+
+std::vector<ReducedLevel> reduce_table(const Reducer& reducer, const std::string& path) {
+  if (!is_stepped_sine(path)) {
+    (void)read_file_head(part_of_file(path).file, 1);  // no table for it is no file?
+    throw_mixed(path, "a record in time", "a stepped-sine table");
+  }
+  std::vector<ReducedLevel> levels;
+  for (const SteppedSine& sweep : read_stepped_sines(path)) {
+    levels.push_back(reduce_stepped_sine(reducer, sweep));
+  }
+  return levels;
+}
+
+ReductionBatch reduce_tables(const Reducer& reducer, const ReduceOptions& options) {
+  ReductionBatch batch;
+  for (std::size_t i = 0; i < options.recordings.size(); ++i) {
+    try {
+      std::ranges::move(reduce_table(reducer, options.recordings[i]),
+                        std::back_inserter(batch.levels));
+    } catch (const Error& error) {
+      if (!options.skip_faulty) throw;
+      batch.rejected.push_back({i, error.what()});
+    }
+  }
+  return batch;
+}
+
+/// The file that was named, not the one that a file was made from; with the name of the recording where
+/// it holds several.
+std::string source_of(const std::string& path, const std::string& stored, bool several) {
+  const std::string name = input_name(path);
+  return several ? fmt::format("{}:{}", name, stored) : name;
+}
+
+ReductionBatch reduce_records(const Reducer& reducer, const ReduceOptions& options, bool quiet) {
+  const RecordingReadOptions reading = read_options(options.reading);
+  std::vector<std::vector<Warning>> warnings(options.recordings.size());
+  const auto read = [&](std::size_t i) {
+    const std::string& path = options.recordings[i];
+    if (is_stepped_sine(path)) throw_mixed(path, "a stepped-sine table", "a record in time");
+    Recordings found = read_recordings(path, reading);
+    warnings[i] = std::move(found.warnings);
+    for (Recording& recording : found.recordings) {
+      recording.source = source_of(path, recording.source, found.recordings.size() > 1);
+    }
+    return std::move(found.recordings);
+  };
+  ReductionBatch batch = reduce_batch(
+      reducer, options.recordings.size(), read,
+      {.skip_faulty = options.skip_faulty, .progress = progress_bar("records", quiet)});
+  if (!quiet) std::ranges::for_each(warnings, show_warnings);
+  return batch;
+}
+
+/// The flags say more of the cause than a D below 0.
+std::string causes(const ReducedLevel& level) {
+  std::string text;
+  for (const Warning& flag : level.flags) text += (text.empty() ? "" : " ") + flag.text;
+  return text;
+}
+
+/// A table of levels has D ≥ 0, as every reader of it expects.
+std::vector<ReducedLevel> writable_levels(const std::vector<ReducedLevel>& levels) {
+  std::vector<ReducedLevel> result;
+  std::ranges::copy_if(levels, std::back_inserter(result), [](const ReducedLevel& level) {
+    return !level.has_flag(kNegativeDissipation);
+  });
+  if (!result.empty()) return result;
+  const ReducedLevel& first = levels.front();
+  throw InputError(first.source + ": dissipation", fmt::format("{:.3g} J", first.dissipation.value),
+                   "must be above 0 in one level at least", causes(first));
+}
+
+/// What only solving the rig can find, such as a stick frequency out of reach, names the file too.
+Reducer reducer_of(const ReduceOptions& options) {
+  const Rig rig = read_rig(options.rig);
+  const ReductionOptions reduction = reduction_options(options);
+  try {
+    return Reducer(rig, reduction);
+  } catch (const InputError& error) {
+    throw error.renamed(fmt::format("{}: {}", input_name(options.rig), error.name()));
+  }
+}
+
+int run(const ReduceOptions& options, const Call& call) {
+  check_output(options.out, kLevelsKind);
+  const Reducer reducer = reducer_of(options);
+  const ReductionBatch batch = is_stepped_sine(options.recordings.front())
+                                   ? reduce_tables(reducer, options)
+                                   : reduce_records(reducer, options, call.quiet);
+  if (batch.levels.empty()) {
+    throw InputError("recordings", fmt::format("{} files", options.recordings.size()),
+                     "must hold one that can be reduced",
+                     batch.rejected.empty() ? "" : batch.rejected.front().reason);
+  }
+  CsvWriter table = reduction_table(writable_levels(batch.levels));
+  table.add_comment(fmt::format("microslip {}: {}", kVersion, call.command_line));
+  write_file(options.out, table.str());
+  if (!call.quiet) {
+    fmt::print(options.out == "-" ? stderr : stdout, "{}", describe_reduction(reducer, batch));
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_reduce(CLI::App& program, Call& call) {
+  auto options = std::make_shared<ReduceOptions>();
+  CLI::App* command =
+      program.add_subcommand("reduce", "Levels of a frictional-support test from its recordings");
+  command->add_option("rig", options->rig, "Description of the test, rig.toml")->required();
+  command
+      ->add_option("recordings", options->recordings,
+                   "Steady records, one a level (CSV, UFF, MAT, HDF5), or stepped-sine tables: CSV "
+                   "with frequency [Hz], force [N], acceleration [m/s^2], phase [rad], or "
+                   "FILE.mat:VARIABLE with such fields")
+      ->required();
+  command->add_option("--out", options->out, "levels.csv to write; - is standard output")
+      ->required();
+  command->add_option("--frequency", options->frequency,
+                      "Frequency of the drive, to 3 %, in Hz; found if it is not given");
+  command->add_option("--order", options->order, "Harmonics that are fitted")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  command
+      ->add_option("--modes", options->modes,
+                   "Modes of the beam [default: those of the rig's [test], or 30]")
+      ->check(CLI::Range(1, 200));
+  command->add_flag("--no-vibrometer", options->no_vibrometer,
+                    "Joint displacement from the accelerometers even if there is a vibrometer");
+  add_recording_arguments(*command, options->reading);
+  command->add_flag("--skip-faulty", options->skip_faulty,
+                    "Leave out what cannot be read or reduced, and say so");
+  command->add_flag("--quiet", call.quiet, "No summary, no progress");
+  add_examples(*command, {"microslip reduce rig.toml level_*.csv --out levels.csv",
+                          "microslip reduce rig.toml test.h5 --no-vibrometer --out levels.csv",
+                          "microslip reduce modes.toml sweep.csv --out levels.csv"});
+  command->callback(
+      [options, &call] { call.run = [options, &call] { return run(*options, call); }; });
+}
+
+}  // namespace microslip::app

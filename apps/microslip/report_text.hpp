@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+/// @file
+/// The form of what the subcommands say to a person.
+
+namespace microslip::app {
+
+/// One fact: name and text in two columns.
+[[nodiscard]] std::string line(std::string_view name, std::string_view text);
+
+/// Breaks a paragraph between words, later lines indented.
+[[nodiscard]] std::string wrapped(std::string_view first, std::string_view text,
+                                  std::size_t indent);
+
+}  // namespace microslip::app

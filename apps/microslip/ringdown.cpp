@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arguments.hpp"
+#include "command.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/identify/levels.hpp"
+#include "microslip/io/file_kind.hpp"
+#include "microslip/io/levels_file.hpp"
+#include "microslip/io/output_files.hpp"
+#include "microslip/io/recording_file.hpp"
+#include "microslip/io/text.hpp"
+#include "microslip/signal/ring_down.hpp"
+#include "microslip/signal/ring_down_levels.hpp"
+#include "progress_bar.hpp"
+#include "recording_arguments.hpp"
+#include "report_text.hpp"
+
+namespace microslip::app {
+namespace {
+
+struct RingdownOptions {
+  std::string recording;
+  std::string out;
+  std::string channel;
+  std::string frequency;
+  std::string band;
+  std::string from;
+  std::string to;
+  std::string modal_mass;
+  std::string joint_ratio = "1";
+  std::string loss_factor = "0";
+  std::string stick_frequency;
+  std::string joint_stiffness;
+  RecordingArguments reading;
+};
+
+std::optional<double> quantity_if_given(std::string_view option, const std::string& text,
+                                        const Dimension& dimension) {
+  if (text.empty()) return std::nullopt;
+  return parse_quantity(option, text, dimension);
+}
+
+std::optional<std::pair<double, double>> band_of(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) {
+    throw InputError("--band", in_quotes(text), "must read LOW:HIGH", "For instance 40:70.");
+  }
+  return std::pair{parse_quantity("LOW of --band", text.substr(0, colon), kFrequency),
+                   parse_quantity("HIGH of --band", text.substr(colon + 1), kFrequency)};
+}
+
+RingDownOptions analysis_options(const RingdownOptions& options) {
+  RingDownOptions all;
+  all.frequency = quantity_if_given("--frequency", options.frequency, kFrequency);
+  all.band = band_of(options.band);
+  all.from = quantity_if_given("--from", options.from, kTime);
+  all.to = quantity_if_given("--to", options.to, kTime);
+  return all;
+}
+
+RingDownLevelsOptions level_options(const RingdownOptions& options) {
+  RingDownLevelsOptions all;
+  all.modal_mass = parse_quantity("--modal-mass", options.modal_mass, kMass);
+  all.joint_ratio = parse_quantity("--joint-ratio", options.joint_ratio, kDimensionless);
+  all.loss_factor = parse_quantity("--loss-factor", options.loss_factor, kDimensionless);
+  all.stick_frequency = quantity_if_given("--stick-frequency", options.stick_frequency, kFrequency);
+  all.joint_stiffness = quantity_if_given("--joint-stiffness", options.joint_stiffness, kStiffness);
+  return all;
+}
+
+struct Signal {
+  const Recording* recording;
+  std::string channel;
+};
+
+bool is_motion(const Recording& recording, const Channel& channel) {
+  return recording.axis.dimension == kTime && channel.imaginary.empty() && channel.dimension &&
+         (*channel.dimension == kLength || *channel.dimension == kVelocity ||
+          *channel.dimension == kAcceleration);
+}
+
+/// The channel of that name, or the only motion there is.
+Signal choose_signal(const std::vector<Recording>& recordings, const std::string& name,
+                     const std::string& file) {
+  std::vector<Signal> fits;
+  std::string names;
+  for (const Recording& recording : recordings) {
+    for (const Channel& channel : recording.channels) {
+      if (name.empty() ? is_motion(recording, channel) : channel.name == name) {
+        fits.push_back({&recording, channel.name});
+      }
+      names += (names.empty() ? "'" : ", '") + channel.name + "'";
+    }
+  }
+  if (fits.size() == 1) return fits.front();
+  const std::string what =
+      name.empty() ? file : fmt::format("{}: channel {}", file, in_quotes(name));
+  throw InputError(what, fits.empty() ? "missing" : fmt::format("there {} times", fits.size()),
+                   name.empty() ? "must have one channel of displacement, velocity or acceleration "
+                                  "over time"
+                                : "must be there once",
+                   fmt::format("The channels are {}; choose by --channel, and give units that the "
+                               "file lacks by --assume-units.",
+                               names.empty() ? "none" : names));
+}
+
+std::string codes_of(const std::vector<Warning>& warnings) {
+  std::string codes;
+  for (const Warning& warning : warnings) codes += (codes.empty() ? "" : " ") + warning.code;
+  return codes;
+}
+
+std::string levels_text(const RingDownLevels& found, const Signal& signal,
+                        const std::vector<Warning>& warnings) {
+  const std::size_t n = found.amplitude.size();
+  CsvWriter table = levels_table({.amplitude = found.amplitude,
+                                  .dissipation = found.dissipation,
+                                  .amplitude_std = found.amplitude_std,
+                                  .dissipation_std = found.dissipation_std,
+                                  .secant_stiffness = found.secant_stiffness,
+                                  .secant_stiffness_std = found.secant_stiffness_std});
+  table.add_numbers("frequency", kFrequency, found.frequency);
+  table.add_numbers("damping_ratio", kDimensionless, found.damping_ratio);
+  // A column `time` would make the table a history, which no table of levels may replace.
+  table.add_numbers("decay_time", kTime, found.time);
+  table.add_text("source", std::vector<std::string>(n, signal.recording->source));
+  table.add_text("flags", std::vector<std::string>(n, codes_of(warnings)));
+  return table.str();
+}
+
+std::string describe(const RingDown& decay, const RingDownLevels& levels, const Signal& signal,
+                     const std::vector<Warning>& warnings) {
+  const auto span = [](const std::vector<double>& values) {
+    return fmt::format("{:.4g} to {:.4g}", values.front(), values.back());
+  };
+  std::string text = "Ring-down\n";
+  text += line("recording", fmt::format("{}, {}", signal.recording->source, signal.channel));
+  text += line("method", decay.summary.method);
+  text += line("decay used",
+               fmt::format("{:.4g} to {:.4g} s, {}", decay.from, decay.to, decay.summary.reason));
+  text += line("levels", fmt::format("{}, by falling amplitude", levels.amplitude.size()));
+  text += line("joint amplitude", span(levels.amplitude) + " m");
+  text += line("dissipation", span(levels.dissipation) + " J");
+  text += line("frequency",
+               fmt::format("{:.6g} to {:.6g} Hz ({:+.2g} %)", levels.frequency.front(),
+                           levels.frequency.back(),
+                           100.0 * (levels.frequency.back() / levels.frequency.front() - 1.0)));
+  text += line("damping ratio", span(levels.damping_ratio));
+  text +=
+      line("noise", fmt::format("{:.2g} of the first amplitude, a sample", decay.summary.residual));
+  for (const Warning& warning : warnings) text += wrapped("  warning: ", warning.text, 11);
+  return text;
+}
+
+int run(const RingdownOptions& options, const Call& call) {
+  check_output(options.out, kLevelsKind);
+  const RingDownOptions analysis = analysis_options(options);
+  const RingDownLevelsOptions reduction = level_options(options);
+  const Recordings file = read_recordings(
+      options.recording, read_options(options.reading, progress_bar("reading", call.quiet)));
+  const Signal signal = choose_signal(file.recordings, options.channel, options.recording);
+  const RingDown decay = ring_down(*signal.recording, signal.channel, analysis);
+  const RingDownLevels levels = levels_of(decay, reduction);
+  if (levels.amplitude.empty()) {
+    throw InputError("--loss-factor", reduction.loss_factor,
+                     "must leave some loss to the joint, and exceeds all that was measured");
+  }
+  std::vector<Warning> warnings = file.warnings;
+  for (const auto* more : {&decay.warnings, &levels.warnings}) {
+    warnings.insert(warnings.end(), more->begin(), more->end());
+  }
+  write_file(options.out, levels_text(levels, signal, warnings));
+  if (!call.quiet) {
+    fmt::print(options.out == "-" ? stderr : stdout, "{}",
+               describe(decay, levels, signal, warnings));
+  }
+  return decay.summary.converged() ? kDone : kNotConverged;
+}
+
+void add_analysis_options(CLI::App& command, RingdownOptions& options) {
+  command.add_option("--channel", options.channel,
+                     "Displacement, velocity or acceleration; not needed where there is only one");
+  command.add_option("--frequency", options.frequency,
+                     "Near which the mode is sought, within 10 % [Hz]; else the highest peak");
+  command.add_option("--band", options.band,
+                     "LOW:HIGH [Hz]: the mode is inside, and other modes outside are kept out");
+  command.add_option("--from", options.from, "Where the free decay begins [s]; else found");
+  command.add_option("--to", options.to, "Where it ends [s]; else where the noise begins");
+  add_recording_arguments(command, options.reading);
+}
+
+void add_level_options(CLI::App& command, RingdownOptions& options) {
+  command
+      .add_option("--modal-mass", options.modal_mass,
+                  "Mass of the mode at the sensor, 1/shape^2 for a mass-normalised shape [kg]")
+      ->required();
+  command
+      .add_option("--joint-ratio", options.joint_ratio,
+                  "Joint displacement over displacement at the sensor [1]")
+      ->capture_default_str();
+  command
+      .add_option("--loss-factor", options.loss_factor,
+                  "Loss factor of the linear part, taken off the dissipation [1]")
+      ->capture_default_str();
+  command.add_option("--stick-frequency", options.stick_frequency,
+                     "The mode's frequency with the joint stuck [Hz]; else the highest measured");
+  command.add_option("--joint-stiffness", options.joint_stiffness,
+                     "k of the stuck joint [N/m]: gives secant_stiffness too; needs "
+                     "--stick-frequency");
+}
+
+}  // namespace
+
+void add_ringdown(CLI::App& program, Call& call) {
+  auto options = std::make_shared<RingdownOptions>();
+  CLI::App* command =
+      program.add_subcommand("ringdown", "Levels of amplitude and dissipation from one free decay");
+  command
+      ->add_option("recording", options->recording,
+                   "Recording of a free decay, evenly sampled: time [s], acc1 [m/s^2], ...")
+      ->required();
+  command
+      ->add_option(
+          "--out", options->out,
+          "Levels to write as CSV: amplitude [m], dissipation [J], amplitude_std, "
+          "dissipation_std, frequency [Hz], damping_ratio [1], decay_time [s], source, flags; - "
+          "is standard output")
+      ->required();
+  add_analysis_options(*command, *options);
+  add_level_options(*command, *options);
+  command->add_flag("--quiet", call.quiet, "No summary, no progress");
+  add_examples(
+      *command,
+      {"microslip ringdown decay.csv --modal-mass 1.2 --out levels.csv",
+       "microslip ringdown decay.csv --channel acc1 --frequency 50 --band 40:65 \\",
+       "          --modal-mass 1.2 --joint-ratio 0.3 --loss-factor 0.001 --out levels.csv"});
+  command->callback(
+      [options, &call] { call.run = [options, &call] { return run(*options, call); }; });
+}
+
+}  // namespace microslip::app
