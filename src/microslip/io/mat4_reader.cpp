@@ -10,6 +10,7 @@
 
 #include "microslip/io/mat_numbers.hpp"
 #include "microslip/io/mat_text.hpp"
+#include "microslip/io/mat_variables.hpp"
 #include "microslip/io/text.hpp"
 
 namespace microslip {
@@ -43,16 +44,7 @@ class FileReader {
   FileReader(MatFileStream& file, const MatReadOptions& options) : file_(file), options_(options) {}
 
   MatTree read() {
-    MatTree tree;
-    tree.root.kind = MatValue::Kind::kStruct;
-    tree.root.sizes = {1, 1};
-    try {
-      while (!file_.at_end()) read_variable(tree.root);
-    } catch (const MatStream::Ended&) {
-      if (!options_.allow_truncated) throw;
-      tree.truncated = true;
-    }
-    return tree;
+    return read_variables(file_, options_, [this](MatValue& root) { read_variable(root); });
   }
 
  private:

@@ -11,6 +11,7 @@
 
 #include "microslip/io/mat_numbers.hpp"
 #include "microslip/io/mat_text.hpp"
+#include "microslip/io/mat_variables.hpp"
 #include "microslip/io/text.hpp"
 
 namespace microslip {
@@ -348,16 +349,7 @@ class FileReader {
       : file_(file), options_(options), swap_(read_header(file)) {}
 
   MatTree read() {
-    MatTree tree;
-    tree.root.kind = MatValue::Kind::kStruct;
-    tree.root.sizes = {1, 1};
-    try {
-      while (!file_.at_end()) read_variable(tree.root);
-    } catch (const MatStream::Ended&) {
-      if (!options_.allow_truncated) throw;
-      tree.truncated = true;
-    }
-    return tree;
+    return read_variables(file_, options_, [this](MatValue& root) { read_variable(root); });
   }
 
  private:

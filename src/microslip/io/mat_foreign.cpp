@@ -202,11 +202,7 @@ class Collector {
 
   Recordings finish() {
     if (result_.recordings.empty()) fail_without_recording();
-    for (const std::string& place : without_axis_) {
-      result_.warnings.push_back(
-          {"sampling_rate_missing",
-           fmt::format("{}: left out, no sampling rate or time belongs to it", place)});
-    }
+    warn_without_rate(without_axis_, result_.warnings);
     return std::move(result_);
   }
 

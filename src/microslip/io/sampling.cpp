@@ -136,6 +136,14 @@ void check_read(const Recording& recording, const std::string& place) {
   }
 }
 
+void warn_without_rate(std::span<const std::string> places, std::vector<Warning>& warnings) {
+  for (const std::string& place : places) {
+    warnings.push_back(
+        {"sampling_rate_missing",
+         fmt::format("{}: left out, no sampling rate or time belongs to it", place)});
+  }
+}
+
 std::string file_name(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
 }  // namespace microslip

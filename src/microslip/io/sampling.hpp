@@ -76,6 +76,9 @@ void add_channel(std::vector<Recording>& recordings, const std::string& source, 
 /// check_recording() for what was read; its errors start with `place`, which names the file.
 void check_read(const Recording& recording, const std::string& place);
 
+/// One warning for each place that was left out because nothing tells over what its values are.
+void warn_without_rate(std::span<const std::string> places, std::vector<Warning>& warnings);
+
 /// The path without folders.
 [[nodiscard]] std::string file_name(const std::string& path);
 
