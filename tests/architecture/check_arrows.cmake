@@ -17,8 +17,8 @@ set(signal_may_include base signal)
 set(identify_may_include base joint identify)
 set(dynamics_may_include base joint structure dynamics)
 set(rig_may_include base joint structure signal identify dynamics rig)
-set(io_may_include base joint structure signal identify rig io)
-set(report_may_include base joint identify report)
+set(io_may_include base joint structure signal identify dynamics rig io)
+set(report_may_include base joint structure identify dynamics signal rig report)
 
 string(
   JOIN "|" disk

@@ -43,7 +43,7 @@ constexpr std::array kSymbols{
     Symbol{"J", 1.0, 0, kEnergy, "numkM"},
     Symbol{"Pa", 1.0, 0, kPressure, "mkMG"},
     Symbol{"psi", kPoundForce / (254.0 * 254.0), 8, kPressure, ""},
-    Symbol{"g", 9.80665, 0, kAcceleration, "um"},
+    Symbol{"g", kStandardGravity, 0, kAcceleration, "um"},
 };
 
 /// What has a name, with the units that messages propose; the first one is SI.

@@ -50,6 +50,8 @@ inline constexpr Dimension kPerForce = kForce.power(-1);
 inline constexpr Dimension kPressure = kForce / kLength.power(2);
 inline constexpr Dimension kMassDensity = kMass / kLength.power(3);
 
+inline constexpr double kStandardGravity = 9.80665;  ///< m/s², exact by definition
+
 /// A unit: value in SI = value·numerator/denominator. Two factors, so that powers of ten stay
 /// exact: 3 um is the double nearest to 3e-6.
 struct Unit {

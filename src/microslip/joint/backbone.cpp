@@ -111,7 +111,7 @@ double Backbone::slope(double s) const {
   const Cubic& c = find.cubic(s, find.bucket(s));
   const double t = s - c.start;
   double slope = c.slope - t * (2.0 * c.half_p + 3.0 * t * c.sixth_q);
-  for (const PowerLawPart& part : power_laws_) slope -= power_law_moments(part, s).zeroth;
+  for (const PowerLawPart& part : power_laws_) slope -= power_law_weight(part, s);
   return std::clamp(slope, 0.0, 1.0);
 }
 

@@ -51,6 +51,12 @@ PartialMoments power_law_moments(const PowerLawPart& part, double s) {
           part.coefficient * power_integral(p + 2.0, part.from, upper)};
 }
 
+double power_law_weight(const PowerLawPart& part, double s) {
+  const double upper = std::min(part.to, s);
+  if (!(upper > part.from)) return 0.0;
+  return part.coefficient * power_integral(part.exponent + 1.0, part.from, upper);
+}
+
 double power_law_force_deficit(const PowerLawPart& part, double s) {
   return weighted_deficit(part, s, 0);
 }

@@ -13,6 +13,9 @@ namespace microslip {
 /// Φn(s) = ∫ f*ⁿ φ df* over [from, min(to, s)], n = 0, 1, 2.
 [[nodiscard]] PartialMoments power_law_moments(const PowerLawPart& part, double s);
 
+/// Φ0(s) alone, at a third of the cost.
+[[nodiscard]] double power_law_weight(const PowerLawPart& part, double s);
+
 /// ∫ (s − f*) φ df* over [from, min(to, s)], N; s finite: what slip takes off the elastic force.
 [[nodiscard]] double power_law_force_deficit(const PowerLawPart& part, double s);
 

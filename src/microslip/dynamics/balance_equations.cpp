@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/dynamics/balance_equations.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "microslip/dynamics/trigonometric_basis.hpp"
+
+namespace microslip {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::RowVectorXd;
+using Eigen::VectorXd;
+using std::numbers::pi;
+
+/// The power of ω that makes the kind of response from a displacement.
+double rate_power(ResponseKind kind) {
+  switch (kind) {
+    case ResponseKind::kAcceleration:
+      return 2.0;
+    case ResponseKind::kVelocity:
+      return 1.0;
+    case ResponseKind::kDisplacement:
+      break;
+  }
+  return 0.0;
+}
+
+std::span<const double> to_span(const VectorXd& x, Index first, Index count) {
+  return {x.data() + first, static_cast<std::size_t>(count)};
+}
+
+/// ∮ f ẋ dt of two functions by their harmonics: Σ_n −nπ Im(f_n* x_n).
+double work(std::span<const Complex> force, std::span<const Complex> displacement) {
+  double sum = 0.0;
+  for (std::size_t n = 1; n < std::min(force.size(), displacement.size()); ++n) {
+    sum -= static_cast<double>(n) * pi * std::imag(std::conj(force[n]) * displacement[n]);
+  }
+  return sum;
+}
+
+/// Σ_n nπ |f_n| |x_n|: the work of a force that is in phase with the velocity.
+double apparent_work(std::span<const Complex> force, std::span<const Complex> displacement) {
+  double sum = 0.0;
+  for (std::size_t n = 1; n < std::min(force.size(), displacement.size()); ++n) {
+    sum += static_cast<double>(n) * pi * std::abs(force[n]) * std::abs(displacement[n]);
+  }
+  return sum;
+}
+
+constexpr double kReactive = 1e-3;  // less work than this share of the apparent is a difference
+
+}  // namespace
+
+BalanceEquations::BalanceEquations(const JointedStructure& structure, const ResponsePoint& response,
+                                   std::size_t harmonics, std::size_t samples)
+    : structure_(structure),
+      kind_(response.kind),
+      harmonics_(harmonics),
+      joint_force_(harmonics, samples),
+      side_(make_structure_side(structure, response.point, harmonics)),
+      count_(static_cast<Index>(structure.joints().size()) * coefficient_count(harmonics)),
+      displacement_(count_),
+      tension_(count_),
+      force_(coefficient_count(harmonics)),
+      tangents_(structure.joints().size(),
+                Eigen::MatrixXd(coefficient_count(harmonics), coefficient_count(harmonics))),
+      cycles_(structure.joints().size()) {}
+
+StructureSide::Input BalanceEquations::input() const {
+  return {displacement_, tension_, z_[count_], z_[count_ + 1]};
+}
+
+void BalanceEquations::evaluate(const VectorXd& z) {
+  if (z.size() == z_.size() && z == z_) return;
+  z_ = z;
+  differentiated_ = false;
+  if (!z.allFinite()) {
+    values_.residual.setConstant(count_, NAN);
+    values_.response = NAN;
+    return;
+  }
+  displacement_ = z.head(count_);
+  const Index block = coefficient_count(harmonics_);
+  for (std::size_t j = 0; j < cycles_.size(); ++j) {
+    const Index first = static_cast<Index>(j) * block;
+    Eigen::MatrixXd& tangent = tangents_[j];  // filled by rows: it comes out transposed
+    cycles_[j] =
+        joint_force_.evaluate(structure_.joints()[j].joint, to_span(displacement_, first, block),
+                              {force_.data(), static_cast<std::size_t>(block)},
+                              {tangent.data(), static_cast<std::size_t>(tangent.size())});
+    tension_.segment(first, block) = -force_;
+  }
+  side_->evaluate(input(), values_);
+}
+
+/// The structure's part of the derivatives and, by the chain rule, the joints'.
+void BalanceEquations::differentiate() {
+  if (differentiated_) return;
+  differentiated_ = true;
+  side_->differentiate(input(), change_);
+  const Index block = coefficient_count(harmonics_);
+  jacobian_.resize(count_, count_ + 2);
+  jacobian_.leftCols(count_) = change_.by_displacement;
+  gradient_.resize(count_ + 2);
+  gradient_.head(count_) = change_.response_by_displacement;
+  for (std::size_t j = 0; j < cycles_.size(); ++j) {
+    const Index first = static_cast<Index>(j) * block;
+    const auto tangent = tangents_[j].transpose();
+    jacobian_.middleCols(first, block).noalias() -=
+        change_.by_tension.middleCols(first, block) * tangent;
+    gradient_.segment(first, block) -= change_.response_by_tension.segment(first, block) * tangent;
+  }
+  jacobian_.col(count_) = change_.by_frequency;
+  jacobian_.col(count_ + 1) = change_.by_force;
+  gradient_[count_] = change_.response_by_frequency;
+  gradient_[count_ + 1] = change_.response_by_force;
+}
+
+const Eigen::MatrixXd& BalanceEquations::jacobian() {
+  differentiate();
+  return jacobian_;
+}
+
+const Eigen::RowVectorXcd& BalanceEquations::response_gradient() {
+  differentiate();
+  return gradient_;
+}
+
+Eigen::MatrixXd BalanceEquations::stuck_damping(double loss_factor) {
+  differentiate();
+  Eigen::MatrixXd added = Eigen::MatrixXd::Zero(count_, count_);
+  const Index block = coefficient_count(harmonics_);
+  for (std::size_t j = 0; j < cycles_.size(); ++j) {
+    const double damping = loss_factor * structure_.joints()[j].joint.stiffness();
+    for (std::size_t n = 1; n <= harmonics_; ++n) {
+      const Index real = static_cast<Index>(j) * block + coefficient_index(n);
+      added.col(real) = -damping * change_.by_tension.col(real + 1);
+      added.col(real + 1) = damping * change_.by_tension.col(real);
+    }
+  }
+  return added;
+}
+
+double BalanceEquations::log_response() const {
+  return std::log(std::abs(values_.response)) + rate_power(kind_) * std::log(z_[count_]);
+}
+
+RowVectorXd BalanceEquations::log_response_gradient() {
+  RowVectorXd gradient = (response_gradient() / values_.response).real();
+  gradient[count_] += rate_power(kind_) / z_[count_];
+  return gradient;
+}
+
+double BalanceEquations::value(Quantity quantity) const {
+  switch (quantity) {
+    case Quantity::kAngularFrequency:
+      return z_[count_];
+    case Quantity::kForceAmplitude:
+      return z_[count_ + 1];
+    case Quantity::kResponse:
+      return std::exp(log_response());
+    case Quantity::kPhaseLag:
+      break;
+  }
+  return -std::arg(values_.response);
+}
+
+double BalanceEquations::miss(const Target& target) const {
+  const double present = value(target.quantity);
+  if (target.quantity != Quantity::kPhaseLag) return present / target.value - 1.0;
+  return std::sin(target.value - present);  // has no jump at ±π
+}
+
+RowVectorXd BalanceEquations::miss_gradient(const Target& target) {
+  RowVectorXd gradient = RowVectorXd::Zero(count_ + 2);
+  const double present = value(target.quantity);
+  switch (target.quantity) {
+    case Quantity::kAngularFrequency:
+      gradient[count_] = 1.0 / target.value;
+      break;
+    case Quantity::kForceAmplitude:
+      gradient[count_ + 1] = 1.0 / target.value;
+      break;
+    case Quantity::kResponse:
+      gradient = log_response_gradient() * (present / target.value);
+      break;
+    case Quantity::kPhaseLag:
+      gradient = std::cos(target.value - present) * (response_gradient() / values_.response).imag();
+      break;
+  }
+  return gradient;
+}
+
+VectorXd BalanceEquations::scale() const {
+  const Index block = coefficient_count(harmonics_);
+  VectorXd scale(count_ + 2);
+  double largest = 0.0;
+  for (Index first = 0; first < count_; first += block) {
+    const double size = displacement_.segment(first + 1, block - 1).norm();  // without the mean
+    scale.segment(first, block).setConstant(size);
+    largest = std::max(largest, size);
+  }
+  const double least = largest > 0.0 ? 1e-6 * largest : 1.0;
+  scale.head(count_) = scale.head(count_).cwiseMax(least);
+  scale[count_] = z_[count_];
+  scale[count_ + 1] = std::abs(z_[count_ + 1]);
+  return scale;
+}
+
+SteadyVibration BalanceEquations::vibration() {
+  SteadyVibration result;
+  result.angular_frequency = z_[count_];
+  result.force_amplitude = z_[count_ + 1];
+  result.response = value(Quantity::kResponse);
+  result.phase_lag = value(Quantity::kPhaseLag);
+  const Eigen::MatrixXcd q = side_->modal();
+  for (Index i = 0; i < q.rows(); ++i) {
+    const Eigen::VectorXcd row = q.row(i);
+    result.modal.emplace_back(row.begin(), row.end());
+  }
+  add_joint_cycles(result);
+  add_energies(result);
+  return result;
+}
+
+void BalanceEquations::add_joint_cycles(SteadyVibration& vibration) const {
+  const Index block = coefficient_count(harmonics_);
+  for (std::size_t j = 0; j < cycles_.size(); ++j) {
+    JointCycle cycle{.name = structure_.joints()[j].name, .displacement = {}, .force = {}};
+    const Index first = static_cast<Index>(j) * block;
+    for (std::size_t n = 0; n <= harmonics_; ++n) {
+      cycle.displacement.push_back(harmonic_of(displacement_.segment(first, block), n));
+      cycle.force.push_back(-harmonic_of(tension_.segment(first, block), n));
+    }
+    cycle.amplitude = 0.5 * (cycles_[j].highest - cycles_[j].lowest);
+    cycle.reversals = cycles_[j].reversals;
+    cycle.dissipation = work(cycle.force, cycle.displacement);
+    vibration.joints.push_back(std::move(cycle));
+  }
+}
+
+void BalanceEquations::add_energies(SteadyVibration& vibration) const {
+  double apparent = 0.0;
+  for (const Excitation& excitation : structure_.excitations()) {
+    std::vector<Complex> force{0.0};
+    for (const Complex s : excitation.harmonics) force.push_back(vibration.force_amplitude * s);
+    const auto displacement = vibration.displacement(structure_.linear(), excitation.point);
+    vibration.input_energy += work(force, displacement);
+    apparent += apparent_work(force, displacement);
+  }
+  for (std::size_t i = 0; i < vibration.modal.size(); ++i) {
+    const Mode& mode = structure_.linear().modes()[i];
+    for (std::size_t n = 1; n <= harmonics_; ++n) {
+      const auto order = static_cast<double>(n);
+      const Complex stiffness =
+          modal_stiffness(mode, order * vibration.angular_frequency, structure_.damping());
+      vibration.linear_dissipation +=
+          order * pi * stiffness.imag() * std::norm(vibration.modal[i][n]);
+    }
+  }
+  double left = vibration.input_energy - vibration.linear_dissipation;
+  for (const JointCycle& joint : vibration.joints) left -= joint.dissipation;
+  const double size = std::max(std::abs(vibration.input_energy), kReactive * apparent);
+  vibration.energy_imbalance = std::abs(left) / size;
+}
+
+std::string energy_doubt(const SteadyVibration& vibration, double tolerance) {
+  const double most = std::max(1e-8, 1e4 * tolerance);
+  if (vibration.energy_imbalance <= most) return "";
+  return fmt::format("the energy balance misses by {:.1e} of the input; at most {:.1e} is rounding",
+                     vibration.energy_imbalance, most);
+}
+
+}  // namespace microslip

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+namespace microslip {
+
+/// The value of a function of an angle and its derivative.
+struct Growing {
+  double value;
+  double slope;
+};
+
+/// Where a function that grows from below 0 at `low` to above 0 at `high` is 0: Newton's method, with
+/// a bisection wherever it would leave the interval left. Internal to dynamics.
+/// @param function  angle → Growing.
+template <typename Function>
+[[nodiscard]] double growing_zero(const Function& function, double low, double high) {
+  constexpr double kAngle = 1e-10;  // rad
+  constexpr int kMostSteps = 60;
+  double tau = 0.5 * (low + high);
+  for (int step = 0; step < kMostSteps && high - low > kAngle; ++step) {
+    const Growing at = function(tau);
+    (at.value < 0.0 ? low : high) = tau;
+    double next = tau - at.value / at.slope;
+    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+    const double moved = std::abs(next - tau);
+    tau = next;
+    if (moved < kAngle) break;
+  }
+  return tau;
+}
+
+}  // namespace microslip

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/dynamics/harmonic_balance.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/dynamics/continuation.hpp"
+#include "microslip/dynamics/level_walk.hpp"
+#include "microslip/dynamics/trigonometric_basis.hpp"
+
+namespace microslip {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr const char* kMethod = "harmonic balance";
+
+void require(bool holds, const char* what, double value, const char* rule) {
+  if (!holds) throw InputError(what, value, rule);
+}
+
+void check_options(const HarmonicBalanceOptions& o, const JointedStructure& structure) {
+  (void)HarmonicForce(o.harmonics, o.samples);  // throws where one is out of its range
+  if (o.harmonics < structure.excited_harmonics()) {
+    throw InputError("harmonics", static_cast<double>(o.harmonics),
+                     fmt::format("must be at least the highest of the excitation, {}",
+                                 structure.excited_harmonics()));
+  }
+  require(o.tolerance >= 1e-14 && o.tolerance <= 1e-4, "tolerance", o.tolerance,
+          "must be from 1e-14 to 1e-4");
+  require(o.max_iterations >= 2, "max_iterations", o.max_iterations, "must be at least 2");
+  require(o.largest_change > 0.0 && o.largest_change <= 1.0, "largest_change", o.largest_change,
+          "must be above 0 and at most 1");
+  require(o.least_points >= 1, "least_points", o.least_points, "must be at least 1");
+  require(o.max_points >= 2, "max_points", o.max_points, "must be at least 2");
+}
+
+/// A response that no excited mode takes part in cannot be a target, and has no phase.
+void check_response(const JointedStructure& structure, const ResponsePoint& response) {
+  const std::span<const double> shape = structure.linear().shape(response.point);
+  if (std::ranges::any_of(shape, [](double value) { return value != 0.0; })) return;
+  throw InputError("response point", fmt::format("'{}'", response.point),
+                   "must move in at least one mode: its shape is 0 in all",
+                   "Take a point that is no node of the modes.");
+}
+
+void check_target(const Target& target) {
+  const std::string what(to_string(target.quantity));
+  if (target.quantity == Quantity::kPhaseLag) {
+    require(target.value > 0.0 && target.value < std::numbers::pi, what.c_str(), target.value,
+            "must be above 0 and below π rad; π/2 is resonance");
+  } else {
+    require(std::isfinite(target.value) && target.value > 0.0, what.c_str(), target.value,
+            "must be positive and finite");
+  }
+}
+
+void check_targets(const Target& first, const Target& second) {
+  check_target(first);
+  check_target(second);
+  if (first.quantity != second.quantity) return;
+  throw InputError("second target", to_string(second.quantity), "must be another than the first");
+}
+
+double stuck_frequency(const JointedStructure& structure, std::size_t mode) {
+  const std::vector<double> frequencies = structure.stuck_frequencies();
+  require(mode < frequencies.size(), "mode", static_cast<double>(mode),
+          "must be below the number of modes");
+  if (frequencies[mode] > 0.0) return frequencies[mode];
+  throw InputError("mode", static_cast<double>(mode),
+                   "must be one that vibrates; this is a rigid body", "Take a higher mode.");
+}
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Equations and options of one call.
+struct Run {
+  Run(const JointedStructure& structure, const ResponsePoint& response,
+      const HarmonicBalanceOptions& options)
+      : equations(structure, response, options.harmonics, options.samples),
+        newton_options{options.tolerance, options.max_iterations} {}
+
+  struct Outcome {
+    NewtonResult newton;
+    VectorXd z;
+  };
+
+  /// From the linear vibration at ω; if Newton's method fails, through growing levels.
+  Outcome from_stuck(const Target& kept, const Target& level, double angular_frequency) {
+    VectorXd z = scaled(equations, stuck_vibration(equations, angular_frequency), level);
+    NewtonResult direct = newton(equations, kept, level, newton_options, z);
+    if (direct.converged) return {direct, z};
+    LevelWalk walk(equations, newton_options, kept, level.quantity);
+    NewtonResult result = walk.start(angular_frequency, level.value);
+    if (result.converged) result = walk.go_to(level.value);
+    return {result, walk.z()};
+  }
+
+  /// Up the level at this phase until the frequency is passed.
+  Outcome at_frequency(const Target& phase, const Target& frequency, double stuck) {
+    constexpr double kRatio = 1.2;
+    constexpr int kMostSteps = 150;  // a factor 1e12
+    LevelWalk walk(equations, newton_options, phase, Quantity::kResponse);
+    NewtonResult result = walk.start(stuck, HUGE_VAL);
+    const Index n = equations.balance_count();
+    const double side = walk.z()[n] - frequency.value;
+    for (int step = 0; step < kMostSteps && result.converged; ++step) {
+      result = walk.go_to(kRatio * walk.level());
+      if (!result.converged || side * (walk.z()[n] - frequency.value) > 0.0) continue;
+      const double before = walk.previous()[n] - frequency.value;
+      const double after = walk.z()[n] - frequency.value;
+      VectorXd z = walk.previous() + (walk.z() - walk.previous()) * (before / (before - after));
+      return {newton(equations, phase, frequency, newton_options, z), z};
+    }
+    result.converged = false;
+    result.reason = fmt::format(
+        "no level up to {:.6g} of the response has this phase there; from "
+        "{:.9g} rad/s the frequency went to {:.9g} rad/s",
+        walk.level(), stuck, walk.z()[n]);
+    return {result, walk.z()};
+  }
+
+  BalanceEquations equations;
+  NewtonOptions newton_options;
+};
+
+std::string describe(const Target& target) {
+  return fmt::format("{} {:.9g}", to_string(target.quantity), target.value);
+}
+
+VibrationResult to_result(Run& run, const Run::Outcome& outcome, const Target& first,
+                          const Target& second, Clock::time_point start) {
+  VibrationResult result;
+  run.equations.evaluate(outcome.z);
+  result.vibration = run.equations.vibration();
+  Summary& s = result.summary;
+  s.method = kMethod;
+  const std::string doubt = energy_doubt(result.vibration, run.newton_options.tolerance);
+  const bool converged = outcome.newton.converged && doubt.empty();
+  s.status = converged ? Status::kConverged : Status::kNotConverged;
+  s.reason = outcome.newton.converged && !converged ? doubt : outcome.newton.reason;
+  if (!converged) {
+    s.reason +=
+        fmt::format("; asked for {} and {}, got to {:.9g} rad/s, force {:.6g} N, response {:.6g}",
+                    describe(first), describe(second), result.vibration.angular_frequency,
+                    result.vibration.force_amplitude, result.vibration.response);
+  }
+  s.residual = outcome.newton.residual;
+  s.iterations = outcome.newton.iterations;
+  s.wall_seconds = seconds_since(start);
+  return result;
+}
+
+/// Frequency first, then phase.
+void sort_targets(Target& first, Target& second) {
+  const auto rank = [](const Target& t) {
+    if (t.quantity == Quantity::kAngularFrequency) return 0;
+    return t.quantity == Quantity::kPhaseLag ? 1 : 2;
+  };
+  if (rank(second) < rank(first)) std::swap(first, second);
+}
+
+Run::Outcome solve_from_stuck(Run& run, Target first, Target second, std::size_t mode) {
+  sort_targets(first, second);
+  if (first.quantity == Quantity::kAngularFrequency) {
+    if (second.quantity != Quantity::kPhaseLag) return run.from_stuck(first, second, first.value);
+    return run.at_frequency(second, first, stuck_frequency(run.equations.structure(), mode));
+  }
+  if (first.quantity == Quantity::kPhaseLag) {
+    return run.from_stuck(first, second, stuck_frequency(run.equations.structure(), mode));
+  }
+  throw InputError("targets", "force amplitude and response",
+                   "leave two frequencies, below and above resonance, to choose from",
+                   "Give a vibration near the one that is wanted as the start.");
+}
+
+VectorXd to_unknowns(const SteadyVibration& start, const BalanceEquations& equations,
+                     std::size_t harmonics) {
+  const std::size_t joints = equations.structure().joints().size();
+  if (start.joints.size() != joints) {
+    throw InputError("joints of the start", static_cast<double>(start.joints.size()),
+                     fmt::format("must be those of the structure, {}", joints));
+  }
+  VectorXd z(equations.unknown_count());
+  Index at = 0;
+  for (const JointCycle& joint : start.joints) {
+    if (joint.displacement.size() != harmonics + 1) {
+      throw InputError("harmonics of the start",
+                       static_cast<double>(joint.displacement.size()) - 1.0,
+                       fmt::format("must be those of the options, {}", harmonics));
+    }
+    z[at++] = joint.displacement[0].real();
+    for (std::size_t n = 1; n <= harmonics; ++n) {
+      z[at++] = joint.displacement[n].real();
+      z[at++] = joint.displacement[n].imag();
+    }
+  }
+  z[at] = start.angular_frequency;
+  z[at + 1] = start.force_amplitude;
+  return z;
+}
+
+}  // namespace
+
+HarmonicBalance::HarmonicBalance(JointedStructure structure, ResponsePoint response,
+                                 HarmonicBalanceOptions options)
+    : structure_(std::move(structure)), response_(std::move(response)), options_(options) {
+  check_options(options_, structure_);
+  check_response(structure_, response_);
+}
+
+VibrationResult HarmonicBalance::solve(const Target& first, const Target& second,
+                                       std::size_t mode) const {
+  const auto start = Clock::now();
+  check_targets(first, second);
+  Run run(structure_, response_, options_);
+  return to_result(run, solve_from_stuck(run, first, second, mode), first, second, start);
+}
+
+VibrationResult HarmonicBalance::solve(const Target& first, const Target& second,
+                                       const SteadyVibration& near) const {
+  const auto start = Clock::now();
+  check_targets(first, second);
+  Run run(structure_, response_, options_);
+  Run::Outcome outcome{{}, to_unknowns(near, run.equations, options_.harmonics)};
+  outcome.newton = newton(run.equations, first, second, run.newton_options, outcome.z);
+  return to_result(run, outcome, first, second, start);
+}
+
+ResponseCurve HarmonicBalance::follow(const Target& kept, Quantity along, double from, double to,
+                                      std::size_t mode, const Progress& progress) const {
+  const auto start = Clock::now();
+  if (along == Quantity::kPhaseLag) {
+    throw InputError("quantity to follow", to_string(along), "must not be the phase lag");
+  }
+  check_targets(kept, {along, from});
+  check_target({along, to});
+  require(from != to, "end of the range", to, "must be another than its start");
+  Run run(structure_, response_, options_);
+  const Run::Outcome first = solve_from_stuck(run, kept, {along, from}, mode);
+  ResponseCurve curve;
+  curve.summary.method = fmt::format("{}, continuation", kMethod);
+  curve.summary.residual = first.newton.residual;
+  curve.summary.iterations = first.newton.iterations;
+  if (first.newton.converged) {
+    const ContinuationOptions options{run.newton_options, options_.largest_change,
+                                      options_.least_points, options_.max_points};
+    Continuation(run.equations, options, kept, along, from, to).run(first.z, curve, progress);
+  } else {
+    curve.summary.status = Status::kNotConverged;
+    curve.summary.reason =
+        fmt::format("the first point was not found: {} with {}: {}", describe({along, from}),
+                    describe(kept), first.newton.reason);
+  }
+  curve.summary.wall_seconds = seconds_since(start);
+  return curve;
+}
+
+ResponseCurve HarmonicBalance::frequency_response(double force, double from, double to,
+                                                  const Progress& progress) const {
+  return follow({Quantity::kForceAmplitude, force}, Quantity::kAngularFrequency, from, to, 0,
+                progress);
+}
+
+ResponseCurve HarmonicBalance::constant_response(double response, double from, double to,
+                                                 const Progress& progress) const {
+  return follow({Quantity::kResponse, response}, Quantity::kAngularFrequency, from, to, 0,
+                progress);
+}
+
+ResponseCurve HarmonicBalance::backbone(std::span<const double> responses, std::size_t mode,
+                                        const Progress& progress) const {
+  const auto start = Clock::now();
+  require(!responses.empty(), "number of responses", 0.0, "must be at least 1");
+  for (const double response : responses) check_target({Quantity::kResponse, response});
+  Run run(structure_, response_, options_);
+  ResponseCurve curve;
+  Summary& s = curve.summary;
+  s.method = fmt::format("{}, backbone", kMethod);
+  LevelWalk walk(run.equations, run.newton_options, kPhaseResonance, Quantity::kResponse);
+  const Target first{Quantity::kResponse, responses.front()};
+  const Run::Outcome begin =
+      run.from_stuck(kPhaseResonance, first, stuck_frequency(structure_, mode));
+  NewtonResult result = begin.newton;
+  if (result.converged) result = walk.start_at(first.value, begin.z);
+  s.iterations = begin.newton.iterations;
+  for (std::size_t i = 0; i < responses.size() && result.converged; ++i) {
+    result = walk.go_to(responses[i]);
+    s.iterations += result.iterations;
+    if (!result.converged) break;
+    s.residual = std::max(s.residual, result.residual);
+    run.equations.evaluate(walk.z());
+    SteadyVibration vibration = run.equations.vibration();
+    result.reason = energy_doubt(vibration, options_.tolerance);
+    result.converged = result.reason.empty();
+    if (!result.converged) break;
+    curve.points.push_back(std::move(vibration));
+    if (progress && !progress(i + 1, responses.size())) throw Cancelled();
+  }
+  s.status = result.converged ? Status::kConverged : Status::kNotConverged;
+  s.reason = "all responses reached";
+  if (!result.converged) {
+    run.equations.evaluate(begin.newton.converged ? walk.z() : begin.z);
+    s.reason = fmt::format(
+        "stuck at the response {:.6g} on the way to {:.6g}, at {:.9g} rad/s: {}; if phase "
+        "resonance "
+        "turns back there, following it over the response passes the point",
+        run.equations.value(Quantity::kResponse),
+        responses[std::min(curve.points.size(), responses.size() - 1)],
+        run.equations.value(Quantity::kAngularFrequency), result.reason);
+  }
+  if (!result.converged) s.residual = result.residual;
+  s.wall_seconds = seconds_since(start);
+  return curve;
+}
+
+}  // namespace microslip

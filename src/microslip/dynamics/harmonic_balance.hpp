@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "microslip/base/progress.hpp"
+#include "microslip/dynamics/jointed_structure.hpp"
+#include "microslip/dynamics/steady_vibration.hpp"
+#include "microslip/dynamics/target.hpp"
+
+namespace microslip {
+
+struct HarmonicBalanceOptions {
+  /// H: harmonics 0 to H are kept; from 1, and from the highest of the excitation. 3 serve where
+  /// the joint hardly slips, 9 in macro-slip.
+  std::size_t harmonics = 5;
+  /// N, samples of a cycle for the joint forces; from 2H + 2. The error is of the order N^−4, N^−3
+  /// where the density jumps (see HarmonicForce): some 1e-8 of the force with 256.
+  std::size_t samples = 256;
+  /// Largest residual, relative, 1: of the balance to the motion of the joint, of a target to its
+  /// value (a phase: in rad); from 1e-14 to 1e-4. Where rounding does not let it fall so far, 1e-10 is
+  /// enough. The energy balance multiplies it by the energy stored over that lost.
+  double tolerance = 1e-12;
+  /// Evaluations of the equations that one solution may take; ≥ 2.
+  int max_iterations = 40;
+  /// Change of the response and of each joint's motion from one point of a curve to the next,
+  /// relative, 1; in (0, 1]. 0.2 draws the half-width of a resonance with some ten points.
+  double largest_change = 0.2;
+  /// Points of a curve at least, over the range if nothing happens there; ≥ 1.
+  int least_points = 20;
+  /// Points of a curve at most; ≥ 2.
+  int max_points = 5000;
+};
+
+/// Steady periodic vibrations of a jointed structure by the harmonic balance method, with the exact
+/// memory of the joints (HarmonicForce) and the linear modes eliminated: J(2H + 1) unknowns for J
+/// joints, whatever the number of modes.
+///
+///     u_j − Σ_l H_jl(nω) N_l,n − A E_j,n = 0,   N_l = −F_l(u_l),     n = 0 … H
+///
+/// u and N the displacement and tension of a joint, H_jl and E_j the receptances of the linear
+/// structure to the joints and to the excitation. Newton's method with the exact derivative solves
+/// it; curves are followed by pseudo-arclength continuation [Keller, in: Applications of Bifurcation
+/// Theory, Academic Press 1977], past points where they turn back.
+///
+/// Immutable: one object serves any number of threads.
+class HarmonicBalance {
+ public:
+  /// @throws InputError  for options out of their range; where the response point is missing; where
+  ///                     no excited mode moves it.
+  HarmonicBalance(JointedStructure structure, ResponsePoint response,
+                  HarmonicBalanceOptions options = {});
+
+  [[nodiscard]] const JointedStructure& structure() const { return structure_; }
+  [[nodiscard]] const HarmonicBalanceOptions& options() const { return options_; }
+
+  /// The vibration with two quantities as given, for instance frequency and force; phase resonance
+  /// and response; phase resonance and frequency. From the linear solution with all joints stuck,
+  /// and where Newton's method does not get there, through growing levels from where they are.
+  /// @param mode  where no frequency is given: that of the stuck structure (see
+  ///              JointedStructure::stuck_frequencies) at whose resonance to look, from 0.
+  /// @throws InputError  for targets out of their range or twice the same; force and response without
+  ///                     a start, which leave two frequencies to choose from.
+  [[nodiscard]] VibrationResult solve(const Target& first, const Target& second,
+                                      std::size_t mode = 0) const;
+
+  /// The same from a vibration near it, of this structure.
+  /// @throws InputError  also where the number of harmonics or joints of `start` is another.
+  [[nodiscard]] VibrationResult solve(const Target& first, const Target& second,
+                                      const SteadyVibration& start) const;
+
+  /// The curve of vibrations that keep one target while another quantity, not the phase, goes from
+  /// one value to another, either way round, with both ends on it.
+  ///
+  /// The length of a step is such that neither the response nor the motion of a joint changes by more
+  /// than `largest_change`; it is halved where Newton's method does not converge or where the curve
+  /// bends too sharply for it, as at a narrow superharmonic resonance. The summary tells why the
+  /// curve ended and where; a curve that did not reach its end, or on which the energy balance got
+  /// lost in rounding (an undamped mode at its pole), is not converged, and holds the points up to
+  /// there.
+  /// @param progress   told after each point, in thousandths of the range, how far the curve has got.
+  /// @throws InputError  for values out of their range, or no range.
+  /// @throws Cancelled   where progress says so.
+  [[nodiscard]] ResponseCurve follow(const Target& kept, Quantity along, double from, double to,
+                                     std::size_t mode = 0, const Progress& progress = {}) const;
+
+  /// Over ω at constant force amplitude. @param force  A, N. @param from, to  rad/s.
+  [[nodiscard]] ResponseCurve frequency_response(double force, double from, double to,
+                                                 const Progress& progress = {}) const;
+
+  /// Over ω at constant response: the force is what is found. [AR14 Fig. 4]
+  /// @param response  in the kind of the response point. @param from, to  rad/s.
+  [[nodiscard]] ResponseCurve constant_response(double response, double from, double to,
+                                                const Progress& progress = {}) const;
+
+  /// The vibrations at phase resonance at each of these responses, in this order.
+  /// @param responses  > 0, at least one, in the kind of the response point.
+  /// @param progress   told after each; a long backbone may be cancelled (Cancelled).
+  [[nodiscard]] ResponseCurve backbone(std::span<const double> responses, std::size_t mode = 0,
+                                       const Progress& progress = {}) const;
+
+ private:
+  JointedStructure structure_;
+  ResponsePoint response_;
+  HarmonicBalanceOptions options_;
+};
+
+}  // namespace microslip

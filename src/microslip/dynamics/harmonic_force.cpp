@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/dynamics/harmonic_force.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string_view>
+
+#include "microslip/base/error.hpp"
+#include "microslip/dynamics/steady_cycle.hpp"
+
+namespace microslip {
+namespace {
+
+void check_size(std::string_view what, std::size_t size, std::size_t least, std::size_t most) {
+  if (size >= least && size <= most) return;
+  throw InputError(what, static_cast<double>(size),
+                   fmt::format("must be from {} to {}", least, most),
+                   what == "samples" ? "Take more samples or fewer harmonics." : "");
+}
+
+std::size_t checked_harmonics(std::size_t harmonics, std::size_t samples) {
+  check_size("harmonics", harmonics, 1, 1000);
+  check_size("samples", samples, 2 * harmonics + 2, 1'000'000);
+  return harmonics;
+}
+
+void check_length(std::string_view what, std::size_t length, std::size_t expected) {
+  if (length == expected) return;
+  throw InputError(fmt::format("length of {}", what), static_cast<double>(length),
+                   fmt::format("must be {}", expected));
+}
+
+}  // namespace
+
+HarmonicForce::HarmonicForce(std::size_t harmonics, std::size_t samples)
+    : cycle_(std::make_unique<SteadyCycle>(checked_harmonics(harmonics, samples), samples)) {}
+HarmonicForce::~HarmonicForce() = default;
+HarmonicForce::HarmonicForce(HarmonicForce&&) noexcept = default;
+HarmonicForce& HarmonicForce::operator=(HarmonicForce&&) noexcept = default;
+
+HarmonicForce::Cycle HarmonicForce::evaluate(const Joint& joint,
+                                             std::span<const double> displacement,
+                                             std::span<double> force, std::span<double> jacobian) {
+  const auto n = static_cast<std::size_t>(cycle_->coefficients());
+  check_length("displacement", displacement.size(), n);
+  check_length("force", force.size(), n);
+  check_length("jacobian", jacobian.size(), n * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (std::isfinite(displacement[i])) continue;
+    throw InputError(fmt::format("displacement[{}]", i), displacement[i], "must be finite");
+  }
+  return cycle_->evaluate(joint, displacement, force, jacobian);
+}
+
+}  // namespace microslip

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "microslip/joint/joint.hpp"
+#include "microslip/structure/modal_model.hpp"
+
+namespace microslip {
+
+/// A joint and how it sits in a structure of modes q_i. With N = −F(u) the tension in it [AR14 (13)],
+///
+///     u = Σ_i ψ_i q_i − ½ Σ_ij Γ_ij q_i q_j + cN,     on mode i:  [ψ_i − Σ_r Γ_ir q_r] N
+///
+/// The terms with Γ are those of a joint that a bending beam shortens, and that tensions the beam
+/// in turn [AR14 (12)]; both come from one potential, so that they lose no energy.
+struct StructuralJoint {
+  std::string name;           ///< not empty, no two the same
+  Joint joint;                ///< F(u)
+  std::vector<double> shape;  ///< ψ_i, relative displacement over q_i, kg^−½; one a mode
+
+  /// Stiffness k_s between its ends that the modes were computed with, N/m; ≥ 0, e.g. k for the modes
+  /// of the stuck structure. It is taken out again: k_s ψ_i Σ_r ψ_r q_r is added to the force on mode
+  /// i. On a shape r φ_i′(L) this is the torsional spring k_θ = k_s r². Without the springs of all
+  /// joints diag(ω_i²) − Σ k_s ψψᵀ must not have a negative eigenvalue.
+  double spring_in_modes = 0.0;
+
+  /// c, m/N; ≥ 0: of what lies in series with the joint, L/(EA) for a beam.
+  double series_compliance = 0.0;
+
+  /// Γ_ij, 1/(kg m), by rows, symmetric; empty where nothing shortens.
+  std::vector<double> shortening = {};
+};
+
+/// A periodic force at a point, f(t) = A Re Σ_n s_n e^{inωt}. The force amplitude A, N, is common to
+/// all excitations of a structure.
+struct Excitation {
+  std::string point;  ///< of the modal model
+  /// s_1, s_2, …, 1: harmonic n is entry n − 1. Those above the harmonics of the balance are an error.
+  std::vector<std::complex<double>> harmonics = {1.0};
+};
+
+/// A linear structure in modal form, its joints and what drives it:
+///
+///     q̈_i + damping + ω_i² q_i = Σ_d φ_i(d) f_d(t) + what the joints do (see StructuralJoint)
+///
+/// Damping of harmonic n of a motion of ω is η_i ω_i nω (viscous) or η_i ω_i² (hysteretic, n ≥ 1).
+/// Immutable.
+class JointedStructure {
+ public:
+  /// @param joints       may be none: a linear structure.
+  /// @param excitations  at least one, and one s_n that is not 0.
+  /// @throws InputError  naming the joint or excitation and the rule it breaks.
+  JointedStructure(ModalModel linear, std::vector<StructuralJoint> joints,
+                   std::vector<Excitation> excitations, DampingLaw damping = DampingLaw::kViscous);
+
+  [[nodiscard]] const ModalModel& linear() const { return linear_; }
+  [[nodiscard]] std::span<const StructuralJoint> joints() const { return joints_; }
+  [[nodiscard]] std::span<const Excitation> excitations() const { return excitations_; }
+  [[nodiscard]] DampingLaw damping() const { return damping_; }
+
+  /// Whether some joint shortens (Γ).
+  [[nodiscard]] bool shortens() const;
+  /// The largest n with an s_n.
+  [[nodiscard]] std::size_t excited_harmonics() const;
+
+  /// Natural frequencies with all joints stuck and nothing damped, rad/s, rising: where the
+  /// resonances are at small amplitude. Series compliance included, shortening not.
+  [[nodiscard]] std::vector<double> stuck_frequencies() const;
+
+ private:
+  ModalModel linear_;
+  std::vector<StructuralJoint> joints_;
+  std::vector<Excitation> excitations_;
+  DampingLaw damping_;
+};
+
+}  // namespace microslip

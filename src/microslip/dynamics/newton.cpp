@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/dynamics/newton.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace microslip {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kRounding = 1e-10;     // residuals this small may be the rounding of the equations
+constexpr double kLargestChange = 0.3;  // of ω in one step, relative
+
+/// One of the two equations beside the balance.
+struct Condition {
+  std::function<double(const VectorXd& z)> miss;
+  std::function<Eigen::RowVectorXd()> gradient;
+};
+
+class Newton {
+ public:
+  Newton(BalanceEquations& equations, Condition first, Condition second)
+      : equations_(equations), first_(std::move(first)), second_(std::move(second)) {}
+
+  NewtonResult run(const NewtonOptions& options, VectorXd& z) {
+    NewtonResult result = iterate(options, z);
+    if (result.converged && !(z[equations_.balance_count() + 1] > 0.0)) {
+      result.converged = false;
+      result.reason = "the force amplitude came out negative";
+    }
+    if (!result.converged) {
+      z = best_;
+      equations_.evaluate(z);
+    }
+    return result;
+  }
+
+ private:
+  NewtonResult iterate(const NewtonOptions& options, VectorXd& z) {
+    NewtonResult result;
+    double residual = evaluate(z);
+    best_ = z;
+    result.residual = residual;
+    for (result.iterations = 1; result.iterations < options.max_iterations; ++result.iterations) {
+      if (residual == HUGE_VAL) {
+        result.reason =
+            "the equations are not finite: an undamped mode at its pole, held by no joint";
+        return result;
+      }
+      result.converged = residual <= options.tolerance;
+      if (result.converged) {
+        result.reason = "residual below the tolerance";
+        return result;
+      }
+      const VectorXd step = this->step();
+      if (!step.allFinite()) {
+        result.reason = "the equations have no finite step";
+        return result;
+      }
+      const double next = advance(step, residual, z, result.iterations);
+      if (next < result.residual) {
+        result.residual = next;
+        best_ = z;
+      }
+      if (residual <= kRounding && !(next < 0.5 * residual)) {
+        result.converged = next <= kRounding;
+        result.reason = "residual down to rounding";
+        return result;
+      }
+      residual = next;
+    }
+    result.converged = residual <= options.tolerance;
+    result.reason =
+        result.converged ? "residual below the tolerance" : "the iterations allowed were used up";
+    return result;
+  }
+
+  /// The scaled equations at z; returns the largest residual.
+  double evaluate(const VectorXd& z) {
+    equations_.evaluate(z);
+    const Index n = equations_.balance_count();
+    scale_ = equations_.scale();
+    residual_.resize(n + 2);
+    residual_.head(n) = equations_.residual().cwiseQuotient(scale_.head(n));
+    residual_.tail(2) << first_.miss(z), second_.miss(z);
+    return residual_.allFinite() ? residual_.cwiseAbs().maxCoeff() : HUGE_VAL;
+  }
+
+  /// Relative to the scale; from where the equations were evaluated last.
+  [[nodiscard]] VectorXd step() {
+    const Index n = equations_.balance_count();
+    matrix_.resize(n + 2, n + 2);
+    matrix_.topRows(n) = scale_.head(n).cwiseInverse().asDiagonal() * equations_.jacobian();
+    matrix_.row(n) = first_.gradient();
+    matrix_.row(n + 1) = second_.gradient();
+    matrix_ *= scale_.asDiagonal();
+    factors_.compute(matrix_);
+    return factors_.solve(-residual_);
+  }
+
+  /// Takes the step, relative to the scale, or as much of it as does not make things worse. What is
+  /// worse the next step would tell, by the matrix of this one (natural monotonicity test
+  /// [Deuflhard]), and not the residual: close to a resonance a frequency that is missed by little
+  /// turns the phase of all that moves, and the residual grows on the way there.
+  double advance(const VectorXd& step, double residual, VectorXd& z, int& evaluations) {
+    const Index frequency = equations_.balance_count();
+    const VectorXd change = scale_.cwiseProduct(step);
+    double share = std::min(1.0, kLargestChange * z[frequency] / std::abs(change[frequency]));
+    const VectorXd start = z;
+    double next = HUGE_VAL;
+    for (int halving = 0; halving <= 4; ++halving, share *= 0.5) {
+      z = start + share * change;
+      next = evaluate(z);
+      if (next < residual || residual <= kRounding) break;
+      if (std::isfinite(next) && factors_.solve(residual_).norm() < step.norm()) break;
+      ++evaluations;
+    }
+    return next;
+  }
+
+  BalanceEquations& equations_;
+  Condition first_;
+  Condition second_;
+  VectorXd scale_;
+  VectorXd residual_;
+  MatrixXd matrix_;
+  Eigen::PartialPivLU<MatrixXd> factors_;  // of the matrix where the step starts
+  VectorXd best_;                          // z of the smallest residual
+};
+
+Condition condition(BalanceEquations& equations, const Target& target) {
+  return {[&equations, target](const VectorXd&) { return equations.miss(target); },
+          [&equations, target] { return equations.miss_gradient(target); }};
+}
+
+Condition condition(const Place& place) {
+  return {[&place](const VectorXd& z) { return place.normal * (z - place.at); },
+          [&place] { return place.normal; }};
+}
+
+}  // namespace
+
+NewtonResult newton(BalanceEquations& equations, const Target& first, const Target& second,
+                    const NewtonOptions& options, VectorXd& z) {
+  return Newton(equations, condition(equations, first), condition(equations, second))
+      .run(options, z);
+}
+
+NewtonResult newton(BalanceEquations& equations, const Target& first, const Place& second,
+                    const NewtonOptions& options, VectorXd& z) {
+  return Newton(equations, condition(equations, first), condition(second)).run(options, z);
+}
+
+}  // namespace microslip

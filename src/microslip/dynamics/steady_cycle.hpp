@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "microslip/dynamics/cycle_extremes.hpp"
+#include "microslip/dynamics/harmonic_force.hpp"
+#include "microslip/dynamics/kink_correction.hpp"
+#include "microslip/dynamics/trigonometric_basis.hpp"
+
+namespace microslip {
+
+/// The method of HarmonicForce: the samples of a cycle, the branches they lie on, and the sums over
+/// them. Internal to dynamics.
+///
+/// With F′ the tangent and T the row of a sample, that of a branch adds to the Jacobian
+/// Σ T F′ Tᵀ + Σ T (f_r′ − F′ T_r)ᵀ: the first sum over all branches is a matrix of multiplication by
+/// F′(τ), and the second is of rank 1 on each branch.
+class SteadyCycle {
+ public:
+  SteadyCycle(std::size_t harmonics, std::size_t samples);
+
+  [[nodiscard]] Eigen::Index coefficients() const { return through_reversals_.rows(); }
+
+  HarmonicForce::Cycle evaluate(const Joint& joint, std::span<const double> displacement,
+                                std::span<double> force, std::span<double> jacobian);
+
+ private:
+  /// The force at an extreme and its derivatives by the coefficients are those of column `at`.
+  struct Reversal {
+    std::size_t at;
+    double force;
+  };
+
+  /// Samples between two extremes, in which x moves one way.
+  struct Stretch {
+    std::size_t from;  ///< the extremes
+    std::size_t to;
+    double sign;         ///< +1 loading, −1 unloading
+    Eigen::Index first;  ///< sample
+    Eigen::Index samples;
+  };
+
+  void at_rest(const Joint& joint);
+  void march(const Joint& joint);
+  void segment(const Joint& joint, std::size_t from, std::size_t to, Eigen::Index samples);
+  void branch(const Joint& joint, const Reversal& origin, double sign, Eigen::Index first,
+              Eigen::Index samples);
+  void block(const Joint& joint, const Reversal& origin, double sign, Eigen::Index first,
+             Eigen::Index samples);
+  [[nodiscard]] Eigen::Index samples_up_to(double end, const Stretch& stretch) const;
+  void kinks_of_atoms(const Joint& joint, const Stretch& stretch, const Reversal& origin,
+                      double from, double to);
+  void kink_of_closing(const Joint& joint, const Stretch& stretch, double end);
+  [[nodiscard]] double angle_at(const Stretch& stretch, double x) const;
+  [[nodiscard]] double in_interval(double tau, Eigen::Index next) const;
+  [[nodiscard]] Reversal reversal_on(const Joint& joint, const Reversal& origin, double sign,
+                                     std::size_t at);
+
+  TrigonometricBasis basis_;
+  double step_;  // h, between two samples, rad
+  CycleExtremes extremes_;
+  Eigen::VectorXd x_;
+  Eigen::VectorXd force_;
+  Eigen::VectorXd tangent_;
+  Eigen::MatrixXd rows_;         // T at each extreme, a column an extreme
+  Eigen::MatrixXd gradients_;    // of the force there
+  std::vector<Reversal> stack_;  // as in Memory
+  std::span<const double> coefficients_of_x_;
+  KinkCorrection kinks_;
+  Eigen::VectorXd jump_gradient_;      // of the jump of the tangent at a kink
+  Eigen::VectorXd part_;               // rowsᵀ tangent of one block of samples
+  Eigen::VectorXd moments_;            // of all samples
+  Eigen::MatrixXd through_reversals_;  // the part of the Jacobian that reversals hand on
+};
+
+}  // namespace microslip

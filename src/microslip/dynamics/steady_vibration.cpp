@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/dynamics/steady_vibration.hpp"
+
+#include <numbers>
+#include <span>
+#include <string_view>
+
+namespace microslip {
+
+double SteadyVibration::frequency() const { return angular_frequency / (2.0 * std::numbers::pi); }
+
+double SteadyVibration::damping_ratio() const {
+  double square = 0.0;  // of the modal amplitude
+  for (const auto& harmonics : modal) square += std::norm(harmonics.at(1));
+  const double energy = 2.0 * std::numbers::pi * angular_frequency * angular_frequency * square;
+  double lost = linear_dissipation;
+  for (const JointCycle& joint : joints) lost += joint.dissipation;
+  return energy > 0.0 ? lost / energy : 0.0;
+}
+
+std::vector<std::complex<double>> SteadyVibration::displacement(const ModalModel& model,
+                                                                std::string_view point) const {
+  const std::span<const double> shape = model.shape(point);
+  const std::size_t count = modal.empty() ? 0 : modal.front().size();
+  std::vector<std::complex<double>> result(count);
+  for (std::size_t i = 0; i < modal.size(); ++i) {
+    for (std::size_t n = 0; n < count; ++n) result[n] += shape[i] * modal[i][n];
+  }
+  return result;
+}
+
+std::vector<std::complex<double>> SteadyVibration::acceleration(const ModalModel& model,
+                                                                std::string_view point) const {
+  std::vector<std::complex<double>> result = displacement(model, point);
+  for (std::size_t n = 0; n < result.size(); ++n) {
+    const double rate = static_cast<double>(n) * angular_frequency;
+    result[n] *= -rate * rate;
+  }
+  return result;
+}
+
+}  // namespace microslip

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "microslip/base/summary.hpp"
+#include "microslip/structure/modal_model.hpp"
+
+namespace microslip {
+
+/// The cycle of one joint. Harmonics are factors of e^{inωt}, entry n that of harmonic n; entry 0 is
+/// the mean.
+struct JointCycle {
+  std::string name;
+  std::vector<std::complex<double>> displacement;  ///< u_n, m
+  std::vector<std::complex<double>> force;         ///< F_n, N: the restoring force
+  double amplitude = 0.0;                          ///< half of max u − min u, m
+  double dissipation = 0.0;                        ///< ∮ F du of the harmonics, J per cycle
+  std::size_t reversals = 0;                       ///< in a cycle; 2 without inner loops
+};
+
+/// A steady periodic vibration.
+struct SteadyVibration {
+  double angular_frequency = 0.0;  ///< ω, rad/s
+  double force_amplitude = 0.0;    ///< A, N; the phase of the force is 0
+  double response = 0.0;           ///< at the response point, in its kind
+  double phase_lag = 0.0;          ///< of the displacement there, rad; in (−π, π]
+  std::vector<std::vector<std::complex<double>>> modal;  ///< q_{i,n}: [mode][harmonic], kg^½ m
+  std::vector<JointCycle> joints;
+
+  double input_energy = 0.0;        ///< W_ext = ∮ Σ f ẇ dt, J per cycle [AR14 (17)]
+  double linear_dissipation = 0.0;  ///< W_lin = Σ_i Σ_n nπ Im Z_i(nω) |q_{i,n}|², J per cycle
+  /// |W_ext − W_lin − ΣD|/W_ext, 1: 0 in an exact solution of the equations, so that it measures
+  /// the convergence of this one. [AR14 (15) (16)] Where next to nothing is lost W_ext is the
+  /// small rest of what flows in and out: then over 1e-3 of the apparent work Σ nπ|f_n||w_n|.
+  double energy_imbalance = 0.0;
+
+  /// ω/(2π), Hz.
+  [[nodiscard]] double frequency() const;
+
+  /// ζ by the energy that a cycle loses to the largest kinetic energy of its first harmonic:
+  ///
+  ///     ζ = (W_lin + ΣD)/(2π ω² Σ_i |q_{i,1}|²)
+  ///
+  /// with q mass-normalised, so that Σ_i |q_{i,1}|² is the square of the modal amplitude. In phase
+  /// resonance of a linear structure with one mode it is that mode's damping ratio. 0 where nothing
+  /// moves.
+  [[nodiscard]] double damping_ratio() const;
+
+  /// The displacement at a point, harmonics 0 to H, m.
+  /// @throws InputError  where the model has no such point.
+  [[nodiscard]] std::vector<std::complex<double>> displacement(const ModalModel& model,
+                                                               std::string_view point) const;
+  /// The acceleration there, −n²ω² times it, m/s².
+  [[nodiscard]] std::vector<std::complex<double>> acceleration(const ModalModel& model,
+                                                               std::string_view point) const;
+};
+
+struct VibrationResult {
+  SteadyVibration vibration;  ///< the best that was found
+  Summary summary;
+};
+
+/// A curve of steady vibrations in the order in which they were found.
+struct ResponseCurve {
+  std::vector<SteadyVibration> points;
+  /// Local maxima of the response over the force along the curve, located by its slope to 1e-7 of
+  /// a step: of the response at constant force, minima of the force at
+  /// constant response.
+  std::vector<SteadyVibration> peaks;
+  /// i where the curve turns back in the quantity that it follows between points i − 1 and i + 1.
+  std::vector<std::size_t> turning_points;
+  Summary summary;
+};
+
+}  // namespace microslip

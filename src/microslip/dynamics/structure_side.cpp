@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/dynamics/structure_side.hpp"
+
+namespace microslip {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+VectorXd to_vector(std::span<const double> values) {
+  return Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
+}
+
+}  // namespace
+
+ModalMatrices::ModalMatrices(const JointedStructure& structure, std::string_view response_point,
+                             std::size_t harmonic_count)
+    : modes(static_cast<Index>(structure.linear().size())),
+      joints(static_cast<Index>(structure.joints().size())),
+      harmonics(harmonic_count),
+      mode(structure.linear().modes().begin(), structure.linear().modes().end()),
+      damping(structure.damping()),
+      shapes(modes, joints),
+      response_shape(to_vector(structure.linear().shape(response_point))),
+      load(Eigen::MatrixXcd::Zero(modes, static_cast<Index>(harmonics) + 1)),
+      spring_in_modes(joints),
+      compliance(joints) {
+  for (Index j = 0; j < joints; ++j) {
+    const StructuralJoint& joint = structure.joints()[static_cast<std::size_t>(j)];
+    shapes.col(j) = to_vector(joint.shape);
+    spring_in_modes[j] = joint.spring_in_modes;
+    compliance[j] = joint.series_compliance;
+  }
+  for (const Excitation& excitation : structure.excitations()) {
+    const VectorXd shape = to_vector(structure.linear().shape(excitation.point));
+    for (std::size_t n = 1; n <= std::min(excitation.harmonics.size(), harmonics); ++n) {
+      load.col(static_cast<Index>(n)) += shape * excitation.harmonics[n - 1];
+    }
+  }
+}
+
+std::complex<double> ModalMatrices::stiffness(Index i, std::size_t n,
+                                              double angular_frequency) const {
+  const Mode& m = mode[static_cast<std::size_t>(i)];
+  if (n == 0) return m.angular_frequency * m.angular_frequency;
+  return modal_stiffness(m, static_cast<double>(n) * angular_frequency, damping);
+}
+
+std::complex<double> ModalMatrices::stiffness_slope(Index i, std::size_t n,
+                                                    double angular_frequency) const {
+  const Mode& m = mode[static_cast<std::size_t>(i)];
+  const auto order = static_cast<double>(n);
+  const bool viscous = damping == DampingLaw::kViscous;
+  return {-2.0 * order * order * angular_frequency,
+          viscous ? order * m.loss_factor * m.angular_frequency : 0.0};
+}
+
+std::unique_ptr<StructureSide> make_structure_side(const JointedStructure& structure,
+                                                   std::string_view response_point,
+                                                   std::size_t harmonics) {
+  return structure.shortens() ? make_shortening_side(structure, response_point, harmonics)
+                              : make_receptance_side(structure, response_point, harmonics);
+}
+
+}  // namespace microslip

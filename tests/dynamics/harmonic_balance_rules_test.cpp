@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "dynamics/structures.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/dynamics/harmonic_balance.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr Quantity kFrequency = Quantity::kAngularFrequency;
+constexpr Quantity kForce = Quantity::kForceAmplitude;
+constexpr Quantity kResponse = Quantity::kResponse;
+
+template <typename Call>
+std::string message_of(const Call& call) {
+  try {
+    call();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void expect_message(const std::string& message, const std::string& part) {
+  EXPECT_NE(message.find(part), std::string::npos) << "'" << message << "' has no '" << part << "'";
+}
+
+TEST(HarmonicBalance, NamesTheOptionOutOfRange) {
+  const auto build = [](const HarmonicBalanceOptions& options) {
+    return message_of(
+        [&] { HarmonicBalance(testing::one_mass(testing::iwan_joint()), {"mass"}, options); });
+  };
+  EXPECT_EQ(build({}), "");
+  expect_message(build({.harmonics = 0}), "harmonics = 0");
+  expect_message(build({.harmonics = 7, .samples = 15}), "samples = 15; must be from 16");
+  expect_message(build({.tolerance = 0.0}), "tolerance = 0");
+  expect_message(build({.max_iterations = 1}), "max_iterations = 1");
+  expect_message(build({.largest_change = 0.0}), "largest_change = 0");
+  expect_message(build({.least_points = 0}), "least_points = 0");
+  expect_message(build({.max_points = 1}), "max_points = 1");
+}
+
+TEST(HarmonicBalance, NamesTheTargetOutOfRange) {
+  const HarmonicBalance balance(testing::one_mass(testing::iwan_joint()), {"mass"});
+  const auto solve = [&](Target first, Target second) {
+    return message_of([&] { (void)balance.solve(first, second); });
+  };
+  expect_message(solve({kForce, -1.0}, {kFrequency, 1.0}), "force amplitude = -1");
+  expect_message(solve({kForce, 1.0}, {kFrequency, 0.0}), "angular frequency = 0");
+  expect_message(solve({kForce, 1.0}, {kForce, 2.0}), "must be another than the first");
+  expect_message(solve({kForce, 1.0}, {kResponse, 2.0}), "two frequencies");
+  expect_message(solve({Quantity::kPhaseLag, 3.2}, {kResponse, 2.0}), "phase lag = 3.2");
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  expect_message(solve({kForce, nan}, {kFrequency, 1.0}), "force amplitude = nan");
+  expect_message(message_of([&] {
+                   (void)balance.solve(kPhaseResonance, {kForce, 1.0}, 3);
+                 }),
+                 "mode = 3");
+  expect_message(message_of([&] { (void)balance.frequency_response(1.0, 1.0, 1.0); }),
+                 "end of the range = 1");
+  expect_message(message_of([&] {
+                   (void)balance.follow({kForce, 1.0}, Quantity::kPhaseLag, 1.0, 2.0);
+                 }),
+                 "quantity to follow = phase lag; must not be the phase lag");
+  expect_message(message_of([&] { (void)balance.backbone({}); }), "number of responses = 0");
+  const HarmonicBalance other(testing::one_mass(testing::iwan_joint()), {"mass"}, {.harmonics = 3});
+  const auto start = other.solve({kFrequency, 1.2}, {kForce, 0.01});
+  expect_message(message_of([&] {
+                   (void)balance.solve({kFrequency, 1.2}, {kForce, 0.01}, start.vibration);
+                 }),
+                 "harmonics of the start = 3; must be those of the options, 5");
+}
+
+TEST(HarmonicBalance, NamesTheExcitationAndTheResponseThatCannotBe) {
+  const ModalModel linear({{1.0, 0.01}}, {{"mass", {1.0}}, {"node", {0.0}}});
+  const auto build = [&](std::vector<Excitation> excitations, ResponsePoint response) {
+    return message_of([&] {
+      HarmonicBalance(JointedStructure(linear, {}, std::move(excitations)), std::move(response));
+    });
+  };
+  expect_message(build({}, {"mass"}), "number of excitations = 0");
+  expect_message(build({{"mass", {0.0}}}, {"mass"}), "one of their harmonics not 0");
+  expect_message(build({{"elsewhere"}}, {"mass"}), "point = 'elsewhere'");
+  expect_message(build({{"mass"}}, {"elsewhere"}), "point = 'elsewhere'");
+  expect_message(build({{"mass"}}, {"node"}), "response point = 'node'");
+  expect_message(build({{"mass", {1.0, 0.0, 0.0, 0.0, 0.0, 0.1}}}, {"mass"}),
+                 "harmonics = 5; must be at least the highest of the excitation, 6");
+}
+
+// One mode of 2 rad/s and unit shape holds 4 N/m.
+TEST(JointedStructure, TakesNoMoreSpringOutThanTheModesHold) {
+  const ModalModel linear({{2.0, 0.01}}, {{"mass", {1.0}}});
+  const auto build = [&](double spring) {
+    const StructuralJoint joint{
+        .name = "a", .joint = testing::iwan_joint(), .shape = {1.0}, .spring_in_modes = spring};
+    return message_of([&] { JointedStructure(linear, {joint}, {{"mass"}}); });
+  };
+  EXPECT_EQ(build(4.0), "");
+  expect_message(build(4.1), "spring_in_modes of joint 'a' = 4.1; must be in the modes");
+  expect_message(build(4.1), "they hold 4 N/m at most");
+}
+
+TEST(JointedStructure, NamesTheJointThatBreaksARule) {
+  const ModalModel linear({{1.0, 0.01}, {0.0, 0.0}}, {{"mass", {1.0, 1.0}}});
+  const StructuralJoint good{.name = "a", .joint = testing::iwan_joint(), .shape = {1.0, 0.5}};
+  const auto build = [&](const std::vector<StructuralJoint>& joints) {
+    return message_of([&] { JointedStructure(linear, joints, {{"mass"}}); });
+  };
+  EXPECT_EQ(build({good}), "");
+  expect_message(build({good, good}), "name of a joint = 'a'");
+  StructuralJoint bad = good;
+  bad.shape = {1.0};
+  expect_message(build({bad}), "shape of joint 'a' = 1 values; must have 2");
+  bad = good;
+  bad.spring_in_modes = -1.0;
+  expect_message(build({bad}), "spring_in_modes of joint 'a' = -1");
+  bad = good;
+  bad.series_compliance = -1.0;
+  expect_message(build({bad}), "series_compliance of joint 'a' = -1");
+  bad = good;
+  bad.shortening = {1.0, 2.0, 3.0, 1.0};
+  expect_message(build({bad}), "shortening[1, 0] of joint 'a' = 3");
+  bad.shortening = {1.0, 2.0, 2.0, 1.0};
+  expect_message(build({bad}),
+                 "angular_frequency[1] = 0; must be positive where joint 'a' shortens");
+}
+
+}  // namespace
+}  // namespace microslip

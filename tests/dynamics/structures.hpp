@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "microslip/dynamics/jointed_structure.hpp"
+#include "microslip/rig/rig_structure.hpp"
+#include "support/densities.hpp"
+#include "support/rigs.hpp"
+
+/// @file Structures whose vibration is known from elsewhere.
+
+namespace microslip::testing {
+
+/// A mass of 1 kg on a spring of 0.75 N/m with a damper of 0.01 N s/m and a joint.
+inline JointedStructure one_mass(Joint joint, double spring = 0.75, double damper = 0.01) {
+  const double omega = std::sqrt(spring);
+  ModalModel linear({{omega, damper / omega}}, {{"mass", {1.0}}});
+  return JointedStructure(std::move(linear), {{"joint", std::move(joint), {1.0}}}, {{"mass"}});
+}
+
+/// Segalman's joint and a Jenkins element, 0.25 N/m both, macro-slip at 0.2 N.
+inline Joint iwan_joint() { return Joint::four_parameter(0.2, 0.25, -0.5, 0.0); }
+inline Joint jenkins_joint() { return Joint(0.25, SlipDensity({AtomsPart{{0.2}, {1.0}}})); }
+
+/// The reference rig with the joint of reference_rig_levels.csv; driven at the point "force".
+inline JointedStructure friction_rig(std::size_t modes = 7) {
+  const Rig rig = reference_rig();
+  return rig_structure(rig, stick_state(rig, modes), reference_joint());
+}
+
+}  // namespace microslip::testing
