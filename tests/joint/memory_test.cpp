@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -483,6 +484,60 @@ TEST(Memory, RejectsForcesOfAnotherLength) {
     EXPECT_STREQ(error.what(), "length of force = 2; must be that of the displacements, 3");
   }
   EXPECT_EQ(memory.displacement(), 0.0);
+}
+
+// ---- Energies. ----
+
+// Of the same sliders, one by one: each has a stretch e and loses f|dx| while it slips. Energies are of
+// order 1e-3 J, the sum of 2e4 losses 1 J.
+TEST(Memory, HasTheEnergiesOfTheSlidersOneByOne) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const Joint joint = atoms_joint();
+    const AtomsPart& atoms = joint.density().atoms();
+    const double k = joint.stiffness();
+    std::vector<double> stretch(atoms.weight.size());
+    double lost = 0.0;
+    double expected_loss = 0.0;
+    Memory memory(joint);
+    for (const double x : random_path(seed, 20000, kAmplitude, seed)) {
+      double stored = 0.5 * k * joint.density().elastic_remainder() * x * x;
+      for (std::size_t i = 0; i < stretch.size(); ++i) {
+        const double limit = atoms.slip_force[i] / k;
+        const double free = stretch[i] + x - memory.displacement();
+        stretch[i] = std::clamp(free, -limit, limit);
+        expected_loss += k * atoms.weight[i] * limit * std::abs(free - stretch[i]);
+        stored += 0.5 * k * atoms.weight[i] * stretch[i] * stretch[i];
+      }
+      lost += memory.dissipation(x);
+      memory.advance(x);
+      ASSERT_NEAR(memory.stored_energy(), stored, 1e-15);
+    }
+    EXPECT_GT(expected_loss, 0.1);
+    EXPECT_NEAR(lost, expected_loss, 1e-12 * expected_loss);
+  }
+}
+
+// The work of the force, by Simpson's rule over 64 parts of a step, is what was lost and stored. Where an
+// atom begins to slip inside of a part it errs by 64^−2 of a part of the work.
+TEST(Memory, LosesAndStoresTheWorkOfItsForce) {
+  for (const Joint& joint : all_kinds()) {
+    Memory memory(joint);
+    const double size = 0.5 * joint.stiffness() * kAmplitude * kAmplitude;
+    for (const double to : random_path(5, 300, kAmplitude)) {
+      const double before = memory.stored_energy();
+      const double lost = memory.dissipation(to);
+      const double from = memory.displacement();
+      double work = memory.force() / 6.0;  // over the length of a part
+      constexpr int kParts = 64;
+      for (int i = 1; i <= 2 * kParts; ++i) {
+        const double weight = i == 2 * kParts ? 1.0 : i % 2 == 1 ? 4.0 : 2.0;
+        work += weight / 6.0 * memory.advance(from + (to - from) * i / (2.0 * kParts));
+      }
+      work *= (to - from) / kParts;
+      ASSERT_NEAR(work, lost + memory.stored_energy() - before, 1e-4 * size);
+      ASSERT_GE(lost, 0.0);
+    }
+  }
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ Memory::Curve Memory::curve(const Branch& branch) const {
   return {origin.displacement, origin.force, sign, 2.0 * sign, 0.5, sign * end};
 }
 
-Memory::Step Memory::step_to(double x) const {
+/// The branch on which a step to x begins.
+Memory::Branch Memory::first_branch(double x) const {
   if (!std::isfinite(x)) throw InputError("displacement", x, "must be finite");
   Branch branch{reversals_.size(), false, direction_};
   if (x != x_) {
@@ -30,13 +31,69 @@ Memory::Step Memory::step_to(double x) const {
     branch.from_present = direction_ != 0 && direction != direction_;
     branch.direction = direction;
   }
+  return branch;
+}
+
+/// On to the branch of which this one was a minor loop.
+void Memory::close_loop(Branch& branch) {
+  const std::size_t older = branch.from_present ? branch.depth : branch.depth - 1;
+  branch.from_present = false;
+  branch.depth = older == 0 ? 0 : older - 1;
+}
+
+Memory::Step Memory::step_to(double x) const {
+  Branch branch = first_branch(x);
   for (;;) {  // close the minor loops that the step passes
     const Curve on = curve(branch);
     if (on.sign * x < on.end) return {branch, on};
-    const std::size_t older = branch.from_present ? branch.depth : branch.depth - 1;
-    branch.from_present = false;
-    branch.depth = older == 0 ? 0 : older - 1;
+    close_loop(branch);
   }
+}
+
+double Memory::dissipation(double x) const {
+  const SlipDensity& density = joint_->density();
+  Branch branch = first_branch(x);
+  double sum = 0.0;
+  for (double from = x_;;) {
+    const Curve on = curve(branch);
+    const bool ends_here = on.sign * x < on.end;
+    const double to = ends_here ? x : on.sign * on.end;
+    const double k = joint_->stiffness() * on.reach;
+    sum += (density.slip_energy(k * std::abs(to - on.displacement)) -
+            density.slip_energy(k * std::abs(from - on.displacement))) /
+           k;  // dE/ds = Φ1
+    if (ends_here) return sum;
+    from = to;
+    close_loop(branch);
+  }
+}
+
+double Memory::stored_energy() const {
+  const SlipDensity& density = joint_->density();
+  const double k = joint_->stiffness();
+  PartialMoments within;  // of the elements that are accounted for
+  double sum = 0.0;
+  // Those up to slip force s that are not yet, stretched by `offset` + sign·f*/k.
+  const auto add = [&](double s, double offset, double sign) {
+    const PartialMoments all = density.moments(s);
+    sum += offset * (offset * (all.zeroth - within.zeroth) +
+                     2.0 * sign / k * (all.first - within.first)) +
+           (all.second - within.second) / (k * k);
+    within = all;
+  };
+  double offset = 0.0;
+  double sign = 0.0;  // of e where it slips now; no matter without an offset
+  double x = x_;
+  for (std::size_t i = reversals_.size(); i-- > 0;) {
+    const double turned_at = reversals_[i].displacement;
+    add(0.5 * k * std::abs(x - turned_at), offset, sign);
+    offset = x_ - turned_at;
+    sign = x > turned_at ? -1.0 : 1.0;  // it came from the other side
+    x = turned_at;
+  }
+  add(k * std::abs(x), offset, sign);
+  sum += (1.0 - within.zeroth) * x_ * x_;  // never slipped
+  return 0.5 * k * sum;
 }
 
 double Memory::force_on(const Curve& on, double x) const {

@@ -51,6 +51,16 @@ class Memory {
   /// @throws InputError  where x is not finite.
   [[nodiscard]] Response trial(double x) const;
 
+  /// What the sliders would take in a step to x, J: ∫ Φ1(s)|dx| along the branches, s = k|x| on the
+  /// virgin curve and ½k|x − x_r| on the others, in closed form. @param x  m, finite.
+  /// @throws InputError  where x is not finite.
+  [[nodiscard]] double dissipation(double x) const;
+
+  /// Σ ½κ_i(x − z_i)² of the springs of all elements, J, in closed form: those that slipped at the
+  /// reversal r and stuck since are stretched by x − x_r ± f*/k. With it
+  /// ∫ f dx = dissipated + change of the stored energy along any path.
+  [[nodiscard]] double stored_energy() const;
+
   /// Takes the step to x. @param x  m, finite. @return the force there, N.
   /// @throws InputError  where x is not finite; then no step is taken.
   double advance(double x);
@@ -90,6 +100,8 @@ class Memory {
     Curve curve;
   };
 
+  [[nodiscard]] Branch first_branch(double x) const;
+  static void close_loop(Branch& branch);
   [[nodiscard]] Step step_to(double x) const;
   [[nodiscard]] Curve curve(const Branch& branch) const;
   Curve move_to(double x);

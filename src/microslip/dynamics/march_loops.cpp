@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/dynamics/march_loops.hpp"
+
+#include "microslip/dynamics/march_weights.hpp"
+#include "microslip/joint/vector_clones.hpp"
+
+namespace microslip::march_loops {
+namespace {
+
+double sum_of(const double (&lanes)[kLanes]) {
+  return ((lanes[0] + lanes[4]) + (lanes[2] + lanes[6])) +
+         ((lanes[1] + lanes[5]) + (lanes[3] + lanes[7]));
+}
+
+constexpr std::size_t kGroup = StepWeights::kKinds * kLanes;
+
+}  // namespace
+
+MICROSLIP_VECTOR_CLONES
+void predict(std::size_t groups, const double* weights, double length, const State& from,
+             const double* slope, double* q, double* v) {
+  using W = StepWeights;
+  const State s = from;
+  for (std::size_t group = 0; group < groups; ++group) {
+    const double* w = weights + group * kGroup;
+#pragma omp simd
+    for (std::size_t j = 0; j < kLanes; ++j) {
+      const std::size_t i = group * kLanes + j;
+      const double load = s.joint_load[i] + s.force[i];
+      const double load_slope = s.joint_slope[i] + slope[i];
+      const double end = s.force[i] + length * slope[i];
+      q[i] = w[W::kE11 * kLanes + j] * s.displacement[i] + w[W::kE12 * kLanes + j] * s.velocity[i] +
+             w[W::kA0 * kLanes + j] * load + w[W::kB0 * kLanes + j] * load_slope +
+             w[W::kA1 * kLanes + j] * end + w[W::kB1 * kLanes + j] * slope[i];
+      v[i] = w[W::kE21 * kLanes + j] * s.displacement[i] + w[W::kE22 * kLanes + j] * s.velocity[i] +
+             w[W::kC0 * kLanes + j] * load + w[W::kD0 * kLanes + j] * load_slope +
+             w[W::kC1 * kLanes + j] * end + w[W::kD1 * kLanes + j] * slope[i];
+    }
+  }
+}
+
+MICROSLIP_VECTOR_CLONES
+void add_loads(std::size_t groups, double kept, const double* shape, double r, double r_dot,
+               double* load, double* slope) {
+#pragma omp simd
+  for (std::size_t i = 0; i < groups * kLanes; ++i) {
+    load[i] = kept * load[i] - r * shape[i];
+    slope[i] = kept * slope[i] - r_dot * shape[i];
+  }
+}
+
+MICROSLIP_VECTOR_CLONES
+void add_shortening_loads(std::size_t groups, double kept, const double* shape, double r,
+                          double r_dot, const double* g, const double* g_dot, double force,
+                          double force_dot, double* load, double* slope) {
+#pragma omp simd
+  for (std::size_t i = 0; i < groups * kLanes; ++i) {
+    load[i] = kept * load[i] - r * shape[i] + g[i] * force;
+    slope[i] = kept * slope[i] - r_dot * shape[i] + g[i] * force_dot + g_dot[i] * force;
+  }
+}
+
+MICROSLIP_VECTOR_CLONES
+void correct(std::size_t groups, const double* weights, const double* predicted_q,
+             const double* predicted_v, const double* load, const double* slope, double* q,
+             double* v) {
+  using W = StepWeights;
+  for (std::size_t group = 0; group < groups; ++group) {
+    const double* w = weights + group * kGroup;
+#pragma omp simd
+    for (std::size_t j = 0; j < kLanes; ++j) {
+      const std::size_t i = group * kLanes + j;
+      q[i] = predicted_q[i] + w[W::kA1 * kLanes + j] * load[i] + w[W::kB1 * kLanes + j] * slope[i];
+      v[i] = predicted_v[i] + w[W::kC1 * kLanes + j] * load[i] + w[W::kD1 * kLanes + j] * slope[i];
+    }
+  }
+}
+
+MICROSLIP_VECTOR_CLONES
+Pair project(std::size_t groups, const double* shape, const double* q, const double* v) {
+  double q_lanes[kLanes] = {};
+  double v_lanes[kLanes] = {};
+  for (std::size_t group = 0; group < groups; ++group) {
+#pragma omp simd
+    for (std::size_t j = 0; j < kLanes; ++j) {
+      const std::size_t i = group * kLanes + j;
+      q_lanes[j] += shape[i] * q[i];
+      v_lanes[j] += shape[i] * v[i];
+    }
+  }
+  return {sum_of(q_lanes), sum_of(v_lanes)};
+}
+
+MICROSLIP_VECTOR_CLONES
+Pair shorten(std::size_t groups, const double* gamma, const double* q, const double* v, double* g,
+             double* g_dot) {
+  const std::size_t modes = groups * kLanes;
+  double q_lanes[kLanes] = {};
+  double v_lanes[kLanes] = {};
+  for (std::size_t group = 0; group < groups; ++group) {
+    double sum[kLanes] = {};
+    double sum_dot[kLanes] = {};
+    for (std::size_t r = 0; r < modes; ++r) {
+      const double* row = gamma + r * modes + group * kLanes;
+#pragma omp simd
+      for (std::size_t j = 0; j < kLanes; ++j) {
+        sum[j] += row[j] * q[r];
+        sum_dot[j] += row[j] * v[r];
+      }
+    }
+#pragma omp simd
+    for (std::size_t j = 0; j < kLanes; ++j) {
+      const std::size_t i = group * kLanes + j;
+      g[i] = sum[j];
+      g_dot[i] = sum_dot[j];
+      q_lanes[j] += sum[j] * q[i];
+      v_lanes[j] += sum[j] * v[i];
+    }
+  }
+  return {sum_of(q_lanes), sum_of(v_lanes)};
+}
+
+MICROSLIP_VECTOR_CLONES
+Energies step_energies(std::size_t groups, double length, const double* stiffness,
+                       const double* damping, const State& from, const State& to,
+                       const double* slope) {
+  const State a = from;
+  const State b = to;
+  const double half = 0.5 * length;
+  const double twelfth = length * length / 12.0;
+  double input[kLanes] = {};
+  double loss[kLanes] = {};
+  for (std::size_t group = 0; group < groups; ++group) {
+#pragma omp simd
+    for (std::size_t j = 0; j < kLanes; ++j) {
+      const std::size_t i = group * kLanes + j;
+      const double v0 = a.velocity[i];
+      const double v1 = b.velocity[i];
+      const double q0 = a.displacement[i];
+      const double q1 = b.displacement[i];
+      const double a0 = a.joint_load[i] + a.force[i] - damping[i] * v0 - stiffness[i] * q0;
+      const double a1 = b.joint_load[i] + b.force[i] - damping[i] * v1 - stiffness[i] * q1;
+      loss[j] += damping[i] * (half * (v0 * v0 + v1 * v1) + 2.0 * twelfth * (v0 * a0 - v1 * a1));
+      input[j] +=
+          b.force[i] * q1 - a.force[i] * q0 - slope[i] * (half * (q0 + q1) + twelfth * (v0 - v1));
+    }
+  }
+  return {sum_of(input), sum_of(loss)};
+}
+
+}  // namespace microslip::march_loops

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+/// @file
+/// The loops over the modes of a march, in groups of kLanes (march_weights.hpp). Each lane has sums of
+/// its own, so that they are the same whatever the vectors of the processor. Internal to dynamics.
+
+namespace microslip::march_loops {
+
+/// One number a mode each.
+struct State {
+  const double* displacement;  ///< q
+  const double* velocity;      ///< q̇
+  const double* joint_load;    ///< of the joints on the mode
+  const double* joint_slope;   ///< its slope in time
+  const double* force;         ///< of the external forces on the mode
+};
+
+/// The part of q₁ and q̇₁ that does not depend on the joints at the end of the step. The external
+/// load is force + slope·t.
+void predict(std::size_t groups, const double* weights, double length, const State& from,
+             const double* slope, double* q, double* v);
+
+/// The loads of one joint on the modes, −ψ_i R, and their slopes, −ψ_i Ṙ, on top of `kept` (0 or 1)
+/// times what is there.
+void add_loads(std::size_t groups, double kept, const double* shape, double r, double r_dot,
+               double* load, double* slope);
+
+/// The same with those of a joint that shortens, gF and gḞ + ġF.
+void add_shortening_loads(std::size_t groups, double kept, const double* shape, double r,
+                          double r_dot, const double* g, const double* g_dot, double force,
+                          double force_dot, double* load, double* slope);
+
+/// q = q_predicted + a₁ load + b₁ slope, and so q̇.
+void correct(std::size_t groups, const double* weights, const double* predicted_q,
+             const double* predicted_v, const double* load, const double* slope, double* q,
+             double* v);
+
+struct Pair {
+  double q;
+  double v;
+};
+
+/// shape·q and shape·v.
+[[nodiscard]] Pair project(std::size_t groups, const double* shape, const double* q,
+                           const double* v);
+
+/// g = Γq and ġ = Γv; gamma symmetric, padded. @return g·q and g·v.
+Pair shorten(std::size_t groups, const double* gamma, const double* q, const double* v, double* g,
+             double* g_dot);
+
+struct Energies {
+  double input;  ///< ∫ force·q̇ dt, J
+  double loss;   ///< Σ ηω ∫ q̇² dt, J
+};
+
+/// Over one step by q and q̇ and their derivatives at its ends, both of fourth order:
+/// ∫q dt = ½h(q₀ + q₁) + h²/12 (q̇₀ − q̇₁), and so of q̇².
+[[nodiscard]] Energies step_energies(std::size_t groups, double length, const double* stiffness,
+                                     const double* damping, const State& from, const State& to,
+                                     const double* slope);
+
+}  // namespace microslip::march_loops

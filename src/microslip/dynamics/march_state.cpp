@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/dynamics/march_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace microslip {
+namespace {
+
+using Kind = StepWeights::Kind;
+
+/// Turns nearer to an end of a step than this share of it are at that end.
+constexpr double kNear = 1e-9;
+/// Motion over a step below this share of the largest is rounding: no step is cut for it.
+constexpr double kQuiet = 1e-13;
+/// Growth of the contraction that is assumed, from one step to the next.
+constexpr double kMistrust = 1.1;
+/// Cuts of one step; a joint that turns more often in it is at rest but for rounding.
+constexpr int kMostCuts = 100;
+
+int sign_of(double value) { return value > 0.0 ? 1 : value < 0.0 ? -1 : 0; }
+
+}  // namespace
+
+MarchState::MarchState(const JointedStructure& structure, std::vector<MarchedJoint> hysteresis,
+                       const MarchOptions& options)
+    : tolerance_(options.tolerance),
+      max_iterations_(options.max_iterations),
+      groups_(padded(structure.linear().size()) / kLanes),
+      shortens_(structure.shortens()),
+      cut_(structure.linear().modes()) {
+  const std::size_t lanes = groups_ * kLanes;
+  for (auto* vector : {&stiffness_, &damping_, &q_, &v_, &load_, &load_slope_, &end_q_, &end_v_,
+                       &end_load_, &end_load_slope_, &end_force_, &predicted_q_, &predicted_v_,
+                       &loads_.force, &loads_.slope}) {
+    vector->assign(lanes, 0.0);
+  }
+  for (std::size_t i = 0; i < structure.linear().size(); ++i) {
+    const Mode& mode = structure.linear().modes()[i];
+    stiffness_[i] = mode.angular_frequency * mode.angular_frequency;
+    damping_[i] = mode.loss_factor * mode.angular_frequency;
+  }
+  for (std::size_t j = 0; j < hysteresis.size(); ++j) {
+    add_joint(structure.joints()[j], std::move(hysteresis[j]));
+  }
+  predicted_slide_.resize(joints_.size());
+  loads_.normal.assign(joints_.size(), 1.0);
+  loads_.normal_slope.assign(joints_.size(), 0.0);
+}
+
+void MarchState::add_joint(const StructuralJoint& joint, MarchedJoint hysteresis) {
+  const std::size_t lanes = groups_ * kLanes;
+  const std::size_t modes = joint.shape.size();
+  Joint added{
+      joint.shape, {}, joint.spring_in_modes, joint.series_compliance, std::move(hysteresis)};
+  added.shape.resize(lanes, 0.0);
+  added.g.assign(lanes, 0.0);
+  added.g_dot.assign(lanes, 0.0);
+  if (!joint.shortening.empty()) {
+    added.gamma.assign(lanes * lanes, 0.0);
+    for (std::size_t i = 0; i < modes; ++i) {
+      for (std::size_t r = 0; r < modes; ++r) {
+        added.gamma[i * lanes + r] = joint.shortening[i * modes + r];
+      }
+    }
+  }
+  joints_.push_back(std::move(added));
+}
+
+void MarchState::start(const InitialState& start) {
+  std::copy(start.displacement.begin(), start.displacement.end(), end_q_.begin());
+  std::copy(start.velocity.begin(), start.velocity.end(), end_v_.begin());
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    Joint& joint = joints_[j];
+    const auto slide =
+        march_loops::project(groups_, joint.shape.data(), end_q_.data(), end_v_.data());
+    Kinematics& k = joint.end;
+    k = {slide.q, slide.v, slide.q, slide.v};
+    if (!joint.gamma.empty()) {
+      const auto g = march_loops::shorten(groups_, joint.gamma.data(), end_q_.data(), end_v_.data(),
+                                          joint.g.data(), joint.g_dot.data());
+      k.gap -= 0.5 * g.q;
+      k.gap_dot -= g.v;
+    }
+    const double load = loads_.normal[j];
+    const double u = joint.hysteresis.displacement_at(k.gap, load);
+    k.force = joint.hysteresis.advance(u, load);
+    joint.hysteresis.begin_energy();
+    const double tangent = k.gap_dot * k.gap < 0.0 ? load * joint.hysteresis.stuck_stiffness()
+                                                   : joint.hysteresis.trial(u, load).tangent;
+    k.force_dot = tangent * k.gap_dot / (1.0 + tangent * joint.compliance);
+    k.r = k.force - joint.spring * k.slide;
+    k.r_dot = k.force_dot - joint.spring * k.slide_dot;
+    joint.begin = k;
+    joint.direction = sign_of(k.gap_dot);
+    joint.largest_force = std::abs(k.force);
+    joint.largest_gap = std::abs(k.gap);
+  }
+  load_modes();
+  load_ = end_load_;
+  load_slope_ = end_load_slope_;
+  q_ = end_q_;
+  v_ = end_v_;
+  const MarchEnergy energy = this->energy();
+  initial_energy_ = energy.kinetic + energy.elastic + energy.joint_stored();
+}
+
+// ---- The equations of a step. ----
+
+void MarchState::couple(const StepWeights& weights, Couplings& couplings) const {
+  if (couplings.length == weights.length()) return;
+  couplings.length = weights.length();
+  const std::size_t n = joints_.size();
+  for (auto [matrix, kind] :
+       {std::pair{&couplings.a, Kind::kA1}, std::pair{&couplings.b, Kind::kB1},
+        std::pair{&couplings.c, Kind::kC1}, std::pair{&couplings.d, Kind::kD1}}) {
+    matrix->assign(n * n, 0.0);
+    for (std::size_t j = 0; j < n; ++j) {
+      for (std::size_t l = 0; l < n; ++l) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < groups_ * kLanes; ++i) {
+          sum += joints_[j].shape[i] * weights(kind, i) * joints_[l].shape[i];
+        }
+        (*matrix)[j * n + l] = sum;
+      }
+    }
+  }
+}
+
+/// From the second derivatives over the step before.
+MarchState::Kinematics MarchState::extrapolated(const Kinematics& from, const Curvature& curvature,
+                                                double length) {
+  Kinematics to = from;
+  to.force_dot += length * curvature.force;
+  to.r_dot += length * curvature.r;
+  to.force += 0.5 * length * (from.force_dot + to.force_dot);
+  to.r += 0.5 * length * (from.r_dot + to.r_dot);
+  return to;
+}
+
+/// R, Ṙ, F and Ḟ of the joints at the end of the step, from those extrapolated.
+bool MarchState::solve(const StepWeights& weights, Couplings& couplings) {
+  const double h = weights.length();
+  march_loops::predict(
+      groups_, weights.data(), h,
+      {q_.data(), v_.data(), load_.data(), load_slope_.data(), loads_.force.data()},
+      loads_.slope.data(), predicted_q_.data(), predicted_v_.data());
+  couple(weights, couplings);
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    Joint& joint = joints_[j];
+    predicted_slide_[j] =
+        march_loops::project(groups_, joint.shape.data(), predicted_q_.data(), predicted_v_.data());
+    joint.end = extrapolated(joint.begin, joint.curvature, h);
+  }
+  // Changes fall by about one factor: what is left after one is their geometric series. The factor
+  // is that of steps before, mistrusted more from step to step until it is measured again.
+  double before = 0.0;
+  for (int i = 0; i < max_iterations_ && !joints_.empty(); ++i) {
+    place(weights, couplings);
+    double change = 0.0;
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      change = std::max(change, update(j, couplings, h));
+    }
+    last_change_ = change;
+    if (!std::isfinite(change)) return false;
+    contraction_ = i == 0 ? kMistrust * contraction_ : change / before;
+    const bool falls = contraction_ < 0.5;
+    if (change <= tolerance_ || (falls && change * contraction_ <= 0.5 * tolerance_)) {
+      correct(weights);
+      return true;
+    }
+    before = change;
+  }
+  correct(weights);
+  return joints_.empty();
+}
+
+/// The joints where the forces that were found put them.
+void MarchState::place(const StepWeights& weights, const Couplings& couplings) {
+  if (shortens_) {
+    place_shortened(weights);
+    return;
+  }
+  const std::size_t n = joints_.size();
+  for (std::size_t j = 0; j < n; ++j) {
+    Kinematics& k = joints_[j].end;
+    k.slide = predicted_slide_[j].q;
+    k.slide_dot = predicted_slide_[j].v;
+    for (std::size_t l = 0; l < n; ++l) {
+      const Kinematics& other = joints_[l].end;
+      k.slide -= couplings.a[j * n + l] * other.r + couplings.b[j * n + l] * other.r_dot;
+      k.slide_dot -= couplings.c[j * n + l] * other.r + couplings.d[j * n + l] * other.r_dot;
+    }
+    k.gap = k.slide;
+    k.gap_dot = k.slide_dot;
+  }
+}
+
+void MarchState::place_shortened(const StepWeights& weights) {
+  correct(weights);
+  for (Joint& joint : joints_) {
+    Kinematics& k = joint.end;
+    const auto slide =
+        march_loops::project(groups_, joint.shape.data(), end_q_.data(), end_v_.data());
+    k.slide = slide.q;
+    k.slide_dot = slide.v;
+    k.gap = slide.q;
+    k.gap_dot = slide.v;
+    if (joint.gamma.empty()) continue;
+    const auto g = march_loops::shorten(groups_, joint.gamma.data(), end_q_.data(), end_v_.data(),
+                                        joint.g.data(), joint.g_dot.data());
+    k.gap -= 0.5 * g.q;
+    k.gap_dot -= g.v;
+  }
+}
+
+/// One step of Newton's method for R and Ṙ of a joint, what it does to others and by shortening left
+/// to the next round: that is small where the step is.
+/// @return what changed, relative.
+double MarchState::update(std::size_t j, const Couplings& couplings, double length) {
+  ++evaluations_;
+  Joint& joint = joints_[j];
+  Kinematics& k = joint.end;
+  const std::size_t own = j * joints_.size() + j;
+  const double c = joint.compliance;
+  const double load = loads_.normal[j] + length * loads_.normal_slope[j];
+  if (!std::isfinite(k.gap - c * k.force)) return HUGE_VAL;
+  const auto [force, tangent] = joint.hysteresis.trial(k.gap - c * k.force, load);
+  const double stiffness = tangent / (1.0 + tangent * c);  // with what is in series
+  const double in_series = (force + tangent * c * k.force) / (1.0 + tangent * c);
+  const double beyond = stiffness - joint.spring;
+  const double dr = (in_series - joint.spring * k.slide - k.r) / (1.0 + beyond * couplings.a[own]);
+  const double dslide = -couplings.a[own] * dr;
+  const double kept_velocity = -couplings.c[own] * dr;
+  const double dr_dot =
+      (stiffness * k.gap_dot - joint.spring * k.slide_dot - k.r_dot + beyond * kept_velocity) /
+      (1.0 + beyond * couplings.d[own]);
+  const double dvelocity = kept_velocity - couplings.d[own] * dr_dot;
+  k.r += dr;
+  k.r_dot += dr_dot;
+  k.slide += dslide;
+  k.gap += dslide;
+  k.slide_dot += dvelocity;
+  k.gap_dot += dvelocity;
+  k.force = in_series + stiffness * dslide;
+  k.force_dot = stiffness * k.gap_dot;
+  const double scale = std::max(joint.largest_force, std::abs(force));
+  const double change = std::max(std::abs(dr), length * std::abs(dr_dot));
+  return change == 0.0 ? 0.0 : change / scale;
+}
+
+/// What the joints at the end of the step do to the modes.
+void MarchState::load_modes() {
+  double kept = 0.0;
+  for (const Joint& joint : joints_) {
+    const Kinematics& k = joint.end;
+    if (joint.gamma.empty()) {
+      march_loops::add_loads(groups_, kept, joint.shape.data(), k.r, k.r_dot, end_load_.data(),
+                             end_load_slope_.data());
+    } else {
+      march_loops::add_shortening_loads(groups_, kept, joint.shape.data(), k.r, k.r_dot,
+                                        joint.g.data(), joint.g_dot.data(), k.force, k.force_dot,
+                                        end_load_.data(), end_load_slope_.data());
+    }
+    kept = 1.0;
+  }
+}
+
+void MarchState::correct(const StepWeights& weights) {
+  load_modes();
+  march_loops::correct(groups_, weights.data(), predicted_q_.data(), predicted_v_.data(),
+                       end_load_.data(), end_load_slope_.data(), end_q_.data(), end_v_.data());
+}
+
+// ---- Steps and their cuts. ----
+
+bool MarchState::step(const StepWeights& weights) {
+  double left = weights.length();
+  if (!solve(weights, couplings_)) return false;
+  for (int cuts = 0; cuts < kMostCuts; ++cuts) {
+    const Turn next = first_turn(left);
+    if (next.share >= 1.0) break;
+    const double part = next.share * left;
+    cut_.set_length(part);
+    if (!solve(cut_, cut_couplings_)) return false;
+    accept(part);
+    turn(joints_[next.joint]);
+    left -= part;
+    cut_.set_length(left);
+    if (!solve(cut_, cut_couplings_)) return false;
+  }
+  accept(left);
+  return true;
+}
+
+void MarchState::accept(double length) {
+  for (std::size_t i = 0; i < end_force_.size(); ++i) {
+    end_force_[i] = loads_.force[i] + length * loads_.slope[i];
+  }
+  const auto [input, loss] = march_loops::step_energies(
+      groups_, length, stiffness_.data(), damping_.data(),
+      {q_.data(), v_.data(), load_.data(), load_slope_.data(), loads_.force.data()},
+      {end_q_.data(), end_v_.data(), end_load_.data(), end_load_slope_.data(), end_force_.data()},
+      loads_.slope.data());
+  input_ += input;
+  loss_ += loss;
+  std::swap(q_, end_q_);
+  std::swap(v_, end_v_);
+  std::swap(load_, end_load_);
+  std::swap(load_slope_, end_load_slope_);
+  std::swap(loads_.force, end_force_);
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    Joint& joint = joints_[j];
+    Kinematics& k = joint.end;
+    loads_.normal[j] += length * loads_.normal_slope[j];
+    k.force = joint.hysteresis.advance(k.gap - joint.compliance * k.force, loads_.normal[j]);
+    joint.curvature = {(k.force_dot - joint.begin.force_dot) / length,
+                       (k.r_dot - joint.begin.r_dot) / length};
+    joint.begin = k;
+    joint.largest_force = std::max(joint.largest_force, std::abs(k.force));
+    joint.largest_gap = std::max(joint.largest_gap, std::abs(k.gap));
+    if (joint.direction == 0) joint.direction = sign_of(k.gap_dot);
+  }
+  ++steps_;
+}
+
+void MarchState::turn(Joint& joint) {
+  joint.hysteresis.turn();
+  joint.direction = -joint.direction;
+  ++reversals_;
+}
+
+MarchState::Turn MarchState::first_turn(double length) {
+  Turn first{1.0, 0};
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    const double share = turning_share(joints_[j], length);
+    if (share < first.share) first = {share, j};
+  }
+  return first;
+}
+
+/// Where in the step a joint turns, by the cubic through y and ẏ at its ends: ẏ there is of the order
+/// h³ and y off its extreme by h⁶.
+double MarchState::turning_share(Joint& joint, double length) {
+  const double v0 = joint.begin.gap_dot;
+  const double v1 = joint.end.gap_dot;
+  const double mean = (joint.end.gap - joint.begin.gap) / length;
+  const double middle = 1.5 * mean - 0.25 * (v0 + v1);
+  if (joint.direction * v1 >= 0.0 && joint.direction * middle >= 0.0) return 1.0;
+  if (length * std::max(std::abs(v0), std::abs(v1)) <= kQuiet * joint.largest_gap) {
+    if (joint.direction * v1 < 0.0) turn(joint);
+    return 1.0;
+  }
+  if (joint.direction * v0 <= 0.0 && joint.direction * middle <= 0.0) {  // it has turned just now
+    turn(joint);
+    if (joint.direction * v1 >= 0.0) return 1.0;
+  }
+  const double c = 3.0 * (v0 + v1 - 2.0 * mean);
+  const double b = v1 - v0 - c;
+  const bool before_middle = joint.direction * middle < 0.0;
+  double low = before_middle ? 0.0 : 0.5;
+  double high = before_middle ? 0.5 : 1.0;
+  for (int i = 0; i < 40; ++i) {
+    const double x = 0.5 * (low + high);
+    (joint.direction * (v0 + x * (b + x * c)) > 0.0 ? low : high) = x;
+  }
+  const double share = 0.5 * (low + high);
+  if (share > 1.0 - kNear) return 1.0;
+  if (share > kNear) return share;
+  turn(joint);
+  return 1.0;
+}
+
+// ---- What came out. ----
+
+double MarchState::acceleration(std::size_t mode) const {
+  return load_[mode] + loads_.force[mode] - damping_[mode] * v_[mode] - stiffness_[mode] * q_[mode];
+}
+
+MarchEnergy MarchState::energy() const {
+  MarchEnergy energy;
+  energy.initial = initial_energy_;
+  energy.input = input_;
+  energy.linear_dissipation = loss_;
+  for (std::size_t i = 0; i < q_.size(); ++i) {
+    energy.kinetic += 0.5 * v_[i] * v_[i];
+    energy.elastic += 0.5 * stiffness_[i] * q_[i] * q_[i];
+  }
+  for (const Joint& joint : joints_) {
+    const double slide = joint.begin.slide;
+    const double force = joint.hysteresis.force();
+    energy.elastic -= 0.5 * joint.spring * slide * slide;
+    energy.joints.push_back(
+        {{},
+         joint.hysteresis.dissipation(),
+         joint.hysteresis.stored_energy() + 0.5 * joint.compliance * force * force});
+  }
+  return energy;
+}
+
+}  // namespace microslip

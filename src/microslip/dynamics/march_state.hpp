@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "microslip/dynamics/march.hpp"
+#include "microslip/dynamics/march_loops.hpp"
+#include "microslip/dynamics/march_weights.hpp"
+#include "microslip/dynamics/marched_joint.hpp"
+
+namespace microslip {
+
+/// The state of a structure in a march and its way over one step, cut where a joint turns. Internal to
+/// dynamics.
+class MarchState {
+ public:
+  /// @param hysteresis  one a joint of the structure.
+  MarchState(const JointedStructure& structure, std::vector<MarchedJoint> hysteresis,
+             const MarchOptions& options);
+
+  /// What acts: the force on each mode and the load of each joint, with their slopes in time.
+  struct Loads {
+    std::vector<double> force;         ///< one a mode, padded by zeros, N kg^−½
+    std::vector<double> slope;         ///< per second
+    std::vector<double> normal;        ///< p, one a joint
+    std::vector<double> normal_slope;  ///< per second
+  };
+  /// Nothing at first and p = 1. What is set here holds from now on, and moves along by itself.
+  [[nodiscard]] Loads& loads() { return loads_; }
+
+  /// Goes to this state under the loads that were set.
+  void start(const InitialState& start);
+
+  /// Takes a step of the length of the weights. @return false where its equations did not converge.
+  [[nodiscard]] bool step(const StepWeights& weights);
+
+  [[nodiscard]] std::span<const double> displacement() const { return q_; }
+  [[nodiscard]] std::span<const double> velocity() const { return v_; }
+  /// q̈_i.
+  [[nodiscard]] double acceleration(std::size_t mode) const;
+  [[nodiscard]] const MarchedJoint& joint(std::size_t j) const { return joints_[j].hysteresis; }
+
+  [[nodiscard]] std::size_t steps() const { return steps_; }
+  [[nodiscard]] std::size_t reversals() const { return reversals_; }
+  [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
+  /// Of the last step that did not converge: relative change of the joint forces.
+  [[nodiscard]] double last_change() const { return last_change_; }
+  [[nodiscard]] MarchEnergy energy() const;
+
+ private:
+  /// A joint at one end of a step.
+  struct Kinematics {
+    double slide = 0.0;      ///< s = ψ·q, m
+    double slide_dot = 0.0;  ///< m/s
+    double gap = 0.0;        ///< y = s − ½ q·Γq = u + cF, m
+    double gap_dot = 0.0;    ///< m/s
+    double force = 0.0;      ///< F, N
+    double force_dot = 0.0;  ///< N/s
+    double r = 0.0;          ///< R = F − k_s s, N: what the modes do not hold already
+    double r_dot = 0.0;      ///< N/s
+  };
+  /// Second derivatives over the last step.
+  struct Curvature {
+    double force = 0.0;  ///< N/s²
+    double r = 0.0;      ///< N/s²
+  };
+  struct Joint {
+    std::vector<double> shape;  ///< ψ, padded
+    std::vector<double> gamma;  ///< Γ by padded rows; empty where nothing shortens
+    double spring;              ///< k_s, N/m
+    double compliance;          ///< c, m/N
+    MarchedJoint hysteresis;
+    Kinematics begin = {};
+    Kinematics end = {};
+    Curvature curvature = {};
+    std::vector<double> g = {};      ///< Γq at the end
+    std::vector<double> g_dot = {};  ///< Γq̇
+    int direction = 0;               ///< of the motion; 0 before the first
+    double largest_force = 0.0;      ///< |F| so far, N
+    double largest_gap = 0.0;        ///< |y| so far, m
+  };
+  /// Σ_i ψ_ij w_i ψ_il for the weights w of the loads at the end: how far they move the slides.
+  struct Couplings {
+    double length = 0.0;
+    std::vector<double> a, b, c, d;
+  };
+  struct Turn {
+    double share;       ///< of the step; 1 where no joint turns
+    std::size_t joint;  ///< that turns first
+  };
+
+  void add_joint(const StructuralJoint& joint, MarchedJoint hysteresis);
+  void couple(const StepWeights& weights, Couplings& couplings) const;
+  [[nodiscard]] static Kinematics extrapolated(const Kinematics& from, const Curvature& curvature,
+                                               double length);
+  [[nodiscard]] bool solve(const StepWeights& weights, Couplings& couplings);
+  void place(const StepWeights& weights, const Couplings& couplings);
+  void place_shortened(const StepWeights& weights);
+  [[nodiscard]] double update(std::size_t j, const Couplings& couplings, double length);
+  void load_modes();
+  void correct(const StepWeights& weights);
+  void accept(double length);
+  [[nodiscard]] Turn first_turn(double length);
+  [[nodiscard]] double turning_share(Joint& joint, double length);
+  void turn(Joint& joint);
+
+  double tolerance_;
+  int max_iterations_;
+  std::size_t groups_;
+  bool shortens_;
+  std::vector<double> stiffness_, damping_;        // ω², ηω
+  std::vector<double> q_, v_, load_, load_slope_;  // at the beginning of a step
+  std::vector<double> end_q_, end_v_, end_load_, end_load_slope_, end_force_;
+  std::vector<double> predicted_q_, predicted_v_;
+  std::vector<march_loops::Pair> predicted_slide_;
+  std::vector<Joint> joints_;
+  Loads loads_;
+  StepWeights cut_;  // of parts of a step
+  Couplings couplings_, cut_couplings_;
+  double contraction_ = 1.0;  // from one change of the joint forces to the next
+  double initial_energy_ = 0.0;
+  double input_ = 0.0;
+  double loss_ = 0.0;
+  std::size_t steps_ = 0;
+  std::size_t reversals_ = 0;
+  std::size_t evaluations_ = 0;
+  double last_change_ = 0.0;
+};
+
+}  // namespace microslip

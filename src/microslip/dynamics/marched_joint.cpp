@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/dynamics/marched_joint.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace microslip {
+
+MarchedJoint::MarchedJoint(const StructuralJoint& joint)
+    : joint_(&joint), memory_(joint.joint), turned_(joint.joint) {}
+
+MarchedJoint::MarchedJoint(const StructuralJoint& joint, NormalLoadLaw law, std::size_t elements,
+                           double load)
+    : MarchedJoint(joint) {
+  network_ = std::make_unique<Network>(joint.joint, elements, law);
+  network_->memory.advance(0.0, load);
+}
+
+MarchedJoint::Response MarchedJoint::trial(double u, double load) {
+  if (!network_) {
+    const auto [force, tangent] = memory_.trial(u);
+    return {force, tangent};
+  }
+  network_->tried = network_->memory;
+  const double force = network_->tried.advance(u, load);
+  // The elements know no tangent: the chord of the step stands for it.
+  const double stiff = load * joint_->joint.stiffness();
+  const double chord = u == u_ ? stiff : (force - force_) / (u - u_);
+  return {force, std::clamp(chord, 0.0, stiff)};
+}
+
+double MarchedJoint::advance(double u, double load) {
+  if (!network_) {
+    u_ = u;
+    return force_ = memory_.advance(u);
+  }
+  const double force = network_->memory.advance(u, load);
+  work_ += 0.5 * (force_ + force) * (u - u_);
+  u_ = u;
+  return force_ = force;
+}
+
+void MarchedJoint::turn() {
+  if (network_) return;
+  dissipation_ += turned_.dissipation(u_);
+  turned_ = memory_;
+}
+
+void MarchedJoint::begin_energy() {
+  turned_ = memory_;
+  dissipation_ = 0.0;
+  work_ = 0.0;
+}
+
+double MarchedJoint::dissipation() const {
+  return network_ ? work_ : dissipation_ + turned_.dissipation(u_);
+}
+
+double MarchedJoint::stored_energy() const { return network_ ? 0.0 : memory_.stored_energy(); }
+
+// Newton's method from 0: u + cF(u) is concave in |u|, so that it comes from below. At a constant load
+// both laws scale the virgin force by it.
+double MarchedJoint::displacement_at(double y, double load) const {
+  const double c = load * joint_->series_compliance;
+  double u = 0.0;
+  for (int i = 0; i < 100 && std::abs(y) > 0.0; ++i) {
+    const double miss = y - u - c * joint_->joint.virgin_force(u);
+    u += miss / (1.0 + c * joint_->joint.tangent_stiffness(u));
+    if (std::abs(miss) <= 1e-15 * std::abs(y)) break;
+  }
+  return u;
+}
+
+}  // namespace microslip

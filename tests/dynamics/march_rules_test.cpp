@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "dynamics/structures.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/dynamics/march.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+std::string message(const LoadHistory& loads, const MarchOptions& options = {}) {
+  try {
+    (void)march(testing::one_mass(testing::iwan_joint()), loads, options);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void expect_message(const std::string& message, const std::string& part) {
+  EXPECT_NE(message.find(part), std::string::npos) << "'" << message << "' has no '" << part << "'";
+}
+
+LoadHistory push() { return {{0.0, 1.0, 3.0}, {{"mass", {0.0, 0.1, 0.0}}}}; }
+
+/// 40 periods or so of 0.05 N near resonance.
+LoadHistory vibration(std::size_t count = 1000) {
+  LoadHistory loads{{}, {{"mass", {}}}};
+  for (std::size_t i = 0; i < count; ++i) {
+    loads.time.push_back(0.25 * static_cast<double>(i));
+    loads.forces[0].force.push_back(0.05 * std::sin(0.95 * loads.time.back()));
+  }
+  return loads;
+}
+
+TEST(MarchRules, NameTheTimeThatIsWrong) {
+  EXPECT_EQ(message(push()), "");
+  expect_message(message({{0.0}, {}}), "number of times = 1; must be at least 2");
+  expect_message(message({{0.0, 1.0, 1.0}, {}}),
+                 "time[2] = 1; must be later than the time before it");
+  expect_message(message({{0.0, kNan}, {}}), "time[1] = nan; must be");
+  expect_message(message({{0.0, HUGE_VAL}, {}}), "time[1] = inf; must be finite");
+}
+
+TEST(MarchRules, NameTheForceThatIsWrong) {
+  LoadHistory loads = push();
+  loads.forces[0].force[1] = kNan;
+  expect_message(message(loads), "force at 'mass', value 1 = nan; must be finite");
+  loads.forces[0].force[1] = 1e13;
+  expect_message(message(loads), "value 1 = 10000000000000; must be finite, and");
+  loads.forces[0].force.pop_back();
+  expect_message(message(loads), "force at 'mass' = 2 values; must have 3");
+  loads = push();
+  loads.forces.push_back(loads.forces[0]);
+  expect_message(message(loads), "force at 'mass' = twice; must be given once");
+  loads.forces[1].point = "nose";
+  expect_message(message(loads), "nose");
+}
+
+TEST(MarchRules, NameTheNormalLoadThatIsWrong) {
+  LoadHistory loads = push();
+  loads.normal_loads = {{"joint", {1.0, -0.1, 1.0}}};
+  expect_message(message(loads), "normal load of joint 'joint', value 1 = -0.1; must be 0 or more");
+  loads.normal_loads = {{"joint", {1.0, 1.0}}};
+  expect_message(message(loads), "normal load of joint 'joint' = 2 values; must have 3");
+  loads.normal_loads = {{"knee", {1.0, 1.0, 1.0}}};
+  expect_message(message(loads), "knee; must be that of a joint of the structure");
+}
+
+TEST(MarchRules, NameTheOptionThatIsWrong) {
+  expect_message(message(push(), {.step = -1.0}), "step = -1; must be positive");
+  expect_message(message(push(), {.step = kNan}), "step = nan");
+  expect_message(message(push(), {.every = 0}), "every = 0");
+  expect_message(message(push(), {.tolerance = 0.0}), "tolerance = 0");
+  expect_message(message(push(), {.max_iterations = 1}), "max_iterations = 1");
+  expect_message(message(push(), {.largest_imbalance = 0.0}), "largest_imbalance = 0");
+  expect_message(message(push(), {.points = {"nose"}}), "nose");
+  expect_message(message(push(), {.points = {"mass", "mass"}}), "mass; must be given once");
+  expect_message(message(push(), {.start = {.displacement = {1.0, 2.0}}}),
+                 "start displacement = 2 values; must have 1");
+  expect_message(message(push(), {.start = {.velocity = {kNan}}}), "start velocity[0] = nan");
+  LoadHistory loads = push();
+  loads.normal_loads = {{"joint", {1.0, 1.0, 1.0}}};
+  expect_message(message(loads, {.elements = 0}), "number of elements = 0");
+}
+
+// Steps without end, or more of them than a number can count. The chosen step is 0.31 s.
+TEST(MarchRules, RefuseAStepThatWouldNeverEnd) {
+  for (const double step : {1e-300, std::numeric_limits<double>::denorm_min(), 1e-18, 2.9e-10}) {
+    expect_message(message(push(), {.step = step}), "; must be at least 3e-10 s");
+  }
+  expect_message(message(push(), {.step = 1e-300}), "step = 1e-300; must");
+  EXPECT_EQ(message(push(), {.step = 1e-3}), "");
+  expect_message(message({{0.0, 1e10}, {}}), "step = 0.314");
+  expect_message(message({{-1e308, 1e308}, {}}, {.step = 1e300}), "step = 1e+300; must");
+}
+
+TEST(MarchRecords, AreEveryNthAndTheLast) {
+  const JointedStructure structure = testing::one_mass(testing::iwan_joint());
+  const LoadHistory loads = vibration(24);
+  const MarchResult all = march(structure, loads, {.points = {"mass"}});
+  const MarchResult some = march(structure, loads, {.every = 10, .points = {"mass"}});
+  ASSERT_EQ(all.time.size(), 24U);
+  EXPECT_EQ(some.time, (std::vector<double>{0.0, 2.5, 5.0, 5.75}));
+  const std::vector<std::size_t> kept{0, 10, 20, 23};
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    EXPECT_EQ(some.points[0].displacement[i], all.points[0].displacement[kept[i]]);
+    EXPECT_EQ(some.points[0].velocity[i], all.points[0].velocity[kept[i]]);
+    EXPECT_EQ(some.points[0].acceleration[i], all.points[0].acceleration[kept[i]]);
+    EXPECT_EQ(some.joints[0].force[i], all.joints[0].force[kept[i]]);
+    EXPECT_EQ(some.joints[0].displacement[i], all.joints[0].displacement[kept[i]]);
+  }
+  // The joint sits on the mass, to the tolerance of the steps.
+  EXPECT_NEAR(all.joints[0].displacement[23], all.points[0].displacement[23], 1e-9);
+}
+
+TEST(MarchProgress, IsToldAndMayCancel) {
+  const JointedStructure structure = testing::one_mass(testing::iwan_joint());
+  std::vector<std::size_t> told;
+  const auto listen = [&](std::size_t done, std::size_t total) {
+    EXPECT_EQ(total, 9999U);
+    told.push_back(done);
+    return true;
+  };
+  (void)march(structure, vibration(10000), {}, listen);
+  EXPECT_GE(told.size(), 3U);
+  EXPECT_TRUE(std::ranges::is_sorted(told));
+  EXPECT_EQ(told.back(), 9999U);
+  const auto stop = [](std::size_t, std::size_t) { return false; };
+  EXPECT_THROW((void)march(structure, vibration(3000), {}, stop), Cancelled);
+}
+
+// At rest up to 5 s; two rounds do not find the forces of the next long step to 1e-14.
+TEST(MarchFailure, SaysWhereAndKeepsWhatWasFound) {
+  LoadHistory loads = vibration(100);
+  std::fill_n(loads.forces[0].force.begin(), 21, 0.0);
+  const MarchOptions options{
+      .step = 0.25, .points = {"mass"}, .tolerance = 1e-14, .max_iterations = 2};
+  const MarchResult found = march(testing::one_mass(testing::iwan_joint()), loads, options);
+  EXPECT_EQ(found.summary.status, Status::kNotConverged);
+  expect_message(found.summary.reason,
+                 "step 21, from 5 s on, did not converge in 2 iterations: the joint forces still");
+  ASSERT_EQ(found.time.size(), 21U);
+  EXPECT_EQ(found.time.back(), 5.0);
+  EXPECT_EQ(found.points[0].acceleration, std::vector<double>(21, 0.0));
+  EXPECT_EQ(found.joints[0].force, std::vector<double>(21, 0.0));
+}
+
+// Steps beyond the bound of stability: 0.25 N/m on 1e-4 kg of a body without a spring, 50 rad/s.
+TEST(MarchFailure, ShowsInTheEnergy) {
+  const JointedStructure structure(ModalModel({{0.0, 0.0}}, {{"body", {100.0}}}),
+                                   {{"joint", testing::iwan_joint(), {100.0}}}, {{"body"}});
+  LoadHistory loads{{}, {{"body", {}}}};
+  for (int i = 0; i < 400; ++i) {
+    loads.time.push_back(0.0645 * i);
+    loads.forces[0].force.push_back(0.01 * std::sin(5.0 * loads.time.back()));
+  }
+  const MarchResult coarse = march(structure, loads, {.step = 0.0645});
+  EXPECT_EQ(coarse.summary.status, Status::kNotConverged) << coarse.summary.full();
+  const MarchResult chosen = march(structure, loads);
+  EXPECT_TRUE(chosen.summary.converged()) << chosen.summary.full();
+  EXPECT_LT(chosen.energy.imbalance(), 1e-4);
+}
+
+TEST(March, TakesHystereticDampingAsViscous) {
+  const JointedStructure hysteretic = testing::friction_rig(3);
+  const JointedStructure viscous(
+      hysteretic.linear(), {hysteretic.joints().begin(), hysteretic.joints().end()},
+      {hysteretic.excitations().begin(), hysteretic.excitations().end()});
+  LoadHistory loads = vibration(50);
+  const std::string point = hysteretic.excitations()[0].point;
+  loads.forces[0].point = point;
+  for (double& time : loads.time) time *= 1e-3;
+  EXPECT_EQ(march(hysteretic, loads, {.points = {point}}).points[0].displacement,
+            march(viscous, loads, {.points = {point}}).points[0].displacement);
+}
+
+}  // namespace
+}  // namespace microslip
