@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/identify/density_comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "microslip/base/error.hpp"
+
+namespace microslip {
+namespace {
+
+std::vector<double> points_of(double reach, CoveredRange range) {
+  if (!(0.0 <= range.from && range.from < range.to && range.to <= 1.0)) {
+    throw InputError("range", fmt::format("{} to {}", range.from, range.to),
+                     "must rise, within 0 to 1");
+  }
+  constexpr int kPoints = 2001;
+  std::vector<double> points;
+  for (int i = 0; i < kPoints; ++i) {
+    const double share = range.from + (range.to - range.from) * i / (kPoints - 1);
+    points.push_back(share * reach);
+  }
+  return points;
+}
+
+/// Linear between the points of the identification, the end values beyond them.
+double value_at(const std::vector<double>& slip_force, const std::vector<double>& values,
+                double f) {
+  const auto next = std::ranges::upper_bound(slip_force, f);
+  if (next == slip_force.begin()) return values.front();
+  if (next == slip_force.end()) return values.back();
+  const auto i = static_cast<std::size_t>(next - slip_force.begin());
+  const double share = (f - slip_force[i - 1]) / (slip_force[i] - slip_force[i - 1]);
+  return std::lerp(values[i - 1], values[i], share);
+}
+
+double relative_error(const std::function<double(double)>& density, double reach,
+                      const SlipDensity& truth, CoveredRange range) {
+  double difference = 0.0;
+  double size = 0.0;
+  for (const double f : points_of(reach, range)) {
+    const double expected = truth.density(f);
+    difference += std::pow(density(f) - expected, 2);
+    size += expected * expected;
+  }
+  if (size == 0.0) throw InputError("truth", 0.0, "must have a density above 0 in the range");
+  return std::sqrt(difference / size);
+}
+
+}  // namespace
+
+double density_error(const Identification& found, const SlipDensity& truth, CoveredRange range) {
+  const auto density = [&](double f) { return found.joint.density().density(f); };
+  return relative_error(density, found.covered_to, truth, range);
+}
+
+double density_error(const std::vector<double>& slip_force, const std::vector<double>& density,
+                     double reach, const SlipDensity& truth, CoveredRange range) {
+  if (slip_force.empty() || slip_force.size() != density.size()) {
+    throw InputError("density",
+                     fmt::format("{} at {} slip forces", density.size(), slip_force.size()),
+                     "must have a value a slip force, and one at least");
+  }
+  const auto between = [&](double f) { return value_at(slip_force, density, f); };
+  return relative_error(between, reach, truth, range);
+}
+
+double band_coverage(const Identification& found, const SlipDensity& truth, CoveredRange range) {
+  if (found.lower.empty()) {
+    throw InputError("found", "without band", "must have been identified with a band");
+  }
+  const std::vector<double> points = points_of(found.covered_to, range);
+  const auto inside = std::ranges::count_if(points, [&](double f) {
+    const double expected = truth.density(f);
+    return value_at(found.slip_force, found.lower, f) <= expected &&
+           expected <= value_at(found.slip_force, found.upper, f);
+  });
+  return static_cast<double>(inside) / static_cast<double>(points.size());
+}
+
+}  // namespace microslip
