@@ -12,6 +12,7 @@
 #include "microslip/base/random.hpp"
 #include "microslip/rig/reduction.hpp"
 #include "microslip/rig/reduction_batch.hpp"
+#include "support/rigs.hpp"
 
 namespace {
 
@@ -20,19 +21,6 @@ using namespace microslip;
 constexpr std::size_t kPoints = 51200;
 constexpr double kRate = 51200.0;    // Hz
 constexpr double kFrequency = 55.3;  // Hz
-
-/// The reference rig: a steel beam with three accelerometers and a vibrometer.
-Rig rig() {
-  Rig rig;
-  rig.structure = RigBeam{0.583, 0.040, 0.005, 2.07e11, 7850.0};
-  rig.contact = {.rod_radius = 0.030, .stiffness = 1.7e5};
-  rig.loss_factor = {0.0028, 0.0018, 0.0011};
-  rig.masses = {{0.55, 0.030}, {0.35, 0.010}, {0.18, 0.010}};
-  rig.excitation = {0.55, {}, "force"};
-  rig.accelerometers = {{0.55, {}, "acc1"}, {0.35, {}, "acc2"}, {0.18, {}, "acc3"}};
-  rig.vibrometer = RigVibrometer{"ldv"};
-  return rig;
-}
 
 /// First and third harmonic as in a level of 14 m/s², with noise.
 Channel channel(const std::string& name, const Dimension& dimension, std::complex<double> first,
@@ -65,7 +53,7 @@ void reduce_90_records(benchmark::State& state) {
   constexpr std::size_t kDistinct = 6;
   std::vector<Recording> records;
   for (std::uint64_t i = 0; i < kDistinct; ++i) records.push_back(record(i));
-  const Reducer reducer(rig());
+  const Reducer reducer(testing::reference_rig());
   for (auto _ : state) {
     const ReductionBatch batch = reduce_batch(reducer, kFiles, [&](std::size_t i) {
       return std::vector<Recording>{records[i % kDistinct]};

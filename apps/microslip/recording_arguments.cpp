@@ -6,7 +6,12 @@
 #include <cstdio>
 #include <utility>
 
+#include "arguments.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/base/units.hpp"
 #include "microslip/io/assumed_units.hpp"
+#include "microslip/io/input_file.hpp"
+#include "microslip/io/recording_file.hpp"
 
 namespace microslip::app {
 
@@ -24,6 +29,26 @@ RecordingReadOptions read_options(const RecordingArguments& arguments, Progress 
   return {.allow_truncated = arguments.allow_truncated,
           .progress = std::move(progress),
           .assumed_units = parse_assumed_units(arguments.assumed_units)};
+}
+
+std::vector<Recording> read_named_recordings(const std::string& path,
+                                             const RecordingReadOptions& options,
+                                             std::vector<Warning>& warnings) {
+  Recordings found = read_recordings(path, options);
+  warnings = std::move(found.warnings);
+  const bool several = found.recordings.size() > 1;
+  for (Recording& recording : found.recordings) {
+    const std::string name = input_name(path);
+    recording.source = several ? fmt::format("{}:{}", name, recording.source) : name;
+  }
+  return std::move(found.recordings);
+}
+
+std::optional<double> frequency_guess(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const double guess = parse_quantity("--frequency", text, kFrequency);
+  if (!(guess > 0.0)) throw InputError("--frequency", guess, "must be above 0 Hz");
+  return guess;
 }
 
 void show_warnings(const std::vector<Warning>& warnings) {

@@ -9,10 +9,8 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
-#include "arguments.hpp"
 #include "command.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/version.hpp"
@@ -50,11 +48,7 @@ ReductionOptions reduction_options(const ReduceOptions& options) {
   reduction.fit.order = static_cast<int>(options.order);
   reduction.modes = options.modes;
   reduction.use_vibrometer = !options.no_vibrometer;
-  if (!options.frequency.empty()) {
-    const double guess = parse_quantity("--frequency", options.frequency, kFrequency);
-    if (!(guess > 0.0)) throw InputError("--frequency", guess, "must be above 0 Hz");
-    reduction.fit.frequency_guess = guess;
-  }
+  reduction.fit.frequency_guess = frequency_guess(options.frequency);
   return reduction;
 }
 
@@ -92,25 +86,13 @@ ReductionBatch reduce_tables(const Reducer& reducer, const ReduceOptions& option
   return batch;
 }
 
-/// The file that was named, not the one that a file was made from; with the name of the recording where
-/// it holds several.
-std::string source_of(const std::string& path, const std::string& stored, bool several) {
-  const std::string name = input_name(path);
-  return several ? fmt::format("{}:{}", name, stored) : name;
-}
-
 ReductionBatch reduce_records(const Reducer& reducer, const ReduceOptions& options, bool quiet) {
   const RecordingReadOptions reading = read_options(options.reading);
   std::vector<std::vector<Warning>> warnings(options.recordings.size());
   const auto read = [&](std::size_t i) {
     const std::string& path = options.recordings[i];
     if (is_stepped_sine(path)) throw_mixed(path, "a stepped-sine table", "a record in time");
-    Recordings found = read_recordings(path, reading);
-    warnings[i] = std::move(found.warnings);
-    for (Recording& recording : found.recordings) {
-      recording.source = source_of(path, recording.source, found.recordings.size() > 1);
-    }
-    return std::move(found.recordings);
+    return read_named_recordings(path, reading, warnings[i]);
   };
   ReductionBatch batch = reduce_batch(
       reducer, options.recordings.size(), read,

@@ -6,16 +6,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "report_text.hpp"
+
 namespace microslip::app {
 namespace {
-
-/// The end of a path tells files apart.
-std::string shortened(const std::string& source, std::size_t width) {
-  std::string name = source.substr(source.find_last_of('/') + 1);
-  std::ranges::replace_if(
-      name, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, '?');
-  return name.size() <= width ? name : "~" + name.substr(name.size() - width + 1);
-}
 
 std::string describe_method(const Reducer& reducer) {
   const Rig& rig = reducer.rig();

@@ -34,4 +34,11 @@ std::string wrapped(std::string_view first, std::string_view text, std::size_t i
   return result + "\n";
 }
 
+std::string shortened(const std::string& source, std::size_t width) {
+  std::string name = source.substr(source.find_last_of('/') + 1);
+  std::ranges::replace_if(
+      name, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, '?');
+  return name.size() <= width ? name : "~" + name.substr(name.size() - width + 1);
+}
+
 }  // namespace microslip::app

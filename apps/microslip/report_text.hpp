@@ -17,4 +17,7 @@ namespace microslip::app {
 [[nodiscard]] std::string wrapped(std::string_view first, std::string_view text,
                                   std::size_t indent);
 
+/// The end of a path, of so many characters at most: it tells files apart.
+[[nodiscard]] std::string shortened(const std::string& source, std::size_t width);
+
 }  // namespace microslip::app

@@ -26,6 +26,22 @@ TEST(FileKind, KnowsTheFilesOfTheProgram) {
             kBackboneKind);
 }
 
+TEST(FileKind, KnowsTablesOfATestAndOfAMarch) {
+  EXPECT_EQ(
+      file_kind("# c\nlevel [1],frequency [Hz],force_before [N],force_after [N],after_2 [1]\n"),
+      kForceControlKind);
+  EXPECT_EQ(file_kind("source,time [s],force_recorded [N],force_predicted [N]\n"), kHistoriesKind);
+  const std::string motion = "displacement [m],velocity [m/s],acceleration [m/s^2]";
+  const std::string joint = ",joint displacement [m],joint force [N]";
+  EXPECT_EQ(file_kind("time [s],force [N]," + motion + joint + "\n"), kMarchKind);
+  EXPECT_EQ(file_kind("time [s],force at a [N],force at b [N]," + motion + joint + "\n"),
+            kMarchKind);
+  // A recording of the same channels, and one whose joint was measured but not marched.
+  EXPECT_NE(file_kind("time [s],force [N]," + motion + "\n"), kMarchKind);
+  EXPECT_NE(file_kind("time [s],force [N]" + joint + "\n"), kMarchKind);
+  EXPECT_NE(file_kind("source,time [s],force [N],acc1 [m/s^2]\n"), kHistoriesKind);
+}
+
 TEST(FileKind, KnowsOtherFormats) {
   EXPECT_EQ(file_kind("\x89PNG\r\n\x1A\nrest"), "a PNG picture");
   EXPECT_EQ(file_kind("<?xml version=\"1.0\"?>\n<svg>"), "an SVG picture");

@@ -5,21 +5,25 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 #include <regex>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "io/support.hpp"
+#include "io/toml_pairs.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/joint_file.hpp"
+#include "microslip/io/rig_writer.hpp"
 
 namespace microslip {
 namespace {
 
 using test::message_of;
+using test::Pair;
+using test::pairs_of;
+using test::without;
 
 const std::string kFolder = MICROSLIP_EXAMPLES "/reference_rig/";
 const std::string kReference = test::get(kFolder + "rig.toml");
@@ -187,67 +191,6 @@ TEST(RigFile, ReadsByteOrderMarkAndCarriageReturns) {
 
 // ---- Each value of the text in turn is left out or replaced. ----
 
-/// A pair `key = value` of a text of TOML, a pair in an inline table among them.
-struct Pair {
-  std::size_t start = 0, value_start = 0, end = 0;
-  std::size_t line = 0;
-  std::string key;
-  std::string path;  ///< of the key
-};
-
-/// Paths of tables as the messages name them: an array's have an index.
-class TablePaths {
- public:
-  std::string next(const std::string& header, bool is_array) {
-    return is_array ? fmt::format("{}[{}]", header, count_[header]++) : header;
-  }
-
- private:
-  std::map<std::string, int> count_;
-};
-
-std::vector<Pair> pairs_of(const std::string& text) {
-  static const std::regex header(R"(^\[(\[?)(\w+)\])");
-  static const std::regex pair(R"re((\w+) = ("[^"]*"|\[[^\]]*\]|[-+.e\d]+|\{))re");
-  std::vector<Pair> pairs;
-  TablePaths paths;
-  std::string table;
-  std::size_t number = 0;
-  for (std::size_t start = 0; start < text.size();) {
-    const std::size_t line_end = text.find('\n', start);
-    const std::string line = text.substr(start, line_end - start);
-    const std::string code = line.substr(0, line.find('#'));
-    ++number;
-    std::smatch match;
-    if (std::regex_search(code, match, header)) table = paths.next(match[2], match.length(1) > 0);
-    std::string prefix = table.empty() ? "" : table + ".";
-    for (std::sregex_iterator i(code.begin(), code.end(), pair), end; i != end; ++i) {
-      const auto at = [&](int group) {
-        return start + static_cast<std::size_t>(i->position(group));
-      };
-      if ((*i)[2] == "{") {
-        prefix += (*i)[1].str() + ".";
-        continue;
-      }
-      pairs.push_back({at(0), at(2), at(0) + static_cast<std::size_t>(i->length(0)), number,
-                       (*i)[1], prefix + (*i)[1].str()});
-    }
-    start = line_end + 1;
-  }
-  return pairs;
-}
-
-std::string without(const std::string& text, const Pair& pair) {
-  std::string result = text;
-  result.erase(pair.start, pair.end - pair.start);
-  if (result.compare(pair.start, 2, ", ") == 0) {
-    result.erase(pair.start, 2);
-  } else if (pair.start >= 2 && result.compare(pair.start - 2, 2, ", ") == 0) {
-    result.erase(pair.start - 2, 2);
-  }
-  return result;
-}
-
 TEST(RigFileFault, EachMissingKey) {
   const std::set<std::string> optional{
       "contact.joint", "test.frequency_resolution_Hz", "test.modes",        "test.harmonics",
@@ -408,6 +351,76 @@ TEST(RigFileFault, DuplicateKeys) {
                 "rig.toml:6:12: expected each key once in a table, found 'length_m' again");
   expect_starts(reference_message("[[mass]]", "[beam]"),
                 "rig.toml:19:1: expected each key once in a table, found 'beam' again");
+}
+
+const std::string kShaker =
+    "[shaker]\n"
+    "resistance_Ohm = 3\n"
+    "inductance_H = 0\n"
+    "force_factor_N_per_A = 12.5\n"
+    "moving_mass_kg = 0.2\n"
+    "suspension_stiffness_N_per_m = 0\n"
+    "suspension_damping_Ns_per_m = 0.5\n"
+    "stinger_stiffness_N_per_m = 1e6\n";
+
+TEST(RigFile, ReadsTheShaker) {
+  EXPECT_FALSE(parse_rig(kReference, "rig.toml").shaker.has_value());
+  const Rig rig = parse_rig(kReference + kShaker, "rig.toml");
+  ASSERT_TRUE(rig.shaker.has_value());
+  EXPECT_EQ(rig.shaker->resistance, 3.0);
+  EXPECT_EQ(rig.shaker->inductance, 0.0);
+  EXPECT_EQ(rig.shaker->force_factor, 12.5);
+  EXPECT_EQ(rig.shaker->moving_mass, 0.2);
+  EXPECT_EQ(rig.shaker->suspension_stiffness, 0.0);
+  EXPECT_EQ(rig.shaker->suspension_damping, 0.5);
+  EXPECT_EQ(rig.shaker->stinger_stiffness, 1e6);
+  // What is left out has its default.
+  const Rig other = parse_rig(kReference + "[shaker]\nmoving_mass_kg = 0.2\n", "rig.toml");
+  EXPECT_EQ(other.shaker->resistance, RigShaker{}.resistance);
+  expect_contains(message(kReference + "[shaker]\nmass_kg = 0.2\n"), "mass_kg", "unknown key");
+  expect_contains(message(kReference + "[shaker]\nmoving_mass_kg = 0\n"),
+                  "shaker.moving_mass_kg = 0; must be above 0", "no mass");
+}
+
+/// Writes what it reads.
+void expect_round_trip(const std::string& text) {
+  const Rig rig = parse_rig(text, "rig.toml");
+  const std::string written = format_rig(rig);
+  EXPECT_EQ(file_kind(written), kRigKind);
+  const Rig again = parse_rig(written, "written.toml");
+  // The text holds all of a rig, each number as the shortest that reads back as the same.
+  EXPECT_EQ(format_rig(again), written);
+  EXPECT_EQ(again.contact.joint, rig.contact.joint);
+  EXPECT_EQ(again.contact.stiffness, rig.contact.stiffness);
+  EXPECT_EQ(again.contact.stick_frequency, rig.contact.stick_frequency);
+  EXPECT_EQ(again.contact.rod_radius, rig.contact.rod_radius);
+  EXPECT_EQ(again.loss_factor, rig.loss_factor);
+  EXPECT_EQ(again.masses.size(), rig.masses.size());
+  EXPECT_EQ(again.excitation.channel, rig.excitation.channel);
+  EXPECT_EQ(again.excitation.position, rig.excitation.position);
+  ASSERT_EQ(again.accelerometers.size(), rig.accelerometers.size());
+  for (std::size_t j = 0; j < rig.accelerometers.size(); ++j) {
+    EXPECT_EQ(again.accelerometers[j].position, rig.accelerometers[j].position);
+    EXPECT_EQ(again.accelerometers[j].shape, rig.accelerometers[j].shape);
+    EXPECT_EQ(again.accelerometers[j].channel, rig.accelerometers[j].channel);
+  }
+  EXPECT_EQ(again.vibrometer.has_value(), rig.vibrometer.has_value());
+  EXPECT_EQ(again.test.has_value(), rig.test.has_value());
+  EXPECT_EQ(again.noise.has_value(), rig.noise.has_value());
+  EXPECT_EQ(again.shaker.has_value(), rig.shaker.has_value());
+}
+
+TEST(RigFile, WritesWhatItReads) {
+  expect_round_trip(kReference);
+  expect_round_trip(kReference + kShaker);
+  expect_round_trip(kModes);
+  expect_round_trip(edited(kReference, "spacing = \"linear\"", "spacing = \"log\""));
+  expect_round_trip(edited(kReference, "measures = \"joint\"", "measures = \"axial\""));
+  expect_round_trip(edited(kReference, "2.07e11", "2.0700000000000002e11"));
+  // A name of all signs that a string of TOML escapes.
+  const std::string name = R"("a \"b\" \\ \t \u007F µ")";
+  const Rig rig = parse_rig(edited(kReference, "\"ldv\"", name), "rig.toml");
+  EXPECT_EQ(parse_rig(format_rig(rig), "rig.toml").vibrometer->channel, rig.vibrometer->channel);
 }
 
 }  // namespace

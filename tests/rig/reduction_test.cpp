@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
+#include "microslip/identify/density_comparison.hpp"
 #include "microslip/identify/identification.hpp"
 #include "microslip/joint/secant.hpp"
 #include "support/densities.hpp"
@@ -170,37 +171,12 @@ Levels reduced_levels(const Reducer& reducer, const SolvedRig& solved, std::uint
   return levels;
 }
 
-Joint unseen_joint() {
-  PiecewiseLinearPart part{.slip_force = {0, 3, 6, 10, 15, 20, 26, 32, 40, 50},
-                           .density = {6, 9, 14, 17, 15, 10, 8, 9, 7, 0}};
-  double area = 0.0;
-  for (std::size_t i = 1; i < part.density.size(); ++i) {
-    area += 0.5 * (part.slip_force[i] - part.slip_force[i - 1]) *
-            (part.density[i] + part.density[i - 1]);
-  }
-  for (double& value : part.density) value /= area;
-  return Joint(9.0e4, SlipDensity({part}));
-}
-
-/// ‖φ − truth‖/‖truth‖ over 10 to 90 % of the range.
-double density_error(const Identification& found, const Joint& truth) {
-  double difference = 0.0;
-  double size = 0.0;
-  for (double share = 0.1; share <= 0.9; share += 0.0005) {
-    const double f = share * found.covered_to;
-    const double expected = truth.density().density(f);
-    difference += std::pow(found.joint.density().density(f) - expected, 2);
-    size += expected * expected;
-  }
-  return std::sqrt(difference / size);
-}
-
 double density_error_of(const Rig& rig, std::uint64_t seed) {
   const SolvedRig solved(kData + "/unseen_rig.csv");
   IdentificationOptions options;
   options.inversion.stiffness = 9.0e4;
   const Levels levels = reduced_levels(Reducer(rig), solved, seed);
-  return density_error(identify(levels, options), unseen_joint());
+  return density_error(identify(levels, options), testing::unseen_joint().density(), {0.1, 0.9});
 }
 
 TEST(Reduction, UnseenRigWithVibrometer) {

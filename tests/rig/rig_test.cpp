@@ -231,5 +231,13 @@ TEST(Rig, ABeamHasAreaAndBendingStiffness) {
   EXPECT_EQ(beam.bending_stiffness(), 18.0) << "4 · 2 · 3³ / 12";
 }
 
+TEST(Rig, ARecordFitsIntoMemory) {
+  EXPECT_EQ(message(beam_rig(), [](Rig& rig) { rig.test->duration = 13000.0; }),
+            "test.duration_s = 13000; must be at most 12207: 1e+08 samples a channel at "
+            "test.sampling_rate_Hz = 8192. Record less, or sample more slowly.");
+  EXPECT_EQ(fault(beam_rig(), [](Rig& rig) { rig.test->duration = 1e300; }), "test.duration_s");
+  EXPECT_EQ(fault(beam_rig(), [](Rig& rig) { rig.test->duration = 12000.0; }), "");
+}
+
 }  // namespace
 }  // namespace microslip

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "microslip/base/random.hpp"
+#include "microslip/joint/joint.hpp"
 #include "microslip/rig/rig.hpp"
 #include "microslip/signal/recording.hpp"
 #include "support/reference_csv.hpp"
@@ -54,6 +55,19 @@ inline Rig unseen_rig() {
   rig.excitation.position = 0.52;
   rig.accelerometers = {{0.52, {}, "acc1"}, {0.30, {}, "acc2"}, {0.15, {}, "acc3"}};
   return rig;
+}
+
+/// The joint of that rig.
+inline Joint unseen_joint() {
+  PiecewiseLinearPart part{.slip_force = {0, 3, 6, 10, 15, 20, 26, 32, 40, 50},
+                           .density = {6, 9, 14, 17, 15, 10, 8, 9, 7, 0}};
+  double area = 0.0;
+  for (std::size_t i = 1; i < part.density.size(); ++i) {
+    area += 0.5 * (part.slip_force[i] - part.slip_force[i - 1]) *
+            (part.density[i] + part.density[i - 1]);
+  }
+  for (double& value : part.density) value /= area;
+  return Joint(9.0e4, SlipDensity({part}));
 }
 
 /// How a record is taken.

@@ -23,6 +23,9 @@ struct TableKind {
 };
 
 constexpr std::array kTableKinds{
+    TableKind{kVerificationKind, {"channel", "NRMSE", "noise_share"}},
+    TableKind{kHarmonicsKind, {"source", "harmonic", "frequency"}},
+    TableKind{kForceControlKind, {"level", "force_before", "force_after"}},
     TableKind{kDissipationKind, {"amplitude", "dissipation", "loss_factor"}},
     TableKind{kLevelsKind, {"amplitude", "dissipation"}},
     TableKind{kDensityKind, {"slip_force", "density"}},
@@ -32,7 +35,24 @@ constexpr std::array kTableKinds{
     TableKind{kPathKind, {"displacement"}},
 };
 
+/// source, time, NAME_recorded, NAME_predicted, …
+bool is_histories(const std::vector<std::string>& names) {
+  return names.size() >= 4 && names[0] == "source" && names[1] == "time" &&
+         names[2].ends_with("_recorded") && names[3].ends_with("_predicted");
+}
+
+/// time, forces, displacement, velocity, acceleration, and a joint's displacement and force at the end: no
+/// recording is like that.
+bool is_march(const std::vector<std::string>& names) {
+  constexpr std::array<std::string_view, 3> kMotion{"displacement", "velocity", "acceleration"};
+  const auto motion = std::search(names.begin(), names.end(), kMotion.begin(), kMotion.end());
+  return names.front() == "time" && names.end() - motion > 4 &&
+         names[names.size() - 2].ends_with(" displacement") && names.back().ends_with(" force");
+}
+
 std::string table_kind(const std::vector<std::string>& names) {
+  if (is_histories(names)) return std::string(kHistoriesKind);
+  if (is_march(names)) return std::string(kMarchKind);
   const auto has = [&](std::string_view name) {
     return name.empty() || std::find(names.begin(), names.end(), name) != names.end();
   };

@@ -9,6 +9,7 @@ namespace microslip {
 
 inline constexpr std::string_view kJointKind = "microslip.joint/1";
 inline constexpr std::string_view kRigKind = "microslip.rig/1";
+inline constexpr std::string_view kModelKind = "microslip.model/1";
 inline constexpr std::string_view kLevelsKind = "a table of levels";
 inline constexpr std::string_view kDensityKind = "a table of a density";
 inline constexpr std::string_view kDissipationKind = "a table of a dissipation curve";
@@ -16,6 +17,11 @@ inline constexpr std::string_view kPathKind = "a table of a displacement path";
 inline constexpr std::string_view kLoopKind = "a table of forces on a path";
 inline constexpr std::string_view kResponseKind = "a table of a frequency response";
 inline constexpr std::string_view kBackboneKind = "a table of a backbone";
+inline constexpr std::string_view kVerificationKind = "a table of a verification";
+inline constexpr std::string_view kHarmonicsKind = "a table of predicted harmonics";
+inline constexpr std::string_view kHistoriesKind = "a table of predicted histories";
+inline constexpr std::string_view kForceControlKind = "a table of a force control";
+inline constexpr std::string_view kMarchKind = "a table of a march";
 
 /// So much of a file tells its kind.
 inline constexpr std::size_t kKindHeadSize = 65536;

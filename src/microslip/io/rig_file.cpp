@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "microslip/base/error.hpp"
@@ -154,9 +155,28 @@ RigNoise read_noise(const TomlTable& noise) {
           .vibrometer = optional_number(noise, "vibrometer_m").value_or(0.0)};
 }
 
+RigShaker read_shaker(const TomlTable& table) {
+  RigShaker shaker;
+  const std::pair<std::string_view, double*> keys[] = {
+      {"resistance_Ohm", &shaker.resistance},
+      {"inductance_H", &shaker.inductance},
+      {"force_factor_N_per_A", &shaker.force_factor},
+      {"moving_mass_kg", &shaker.moving_mass},
+      {"suspension_stiffness_N_per_m", &shaker.suspension_stiffness},
+      {"suspension_damping_Ns_per_m", &shaker.suspension_damping},
+      {"stinger_stiffness_N_per_m", &shaker.stinger_stiffness}};
+  std::vector<std::string_view> names;
+  for (const auto& [name, value] : keys) names.push_back(name);
+  table.allow_only(names);
+  for (const auto& [name, value] : keys) {
+    *value = optional_number(table, name).value_or(*value);
+  }
+  return shaker;
+}
+
 Rig read_tables(const TomlTable& top) {
   top.allow_only({"schema", "beam", "modes", "contact", "damping", "mass", "excitation",
-                  "accelerometer", "vibrometer", "test", "noise"});
+                  "accelerometer", "vibrometer", "test", "noise", "shaker"});
   Rig rig;
   read_structure(top, rig);
   const bool is_beam = rig.beam() != nullptr;
@@ -170,6 +190,7 @@ Rig read_tables(const TomlTable& top) {
   if (top.has("vibrometer")) rig.vibrometer = read_vibrometer(top.table("vibrometer"));
   if (top.has("test")) rig.test = read_test(top.table("test"));
   if (top.has("noise")) rig.noise = read_noise(top.table("noise"));
+  if (top.has("shaker")) rig.shaker = read_shaker(top.table("shaker"));
   return rig;
 }
 

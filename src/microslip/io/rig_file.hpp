@@ -22,6 +22,9 @@
 ///                       spacing = "linear" or "log" }, sampling_rate_Hz, duration_s and, optional,
 ///                       frequency_resolution_Hz, modes, harmonics; optional
 ///     [noise]           force_N, acceleration_m_per_s2, vibrometer_m, each optional; optional
+///     [shaker]          resistance_Ohm, inductance_H, force_factor_N_per_A, moving_mass_kg,
+///                       suspension_stiffness_N_per_m, suspension_damping_Ns_per_m,
+///                       stinger_stiffness_N_per_m, each optional; optional
 ///
 /// With `[modes] frequency_Hz, excitation, joint` in place of [beam] an accelerometer has `shape`
 /// and no position, the excitation only its channel, and the contact, then optional, no rod; there

@@ -8,6 +8,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/rig/record_analysis.hpp"
+#include "microslip/rig/reduced_level.hpp"
 #include "microslip/rig/reduction_flags.hpp"
 #include "microslip/signal/cycle_energy.hpp"
 #include "microslip/signal/signal_quality.hpp"
@@ -120,22 +121,25 @@ Reducer::Reducer(Rig rig, ReductionOptions options)
   check_options(options_);
 }
 
-ReducedLevel Reducer::reduce(const Recording& recording) const {
-  const RecordAnalysis record =
-      analyse_record(recording, rig_, state_, options_.fit, options_.use_vibrometer);
+ReducedLevel reduced_level(const RecordAnalysis& record, const Reducer& reducer) {
   ReducedLevel level;
-  level.source = recording.source;
+  level.source = record.recording.source;
   level.frequency = record.fit.frequency();
-  level.resonance_frequency = natural_frequency(state_, record.whole.motion.softening);
+  level.resonance_frequency = natural_frequency(reducer.state(), record.whole.motion.softening);
   level.force_amplitude = std::abs(record.fit.series[0].c(1));
   level.response_amplitude = std::abs(record.whole.exciter_acceleration.c(1));
   level.force_distortion = distortion_of(record.fit.series[0], record.fit.harmonic_std[0]);
   level.misfit = *std::ranges::max_element(record.whole.motion.misfit);
   level.cycles = record.fit.cycles;
-  set_joint(level, record, state_.stiffness > 0.0);
+  set_joint(level, record, reducer.state().stiffness > 0.0);
   set_energies(level, record);
-  add_flags(level, record, *this);
+  add_flags(level, record, reducer);
   return level;
+}
+
+ReducedLevel Reducer::reduce(const Recording& recording) const {
+  return reduced_level(
+      analyse_record(recording, rig_, state_, options_.fit, options_.use_vibrometer), *this);
 }
 
 }  // namespace microslip

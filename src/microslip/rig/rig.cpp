@@ -12,6 +12,8 @@
 namespace microslip {
 namespace {
 
+constexpr double kMostSamples = 1e8;  // of a channel: 0.8 GB
+
 void require_positive(std::string_view key, double value, std::string_view remedy = {}) {
   if (value > 0.0 && std::isfinite(value)) return;
   throw InputError(key, value, "must be above 0 and finite", remedy);
@@ -169,9 +171,28 @@ void check_test(const RigTest& test) {
   check_count("test.response_acceleration.count", test.count, 1, 100000);
   require_positive("test.sampling_rate_Hz", test.sampling_rate);
   require_positive("test.duration_s", test.duration);
+  const double samples = test.duration * test.sampling_rate;
+  if (!(samples <= kMostSamples)) {
+    throw InputError(
+        "test.duration_s", test.duration,
+        fmt::format("must be at most {:.6g}: {:.0e} samples a channel at "
+                    "test.sampling_rate_Hz = {:.6g}",
+                    kMostSamples / test.sampling_rate, kMostSamples, test.sampling_rate),
+        "Record less, or sample more slowly.");
+  }
   require_non_negative("test.frequency_resolution_Hz", test.frequency_resolution);
   check_count("test.modes", test.modes, 1, 100);
   check_count("test.harmonics", test.harmonics, 1, 100);
+}
+
+void check_shaker(const RigShaker& shaker) {
+  require_positive("shaker.resistance_Ohm", shaker.resistance);
+  require_non_negative("shaker.inductance_H", shaker.inductance);
+  require_positive("shaker.force_factor_N_per_A", shaker.force_factor);
+  require_positive("shaker.moving_mass_kg", shaker.moving_mass);
+  require_non_negative("shaker.suspension_stiffness_N_per_m", shaker.suspension_stiffness);
+  require_non_negative("shaker.suspension_damping_Ns_per_m", shaker.suspension_damping);
+  require_positive("shaker.stinger_stiffness_N_per_m", shaker.stinger_stiffness);
 }
 
 }  // namespace
@@ -190,6 +211,7 @@ void check_rig(const Rig& rig) {
     require_non_negative("noise.acceleration_m_per_s2", rig.noise->acceleration);
     require_non_negative("noise.vibrometer_m", rig.noise->vibrometer);
   }
+  if (rig.shaker) check_shaker(*rig.shaker);
 }
 
 }  // namespace microslip

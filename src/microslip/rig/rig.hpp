@@ -89,6 +89,19 @@ struct RigNoise {
   double vibrometer = 0.0;    ///< m; 0 or more
 };
 
+/// The electrodynamic shaker of the virtual test, see shaker.hpp. The defaults are a modal shaker of
+/// some 50 N: a coil of 2 Ω, 80 g that move, its free resonance at 48 Hz, and a steel wire 100 mm long
+/// and 1.5 mm thick as stinger.
+struct RigShaker {
+  double resistance = 2.0;              ///< R of the coil, Ω; above 0
+  double inductance = 2e-4;             ///< L of the coil, H; 0 or more
+  double force_factor = 8.0;            ///< Bl, N/A; above 0
+  double moving_mass = 0.08;            ///< m, kg; above 0
+  double suspension_stiffness = 7.2e3;  ///< k, N/m; 0 or more
+  double suspension_damping = 5.0;      ///< c, N s/m; 0 or more
+  double stinger_stiffness = 3.6e6;     ///< k_s, N/m; above 0
+};
+
 /// A frictional-support test.
 struct Rig {
   std::variant<RigBeam, RigModes> structure;
@@ -100,6 +113,7 @@ struct Rig {
   std::optional<RigVibrometer> vibrometer = {};
   std::optional<RigTest> test = {};
   std::optional<RigNoise> noise = {};
+  std::optional<RigShaker> shaker = {};  ///< of the virtual test; without it the default one
 
   [[nodiscard]] const RigBeam* beam() const { return std::get_if<RigBeam>(&structure); }
   [[nodiscard]] const RigModes* modes() const { return std::get_if<RigModes>(&structure); }
