@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/rig/verification.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <span>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/rig/channel_harmonics.hpp"
+#include "microslip/rig/record_analysis.hpp"
+#include "microslip/rig/reduced_level.hpp"
+#include "microslip/rig/rig_structure.hpp"
+
+namespace microslip {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Noise reaches it in one harmonic of 3000; a resonance of a higher mode would make much of it.
+constexpr double kTellingHarmonic = 4.0;  // standard errors
+/// A joint identified by a level is not beyond it when that level is predicted a little high.
+constexpr double kBeyond = 1.02;
+/// Of an offset from the frequency of the record.
+constexpr double kFarthest = 0.2;
+
+/// s_n of the excitation: the harmonics of the force over the first, with the zero of time where
+/// that is largest.
+std::vector<Complex> force_shape(const RecordAnalysis& record, bool sine) {
+  std::vector<Complex> shape{1.0};
+  if (sine) return shape;
+  const FourierSeries& force = record.fit.series[0];
+  const double size = std::abs(force.c(1));
+  const double phase = std::arg(force.c(1));
+  for (std::size_t n = 2; n <= force.order(); ++n) {
+    const bool told = std::abs(force.c(n)) > kTellingHarmonic * record.fit.harmonic_std[0][n - 1];
+    shape.push_back(told ? force.c(n) / size * std::polar(1.0, -static_cast<double>(n) * phase)
+                         : 0.0);
+  }
+  return shape;
+}
+
+/// Of the displacement at the exciter behind the force, rad.
+double recorded_lag(const RecordAnalysis& record) {
+  return std::arg(-record.fit.series[0].c(1) * std::conj(record.whole.exciter_acceleration.c(1)));
+}
+
+/// Which mode of the stuck structure vibrates at ω.
+std::size_t nearest_mode(const JointedStructure& structure, double omega) {
+  const std::vector<double> all = structure.stuck_frequencies();
+  const auto nearest = std::ranges::min_element(
+      all, {}, [&](double frequency) { return std::abs(frequency - omega); });
+  return static_cast<std::size_t>(nearest - all.begin());
+}
+
+/// See PredictedLevel::frequency_offset.
+std::optional<double> frequency_offset(const HarmonicBalance& balance,
+                                       const SteadyVibration& predicted,
+                                       const RecordAnalysis& record, double response) {
+  const double lag = recorded_lag(record);
+  if (!(lag > 0.0 && lag < std::numbers::pi)) return std::nullopt;
+  const Target phase{Quantity::kPhaseLag, lag};
+  const Target level{Quantity::kResponse, response};
+  const auto offset = [&](const VibrationResult& found) -> std::optional<double> {
+    const double difference = found.vibration.frequency() - record.fit.frequency();
+    if (!found.summary.converged()) return std::nullopt;
+    if (!(std::abs(difference) <= kFarthest * record.fit.frequency())) return std::nullopt;
+    return difference;
+  };
+  if (const auto near = offset(balance.solve(phase, level, predicted))) return near;
+  return offset(balance.solve(phase, level, nearest_mode(balance.structure(), record.fit.omega)));
+}
+
+HarmonicBalance balance_of(const Verifier& verifier, std::vector<Complex> force,
+                           std::size_t least_harmonics) {
+  const Reducer& reducer = verifier.reducer();
+  HarmonicBalanceOptions options = verifier.options().balance;
+  options.harmonics = std::max(options.harmonics, least_harmonics);
+  return {rig_structure(reducer.rig(), reducer.state(), verifier.joint(), std::move(force)),
+          {reducer.rig().excitation.channel, ResponseKind::kAcceleration},
+          options};
+}
+
+PredictedLevel predicted_level(const SteadyVibration& vibration) {
+  const JointCycle& joint = vibration.joints.front();
+  return {.force_amplitude = vibration.force_amplitude,
+          .amplitude = joint.amplitude,
+          .input_energy = vibration.input_energy,
+          .linear_dissipation = vibration.linear_dissipation,
+          .dissipation = joint.dissipation};
+}
+
+/// The predicted harmonics on mean, trend and time axis of the recorded series. What is not finite,
+/// because the balance was lost, predicts nothing.
+FourierSeries predicted_series(const FourierSeries& recorded, const Harmonics& harmonics,
+                               double turn) {
+  FourierSeries series = recorded;
+  series.harmonic.assign(harmonics.size() - 1, 0.0);
+  for (std::size_t n = 1; n < harmonics.size(); ++n) {
+    const Complex turned = harmonics[n] * std::polar(1.0, static_cast<double>(n) * turn);
+    if (std::isfinite(std::abs(turned))) series.harmonic[n - 1] = turned;
+  }
+  return series;
+}
+
+double rms_difference(std::span<const double> a, std::span<const double> b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+ChannelComparison compare(const RecordAnalysis& record, std::size_t signal,
+                          const Harmonics& harmonics, double turn) {
+  const Axis& axis = record.recording.axis;
+  const std::span<const double> samples = record.signals.values[signal];
+  ChannelComparison channel;
+  channel.name = record.signals.names[signal];
+  channel.dimension = *record.recording.channel(channel.name).dimension;
+  channel.recorded = record.fit.series[signal];
+  channel.predicted = predicted_series(channel.recorded, harmonics, turn);
+  channel.recorded_std = record.fit.harmonic_std[signal];
+  FourierSeries slow = channel.recorded;
+  slow.harmonic.clear();
+  const double size = rms_difference(samples, values(slow, axis, samples.size()));
+  channel.nrmse = rms_difference(samples, values(channel.predicted, axis, samples.size())) / size;
+  channel.noise_share = record.fit.residual_rms[signal] / size;
+  return channel;
+}
+
+/// From the first of the points where the drive-point acceleration is largest, as to its first harmonic.
+void add_histories(Verification& result, const RecordAnalysis& record, double cycles) {
+  const Axis& axis = record.recording.axis;
+  const double period = record.whole.exciter_acceleration.period();
+  const double turns = axis.at(0) / period + result.phase / (2.0 * std::numbers::pi);
+  const double from = axis.at(0) + (std::ceil(turns) - turns) * period;
+  for (std::size_t i = 0; i < record.recording.size(); ++i) {
+    const double t = axis.at(i);
+    if (t < from || t > from + cycles * period) continue;
+    result.history.push_back(t);
+    for (std::size_t j = 0; j < result.channels.size(); ++j) {
+      ChannelComparison& channel = result.channels[j];
+      channel.recorded_history.push_back(record.signals.values[j][i]);
+      channel.predicted_history.push_back(channel.predicted.value(t));
+    }
+  }
+}
+
+void warn(Verification& result, const Joint& joint, const std::optional<double>& covered_to) {
+  if (!covered_to) return;
+  const double reached = joint.stiffness() * result.predicted.amplitude;
+  if (!(reached > kBeyond * *covered_to)) return;
+  result.warnings.push_back(
+      {"beyond_identification",
+       fmt::format("the joint moves by {:.4g} um, {:.0f} % more than the {:.4g} um of the highest "
+                   "level that it was identified by; what slips there is not known. Identify it "
+                   "with higher levels.",
+                   1e6 * result.predicted.amplitude, 100.0 * (reached / *covered_to - 1.0),
+                   1e6 * *covered_to / joint.stiffness())});
+}
+
+}  // namespace
+
+const ChannelComparison& Verification::worst() const {
+  return *std::ranges::max_element(channels, {}, &ChannelComparison::nrmse);
+}
+
+Verifier::Verifier(Rig rig, Joint joint, VerificationOptions options)
+    : reducer_(std::move(rig), options.reduction),
+      joint_(std::move(joint)),
+      options_(std::move(options)) {
+  if (options_.covered_to && !(*options_.covered_to > 0.0)) {
+    throw InputError("covered_to", *options_.covered_to, "must be above 0 N");
+  }
+  if (!(options_.history_cycles >= 0.0)) {
+    throw InputError("history_cycles", options_.history_cycles, "must be 0 or more");
+  }
+  (void)balance_of(*this, {1.0}, 1);  // throws where the rig or an option makes none
+}
+
+Verification Verifier::verify(const Recording& recording) const {
+  const Rig& rig = reducer_.rig();
+  const StickState& state = reducer_.state();
+  const RecordAnalysis record = analyse_record(recording, rig, state, reducer_.options().fit,
+                                               reducer_.options().use_vibrometer);
+  Verification result;
+  result.recorded = reduced_level(record, reducer_);
+  result.phase = std::arg(record.whole.exciter_acceleration.c(1));
+  const double response = result.recorded.response_amplitude;
+
+  const HarmonicBalance balance =
+      balance_of(*this, force_shape(record, options_.sine), record.fit.order());
+  const VibrationResult found = balance.solve({Quantity::kAngularFrequency, record.fit.omega},
+                                              {Quantity::kResponse, response});
+  result.summary = found.summary;
+  result.predicted = predicted_level(found.vibration);
+  result.predicted.frequency_offset = frequency_offset(balance, found.vibration, record, response);
+
+  const JointedStructure& structure = balance.structure();
+  const Complex drive_point =
+      found.vibration.acceleration(structure.linear(), rig.excitation.channel)[1];
+  const std::vector<Harmonics> harmonics = channel_harmonics(
+      found.vibration, force_harmonics(found.vibration, structure.excitations().front()), rig,
+      state, record.layout);
+  for (std::size_t j = 0; j < harmonics.size(); ++j) {
+    result.channels.push_back(
+        compare(record, j, harmonics[j], result.phase - std::arg(drive_point)));
+  }
+  if (record.layout.at_exciter) result.drive_point = 1 + *record.layout.at_exciter;
+  add_histories(result, record, options_.history_cycles);
+  warn(result, joint_, options_.covered_to);
+  if (auto other = stiffness_warning(reducer_.state(), joint_)) {
+    result.warnings.push_back(std::move(*other));
+  }
+  return result;
+}
+
+}  // namespace microslip
