@@ -50,6 +50,14 @@ std::string_view remedy_for(int error) {
                   remedy_for(error));
 }
 
+[[noreturn]] void fail_twice(std::string_view path) {
+  throw FileError(path, "would be written twice", "Choose different names.");
+}
+
+[[noreturn]] void fail_twice_on_standard_output() {
+  throw FileError(kStandardOutput, "would be written twice", "Name a file for one of them.");
+}
+
 std::string folder_of(const std::string& target) {
   const std::string folder = fs::path(target).parent_path().string();
   return folder.empty() ? "." : folder;
@@ -203,12 +211,23 @@ void check_output(const std::string& path, std::string_view kind) {
   if (target.replaced && !kind.empty()) check_kind(path, target.file, kind);
 }
 
+void check_outputs(std::span<const PlannedOutput> outputs) {
+  for (auto output = outputs.begin(); output != outputs.end(); ++output) {
+    check_output(output->path, output->kind);
+    for (auto other = outputs.begin(); other != output; ++other) {
+      if (output->path == "-" && other->path == "-") fail_twice_on_standard_output();
+      if (output->path == "-" || other->path == "-") continue;
+      if (is_same_file(behind_links(output->path), behind_links(other->path))) {
+        fail_twice(output->path);
+      }
+    }
+  }
+}
+
 std::pair<OutputFiles::File*, FileDescriptor> OutputFiles::create(const std::string& path) {
   const Target target = checked_target(path);
   const auto same = [&](const File& file) { return is_same_file(file.target, target.file); };
-  if (std::any_of(files_.begin(), files_.end(), same)) {
-    throw FileError(path, "would be written twice", "Choose different names.");
-  }
+  if (std::any_of(files_.begin(), files_.end(), same)) fail_twice(path);
   auto created = create_beside(path, target);
   File& file = files_.emplace_back(File{path, target.file, std::move(created.first)});
   return {&file, std::move(created.second)};
@@ -216,9 +235,7 @@ std::pair<OutputFiles::File*, FileDescriptor> OutputFiles::create(const std::str
 
 void OutputFiles::add(const std::string& path, std::string_view content) {
   if (path == "-") {
-    if (standard_output_) {
-      throw FileError(kStandardOutput, "would be written twice", "Name a file for one of them.");
-    }
+    if (standard_output_) fail_twice_on_standard_output();
     standard_output_ = content;
     return;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,6 +20,16 @@ class FileDescriptor;
 ///                    a device or a pipe, or an existing file of another kind or one closed to
 ///                    writing.
 void check_output(const std::string& path, std::string_view kind = {});
+
+/// check_output() of a file where there are several.
+struct PlannedOutput {
+  std::string path;
+  std::string_view kind = {};
+};
+
+/// The same of all files that OutputFiles is to write.
+/// @throws FileError  as check_output(), and where two of them have one path or are standard output.
+void check_outputs(std::span<const PlannedOutput> outputs);
 
 /// Files that are written all or none. Each is written under a temporary name in its folder first;
 /// commit() gives them their names. Without commit(), on an exception for instance, nothing is left

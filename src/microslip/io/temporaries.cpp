@@ -11,6 +11,9 @@ namespace {
 
 enum class State { kFree, kClaimed, kLive, kRemoved };
 
+/// A file, or a folder with nothing in it. Safe in a signal handler.
+bool remove_path(const char* path) noexcept { return ::unlink(path) == 0 || ::rmdir(path) == 0; }
+
 }  // namespace
 
 /// A list that only grows; entries are used again. An entry's path changes only while it is
@@ -47,7 +50,7 @@ Temporary::Temporary(Temporary&& other) noexcept
 
 Temporary::~Temporary() {
   if (entry_ == nullptr) return;
-  ::unlink(path_.c_str());
+  remove_path(path_.c_str());
   keep();
 }
 
@@ -59,10 +62,15 @@ void Temporary::keep() {
 }
 
 void remove_temporaries() noexcept {
-  for (auto* entry = Temporary::Entry::first.load(); entry != nullptr; entry = entry->next) {
-    State expected = State::kLive;
-    if (entry->state.compare_exchange_strong(expected, State::kRemoved)) {
-      ::unlink(entry->path.c_str());
+  // Files first, and again while a folder may have become empty by what went before.
+  for (bool removed = true; removed;) {
+    removed = false;
+    for (auto* entry = Temporary::Entry::first.load(); entry != nullptr; entry = entry->next) {
+      State expected = State::kLive;
+      if (!entry->state.compare_exchange_strong(expected, State::kClaimed)) continue;
+      const bool gone = remove_path(entry->path.c_str());
+      entry->state.store(gone ? State::kRemoved : State::kLive);
+      removed = removed || gone;
     }
   }
 }

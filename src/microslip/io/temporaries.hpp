@@ -6,7 +6,7 @@
 namespace microslip {
 
 /// The name of a file that is to vanish: it is removed on destruction, unless keep() was called,
-/// and by remove_temporaries().
+/// and by remove_temporaries(). So is a folder, unless it holds something.
 class Temporary {
  public:
   explicit Temporary(std::string path);
@@ -29,7 +29,7 @@ class Temporary {
   Entry* entry_;
 };
 
-/// Removes the files of all Temporary objects of the process. It allocates nothing and takes no
+/// Removes the files and empty folders of all Temporary objects of the process. It allocates nothing and takes no
 /// lock, so that a handler of a signal may call it before it ends the process.
 void remove_temporaries() noexcept;
 

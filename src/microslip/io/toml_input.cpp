@@ -185,6 +185,11 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
   return result;
 }
 
+std::vector<TomlTable> TomlTable::one_or_more(std::string_view key) const {
+  if (at(key).is_table()) return {table(key)};
+  return tables(key);
+}
+
 TextPlace TomlTable::place(std::string_view key) const {
   const toml::node* node = table_.get(key);
   return place_of((node ? *node : table_).source().begin, file_);
@@ -192,6 +197,12 @@ TextPlace TomlTable::place(std::string_view key) const {
 
 std::string TomlTable::name(std::string_view key) const {
   return fmt::format("{}: {}", place_text(place(key)), key_path(path_, key));
+}
+
+std::string TomlTable::name(std::string_view key, std::size_t index) const {
+  const toml::array* array = at(key).as_array();
+  const toml::node* element = array ? array->get(index) : nullptr;
+  return name_of(element ? *element : at(key), file_, element_path(key, index));
 }
 
 std::string TomlTable::element_path(std::string_view key, std::size_t index) const {

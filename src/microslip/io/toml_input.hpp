@@ -47,9 +47,13 @@ class TomlTable {
   [[nodiscard]] TomlTable table(std::string_view key) const;
   /// [[key]], or an array of inline tables.
   [[nodiscard]] std::vector<TomlTable> tables(std::string_view key) const;
+  /// tables(), or the one table [key].
+  [[nodiscard]] std::vector<TomlTable> one_or_more(std::string_view key) const;
 
   /// `file:line:column: path.key`.
   [[nodiscard]] std::string name(std::string_view key) const;
+  /// `file:line:column: path.key[index]`, of an element of an array.
+  [[nodiscard]] std::string name(std::string_view key, std::size_t index) const;
 
   /// Of the value; of the table where the key is missing.
   [[nodiscard]] TextPlace place(std::string_view key) const;

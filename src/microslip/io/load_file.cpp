@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/load_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "microslip/base/error.hpp"
+#include "microslip/base/units.hpp"
+#include "microslip/io/closest_name.hpp"
+#include "microslip/io/column_rules.hpp"
+#include "microslip/io/csv.hpp"
+#include "microslip/io/input_file.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr std::string_view kForceAt = "force at ";
+constexpr std::string_view kLoadOf = "normal_load of ";
+
+std::string listed(const std::vector<std::string_view>& names) {
+  std::string text;
+  for (const std::string_view name : names) {
+    text += fmt::format("{}'{}'", text.empty() ? "" : ", ", name);
+  }
+  return text.empty() ? "none" : text;
+}
+
+/// @param what  "a point", "a joint".
+std::string known(const CsvTable& table, std::string_view column, std::string_view name,
+                  std::string_view what, const std::vector<std::string_view>& names) {
+  if (std::ranges::find(names, name) != names.end()) return std::string(name);
+  const std::string_view closest = closest_name(name, names);
+  throw FormatError({table.file()}, fmt::format("{} of the model, {}", what, listed(names)),
+                    fmt::format("column '{}'", column),
+                    closest.empty() ? "" : fmt::format("Is it to be '{}'?", closest));
+}
+
+/// The only one, for a column that names none.
+std::string only(const CsvTable& table, std::string_view column, std::string_view prefix,
+                 std::string_view what, const std::vector<std::string_view>& names) {
+  if (names.size() == 1) return std::string(names.front());
+  throw FormatError({table.file()}, fmt::format("a column '{}NAME'", prefix),
+                    fmt::format("'{}'", column),
+                    fmt::format("The model has {} {}s: {}.", names.size(), what, listed(names)));
+}
+
+std::vector<double> rising_time(const CsvTable& table) {
+  std::vector<double> time = table.numbers("time", kTime);
+  for (std::size_t row = 1; row < time.size(); ++row) {
+    if (!(time[row] > time[row - 1])) {
+      table.reject(row, "time", "a time later than that of the row before it");
+    }
+  }
+  if (time.size() >= 2) return time;
+  throw FormatError({table.file()}, "two rows or more", "one");
+}
+
+class Loads {
+ public:
+  Loads(const CsvTable& table, const JointedStructure& structure, NormalLoadLaw law)
+      : table_(table), law_(law) {
+    for (const ModalPoint& point : structure.linear().points()) points_.push_back(point.name);
+    for (const Excitation& excitation : structure.excitations()) {
+      if (std::ranges::find(excited_, excitation.point) != excited_.end()) continue;
+      excited_.push_back(excitation.point);
+    }
+    for (const StructuralJoint& joint : structure.joints()) joints_.push_back(joint.name);
+    loads_.time = rising_time(table);
+  }
+
+  LoadHistory read() {
+    for (const CsvColumn& column : table_.columns()) {
+      const std::string_view name = column.name;
+      if (name == "force") {
+        add_force(name, only(table_, name, kForceAt, "excitation", excited_));
+      } else if (name.starts_with(kForceAt)) {
+        add_force(name, known(table_, name, name.substr(kForceAt.size()), "a point", points_));
+      } else if (name == "normal_load") {
+        add_load(name, only(table_, name, kLoadOf, "joint", joints_));
+      } else if (name.starts_with(kLoadOf)) {
+        add_load(name, known(table_, name, name.substr(kLoadOf.size()), "a joint", joints_));
+      }
+    }
+    if (!loads_.forces.empty()) return std::move(loads_);
+    throw FormatError({table_.file()}, "a column 'force [N]' or 'force at POINT [N]'", "none");
+  }
+
+ private:
+  void add_force(std::string_view column, std::string point) {
+    refuse_twice(column, point, loads_.forces, &PointForce::point);
+    loads_.forces.push_back({std::move(point), table_.numbers(column, kForce)});
+  }
+
+  void add_load(std::string_view column, std::string joint) {
+    refuse_twice(column, joint, loads_.normal_loads, &JointNormalLoad::joint);
+    std::vector<double> load = table_.numbers(column, kDimensionless);
+    require_non_negative(table_, column, load,
+                         "It is the normal load over its nominal value; 0 means no contact.");
+    loads_.normal_loads.push_back({std::move(joint), std::move(load), law_});
+  }
+
+  template <typename Given, typename Name>
+  void refuse_twice(std::string_view column, const std::string& name,
+                    const std::vector<Given>& given, Name of) const {
+    if (std::ranges::find(given, name, of) == given.end()) return;
+    throw FormatError({table_.file()}, fmt::format("one column for '{}'", name),
+                      fmt::format("also column '{}'", column));
+  }
+
+  const CsvTable& table_;
+  NormalLoadLaw law_;
+  std::vector<std::string_view> points_;
+  std::vector<std::string_view> excited_;  // each place once
+  std::vector<std::string_view> joints_;
+  LoadHistory loads_;
+};
+
+}  // namespace
+
+LoadHistory parse_loads(std::string text, std::string_view file, const JointedStructure& structure,
+                        NormalLoadLaw law) {
+  const CsvTable table(std::move(text), file);
+  return Loads(table, structure, law).read();
+}
+
+LoadHistory read_loads(const std::string& path, const JointedStructure& structure,
+                       NormalLoadLaw law) {
+  return parse_loads(read_file(path), input_name(path), structure, law);
+}
+
+}  // namespace microslip

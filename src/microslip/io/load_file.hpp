@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "microslip/dynamics/march.hpp"
+#include "microslip/joint/jenkins_network.hpp"
+
+/// @file
+/// What acts on a structure over time, as a table:
+///
+///     time [s]                  rising, even or not
+///     force [N]                 at the excitation of the model, of which there is one
+///     force at POINT [N]        at a point of the model
+///     normal_load [1]           p = P_N/P_0 of the joint, where there is one; optional
+///     normal_load of JOINT [1]  of a joint of the model; optional
+///
+/// with at least one column of a force. Other columns are left alone.
+
+namespace microslip {
+
+/// @param structure  its points, excitations and joints.
+/// @param law        of joints whose normal load is given.
+/// @throws FormatError  at the cell or column that breaks a rule.
+[[nodiscard]] LoadHistory parse_loads(std::string text, std::string_view file,
+                                      const JointedStructure& structure,
+                                      NormalLoadLaw law = NormalLoadLaw::kIncremental);
+
+/// parse_loads() of a file; "-" is standard input. @throws FileError, FormatError
+[[nodiscard]] LoadHistory read_loads(const std::string& path, const JointedStructure& structure,
+                                     NormalLoadLaw law = NormalLoadLaw::kIncremental);
+
+}  // namespace microslip

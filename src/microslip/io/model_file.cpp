@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/model_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <filesystem>
+#include <numbers>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/closest_name.hpp"
+#include "microslip/io/file_kind.hpp"
+#include "microslip/io/input_file.hpp"
+#include "microslip/io/joint_file.hpp"
+#include "microslip/io/structured_input.hpp"
+#include "microslip/io/text.hpp"
+#include "microslip/io/toml_input.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr std::size_t kLargestModelFile = std::size_t{16} << 20U;
+
+// Beyond all that vibrates, and far from where squares overflow.
+constexpr double kHighestFrequency = 1e9;    // Hz
+constexpr double kLargestLossFactor = 1e3;   // 1
+constexpr double kLargestShape = 1e9;        // kg^−½, the tip of a mass of 1e-18 kg
+constexpr double kSmallestShape = 1e-9;      // kg^−½
+constexpr double kLargestStiffness = 1e15;   // N/m, that of a joint
+constexpr double kLargestCompliance = 1e15;  // m/N
+constexpr double kLargestHarmonic = 1e6;     // 1
+constexpr double kLargestShortening = 1e18;  // 1/(kg m)
+
+/// The numbers of a key, each from 0 to `most`.
+std::vector<double> read_positive(const TomlTable& table, std::string_view key, double most) {
+  std::vector<double> values = table.numbers(key);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i] >= 0.0 && values[i] <= most) continue;
+    throw InputError(table.name(key, i), values[i], fmt::format("must be from 0 to {:g}", most));
+  }
+  return values;
+}
+
+/// The numbers of a key, each up to `most` either way.
+std::vector<double> read_signed(const TomlTable& table, std::string_view key, double most) {
+  std::vector<double> values = table.numbers(key);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::abs(values[i]) <= most) continue;
+    throw InputError(table.name(key, i), values[i],
+                     fmt::format("must be from {:g} to {:g}", -most, most));
+  }
+  return values;
+}
+
+double read_optional(const TomlTable& table, std::string_view key, double most) {
+  if (!table.has(key)) return 0.0;
+  const double value = table.number(key);
+  if (value >= 0.0 && value <= most) return value;
+  throw InputError(table.name(key), value, fmt::format("must be from 0 to {:g}", most));
+}
+
+InputError wrong_count(const TomlTable& table, std::string_view key, std::size_t found,
+                       const std::string& rule) {
+  return {table.name(key), fmt::format("{} value{}", found, found == 1 ? "" : "s"), rule};
+}
+
+std::vector<double> read_shape(const TomlTable& table, std::size_t modes) {
+  std::vector<double> shape = read_signed(table, "shape", kLargestShape);
+  if (shape.size() == modes) return shape;
+  throw wrong_count(table, "shape", shape.size(),
+                    fmt::format("must have {}, one a mode of structure.frequency_Hz", modes));
+}
+
+bool is_zero(double value) { return value == 0.0; }
+
+/// A shape that moves nothing is a slip of the pen: the joint or the force would have no effect.
+void require_motion(const TomlTable& table, const std::vector<double>& shape) {
+  const auto is_small = [](double value) { return std::abs(value) < kSmallestShape; };
+  if (!std::ranges::all_of(shape, is_small)) return;
+  throw InputError(table.name("shape"), "0 in all modes",
+                   fmt::format("must be {:g} or more in one mode at least", kSmallestShape));
+}
+
+// ---- The linear part. ----
+
+struct Damping {
+  std::vector<double> loss_factor;  ///< η = 2ζ, one a mode
+  DampingLaw law = DampingLaw::kViscous;
+};
+
+Damping read_damping(const TomlTable& structure, std::size_t modes) {
+  const bool viscous = structure.has("damping_ratio");
+  if (viscous == structure.has("loss_factor")) {
+    throw FormatError(structure.place(viscous ? "loss_factor" : "frequency_Hz"),
+                      "in structure one of the keys damping_ratio and loss_factor",
+                      viscous ? "both" : "neither");
+  }
+  const std::string_view key = viscous ? "damping_ratio" : "loss_factor";
+  Damping damping{read_positive(structure, key, kLargestLossFactor),
+                  viscous ? DampingLaw::kViscous : DampingLaw::kHysteretic};
+  if (damping.loss_factor.size() == 1) damping.loss_factor.resize(modes, damping.loss_factor[0]);
+  if (damping.loss_factor.size() != modes) {
+    throw wrong_count(structure, key, damping.loss_factor.size(),
+                      fmt::format("must have {}, one a mode of structure.frequency_Hz{}", modes,
+                                  modes == 1 ? "" : ", or 1 for all"));
+  }
+  if (viscous) {
+    for (double& value : damping.loss_factor) value *= 2.0;
+  }
+  return damping;
+}
+
+/// Not empty, and other than those of the tables `others` before it.
+template <class Named>
+void check_name(const TomlTable& table, const std::string& name, const std::vector<Named>& before,
+                std::string_view others) {
+  // It stands in the header of tables.
+  if (name.empty() || name.find_first_of("[],;\"#\t\r\n") != std::string::npos) {
+    throw InputError(table.name("name"), in_quotes(name),
+                     "must be a text, without [ ] , ; \" # and tabs");
+  }
+  const auto same = std::ranges::find(before, name, &Named::name);
+  if (same == before.end()) return;
+  throw InputError(table.name("name"), in_quotes(name),
+                   fmt::format("must differ from {}[{}].name", others, same - before.begin()));
+}
+
+std::vector<ModalPoint> read_points(const TomlTable& structure, std::size_t modes) {
+  std::vector<ModalPoint> points;
+  for (const TomlTable& table : structure.tables("point")) {
+    table.allow_only({"name", "shape"});
+    std::string name = table.text("name");
+    check_name(table, name, points, "structure.point");
+    points.push_back({std::move(name), read_shape(table, modes)});
+    require_motion(table, points.back().shape);
+  }
+  if (points.empty()) {
+    throw InputError(structure.name("point"), "an empty array", "must have one point at least",
+                     "Write [[structure.point]] with name and shape.");
+  }
+  return points;
+}
+
+struct LinearPart {
+  ModalModel model;
+  DampingLaw law;
+};
+
+LinearPart read_structure(const TomlTable& structure) {
+  structure.allow_only({"frequency_Hz", "damping_ratio", "loss_factor", "point"});
+  const std::vector<double> frequency = read_positive(structure, "frequency_Hz", kHighestFrequency);
+  if (frequency.empty()) {
+    throw wrong_count(structure, "frequency_Hz", 0, "must have one a mode, 1 at least");
+  }
+  const Damping damping = read_damping(structure, frequency.size());
+  std::vector<Mode> modes;
+  for (std::size_t i = 0; i < frequency.size(); ++i) {
+    modes.push_back({2.0 * std::numbers::pi * frequency[i], damping.loss_factor[i]});
+  }
+  return {ModalModel(std::move(modes), read_points(structure, frequency.size())), damping.law};
+}
+
+// ---- The joints. ----
+
+/// Relative to the folder of the model. A file that is called - is no standard input.
+std::string joint_path(const TomlTable& table, std::string_view model) {
+  const std::string file = table.text("file");
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
+  if (file.empty() || std::ranges::any_of(file, is_control)) {
+    throw InputError(table.name("file"), in_quotes(file),
+                     "must be the path of a joint file, without control characters");
+  }
+  const std::string path = (std::filesystem::path(model).parent_path() / file).string();
+  return path == "-" ? "./-" : path;
+}
+
+Joint read_joint_of(const TomlTable& table, const std::string& path) {
+  try {
+    return read_joint(path).joint;
+  } catch (const FileError& error) {
+    throw FileError(table.name("file"), error.what());
+  }
+}
+
+std::vector<double> read_shortening(const TomlTable& table, std::size_t modes) {
+  constexpr std::string_view kKey = "shortening_per_kg_m";
+  if (!table.has(kKey)) return {};
+  std::vector<double> values = read_signed(table, kKey, kLargestShortening);
+  if (values.size() == modes * modes) return values;
+  throw wrong_count(table, kKey, values.size(),
+                    fmt::format("must have {}, the rows of a symmetric matrix with one row a mode",
+                                modes * modes));
+}
+
+/// All but the joint itself, which comes from the file.
+StructuralJoint read_joint_table(const TomlTable& table, std::string name, Joint joint,
+                                 std::size_t modes) {
+  StructuralJoint result{
+      .name = std::move(name),
+      .joint = std::move(joint),
+      .shape = read_shape(table, modes),
+      .spring_in_modes = read_optional(table, "spring_in_modes_N_per_m", kLargestStiffness),
+      .series_compliance = read_optional(table, "series_compliance_m_per_N", kLargestCompliance),
+      .shortening = read_shortening(table, modes)};
+  if (std::ranges::all_of(result.shortening, is_zero)) require_motion(table, result.shape);
+  return result;
+}
+
+void read_joints(const TomlTable& top, std::string_view file, std::size_t modes,
+                 std::vector<StructuralJoint>& joints, std::vector<std::string>& files) {
+  if (!top.has("joint")) return;
+  const std::vector<TomlTable> tables = top.tables("joint");
+  for (const TomlTable& table : tables) {
+    table.allow_only({"file", "shape", "name", "spring_in_modes_N_per_m",
+                      "series_compliance_m_per_N", "shortening_per_kg_m"});
+    std::string name = tables.size() == 1 ? "joint" : fmt::format("joint{}", joints.size() + 1);
+    if (table.has("name")) name = table.text("name");
+    check_name(table, name, joints, "joint");
+    files.push_back(joint_path(table, file));
+    joints.push_back(
+        read_joint_table(table, std::move(name), read_joint_of(table, files.back()), modes));
+  }
+}
+
+// ---- Excitation and response. ----
+
+std::string read_point(const TomlTable& table, const ModalModel& model) {
+  const std::string point = table.text("point");
+  std::vector<std::string_view> names;
+  std::string list;
+  for (const ModalPoint& there : model.points()) {
+    if (there.name == point) return point;
+    names.push_back(there.name);
+    list += fmt::format("{}{}", list.empty() ? "" : ", ", there.name);
+  }
+  const std::string_view closest = closest_name(point, names);
+  throw InputError(table.name("point"), in_quotes(point),
+                   fmt::format("must be the name of a structure.point: {}", in_quotes(list, 120)),
+                   closest.empty() ? "" : fmt::format("Is it to be {}?", in_quotes(closest)));
+}
+
+std::vector<std::complex<double>> read_harmonics(const TomlTable& table) {
+  std::vector<double> amplitude{1.0};
+  if (table.has("harmonics")) amplitude = read_signed(table, "harmonics", kLargestHarmonic);
+  if (std::ranges::all_of(amplitude, is_zero)) {
+    throw InputError(table.name("harmonics"), "no harmonic", "must have one that is not 0");
+  }
+  std::vector<double> phase(amplitude.size(), 0.0);
+  if (table.has("phase_rad")) phase = read_signed(table, "phase_rad", kLargestHarmonic);
+  if (phase.size() != amplitude.size()) {
+    throw wrong_count(table, "phase_rad", phase.size(),
+                      fmt::format("must have {}, one a harmonic", amplitude.size()));
+  }
+  std::vector<std::complex<double>> harmonics;
+  for (std::size_t i = 0; i < amplitude.size(); ++i) {
+    harmonics.push_back(amplitude[i] *
+                        std::complex<double>(std::cos(phase[i]), std::sin(phase[i])));
+  }
+  return harmonics;
+}
+
+std::vector<Excitation> read_excitations(const TomlTable& top, const ModalModel& model) {
+  std::vector<Excitation> excitations;
+  for (const TomlTable& table : top.one_or_more("excitation")) {
+    table.allow_only({"point", "harmonics", "phase_rad"});
+    std::string point = read_point(table, model);
+    excitations.push_back({std::move(point), read_harmonics(table)});
+  }
+  if (!excitations.empty()) return excitations;
+  throw InputError(top.name("excitation"), "an empty array", "must have one excitation at least",
+                   "Write [excitation] with point.");
+}
+
+std::string read_response(const TomlTable& top, const ModalModel& model) {
+  const TomlTable response = top.table("response");
+  response.allow_only({"point"});
+  return read_point(response, model);
+}
+
+ModelFile read_tables(const TomlTable& top, std::string_view file) {
+  top.allow_only({"schema", "structure", "joint", "excitation", "response"});
+  LinearPart linear = read_structure(top.table("structure"));
+  std::vector<Excitation> excitations = read_excitations(top, linear.model);
+  std::string response =
+      top.has("response") ? read_response(top, linear.model) : excitations.front().point;
+  std::vector<StructuralJoint> joints;
+  std::vector<std::string> files;
+  read_joints(top, file, linear.model.size(), joints, files);
+  try {
+    return {JointedStructure(std::move(linear.model), std::move(joints), std::move(excitations),
+                             linear.law),
+            std::move(response), std::move(files)};
+  } catch (const InputError& error) {  // what concerns several keys
+    throw error.renamed(fmt::format("{}: {}", file, error.name()));
+  }
+}
+
+}  // namespace
+
+ModelFile parse_model(std::string_view text, std::string_view file) {
+  const toml::table content = parse_toml(text, file);
+  const TomlTable top(content, file);
+  check_schema(top.place("schema"), top.text("schema"), kModelKind, "a model");
+  return read_tables(top, file);
+}
+
+ModelFile read_model(const std::string& path) {
+  return parse_model(read_file(path, kLargestModelFile), input_name(path));
+}
+
+}  // namespace microslip

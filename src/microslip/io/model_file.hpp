@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "microslip/dynamics/jointed_structure.hpp"
+
+/// @file
+/// model.toml, schema microslip.model/1: a structure with joints, for the prediction of its
+/// vibration. Values are SI, their keys end in the unit; shapes are mass-normalised, in kg^−½, one
+/// value a mode.
+///
+///     schema = "microslip.model/1"
+///     [structure]       frequency_Hz = […], of the linear part; damping_ratio = […] (viscous damping,
+///                       ζ = η/2) or loss_factor = […] (hysteretic, η), one a mode or one for all
+///     [[structure.point]] name, shape = […]; one at least
+///     [[joint]]         file, shape = […]: of the relative displacement across the joint; optional:
+///                       name, spring_in_modes_N_per_m, series_compliance_m_per_N,
+///                       shortening_per_kg_m = […] (Γ by rows); any number of them, also none
+///     [excitation]      point; optional: harmonics = […] (amplitude of harmonic n over the force
+///                       amplitude) and phase_rad = […] (its phase, a lead); or several as
+///                       [[excitation]]
+///     [response]        point; optional, else that of the first excitation
+///
+/// `file` is a joint.json, relative to the folder of the model. A joint without a name is called
+/// "joint", or by its number "joint1", "joint2", … where there are several. StructuralJoint and
+/// Excitation say what the values mean and which they have where they are left out.
+
+namespace microslip {
+
+struct ModelFile {
+  JointedStructure structure;
+  std::string response;                  ///< the point where the response is measured
+  std::vector<std::string> joint_files;  ///< one a joint, as they were opened
+};
+
+/// Reads the joint files too.
+/// @param file  its folder is where those are sought; the current one where it has none.
+/// @throws FormatError  for text that is no TOML, another schema, keys unknown or missing; for a
+///                      joint file as parse_joint().
+/// @throws InputError   naming `file:line:column: joint[1].shape` for a value of a wrong type or one
+///                      that breaks a rule; for a joint file as parse_joint().
+/// @throws FileError    naming `file:line:column: joint[1].file` where that cannot be read.
+[[nodiscard]] ModelFile parse_model(std::string_view text, std::string_view file);
+
+/// parse_model() of a file; "-" is standard input. @throws FileError, FormatError, InputError
+[[nodiscard]] ModelFile read_model(const std::string& path);
+
+}  // namespace microslip

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/response_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "microslip/base/error.hpp"
+
+namespace microslip {
+namespace {
+
+/// Where no energy comes or goes the balance of it holds.
+double imbalance(const SteadyVibration& point) {
+  const bool has_input = point.input_energy != 0.0;
+  return has_input || std::isfinite(point.energy_imbalance) ? point.energy_imbalance : 0.0;
+}
+
+bool is_finite(const SteadyVibration& point) {
+  const auto fine = [](double value) { return std::isfinite(value); };
+  return fine(point.angular_frequency) && fine(point.force_amplitude) && fine(point.response) &&
+         fine(point.phase_lag) && fine(point.linear_dissipation) && fine(imbalance(point)) &&
+         fine(point.damping_ratio()) &&
+         std::ranges::all_of(point.joints, [&](const JointCycle& joint) {
+           return fine(joint.amplitude) && fine(joint.dissipation);
+         });
+}
+
+/// What a curve that did not converge ended in may be no number.
+std::vector<SteadyVibration> writable(const ResponseCurve& curve) {
+  std::vector<SteadyVibration> points;
+  std::ranges::copy_if(curve.points, std::back_inserter(points), is_finite);
+  if (!points.empty()) return points;
+  throw InputError("points of the curve", static_cast<double>(curve.points.size()),
+                   "must be 1 or more, with finite values, in a table to be written");
+}
+
+double joint_dissipation(const SteadyVibration& point) {
+  double sum = 0.0;
+  for (const JointCycle& joint : point.joints) sum += joint.dissipation;
+  return sum;
+}
+
+class Columns {
+ public:
+  Columns(const std::vector<SteadyVibration>& points, CsvWriter& table)
+      : points_(points), table_(table) {}
+
+  template <typename Value>
+  void add(std::string_view name, const Dimension& dimension, Value value) {
+    std::vector<double> values;
+    values.reserve(points_.size());
+    for (const SteadyVibration& point : points_) values.push_back(value(point));
+    table_.add_numbers(name, dimension, values);
+  }
+
+  void add_frequency() {
+    add("frequency", kFrequency, [](const auto& point) { return point.frequency(); });
+  }
+  void add_force() {
+    add("force", kForce, [](const auto& point) { return point.force_amplitude; });
+  }
+  void add_displacement() {
+    add("displacement", kLength, [](const auto& point) { return point.response; });
+  }
+
+  void add_damping_ratio() {
+    add("damping_ratio", kDimensionless, [](const auto& point) { return point.damping_ratio(); });
+  }
+
+  /// Those that both tables end with.
+  void add_energies() {
+    add("dissipation", kEnergy, joint_dissipation);
+    add("linear_dissipation", kEnergy, [](const auto& point) { return point.linear_dissipation; });
+    for (std::size_t j = 0; j < points_.front().joints.size(); ++j) {
+      const std::string& name = points_.front().joints[j].name;
+      add("amplitude_" + name, kLength, [j](const auto& p) { return p.joints[j].amplitude; });
+      add("dissipation_" + name, kEnergy, [j](const auto& p) { return p.joints[j].dissipation; });
+      add("reversals_" + name, kDimensionless,
+          [j](const auto& p) { return static_cast<double>(p.joints[j].reversals); });
+    }
+    add("energy_imbalance", kDimensionless, imbalance);
+  }
+
+ private:
+  const std::vector<SteadyVibration>& points_;
+  CsvWriter& table_;
+};
+
+void add_ending(const Summary& summary, CsvWriter& table) {
+  table.add_comment(fmt::format("{}: {}: {}", summary.method,
+                                summary.converged() ? "converged" : "NOT CONVERGED",
+                                summary.reason));
+}
+
+void add_marks(const ResponseCurve& curve, CsvWriter& table) {
+  for (const SteadyVibration& peak : curve.peaks) {
+    table.add_comment(fmt::format(
+        "peak: frequency {:.9g} Hz, force {:.9g} N, displacement {:.9g} m, phase {:.6g} rad, "
+        "damping_ratio {:.6g}",
+        peak.frequency(), peak.force_amplitude, peak.response, peak.phase_lag,
+        peak.damping_ratio()));
+  }
+  for (const std::size_t i : curve.turning_points) {
+    if (i >= curve.points.size()) continue;
+    const SteadyVibration& point = curve.points[i];
+    table.add_comment(
+        fmt::format("turns back: frequency {:.9g} Hz, force {:.9g} N, displacement {:.9g} m",
+                    point.frequency(), point.force_amplitude, point.response));
+  }
+}
+
+CsvWriter begin(const ResponseCurve& curve, std::string_view heading) {
+  CsvWriter table;
+  if (!heading.empty()) table.add_comment(heading);
+  add_ending(curve.summary, table);
+  return table;
+}
+
+}  // namespace
+
+bool has_rows(const ResponseCurve& curve) { return std::ranges::any_of(curve.points, is_finite); }
+
+CsvWriter response_table(const ResponseCurve& curve, std::string_view heading) {
+  const std::vector<SteadyVibration> points = writable(curve);
+  CsvWriter table = begin(curve, heading);
+  add_marks(curve, table);
+  Columns columns(points, table);
+  columns.add_frequency();
+  columns.add_force();
+  columns.add_displacement();
+  columns.add("phase", kAngle, [](const auto& point) { return point.phase_lag; });
+  columns.add_energies();
+  return table;
+}
+
+CsvWriter backbone_table(const ResponseCurve& curve, std::string_view heading) {
+  const std::vector<SteadyVibration> points = writable(curve);
+  CsvWriter table = begin(curve, heading);
+  Columns columns(points, table);
+  columns.add_displacement();
+  columns.add_force();
+  columns.add_frequency();
+  columns.add_damping_ratio();
+  columns.add_energies();
+  return table;
+}
+
+}  // namespace microslip

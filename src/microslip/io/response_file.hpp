@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+#include "microslip/dynamics/steady_vibration.hpp"
+#include "microslip/io/csv_writer.hpp"
+
+/// @file
+/// Tables of computed steady vibrations, one row each, in the order of the curve. Both end with
+///
+///     dissipation [J]         ΣD, of all joints, per cycle
+///     linear_dissipation [J]  W_lin, of the linear structure, per cycle
+///     amplitude_NAME [m], dissipation_NAME [J], reversals_NAME [1]    of each joint
+///     energy_imbalance [1]    |W_ext − W_lin − ΣD|/W_ext: how well the equations are solved
+///
+/// and their comments tell how the computation ended, "NOT CONVERGED" where it did not.
+
+namespace microslip {
+
+/// Whether a point of the curve is finite, so that there is one to write.
+[[nodiscard]] bool has_rows(const ResponseCurve& curve);
+
+/// frf.csv: `frequency [Hz], force [N], displacement [m], phase [rad]` and the columns above.
+/// displacement is the amplitude of the first harmonic at the response point, phase its lag behind
+/// the force. Where the curve turns back frequencies are not sorted; its peaks and turning points
+/// stand in the comments.
+/// @param curve    of a response point of the kind displacement.
+/// @param heading  the first comment; may be empty.
+/// What is not finite, as it may be where nothing converged, is left out.
+/// @throws InputError  unless has_rows().
+[[nodiscard]] CsvWriter response_table(const ResponseCurve& curve, std::string_view heading = {});
+
+/// backbone.csv: `displacement [m], force [N], frequency [Hz], damping_ratio [1]` and the columns
+/// above, of vibrations in phase resonance. @param curve, heading  as for response_table().
+[[nodiscard]] CsvWriter backbone_table(const ResponseCurve& curve, std::string_view heading = {});
+
+}  // namespace microslip
