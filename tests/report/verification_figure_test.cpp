@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/report/verification_figure.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "microslip/base/error.hpp"
+#include "report/support.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr double kOmega = 2.0 * std::numbers::pi * 50.0;  // rad/s
+
+/// Recorded harmonics 2, 0 and 0.5; predicted 3, 0 and 0.25.
+ChannelComparison channel(const std::string& name, const Dimension& dimension,
+                          const std::vector<double>& history) {
+  ChannelComparison made;
+  made.name = name;
+  made.dimension = dimension;
+  made.recorded = {.omega = kOmega, .trend = {}, .harmonic = {2.0, 0.0, 0.5}};
+  made.predicted = {.omega = kOmega, .trend = {}, .harmonic = {3.0, 0.0, 0.25}};
+  made.recorded_std = {0.02, 0.02, 0.04};
+  made.recorded_history = std::vector<double>(history.size(), 7.0);
+  made.nrmse = 0.0123;
+  made.noise_share = 0.004;
+  return made;
+}
+
+/// A cycle of 20 ms that starts at 1 s, 1 ms between samples.
+Verification record(const std::string& source, double response) {
+  Verification made;
+  made.recorded.source = source;
+  made.recorded.response_amplitude = response;
+  made.recorded.frequency = 50.0;
+  for (int i = 0; i <= 20; ++i) made.history.push_back(1.0 + 0.001 * i);
+  made.channels = {channel("force", kForce, made.history),
+                   channel("other", kAcceleration, made.history),
+                   channel("exciter", kAcceleration, made.history)};
+  made.drive_point = 2;
+  return made;
+}
+
+template <class L>
+const L& layer(const Figure& panel, std::size_t i) {
+  return std::get<L>(panel.layers.at(i));
+}
+
+TEST(VerificationFigure, DrawsARowOfTheLowestAMiddleAndTheHighestLevel) {
+  const std::vector<Verification> records{record("a/four.csv", 4.0), record("one.csv", 1.0),
+                                          record("two.csv", 2.0), record("three.csv", 3.0)};
+  const FigureGrid figure = verification_figure(records);
+  ASSERT_EQ(figure.panels.size(), 9U);
+  EXPECT_EQ(figure.columns, 3U);
+  EXPECT_EQ(figure.panels[0].title, "one.csv, 1 m/s², 50.00 Hz");
+  EXPECT_EQ(figure.panels[3].title, "two.csv, 2 m/s², 50.00 Hz");
+  EXPECT_EQ(figure.panels[6].title, "four.csv, 4 m/s², 50.00 Hz");
+  EXPECT_NO_THROW(check_figure(figure));
+}
+
+TEST(VerificationFigure, DrawsForceAndAccelerationAtTheExciterInTheirUnits) {
+  const std::vector<Verification> records{record("one", 1.0)};
+  const FigureGrid figure = verification_figure(records);
+  EXPECT_EQ(figure.panels[0].y.label, "force [N]");
+  EXPECT_EQ(figure.panels[1].y.label, "exciter [m/s²]");
+  EXPECT_EQ(figure.panels[1].subtitle, "exciter: NRMSE 1.23 %, noise alone 0.4 %");
+  const auto& recorded = layer<PointLayer>(figure.panels[1], 1);
+  EXPECT_NEAR(recorded.x.back(), 20.0, 1e-9) << "ms from the start of the history";
+  EXPECT_EQ(recorded.y, std::vector<double>(21, 7.0));
+  // 1 s is 50 cycles: 3 cos(100 π t) + 0.25 cos(300 π t), a whole cycle of it.
+  const auto& predicted = layer<LineLayer>(figure.panels[1], 0);
+  EXPECT_NEAR(predicted.y.front(), 3.25, 1e-9);
+  EXPECT_NEAR(predicted.y.back(), 3.25, 1e-9);
+  EXPECT_NEAR(predicted.x[predicted.x.size() / 2], 10.0, 1e-9);
+  EXPECT_NEAR(predicted.y[predicted.y.size() / 2], -3.25, 1e-9);
+}
+
+// Over the first one recorded, 2; three standard errors of 0.04 over 2 are 0.06.
+TEST(VerificationFigure, DrawsHarmonicsOverTheFirstRecorded) {
+  const std::vector<Verification> records{record("one", 1.0)};
+  const Figure panel = verification_figure(records).panels[2];
+  std::vector<double> heights;
+  for (const Layer& bar : panel.layers) {
+    if (const auto* band = std::get_if<BandLayer>(&bar)) heights.push_back(band->upper.front());
+  }
+  EXPECT_EQ(heights, (std::vector<double>{1.0, 0.0, 0.25, 1.5, 0.0, 0.125}));
+  const auto& noise = std::get<LineLayer>(panel.layers.back());
+  EXPECT_NEAR(noise.y.back(), 0.06, 1e-15);
+}
+
+TEST(VerificationFigure, TellsTheLevelInTheUnitThatIsAskedFor) {
+  const std::vector<Verification> records{record("one", 0.2 * 9.80665)};
+  EXPECT_EQ(verification_figure(records, "g").panels[0].title, "one, 0.2 g, 50.00 Hz");
+  EXPECT_THROW((void)verification_figure(records, "mm"), InputError);
+}
+
+TEST(VerificationFigure, TellsNoNameOfARecordThatHasNone) {
+  const std::vector<Verification> records{record("", 1.0)};
+  EXPECT_EQ(verification_figure(records).panels[0].title, "1 m/s², 50.00 Hz");
+}
+
+TEST(VerificationFigure, GrowsByTheRow) {
+  const std::vector<Verification> one{record("one", 1.0)};
+  const std::vector<Verification> two{record("one", 1.0), record("two", 2.0)};
+  const PictureSize low = verification_size(verification_figure(one));
+  const PictureSize high = verification_size(verification_figure(two));
+  EXPECT_EQ(low.width, high.width);
+  EXPECT_EQ(high.height - low.height, 320);
+}
+
+}  // namespace
+}  // namespace microslip
