@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "microslip/identify/identification.hpp"
+#include "microslip/identify/levels.hpp"
+#include "microslip/joint/joint.hpp"
+#include "microslip/rig/reduction.hpp"
+#include "microslip/rig/stick_state.hpp"
+#include "microslip/rig/virtual_test.hpp"
+#include "microslip/signal/recording.hpp"
+#include "reproduction.hpp"
+
+/// @file
+/// The experiment of [AR14], on the reference rig of this project.
+
+namespace ahmadian_rajaei {
+
+/// Standard deviation of the scatter that is added to each D before the identification, relative.
+/// The noise of the virtual sensors alone moves D by less than 0.01 % in the upper half of the
+/// levels, which needs no smoothing; real contacts do not repeat that well. A number of our own.
+inline constexpr double kScatter = 0.01;
+
+struct Experiment {
+  microslip::Reducer reducer;  ///< with the rig
+  microslip::Joint truth;      ///< the joint of the virtual test, which the reduction does not know
+  microslip::StickState state;  ///< of the virtual test
+  microslip::VirtualTest test;
+  std::vector<microslip::ReducedLevel> levels;  ///< by rising response
+  microslip::Levels measured;                   ///< the same, for the identification
+  microslip::Levels scattered;                  ///< with kScatter on D, its size told
+  microslip::Identification found;              ///< from those, by inversion with its 95 % band
+};
+
+struct RecordedTest {
+  microslip::VirtualTest test;
+  std::vector<microslip::Recording> recordings;  ///< one a level, under control of the force
+};
+
+/// Runs the virtual test of a rig and records it. @throws microslip::Error  where a level is not
+/// found.
+[[nodiscard]] RecordedTest record_test(const microslip::Rig& rig,
+                                       const microslip::StickState& state,
+                                       const microslip::Joint& truth, std::uint64_t seed);
+
+/// The true joint of the reference rig. @param examples  the folder examples of microslip.
+[[nodiscard]] microslip::Joint reference_joint(const std::string& examples);
+
+/// Runs the test, reduces its recordings and identifies the joint.
+/// @param examples  the folder examples of microslip.
+[[nodiscard]] Experiment run_experiment(const Grid& grid, const std::string& examples);
+
+}  // namespace ahmadian_rajaei
