@@ -61,7 +61,8 @@ class TemporaryFile {
   std::string path_;
 };
 
-/// With nine significant digits, as loggers write, and commas in place of decimal points if asked for.
+/// With nine significant digits, as loggers write, and commas in place of decimal points if asked
+/// for.
 std::string logger_text(const Recording& recording, bool commas) {
   std::string text = "time [s];force [N];acc1 [m/s^2];acc2 [m/s^2];acc3 [m/s^2]\n";
   char cell[40];

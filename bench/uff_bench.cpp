@@ -15,8 +15,8 @@
 namespace microslip::bench {
 namespace {
 
-/// Channels of noise in a file that is removed in the end. It has just been written: it is read from
-/// the page cache.
+/// Channels of noise in a file that is removed in the end. It has just been written: it is read
+/// from the page cache.
 class NoiseFile {
  public:
   NoiseFile(std::size_t channels, std::size_t points, bool binary) {

@@ -64,6 +64,16 @@ std::uint64_t parse_whole_number(std::string_view option, std::string_view text,
   return value;
 }
 
+std::pair<double, double> parse_interval(std::string_view option, std::string_view text,
+                                         const Dimension& dimension) {
+  const std::vector<std::string_view> parts = split(text, ':');
+  if (parts.size() != 2) throw InputError(option, in_quotes(text), "must read FROM:TO");
+  const double from = parse_quantity(fmt::format("FROM of {}", option), parts[0], dimension);
+  const double to = parse_quantity(fmt::format("TO of {}", option), parts[1], dimension);
+  if (from < to) return {from, to};
+  throw InputError(option, in_quotes(text), "FROM must be below TO", "Swap the two.");
+}
+
 std::vector<double> parse_range(std::string_view option, std::string_view text,
                                 const Dimension& dimension) {
   const auto fail = [&](std::string_view rule, std::string_view remedy = {}) {

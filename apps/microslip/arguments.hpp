@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "microslip/base/units.hpp"
@@ -27,6 +28,11 @@ namespace microslip::app {
 [[nodiscard]] std::uint64_t parse_whole_number(std::string_view option, std::string_view text,
                                                std::uint64_t from, std::uint64_t to,
                                                std::string_view remedy = {});
+
+/// FROM:TO. @throws InputError  where it has another form, or FROM is not below TO.
+[[nodiscard]] std::pair<double, double> parse_interval(std::string_view option,
+                                                       std::string_view text,
+                                                       const Dimension& dimension);
 
 /// FROM:TO:COUNT[:log]: COUNT values from FROM to TO, equally spaced or in equal ratios.
 /// @throws InputError  where it has another form, FROM is not below TO, COUNT is no whole number from

@@ -27,12 +27,17 @@ struct Call {
   std::function<int()> run;  ///< set by the subcommand that was chosen; gives the exit status
 };
 
+void add_measure(CLI::App& program, Call& call);
 void add_reduce(CLI::App& program, Call& call);
 void add_identify(CLI::App& program, Call& call);
 void add_loop(CLI::App& program, Call& call);
 void add_dissipation(CLI::App& program, Call& call);
+void add_frf(CLI::App& program, Call& call);
+void add_backbone(CLI::App& program, Call& call);
+void add_march(CLI::App& program, Call& call);
 void add_convert(CLI::App& program, Call& call);
 void add_ringdown(CLI::App& program, Call& call);
+void add_verify(CLI::App& program, Call& call);
 void add_demo(CLI::App& program, Call& call);
 
 /// An example at the end of a subcommand's help.

@@ -14,6 +14,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/version.hpp"
 #include "microslip/io/temporaries.hpp"
+#include "nothing_found.hpp"
 
 namespace {
 
@@ -107,10 +108,15 @@ int main(int argc, char** argv) {
     program.get_formatter()->column_width(36);
     Call call;
     call.command_line = command_line(argc, argv);
+    add_measure(program, call);
     add_reduce(program, call);
     add_identify(program, call);
     add_loop(program, call);
     add_dissipation(program, call);
+    add_verify(program, call);
+    add_frf(program, call);
+    add_backbone(program, call);
+    add_march(program, call);
     add_convert(program, call);
     add_ringdown(program, call);
     add_demo(program, call);
@@ -121,6 +127,8 @@ int main(int argc, char** argv) {
     return complain(kInputAtFault, error.what());
   } catch (const microslip::FileError& error) {
     return complain(kInputAtFault, error.what());
+  } catch (const microslip::app::NothingFound& error) {
+    return complain(kNotConverged, error.what());
   } catch (const std::bad_alloc&) {
     return complain(kFailed, "out of memory");
   } catch (const std::exception& error) {

@@ -2,33 +2,21 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "cli/models.hpp"
 #include "cli/run_program.hpp"
 #include "cli/samples.hpp"
+#include "cli/shown_calls.hpp"
 #include "microslip/base/version.hpp"
 
 namespace microslip::cli_test {
 namespace {
 
-/// The calls under "Example:" of a help text. A line that ends in \ goes on in the next.
+/// The calls under "Example:" of a help text.
 std::vector<Arguments> examples(const std::string& help) {
-  std::string text = help.substr(std::min(help.find("\nExample"), help.size() - 1) + 1);
-  for (std::size_t i = text.find("\\\n"); i != std::string::npos; i = text.find("\\\n")) {
-    text.erase(i, 2);
-  }
-  std::vector<Arguments> calls;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream words(line);
-    std::string word;
-    if (!(words >> word) || word != "microslip") continue;
-    calls.emplace_back();
-    while (words >> word) calls.back().push_back(word);
-  }
-  return calls;
+  return shown_calls(help.substr(std::min(help.find("\nExample"), help.size() - 1) + 1));
 }
 
 std::string help_of(const std::string& subcommand) {
@@ -47,8 +35,9 @@ void expect_parts(const std::string& text, const std::vector<std::string>& parts
 }
 
 TEST(Help, OfTheProgramNamesTheSubcommandsAndTheUnits) {
-  expect_parts(help_of(""), {"reduce", "ringdown", "convert", "identify", "loop", "dissipation",
-                             "demo", "SI", "--version"});
+  expect_parts(help_of(""),
+               {"measure", "reduce", "identify", "verify", "ringdown", "convert", "loop",
+                "dissipation", "frf", "backbone", "march", "demo", "SI", "--version"});
 }
 
 TEST(Help, OfEachSubcommandNamesColumnsAndUnits) {
@@ -63,9 +52,18 @@ TEST(Help, OfEachSubcommandNamesColumnsAndUnits) {
        "amplitude [m], force [N], dissipation [J], secant_stiffness [N/m], loss_factor [1]"});
   expect_parts(help_of("ringdown"), {"time [s]", "amplitude [m]", "dissipation [J]",
                                      "LOW:HIGH [Hz]", "[kg]", "- is standard output"});
+  expect_parts(help_of("measure"), {"rig.toml", "[test]", "--format", "--seed", "--no-shaker"});
   expect_parts(help_of("reduce"),
                {"rig.toml", "frequency [Hz], force [N], acceleration [m/s^2], phase [rad]",
                 "FILE.mat:VARIABLE", "CHANNEL=UNIT", "- is standard output"});
+  expect_parts(help_of("frf"), {"model.toml", "FROM:TO, in Hz or with units", "in N or with a unit",
+                                "frequency [Hz], force [N], displacement [m], phase [rad]"});
+  expect_parts(help_of("backbone"),
+               {"model.toml", "FROM:TO:COUNT[:log]", "in m or with units",
+                "displacement [m], force [N], frequency [Hz], damping_ratio [1]"});
+  expect_parts(help_of("march"),
+               {"model.toml", "time [s], force [N]", "normal_load [1]", "in s or with a unit",
+                "JOINT displacement [m], JOINT force [N]", "- is standard output"});
   expect_parts(help_of("convert"), {"CHANNEL=UNIT", "--list", ".hdf5", "- is standard"});
   expect_parts(help_of("demo"), {"--out", "Folder"});
 }
@@ -84,6 +82,19 @@ TEST(Help, ExamplesRun) {
     EXPECT_FALSE(calls.empty()) << subcommand;
     for (const Arguments& call : calls) {
       EXPECT_EQ(call.front(), subcommand);
+      const Outcome run = box.run(call);
+      EXPECT_EQ(run.status, 0) << typed(call) << "\n" << run.err;
+    }
+  }
+}
+
+TEST(Help, ExamplesWithModelsRun) {
+  for (const std::string subcommand : {"frf", "backbone", "march"}) {
+    const std::vector<Arguments> calls = examples(help_of(subcommand));
+    EXPECT_FALSE(calls.empty()) << subcommand;
+    const Sandbox box = one_mass();
+    box.put("force.csv", "time [s],force [N]\n0,0\n1,0.1\n3,0\n");
+    for (const Arguments& call : calls) {
       const Outcome run = box.run(call);
       EXPECT_EQ(run.status, 0) << typed(call) << "\n" << run.err;
     }

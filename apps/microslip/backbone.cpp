@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "arguments.hpp"
+#include "command.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/io/file_kind.hpp"
+#include "microslip/io/output_files.hpp"
+#include "microslip/io/response_file.hpp"
+#include "prediction.hpp"
+#include "progress_bar.hpp"
+#include "report_text.hpp"
+
+namespace microslip::app {
+namespace {
+
+struct BackboneOptions {
+  PredictionArguments prediction;
+  std::string response;
+  std::string mode = "1";
+};
+
+std::vector<double> responses_of(const BackboneOptions& options) {
+  std::vector<double> responses = parse_range("--response", options.response, kLength);
+  check_displacement("FROM of --response", responses.front());
+  check_displacement("TO of --response", responses.back());
+  return responses;
+}
+
+std::string describe(const HarmonicBalance& balance, const ResponseCurve& curve,
+                     const BackboneOptions& options) {
+  const SteadyVibration& first = curve.points.front();
+  const SteadyVibration& last = curve.points.back();
+  const auto span = [&](std::string_view name, double from, double to, std::string_view unit) {
+    return line(name, fmt::format("{:.6g} to {:.6g}{}{}", from, to, unit.empty() ? "" : " ", unit));
+  };
+  std::string text = fmt::format("Backbone of mode {}\n", options.mode);
+  text += describe_curve(balance, curve, options.prediction);
+  text += line("points", fmt::format("{}", curve.points.size()));
+  text += span("displacement", first.response, last.response, "m");
+  text += span("force", first.force_amplitude, last.force_amplitude, "N");
+  text += span("frequency", first.frequency(), last.frequency(), "Hz");
+  text += span("damping ratio", first.damping_ratio(), last.damping_ratio(), "");
+  const auto most = std::ranges::max_element(curve.points, {}, &SteadyVibration::damping_ratio);
+  return text + line("largest damping",
+                     fmt::format("{:.4g} at {:.5g} m", most->damping_ratio(), most->response));
+}
+
+/// The number of the mode is as the user gave it, from 1.
+ResponseCurve curve_of(const HarmonicBalance& balance, const BackboneOptions& options,
+                       const std::vector<double>& responses, std::size_t mode, bool quiet) {
+  try {
+    return balance.backbone(responses, mode - 1, progress_bar("responses", quiet));
+  } catch (const InputError& error) {
+    if (error.name() != "mode") throw;
+    throw InputError("--mode", options.mode,
+                     "must be one that vibrates: with all joints stuck this is a rigid body",
+                     "Take a higher mode.");
+  }
+}
+
+int run(const BackboneOptions& options, const Call& call) {
+  check_output(options.prediction.out, kBackboneKind);
+  const std::vector<double> responses = responses_of(options);
+  const ModelFile model = read_model(options.prediction.model);
+  const std::size_t mode =
+      parse_whole_number("--mode", options.mode, 1, model.structure.linear().size(),
+                         "That is how many modes the model has.");
+  const HarmonicBalance balance = balance_of(model, options.prediction);
+  const ResponseCurve curve = curve_of(balance, options, responses, mode, call.quiet);
+  return finish(
+      curve, options.prediction, call, [&] { return backbone_table(curve, heading_of(call)); },
+      [&] { return describe(balance, curve, options); });
+}
+
+}  // namespace
+
+void add_backbone(CLI::App& program, Call& call) {
+  auto options = std::make_shared<BackboneOptions>();
+  CLI::App* command = program.add_subcommand(
+      "backbone", "Resonance frequency and damping of a structure with joints over the amplitude");
+  add_prediction_arguments(*command, options->prediction, call,
+                           "displacement [m], force [N], frequency [Hz], damping_ratio [1]");
+  command
+      ->add_option("--response", options->response,
+                   "Amplitudes of the displacement at the response point, FROM:TO:COUNT[:log], in "
+                   "m or with units; :log for equal ratios")
+      ->required();
+  command
+      ->add_option("--mode", options->mode,
+                   "Whose resonance: number of the mode, by frequency with all joints stuck")
+      ->capture_default_str();
+  add_examples(*command,
+               {"microslip backbone model.toml --response 10mm:2:40:log --out backbone.csv"});
+  command->callback(
+      [options, &call] { call.run = [options, &call] { return run(*options, call); }; });
+}
+
+}  // namespace microslip::app

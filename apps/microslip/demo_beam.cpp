@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "demo_beam.hpp"
+
+#include <string>
+
+#include "demo_data.hpp"
+#include "microslip/io/levels_file.hpp"
+#include "microslip/report/identification_figures.hpp"
+#include "progress_bar.hpp"
+
+namespace microslip::app {
+namespace {
+
+// Modal stiffness of the Brake-Reuss beam at its drive point; how it was found stands in
+// examples/brake_reuss_beam/README.md.
+constexpr double kStiffness = 5.08e5;  // N/m
+
+}  // namespace
+
+Identification demonstrate_beam(DemoFolder& folder) {
+  const std::string kFolder = "brake_reuss_beam";
+  const LevelsFile file =
+      parse_levels(std::string(kBrakeReussLevels), "examples/brake_reuss_beam/levels.csv");
+  IdentificationOptions options;
+  options.inversion.stiffness = kStiffness;
+  options.inversion.linear_damping = true;
+  options.bands =
+      BandOptions{.seed = kDemoSeed, .progress = progress_bar("bands", folder.call().quiet)};
+  Identification found = identify(file.levels, options);
+  folder.add(kFolder + "/levels.csv", std::string(kBrakeReussLevels));
+  folder.add_identification(kFolder, found, file.file, kBrakeReussLevels);
+  folder.draw_both(kFolder + "/dissipation",
+                   dissipation_figure("Brake–Reuß beam: dissipation", file.levels, found));
+  folder.draw_both(kFolder + "/density",
+                   density_figure("Brake–Reuß beam: slip-force density", found, nullptr));
+  return found;
+}
+
+}  // namespace microslip::app

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "arguments.hpp"
+#include "command.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/dynamics/march.hpp"
+#include "microslip/io/file_kind.hpp"
+#include "microslip/io/input_file.hpp"
+#include "microslip/io/load_file.hpp"
+#include "microslip/io/march_file.hpp"
+#include "microslip/io/model_file.hpp"
+#include "microslip/io/output_files.hpp"
+#include "prediction.hpp"
+#include "progress_bar.hpp"
+#include "report_text.hpp"
+
+namespace microslip::app {
+namespace {
+
+constexpr std::uint64_t kMostEvery = 1'000'000'000;
+constexpr std::uint64_t kMostElements = 1'000'000;
+
+struct MarchArguments : ModelArguments {
+  std::string forces;
+  std::string step;
+  std::string every = "1";
+  std::string law = "incremental";
+  std::string elements = "1000";
+};
+
+MarchOptions march_options(const MarchArguments& arguments, const ModelFile& model) {
+  MarchOptions options;
+  options.points = {model.response};
+  options.every = parse_whole_number("--every", arguments.every, 1, kMostEvery);
+  options.elements = parse_whole_number("--elements", arguments.elements, 1, kMostElements);
+  if (arguments.step.empty()) return options;
+  options.step = parse_quantity("--step", arguments.step, kTime);
+  if (!(options.step > 0.0)) throw InputError("--step", options.step, "must be above 0 s");
+  return options;
+}
+
+double largest(const std::vector<double>& values) {
+  double result = 0.0;
+  for (const double value : values) result = std::max(result, std::abs(value));
+  return result;
+}
+
+std::string describe_energy(const MarchEnergy& energy) {
+  std::string text = line("input", fmt::format("{:.5g} J", energy.input));
+  text += line("linear dissipation", fmt::format("{:.5g} J", energy.linear_dissipation));
+  for (const JointEnergy& joint : energy.joints) {
+    text += line(joint.joint, fmt::format("{:.5g} J dissipated, {:.5g} J stored at the end",
+                                          joint.dissipation, joint.stored));
+  }
+  text += line("at the end",
+               fmt::format("{:.5g} J kinetic, {:.5g} J elastic", energy.kinetic, energy.elastic));
+  return text + line("energy imbalance", fmt::format("{:.2g}", energy.imbalance()));
+}
+
+std::string describe(const MarchArguments& arguments, const ModelFile& model,
+                     const LoadHistory& loads, const MarchResult& result) {
+  std::string text =
+      fmt::format("March from {:g} to {:g} s\n", result.time.front(), result.time.back());
+  text += describe_model(arguments.model, model.structure);
+  text +=
+      line("loads", fmt::format("{}, {} times", input_name(arguments.forces), loads.time.size()));
+  text += line("method", result.summary.method);
+  text += describe_ending(result.summary);
+  text += line("steps", fmt::format("{}, {} reversals of joints", result.steps, result.reversals));
+  text +=
+      line("largest response",
+           fmt::format("{:.5g} m, {:.5g} m/s, {:.5g} m/s^2 at '{}'",
+                       largest(result.points[0].displacement), largest(result.points[0].velocity),
+                       largest(result.points[0].acceleration), model.response));
+  text += describe_energy(result.energy);
+  if (model.structure.damping() == DampingLaw::kHysteretic) {
+    text += wrapped("  warning: ",
+                    "hysteretic damping has no form in time; the damping is viscous with the same "
+                    "loss factor at each natural frequency.",
+                    11);
+  }
+  return text;
+}
+
+int run(const MarchArguments& arguments, const Call& call) {
+  check_output(arguments.out);
+  const ModelFile model = read_model(arguments.model);
+  // Without joints the table is one of point motions, as a recording can be.
+  check_output(arguments.out, model.structure.joints().empty() ? std::string_view{} : kMarchKind);
+  const MarchOptions options = march_options(arguments, model);
+  const NormalLoadLaw law =
+      arguments.law == "total" ? NormalLoadLaw::kTotal : NormalLoadLaw::kIncremental;
+  const LoadHistory loads = read_loads(arguments.forces, model.structure, law);
+  const MarchResult result =
+      march(model.structure, loads, options, progress_bar("time", call.quiet));
+  return finish(
+      result.summary, true, arguments, call,
+      [&] { return march_table(result, loads, options.every, heading_of(call)); },
+      [&] { return describe(arguments, model, loads, result); });
+}
+
+}  // namespace
+
+void add_march(CLI::App& program, Call& call) {
+  auto arguments = std::make_shared<MarchArguments>();
+  CLI::App* command =
+      program.add_subcommand("march", "Motion in time of a structure with joints under any force");
+  command->add_option("model", arguments->model, "Structure with joints, model.toml")->required();
+  command
+      ->add_option("--force-file", arguments->forces,
+                   "What acts, as CSV: time [s], force [N] at the excitation of the model or force "
+                   "at POINT [N]; normal_load [1] or normal_load of JOINT [1] where the normal "
+                   "load of a joint varies. Linear between the times; - is standard input")
+      ->required();
+  command
+      ->add_option("--out", arguments->out,
+                   "CSV to write: time [s], force [N], displacement [m], velocity [m/s], "
+                   "acceleration [m/s^2], JOINT displacement [m], JOINT force [N]; - is standard "
+                   "output")
+      ->required();
+  command->add_option("--step", arguments->step,
+                      "Longest step, in s or with a unit; without it a twentieth of the shortest "
+                      "period of the stuck structure, a hundredth where a normal load varies");
+  command
+      ->add_option("--every", arguments->every, "Times of the force file per row that is written")
+      ->capture_default_str();
+  command
+      ->add_option("--normal-load-law", arguments->law,
+                   "What a stuck element does when its normal load varies")
+      ->check(CLI::IsMember({"incremental", "total"}))
+      ->capture_default_str();
+  command
+      ->add_option("--elements", arguments->elements,
+                   "Jenkins elements of a joint whose normal load varies")
+      ->capture_default_str();
+  command->add_flag("--quiet", call.quiet, "No summary, no progress");
+  add_examples(
+      *command,
+      {"microslip march model.toml --force-file force.csv --out march.csv",
+       "microslip march model.toml --force-file force.csv --step 20ms --every 10 --out -"});
+  command->callback(
+      [arguments, &call] { call.run = [arguments, &call] { return run(*arguments, call); }; });
+}
+
+}  // namespace microslip::app

@@ -1,0 +1,443 @@
+// SPDX-License-Identifier: MIT
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "arguments.hpp"
+#include "command.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/base/version.hpp"
+#include "microslip/io/csv_writer.hpp"
+#include "microslip/io/file_kind.hpp"
+#include "microslip/io/input_file.hpp"
+#include "microslip/io/joint_file.hpp"
+#include "microslip/io/output_files.hpp"
+#include "microslip/io/output_folders.hpp"
+#include "microslip/io/recording_csv.hpp"
+#include "microslip/io/recording_file.hpp"
+#include "microslip/io/rig_file.hpp"
+#include "microslip/io/rig_writer.hpp"
+#include "microslip/io/virtual_test_file.hpp"
+#include "microslip/rig/rig_structure.hpp"
+#include "microslip/rig/virtual_record.hpp"
+#include "microslip/rig/virtual_test.hpp"
+#include "nothing_found.hpp"
+#include "progress_bar.hpp"
+#include "provenance.hpp"
+#include "recording_arguments.hpp"
+#include "report_text.hpp"
+
+namespace microslip::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLargestInput = std::size_t{1} << 26U;
+
+struct MeasureOptions {
+  std::string rig;
+  std::string out;
+  std::string format = "csv";
+  std::string seed = "1";
+  bool no_shaker = false;
+  bool before_control = false;
+};
+
+/// What the test is of, and how it came.
+struct Inputs {
+  Rig rig;
+  Joint joint;
+  std::string joint_path;
+  std::string provenance;  ///< lines
+};
+
+std::string joint_path_of(const Rig& rig, const std::string& rig_path) {
+  if (rig.contact.joint.empty()) {
+    throw InputError(input_name(rig_path) + ": contact.joint", "none",
+                     "must name the file of the true joint",
+                     "Add joint = \"joint.json\" to [contact]; the path is relative to the rig's.");
+  }
+  return (fs::path(rig_path).parent_path() / rig.contact.joint).string();
+}
+
+Inputs read_inputs(const MeasureOptions& options, const Call& call, std::uint64_t seed) {
+  const NamedInput rig_input{options.rig, read_file(options.rig, kLargestInput)};
+  Rig rig = parse_rig(rig_input.text, input_name(options.rig));
+  const std::string joint_path = joint_path_of(rig, options.rig);
+  if (!fs::exists(joint_path)) {
+    throw InputError(input_name(options.rig) + ": contact.joint", "'" + joint_path + "'",
+                     "must be there", "The path is relative to the folder of the rig.");
+  }
+  const NamedInput joint_input{joint_path, read_file(joint_path, kLargestInput)};
+  Joint joint = parse_joint(joint_input.text, joint_path).joint;
+  std::string provenance =
+      fmt::format("{}\nvirtual test, seed {}", provenance_of(call, {rig_input, joint_input}), seed);
+  return {std::move(rig), std::move(joint), joint_path, std::move(provenance)};
+}
+
+constexpr std::string_view kLevel = "level";
+constexpr std::string_view kBeforeControl = "before_control";
+constexpr std::string_view kForceControlFile = "force_control.csv";
+
+/// Whether a file is named as one that this command can write for each level, of any format.
+bool is_named_as_record(const fs::path& path) {
+  constexpr std::array<std::string_view, 4> kEndings{".csv", ".uff", ".mat", ".h5"};
+  const std::string name = path.filename().string();
+  const bool stem = name.starts_with(fmt::format("{}_", kLevel)) ||
+                    name.starts_with(fmt::format("{}_", kBeforeControl));
+  return stem && std::ranges::find(kEndings, path.extension().string()) != kEndings.end();
+}
+
+/// The names of the records.
+class RecordNames {
+ public:
+  RecordNames(const MeasureOptions& options, std::size_t levels)
+      : format_(*find_recording_format(options.format)),
+        ending_(options.format == "uff-ascii" ? "uff" : options.format),
+        width_(std::max<std::size_t>(2, fmt::formatted_size("{}", levels))),
+        levels_(levels) {}
+
+  [[nodiscard]] RecordingFormat format() const { return format_; }
+  [[nodiscard]] std::size_t levels() const { return levels_; }
+  [[nodiscard]] std::string name(std::string_view stem, std::size_t number) const {
+    return fmt::format("{}_{:0{}}.{}", stem, number, width_, ending_);
+  }
+  [[nodiscard]] std::vector<std::string> all(std::string_view stem) const {
+    std::vector<std::string> names;
+    for (std::size_t i = 1; i <= levels_; ++i) names.push_back(name(stem, i));
+    return names;
+  }
+
+ private:
+  RecordingFormat format_;
+  std::string ending_;
+  std::size_t width_;
+  std::size_t levels_;
+};
+
+/// The kind of a record. That of a CSV lies in its columns, which are the channels of the rig.
+std::string record_kind(const Rig& rig, RecordingFormat format) {
+  if (format != RecordingFormat::kCsv) return std::string(recording_kind(format));
+  Recording recording;
+  const auto add = [&](const std::string& name, const Dimension& dimension) {
+    recording.channels.push_back({name, dimension, {0.0, 0.0}, {}, {}});
+  };
+  add(rig.excitation.channel, kForce);
+  for (const RigSensor& sensor : rig.accelerometers) add(sensor.channel, kAcceleration);
+  if (rig.vibrometer) add(rig.vibrometer->channel, kLength);
+  recording.axis.step = 1.0;
+  return file_kind(format_recording_csv(recording));
+}
+
+/// What the test writes besides tables: all levels, or those that were found.
+std::vector<std::string> record_names(const MeasureOptions& options, const RecordNames& names,
+                                      std::size_t levels,
+                                      const std::function<bool(std::size_t)>& is_found) {
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < levels; ++i) {
+    if (!is_found(i)) continue;
+    all.push_back(names.name(kLevel, i + 1));
+    if (options.before_control) all.push_back(names.name(kBeforeControl, i + 1));
+  }
+  return all;
+}
+
+/// What another test left would be taken for a part of this one.
+void check_strangers(const MeasureOptions& options, const std::vector<std::string>& records) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(options.out, error)) {
+    const std::string name = entry.path().filename().string();
+    const bool stranger = is_named_as_record(entry.path())
+                              ? std::ranges::find(records, name) == records.end()
+                              : name == kForceControlFile && options.no_shaker;
+    if (!stranger) continue;
+    throw InputError("--out", options.out, fmt::format("must not hold {}, of another test", name),
+                     "Choose another folder, or remove it.");
+  }
+}
+
+/// Whether rig.toml in the folder of the test is the rig that is tested.
+bool keeps_rig(const MeasureOptions& options) {
+  std::error_code error;
+  return fs::equivalent(fs::path(options.out) / "rig.toml", options.rig, error);
+}
+
+/// Recordings of a laboratory have the names and the form of those of a virtual test; what tells the
+/// folder of one is its truth.csv.
+void check_origin(const MeasureOptions& options, std::vector<std::string> written) {
+  const fs::path truth = fs::path(options.out) / "truth.csv";
+  std::error_code error;
+  if (fs::is_regular_file(truth, error) && read_file(truth.string()).starts_with("# microslip")) {
+    return;
+  }
+  written.insert(written.end(), {"truth.csv", std::string(kForceControlFile)});
+  if (!keeps_rig(options)) written.emplace_back("rig.toml");
+  for (const std::string& name : written) {
+    if (!fs::exists(fs::path(options.out) / name, error)) continue;
+    throw InputError("--out", options.out,
+                     fmt::format("must not hold {} that is not of a virtual test", name),
+                     "Choose another folder, or move it away.");
+  }
+}
+
+/// Before the computation: a folder that is there must take the files.
+void check_folder(const MeasureOptions& options, const Rig& rig, const RecordNames& names) {
+  if (options.out.empty() || options.out == "-") {
+    throw InputError("--out", "'" + options.out + "'", "must be a folder",
+                     "It gets a file a level, and the truth.");
+  }
+  const fs::file_status status = fs::status(options.out);
+  if (!fs::exists(status)) return;
+  if (!fs::is_directory(status)) {
+    throw FileError(options.out, "is a file", "Name a folder with --out.");
+  }
+  const std::vector<std::string> records =
+      record_names(options, names, names.levels(), [](std::size_t) { return true; });
+  check_strangers(options, records);
+  const auto check = [&](std::string_view name, std::string_view kind) {
+    check_output((fs::path(options.out) / name).string(), kind);
+  };
+  check("truth.csv", kLevelsKind);
+  check("rig.toml", kRigKind);
+  if (!options.no_shaker) check(kForceControlFile, kForceControlKind);
+  const std::string kind = record_kind(rig, names.format());
+  for (const std::string& name : records) check(name, kind);
+  check_origin(options, records);
+}
+
+/// After it: something must have been found, and an old record of a level that was not would pass for
+/// one of this test.
+void check_found(const MeasureOptions& options, const RecordNames& names, const VirtualTest& test) {
+  const auto is_found = [&](std::size_t i) { return test.levels[i].summary.converged(); };
+  const std::vector<std::string> records =
+      record_names(options, names, test.levels.size(), is_found);
+  if (records.empty()) {
+    throw NothingFound(fmt::format("{}; nothing is written", test.summary.reason));
+  }
+  check_strangers(options, records);
+}
+
+/// Solves the test; names in [test] are those of the file.
+VirtualTest solve(const MeasureOptions& options, const Inputs& inputs, bool quiet) {
+  VirtualTestOptions test;
+  test.shaker = !options.no_shaker;
+  test.progress = progress_bar("levels", quiet);
+  try {
+    return run_virtual_test(inputs.rig, inputs.joint, test);
+  } catch (const InputError& error) {
+    throw error.renamed(fmt::format("{}: {}", input_name(options.rig), error.name()));
+  }
+}
+
+/// Writes all files of a test into its folder.
+class TestWriter {
+ public:
+  TestWriter(const MeasureOptions& options, const Inputs& inputs, const RecordNames& names,
+             std::uint64_t seed)
+      : options_(options),
+        inputs_(inputs),
+        names_(names),
+        seed_(seed),
+        state_(stick_state(inputs.rig)) {
+    folders_.make(options.out, "Choose another folder with --out.");
+  }
+
+  void write(const VirtualTest& test, const Progress& progress) {
+    for (const VirtualLevel& level : test.levels) {
+      if (level.summary.converged()) write_level(level);
+      if (progress && !progress(level.number, test.levels.size())) throw Cancelled();
+    }
+    write_tables(test);
+    write_rig();
+    files_.commit();
+  }
+
+ private:
+  void write_level(const VirtualLevel& level) {
+    write_record(level, false);
+    if (options_.before_control) write_record(level, true);
+  }
+
+  [[nodiscard]] std::string file(const std::string& name) const {
+    return (fs::path(options_.out) / name).string();
+  }
+
+  void write_record(const VirtualLevel& level, bool before_control) {
+    Recording recording =
+        virtual_record(inputs_.rig, state_, before_control ? level.uncontrolled : level.controlled,
+                       seed_, record_number(level, before_control));
+    recording.source = names_.name(before_control ? kBeforeControl : kLevel, level.number);
+    recording.attributes.emplace_back(
+        "comment",
+        fmt::format("microslip {}: virtual test, level {}, {:.6g} m/s^2 at {:.6g} Hz{}, seed {}",
+                    kVersion, level.number, level.response, level.frequency,
+                    before_control ? ", before force control" : "", seed_));
+    write_recordings(files_, file(recording.source), {&recording, 1}, names_.format());
+  }
+
+  void add(const std::string& name, CsvWriter table) {
+    table.add_comment(inputs_.provenance);
+    files_.add(file(name), table.str());
+  }
+
+  void write_tables(const VirtualTest& test) {
+    add("truth.csv", truth_table(test.levels, inputs_.joint, names_.all(kLevel)));
+    if (options_.no_shaker) return;
+    add(std::string(kForceControlFile),
+        force_control_table(test.levels, VirtualTestOptions{}.controlled_harmonics));
+  }
+
+  /// The rig without the joint, which a test does not know; where the rig lies in the folder itself it
+  /// stays.
+  void write_rig() {
+    const std::string path = file("rig.toml");
+    if (keeps_rig(options_)) return;
+    Rig rig = inputs_.rig;
+    rig.contact.joint.clear();
+    std::string comments = "# " + inputs_.provenance;
+    for (std::size_t at = comments.find('\n'); at != std::string::npos;
+         at = comments.find('\n', at + 3)) {
+      comments.insert(at + 1, "# ");
+    }
+    files_.add(path, comments + "\n" + format_rig(rig));
+  }
+
+  const MeasureOptions& options_;
+  const Inputs& inputs_;
+  const RecordNames& names_;
+  std::uint64_t seed_;
+  StickState state_;
+  OutputFolders folders_;
+  OutputFiles files_;
+};
+
+std::string range(double from, double to, std::string_view unit) {
+  return fmt::format("{:.4g} to {:.4g} {}", from, to, unit);
+}
+
+std::string describe_force(const std::vector<const VirtualLevel*>& levels) {
+  const std::size_t harmonics = VirtualTestOptions{}.controlled_harmonics;
+  const auto worst = [&](auto state) {
+    const VirtualLevel& level = **std::ranges::max_element(
+        levels, {},
+        [&](const VirtualLevel* one) { return force_distortion(state(*one), harmonics); });
+    return std::pair{100.0 * force_distortion(state(level), harmonics), level.number};
+  };
+  const auto before = worst([](const VirtualLevel& l) -> const auto& { return l.uncontrolled; });
+  const auto after = worst([](const VirtualLevel& l) -> const auto& { return l.controlled; });
+  return fmt::format(
+      "up to {:.2g} % of the first before control (level {}), {:.2g} % after it (level {})",
+      before.first, before.second, after.first, after.second);
+}
+
+std::string describe(const MeasureOptions& options, const Inputs& inputs, const RecordNames& names,
+                     const VirtualTest& test) {
+  std::vector<const VirtualLevel*> found;
+  for (const VirtualLevel& level : test.levels) {
+    if (level.summary.converged()) found.push_back(&level);
+  }
+  const SteadyVibration& first = found.front()->controlled.vibration;
+  const SteadyVibration& last = found.back()->controlled.vibration;
+  std::string text =
+      fmt::format("Virtual test of {} with {}\n", input_name(options.rig), inputs.joint_path);
+  text +=
+      line("levels", fmt::format("{} of {}, {} at the exciter", found.size(), test.levels.size(),
+                                 range(first.response, last.response, "m/s^2")));
+  text += line("drive", fmt::format("{}, {}", range(first.frequency(), last.frequency(), "Hz"),
+                                    range(first.force_amplitude, last.force_amplitude, "N")));
+  text +=
+      line("joint",
+           fmt::format("{}, {}",
+                       range(1e6 * first.joints[0].amplitude, 1e6 * last.joints[0].amplitude, "um"),
+                       range(1e6 * first.joints[0].dissipation, 1e6 * last.joints[0].dissipation,
+                             "uJ a cycle")));
+  text += line("force harmonics", options.no_shaker ? "none: a pure force" : describe_force(found));
+  text += line("solved in", fmt::format("{:.2f} s, {} harmonic balances", test.summary.wall_seconds,
+                                        test.summary.iterations));
+  const std::string last_name = names.name(kLevel, found.back()->number);
+  text +=
+      line("written", fmt::format("{}: {} to {}, truth.csv, {}rig.toml", options.out,
+                                  names.name(kLevel, found.front()->number), last_name,
+                                  options.no_shaker ? "" : fmt::format("{}, ", kForceControlFile)));
+  if (!test.summary.converged()) text += fmt::format("Not found: {}\n", test.summary.reason);
+  return text;
+}
+
+/// Each kind of warning once, of its first level.
+std::vector<Warning> warnings_of(const Inputs& inputs, const VirtualTest& test) {
+  std::vector<Warning> warnings;
+  if (const auto other = stiffness_warning(stick_state(inputs.rig), inputs.joint)) {
+    warnings.push_back(*other);
+  }
+  for (const VirtualLevel& level : test.levels) {
+    for (const Warning& warning : level.warnings) {
+      const auto same = [&](const Warning& other) { return other.code == warning.code; };
+      if (std::ranges::none_of(warnings, same)) warnings.push_back(warning);
+    }
+  }
+  return warnings;
+}
+
+int run(const MeasureOptions& options, const Call& call) {
+  const std::uint64_t seed = parse_whole_number("--seed", options.seed, 0, UINT64_MAX);
+  const Inputs inputs = read_inputs(options, call, seed);
+  const RecordNames names(options, inputs.rig.test ? inputs.rig.test->count : 0);
+  check_folder(options, inputs.rig, names);
+  const VirtualTest test = solve(options, inputs, call.quiet);
+  check_found(options, names, test);
+  TestWriter(options, inputs, names, seed).write(test, progress_bar("writing", call.quiet));
+  if (!call.quiet) {
+    show_warnings(warnings_of(inputs, test));
+    fmt::print("{}", describe(options, inputs, names, test));
+  }
+  if (test.summary.converged()) return kDone;
+  fmt::print(stderr, "microslip: {}\n", test.summary.reason);
+  return kNotConverged;
+}
+
+}  // namespace
+
+void add_measure(CLI::App& program, Call& call) {
+  auto options = std::make_shared<MeasureOptions>();
+  CLI::App* command = program.add_subcommand(
+      "measure",
+      "Virtual test of a rig whose joint is known: records at all levels, and the truth");
+  command
+      ->add_option("rig", options->rig,
+                   "Description of the test, rig.toml, with [test] and the true joint in [contact]")
+      ->required();
+  command->add_option("--out", options->out, "Folder to write to; made where it is missing")
+      ->required();
+  command->add_option("--format", options->format, "Format of the records; uff is binary")
+      ->check(CLI::IsMember({"csv", "uff", "uff-ascii", "mat", "h5"}))
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Of the noise and of the phases")
+      ->capture_default_str();
+  auto* no_shaker = command->add_flag("--no-shaker", options->no_shaker,
+                                      "Drive by a pure force, without shaker and force control");
+  command
+      ->add_flag("--before-control", options->before_control,
+                 "Write the records under a sinusoidal voltage too: before_control_…")
+      ->excludes(no_shaker);
+  command->add_flag("--quiet", call.quiet, "No summary, no progress");
+  add_examples(*command, {"microslip measure rig.toml --out test",
+                          "microslip measure rig.toml --out test --format h5 --seed 2",
+                          "microslip reduce test/rig.toml test/level_*.csv --out levels.csv"});
+  command->callback(
+      [options, &call] { call.run = [options, &call] { return run(*options, call); }; });
+}
+
+}  // namespace microslip::app

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "prediction.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "arguments.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/base/version.hpp"
+#include "microslip/io/input_file.hpp"
+#include "microslip/io/output_files.hpp"
+#include "microslip/io/response_file.hpp"
+#include "report_text.hpp"
+
+namespace microslip::app {
+namespace {
+
+constexpr std::uint64_t kMostHarmonics = 1000;
+constexpr std::uint64_t kMostSamples = 1'000'000;
+
+std::string counted(std::size_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+void add_prediction_arguments(CLI::App& command, PredictionArguments& arguments, Call& call,
+                              const std::string& columns) {
+  command.add_option("model", arguments.model, "Structure with joints, model.toml")->required();
+  command
+      .add_option("--out", arguments.out,
+                  "CSV to write: " + columns +
+                      ", energies, amplitude and dissipation of each joint; - is standard output")
+      ->required();
+  command
+      .add_option("--harmonics", arguments.harmonics,
+                  "H: the motion has harmonics 0 to H. 3 serve where a joint hardly slips, 9 in "
+                  "macro-slip")
+      ->capture_default_str();
+  command
+      .add_option("--samples", arguments.samples,
+                  "Samples of a cycle for the forces of the joints, 2H + 2 or more")
+      ->capture_default_str();
+  command.add_flag("--quiet", call.quiet, "No summary, no progress");
+}
+
+HarmonicBalance balance_of(const ModelFile& model, const PredictionArguments& arguments) {
+  HarmonicBalanceOptions options;
+  options.harmonics = parse_whole_number("--harmonics", arguments.harmonics, 1, kMostHarmonics);
+  options.samples = parse_whole_number("--samples", arguments.samples, 4, kMostSamples);
+  try {
+    return HarmonicBalance(model.structure, {model.response}, options);
+  } catch (const InputError& error) {
+    const bool option = error.name() == "harmonics" || error.name() == "samples";
+    throw error.renamed(option ? "--" + error.name()
+                               : fmt::format("{}: {}", input_name(arguments.model), error.name()));
+  }
+}
+
+double parse_force(std::string_view option, std::string_view text) {
+  const double force = parse_quantity(option, text, kForce);
+  if (force >= 1e-12 && force <= 1e12) return force;
+  throw InputError(option, force, "must be above 0 N: from 1e-12 to 1e12");
+}
+
+void check_displacement(std::string_view option, double displacement) {
+  if (displacement >= 1e-15 && displacement <= 1e6) return;
+  throw InputError(option, displacement, "must be above 0 m: from 1e-15 to 1e6");
+}
+
+std::string heading_of(const Call& call) {
+  return fmt::format("microslip {}: {}", kVersion, call.command_line);
+}
+
+std::string stuck_frequencies_text(const JointedStructure& structure) {
+  constexpr std::size_t kMost = 5;
+  const std::vector<double> omega = structure.stuck_frequencies();
+  std::string text;
+  for (std::size_t i = 0; i < std::min(omega.size(), kMost); ++i) {
+    text += fmt::format("{}{:.5g}", i == 0 ? "" : ", ", omega[i] / (2.0 * std::numbers::pi));
+  }
+  return text + (omega.size() > kMost ? ", ... Hz" : " Hz");
+}
+
+std::string describe_model(const std::string& file, const JointedStructure& structure) {
+  return line("model", fmt::format("{}, {}, {}", input_name(file),
+                                   counted(structure.linear().size(), "mode"),
+                                   counted(structure.joints().size(), "joint"))) +
+         line("stuck resonances", stuck_frequencies_text(structure));
+}
+
+std::string describe_ending(const Summary& summary) {
+  return wrapped(fmt::format("  {:<20} ", "ended"),
+                 fmt::format("{}{}", summary.converged() ? "" : "NOT CONVERGED: ", summary.reason),
+                 23);
+}
+
+std::string describe_curve(const HarmonicBalance& balance, const ResponseCurve& curve,
+                           const PredictionArguments& arguments) {
+  std::string text = describe_model(arguments.model, balance.structure());
+  text += line("method", fmt::format("{}, {}, {}", curve.summary.method,
+                                     counted(balance.options().harmonics, "harmonic"),
+                                     counted(balance.options().samples, "sample")));
+  return text + describe_ending(curve.summary);
+}
+
+int finish(const Summary& ended, bool found, const ModelArguments& arguments, const Call& call,
+           const std::function<CsvWriter()>& table, const std::function<std::string()>& summary) {
+  const bool converged = ended.converged();
+  if (found) write_file(arguments.out, table().str());
+  if (found && !call.quiet) {
+    fmt::print(arguments.out == "-" ? stderr : stdout, "{}", summary());
+  } else if (!converged) {
+    fmt::print(stderr, "microslip: {}: not converged: {}; {}\n", input_name(arguments.model),
+               ended.reason, found ? "what was found is written and marked" : "nothing is written");
+  }
+  return converged ? kDone : kNotConverged;
+}
+
+int finish(const ResponseCurve& curve, const PredictionArguments& arguments, const Call& call,
+           const std::function<CsvWriter()>& table, const std::function<std::string()>& summary) {
+  return finish(curve.summary, has_rows(curve), arguments, call, table, summary);
+}
+
+}  // namespace microslip::app

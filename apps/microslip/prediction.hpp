@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "command.hpp"
+#include "microslip/base/summary.hpp"
+#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/io/csv_writer.hpp"
+#include "microslip/io/model_file.hpp"
+
+/// @file
+/// What `frf` and `backbone` share, and in part `march`: a model, the harmonic balance of it, and
+/// what is said of how it went.
+
+namespace microslip::app {
+
+/// A model to read and a table to write.
+struct ModelArguments {
+  std::string model;
+  std::string out;
+};
+
+struct PredictionArguments : ModelArguments {
+  std::string harmonics = "5";
+  std::string samples = "256";
+};
+
+/// The model, --harmonics, --samples, --out and --quiet.
+/// @param columns  that the file will have, for the help.
+void add_prediction_arguments(CLI::App& command, PredictionArguments& arguments, Call& call,
+                              const std::string& columns);
+
+/// The harmonic balance of a model file, its response a displacement.
+/// @throws InputError  also for harmonics or samples that do not fit.
+[[nodiscard]] HarmonicBalance balance_of(const ModelFile& model,
+                                         const PredictionArguments& arguments);
+
+/// A force on the command line. @throws InputError  where it is none, or one that nothing bears.
+[[nodiscard]] double parse_force(std::string_view option, std::string_view text);
+
+/// @throws InputError  for a displacement out of the range of what vibrates.
+void check_displacement(std::string_view option, double displacement);
+
+/// The first comment of a table: version and call.
+[[nodiscard]] std::string heading_of(const Call& call);
+
+/// "0.15915, 1.2 Hz": the natural frequencies with all joints stuck.
+[[nodiscard]] std::string stuck_frequencies_text(const JointedStructure& structure);
+
+/// The lines of a summary on the model: size and stuck resonances.
+[[nodiscard]] std::string describe_model(const std::string& file,
+                                         const JointedStructure& structure);
+
+/// The line on how it ended, broken where it is long.
+[[nodiscard]] std::string describe_ending(const Summary& summary);
+
+/// The lines that both summaries begin with: model, method, how it ended.
+[[nodiscard]] std::string describe_curve(const HarmonicBalance& balance, const ResponseCurve& curve,
+                                         const PredictionArguments& arguments);
+
+/// Writes the table, prints the summary, and says on standard error what nothing else would say.
+/// @param found           whether there is something to write.
+/// @param table, summary  compose them; called where there is.
+/// @return the exit status.
+[[nodiscard]] int finish(const Summary& ended, bool found, const ModelArguments& arguments,
+                         const Call& call, const std::function<CsvWriter()>& table,
+                         const std::function<std::string()>& summary);
+
+/// The same of a curve.
+[[nodiscard]] int finish(const ResponseCurve& curve, const PredictionArguments& arguments,
+                         const Call& call, const std::function<CsvWriter()>& table,
+                         const std::function<std::string()>& summary);
+
+}  // namespace microslip::app

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <csignal>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "cli/models.hpp"
+#include "cli/run_program.hpp"
+#include "microslip/io/csv.hpp"
+#include "microslip/io/joint_file.hpp"
+#include "microslip/joint/dissipation.hpp"
+#include "microslip/joint/secant.hpp"
+
+namespace microslip::cli_test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+const std::string kHeader =
+    "displacement [m],force [N],frequency [Hz],damping_ratio [1],dissipation "
+    "[J],linear_dissipation "
+    "[J],amplitude_joint [m],dissipation_joint [J],reversals_joint [1],energy_imbalance [1]\n";
+
+Arguments backbone(const Arguments& more) {
+  Arguments all{"backbone", "model.toml", "--out", "backbone.csv"};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+void expect_parts(const std::string& text, const std::vector<std::string>& parts) {
+  for (const std::string& part : parts) {
+    EXPECT_NE(text.find(part), std::string::npos) << "no '" << part << "' in\n" << text;
+  }
+}
+
+// One harmonic in closed form: ω² = k + k_eq(a), F = a (cω + D(a)/(πa²)), ζ = F/(2ω²a). 4096 samples
+// leave 2e-8 of the joint's force, a hundredth of which is its loss.
+TEST(backbone, IsThatOfTheDescribingFunction) {
+  const Sandbox box = one_mass();
+  const Joint joint = read_joint(box.file("joint.json")).joint;
+  expect_done(box,
+              backbone({"--response", "10mm:5:12:log", "--harmonics", "1", "--samples", "4096"}));
+  const CsvTable table(box.get("backbone.csv"), "backbone.csv");
+  const std::vector<double> displacement = table.numbers("displacement", kLength);
+  const std::vector<double> force = table.numbers("force", kForce);
+  const std::vector<double> frequency = table.numbers("frequency", kFrequency);
+  const std::vector<double> damping = table.numbers("damping_ratio", kDimensionless);
+  ASSERT_EQ(displacement.size(), 12U);
+  for (std::size_t i = 0; i < displacement.size(); ++i) {
+    const double a = 0.01 * std::pow(500.0, static_cast<double>(i) / 11.0);
+    const double omega = std::sqrt(0.75 + secant_stiffness(joint, a));
+    const double expected = a * (0.01 * omega + dissipation(joint, a) / (pi * a * a));
+    EXPECT_NEAR(displacement[i], a, 1e-10 * a);
+    EXPECT_NEAR(frequency[i], omega / (2.0 * pi), 1e-7 * frequency[i]);
+    EXPECT_NEAR(force[i], expected, 1e-5 * expected);
+    EXPECT_NEAR(damping[i], expected / (2.0 * omega * omega * a), 1e-5 * damping[i]);
+  }
+}
+
+TEST(backbone, FollowsTheModeThatIsAskedFor) {
+  const Sandbox box;
+  box.put(
+      "model.toml",
+      "schema = \"microslip.model/1\"\n[structure]\nfrequency_Hz = [50, 300]\n"
+      "loss_factor = [0.002, 0.004]\n"
+      "[[structure.point]]\nname = \"tip\"\nshape = [1.4, -1.2]\n[excitation]\npoint = \"tip\"\n");
+  for (const std::string mode : {"1", "2"}) {
+    const Outcome run = expect_done(box, backbone({"--response", "1um:2um:2", "--mode", mode}));
+    expect_parts(run.out, {"Backbone of mode " + mode, "2 modes, 0 joints", "50, 300 Hz"});
+    const CsvTable table(box.get("backbone.csv"), "backbone.csv");
+    // The other mode, far off, moves it by some 1e-6 of the frequency and, squared, of the energy.
+    const double f = mode == "1" ? 50.0 : 300.0;
+    EXPECT_NEAR(table.numbers("frequency", kFrequency)[0], f, 1e-4 * f);
+    EXPECT_NEAR(table.numbers("damping_ratio", kDimensionless)[1], mode == "1" ? 0.001 : 0.002,
+                1e-5);
+  }
+}
+
+TEST(backbone, WritesColumnsCommentsAndASummary) {
+  const Sandbox box = one_mass();
+  const Arguments call = backbone({"--response", "0.1:2:20"});
+  const Outcome run = expect_done(box, call);
+  expect_parts(box.get("backbone.csv"),
+               {": microslip backbone model.toml --out backbone.csv --response 0.1:2:20\n",
+                "harmonic balance, backbone: converged: all responses "
+                "reached\n" +
+                    kHeader});
+  expect_parts(run.out, {"Backbone of mode 1", "model.toml, 1 mode, 1 joint", "0.15915 Hz",
+                         "points               20", "damping ratio", "largest damping"});
+  const Outcome pipe =
+      box.run({"backbone", "model.toml", "--response", "100mm:2:20", "--out", "-"});
+  EXPECT_EQ(pipe.status, 0);
+  const auto without_call = [](const std::string& text) { return text.substr(text.find('\n')); };
+  EXPECT_EQ(without_call(pipe.out), without_call(box.get("backbone.csv")));
+  EXPECT_EQ(pipe.err, run.out) << "the summary gives way";
+  EXPECT_EQ(expect_done(box, backbone({"--response", "0.1:2:2", "--quiet"})).out, "");
+}
+
+struct BadCall {
+  Arguments arguments;
+  std::vector<std::string> parts;
+};
+
+TEST(backbone, RefusesBadCalls) {
+  const Sandbox box = one_mass();
+  const std::vector<BadCall> calls{
+      {{}, {"--response is required", "microslip backbone --help"}},
+      {{"--response", "0.1:0.2"}, {"--response = '0.1:0.2'", "FROM:TO:COUNT"}},
+      {{"--response", "0.2:0.1:3"}, {"FROM must be below TO"}},
+      {{"--response", "0:0.1:3"}, {"FROM of --response = 0", "above 0 m"}},
+      {{"--response", "-1:0.1:3"}, {"FROM of --response = -1", "above 0 m"}},
+      {{"--response", "1:1e7:3"}, {"TO of --response = 10000000", "1e6"}},
+      {{"--response", "1N:2N:3"}, {"FROM of --response: unit = 'N'"}},
+      {{"--response", "1:2:1"}, {"COUNT of --response = '1'", "from 2"}},
+      {{"--response", "1:2:3", "--mode", "0"}, {"--mode = '0'", "from 1 to 1"}},
+      {{"--response", "1:2:3", "--mode", "2"}, {"--mode = '2'", "how many modes"}},
+      {{"--response", "1:2:3", "--harmonics", "0"}, {"--harmonics = '0'"}},
+      {{"--response", "1:2:3", "--samples", "8"}, {"--samples = 8", "from 12"}},
+  };
+  for (const BadCall& call : calls) expect_refused(box, backbone(call.arguments), call.parts);
+}
+
+TEST(backbone, RefusesARigidBody) {
+  const Sandbox box;
+  box.put("model.toml",
+          "schema = \"microslip.model/1\"\n[structure]\nfrequency_Hz = [0, 30]\n"
+          "damping_ratio = [0.01]\n[[structure.point]]\nname = \"tip\"\nshape = [1, 1]\n"
+          "[excitation]\npoint = \"tip\"\n");
+  expect_refused(box, backbone({"--response", "1um:2um:2"}),
+                 {"--mode = 1; must be one that vibrates", "rigid body", "higher mode"});
+  expect_done(box, backbone({"--response", "1um:2um:2", "--mode", "2"}));
+}
+
+TEST(backbone, ReplacesOnlyItsOwnKind) {
+  const Sandbox box = one_mass();
+  const Arguments call = backbone({"--response", "0.1:0.2:2"});
+  expect_done(box, call);
+  expect_done(box, call);
+  box.put("backbone.csv", "frequency [Hz],displacement [m],phase [rad]\n1,1,1\n");
+  expect_refused(box, call, {"backbone.csv", "a table of a frequency response"});
+}
+
+TEST(backbone, ShowsProgressOnANarrowTerminalToo) {
+  const Sandbox box = one_mass();
+  const Arguments call = backbone({"--response", "10mm:2:3000:log"});
+  const Outcome wide = box.run(call, {.columns = 80});
+  EXPECT_NE(wide.out.find("responses ["), std::string::npos) << wide.out;
+  EXPECT_NE(wide.out.find("\r\033[KBackbone of mode 1"), std::string::npos)
+      << "the bar is gone before the summary";
+  const Outcome narrow = box.run(call, {.columns = 20});
+  EXPECT_NE(narrow.out.find(" %, "), std::string::npos) << narrow.out;
+  EXPECT_EQ(narrow.out.find("responses ["), std::string::npos) << "the bar would break the line";
+}
+
+TEST(backbone, EndsOnInterrupt) {
+  const Sandbox box = one_mass();
+  const auto before = box.content();
+  Running program(backbone({"--response", "10mm:2:1000000:log"}), box.path(), {.columns = 80});
+  program.read_terminal(
+      [](const std::string& shown) { return shown.find("s left") != std::string::npos; });
+  program.send(SIGINT);
+  EXPECT_EQ(program.wait().signal, SIGINT);
+  EXPECT_TRUE(box.content() == before);
+}
+
+}  // namespace
+}  // namespace microslip::cli_test
