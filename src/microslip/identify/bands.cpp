@@ -11,6 +11,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
+#include "microslip/identify/interpolation.hpp"
 #include "microslip/identify/inversion_model.hpp"
 
 namespace microslip {
@@ -56,16 +57,6 @@ const SmoothingPoint& draw_point(const InversionModel& model, double uniform) {
     if (left <= 0.0) return point;
   }
   return model.solution();
-}
-
-/// φ at a slip force, linear between knots and constant beyond them.
-double interpolate(const std::vector<double>& knots, const std::vector<double>& values, double f) {
-  const auto next = std::ranges::upper_bound(knots, f);
-  if (next == knots.begin()) return values.front();
-  if (next == knots.end()) return values.back();
-  const auto i = static_cast<std::size_t>(next - knots.begin());
-  const double share = (f - knots[i - 1]) / (knots[i] - knots[i - 1]);
-  return values[i - 1] + share * (values[i] - values[i - 1]);
 }
 
 /// With true D = e·D and true A = c·A, (7) holds for φ(f*) = e/c³ φ_found(f*/c).

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <functional>
 #include <vector>
 
 #include "microslip/base/error.hpp"
+#include "microslip/identify/interpolation.hpp"
 
 namespace microslip {
 namespace {
@@ -26,17 +26,6 @@ std::vector<double> points_of(double reach, CoveredRange range) {
     points.push_back(share * reach);
   }
   return points;
-}
-
-/// Linear between the points of the identification, the end values beyond them.
-double value_at(const std::vector<double>& slip_force, const std::vector<double>& values,
-                double f) {
-  const auto next = std::ranges::upper_bound(slip_force, f);
-  if (next == slip_force.begin()) return values.front();
-  if (next == slip_force.end()) return values.back();
-  const auto i = static_cast<std::size_t>(next - slip_force.begin());
-  const double share = (f - slip_force[i - 1]) / (slip_force[i] - slip_force[i - 1]);
-  return std::lerp(values[i - 1], values[i], share);
 }
 
 double relative_error(const std::function<double(double)>& density, double reach,
@@ -66,7 +55,7 @@ double density_error(const std::vector<double>& slip_force, const std::vector<do
                      fmt::format("{} at {} slip forces", density.size(), slip_force.size()),
                      "must have a value a slip force, and one at least");
   }
-  const auto between = [&](double f) { return value_at(slip_force, density, f); };
+  const auto between = [&](double f) { return interpolate(slip_force, density, f); };
   return relative_error(between, reach, truth, range);
 }
 
@@ -77,8 +66,8 @@ double band_coverage(const Identification& found, const SlipDensity& truth, Cove
   const std::vector<double> points = points_of(found.covered_to, range);
   const auto inside = std::ranges::count_if(points, [&](double f) {
     const double expected = truth.density(f);
-    return value_at(found.slip_force, found.lower, f) <= expected &&
-           expected <= value_at(found.slip_force, found.upper, f);
+    return interpolate(found.slip_force, found.lower, f) <= expected &&
+           expected <= interpolate(found.slip_force, found.upper, f);
   });
   return static_cast<double>(inside) / static_cast<double>(points.size());
 }
