@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <csignal>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -157,13 +156,7 @@ TEST(backbone, ShowsProgressOnANarrowTerminalToo) {
 
 TEST(backbone, EndsOnInterrupt) {
   const Sandbox box = one_mass();
-  const auto before = box.content();
-  Running program(backbone({"--response", "10mm:2:1000000:log"}), box.path(), {.columns = 80});
-  program.read_terminal(
-      [](const std::string& shown) { return shown.find("s left") != std::string::npos; });
-  program.send(SIGINT);
-  EXPECT_EQ(program.wait().signal, SIGINT);
-  EXPECT_TRUE(box.content() == before);
+  expect_interruptible(box, backbone({"--response", "10mm:2:1000000:log"}));
 }
 
 }  // namespace

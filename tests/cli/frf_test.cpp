@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <csignal>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -332,14 +331,8 @@ TEST(frf, WritesNothingWhereNothingIsFound) {
 
 TEST(frf, ShowsProgressAndEndsOnInterrupt) {
   const Sandbox box = one_mass();
-  const auto before = box.content();
-  Running program(frf({"--force", "0.1", "--frequency", "0.1:0.2", "--samples", "300000"}),
-                  box.path(), {.columns = 80});
-  program.read_terminal(
-      [](const std::string& shown) { return shown.find("s left") != std::string::npos; });
-  program.send(SIGINT);
-  EXPECT_EQ(program.wait().signal, SIGINT);
-  EXPECT_TRUE(box.content() == before);
+  expect_interruptible(box,
+                       frf({"--force", "0.1", "--frequency", "0.1:0.2", "--samples", "300000"}));
 }
 
 }  // namespace

@@ -30,15 +30,7 @@ Arguments with_bands(std::size_t count) {
 TEST(Interruption, InALongComputation) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const Sandbox box = sandbox();
-    const auto before = box.content();
-    Running program(with_bands(1'000'000), box.path(), {.columns = 80});
-    program.read_terminal(
-        [](const std::string& shown) { return shown.find("s left") != std::string::npos; });
-    program.send(signal);
-    const Outcome outcome = program.wait();
-    EXPECT_EQ(outcome.signal, signal);
-    EXPECT_EQ(outcome.status, 128 + signal);
-    EXPECT_TRUE(box.content() == before);
+    expect_interruptible(box, with_bands(1'000'000), signal);
   }
 }
 

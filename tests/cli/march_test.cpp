@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -190,13 +189,7 @@ TEST(march, MarksWhatDoesNotConverge) {
 
 TEST(march, ShowsProgressAndEndsOnInterrupt) {
   const Sandbox box = one_mass_with_force();
-  const auto before = box.content();
-  Running program(march_call({"--step", "1us"}), box.path(), {.columns = 80});
-  program.read_terminal(
-      [](const std::string& shown) { return shown.find("s left") != std::string::npos; });
-  program.send(SIGINT);
-  EXPECT_EQ(program.wait().signal, SIGINT);
-  EXPECT_TRUE(box.content() == before);
+  expect_interruptible(box, march_call({"--step", "1us"}));
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -239,13 +238,7 @@ TEST(measure, LeavesNoOldRecordOfALevelThatIsNotFound) {
 
 TEST(measure, InterruptedLeavesNothing) {
   const Sandbox box = sandbox(rig_text(2000));
-  const auto before = box.content();
-  Running program({"measure", "rig.toml", "--out", "test"}, box.path(), {.columns = 80});
-  program.read_terminal(
-      [](const std::string& shown) { return shown.find("s left") != std::string::npos; });
-  program.send(SIGINT);
-  EXPECT_EQ(program.wait().signal, SIGINT);
-  EXPECT_TRUE(box.content() == before);
+  expect_interruptible(box, {"measure", "rig.toml", "--out", "test"});
 }
 
 // Levels beyond 5 mm at the joint: those that are found are written, and the status tells.

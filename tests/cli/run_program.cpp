@@ -155,6 +155,18 @@ std::map<std::string, std::string> Sandbox::content() const {
   return result;
 }
 
+void expect_interruptible(const Sandbox& box, const Arguments& arguments, int signal) {
+  const auto before = box.content();
+  Running program(arguments, box.path(), {.columns = 80});
+  program.read_terminal(
+      [](const std::string& shown) { return shown.find("s left") != std::string::npos; });
+  program.send(signal);
+  const Outcome outcome = program.wait();
+  EXPECT_EQ(outcome.signal, signal) << typed(arguments);
+  EXPECT_EQ(outcome.status, 128 + signal) << typed(arguments);
+  EXPECT_TRUE(box.content() == before) << typed(arguments);
+}
+
 std::string typed(const Arguments& arguments) {
   std::string text = "microslip";
   for (const std::string& word : arguments) text += " '" + word + "'";

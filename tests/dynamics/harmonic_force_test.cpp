@@ -17,6 +17,7 @@
 #include "microslip/joint/memory.hpp"
 #include "microslip/joint/secant.hpp"
 #include "support/densities.hpp"
+#include "support/messages.hpp"
 
 namespace microslip {
 namespace {
@@ -226,32 +227,23 @@ TEST(HarmonicForce, AtRestIsThatOfTheStuckJoint) {
 
 // ---- Rules. ----
 
-template <typename Call>
-std::string message_of(const Call& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
+using test::message_or;
 
 TEST(HarmonicForce, NamesWhatIsOutOfRange) {
-  EXPECT_NE(message_of([] { HarmonicForce(0, 64); }).find("harmonics = 0"), std::string::npos);
-  EXPECT_NE(message_of([] { HarmonicForce(9, 19); }).find("samples = 19"), std::string::npos);
-  EXPECT_EQ(message_of([] { HarmonicForce(9, 20); }), "");
+  EXPECT_NE(message_or("", [] { HarmonicForce(0, 64); }).find("harmonics = 0"), std::string::npos);
+  EXPECT_NE(message_or("", [] { HarmonicForce(9, 19); }).find("samples = 19"), std::string::npos);
+  EXPECT_EQ(message_or("", [] { HarmonicForce(9, 20); }), "");
   const Joint joint = testing::reference_joint();
   HarmonicForce balance(1, 8);
   Vector x{0.0, std::numeric_limits<double>::quiet_NaN(), 0.0};
   Vector force(3);
   Vector jacobian(9);
   EXPECT_NE(
-      message_of([&] { balance.evaluate(joint, x, force, jacobian); }).find("displacement[1]"),
+      message_or("", [&] { balance.evaluate(joint, x, force, jacobian); }).find("displacement[1]"),
       std::string::npos);
   x.resize(2);
-  EXPECT_NE(message_of([&] {
-              balance.evaluate(joint, x, force, jacobian);
-            }).find("length of displacement = 2"),
+  EXPECT_NE(message_or("", [&] { balance.evaluate(joint, x, force, jacobian); })
+                .find("length of displacement = 2"),
             std::string::npos);
 }
 

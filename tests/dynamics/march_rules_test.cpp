@@ -12,23 +12,18 @@
 #include "dynamics/structures.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/dynamics/march.hpp"
+#include "support/messages.hpp"
 
 namespace microslip {
 namespace {
 
+using test::expect_message;
+
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 std::string message(const LoadHistory& loads, const MarchOptions& options = {}) {
-  try {
-    (void)march(testing::one_mass(testing::iwan_joint()), loads, options);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-void expect_message(const std::string& message, const std::string& part) {
-  EXPECT_NE(message.find(part), std::string::npos) << "'" << message << "' has no '" << part << "'";
+  return test::message_or(
+      "", [&] { return march(testing::one_mass(testing::iwan_joint()), loads, options); });
 }
 
 LoadHistory push() { return {{0.0, 1.0, 3.0}, {{"mass", {0.0, 0.1, 0.0}}}}; }

@@ -19,10 +19,7 @@ JointedStructure random_structure(std::uint64_t seed) {
   RandomStream random(seed, 1);
   const auto uniform = [&] { return 2.0 * random.uniform() - 1.0; };
   const std::vector<Mode> modes{{1.0, 0.02}, {2.0 + random.uniform(), 0.01}, {5.0, 0.01}};
-  const std::vector<Joint> kinds{
-      testing::jenkins_joint(), testing::iwan_joint(),
-      Joint(1.0, SlipDensity({UniformPart{0.0, 0.5, 0.9}})),
-      Joint(2.0, SlipDensity({PiecewiseLinearPart{{0.0, 0.1, 0.5}, {1.0, 2.5, 1.0}}}))};
+  const std::vector<Joint> kinds = testing::joints_of_each_kind();
   std::vector<StructuralJoint> joints;
   for (std::size_t j = 0; j < 1 + seed % 3; ++j) {
     joints.push_back({.name = "joint " + std::to_string(j),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 #include "microslip/dynamics/jointed_structure.hpp"
 #include "microslip/rig/rig_structure.hpp"
@@ -24,6 +25,12 @@ inline JointedStructure one_mass(Joint joint, double spring = 0.75, double dampe
 /// Segalman's joint and a Jenkins element, 0.25 N/m both, macro-slip at 0.2 N.
 inline Joint iwan_joint() { return Joint::four_parameter(0.2, 0.25, -0.5, 0.0); }
 inline Joint jenkins_joint() { return Joint(0.25, SlipDensity({AtomsPart{{0.2}, {1.0}}})); }
+
+/// Joints of a kind each: atoms, a power law, uniform with an elastic remainder, piecewise linear.
+inline std::vector<Joint> joints_of_each_kind() {
+  return {jenkins_joint(), iwan_joint(), Joint(1.0, SlipDensity({UniformPart{0.0, 0.5, 0.9}})),
+          Joint(2.0, SlipDensity({PiecewiseLinearPart{{0.0, 0.1, 0.5}, {1.0, 2.5, 1.0}}}))};
+}
 
 /// The reference rig with the joint of reference_rig_levels.csv; driven at the point "force".
 inline JointedStructure friction_rig(std::size_t modes = 7) {

@@ -12,18 +12,14 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
+#include "support/messages.hpp"
 
 namespace microslip::test {
 
 /// The message of the error of class E that the call throws; says so where it throws none.
 template <class E, class Call>
 std::string message_of(const Call& call) {
-  try {
-    (void)call();
-  } catch (const E& error) {
-    return error.what();
-  }
-  return "no error";
+  return message_or<E>("no error", call);
 }
 
 /// A folder of its own for a test, removed in the end.

@@ -13,6 +13,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/memory.hpp"
+#include "support/messages.hpp"
 #include "support/random_path.hpp"
 
 namespace microslip {
@@ -292,12 +293,7 @@ TEST(NetworkMemory, AdvanceIsWhatMarchDoes) {
 
 template <typename Function>
 std::string message_of(const Function& function) {
-  try {
-    function();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return test::message_or("accepted", function);
 }
 
 TEST(JenkinsNetwork, NamesTheElementAndTheRuleItBreaks) {

@@ -3,20 +3,15 @@
 
 #include <string>
 
-#include "microslip/base/error.hpp"
 #include "microslip/report/figure.hpp"
+#include "support/messages.hpp"
 
 namespace microslip::test {
 
 /// The message of the InputError that the call throws; says so where it throws none.
 template <class Call>
 std::string input_fault(const Call& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return message_or("no error", call);
 }
 
 inline bool contains(const std::string& text, const std::string& part) {
