@@ -3,7 +3,9 @@
 // The tables and the picture of docs/validation.md on the harmonic balance: how fast it converges
 // in the harmonics and in the samples, and how near it comes to reference values.
 //
-//     convergence_study PICTURE.svg > tables.md
+//     convergence_study PICTURE.svg > convergence.md
+//
+// Each table stands between marks as in docs/validation.md. scripts/update_validation puts them there.
 
 #include <fmt/format.h>
 
@@ -111,14 +113,24 @@ double order(const std::vector<double>& steps, const std::vector<double>& errors
   return -(n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
+/// A table with the marks of docs/validation.md around it.
+class Block {
+ public:
+  explicit Block(const std::string& name) { fmt::print("<!-- validation: {} -->\n", name); }
+  Block(const Block&) = delete;
+  Block& operator=(const Block&) = delete;
+  ~Block() { fmt::print("<!-- end validation -->\n"); }
+};
+
 void print_study(const Case& study, const Study& result, const char* symbol) {
+  const Block block(fmt::format("{} over {}", study.name, symbol));
   std::string head = fmt::format("| {} |", symbol);
   std::string rule = "|---|";
   for (const std::string& quantity : study.quantities) {
     head += fmt::format(" {} |", quantity);
     rule += "---|";
   }
-  fmt::print("\n**{}**\n\n{}\n{}\n", study.name, head, rule);
+  fmt::print("{}\n{}\n", head, rule);
   for (std::size_t row = 0; row < result.steps.size(); ++row) {
     fmt::print("| {} |", result.steps[row]);
     for (const auto& errors : result.errors) {
@@ -162,7 +174,8 @@ void row(const std::string& what, double reference, double ours) {
 }
 
 void print_peaks() {
-  fmt::print("\n| peak of one mass | reference | microslip | deviation |\n|---|---|---|---|\n");
+  const Block block("peaks of one mass");
+  fmt::print("| peak of one mass | reference | microslip | deviation |\n|---|---|---|---|\n");
   const auto table = testing::reference_table("sdof_peak.csv");
   const auto peak = [](const Joint& joint, double force, std::size_t harmonics) {
     const HarmonicBalance balance(testing::one_mass(joint), {"mass"},
@@ -184,8 +197,9 @@ void print_peaks() {
 }
 
 void print_rig() {
+  const Block block("levels of the friction rig");
   fmt::print(
-      "\n| friction rig, m/s² | f | force | A | D | harmonic 2 | harmonic 3 |\n"
+      "| friction rig, m/s² | f | force | A | D | harmonic 2 | harmonic 3 |\n"
       "|---|---|---|---|---|---|---|\n");
   const auto table = testing::reference_table("reference_rig_levels.csv");
   const HarmonicBalance balance(testing::friction_rig(), {"force", ResponseKind::kAcceleration},

@@ -49,15 +49,6 @@ struct VerifyOptions {
   bool skip_faulty = false;
 };
 
-/// What the identification said of the levels it had; a joint of another origin has no such limit.
-std::optional<double> covered_to(const JointFile& file) {
-  for (const auto& [name, value] : file.identification) {
-    const double* number = std::get_if<double>(&value);
-    if (name == "covered_to_N" && number && *number > 0.0) return *number;
-  }
-  return std::nullopt;
-}
-
 VerificationOptions verification_options(const VerifyOptions& options, const JointFile& joint) {
   VerificationOptions verification;
   verification.reduction.fit.order = static_cast<int>(options.harmonics);

@@ -70,6 +70,8 @@ std::vector<Case> known_units() {
       {"g", 9.80665, kAcceleration},
       {"mg", 9.80665e-3, kAcceleration},
       {"kg", 1.0, kMass},
+      {"t", 1000.0, kMass},
+      {"lb", 0.45359237, kMass},
       {"rad", 1.0, kAngle},
       {"deg", std::numbers::pi / 180.0, kAngle},
       {"°", std::numbers::pi / 180.0, kAngle},

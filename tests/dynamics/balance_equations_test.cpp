@@ -14,6 +14,7 @@
 #include "microslip/base/random.hpp"
 #include "microslip/dynamics/trigonometric_basis.hpp"
 #include "support/densities.hpp"
+#include "support/figures.hpp"
 
 namespace microslip {
 namespace {
@@ -66,7 +67,7 @@ VectorXd random_unknowns(const BalanceEquations& equations, std::uint64_t seed) 
   return z;
 }
 
-/// Central differences along each unknown, extrapolated from two steps [Richardson], once and twice a
+/// Central differences along each unknown, extrapolated from two steps (Richardson), once and twice a
 /// share of its scale: 1e-6 leaves 1e-9 of rounding.
 template <typename Value>
 Eigen::MatrixXd by_differences(BalanceEquations& equations, const VectorXd& z, const Value& value,
@@ -117,6 +118,7 @@ TEST(BalanceEquations, HaveTheDerivativesOfDifferences) {
         const Eigen::MatrixXd jacobian = equations.jacobian() * scale.asDiagonal();
         EXPECT_LT(largest_error(jacobian, residual), 1e-6)
             << "shortens " << shortens << ", seed " << seed;
+        test::record_largest("column [1]", largest_error(jacobian, residual));
 
         const auto response = by_differences(equations, z, [&]() -> VectorXd {
           return (VectorXd(3) << equations.log_response(), equations.response().real(),

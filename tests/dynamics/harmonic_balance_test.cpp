@@ -15,6 +15,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
+#include "support/figures.hpp"
 #include "support/reference_csv.hpp"
 
 namespace microslip {
@@ -32,6 +33,7 @@ constexpr double kImbalance = 1e-8;
 void expect_balanced(const ResponseCurve& curve) {
   EXPECT_TRUE(curve.summary.converged()) << curve.summary.full();
   for (const SteadyVibration& point : curve.points) {
+    test::record_largest("energy imbalance [1]", point.energy_imbalance);
     EXPECT_LE(point.energy_imbalance, kImbalance) << point.angular_frequency;
   }
   for (const SteadyVibration& point : curve.peaks) EXPECT_LE(point.energy_imbalance, kImbalance);
@@ -54,6 +56,8 @@ TEST(FrequencyResponse, HasThePeakOfOneHarmonic) {
     const double omega = table["angular_frequency [rad/s]"][row];
     EXPECT_NEAR(curve.peaks[0].response, peak, 1e-6 * peak);
     EXPECT_NEAR(curve.peaks[0].angular_frequency, omega, 1e-6 * omega);
+    test::record_deviation("peak", curve.peaks[0].response, peak);
+    test::record_deviation("peak", curve.peaks[0].angular_frequency, omega);
     EXPECT_EQ(curve.points.front().angular_frequency, 0.8);
     EXPECT_NEAR(curve.points.back().angular_frequency, 1.1, 1e-11);
   }
@@ -68,6 +72,8 @@ TEST(FrequencyResponse, HasTheJenkinsPeakOfThreeHarmonics) {
   ASSERT_EQ(curve.peaks.size(), 1U);
   EXPECT_NEAR(curve.peaks[0].response, 1.2274, 3e-4);
   EXPECT_NEAR(curve.peaks[0].angular_frequency, 0.9606, 3e-4);
+  test::record_largest("displacement [m]", curve.peaks[0].response);
+  test::record_largest("frequency [rad/s]", curve.peaks[0].angular_frequency);
 }
 
 // One harmonic in closed form, with the describing function of the joint [AR14 (7)]:
@@ -403,6 +409,7 @@ TEST(Backbone, OfTheFrictionRigIsThatOfAnotherProgram) {
     const auto expect = [&](const std::string& column, double value, double tolerance) {
       const double expected = table[column][i];
       EXPECT_NEAR(value, expected, tolerance * std::abs(expected)) << column << ", row " << i;
+      test::record_deviation(column.substr(0, column.find(" [")), value, expected);
     };
     expect("frequency [Hz]", point.frequency(), 1e-5);
     expect("force_amplitude [N]", point.force_amplitude, 2e-3);
@@ -449,7 +456,7 @@ TEST(FrequencyResponse, WithoutLossEndsAtItsResonance) {
     EXPECT_TRUE(std::isfinite(point.response));
   }
   EXPECT_FALSE(across.summary.converged());
-  EXPECT_NE(across.summary.reason.find("rad/s"), std::string::npos) << across.summary.reason;
+  EXPECT_NE(across.summary.reason.find(" Hz"), std::string::npos) << across.summary.reason;
 }
 
 // A mode that no joint touches, undamped and at its pole: its response is infinite.
@@ -564,7 +571,7 @@ TEST(FrequencyResponse, ThatStopsSaysWhereAndKeepsWhatItHas) {
   EXPECT_EQ(curve.summary.status, Status::kNotConverged);
   EXPECT_EQ(curve.points.size(), 5U);
   EXPECT_NE(curve.summary.reason.find("max_points = 5"), std::string::npos);
-  EXPECT_NE(curve.summary.reason.find("rad/s, force 0.02 N"), std::string::npos)
+  EXPECT_NE(curve.summary.reason.find(" Hz, force 0.02 N"), std::string::npos)
       << curve.summary.reason;
 
   const HarmonicBalance hasty(testing::one_mass(testing::jenkins_joint()), {"mass"},

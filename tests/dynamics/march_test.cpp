@@ -18,6 +18,7 @@
 #include "microslip/base/random.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/joint/memory.hpp"
+#include "support/figures.hpp"
 
 namespace microslip {
 namespace {
@@ -162,6 +163,7 @@ TEST(March, IsOfFourthOrderWithASmoothDensity) {
     EXPECT_LT(fall[5], 1e-9);
     for (std::size_t i = 1; i < fall.size(); ++i) EXPECT_GT(std::log2(fall[i - 1] / fall[i]), 3.0);
     EXPECT_GT(std::log2(fall[0] / fall[5]) / 5.0, 3.7);
+    test::record_smallest("order [1]", std::log2(fall[0] / fall[5]) / 5.0);
   }
 }
 
@@ -172,6 +174,7 @@ TEST(March, IsOfSecondOrderWithAtoms) {
   const LoadHistory loads = sine("mass", 0.1, 0.95, even_times(400, 0.4));
   const Refinement found = refine(structure, loads, "mass", 0.4, 6);
   EXPECT_GT(std::log2(found.error[0] / found.error[6]) / 6.0, 1.7);
+  test::record_smallest("order [1]", std::log2(found.error[0] / found.error[6]) / 6.0);
   EXPECT_LT(found.imbalance[3], 1e-4);
 }
 
@@ -186,6 +189,7 @@ TEST(March, KeepsTheEnergyOfAtomsWithTheChosenStep) {
         const MarchResult found = march(structure, loads);
         EXPECT_TRUE(found.summary.converged()) << omega << ", " << force << found.summary.full();
         EXPECT_LT(found.energy.imbalance(), 1e-4);
+        test::record_largest("energy imbalance [1]", found.energy.imbalance());
       }
     }
   }
@@ -214,6 +218,7 @@ TEST(March, KeepsTheEnergyOfTheRig) {
     const MarchResult found = march(rig, loads, {.step = 1.0 / 4096.0});
     ASSERT_TRUE(found.summary.converged()) << found.summary.full();
     EXPECT_LT(found.energy.imbalance(), 1e-5) << force;
+    test::record_largest("energy imbalance [1]", found.energy.imbalance());
     EXPECT_GT(found.energy.joint_dissipation(), 0.05 * found.energy.input) << force;
     EXPECT_GT(found.energy.linear_dissipation, 0.05 * found.energy.input) << force;
   }
@@ -252,6 +257,7 @@ TEST(March, KeepsTheEnergyOfRandomStructures) {
         {.step = 0.02, .start = {.displacement = {0.3, 0.0, -0.1}, .velocity = {0.0, 0.5, 0.0}}});
     ASSERT_TRUE(found.summary.converged()) << found.summary.full();
     EXPECT_LT(found.energy.imbalance(), 1e-4) << seed;
+    test::record_largest("energy imbalance [1]", found.energy.imbalance());
     EXPECT_GT(found.energy.joint_dissipation(), 0.0);
     EXPECT_GT(found.reversals, 30U);
   }
@@ -337,11 +343,14 @@ TEST(March, EndsInTheVibrationOfHarmonicBalance) {
     for (std::size_t n = 0; n < 4; ++n) {
       EXPECT_LT(std::abs(found.response[n] - response[n]), 1e-3 * std::abs(response[1]))
           << one.name << ", harmonic " << n;
+      test::record_largest("harmonics [1]",
+                           std::abs(found.response[n] - response[n]) / std::abs(response[1]));
     }
     for (std::size_t j = 0; j < found.dissipation.size(); ++j) {
       const double dissipation = expected.vibration.joints[j].dissipation;
       EXPECT_GT(dissipation, 0.0) << one.name;
       EXPECT_NEAR(found.dissipation[j], dissipation, 1e-3 * dissipation) << one.name;
+      test::record_deviation("dissipation", found.dissipation[j], dissipation);
     }
   }
 }

@@ -24,6 +24,7 @@ const SlipDensity kTruth({UniformPart{0.0, 10.0, 1.0}});
 TEST(DensityComparison, ErrorOfAConstantIsItsOwn) {
   EXPECT_NEAR(density_error(uniform(0.9), kTruth), 0.1, 1e-14);
   EXPECT_NEAR(density_error(uniform(1.0), kTruth), 0.0, 1e-14);
+  EXPECT_NEAR(density_error(uniform(0.9).joint.density(), 10.0, kTruth), 0.1, 1e-14);
 }
 
 // The truth is 0 beyond half of the range: ‖φ − φ_true‖² = ½ 0.1², ‖φ_true‖² = ½ 0.2² over 0 … 1.

@@ -16,6 +16,7 @@
 #include "microslip/base/random.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
+#include "support/densities.hpp"
 #include "support/reference_csv.hpp"
 
 namespace microslip {
@@ -288,6 +289,7 @@ TEST(Parametric, NoisyTruthAtABound) {
     const auto result =
         fit_parametric(with_noise(exact, 0.02, true, seed), 1e6, kFourParameter, {.starts = 3});
     EXPECT_TRUE(result.summary.converged());
+    EXPECT_FALSE(warned(result, "systematic_misfit"));
     const FittedParameter& beta = parameter(result, "beta");
     EXPECT_EQ(beta.at_bound, beta.value == 0.0);
     at_bound += beta.at_bound ? 1 : 0;
@@ -295,6 +297,19 @@ TEST(Parametric, NoisyTruthAtABound) {
   }
   EXPECT_GT(at_bound, 15);  // 30 ± 3.9
   EXPECT_LT(at_bound, 45);
+}
+
+// A density with a dip and a peak is none of a power law: with 1 % of noise that shows at once.
+TEST(Parametric, SaysThatAModelDoesNotFit) {
+  const Joint joint = testing::reference_joint();
+  const Levels exact = exact_levels(joint, {0.05, 1.0, 60, 3e-4});
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const Levels levels = with_noise(exact, 0.01, true, seed);
+    for (const ParametricModel model : {kFourParameter, kPowerLaw, kUniform}) {
+      const auto result = fit_parametric(levels, joint.stiffness(), model, {.starts = 3});
+      EXPECT_TRUE(warned(result, "systematic_misfit")) << to_string(model) << ", seed " << seed;
+    }
+  }
 }
 
 // Below macro-slip the same D comes from any F_S between an atom at the last level and none.

@@ -200,8 +200,8 @@ TEST(CsvFault, DuplicateColumns) {
 }
 
 TEST(CsvFault, MissingColumn) {
-  EXPECT_EQ(fault("# c\nA [m],a (m)\n1,2\n"),
-            "t.csv:2:1: expected a column 'a [m]', found the columns 'A, a (m)'. Names are "
+  EXPECT_EQ(fault("# c\nA [m],a (left)\n1,2\n"),
+            "t.csv:2:1: expected a column 'a [m]', found the columns 'A, a (left)'. Names are "
             "case-sensitive; a unit stands in square brackets.");
 }
 

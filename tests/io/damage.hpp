@@ -11,6 +11,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/file_kind.hpp"
+#include "support/figures.hpp"
 
 /// @file
 /// Texts cut short or with bytes changed at random, and what a reader may say of them.
@@ -83,6 +84,7 @@ Counts damage(const std::string& original, std::uint64_t seed, const std::string
       expect_clear(error.what(), file);
     }
   }
+  record_sum("cases [1]", kDamagedCases);
   EXPECT_GT(counts.read, kDamagedCases / 100);
   EXPECT_GT(counts.refused, kDamagedCases / 10);
   return counts;

@@ -5,15 +5,23 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <random>
 #include <string>
 
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
+#include "support/figures.hpp"
 
 namespace microslip::test {
 
 inline constexpr int kDamagedFiles = 10000;
+
+/// Fewer where each file takes a process of its own, all of them where MICROSLIP_ALL_DAMAGED_FILES
+/// is set.
+inline int damaged_files(int fewer) {
+  return std::getenv("MICROSLIP_ALL_DAMAGED_FILES") == nullptr ? fewer : kDamagedFiles;
+}
 
 /// The message is one line that names the file.
 inline void expect_named(const std::string& message, const std::string& path) {
@@ -47,6 +55,7 @@ void read_cut(const std::string& path, std::uint64_t seed, const Read& read,
   for (int i = 0; i < files; ++i) {
     taken += survives(path, whole.substr(0, random() % whole.size()), read) ? 1 : 0;
   }
+  record_sum("cut [1]", files);
   EXPECT_LT(taken, files / 20);
   put(path, whole);
   read();
@@ -71,6 +80,7 @@ void read_changed(const std::string& path, std::uint64_t seed, const Read& read,
     }
     refused += survives(path, content, read) ? 0 : 1;
   }
+  record_sum("changed [1]", files);
   EXPECT_GT(refused, files / 20);
 }
 

@@ -52,6 +52,13 @@ TEST(FileKind, KnowsOtherFormats) {
   EXPECT_EQ(file_kind("    -1\n    58\n"), "a universal file");
 }
 
+// Only the mark in its head makes a page a report, not a text that speaks of it.
+TEST(FileKind, TellsAReportFromOtherPages) {
+  const std::string mark = "<meta name=\"generator\" content=\"microslip report\">";
+  EXPECT_EQ(file_kind("<!doctype html>\n<html><head>" + mark + "</head><body>"), kReportKind);
+  EXPECT_EQ(file_kind("<!doctype html>\n<html><head></head><body>" + mark), "an HTML page");
+}
+
 TEST(FileKind, TellsHistoriesApartByAllOfTheirColumns) {
   EXPECT_EQ(file_kind("time [s],force [N],acc1 [m/s^2]\n"), "a table of 'time, force, acc1'");
   EXPECT_NE(file_kind("time [s],displacement [m],force [N]\n"),

@@ -96,6 +96,27 @@ TEST_F(Hdf5Recording, SurvivesInSeveralChunks) {
   test::expect_same(read_recordings_hdf5(path_).recordings, written);
 }
 
+// The same recording makes the same file, whenever it is written: no object keeps its times.
+TEST_F(Hdf5Recording, HoldsNoTimes) {
+  write_recordings_hdf5(path_, std::vector<Recording>{test::time_recording(100)});
+  const hid_t file = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const auto keeps_times = [](hid_t properties) {
+    hbool_t tracked = true;
+    H5Pget_obj_track_times(properties, &tracked);
+    H5Pclose(properties);
+    return tracked;
+  };
+  for (const char* name : {"/", "/recording_1"}) {
+    const hid_t group = H5Gopen2(file, name, H5P_DEFAULT);
+    EXPECT_FALSE(keeps_times(H5Gget_create_plist(group))) << name;
+    H5Gclose(group);
+  }
+  const hid_t dataset = H5Dopen2(file, "/recording_1/channel_1", H5P_DEFAULT);
+  EXPECT_FALSE(keeps_times(H5Dget_create_plist(dataset)));
+  H5Dclose(dataset);
+  H5Fclose(file);
+}
+
 TEST_F(Hdf5Recording, TakesDatasetsWithTheUsualAttributes) {
   {
     OtherFile file(path_);
@@ -255,7 +276,7 @@ TEST_F(Hdf5Recording, ReadsOrRefusesDamagedFilesOfOthers) {
   const auto read = [&] {
     for (const Recording& r : read_recordings_hdf5(path_).recordings) check_recording(r);
   };
-  test::read_changed(path_, 3, read, 500);
+  test::read_changed(path_, 3, read, test::damaged_files(500));
 }
 
 }  // namespace

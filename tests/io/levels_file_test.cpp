@@ -45,6 +45,36 @@ TEST(LevelsFile, ReadsWhatIsOptional) {
   EXPECT_EQ(file.levels.secant_stiffness_std, Numbers{1.0});
 }
 
+// As recordings, and as spreadsheets write it; other parentheses belong to the name.
+TEST(LevelsFile, TakesUnitsInParentheses) {
+  const LevelsFile file =
+      parse_levels("amplitude (µm);dissipation (mJ);note (a);note (b)\n2,5;3;x;y\n", "levels.csv");
+  EXPECT_EQ(file.levels.amplitude, Numbers{2.5e-6});
+  EXPECT_EQ(file.levels.dissipation, Numbers{3e-3});
+}
+
+TEST(LevelsFile, ReadsTheLinearLossWhereItIsAskedFor) {
+  const std::string text =
+      "amplitude [m],dissipation [J],linear_dissipation [mJ],reversals [1],flags\n"
+      "1,2,3,2,\n2,3,4,6,spike\n3,4,5,2,clipped few_cycles\n";
+  EXPECT_TRUE(parse_levels(text, "levels.csv").levels.linear_dissipation.empty());
+  const LevelsFile file = parse_levels(text, "levels.csv", {.linear_dissipation = true});
+  EXPECT_EQ(file.levels.linear_dissipation, (Numbers{3e-3, 4e-3, 5e-3}));
+  const LevelsFile usable = without_inner_reversals(file);
+  EXPECT_EQ(usable.levels.linear_dissipation, (Numbers{3e-3, 5e-3}));
+  EXPECT_EQ(usable.flags, (std::vector<std::string>{"", "clipped few_cycles"}));
+  const auto fault_with_loss = [](const std::string& table) {
+    return message_of<FormatError>(
+        [&] { return parse_levels(table, "levels.csv", {.linear_dissipation = true}); });
+  };
+  EXPECT_NE(fault_with_loss("amplitude [m],dissipation [J]\n1,2\n")
+                .find("expected a column 'linear_dissipation [J]'"),
+            std::string::npos);
+  EXPECT_NE(fault_with_loss("amplitude [m],dissipation [J],linear_dissipation [J]\n1,2,-3\n")
+                .find("levels.csv:2:5"),
+            std::string::npos);
+}
+
 TEST(LevelsFile, LeavesOrderRepetitionAndNumberToTheIdentification) {
   EXPECT_EQ(parse_levels("amplitude [m],dissipation [J]\n1,0\n", "").levels.size(), 1U);
   EXPECT_EQ(parse_levels("amplitude [m],dissipation [J]\n2,1\n1,1\n2,1\n", "").levels.amplitude,

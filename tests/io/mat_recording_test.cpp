@@ -41,6 +41,14 @@ TEST_F(MatRecording, SurvivesTheRoundTripBitForBit) {
   }
 }
 
+// The heading of matio would hold the time, and no two files of one recording would be the same.
+TEST_F(MatRecording, HeadingHoldsNoTime) {
+  write_mat(path_, test::twelve_recordings(), MatVersion::k5);
+  const std::string heading = test::get(path_).substr(0, 116);
+  const std::string text = "MATLAB 5.0 MAT-file, written by microslip";
+  EXPECT_EQ(heading, text + '\0' + std::string(115 - text.size(), ' '));
+}
+
 TEST_F(MatRecording, ReadsOneOfSeveral) {
   const std::vector<Recording> written = test::twelve_recordings();
   write_recordings_mat(path_, written);
@@ -131,8 +139,8 @@ TEST_F(MatRecording, ReadsOrRefusesDamagedFilesOfVersion73) {
   const auto read = [&] {
     for (const Recording& r : read_recordings_mat(path_).recordings) check_recording(r);
   };
-  test::read_cut(path_, 7, read, 1000);
-  test::read_changed(path_, 8, read, 500);
+  test::read_cut(path_, 7, read, test::damaged_files(1000));
+  test::read_changed(path_, 8, read, test::damaged_files(500));
 }
 
 TEST_F(MatRecording, TakesTheWholeVariablesOfACutFile) {

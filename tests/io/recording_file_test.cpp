@@ -3,13 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
+#include "microslip/base/random.hpp"
 #include "microslip/io/recording_csv.hpp"
+#include "support/figures.hpp"
 
 namespace microslip {
 namespace {
@@ -131,6 +136,49 @@ TEST(RecordingFile, CsvHoldsOneRecording) {
   });
   EXPECT_NE(fault.find("2 recordings; must be one in a CSV file"), std::string::npos) << fault;
   EXPECT_TRUE(folder.names().empty());
+}
+
+/// The number of samples and times of two recordings that differ in a bit.
+int differences(const Recording& a, const Recording& b) {
+  int count = a.size() == b.size() && a.channels.size() == b.channels.size() ? 0 : 1;
+  const auto same = [](double x, double y) {
+    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+  };
+  for (std::size_t i = 0; i < a.size() && count == 0; ++i) {
+    count += same(a.axis.at(i), b.axis.at(i)) ? 0 : 1;
+    for (std::size_t c = 0; c < a.channels.size(); ++c) {
+      count += same(a.channels[c].values[i], b.channels[c].values[i]) ? 0 : 1;
+    }
+  }
+  return count;
+}
+
+// What one format holds the next holds too. Text has 13 digits: what counts is what is read of it.
+TEST(RecordingFile, SurvivesEachFormatInTurn) {
+  const test::TemporaryFolder folder;
+  RandomStream random(5, 0);
+  Recording recording = sample();
+  recording.axis.step = 1.0 / 8192.0;
+  for (Channel& channel : recording.channels) {
+    channel.values.resize(2000);
+    for (double& value : channel.values) value = std::exp(40.0 * random.normal()) * random.normal();
+  }
+  write(folder.file("r.uff"), {recording}, RecordingFormat::kUff);
+  const Recording first = read_recordings(folder.file("r.uff"), {}).recordings.at(0);
+  Recording last = first;
+  for (const auto& [name, format] :
+       {std::pair{"r.58b", RecordingFormat::kUffBinary}, std::pair{"r.h5", RecordingFormat::kHdf5},
+        std::pair{"r.mat", RecordingFormat::kMat},
+        std::pair{"again.58b", RecordingFormat::kUffBinary}}) {
+    write(folder.file(name), {last}, format);
+    last = read_recordings(folder.file(name), {}).recordings.at(0);
+    EXPECT_EQ(differences(last, first), 0) << name;
+    for (std::size_t c = 0; c < first.channels.size(); ++c) {
+      EXPECT_EQ(last.channels.at(c).name, first.channels[c].name) << name;
+      EXPECT_EQ(last.channels.at(c).dimension, first.channels[c].dimension) << name;
+    }
+  }
+  test::record_largest("changed [1]", differences(last, first));
 }
 
 TEST(RecordingFile, ReplacesItsOwnKindAlone) {

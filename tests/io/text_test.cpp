@@ -22,6 +22,11 @@ TEST(Text, QuotesBytesThatAreNoPrintableUtf8AsHex) {
   EXPECT_EQ(in_quotes("\xC2\x9B"), "'\\xC2\\x9B'") << "C1 control: terminals obey it";
 }
 
+TEST(Text, IsPrintable) {
+  EXPECT_EQ(printable("a\x1B[1mµ\n\xB5"), "a\\x1B[1mµ\\x0A\\xB5");
+  EXPECT_EQ(printable(""), "");
+}
+
 TEST(Text, QuotesTheBeginningOfLongText) {
   EXPECT_EQ(in_quotes(std::string(1000, 'x'), 5), "'xxxxx…' (1000 bytes)");
   EXPECT_EQ(in_quotes("µµµ", 3), "'µµ…' (6 bytes)") << "characters stay whole";

@@ -13,6 +13,7 @@
 
 #include "io/uff_support.hpp"
 #include "microslip/io/uff55.hpp"
+#include "support/figures.hpp"
 
 namespace microslip {
 namespace {
@@ -154,6 +155,7 @@ TEST_P(UffDamaged, Truncated) {
   std::mt19937_64 random(static_cast<std::uint64_t>(100 + GetParam()));
   const std::string whole = original();
   for (int i = 0; i < kCases; ++i) read(whole.substr(0, random() % whole.size()), i % 2 == 0);
+  test::record_sum("cut [1]", kCases);
   EXPECT_GT(counts_.read, kCases / 100);
   EXPECT_GT(counts_.refused, kCases / 10);
 }
@@ -162,6 +164,7 @@ TEST_P(UffDamaged, Corrupted) {
   std::mt19937_64 random(static_cast<std::uint64_t>(200 + GetParam()));
   const std::string whole = original();
   for (int i = 0; i < kCases; ++i) read(corrupted(whole, random), i % 2 == 0);
+  test::record_sum("changed [1]", kCases);
   EXPECT_GT(counts_.read, kCases / 100);
   EXPECT_GT(counts_.refused, kCases / 10);
 }

@@ -12,6 +12,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/joint/dissipation.hpp"
+#include "support/figures.hpp"
 #include "support/quadrature.hpp"
 #include "support/reference_csv.hpp"
 
@@ -69,6 +70,8 @@ TEST(FourParameterJoint, AgreesWithIndependentValues) {
     EXPECT_NEAR(joint.macroslip_displacement(), end, 1e-10 * end) << "row " << i;
     EXPECT_NEAR(joint.virgin_force(x), force, 1e-10 * force) << "row " << i;
     EXPECT_NEAR(dissipation(joint, x), energy, 1e-10 * energy) << "row " << i;
+    test::record_deviation("force", joint.virgin_force(x), force);
+    test::record_deviation("dissipation", dissipation(joint, x), energy);
   }
 }
 
@@ -89,6 +92,7 @@ TEST(PowerLawJoint, SlopeOfDissipationOverForceAgreesWithIndependentValues) {
     const double computed = dissipation_slope(joint, amplitude) / dissipation(joint, amplitude) *
                             joint.virgin_force(amplitude) / joint.tangent_stiffness(amplitude);
     EXPECT_NEAR(computed, slope, 1e-10 * slope) << "row " << i;
+    test::record_deviation("slope", computed, slope);
     // The closed form of [AR14] for this joint, s = √(kA).
     const double s = std::sqrt(1000.0 * amplitude);
     EXPECT_NEAR(computed, 2.5 * (1.0 - 2.0 / 15.0 * s) / (1.0 - s / 5.0), 1e-10 * slope);

@@ -16,6 +16,7 @@
 #include "microslip/base/random.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/jenkins_network.hpp"
+#include "support/figures.hpp"
 #include "support/random_path.hpp"
 #include "support/reference_csv.hpp"
 
@@ -84,6 +85,9 @@ TEST(Memory, FollowsAnIndependentlyComputedNestedPath) {
   for (std::size_t i = 0; i < x.size(); ++i) {
     EXPECT_NEAR(atoms[i], table["force_atoms [N]"][i], 1e-12) << "row " << i;
     EXPECT_NEAR(four[i], table["force_four_parameter [N]"][i], 2e-6) << "row " << i;
+    test::record_largest("atoms [N]", std::abs(atoms[i] - table["force_atoms [N]"][i]));
+    test::record_largest("four-parameter [N]",
+                         std::abs(four[i] - table["force_four_parameter [N]"][i]));
   }
 }
 
@@ -117,7 +121,7 @@ TEST(Memory, AgreesWithTheSameSlidersOneByOne) {
     }
     EXPECT_GT(largest, 5.0);
     EXPECT_LE(error, 1e-12) << "seed " << seed;
-    RecordProperty("error_N_seed_" + std::to_string(seed), ::testing::PrintToString(error));
+    test::record_largest("error [N]", error);
   }
 }
 

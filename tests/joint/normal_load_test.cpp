@@ -10,6 +10,7 @@
 
 #include "microslip/joint/jenkins_network.hpp"
 #include "microslip/joint/memory.hpp"
+#include "support/figures.hpp"
 #include "support/random_path.hpp"
 #include "support/reference_csv.hpp"
 
@@ -78,8 +79,8 @@ TEST(NormalLoad, AgreesWithIndependentValues) {
   }
   EXPECT_LT(incremental_error, 2e-3);
   EXPECT_LT(total_error, 1e-12);
-  RecordProperty("incremental_error_N", ::testing::PrintToString(incremental_error));
-  RecordProperty("total_error_N", ::testing::PrintToString(total_error));
+  test::record_largest("incremental law [N]", incremental_error);
+  test::record_largest("total law [N]", total_error);
 }
 
 // The total law needs no step at all: it only sees where the path turns.
@@ -129,7 +130,7 @@ TEST(NormalLoad, IncrementalLawConvergesWithSecondOrder) {
     EXPECT_NEAR(order, 2.0, scatter) << name;
     EXPECT_LT(errors.front(), 1e-3) << name;
     RecordProperty(std::string(name) + "_errors_N", ::testing::PrintToString(errors));
-    RecordProperty(std::string(name) + "_order", ::testing::PrintToString(order));
+    test::record_smallest("order [1]", order);
   };
   check("published", 0.02, published_cycle);
   check("other", 0.2, other_cycle);

@@ -14,6 +14,7 @@
 #include "microslip/identify/identification.hpp"
 #include "microslip/joint/secant.hpp"
 #include "support/densities.hpp"
+#include "support/figures.hpp"
 #include "support/reference_csv.hpp"
 #include "support/rigs.hpp"
 
@@ -78,10 +79,17 @@ TEST(Reduction, ReferenceRecordingsWithVibrometer) {
     if (i >= 3) {
       EXPECT_LE(relative(level.amplitude.value, truth.amplitude), 1e-3);
       EXPECT_LE(relative(level.dissipation.value, truth.dissipation), 5e-3);
+      test::record_deviation("amplitude", level.amplitude.value, truth.amplitude);
+      test::record_deviation("dissipation", level.dissipation.value, truth.dissipation);
     }
     const double noise = noise_of_energy(level, recording.size());
     EXPECT_LE(level.input_energy.std, 1.5 * noise);
     EXPECT_GE(level.input_energy.std, noise / 1.5);
+    test::record_largest("scatter over noise [1]", level.input_energy.std / noise);
+    test::record_largest("noise over scatter [1]", noise / level.input_energy.std);
+    test::record_largest("difference of both energies [standard errors]",
+                         std::abs(level.input_energy.value - level.input_energy_by_sum->value) /
+                             std::hypot(level.input_energy.std, level.input_energy_by_sum->std));
     EXPECT_LE(std::abs(level.input_energy.value - level.input_energy_by_sum->value),
               3.0 * std::hypot(level.input_energy.std, level.input_energy_by_sum->std));
   }
@@ -95,6 +103,7 @@ TEST(Reduction, ReferenceRecordingsWithoutVibrometer) {
     SCOPED_TRACE(i);
     const ReducedLevel level = reducer.reduce(testing::reference_recording(i));
     EXPECT_LE(relative(level.amplitude.value, kTruth[i - 1].amplitude), 1e-3);
+    if (i >= 3) test::record_deviation("amplitude", level.amplitude.value, kTruth[i - 1].amplitude);
   }
 }
 
@@ -110,6 +119,7 @@ TEST(Reduction, ConvergedModesWithoutVibrometer) {
     SCOPED_TRACE(i);
     const ReducedLevel level = reducer.reduce(testing::reference_recording(i));
     EXPECT_LE(relative(level.amplitude.value, kTruth[i - 1].amplitude), 1.2e-2);
+    test::record_deviation("amplitude", level.amplitude.value, kTruth[i - 1].amplitude);
     EXPECT_LE(relative(level.dissipation.value, kTruth[i - 1].dissipation), 5e-3);
   }
 }
@@ -182,7 +192,7 @@ double density_error_of(const Rig& rig, std::uint64_t seed) {
 TEST(Reduction, UnseenRigWithVibrometer) {
   for (const std::uint64_t seed : {1, 2, 3}) {
     const double error = density_error_of(unseen_rig(), seed);
-    RecordProperty("density_error_" + std::to_string(seed), std::to_string(error));
+    test::record_largest("density error [1]", error);
     EXPECT_LE(error, 0.04) << seed;
   }
 }
@@ -192,7 +202,7 @@ TEST(Reduction, UnseenRigWithoutVibrometer) {
   rig.vibrometer.reset();
   for (const std::uint64_t seed : {1, 2, 3}) {
     const double error = density_error_of(rig, seed);
-    RecordProperty("density_error_" + std::to_string(seed), std::to_string(error));
+    test::record_largest("density error [1]", error);
     EXPECT_LE(error, 0.10) << seed;
   }
 }

@@ -3,12 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/io/model_file.hpp"
+#include "microslip/io/rig_file.hpp"
 #include "support/densities.hpp"
 #include "support/reference_csv.hpp"
 #include "support/rigs.hpp"
@@ -36,6 +40,39 @@ TEST(RigStructure, VibratesAsAnotherProgramFound) {
     EXPECT_NEAR(level.joints[0].dissipation, table["dissipation [J]"][i],
                 1e-3 * level.joints[0].dissipation);
   }
+}
+
+// The shapes in the file have ten digits.
+TEST(RigStructure, IsTheModelOfTheExample) {
+  const std::string folder = std::string(MICROSLIP_EXAMPLES) + "/reference_rig";
+  const ModelFile example = read_model(folder + "/model.toml");
+  const Rig rig = read_rig(folder + "/rig.toml");
+  const StickState state = stick_state(rig, 7);
+  const JointedStructure expected = rig_structure(rig, state, testing::reference_joint());
+  const auto expect_near = [](std::span<const double> found, std::span<const double> wanted) {
+    ASSERT_EQ(found.size(), wanted.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      EXPECT_NEAR(found[i], wanted[i], 1e-9 * std::abs(wanted[i]));
+    }
+  };
+  const ModalModel& linear = example.structure.linear();
+  ASSERT_EQ(linear.size(), state.modes());
+  for (std::size_t i = 0; i < linear.size(); ++i) {
+    EXPECT_NEAR(linear.modes()[i].angular_frequency, state.omega[i], 1e-9 * state.omega[i]);
+    EXPECT_EQ(linear.modes()[i].loss_factor, state.loss_factor[i]);
+  }
+  EXPECT_EQ(example.structure.damping(), expected.damping());
+  expect_near(linear.shape("exciter"), state.excitation);
+  expect_near(linear.shape("exciter"), state.accelerometer[0]);
+  expect_near(linear.shape("middle"), state.accelerometer[1]);
+  expect_near(linear.shape("clamped side"), state.accelerometer[2]);
+  const StructuralJoint& joint = example.structure.joints()[0];
+  const StructuralJoint& contact = expected.joints()[0];
+  expect_near(joint.shape, contact.shape);
+  expect_near(joint.shortening, contact.shortening);
+  EXPECT_EQ(joint.spring_in_modes, contact.spring_in_modes);
+  EXPECT_NEAR(joint.series_compliance, contact.series_compliance, 1e-9 * contact.series_compliance);
+  EXPECT_EQ(joint.joint.stiffness(), contact.joint.stiffness());
 }
 
 // A drive is set to a tenth of a hertz, and half of that off resonance turns the phase by more than

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -102,6 +103,10 @@ TEST(Verification, AnIdentifiedJointPredictsWithinTwoPercent) {
   }
 }
 
+bool warns(const Verification& record, std::string_view code) {
+  return std::ranges::any_of(record.warnings, [&](const Warning& w) { return w.code == code; });
+}
+
 TEST(Verification, AWrongJointIsSeenAndItsErrorNamed) {
   const Joint truth = reference_joint();
   const Joint soft(0.9 * truth.stiffness(), truth.density());
@@ -119,6 +124,9 @@ TEST(Verification, AWrongJointIsSeenAndItsErrorNamed) {
     ASSERT_TRUE(record.predicted.frequency_offset);
     EXPECT_LE(*record.predicted.frequency_offset, 0.6 * stuck);
     EXPECT_GE(*record.predicted.frequency_offset, 1.05 * stuck);
+    EXPECT_TRUE(warns(record, "resonance_off"));
+    EXPECT_TRUE(warns(record, "force_off"));
+    EXPECT_TRUE(right.warnings.empty()) << right.warnings.front().text;
   }
 }
 
@@ -291,7 +299,7 @@ TEST(Verification, WarnsBeyondTheIdentification) {
   EXPECT_TRUE(warnings(3).empty());   // 44 µm
   EXPECT_EQ(warnings(5).size(), 1U);  // 194 µm
   EXPECT_EQ(warnings(5).front().code, "beyond_identification");
-  EXPECT_NE(warnings(5).front().text.find("94 % more than the 100 um"), std::string::npos)
+  EXPECT_NE(warnings(5).front().text.find("1.94 times the 100 µm"), std::string::npos)
       << warnings(5).front().text;
   options.covered_to = {};
   EXPECT_TRUE(warnings(6).empty());

@@ -16,6 +16,7 @@
 #include "microslip/rig/shaker.hpp"
 #include "microslip/rig/stick_state.hpp"
 #include "support/densities.hpp"
+#include "support/figures.hpp"
 #include "support/reference_csv.hpp"
 #include "support/rigs.hpp"
 
@@ -104,6 +105,8 @@ TEST(VirtualTest, HoldsResponseFrequencyAndForceAtAll90Levels) {
   for (const VirtualLevel& level : test.levels) {
     EXPECT_TRUE(level.warnings.empty());
     EXPECT_LE(force_distortion(level.controlled, 10), 0.003) << level.number;
+    test::record_largest("controlled [1]", force_distortion(level.controlled, 10));
+    test::record_largest("uncontrolled [1]", force_distortion(level.uncontrolled, 10));
     EXPECT_NEAR(level.controlled.vibration.response, level.response, 1e-9 * level.response);
     EXPECT_NEAR(level.uncontrolled.vibration.response, level.response, 1e-9 * level.response);
     EXPECT_NEAR(level.frequency, level.resonance_frequency, 0.05 + 1e-9);

@@ -10,6 +10,7 @@
 
 #include "microslip/base/error.hpp"
 #include "signal/synthetic.hpp"
+#include "support/figures.hpp"
 
 namespace microslip {
 namespace {
@@ -50,8 +51,11 @@ FourierFit fit_of(const Record& record, const FourierFitOptions& options = {}) {
 void expect_exact(const FourierFit& fit, const Record& record) {
   ASSERT_TRUE(fit.summary.converged()) << fit.summary.reason;
   EXPECT_NEAR(fit.frequency() / kFrequency, 1.0, 1e-10);
+  test::record_deviation("frequency", fit.frequency(), kFrequency);
   for (std::size_t j = 0; j < record.truth.size(); ++j) {
     EXPECT_LT(test::coefficient_error(fit.series[j], record.truth[j]), 1e-9);
+    test::record_largest("coefficients [1]",
+                         test::coefficient_error(fit.series[j], record.truth[j]));
     EXPECT_NEAR(fit.series[j].mean, 5.0, 1e-9);
     EXPECT_NEAR(fit.series[j].trend.at(0), 0.3, 1e-9);
     EXPECT_LT(fit.residual_rms[j], 1e-9);

@@ -19,7 +19,8 @@
 
 namespace microslip::testing {
 
-/// A steel beam that slides on a rod; accelerometers acc1 (at the exciter) to acc3, vibrometer ldv.
+/// A steel beam that slides on a rod; accelerometers `acc1` (at the exciter) to `acc3`, vibrometer
+/// `ldv`.
 inline Rig reference_rig() {
   Rig rig;
   rig.structure = RigBeam{.length = 0.583,

@@ -27,6 +27,10 @@ InputError::InputError(std::string_view what, std::string_view value, std::strin
                        std::string_view remedy)
     : Error(fmt::format("{} = {}; {}{}", what, value, rule, sentence(remedy))), name_(what) {}
 
+InputError::InputError(std::string_view what, InputState state, std::string_view rule,
+                       std::string_view remedy)
+    : Error(fmt::format("{} is {}; {}{}", what, state.text, rule, sentence(remedy))), name_(what) {}
+
 InputError InputError::renamed(std::string_view name) const {
   InputError copy = *this;
   static_cast<Error&>(copy) = Error(fmt::format("{}{}", name, what() + name_.size()));

@@ -19,6 +19,11 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What is found where there is no value to show: "missing", "complex".
+struct InputState {
+  std::string_view text;  ///< after "is"
+};
+
 /// A value given by the caller breaks a rule: "what = value; rule. remedy".
 class InputError : public Error {
  public:
@@ -29,7 +34,11 @@ class InputError : public Error {
   /// @param remedy  what to do about it, a sentence; may be empty.
   InputError(std::string_view what, double value, std::string_view rule,
              std::string_view remedy = {});
+  /// The same for a value that is a text.
   InputError(std::string_view what, std::string_view value, std::string_view rule,
+             std::string_view remedy = {});
+  /// "what is missing; rule. remedy".
+  InputError(std::string_view what, InputState state, std::string_view rule,
              std::string_view remedy = {});
 
   /// The name of the argument or key.
@@ -44,20 +53,26 @@ class InputError : public Error {
 
 /// A place in a text: 1-based line and column; 0 where it is not known.
 struct TextPlace {
-  std::string file;
-  std::size_t line = 0;
-  std::size_t column = 0;
+  std::string file;        ///< its name; empty where it has none
+  std::size_t line = 0;    ///< from 1
+  std::size_t column = 0;  ///< from 1
 };
 
-/// "file:line:column" without what is not known; "input" for a text without a name.
+/// As messages begin: "levels.csv:12:3", without what is not known; "input" for a text without
+/// name.
 [[nodiscard]] std::string place_text(const TextPlace& place);
 
-/// A text does not have the form it must have: "file:line:column: expected …, found …. remedy".
+/// A text does not have the form it must have: "place: expected …, found …. remedy".
 class FormatError : public Error {
  public:
+  /// @param place     where it is.
+  /// @param expected  what should stand there: "a number".
+  /// @param found     what stands there.
+  /// @param remedy    what to do about it, a sentence; may be empty.
   FormatError(const TextPlace& place, std::string_view expected, std::string_view found,
               std::string_view remedy = {});
 
+  /// Where it is.
   [[nodiscard]] const TextPlace& place() const { return place_; }
 
  private:
@@ -69,6 +84,7 @@ class FileError : public Error {
  public:
   /// @param path    the file's path.
   /// @param reason  what the system said, for instance "permission denied".
+  /// @param remedy  what to do about it, a sentence; may be empty.
   FileError(std::string_view path, std::string_view reason, std::string_view remedy = {});
 };
 

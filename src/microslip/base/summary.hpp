@@ -14,17 +14,19 @@ enum class Status {
   kNotConverged,  ///< it does not; the result is the best that was found
 };
 
+/// "not run", "converged", "not converged".
 [[nodiscard]] std::string_view to_string(Status status);
 
 /// What every numerical method says about its run. Pessimistic until filled in.
 struct Summary {
-  Status status = Status::kNotRun;
+  Status status = Status::kNotRun;     ///< how it ended
   std::string method;                  ///< "regularised convex inversion"
   std::string reason = "was not run";  ///< why it stopped, in words
   double residual = 0.0;               ///< what the stopping rule measures, relative, 1
-  int iterations = 0;
-  double wall_seconds = 0.0;
+  int iterations = 0;                  ///< that it took
+  double wall_seconds = 0.0;           ///< wall time, s
 
+  /// Whether the stopping rule holds.
   [[nodiscard]] bool converged() const { return status == Status::kConverged; }
 
   /// One line: method, status, iterations, residual, time.

@@ -14,52 +14,58 @@ namespace microslip {
 /// The exponents of metre, kilogram, second and radian. The radian counts, so that a frequency in
 /// Hz and an angular frequency in rad/s are two things and no factor 2π is lost between them.
 struct Dimension {
-  int length = 0;
-  int mass = 0;
-  int time = 0;
-  int angle = 0;
+  int length = 0;  ///< of the metre
+  int mass = 0;    ///< of the kilogram
+  int time = 0;    ///< of the second
+  int angle = 0;   ///< of the radian
 
+  /// Whether all exponents are the same.
   friend constexpr bool operator==(const Dimension&, const Dimension&) = default;
 
+  /// The dimension of a product.
   friend constexpr Dimension operator*(const Dimension& a, const Dimension& b) {
     return {a.length + b.length, a.mass + b.mass, a.time + b.time, a.angle + b.angle};
   }
 
+  /// The dimension of a quantity to the power n.
   [[nodiscard]] constexpr Dimension power(int n) const {
     return {n * length, n * mass, n * time, n * angle};
   }
 
+  /// The dimension of a quotient.
   friend constexpr Dimension operator/(const Dimension& a, const Dimension& b) {
     return a * b.power(-1);
   }
 };
 
-inline constexpr Dimension kDimensionless{};
-inline constexpr Dimension kLength{.length = 1};
-inline constexpr Dimension kMass{.mass = 1};
-inline constexpr Dimension kTime{.time = 1};
-inline constexpr Dimension kAngle{.angle = 1};
-inline constexpr Dimension kFrequency = kTime.power(-1);
-inline constexpr Dimension kAngularFrequency = kAngle / kTime;
-inline constexpr Dimension kVelocity = kLength / kTime;
-inline constexpr Dimension kAcceleration = kVelocity / kTime;
-inline constexpr Dimension kForce = kMass * kAcceleration;
-inline constexpr Dimension kEnergy = kForce * kLength;
-inline constexpr Dimension kStiffness = kForce / kLength;
-inline constexpr Dimension kPerForce = kForce.power(-1);
-inline constexpr Dimension kPressure = kForce / kLength.power(2);
-inline constexpr Dimension kMassDensity = kMass / kLength.power(3);
+inline constexpr Dimension kDimensionless{};                         ///< 1
+inline constexpr Dimension kLength{.length = 1};                     ///< m
+inline constexpr Dimension kMass{.mass = 1};                         ///< kg
+inline constexpr Dimension kTime{.time = 1};                         ///< s
+inline constexpr Dimension kAngle{.angle = 1};                       ///< rad
+inline constexpr Dimension kFrequency = kTime.power(-1);             ///< Hz, which is 1/s
+inline constexpr Dimension kAngularFrequency = kAngle / kTime;       ///< rad/s
+inline constexpr Dimension kVelocity = kLength / kTime;              ///< m/s
+inline constexpr Dimension kAcceleration = kVelocity / kTime;        ///< m/s²
+inline constexpr Dimension kForce = kMass * kAcceleration;           ///< N
+inline constexpr Dimension kEnergy = kForce * kLength;               ///< J
+inline constexpr Dimension kStiffness = kForce / kLength;            ///< N/m
+inline constexpr Dimension kPerForce = kForce.power(-1);             ///< 1/N
+inline constexpr Dimension kPressure = kForce / kLength.power(2);    ///< Pa
+inline constexpr Dimension kMassDensity = kMass / kLength.power(3);  ///< kg/m³
 
 inline constexpr double kStandardGravity = 9.80665;  ///< m/s², exact by definition
 
 /// A unit: value in SI = value·numerator/denominator. Two factors, so that powers of ten stay
 /// exact: 3 um is the double nearest to 3e-6.
 struct Unit {
-  double numerator = 1.0;
-  double denominator = 1.0;
-  Dimension dimension;
+  double numerator = 1.0;    ///< of the factor to SI
+  double denominator = 1.0;  ///< of the factor to SI
+  Dimension dimension;       ///< what the unit measures
 
+  /// A value in this unit in SI.
   [[nodiscard]] double to_si(double value) const { return value * numerator / denominator; }
+  /// One of this unit in SI.
   [[nodiscard]] double factor() const { return numerator / denominator; }
 };
 

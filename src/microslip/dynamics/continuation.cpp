@@ -152,15 +152,17 @@ bool Continuation::add(const VectorXd& z, ResponseCurve& curve) {
     return true;
   }
   stop(curve, Status::kNotConverged,
-       fmt::format("{}, at {:.9g} rad/s, force {:.6g} N", doubt, vibration.angular_frequency,
+       fmt::format("{}, at {:.9g} Hz, force {:.6g} N", doubt, vibration.frequency(),
                    vibration.force_amplitude));
   return false;
 }
 
 std::string Continuation::place(const Point& point) const {
   const Index n = equations_.balance_count();
-  return fmt::format("at {:.9g} rad/s, force {:.6g} N, {} {:.9g}", point.z[n], point.z[n + 1],
-                     to_string(along_), point.along);
+  std::string text = fmt::format(
+      "at {}, force {:.6g} N", describe({Quantity::kAngularFrequency, point.z[n]}), point.z[n + 1]);
+  if (along_ == Quantity::kResponse) text += ", " + describe({along_, point.along});
+  return text;
 }
 
 void Continuation::stop(ResponseCurve& curve, Status status, const std::string& reason) {
@@ -316,7 +318,7 @@ bool Continuation::land(const Point& before, const Point& after, double limit,
   }
   curve.summary.residual = std::max(curve.summary.residual, result.residual);
   stop(curve, Status::kNotConverged,
-       fmt::format("the last point, {} = {:.9g}, was not found: {}", to_string(along_), limit,
+       fmt::format("the last point, {}, was not found: {}", describe({along_, limit}),
                    result.reason));
   return false;
 }

@@ -125,18 +125,15 @@ struct Run {
     result.converged = false;
     result.reason = fmt::format(
         "no level up to {:.6g} of the response has this phase there; from "
-        "{:.9g} rad/s the frequency went to {:.9g} rad/s",
-        walk.level(), stuck, walk.z()[n]);
+        "{} it went to {}",
+        walk.level(), describe({Quantity::kAngularFrequency, stuck}),
+        describe({Quantity::kAngularFrequency, walk.z()[n]}));
     return {result, walk.z()};
   }
 
   BalanceEquations equations;
   NewtonOptions newton_options;
 };
-
-std::string describe(const Target& target) {
-  return fmt::format("{} {:.9g}", to_string(target.quantity), target.value);
-}
 
 VibrationResult to_result(Run& run, const Run::Outcome& outcome, const Target& first,
                           const Target& second, Clock::time_point start) {
@@ -151,8 +148,8 @@ VibrationResult to_result(Run& run, const Run::Outcome& outcome, const Target& f
   s.reason = outcome.newton.converged && !converged ? doubt : outcome.newton.reason;
   if (!converged) {
     s.reason +=
-        fmt::format("; asked for {} and {}, got to {:.9g} rad/s, force {:.6g} N, response {:.6g}",
-                    describe(first), describe(second), result.vibration.angular_frequency,
+        fmt::format("; asked for {} and {}, got to {:.9g} Hz, force {:.6g} N, response {:.6g}",
+                    describe(first), describe(second), result.vibration.frequency(),
                     result.vibration.force_amplitude, result.vibration.response);
   }
   s.residual = outcome.newton.residual;
@@ -312,12 +309,12 @@ ResponseCurve HarmonicBalance::backbone(std::span<const double> responses, std::
   if (!result.converged) {
     run.equations.evaluate(begin.newton.converged ? walk.z() : begin.z);
     s.reason = fmt::format(
-        "stuck at the response {:.6g} on the way to {:.6g}, at {:.9g} rad/s: {}; if phase "
-        "resonance "
+        "stuck at the response {:.6g} on the way to {:.6g}, at {}: {}; if phase resonance "
         "turns back there, following it over the response passes the point",
         run.equations.value(Quantity::kResponse),
         responses[std::min(curve.points.size(), responses.size() - 1)],
-        run.equations.value(Quantity::kAngularFrequency), result.reason);
+        describe({Quantity::kAngularFrequency, run.equations.value(Quantity::kAngularFrequency)}),
+        result.reason);
   }
   if (!result.converged) s.residual = result.residual;
   s.wall_seconds = seconds_since(start);

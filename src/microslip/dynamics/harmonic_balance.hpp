@@ -12,6 +12,7 @@
 
 namespace microslip {
 
+/// How HarmonicBalance discretises and solves.
 struct HarmonicBalanceOptions {
   /// H: harmonics 0 to H are kept; from 1, and from the highest of the excitation. 3 serve where
   /// the joint hardly slips, 9 in macro-slip.
@@ -53,14 +54,18 @@ class HarmonicBalance {
   HarmonicBalance(JointedStructure structure, ResponsePoint response,
                   HarmonicBalanceOptions options = {});
 
+  /// The structure, as given.
   [[nodiscard]] const JointedStructure& structure() const { return structure_; }
+  /// The options, as given.
   [[nodiscard]] const HarmonicBalanceOptions& options() const { return options_; }
 
   /// The vibration with two quantities as given, for instance frequency and force; phase resonance
   /// and response; phase resonance and frequency. From the linear solution with all joints stuck,
   /// and where Newton's method does not get there, through growing levels from where they are.
-  /// @param mode  where no frequency is given: that of the stuck structure (see
-  ///              JointedStructure::stuck_frequencies) at whose resonance to look, from 0.
+  /// @param first   one of them, with its value.
+  /// @param second  the other.
+  /// @param mode    where no frequency is given: that of the stuck structure (see
+  ///                JointedStructure::stuck_frequencies) at whose resonance to look, from 0.
   /// @throws InputError  for targets out of their range or twice the same; force and response without
   ///                     a start, which leave two frequencies to choose from.
   [[nodiscard]] VibrationResult solve(const Target& first, const Target& second,
@@ -80,23 +85,34 @@ class HarmonicBalance {
   /// curve ended and where; a curve that did not reach its end, or on which the energy balance got
   /// lost in rounding (an undamped mode at its pole), is not converged, and holds the points up to
   /// there.
-  /// @param progress   told after each point, in thousandths of the range, how far the curve has got.
+  /// @param kept      the target, with its value.
+  /// @param along     what changes.
+  /// @param from, to  its first and its last value, in its unit; not the same.
+  /// @param mode      as in solve().
+  /// @param progress  told after each point, in thousandths of the range, how far the curve has
+  ///                  got.
   /// @throws InputError  for values out of their range, or no range.
   /// @throws Cancelled   where progress says so.
   [[nodiscard]] ResponseCurve follow(const Target& kept, Quantity along, double from, double to,
                                      std::size_t mode = 0, const Progress& progress = {}) const;
 
-  /// Over ω at constant force amplitude. @param force  A, N. @param from, to  rad/s.
+  /// Over ω at constant force amplitude.
+  /// @param force     A, N.
+  /// @param from, to  rad/s.
+  /// @param progress  as in follow().
   [[nodiscard]] ResponseCurve frequency_response(double force, double from, double to,
                                                  const Progress& progress = {}) const;
 
   /// Over ω at constant response: the force is what is found. [AR14 Fig. 4]
-  /// @param response  in the kind of the response point. @param from, to  rad/s.
+  /// @param response  in the kind of the response point.
+  /// @param from, to  rad/s.
+  /// @param progress  as in follow().
   [[nodiscard]] ResponseCurve constant_response(double response, double from, double to,
                                                 const Progress& progress = {}) const;
 
   /// The vibrations at phase resonance at each of these responses, in this order.
   /// @param responses  > 0, at least one, in the kind of the response point.
+  /// @param mode       as in solve().
   /// @param progress   told after each; a long backbone may be cancelled (Cancelled).
   [[nodiscard]] ResponseCurve backbone(std::span<const double> responses, std::size_t mode = 0,
                                        const Progress& progress = {}) const;

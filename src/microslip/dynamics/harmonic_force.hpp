@@ -39,8 +39,9 @@ class HarmonicForce {
   /// @throws InputError  naming the one out of its range.
   HarmonicForce(std::size_t harmonics, std::size_t samples);
   ~HarmonicForce();
+  /// The other may only be destroyed or assigned to afterwards.
   HarmonicForce(HarmonicForce&&) noexcept;
-  HarmonicForce& operator=(HarmonicForce&&) noexcept;
+  HarmonicForce& operator=(HarmonicForce&&) noexcept;  ///< As the constructor.
 
   /// What the displacement of the joint did over the cycle.
   struct Cycle {
@@ -49,6 +50,7 @@ class HarmonicForce {
     std::size_t reversals;  ///< in a cycle; 2 without inner loops, 0 at rest
   };
 
+  /// f_n of the displacement x_n, with the derivatives.
   /// @param joint         any.
   /// @param displacement  2H + 1 values, m; finite.
   /// @param force         2H + 1 values, N.

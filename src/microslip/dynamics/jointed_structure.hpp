@@ -52,15 +52,21 @@ struct Excitation {
 /// Immutable.
 class JointedStructure {
  public:
+  /// @param linear       the structure without its joints.
   /// @param joints       may be none: a linear structure.
   /// @param excitations  at least one, and one s_n that is not 0.
+  /// @param damping      of all modes.
   /// @throws InputError  naming the joint or excitation and the rule it breaks.
   JointedStructure(ModalModel linear, std::vector<StructuralJoint> joints,
                    std::vector<Excitation> excitations, DampingLaw damping = DampingLaw::kViscous);
 
+  /// The structure without its joints.
   [[nodiscard]] const ModalModel& linear() const { return linear_; }
+  /// The joints, in the order given.
   [[nodiscard]] std::span<const StructuralJoint> joints() const { return joints_; }
+  /// The excitations, in the order given.
   [[nodiscard]] std::span<const Excitation> excitations() const { return excitations_; }
+  /// The damping of all modes.
   [[nodiscard]] DampingLaw damping() const { return damping_; }
 
   /// Whether some joint shortens (Γ).

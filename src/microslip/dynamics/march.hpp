@@ -20,9 +20,9 @@ struct PointForce {
 
 /// The normal load of a joint over time, p(t) = P_N(t)/P_0 [AR14 App. B].
 struct JointNormalLoad {
-  std::string joint;         ///< of the structure; no two the same
-  std::vector<double> load;  ///< p, 1; ≥ 0; one a time
-  NormalLoadLaw law = NormalLoadLaw::kIncremental;
+  std::string joint;                                ///< of the structure; no two the same
+  std::vector<double> load;                         ///< p, 1; ≥ 0; one a time
+  NormalLoadLaw law = NormalLoadLaw::kIncremental;  ///< how its elements answer the load
 };
 
 /// What acts on a structure; linear in time between the given times. The excitations of the
@@ -40,6 +40,7 @@ struct InitialState {
   std::vector<double> velocity = {};      ///< q̇_i, kg^½ m/s
 };
 
+/// How march() integrates, and what it records.
 struct MarchOptions {
   /// Longest step, s; ≥ 0, and at least 1e-10 of the time axis. Each interval of the time axis is cut into the least number of equal
   /// steps that are not longer. 0: a twentieth of the shortest period of the stuck structure, an
@@ -49,7 +50,7 @@ struct MarchOptions {
   std::size_t every = 1;
   /// Points of the modal model whose motion is recorded; no two the same.
   std::vector<std::string> points = {};
-  InitialState start = {};
+  InitialState start = {};  ///< where it begins
   /// What the implicit equations of a step may leave, over the largest joint force so far, 1; from
   /// 1e-14 to 1e-4.
   double tolerance = 1e-8;
@@ -64,7 +65,7 @@ struct MarchOptions {
 
 /// The motion of a point, one value a recorded time.
 struct PointMotion {
-  std::string point;
+  std::string point;                 ///< its name in the modal model
   std::vector<double> displacement;  ///< m
   std::vector<double> velocity;      ///< m/s
   std::vector<double> acceleration;  ///< m/s²
@@ -72,14 +73,14 @@ struct PointMotion {
 
 /// The motion of a joint, one value a recorded time.
 struct JointMotion {
-  std::string joint;
+  std::string joint;                 ///< its name in the structure
   std::vector<double> displacement;  ///< u, m: between the ends of the joint itself
   std::vector<double> force;         ///< F, N: the restoring force
 };
 
 /// What became of the energy in one joint, J.
 struct JointEnergy {
-  std::string joint;
+  std::string joint;  ///< its name in the structure
   /// Σ ∫ f_i d|z_i| of the sliders, by the closed form on each branch (Memory::dissipation).
   double dissipation = 0.0;
   /// Σ ½κ_i(x − z_i)² of the springs at the end (Memory::stored_energy), and ½cF² of what is in
@@ -103,10 +104,11 @@ struct MarchEnergy {
   double linear_dissipation = 0.0;  ///< Σ_i η_i ω_i ∫ q̇_i² dt
   double kinetic = 0.0;             ///< ½ Σ q̇_i², at the end
   double elastic = 0.0;  ///< ½ Σ ω_i² q_i² − ½ Σ_j k_s,j (ψ_j·q)², at the end
-  std::vector<JointEnergy> joints;
+  std::vector<JointEnergy> joints;  ///< in the order of the structure
 
   /// Of all joints.
   [[nodiscard]] double joint_dissipation() const;
+  /// Of all joints.
   [[nodiscard]] double joint_stored() const;
 
   /// |left − right|/max(|left|, |right|) of the balance, 1; 0 where nothing moves.
@@ -119,9 +121,9 @@ struct MarchResult {
   std::vector<double> time;         ///< recorded times, s
   std::vector<PointMotion> points;  ///< in the order of the options
   std::vector<JointMotion> joints;  ///< in the order of the structure
-  MarchEnergy energy;
-  std::size_t steps = 0;      ///< taken, those cut at reversals twice
-  std::size_t reversals = 0;  ///< of all joints
+  MarchEnergy energy;               ///< up to the last time that was reached
+  std::size_t steps = 0;            ///< taken, those cut at reversals twice
+  std::size_t reversals = 0;        ///< of all joints
   /// Converged: to the last time, and with an energy imbalance, its residual, in bounds. `iterations`
   /// counts evaluations of the joints.
   Summary summary;

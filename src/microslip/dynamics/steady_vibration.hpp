@@ -14,7 +14,7 @@ namespace microslip {
 /// The cycle of one joint. Harmonics are factors of e^{inωt}, entry n that of harmonic n; entry 0 is
 /// the mean.
 struct JointCycle {
-  std::string name;
+  std::string name;                                ///< of the joint
   std::vector<std::complex<double>> displacement;  ///< u_n, m
   std::vector<std::complex<double>> force;         ///< F_n, N: the restoring force
   double amplitude = 0.0;                          ///< half of max u − min u, m
@@ -29,7 +29,7 @@ struct SteadyVibration {
   double response = 0.0;           ///< at the response point, in its kind
   double phase_lag = 0.0;          ///< of the displacement there, rad; in (−π, π]
   std::vector<std::vector<std::complex<double>>> modal;  ///< q_{i,n}: [mode][harmonic], kg^½ m
-  std::vector<JointCycle> joints;
+  std::vector<JointCycle> joints;                        ///< in the order of the structure
 
   double input_energy = 0.0;        ///< W_ext = ∮ Σ f ẇ dt, J per cycle [AR14 (17)]
   double linear_dissipation = 0.0;  ///< W_lin = Σ_i Σ_n nπ Im Z_i(nω) |q_{i,n}|², J per cycle
@@ -59,21 +59,22 @@ struct SteadyVibration {
                                                                std::string_view point) const;
 };
 
+/// What HarmonicBalance::solve() found.
 struct VibrationResult {
   SteadyVibration vibration;  ///< the best that was found
-  Summary summary;
+  Summary summary;            ///< residual: of the equations, see HarmonicBalanceOptions
 };
 
 /// A curve of steady vibrations in the order in which they were found.
 struct ResponseCurve {
-  std::vector<SteadyVibration> points;
+  std::vector<SteadyVibration> points;  ///< in the order found
   /// Local maxima of the response over the force along the curve, located by its slope to 1e-7 of
   /// a step: of the response at constant force, minima of the force at
   /// constant response.
   std::vector<SteadyVibration> peaks;
   /// i where the curve turns back in the quantity that it follows between points i − 1 and i + 1.
   std::vector<std::size_t> turning_points;
-  Summary summary;
+  Summary summary;  ///< of the whole curve: why it ended, and where
 };
 
 }  // namespace microslip

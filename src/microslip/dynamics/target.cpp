@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/dynamics/target.hpp"
 
+#include <fmt/format.h>
+
+#include <numbers>
+
 namespace microslip {
 
 std::string_view to_string(Quantity quantity) {
@@ -15,6 +19,20 @@ std::string_view to_string(Quantity quantity) {
       break;
   }
   return "phase lag";
+}
+
+std::string describe(const Target& target) {
+  switch (target.quantity) {
+    case Quantity::kAngularFrequency:
+      return fmt::format("frequency {:.9g} Hz", target.value / (2.0 * std::numbers::pi));
+    case Quantity::kForceAmplitude:
+      return fmt::format("force amplitude {:.9g} N", target.value);
+    case Quantity::kPhaseLag:
+      return fmt::format("phase lag {:.9g} rad", target.value);
+    case Quantity::kResponse:
+      break;
+  }
+  return fmt::format("response {:.9g}", target.value);
 }
 
 }  // namespace microslip

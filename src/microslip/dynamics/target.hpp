@@ -24,14 +24,21 @@ enum class Quantity {
 /// "angular frequency", "force amplitude", "response", "phase lag".
 [[nodiscard]] std::string_view to_string(Quantity quantity);
 
+/// A quantity with the value that it is to have.
 struct Target {
-  Quantity quantity;
-  double value;
+  Quantity quantity;  ///< what is prescribed
+  double value;       ///< in the unit of the quantity
 };
+
+/// As messages say it to people: "frequency 55.8 Hz", "force amplitude 0.1 N", "response 2e-05",
+/// "phase lag 1.57 rad".
+[[nodiscard]] std::string describe(const Target& target);
 
 /// The phase lag at resonance, π/2: the force then feeds the damping alone.
 inline constexpr Target kPhaseResonance{Quantity::kPhaseLag, 1.57079632679489661923};
 
+/// The response of a point: the amplitude of the first harmonic of its displacement w, or of the
+/// derivatives of that.
 enum class ResponseKind {
   kDisplacement,  ///< |w_1|, m
   kVelocity,      ///< ω|w_1|, m/s
@@ -42,8 +49,8 @@ enum class ResponseKind {
 
 /// Where the response is measured.
 struct ResponsePoint {
-  std::string point;  ///< of the modal model
-  ResponseKind kind = ResponseKind::kDisplacement;
+  std::string point;                                ///< of the modal model
+  ResponseKind kind = ResponseKind::kDisplacement;  ///< of the amplitude
 };
 
 }  // namespace microslip

@@ -8,6 +8,7 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <mutex>
+#include <utility>
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
@@ -37,6 +38,7 @@ void check_options(const BandOptions& options) {
   };
   check_gain("dissipation_gain_std", options.dissipation_gain_std);
   check_gain("amplitude_gain_std", options.amplitude_gain_std);
+  check_gain("loss_factor_std", options.loss_factor_std);
 }
 
 /// The λ of one sample: drawn with its likelihood over the path, within the guard.
@@ -110,6 +112,24 @@ class SharedProgress {
   std::mutex mutex_;
 };
 
+/// Of the data of a sample, in units of W: the scatter of each kind of rows, and what a loss factor
+/// wrong by the share δ does to D.
+Eigen::VectorXd data_noise(const InversionResult& result, double scatter, double delta,
+                           Eigen::VectorXd normal) {
+  const InversionModel& model = *result.model;
+  const Eigen::Index n = model.dissipation_rows();
+  const double softening = std::max(model.softening_scatter, model.least_softening_scatter);
+  normal.head(n) *= scatter * model.dissipation_scatter;
+  normal.tail(normal.size() - n) *= scatter * softening;
+  if (delta == 0.0) return normal;
+  const double energy = model.largest_slip_force() * result.levels.amplitude.back();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double loss = result.levels.linear_dissipation[static_cast<std::size_t>(i)];
+    normal(i) += delta * loss / energy * model.dissipation_weights()(i);
+  }
+  return normal;
+}
+
 }  // namespace
 
 DensitySample sample_density(const InversionResult& result, const BandOptions& options,
@@ -123,12 +143,16 @@ DensitySample sample_density(const InversionResult& result, const BandOptions& o
   const boost::math::chi_squared chi_squared(model.degrees_of_freedom);
   const double s = model.scatter * std::sqrt(model.degrees_of_freedom /
                                              boost::math::quantile(chi_squared, random.uniform()));
-  Eigen::VectorXd data_noise(problem.rows());
-  for (double& value : data_noise) value = random.normal();
+  Eigen::VectorXd normal(problem.rows());
+  for (double& value : normal) value = random.normal();
   Eigen::VectorXd prior_noise(problem.penalty().rows());
   for (double& value : prior_noise) value = random.normal();
+  const double dissipation_gain = 1.0 + options.dissipation_gain_std * random.normal();
+  const double amplitude_gain = 1.0 + options.amplitude_gain_std * random.normal();
+  const double delta = options.loss_factor_std * random.normal();
   const Eigen::VectorXd linear =
-      problem.linear() + s * (problem.design().transpose() * data_noise) +
+      problem.linear() +
+      problem.design().transpose() * data_noise(result, s, delta, std::move(normal)) +
       kPriorNoise * s * std::sqrt(lambda) * (problem.penalty().transpose() * prior_noise);
 
   QuadraticProgram program(problem.area(), 1.0);
@@ -141,8 +165,6 @@ DensitySample sample_density(const InversionResult& result, const BandOptions& o
   sample.area = problem.area().dot(x);
   sample.linear_damping = model.linear_damping(x) * model.stiffness();
   sample.atom_weight = model.atom_weight(x);
-  const double dissipation_gain = 1.0 + options.dissipation_gain_std * random.normal();
-  const double amplitude_gain = 1.0 + options.amplitude_gain_std * random.normal();
   apply_gains(result.slip_force, std::max(0.0, dissipation_gain), std::max(0.1, amplitude_gain),
               sample);
   return sample;
@@ -150,6 +172,11 @@ DensitySample sample_density(const InversionResult& result, const BandOptions& o
 
 DensityBands density_bands(const InversionResult& result, const BandOptions& options) {
   check_options(options);
+  if (options.loss_factor_std > 0.0 && result.levels.linear_dissipation.empty()) {
+    throw InputError("loss_factor_std", options.loss_factor_std,
+                     "needs the linear loss of the levels, linear_dissipation",
+                     "`microslip reduce` writes it.");
+  }
   std::vector<DensitySample> samples(options.samples);
   SharedProgress progress(options.progress, options.samples);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, options.samples, 16),
@@ -171,8 +198,9 @@ DensityBands density_bands(const InversionResult& result, const BandOptions& opt
   for (std::size_t j = 0; j < result.slip_force.size(); ++j) {
     const auto [lower, upper] =
         quantiles_of([j](const DensitySample& sample) { return sample.density[j]; });
-    bands.lower.push_back(lower);
-    bands.upper.push_back(upper);
+    // Where φ ≥ 0 or the smoothing acts, nearly all samples may lie on one side of the estimate.
+    bands.lower.push_back(std::min(lower, result.density[j]));
+    bands.upper.push_back(std::max(upper, result.density[j]));
   }
   bands.area = quantiles_of([](const DensitySample& sample) { return sample.area; });
   bands.linear_damping =

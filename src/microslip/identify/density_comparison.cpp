@@ -44,8 +44,12 @@ double relative_error(const std::function<double(double)>& density, double reach
 }  // namespace
 
 double density_error(const Identification& found, const SlipDensity& truth, CoveredRange range) {
-  const auto density = [&](double f) { return found.joint.density().density(f); };
-  return relative_error(density, found.covered_to, truth, range);
+  return density_error(found.joint.density(), found.covered_to, truth, range);
+}
+
+double density_error(const SlipDensity& density, double reach, const SlipDensity& truth,
+                     CoveredRange range) {
+  return relative_error([&](double f) { return density.density(f); }, reach, truth, range);
 }
 
 double density_error(const std::vector<double>& slip_force, const std::vector<double>& density,

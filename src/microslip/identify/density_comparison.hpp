@@ -13,8 +13,8 @@ namespace microslip {
 
 /// A share of the range 0 … kA_max that the levels reach, relative, 1; 0 ≤ from < to ≤ 1.
 struct CoveredRange {
-  double from = 0.05;
-  double to = 0.95;
+  double from = 0.05;  ///< of kA_max, 1
+  double to = 0.95;    ///< of kA_max, 1
 };
 
 /// ‖φ − φ_true‖₂/‖φ_true‖₂ over the range, at 2001 points of equal distance; atoms do not take
@@ -23,11 +23,22 @@ struct CoveredRange {
 [[nodiscard]] double density_error(const Identification& found, const SlipDensity& truth,
                                    CoveredRange range = {});
 
+/// The same of a density that the levels show up to a slip force.
+/// @param density  φ, compared without its atoms.
+/// @param reach    kA_max, N.
+/// @param truth    the density that is known.
+/// @param range    over which the two are compared.
+/// @throws InputError  as above.
+[[nodiscard]] double density_error(const SlipDensity& density, double reach,
+                                   const SlipDensity& truth, CoveredRange range = {});
+
 /// The same of a density at points, linear between them and with the end values beyond; it may be
 /// negative, as that of SplineDensityResult.
 /// @param slip_force  f*, N; rising, one at least.
 /// @param density     1/N; one a slip force.
 /// @param reach       kA_max, N.
+/// @param truth       the density that is known.
+/// @param range       over which the two are compared.
 /// @throws InputError  as above, and where the numbers of points differ or there is none.
 [[nodiscard]] double density_error(const std::vector<double>& slip_force,
                                    const std::vector<double>& density, double reach,

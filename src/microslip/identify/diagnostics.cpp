@@ -6,6 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "microslip/base/percent.hpp"
 
 namespace microslip {
 namespace {
@@ -17,7 +21,16 @@ constexpr double kMostExtrapolated = 0.25;
 constexpr double kMostDampingShare = 0.5;
 constexpr double kLargeScatter = 0.2;  // relative
 constexpr double kBendScore = -4.0;
-constexpr double kMostSecantOffset = 0.05;  // of k
+constexpr double kMostSecantOffset = 0.02;     // of k: seldom is it known better
+constexpr double kTellingOffset = 5.0;         // standard deviations
+constexpr double kLeastSlip = 0.01;            // area
+constexpr double kNarrowRange = 1.5;           // highest over lowest amplitude
+constexpr double kDampingRange = 2.0;          // the same, from which A² and A³ are told apart
+constexpr double kAsScatter = 1.3;             // times what the fit leaves
+constexpr double kDissipationRounding = 1e-6;  // relative to D
+/// Where no standard deviation was given, that of a low level counts as a share of its D.
+constexpr std::string_view kGiveStd =
+    " If D of low levels is hardly more than its noise, give dissipation_std.";
 
 void diagnose_zero_std(std::string_view name, const std::vector<double>& deviations,
                        std::vector<Warning>& warnings) {
@@ -29,14 +42,18 @@ void diagnose_zero_std(std::string_view name, const std::vector<double>& deviati
                                   name, zero - deviations.begin() + 1)});
 }
 
+/// What D of a level scatters by, J.
+double deviation_of(const InversionResult& result, std::size_t i) {
+  return result.dissipation_scatter * (result.scatter_is_relative
+                                           ? result.fitted_dissipation[i]
+                                           : result.levels.dissipation_std[i]);
+}
+
 /// Second divided difference at inner levels over its standard deviation; the lowest counts.
 void diagnose_convexity(const InversionResult& result, std::vector<Warning>& warnings) {
   const std::vector<double>& a = result.levels.amplitude;
   const std::vector<double>& d = result.levels.dissipation;
-  const auto deviation = [&](std::size_t i) {
-    return result.scatter * (result.scatter_is_relative ? result.fitted_dissipation[i]
-                                                        : result.levels.dissipation_std[i]);
-  };
+  const auto deviation = [&](std::size_t i) { return deviation_of(result, i); };
   double lowest = 0.0;
   std::size_t where = 0;
   for (std::size_t i = 1; i + 1 < a.size(); ++i) {
@@ -61,26 +78,85 @@ void diagnose_convexity(const InversionResult& result, std::vector<Warning>& war
 }
 
 void diagnose_scatter(const InversionResult& result, std::vector<Warning>& warnings) {
+  const double scatter = result.dissipation_scatter;
   if (result.scatter_is_relative) {
-    if (result.scatter > kLargeScatter) {
+    if (scatter > kLargeScatter) {
       warnings.push_back({"scatter_large",
                           fmt::format("D scatters by {:.0f} % about the fit; the density is hardly "
-                                      "more than its smoothing. Check the levels for outliers.",
-                                      100.0 * result.scatter)});
+                                      "more than its smoothing. Check the levels for outliers.{}",
+                                      100.0 * scatter, kGiveStd)});
     }
     return;
   }
-  if (result.scatter > 2.0) {
+  const double secant = result.secant_scatter.value_or(0.0);
+  if (scatter > 2.0 || secant > 2.0) {
+    const std::string found =
+        result.secant_scatter
+            ? fmt::format("D scatters {:.1f} and k_eq {:.1f} times", scatter, secant)
+            : fmt::format("D scatters {:.1f} times", scatter);
     warnings.push_back(
-        {"scatter_large", fmt::format("The levels scatter {:.1f} times as much about the fit as "
-                                      "dissipation_std says. The bands follow the scatter found.",
-                                      result.scatter)});
-  } else if (result.scatter < 0.3) {
+        {"scatter_large",
+         fmt::format(
+             "{} as much about the fit as the standard deviations say. The bands follow the "
+             "scatter found. A wrong loss factor of the structure does this too: what it "
+             "takes from D or leaves in it is no joint's. The bands then need the standard "
+             "deviation of the loss factor.",
+             found)});
+  } else if (scatter < 0.3) {
     warnings.push_back({"scatter_small",
-                        fmt::format("The levels scatter only {:.2f} times as much about the fit as "
-                                    "dissipation_std says. The bands follow the scatter found.",
-                                    result.scatter)});
+                        fmt::format("D scatters only {:.2f} times as much about the fit as its "
+                                    "standard deviation says. The bands follow the scatter found.",
+                                    scatter)});
   }
+}
+
+/// An error of k moves all k_eq alike, and the resonances with them.
+void diagnose_stiffness(const InversionResult& result, double stiffness,
+                        std::vector<Warning>& warnings) {
+  const double offset = result.secant_offset;
+  if (result.fitted_secant_stiffness.empty()) {
+    if (result.area >= kLeastSlip) return;
+    warnings.push_back(
+        {"stiffness_unchecked",
+         fmt::format("Only {} of k = {:.4g} N/m slips, and without secant stiffnesses the "
+                     "levels cannot tell whether k is right. Check k and its unit.",
+                     percent_text(result.area), stiffness)});
+    return;
+  }
+  if (std::abs(offset) <= kMostSecantOffset * stiffness) return;
+  if (std::abs(offset) <= kTellingOffset * result.secant_offset_std) return;
+  warnings.push_back(
+      {"secant_inconsistent",
+       fmt::format("The measured secant stiffnesses lie {:.3g} N/m ({} of k, ± {}) {} "
+                   "what D and k give: k = {:.4g} N/m would agree. Only their change over the "
+                   "amplitude was used; resonances that the joint predicts are too {}.",
+                   std::abs(offset), percent_text(std::abs(offset) / stiffness),
+                   percent_text(result.secant_offset_std / stiffness),
+                   offset > 0.0 ? "above" : "below", stiffness + offset,
+                   offset > 0.0 ? "low" : "high")});
+}
+
+/// Whether βA² alone is as near to D as the density. Measured secant stiffnesses tell slip from it.
+bool is_as_linear_damping(const InversionResult& result) {
+  const std::vector<double>& a = result.levels.amplitude;
+  const std::vector<double>& d = result.levels.dissipation;
+  if (!result.fitted_secant_stiffness.empty()) return false;
+  if (a.size() < kEnoughLevels || a.back() < kDampingRange * a.front()) return false;
+  const auto scale = [&](std::size_t i) {
+    return std::max(deviation_of(result, i), kDissipationRounding * result.fitted_dissipation[i]);
+  };
+  double slope = 0.0;
+  double norm = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double x = a[i] * a[i] / scale(i);
+    slope += x * d[i] / scale(i);
+    norm += x * x;
+  }
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    sum += std::pow((d[i] - slope / norm * a[i] * a[i]) / scale(i), 2);
+  }
+  return sum <= std::pow(kAsScatter, 2) * static_cast<double>(a.size());
 }
 
 /// Area below the lowest amplitude: the first knot at or above kA_min ends the sum.
@@ -106,7 +182,16 @@ void diagnose_ends(const InversionResult& result, const InversionOptions& option
                      "shape there is an assumption. Measure at lower levels.",
                      100.0 * below / result.area, lowest)});
   }
-  if (!result.linear_damping) return;
+  if (!result.linear_damping) {
+    if (is_as_linear_damping(result)) {
+      warnings.push_back(
+          {"damping_suspected",
+           "D grows with A² all along, as linear damping does, which is no slip: D alone cannot "
+           "tell them apart. Subtract the damping of the structure, identify it beside the joint "
+           "(linear damping), or give secant stiffnesses, which slip lowers."});
+    }
+    return;
+  }
   const double a = result.levels.amplitude.front();
   const double share = *result.linear_damping * a * a / result.fitted_dissipation.front();
   if (share > kMostDampingShare) {
@@ -129,6 +214,14 @@ std::vector<Warning> diagnose(const Levels& levels) {
         {"few_levels", fmt::format("Only {} different amplitudes: what is seen of the density is "
                                    "broad features at most. 40 or more levels resolve its shape.",
                                    distinct)});
+  }
+  const std::vector<double>& amplitude = merged.levels.amplitude;
+  if (distinct > 1 && amplitude.back() < kNarrowRange * amplitude.front()) {
+    warnings.push_back(
+        {"narrow_range", fmt::format("The amplitudes reach from {:.4g} to {:.4g} m only: the "
+                                     "density between kA of these is all that D tells by its "
+                                     "shape. Measure at lower and higher levels.",
+                                     amplitude.front(), amplitude.back())});
   }
   if (distinct < levels.size()) {
     warnings.push_back(
@@ -156,8 +249,8 @@ std::vector<Warning> diagnose(const InversionResult& result, const InversionOpti
              "D asks for a negative density at {:.3g} N, by {:.1f} standard deviations, which "
              "no joint under constant normal load can be. Did the normal "
              "load vary over the cycle or between levels, or is something other than the "
-             "joint in D?",
-             result.lowest_at, -result.lowest_score)});
+             "joint in D?{}",
+             result.lowest_at, -result.lowest_score, result.scatter_is_relative ? kGiveStd : "")});
   }
   diagnose_convexity(result, warnings);
   if (result.area_cost > kMostAreaCost) {
@@ -168,16 +261,7 @@ std::vector<Warning> diagnose(const InversionResult& result, const InversionOpti
              "1. k is too low (try {:.4g} N/m or more), or D too large or A too small.",
              options.stiffness, result.unlimited_area, options.stiffness * result.unlimited_area)});
   }
-  if (std::abs(result.secant_offset) > kMostSecantOffset * options.stiffness) {
-    warnings.push_back(
-        {"secant_inconsistent",
-         fmt::format(
-             "The secant stiffnesses are {:.3g} N/m, {:.0f} % of k, off what D and k give on "
-             "average: k = {:.4g} N/m would agree. Only their change over the amplitude was "
-             "used.",
-             result.secant_offset, 100.0 * result.secant_offset / options.stiffness,
-             options.stiffness + result.secant_offset)});
-  }
+  diagnose_stiffness(result, options.stiffness, warnings);
   diagnose_scatter(result, warnings);
   diagnose_ends(result, options, warnings);
   if (options.atom && !result.atom_slip_force) {

@@ -11,6 +11,7 @@ namespace microslip {
 
 /// What levels alone give reason to say, before any method:
 ///   * `few_levels`          fewer than 10 different amplitudes;
+///   * `narrow_range`        the highest amplitude is below 1.5 times the lowest;
 ///   * `amplitudes_merged`   equal amplitudes became one level each;
 ///   * `std_ignored`         a standard deviation of zero somewhere, so none of that column is used; or
 ///                           deviations of A without those of D.
@@ -20,8 +21,12 @@ namespace microslip {
 ///   * `density_negative`        without the limit φ would be significantly negative [AR14 Fig. B1];
 ///   * `data_not_convex`         three neighbouring levels bend D the wrong way, beyond their scatter;
 ///   * `stiffness_inconsistent`  the area would exceed 1: more stiffness slips than k has;
-///   * `secant_inconsistent`     measured secant stiffnesses do not belong to D and k;
+///   * `secant_inconsistent`     measured secant stiffnesses do not belong to D and k: off by more than
+///                               2 % of k, and by more than five standard deviations;
+///   * `stiffness_unchecked`     less than 1 % of k slips, and no secant stiffness tells whether k is
+///                               right;
 ///   * `extrapolation`           much of the area lies below the lowest amplitude;
+///   * `damping_suspected`       βA² alone fits D as well: it may be no slip at all;
 ///   * `damping_ambiguous`       linear damping takes most of D at the lowest level;
 ///   * `scatter_large`           the levels scatter more than a usable measurement, or than was said;
 ///   * `scatter_small`           they scatter much less than was said;

@@ -28,19 +28,22 @@ enum class IdentificationMethod {
 /// "inversion", "spline", "differences".
 [[nodiscard]] std::string_view to_string(IdentificationMethod method);
 
+/// What identify() does.
 struct IdentificationOptions {
-  IdentificationMethod method = IdentificationMethod::kInversion;
-  InversionOptions inversion;  ///< its stiffness is that of all methods
-  Smoothing spline_smoothing = Gcv{.edf_factor = 1.4};
+  IdentificationMethod method = IdentificationMethod::kInversion;  ///< how the density is found
+  InversionOptions inversion;                           ///< its stiffness is that of all methods
+  Smoothing spline_smoothing = Gcv{.edf_factor = 1.4};  ///< of kSpline: see SplineDensityOptions
   std::optional<ParametricModel> fit;  ///< a parametric model in place of the density
   std::optional<BandOptions> bands;    ///< with kInversion only
 };
 
 /// A joint from levels, and what its user must know of it.
 struct Identification {
+  /// @param used   the method.
+  /// @param found  its joint.
   Identification(IdentificationMethod used, Joint found) : method(used), joint(std::move(found)) {}
 
-  IdentificationMethod method;
+  IdentificationMethod method;  ///< that was used
   Joint joint;  ///< the identified density, or the parametric model that was asked for
   double covered_from = 0.0;  ///< kA_min, N: below it the levels tell two moments of φ only
   double covered_to = 0.0;    ///< kA_max, N: above it they tell nothing
@@ -49,19 +52,19 @@ struct Identification {
   std::vector<double> slip_force;  ///< N
   std::vector<double> density;     ///< 1/N
   std::vector<double> lower;       ///< 1/N; empty without a band
-  std::vector<double> upper;
+  std::vector<double> upper;       ///< 1/N; as many
 
   std::optional<double> linear_damping;  ///< β, J/m²
 
   // What the methods said, where they ran.
-  std::optional<InversionResult> inversion;
-  std::optional<SplineDensityResult> spline;
-  std::optional<SignedDensity> differences;
-  std::optional<ParametricResult> parametric;
-  std::optional<DensityBands> bands;
+  std::optional<InversionResult> inversion;    ///< of kInversion
+  std::optional<SplineDensityResult> spline;   ///< of kSpline
+  std::optional<SignedDensity> differences;    ///< of kDifferences
+  std::optional<ParametricResult> parametric;  ///< of the parametric model that was asked for
+  std::optional<DensityBands> bands;           ///< where they were asked for
 
-  std::vector<Warning> warnings;
-  Summary summary;
+  std::vector<Warning> warnings;  ///< of the levels and of the method, see diagnose()
+  Summary summary;                ///< of the method
 };
 
 /// Levels to joint by the chosen method, judged: see diagnose() in diagnostics.hpp for the warnings.

@@ -5,7 +5,7 @@
 
 namespace microslip {
 
-/// φ at a slip force f, linear between knots and constant beyond them. Internal to identify.
+/// φ at a slip force f, linear between knots and constant beyond them. Internal to the library.
 /// @param knots   rising, one at least.
 /// @param values  one a knot.
 [[nodiscard]] double interpolate(const std::vector<double>& knots,

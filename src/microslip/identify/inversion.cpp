@@ -127,6 +127,30 @@ Scatter estimate_scatter(const InversionModel& model, double residual, double ed
   return {std::sqrt(residual / freedom), freedom};
 }
 
+/// The scatter of D and of k_eq, each over that of both: what one kind of rows leaves, with the
+/// degrees of freedom that it gave.
+void tell_kinds_apart(InversionModel& model, const ScaledLevels& levels) {
+  const SmoothingProblem& problem = model.problem();
+  const Eigen::Index n = model.dissipation_rows();
+  const Eigen::Index rest = problem.rows() - n;
+  if (rest == 0) return;
+  const SmoothingPoint& point = model.solution();
+  const Eigen::VectorXd square = (problem.data() - problem.design() * point.solution.x).cwiseAbs2();
+  const Eigen::VectorXd leverage = problem.leverage(point);
+  const double both = std::max(model.scatter, 1e-150);  // levels of nothing leave none
+  const auto relative = [&](double residual, double edf, double rows) {
+    const double informative = std::max(rows, 1.0);
+    const double freedom = informative - std::min(edf, 0.8 * informative);
+    return std::sqrt(residual / freedom) / both;
+  };
+  const double softening_rows = static_cast<double>(rest) - 1.0;  // less the offset
+  model.dissipation_scatter = relative(square.head(n).sum(), leverage.head(n).sum(),
+                                       model.informative_rows() - softening_rows);
+  model.softening_scatter =
+      relative(square.tail(rest).sum(), leverage.tail(rest).sum(), softening_rows);
+  model.least_softening_scatter = levels.softening_std_given ? 1.0 / both : 0.0;
+}
+
 void run_path(InversionModel& model, const InversionOptions& options, std::size_t points) {
   const SmoothingProblem& problem = model.problem();
   model.most_edf = most_degrees_of_freedom(problem.rows(), problem.unpenalised());
@@ -171,6 +195,7 @@ InversionModel two_passes(const ScaledLevels& levels, const InversionOptions& op
   }
   InversionModel second(levels, pass);
   run_path(second, options, options.path_points);
+  tell_kinds_apart(second, levels);
   return second;
 }
 
@@ -316,6 +341,9 @@ void read_fit(const InversionModel& model, const ScaledLevels& levels, Inversion
   const Eigen::ArrayXd precision = levels.softening_std.array().square().inverse();
   const double offset = (precision * (soft - levels.softening).array()).sum() / precision.sum();
   result.secant_offset = levels.stiffness * offset;
+  const double common = (precision * levels.softening_std.array()).sum() / precision.sum();
+  result.secant_offset_std =
+      levels.stiffness * (levels.softening_std_given ? common : 1.0 / std::sqrt(precision.sum()));
   for (const double s : soft) {
     result.fitted_secant_stiffness.push_back(levels.stiffness * (1.0 - s + offset));
   }
@@ -373,6 +401,10 @@ InversionResult invert(const Levels& levels, const InversionOptions& options) {
   }
   result.scatter = model->scatter * (scaled.deviations_given() ? 1.0 : scaled.relative_std);
   result.scatter_is_relative = !scaled.deviations_given();
+  result.dissipation_scatter = model->dissipation_scatter * result.scatter;
+  if (scaled.softening_std_given) {
+    result.secant_scatter = model->softening_scatter * model->scatter;
+  }
   judge_sign(*model, scaled, result);
   judge_area(*model, scaled, result);
   summarise(*model, result.summary);

@@ -67,12 +67,23 @@ struct InversionResult {
   /// Estimated scatter of the levels: relative to D where no standard deviation was given; relative to
   /// that deviation (1 where it is right) where it was.
   double scatter = 0.0;
-  bool scatter_is_relative = true;
+  bool scatter_is_relative = true;  ///< to D
+
+  /// The same of D alone; `scatter` is of D and k_eq together. Degrees of freedom are those that the
+  /// rows of each kind leave.
+  double dissipation_scatter = 0.0;
+  /// Of k_eq alone, relative to its standard deviation; nothing where that was not given. Below 1
+  /// where the standard deviation holds an error common to neighbouring levels, as that of Reducer
+  /// does.
+  std::optional<double> secant_scatter = {};
 
   Levels levels;                                ///< sorted and merged
   std::vector<double> fitted_dissipation;       ///< D of the result at these levels, J
   std::vector<double> fitted_secant_stiffness;  ///< N/m; where k_eq was measured; with the offset
   double secant_offset = 0.0;  ///< weighted mean of k_eq as measured less as D and k give it, N/m
+  /// Of that mean, N/m: where standard deviations of k_eq were given their weighted mean, as if the
+  /// errors were common to all levels; otherwise that of a mean of independent ones.
+  double secant_offset_std = 0.0;
 
   /// By how much D asks for a negative density, in standard deviations (smoothing included): what the
   /// residual of a flexible density ≥ 0 still tells, smoothed as without limits, where it makes the
@@ -83,11 +94,11 @@ struct InversionResult {
   /// Objective that area ≤ 1 costs in units of the scatter's variance, and Φ0 without that limit: a
   /// cost above a dozen or so contradicts the stiffness k.
   double area_cost = 0.0;
-  double unlimited_area = 0.0;
+  double unlimited_area = 0.0;  ///< Φ0 without the limit, 1
 
-  Summary summary;
+  Summary summary;  ///< residual: of the optimality conditions, relative
 
-  /// What bands() needs again.
+  /// What density_bands() needs again.
   std::shared_ptr<const InversionModel> model;
 };
 
@@ -105,7 +116,9 @@ inline constexpr std::size_t kFewestLevels = 4;
 /// each less the weighted mean of them all: their change over the amplitude is used, their absolute level
 /// is not, as it stands and falls with k.
 ///
-/// @param levels  at least kFewestLevels different amplitudes, in any order; equal ones are merged.
+/// @param levels   at least kFewestLevels different amplitudes, in any order; equal ones are
+///                 merged.
+/// @param options  with the stiffness, which has no default.
 /// @throws InputError  naming the level or option that breaks a rule.
 [[nodiscard]] InversionResult invert(const Levels& levels, const InversionOptions& options);
 

@@ -71,7 +71,8 @@ ScaledLevels::ScaledLevels(const MergedLevels& merged, double k)
   // Two kinds of rows share one solution: what is not known of their scatter is estimated, as their
   // ratio decides which of them is believed.
   softening = (1.0 - vector_of(levels.secant_stiffness).array() / k).matrix();
-  if (all_positive(levels.secant_stiffness_std)) {
+  softening_std_given = all_positive(levels.secant_stiffness_std);
+  if (softening_std_given) {
     softening_std = vector_of(levels.secant_stiffness_std) / k;
   } else {
     softening_std.setConstant(amplitude.size(), scatter(amplitude, softening));
@@ -203,6 +204,7 @@ InversionModel::InversionModel(const ScaledLevels& levels, const InversionBasis&
       atom_column_(columns.atom_column),
       dissipation_(columns.dissipation),
       softening_(columns.softening),
+      dissipation_weights_(columns.weights.head(columns.dissipation.rows())),
       informative_rows_(columns.informative_rows),
       problem_([&] {
         const Eigen::Index d_rows = columns.dissipation.rows();

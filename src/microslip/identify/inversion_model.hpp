@@ -31,6 +31,7 @@ struct ScaledLevels {
   Eigen::VectorXd repeats;      ///< levels merged into one
   Eigen::VectorXd softening;    ///< 1 − k_eq/k; empty where not measured
   Eigen::VectorXd softening_std;
+  bool softening_std_given = false;
   Eigen::VectorXd dissipation_std;  ///< empty where not given
   double informative_levels = 0.0;  ///< where given: without those whose deviation was raised
   Eigen::VectorXd amplitude_std;    ///< empty where not given
@@ -67,6 +68,12 @@ class InversionModel {
   [[nodiscard]] Eigen::VectorXd dissipation(const Eigen::VectorXd& x) const;
   [[nodiscard]] Eigen::VectorXd softening(const Eigen::VectorXd& x) const;
 
+  /// Rows of D; those of k_eq follow them.
+  [[nodiscard]] Eigen::Index dissipation_rows() const { return dissipation_.rows(); }
+
+  /// W of the rows of D.
+  [[nodiscard]] const Eigen::VectorXd& dissipation_weights() const { return dissipation_weights_; }
+
   /// The part of the coefficients that is θ, at the scale of 1.
   [[nodiscard]] Eigen::VectorXd theta(const Eigen::VectorXd& x) const {
     return x.head(basis_.size());
@@ -89,7 +96,12 @@ class InversionModel {
   std::size_t chosen = 0;
   double most_edf = 0.0;
   bool lambda_fixed = false;
-  double scatter = 0.0;             ///< σ̂, in units of 1/W
+  double scatter = 0.0;              ///< σ̂, in units of 1/W
+  double dissipation_scatter = 1.0;  ///< of the rows of D, over σ̂
+  double softening_scatter = 1.0;    ///< of those of k_eq, over σ̂
+  /// What samples perturb the rows of k_eq by at least, over σ̂: an error common to neighbouring levels
+  /// does not show in their scatter.
+  double least_softening_scatter = 0.0;
   double degrees_of_freedom = 0.0;  ///< ν of σ̂²
 
   [[nodiscard]] const SmoothingPoint& solution() const { return path[chosen]; }
@@ -109,6 +121,7 @@ class InversionModel {
   Eigen::Index atom_column_;
   Eigen::MatrixXd dissipation_;  // levels × coefficients, unweighted
   Eigen::MatrixXd softening_;
+  Eigen::VectorXd dissipation_weights_;
   double informative_rows_;
   SmoothingProblem problem_;
 };

@@ -69,6 +69,7 @@ void check_levels(const Levels& levels) {
   check_column("dissipation_std", levels.dissipation_std, n, false, true);
   check_column("secant_stiffness", levels.secant_stiffness, n, false, false);
   check_column("secant_stiffness_std", levels.secant_stiffness_std, n, false, true);
+  check_column("linear_dissipation", levels.linear_dissipation, n, false, true);
 }
 
 MergedLevels sort_and_merge(const Levels& levels) {
@@ -91,6 +92,8 @@ MergedLevels sort_and_merge(const Levels& levels) {
                    out.dissipation_std);
     merge_measured(levels.secant_stiffness, levels.secant_stiffness_std, group,
                    out.secant_stiffness, out.secant_stiffness_std);
+    Column none;
+    merge_measured(levels.linear_dissipation, {}, group, out.linear_dissipation, none);
     merged.count.push_back(group.size());
     begin = end;
   }

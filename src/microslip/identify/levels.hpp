@@ -15,20 +15,25 @@ struct Levels {
   std::vector<double> dissipation_std;       ///< standard deviation of D, J
   std::vector<double> secant_stiffness;      ///< k_eq of the first harmonic, N/m
   std::vector<double> secant_stiffness_std;  ///< standard deviation of k_eq, N/m
+  /// W_lin, linear loss per cycle that was taken from the input energy to get D, J; it serves
+  /// BandOptions::loss_factor_std only.
+  std::vector<double> linear_dissipation = {};
 
+  /// The number of levels.
   [[nodiscard]] std::size_t size() const { return amplitude.size(); }
 };
 
-/// Checks what every method needs: lengths agree, A > 0, all finite, D ≥ 0, k_eq > 0, standard deviations ≥ 0.
-/// Order and repetition are free. @throws InputError  naming the level (1-based) and the value.
+/// Checks what every method needs: lengths agree, A > 0, all finite, D ≥ 0, k_eq > 0, W_lin ≥ 0,
+/// standard deviations ≥ 0. Order and repetition are free. @throws InputError  naming the level (1-based) and the value.
 void check_levels(const Levels& levels);
 
 /// The levels by rising amplitude; levels of equal amplitude become one: the mean of D and k_eq
-/// weighted by 1/σ² where σ is given (equally otherwise), with its standard deviation.
+/// weighted by 1/σ² where σ is given (equally otherwise), with its standard deviation; that of W_lin.
 struct MergedLevels {
-  Levels levels;
+  Levels levels;                   ///< sorted, no two of one amplitude
   std::vector<std::size_t> count;  ///< how many levels became this one
 };
+/// See MergedLevels. @throws InputError  as check_levels().
 [[nodiscard]] MergedLevels sort_and_merge(const Levels& levels);
 
 }  // namespace microslip

@@ -25,8 +25,11 @@ class NaturalSpline {
   /// g″(x), piecewise linear; 0 outside of the knots.
   [[nodiscard]] double second_derivative(double x) const;
 
+  /// The knots x_i, rising.
   [[nodiscard]] std::span<const double> knots() const { return x_; }
+  /// The values there, g(x_i).
   [[nodiscard]] std::span<const double> knot_values() const { return value_; }
+  /// The second derivatives there, g″(x_i).
   [[nodiscard]] std::span<const double> knot_second_derivatives() const { return second_; }
 
  private:

@@ -7,14 +7,17 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <numeric>
 #include <set>
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/percent.hpp"
+#include "microslip/identify/infinity.hpp"
 #include "microslip/identify/parametric_form.hpp"
 #include "microslip/identify/parametric_search.hpp"
+#include "microslip/identify/serial_correlation.hpp"
 #include "microslip/identify/signed_density.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
@@ -26,8 +29,6 @@ using Vector = std::vector<double>;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// One kind of row: what was measured, and its standard deviation or that it is the share `scale`
 /// of the measured value.
@@ -67,6 +68,10 @@ class Measured {
   Vector sigma_;
   double scale_ = 0.01;  // where the search for it starts
 };
+
+std::string with_unit(const FittedParameter& p) {
+  return p.unit == "1" ? fmt::format("{:.6g}", p.value) : fmt::format("{:.6g} {}", p.value, p.unit);
+}
 
 void check_options(const ParametricOptions& options) {
   if (options.starts < 1) throw InputError("starts", options.starts, "must be at least 1");
@@ -126,6 +131,7 @@ class Fit {
     add_parameters(best, result);
     add_quality(best, result);
     add_warnings(result);
+    add_misfit_warning(residuals(best.q), result);
     result.summary.wall_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
@@ -375,15 +381,14 @@ class Fit {
       if (p.at_bound) {
         result.warnings.push_back(
             {"parameter_at_bound",
-             fmt::format("{} = {:.6g} {} is at the end of its range: standard errors of the others "
-                         "hold for it fixed there.",
-                         p.name, p.value, p.unit)});
+             fmt::format("{} = {} is at the end of its range: standard errors of the others hold "
+                         "for it fixed there.",
+                         p.name, with_unit(p))});
       }
       if (std::isinf(p.standard_error)) {
         result.warnings.push_back(
-            {"not_identifiable",
-             fmt::format("the levels do not tell {}; {:.6g} {} is one of many values.", p.name,
-                         p.value, p.unit)});
+            {"not_identifiable", fmt::format("the levels do not tell {}; {} is one of many values.",
+                                             p.name, with_unit(p))});
       }
     }
     const bool unusable = !levels_.dissipation_std.empty() && !loss_.known();
@@ -393,6 +398,26 @@ class Fit {
            "dissipation_std is 0 at some level: it was not used, and noise in "
            "proportion to D was estimated from the misfit."});
     }
+  }
+
+  /// Of the energies, in the order of their amplitudes.
+  void add_misfit_warning(const VectorXd& residual, ParametricResult& result) const {
+    constexpr double kRounding = 1e-6;
+    constexpr double kTelling = 4.0;  // standard deviations: once in 3e4 fits of the right model
+    if (result.misfit < kRounding) return;
+    std::vector<std::size_t> order(loss_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [this](std::size_t i) { return levels_.amplitude[i]; });
+    std::vector<double> ordered;
+    for (const std::size_t i : order) ordered.push_back(residual[static_cast<Index>(i)]);
+    const SerialCorrelation serial = serial_correlation(ordered);
+    if (serial.deviations < kTelling) return;
+    result.warnings.push_back(
+        {"systematic_misfit",
+         fmt::format("the misfit, {} of D, is not scatter: levels beside each other err "
+                     "alike, with a correlation of {:.2f}. The joint is not of this model, which "
+                     "the standard errors do not count. Take the free density or another model.",
+                     percent_text(result.misfit), serial.correlation)});
   }
 
   static constexpr double kRankTolerance = 1e-7;  // above the error of the differences

@@ -27,6 +27,7 @@ enum class ParametricModel {
 /// "four_parameter", "power_law", "uniform".
 [[nodiscard]] std::string_view to_string(ParametricModel model);
 
+/// What fit_parametric() fits, and how it searches.
 struct ParametricOptions {
   /// Fit also βl ≥ 0 of a linear damping βl·A² that is still in the measured D.
   bool linear_damping = false;
@@ -40,14 +41,15 @@ struct ParametricOptions {
 struct FittedParameter {
   std::string name;  ///< as in the files of joints: "macroslip_force", "chi", …; "linear_damping"
   std::string unit;  ///< "N", "1", …
-  double value = 0.0;
+  double value = 0.0;  ///< in `unit`
   /// Standard deviation; 0 where at_bound holds the value, ∞ where the levels do not tell it.
   double standard_error = 0.0;
   bool at_bound = false;  ///< the best value lies at the end of the admissible range
 };
 
+/// What fit_parametric() found.
 struct ParametricResult {
-  ParametricModel model;
+  ParametricModel model;                    ///< that was fitted
   Joint joint;                              ///< the best joint of the model
   double linear_damping = 0.0;              ///< βl, J/m²; 0 unless fitted
   std::vector<FittedParameter> parameters;  ///< those of the model in the order above, then βl
@@ -59,16 +61,16 @@ struct ParametricResult {
   int degrees_of_freedom = 0;  ///< rows − parameters that are not at a bound
   /// σ_D/D and σ_k/k_eq estimated from the misfit, 1; empty where the deviations were given.
   std::optional<double> dissipation_noise;
-  std::optional<double> secant_noise;
+  std::optional<double> secant_noise;  ///< of k_eq; likewise
   double misfit = 0.0;  ///< √(mean (D_model/D − 1)²) over the levels with D > 0, 1
   /// Akaike's and the Bayesian information criterion of a normal likelihood, counting every
   /// parameter and every estimated noise: of the models fitted to the same levels the lowest is to
   /// be preferred.
   double aic = 0.0;
-  double bic = 0.0;
+  double bic = 0.0;  ///< the Bayesian one
 
-  Summary summary;
-  std::vector<Warning> warnings;
+  Summary summary;                ///< of the best start
+  std::vector<Warning> warnings;  ///< see fit_parametric()
 };
 
 /// The parameters of a model by weighted least squares: the smallest sum of squares of
@@ -88,9 +90,12 @@ struct ParametricResult {
 /// exactly and never only approached.
 ///
 /// Warnings: parameter_at_bound; macroslip_not_reached (four_parameter: with all levels below
-/// macro-slip F_S and beta cannot be told apart); not_identifiable; noise_not_given.
+/// macro-slip F_S and beta cannot be told apart); not_identifiable; noise_not_given;
+/// systematic_misfit (the residuals of neighbouring levels are correlated, see serial_correlation()).
 /// @param levels     any order and repetition; more distinct amplitudes than parameters.
 /// @param stiffness  k, N/m; positive and finite.
+/// @param model      whose parameters are sought.
+/// @param options    what is fitted with them, and the limits of the search.
 /// @throws InputError  naming the value that breaks a rule.
 [[nodiscard]] ParametricResult fit_parametric(const Levels& levels, double stiffness,
                                               ParametricModel model,

@@ -5,16 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "microslip/identify/infinity.hpp"
 #include "microslip/joint/dissipation.hpp"
 
 namespace microslip {
 namespace {
 
 using Vector = std::vector<double>;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Past these a coordinate stands at its bound to all digits.
 constexpr double kFarthest = 30.0;

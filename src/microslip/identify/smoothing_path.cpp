@@ -30,6 +30,14 @@ double bisect_log10(const Function& falling, double target) {
   return 0.5 * (low + high);
 }
 
+std::vector<Eigen::Index> free_coefficients(const QuadraticProgram::Solution& solution) {
+  std::vector<Eigen::Index> index;
+  for (std::size_t i = 0; i < solution.free.size(); ++i) {
+    if (solution.free[i]) index.push_back(static_cast<Eigen::Index>(i));
+  }
+  return index;
+}
+
 }  // namespace
 
 SmoothingProblem::SmoothingProblem(Eigen::MatrixXd design, Eigen::VectorXd data,
@@ -88,10 +96,7 @@ std::vector<double> SmoothingProblem::lambda_grid(std::size_t count) const {
 // limit takes one direction away.
 double SmoothingProblem::free_edf(const QuadraticProgram::Solution& solution,
                                   const Eigen::MatrixXd& hessian, double lambda) const {
-  std::vector<Eigen::Index> index;
-  for (std::size_t i = 0; i < solution.free.size(); ++i) {
-    if (solution.free[i]) index.push_back(static_cast<Eigen::Index>(i));
-  }
+  const std::vector<Eigen::Index> index = free_coefficients(solution);
   if (index.empty()) return 0.0;
   Eigen::MatrixXd reduced = hessian(index, index);
   const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(reduced);
@@ -105,6 +110,22 @@ double SmoothingProblem::free_edf(const QuadraticProgram::Solution& solution,
     edf -= along / area.dot(direction);
   }
   return edf;
+}
+
+Eigen::VectorXd SmoothingProblem::leverage(const SmoothingPoint& point) const {
+  const std::vector<Eigen::Index> index = free_coefficients(point.solution);
+  if (index.empty()) return Eigen::VectorXd::Zero(rows());
+  const Eigen::MatrixXd reduced = hessian(point.lambda)(index, index);
+  const Eigen::LLT<Eigen::MatrixXd> factor(reduced);
+  const Eigen::MatrixXd design = design_(Eigen::all, index);
+  const Eigen::MatrixXd whitened = factor.matrixL().solve(design.transpose());
+  Eigen::VectorXd result = whitened.colwise().squaredNorm().transpose();
+  if (point.solution.multiplier > 0.0) {  // as in free_edf()
+    const Eigen::VectorXd area = area_(index);
+    const Eigen::VectorXd direction = factor.solve(area);
+    result -= (design * direction).cwiseAbs2() / area.dot(direction);
+  }
+  return result;
 }
 
 // Residual, roughness and what the rules choose by; edf must be there.

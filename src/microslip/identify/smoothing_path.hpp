@@ -58,6 +58,9 @@ class SmoothingProblem {
   /// The same without the limits; edf and likelihood are then those of a linear smoother.
   [[nodiscard]] SmoothingPoint solve_unlimited(double lambda) const;
 
+  /// ∂(fitted datum)/∂(datum) of each row at a solution of solve(); their sum is its edf.
+  [[nodiscard]] Eigen::VectorXd leverage(const SmoothingPoint& point) const;
+
   /// All of a grid, each started from the one before it.
   [[nodiscard]] std::vector<SmoothingPoint> path(const std::vector<double>& lambdas) const;
 

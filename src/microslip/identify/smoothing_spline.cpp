@@ -16,13 +16,13 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/identify/infinity.hpp"
 
 namespace microslip {
 namespace {
 
 using Vector = std::vector<double>;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 void check_values(std::string_view name, std::span<const double> values, std::size_t size,
@@ -106,7 +106,7 @@ Observations prepare(std::span<const double> x, std::span<const double> y,
 }
 
 /// The minimiser for one λ, in scaled variables.
-struct Fit {
+struct SplineFit {
   double lambda = 0.0;  ///< scaled
   Vector value{};       ///< g at the knots
   Vector second{};      ///< g″ at the knots, both ends included
@@ -194,7 +194,7 @@ class Reinsch {
   }
 
   /// @param lambda  scaled; 0 interpolates, ∞ is the straight line.
-  [[nodiscard]] Fit fit(double lambda) const {
+  [[nodiscard]] SplineFit fit(double lambda) const {
     return lambda == kInfinity || inner_ == 0 ? straight_line() : spline(lambda);
   }
 
@@ -222,7 +222,7 @@ class Reinsch {
     return sum;
   }
 
-  [[nodiscard]] Fit spline(double lambda) const {
+  [[nodiscard]] SplineFit spline(double lambda) const {
     Bands b(inner_);
     for (std::size_t j = 0; j < inner_; ++j) {
       b.diagonal[j] = gram_.diagonal[j] + lambda * rough_.diagonal[j];
@@ -230,7 +230,7 @@ class Reinsch {
       b.second[j] = lambda * rough_.second[j];
     }
     factorise(b);
-    Fit fit{.lambda = lambda, .value = data_->y, .second = Vector(data_->size(), 0.0)};
+    SplineFit fit{.lambda = lambda, .value = data_->y, .second = Vector(data_->size(), 0.0)};
     const Vector gamma = solve(b, qty_);
     std::ranges::copy(gamma, fit.second.begin() + 1);
     add_residuals(lambda, gamma, fit);
@@ -238,7 +238,7 @@ class Reinsch {
     return fit;
   }
 
-  void add_residuals(double lambda, const Vector& gamma, Fit& fit) const {
+  void add_residuals(double lambda, const Vector& gamma, SplineFit& fit) const {
     fit.rss = data_->repeat_rss;
     for (std::size_t i = 0; i < data_->size(); ++i) {
       double weighted = 0.0;  // (Qγ)_i
@@ -253,7 +253,7 @@ class Reinsch {
 
   /// edf = 2 + tr(RB⁻¹) and n − edf = λ tr(W⁻¹QB⁻¹Qᵀ): the same, but each accurate where it is
   /// small.
-  void add_freedom(double lambda, const Bands& inverse, Fit& fit) const {
+  void add_freedom(double lambda, const Bands& inverse, SplineFit& fit) const {
     fit.edf = 2.0;
     for (std::size_t j = 0; j < inner_; ++j) {
       fit.edf += gram_.diagonal[j] * inverse.diagonal[j] + 2.0 * gram_.first[j] * inverse.first[j];
@@ -277,7 +277,7 @@ class Reinsch {
     return sum;
   }
 
-  [[nodiscard]] Fit straight_line() const {
+  [[nodiscard]] SplineFit straight_line() const {
     const Observations& d = *data_;
     const double sum_w = std::accumulate(d.w.begin(), d.w.end(), 0.0);
     const double mean_t = std::inner_product(d.w.begin(), d.w.end(), d.t.begin(), 0.0) / sum_w;
@@ -288,7 +288,7 @@ class Reinsch {
       stt += d.w[i] * (d.t[i] - mean_t) * (d.t[i] - mean_t);
       sty += d.w[i] * (d.t[i] - mean_t) * (d.y[i] - mean_y);
     }
-    Fit fit{.lambda = kInfinity, .second = Vector(d.size(), 0.0), .edf = 2.0};
+    SplineFit fit{.lambda = kInfinity, .second = Vector(d.size(), 0.0), .edf = 2.0};
     fit.rss = d.repeat_rss;
     fit.residual_dof = static_cast<double>(d.count) - 2.0;
     for (std::size_t i = 0; i < d.size(); ++i) {
@@ -391,7 +391,7 @@ class Chooser {
   }
 
   [[nodiscard]] GcvPoint gcv_point(const Gcv& gcv, double lambda) const {
-    const Fit fit = equations_.fit(lambda);
+    const SplineFit fit = equations_.fit(lambda);
     return {.lambda = lambda * data_->lambda_unit(),
             .scaled_lambda = lambda,
             .edf = fit.edf,
@@ -482,7 +482,7 @@ class Chooser {
 };
 
 /// From scaled variables to those of the caller.
-void fill(const Observations& data, const Fit& fit, SmoothingSplineResult& result) {
+void fill(const Observations& data, const SplineFit& fit, SmoothingSplineResult& result) {
   const double h2 = data.spacing * data.spacing;
   Vector second = fit.second;
   for (double& value : second) value /= h2;

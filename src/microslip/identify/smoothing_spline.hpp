@@ -57,6 +57,7 @@ struct MatlabP {
   double x_unit_in_metres;  ///< > 0; 1e−6 where p was found with x in µm; 1 where x is no length
 };
 
+/// How λ is chosen.
 using Smoothing = std::variant<Gcv, FixedLambda, TargetEdf, MatlabP>;
 
 /// The largest scaled λ, λ/(h³w̄), that Gcv and TargetEdf try. The condition number of the
@@ -72,6 +73,7 @@ struct GcvPoint {
   double gcv;            ///< [w][y]², with the γ of the choice; ∞ where γ edf ≥ n
 };
 
+/// What fit_smoothing_spline() found.
 struct SmoothingSplineResult {
   NaturalSpline spline;        ///< its knots are the distinct x
   double lambda = 0.0;         ///< [w][x]³
@@ -85,8 +87,8 @@ struct SmoothingSplineResult {
   /// Soc. B 45 (1983) 133–150, right on average over the knots, not at each.
   std::vector<double> standard_error;
   std::vector<GcvPoint> gcv_curve;  ///< by rising λ; empty unless λ was chosen by Gcv
-  Summary summary;
-  std::vector<Warning> warnings;
+  Summary summary;                  ///< of the search for λ
+  std::vector<Warning> warnings;    ///< smoothing_too_large, gcv_at_end_of_range
 };
 
 /// Fits the smoothing spline. Observations with equal x are merged: their weighted mean with the
@@ -94,6 +96,7 @@ struct SmoothingSplineResult {
 /// @param x          at least 2 distinct, 4 for Gcv; any order; finite.
 /// @param y          of the length of x; finite.
 /// @param weight     w, of the length of x, positive and finite; empty for 1.
+/// @param smoothing  how λ is chosen.
 /// @throws InputError  naming the value that breaks a rule, its 1-based place included.
 [[nodiscard]] SmoothingSplineResult fit_smoothing_spline(std::span<const double> x,
                                                          std::span<const double> y,

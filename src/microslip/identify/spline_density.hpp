@@ -18,6 +18,7 @@ struct SplineDensityOptions {
   Smoothing smoothing = Gcv{.edf_factor = 1.4};
 };
 
+/// What density_by_spline() found.
 struct SplineDensityResult {
   double stiffness = 0.0;  ///< k, N/m
   SignedDensity density;   ///< at each distinct level; zero at the first and the last
@@ -41,6 +42,7 @@ struct SplineDensityResult {
 /// round.
 /// @param levels     in any order; equal amplitudes are merged; at least 3 distinct (4 for Gcv).
 /// @param stiffness  k, N/m; positive and finite.
+/// @param options    how D(A) is smoothed.
 /// @throws InputError  naming the value that breaks a rule.
 [[nodiscard]] SplineDensityResult density_by_spline(const Levels& levels, double stiffness,
                                                     const SplineDensityOptions& options = {});

@@ -11,9 +11,11 @@
 
 namespace microslip {
 
+/// Each value above 0.
 void require_positive(const CsvTable& table, std::string_view name, std::span<const double> values,
                       std::string_view remedy = {});
 
+/// Each value 0 or above.
 void require_non_negative(const CsvTable& table, std::string_view name,
                           std::span<const double> values, std::string_view remedy = {});
 

@@ -18,6 +18,15 @@ namespace {
 
 constexpr std::string_view kExampleHeader = "'amplitude [m],dissipation [J]'";
 
+/// Parentheses are part of a name, as in "D (left)", unless they hold a unit.
+std::optional<CsvColumn> column_of(std::string_view text) {
+  if (text.find('[') == std::string_view::npos) {
+    std::optional<CsvColumn> column = parse_column(text, true);
+    if (column && column->unit && find_unit(*column->unit) && !column->name.empty()) return column;
+  }
+  return parse_column(text, false);
+}
+
 }  // namespace
 
 /// One pass over the text. Cells that from_chars can read in place are numbers at once; the others
@@ -112,7 +121,7 @@ class CsvTable::Parser {
       throw FormatError(scanner_.place(cell.begin), fmt::format("a name for column {}", number),
                         text.empty() ? "an empty cell" : in_quotes(text));
     }
-    std::optional<CsvColumn> column = parse_column(text, false);
+    std::optional<CsvColumn> column = column_of(text);
     if (!column) {
       throw FormatError(scanner_.place(cell.begin),
                         fmt::format("'name [unit]' as the header of column {}", number),

@@ -13,9 +13,9 @@
 
 namespace microslip {
 
-/// One column of a table, from its header `name [unit]`.
+/// One column of a table, from its header `name [unit]` or `name (unit)`.
 struct CsvColumn {
-  std::string name;
+  std::string name;                 ///< without outer blanks
   std::optional<std::string> unit;  ///< as written; nothing where the header has no brackets
 };
 
@@ -28,7 +28,7 @@ struct CsvColumn {
 /// or tabs, a decimal comma throughout. Comments and blank lines may stand anywhere.
 ///
 /// Cells are read as numbers or as text when a column is asked for; a column that nobody asks for
-/// may hold anything. Every message names file:line:column, the cell and the rule.
+/// may hold anything. Every message names file, line and column, the cell and the rule.
 class CsvTable {
  public:
   /// @param text  the file's whole text.
@@ -37,9 +37,13 @@ class CsvTable {
   ///                      of one name, a row with more or fewer cells than the header.
   CsvTable(std::string text, std::string_view file);
 
+  /// The name of the file, as given.
   [[nodiscard]] const std::string& file() const { return file_; }
+  /// The number of rows below the header.
   [[nodiscard]] std::size_t rows() const { return row_start_.size(); }
+  /// The columns, in their order.
   [[nodiscard]] std::span<const CsvColumn> columns() const { return columns_; }
+  /// Whether there is a column of this name.
   [[nodiscard]] bool has(std::string_view name) const { return find(name).has_value(); }
 
   /// The comment lines in their order, without `#` and outer blanks.
@@ -61,7 +65,11 @@ class CsvTable {
   /// The line of each row, from 1.
   [[nodiscard]] std::vector<std::size_t> row_lines() const;
 
-  /// For a reader whose rule a value breaks. @param expected  as in "a positive amplitude".
+  /// For a reader whose rule a value breaks.
+  /// @param row       of the cell, from 0.
+  /// @param name      of its column.
+  /// @param expected  as in "a positive amplitude".
+  /// @param remedy    what to do about it, a sentence; may be empty.
   /// @throws FormatError  always: at the cell, with the cell's text as what was found.
   [[noreturn]] void reject(std::size_t row, std::string_view name, std::string_view expected,
                            std::string_view remedy = {}) const;

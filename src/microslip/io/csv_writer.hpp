@@ -21,7 +21,9 @@ class CsvWriter {
   void add_comment(std::string_view text);
 
   /// A column of numbers in SI, labelled with the SI unit of the dimension.
-  /// @param values  finite; as many as in the other columns.
+  /// @param name       of the column; without [ ] , ; " # and tabs.
+  /// @param dimension  of the values.
+  /// @param values     finite; as many as in the other columns.
   /// @throws InputError  naming the column, where a value is not finite or the lengths differ.
   void add_numbers(std::string_view name, const Dimension& dimension,
                    std::span<const double> values);

@@ -21,12 +21,14 @@ struct DensityTable {
   std::vector<double> upper;       ///< 1/N; ≥ lower
 };
 
+/// A density from the text of its table.
 /// @throws FormatError  at the cell that breaks a rule.
 [[nodiscard]] DensityTable parse_density(std::string text, std::string_view file);
 
 /// parse_density() of a file; "-" is standard input. @throws FileError, FormatError
 [[nodiscard]] DensityTable read_density(const std::string& path);
 
+/// The table of a density.
 /// @throws InputError  where the lengths differ or a value is not finite.
 [[nodiscard]] CsvWriter density_table(const DensityTable& density);
 

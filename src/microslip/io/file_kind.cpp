@@ -92,6 +92,13 @@ std::string_view toml_schema(std::string_view head) {
   return {};
 }
 
+/// By the mark that a report has in its head.
+bool is_report(std::string_view head) {
+  return head.substr(0, head.find("<body"))
+             .find("<meta name=\"generator\" content=\"microslip report\">") !=
+         std::string_view::npos;
+}
+
 }  // namespace
 
 std::string file_kind(std::string_view head) {
@@ -100,6 +107,7 @@ std::string file_kind(std::string_view head) {
     const std::string_view schema = quoted_value(head, "\"schema\"", ':');
     if (!schema.empty()) return std::string(schema);
   }
+  if (name == "an HTML page" && is_report(head)) return std::string(kReportKind);
   if (!name.empty()) return std::string(name);
   if (const std::string_view schema = toml_schema(head); !schema.empty())
     return std::string(schema);

@@ -7,21 +7,30 @@
 
 namespace microslip {
 
-inline constexpr std::string_view kJointKind = "microslip.joint/1";
-inline constexpr std::string_view kRigKind = "microslip.rig/1";
-inline constexpr std::string_view kModelKind = "microslip.model/1";
-inline constexpr std::string_view kLevelsKind = "a table of levels";
-inline constexpr std::string_view kDensityKind = "a table of a density";
+inline constexpr std::string_view kJointKind = "microslip.joint/1";       ///< joint.json
+inline constexpr std::string_view kRigKind = "microslip.rig/1";           ///< rig.toml
+inline constexpr std::string_view kModelKind = "microslip.model/1";       ///< model.toml
+inline constexpr std::string_view kLevelsKind = "a table of levels";      ///< levels.csv
+inline constexpr std::string_view kDensityKind = "a table of a density";  ///< of parse_density()
+/// of `microslip dissipation`
 inline constexpr std::string_view kDissipationKind = "a table of a dissipation curve";
+/// of parse_path()
 inline constexpr std::string_view kPathKind = "a table of a displacement path";
-inline constexpr std::string_view kLoopKind = "a table of forces on a path";
+inline constexpr std::string_view kLoopKind = "a table of forces on a path";  ///< of loop_table()
+/// of response_table()
 inline constexpr std::string_view kResponseKind = "a table of a frequency response";
-inline constexpr std::string_view kBackboneKind = "a table of a backbone";
+inline constexpr std::string_view kBackboneKind = "a table of a backbone";  ///< of backbone_table()
+/// of verification_table()
 inline constexpr std::string_view kVerificationKind = "a table of a verification";
+/// of harmonics_table()
 inline constexpr std::string_view kHarmonicsKind = "a table of predicted harmonics";
+/// of histories_table()
 inline constexpr std::string_view kHistoriesKind = "a table of predicted histories";
+/// of force_control_table()
 inline constexpr std::string_view kForceControlKind = "a table of a force control";
-inline constexpr std::string_view kMarchKind = "a table of a march";
+/// of html_report(); another page is "an HTML page"
+inline constexpr std::string_view kReportKind = "a report of microslip";
+inline constexpr std::string_view kMarchKind = "a table of a march";  ///< of march_table()
 
 /// So much of a file tells its kind.
 inline constexpr std::size_t kKindHeadSize = 65536;

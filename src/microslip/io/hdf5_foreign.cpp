@@ -74,17 +74,17 @@ class ForeignReader {
     sampling = sampling_of(group, sampling, place);
     for (const std::string& name : hdf5_members(group, place)) {
       Hdf5Handle object = open_hdf5_object(group, name);
-      if (!object.valid()) fail_hdf5(place + "/" + name, "a group or a dataset");
+      if (!object.valid()) fail_hdf5(place + "/" + printable(name), "a group or a dataset");
       if (H5Iget_type(object.id()) == H5I_GROUP) {
         groups.emplace_back(name, std::move(object));
       } else if (H5Iget_type(object.id()) == H5I_DATASET) {
-        sort_in(datasets, sampling, name, fmt::format("{}:{}/{}", path_, inside, name),
+        sort_in(datasets, sampling, name, fmt::format("{}:{}/{}", path_, inside, printable(name)),
                 std::move(object));
       }
     }
     read_datasets(datasets, sampling, inside);
     for (const auto& [name, handle] : groups) {
-      read_group(handle.id(), inside + "/" + name, sampling, depth + 1);
+      read_group(handle.id(), inside + "/" + printable(name), sampling, depth + 1);
     }
   }
 

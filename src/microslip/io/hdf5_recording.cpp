@@ -59,7 +59,7 @@ class OwnReader {
   OwnReader(const std::string& path, Hdf5Progress& progress) : path_(path), progress_(progress) {}
 
   Recording read(hid_t file, const std::string& name) {
-    const std::string place = fmt::format("{}:/{}", path_, name);
+    const std::string place = fmt::format("{}:/{}", path_, printable(name));
     const Hdf5Handle group = open_hdf5_object(file, name);
     if (!group.valid() || H5Iget_type(group.id()) != H5I_GROUP) fail_hdf5(place, "a recording");
     Recording recording;
@@ -80,7 +80,7 @@ class OwnReader {
  private:
   void read_member(Recording& recording, hid_t group, const std::string& place_of_group,
                    const std::string& name) {
-    const std::string place = place_of_group + "/" + name;
+    const std::string place = place_of_group + "/" + printable(name);
     const Hdf5Handle dataset = open_hdf5_object(group, name);
     const bool is_dataset = dataset.valid() && H5Iget_type(dataset.id()) == H5I_DATASET;
     const Hdf5Content content = is_dataset ? hdf5_content(dataset.id()) : Hdf5Content::kOther;

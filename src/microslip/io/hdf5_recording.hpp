@@ -39,6 +39,7 @@
 
 namespace microslip {
 
+/// Reads all recordings of a file.
 /// @throws FileError    where the file cannot be read.
 /// @throws FormatError  where it is no HDF5 file, is damaged or cut short (even with
 ///                      allow_truncated: then the format has no way to its data), or holds no
@@ -47,7 +48,9 @@ namespace microslip {
 [[nodiscard]] Recordings read_recordings_hdf5(const std::string& path,
                                               const RecordingReadOptions& options = {});
 
-/// @param path  a staged name, see OutputFiles::stage(): it is written over.
+/// Writes recordings to a file.
+/// @param path        a staged name, see OutputFiles::stage(): it is written over.
+/// @param recordings  written in their order.
 /// @throws InputError  where check_recording() finds fault, or a text holds a zero byte.
 /// @throws FileError   where the file cannot be written.
 void write_recordings_hdf5(const std::string& path, std::span<const Recording> recordings);

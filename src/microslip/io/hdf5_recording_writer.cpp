@@ -15,12 +15,12 @@ namespace {
 
 constexpr hsize_t kChunk = hsize_t{1} << 17U;  // values
 
-[[noreturn]] void fail_to_write(const std::string& place) {
+[[noreturn]] void fail_to_write_hdf5(const std::string& place) {
   throw FileError(place, fmt::format("cannot be written: {}", hdf5_reason()));
 }
 
 Hdf5Handle require(Hdf5Handle handle, const std::string& place) {
-  if (!handle.valid()) fail_to_write(place);
+  if (!handle.valid()) fail_to_write_hdf5(place);
   return handle;
 }
 
@@ -48,6 +48,7 @@ Hdf5Handle dataset_properties(hsize_t count) {
   H5Pset_chunk(properties.id(), 1, &chunk);
   H5Pset_fletcher32(properties.id());
   H5Pset_fill_time(properties.id(), H5D_FILL_TIME_NEVER);
+  H5Pset_obj_track_times(properties.id(), false);  // the same recording makes the same file
   H5Pset_attr_creation_order(properties.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
   return properties;
 }
@@ -65,7 +66,7 @@ Hdf5Handle write_real(hid_t group, const char* name, std::span<const double> val
                       const std::string& place) {
   Hdf5Handle dataset = create_dataset(group, name, H5T_IEEE_F64LE, values.size(), place);
   if (H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
-    fail_to_write(place);
+    fail_to_write_hdf5(place);
   }
   return dataset;
 }
@@ -96,7 +97,7 @@ Hdf5Handle write_complex(hid_t group, const char* name, const Channel& channel,
     H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, &start, nullptr, &size, nullptr);
     if (H5Dwrite(dataset.id(), memory_type.id(), memory.id(), space.id(), H5P_DEFAULT,
                  buffer.data()) < 0) {
-      fail_to_write(place);
+      fail_to_write_hdf5(place);
     }
   }
   return dataset;
@@ -137,6 +138,7 @@ void write_recording(hid_t file, std::size_t number, const Recording& recording,
   const std::string place = fmt::format("{}:/{}", path, name);
   const Hdf5Handle properties(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
   H5Pset_attr_creation_order(properties.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
+  H5Pset_obj_track_times(properties.id(), false);
   const Hdf5Handle group = require(
       {H5Gcreate2(file, name.c_str(), H5P_DEFAULT, properties.id(), H5P_DEFAULT), H5Gclose}, place);
   write_hdf5_text(group.id(), "source", recording.source, place);
@@ -155,13 +157,15 @@ void write_recordings_hdf5(const std::string& path, std::span<const Recording> r
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   // From 1.10 on all that surrounds the values carries checksums.
   H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_LATEST);
+  const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  H5Pset_obj_track_times(creation.id(), false);
   Hdf5Handle file =
-      require({H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose}, path);
+      require({H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose}, path);
   write_hdf5_text(file.id(), "schema", std::string(kRecordingSchema), path);
   for (std::size_t i = 0; i < recordings.size(); ++i) {
     write_recording(file.id(), i + 1, recordings[i], path);
   }
-  if (!file.close()) fail_to_write(path);
+  if (!file.close()) fail_to_write_hdf5(path);
 }
 
 }  // namespace microslip

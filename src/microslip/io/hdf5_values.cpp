@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kLargestText = std::size_t{64} << 20U;
 constexpr std::size_t kRowsBuffer = std::size_t{1} << 17U;  // doubles
 /// Deflate makes no more of one byte (RFC 1951).
-constexpr hsize_t kLargestInflation = 1040;
+constexpr hsize_t kLargestHdf5Inflation = 1040;
 
 Hdf5Handle type_of(hid_t dataset) { return {H5Dget_type(dataset), H5Tclose}; }
 
@@ -180,7 +180,7 @@ std::size_t check_hdf5_storage(hid_t dataset, const std::string& place) {
   const hsize_t stored = H5Dget_storage_size(dataset);
   const bool filtered = H5Pget_nfilters(properties.id()) > 0;
   const bool chunked = layout == H5D_CHUNKED;
-  const hsize_t most = filtered ? stored * kLargestInflation : stored;
+  const hsize_t most = filtered ? stored * kLargestHdf5Inflation : stored;
   if (bytes > most || (chunked && missing_chunks(dataset, properties.id(), sizes) > 0)) {
     throw FormatError({.file = place}, fmt::format("{} values", count), "fewer in the file",
                       "It was not closed when it was written, or it is damaged.");

@@ -181,6 +181,14 @@ void append_object(std::string& text, std::string_view key, const Record& record
 
 }  // namespace
 
+std::optional<double> covered_to(const JointFile& file) {
+  for (const auto& [name, value] : file.identification) {
+    const double* number = std::get_if<double>(&value);
+    if (name == "covered_to_N" && number != nullptr && *number > 0.0) return *number;
+  }
+  return std::nullopt;
+}
+
 JointFile parse_joint(std::string_view text, std::string_view file) {
   const Json json = parse_json(text, file);
   const JsonObject top(json, file, "");
@@ -197,6 +205,16 @@ JointFile parse_joint(std::string_view text, std::string_view file) {
 
 JointFile read_joint(const std::string& path) {
   return parse_joint(read_file(path, kLargestJointFile), input_name(path));
+}
+
+std::vector<std::string> texts_of(const JsonText& list) {
+  std::vector<std::string> texts;
+  const Json json = Json::parse(list.text, nullptr, false);
+  if (!json.is_array()) return texts;
+  for (const Json& item : json) {
+    if (item.is_string()) texts.push_back(item.get<std::string>());
+  }
+  return texts;
 }
 
 std::string format_joint(const JointFile& file) {

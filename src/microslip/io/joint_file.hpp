@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "microslip/io/record.hpp"
 #include "microslip/joint/joint.hpp"
@@ -14,12 +15,17 @@
 
 namespace microslip {
 
+/// What a joint.json holds.
 struct JointFile {
-  Joint joint;
-  std::optional<Provenance> provenance;
+  Joint joint;                           ///< the joint itself
+  std::optional<Provenance> provenance;  ///< how the file came to be; nothing where it does not say
   Record identification;  ///< range covered, remainder, bands…; empty where the file has none
 };
 
+/// kA of the highest level that the joint was identified by, N; nothing where the file does not say.
+[[nodiscard]] std::optional<double> covered_to(const JointFile& file);
+
+/// A joint from the text of a joint.json.
 /// @throws FormatError  for text that is no JSON, another schema, keys unknown or missing.
 /// @throws InputError   naming `file: density[i].key` for a value of a wrong type or one that
 ///                      breaks a rule of SlipDensity or Joint.
@@ -27,6 +33,10 @@ struct JointFile {
 
 /// parse_joint() of a file; "-" is standard input. @throws FileError, FormatError, InputError
 [[nodiscard]] JointFile read_joint(const std::string& path);
+
+/// The texts of a JSON list, as of the warnings in an identification; what is no text is left out.
+/// Empty for what is no list.
+[[nodiscard]] std::vector<std::string> texts_of(const JsonText& list);
 
 /// The text that parse_joint() reads back as the same: numbers are the shortest that read back as
 /// the same double, keys come in a fixed order, nothing depends on the clock or the locale.

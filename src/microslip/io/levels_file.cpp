@@ -27,7 +27,7 @@ constexpr OptionalColumn kOptionalColumns[] = {
 
 }  // namespace
 
-LevelsFile parse_levels(std::string text, std::string_view file) {
+LevelsFile parse_levels(std::string text, std::string_view file, const LevelsReadOptions& options) {
   const CsvTable table(std::move(text), file);
   Levels levels;
   levels.amplitude = table.numbers("amplitude", kLength);
@@ -45,7 +45,14 @@ LevelsFile parse_levels(std::string text, std::string_view file) {
   require_positive(table, "secant_stiffness", levels.secant_stiffness);
   std::vector<double> reversals = table.numbers_if_present("reversals", kDimensionless);
   require_non_negative(table, "reversals", reversals);
-  return {std::move(levels), table.file(), table.row_lines(), std::move(reversals)};
+  if (options.linear_dissipation) {
+    levels.linear_dissipation = table.numbers("linear_dissipation", kEnergy);
+    require_non_negative(table, "linear_dissipation", levels.linear_dissipation);
+  }
+  std::vector<std::string> flags;
+  if (table.has("flags")) flags = table.text("flags");
+  return {std::move(levels), table.file(), table.row_lines(), std::move(reversals),
+          std::move(flags)};
 }
 
 std::vector<std::size_t> LevelsFile::lines_with_inner_reversals() const {
@@ -68,6 +75,8 @@ LevelsFile without_inner_reversals(const LevelsFile& file) {
   result.file = file.file;
   result.line = kept(file.line);
   result.reversals = kept(file.reversals);
+  result.flags = kept(file.flags);
+  result.levels.linear_dissipation = kept(file.levels.linear_dissipation);
   result.levels.amplitude = kept(file.levels.amplitude);
   result.levels.dissipation = kept(file.levels.dissipation);
   for (const OptionalColumn& column : kOptionalColumns) {

@@ -12,16 +12,18 @@
 /// @file
 /// levels.csv: one row a level. Needed: `amplitude [m]`, `dissipation [J]`. Used when there:
 /// `amplitude_std [m]`, `dissipation_std [J]`, `secant_stiffness [N/m]`, `secant_stiffness_std
-/// [N/m]`, and `reversals [1]` of the joint displacement in a cycle. Other columns are left alone.
+/// [N/m]`, `reversals [1]` of the joint displacement in a cycle, and `flags`. Other columns are left
+/// alone.
 
 namespace microslip {
 
 /// Levels in the order of the file, with the place of each.
 struct LevelsFile {
-  Levels levels;
-  std::string file;
-  std::vector<std::size_t> line;  ///< one a level, from 1
-  std::vector<double> reversals;  ///< one a level, 1; empty where the file does not tell
+  Levels levels;                        ///< in the order of the file
+  std::string file;                     ///< its name, for messages
+  std::vector<std::size_t> line;        ///< one a level, from 1
+  std::vector<double> reversals;        ///< one a level, 1; empty where the file does not tell
+  std::vector<std::string> flags = {};  ///< one a level, between blanks; empty where there are none
 
   /// D tells of the density where the joint turns twice a cycle; with inner reversals it holds the
   /// loss of inner loops too [AR14 (7)].
@@ -36,8 +38,16 @@ struct LevelsFile {
 /// The file without the levels that have inner reversals.
 [[nodiscard]] LevelsFile without_inner_reversals(const LevelsFile& file);
 
-/// @throws FormatError  at the cell that breaks a rule: A > 0, D ≥ 0, k_eq > 0, σ ≥ 0, all finite.
-[[nodiscard]] LevelsFile parse_levels(std::string text, std::string_view file);
+/// What parse_levels() reads beside what every identification uses.
+struct LevelsReadOptions {
+  bool linear_dissipation = false;  ///< the column `linear_dissipation [J]`, W_lin, must be there
+};
+
+/// Levels from the text of a levels.csv.
+/// @throws FormatError  at the cell that breaks a rule: A > 0, D ≥ 0, k_eq > 0, W_lin ≥ 0, σ ≥ 0, all
+///                      finite.
+[[nodiscard]] LevelsFile parse_levels(std::string text, std::string_view file,
+                                      const LevelsReadOptions& options = {});
 
 /// parse_levels() of a file; "-" is standard input. @throws FileError, FormatError
 [[nodiscard]] LevelsFile read_levels(const std::string& path);

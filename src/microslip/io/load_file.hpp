@@ -20,6 +20,9 @@
 
 namespace microslip {
 
+/// Loads from the text of their table.
+/// @param text       the file's whole text.
+/// @param file       its name, for messages.
 /// @param structure  its points, excitations and joints.
 /// @param law        of joints whose normal load is given.
 /// @throws FormatError  at the cell or column that breaks a rule.

@@ -22,6 +22,7 @@ namespace microslip {
 /// Recorded times up to which all is finite: what there is to write.
 [[nodiscard]] std::size_t finite_records(const MarchResult& result);
 
+/// The table of what was marched.
 /// @param result   with one recorded point.
 /// @param loads    that were marched.
 /// @param every    the decimation of the records.

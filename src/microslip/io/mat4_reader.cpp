@@ -35,13 +35,14 @@ bool is_mopt(std::uint32_t number) {
          number % 10 <= 2;
 }
 
-std::size_t size_of(std::uint32_t precision) {
+std::size_t bytes_of_precision(std::uint32_t precision) {
   return precision == 0 ? 8 : precision <= 2 ? 4 : precision <= 4 ? 2 : 1;
 }
 
-class FileReader {
+class Mat4FileReader {
  public:
-  FileReader(MatFileStream& file, const MatReadOptions& options) : file_(file), options_(options) {}
+  Mat4FileReader(MatFileStream& file, const MatReadOptions& options)
+      : file_(file), options_(options) {}
 
   MatTree read() {
     return read_variables(file_, options_, [this](MatValue& root) { read_variable(root); });
@@ -82,7 +83,7 @@ class FileReader {
 
   void read_variable(MatValue& root) {
     Header header = read_header();
-    const std::size_t bytes = size_of(header.precision) * (header.complex ? 2 : 1);
+    const std::size_t bytes = bytes_of_precision(header.precision) * (header.complex ? 2 : 1);
     const std::size_t room = file_.at_most() / bytes;
     if (header.columns != 0 && header.rows > room / header.columns) {
       file_.fail_ended(
@@ -161,7 +162,7 @@ bool is_mat4(std::string_view head) {
 }
 
 MatTree read_mat4(MatFileStream& file, const MatReadOptions& options) {
-  return FileReader(file, options).read();
+  return Mat4FileReader(file, options).read();
 }
 
 }  // namespace microslip

@@ -26,8 +26,8 @@ enum Type : std::uint32_t {
   kUint16 = 4,
   kInt32 = 5,
   kUint32 = 6,
-  kSingle = 7,
-  kDouble = 9,
+  kSingleNumbers = 7,
+  kDoubleNumbers = 9,
   kInt64 = 12,
   kUint64 = 13,
   kMatrix = 14,
@@ -52,7 +52,7 @@ enum Class : std::uint32_t {
 
 constexpr std::uint32_t kComplexFlag = 0x800;
 
-std::size_t size_of(std::uint32_t type) {
+std::size_t bytes_of_type(std::uint32_t type) {
   switch (type) {
     case kInt8:
     case kUint8:
@@ -65,9 +65,9 @@ std::size_t size_of(std::uint32_t type) {
     case kInt32:
     case kUint32:
     case kUtf32:
-    case kSingle:
+    case kSingleNumbers:
       return 4;
-    case kDouble:
+    case kDoubleNumbers:
     case kInt64:
     case kUint64:
       return 8;
@@ -145,7 +145,7 @@ class VariableReader {
   /// Converts to To as it reads; the element may hold any type of numbers.
   template <class To>
   void read_numbers(const Tag& tag, std::vector<To>& to) {
-    const std::size_t size = size_of(tag.type);
+    const std::size_t size = bytes_of_type(tag.type);
     if (size == 0 || tag.size % size != 0) {
       stream_.fail("an element of numbers", fmt::format("type {} of {} bytes", tag.type, tag.size));
     }
@@ -166,7 +166,7 @@ class VariableReader {
       case kUint32:
       case kUtf32:
         return read_values<std::uint32_t>(stream_, count, swap_, to), go_to(tag.end);
-      case kSingle:
+      case kSingleNumbers:
         return read_values<float>(stream_, count, swap_, to), go_to(tag.end);
       case kInt64:
         return read_values<std::int64_t>(stream_, count, swap_, to), go_to(tag.end);
@@ -251,13 +251,13 @@ class VariableReader {
   void read_part(const MatValue& value, std::vector<double>& part, std::uint32_t type,
                  std::size_t end) {
     const Tag tag = read_tag(end);
-    const std::size_t size = size_of(tag.type);
+    const std::size_t size = bytes_of_type(tag.type);
     if (size == 0 || tag.type >= kUtf8 || tag.size != size * value.count()) {
       stream_.fail(fmt::format("{} numbers", value.count()),
                    fmt::format("{} bytes of type {}", tag.size, tag.type));
     }
     // Integers may be stored in fewer bytes than their class has, never as fractions.
-    if (type > kSingleClass && (tag.type == kSingle || tag.type == kDouble)) {
+    if (type > kSingleClass && (tag.type == kSingleNumbers || tag.type == kDoubleNumbers)) {
       stream_.fail("integers", "fractions");
     }
     read_numbers(tag, part);
@@ -343,9 +343,9 @@ bool read_header(MatFileStream& file) {
   return (mark == "MI") == (std::endian::native == std::endian::little);
 }
 
-class FileReader {
+class Mat5FileReader {
  public:
-  FileReader(MatFileStream& file, const MatReadOptions& options)
+  Mat5FileReader(MatFileStream& file, const MatReadOptions& options)
       : file_(file), options_(options), swap_(read_header(file)) {}
 
   MatTree read() {
@@ -396,7 +396,7 @@ class FileReader {
 }  // namespace
 
 MatTree read_mat5(MatFileStream& file, const MatReadOptions& options) {
-  return FileReader(file, options).read();
+  return Mat5FileReader(file, options).read();
 }
 
 }  // namespace microslip

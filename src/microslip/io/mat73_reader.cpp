@@ -23,9 +23,9 @@ constexpr std::array<std::string_view, 11> kNumberClasses{"double", "single", "i
                                                           "int16",  "uint16", "int32",  "uint32",
                                                           "int64",  "uint64", "logical"};
 
-class Reader {
+class Mat73Reader {
  public:
-  Reader(std::string path, const MatReadOptions& options, hid_t file)
+  Mat73Reader(std::string path, const MatReadOptions& options, hid_t file)
       : path_(std::move(path)), options_(options), file_(file), progress_(file, options.progress) {}
 
   MatTree read() {
@@ -36,7 +36,7 @@ class Reader {
       if (name.starts_with('#')) continue;  // #refs#, #subsystem#
       MatValue value;
       if (!options_.only || *options_.only == name) {
-        value = read_object(open_hdf5_object(file_, name), path_ + ":/" + name, 0);
+        value = read_object(open_hdf5_object(file_, name), path_ + ":/" + printable(name), 0);
       }
       tree.root.fields.push_back(name);
       tree.root.children.push_back(std::move(value));
@@ -149,7 +149,7 @@ class Reader {
     std::vector<std::vector<MatValue>> columns;
     std::size_t count = 1;
     for (const std::string& field : value.fields) {
-      const std::string inside = place + "/" + field;
+      const std::string inside = place + "/" + printable(field);
       const Hdf5Handle object = open_hdf5_object(group, field);
       std::vector<MatValue> column;
       if (is_references(object, inside)) {
@@ -177,7 +177,7 @@ class Reader {
 
 MatTree read_tree(const std::string& path, const MatReadOptions& options) {
   const Hdf5Handle file = open_hdf5(path);
-  return Reader(path, options, file.id()).read();
+  return Mat73Reader(path, options, file.id()).read();
 }
 
 }  // namespace

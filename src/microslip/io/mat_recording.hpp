@@ -42,7 +42,10 @@
 
 namespace microslip {
 
+/// Reads the recordings of a file, or of a part of it.
+/// @param path      of the file.
 /// @param variable  a struct or a vector, written as in mat_value.hpp; empty: all of the file.
+/// @param options   see RecordingReadOptions.
 /// @throws FileError    where the file cannot be read.
 /// @throws FormatError  where it is no MAT file, is damaged, or holds no recording. Of a file cut
 ///                      short, allow_truncated takes the variables that are whole (not in 7.3).
@@ -52,7 +55,9 @@ namespace microslip {
                                              std::string_view variable = {},
                                              const RecordingReadOptions& options = {});
 
-/// @param path  a staged name, see OutputFiles::stage(): it is written over.
+/// Writes recordings to a file.
+/// @param path        a staged name, see OutputFiles::stage(): it is written over.
+/// @param recordings  written in their order.
 /// @throws InputError  where check_recording() finds fault, or a text is not UTF-8.
 /// @throws FileError   where the file cannot be written.
 void write_recordings_mat(const std::string& path, std::span<const Recording> recordings);

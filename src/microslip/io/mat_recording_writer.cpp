@@ -142,7 +142,7 @@ std::size_t size_of(const Recording& recording) {
   return values * sizeof(double);
 }
 
-[[noreturn]] void fail_to_write(const std::string& path) {
+[[noreturn]] void fail_to_write_mat(const std::string& path) {
   throw FileError(path, "cannot be written", "Is there room on the disk?");
 }
 
@@ -151,22 +151,27 @@ std::size_t size_of(const Recording& recording) {
 void write_mat(const std::string& path, std::span<const Recording> recordings, MatVersion version) {
   for (const Recording& recording : recordings) check_recording(recording);
   const Hdf5Session session;  // matio writes version 7.3 by HDF5
+  // Without a text of ours the time would be in it, and no file as the one before.
+  const bool is_5 = version == MatVersion::k5;
+  const char* heading = is_5 ? "MATLAB 5.0 MAT-file, written by microslip"
+                             : "MATLAB 7.3 MAT-file, written by microslip";
   std::unique_ptr<mat_t, CloseFile> file(
-      Mat_CreateVer(path.c_str(), nullptr, version == MatVersion::k5 ? MAT_FT_MAT5 : MAT_FT_MAT73));
-  if (!file) fail_to_write(path);
+      Mat_CreateVer(path.c_str(), heading, is_5 ? MAT_FT_MAT5 : MAT_FT_MAT73));
+  if (!file) fail_to_write_mat(path);
   for (std::size_t i = 0; i < recordings.size(); ++i) {
     const std::string name = fmt::format("recording_{}", i + 1);
     Parts parts;
     const Variable variable = recording_struct(recordings[i], name, path, parts);
-    if (Mat_VarWrite(file.get(), variable.get(), MAT_COMPRESSION_NONE) != 0) fail_to_write(path);
+    if (Mat_VarWrite(file.get(), variable.get(), MAT_COMPRESSION_NONE) != 0)
+      fail_to_write_mat(path);
   }
-  if (Mat_Close(file.release()) != 0) fail_to_write(path);
+  if (Mat_Close(file.release()) != 0) fail_to_write_mat(path);
   // matio does not notice a full disk. What it has written is whole if its elements nest.
   try {
     const MatTree written = read_mat_tree(path, {.only = std::string_view{}});
-    if (written.root.fields.size() != recordings.size()) fail_to_write(path);
+    if (written.root.fields.size() != recordings.size()) fail_to_write_mat(path);
   } catch (const FormatError&) {
-    fail_to_write(path);
+    fail_to_write_mat(path);
   }
 }
 

@@ -30,6 +30,7 @@ struct MatArray {
   std::vector<double> real;        ///< column by column
   std::vector<double> imaginary;   ///< of the same length, or empty: the numbers are real
 };
+/// All numbers of an array, real or complex, with its sizes.
 [[nodiscard]] MatArray read_mat_array(const std::string& path, std::string_view variable);
 
 /// A text of one row, in UTF-8.

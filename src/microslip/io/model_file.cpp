@@ -178,9 +178,9 @@ std::string joint_path(const TomlTable& table, std::string_view model) {
   return path == "-" ? "./-" : path;
 }
 
-Joint read_joint_of(const TomlTable& table, const std::string& path) {
+JointFile read_joint_of(const TomlTable& table, const std::string& path) {
   try {
-    return read_joint(path).joint;
+    return read_joint(path);
   } catch (const FileError& error) {
     throw FileError(table.name("file"), error.what());
   }
@@ -195,6 +195,12 @@ std::vector<double> read_shortening(const TomlTable& table, std::size_t modes) {
                     fmt::format("must have {}, the rows of a symmetric matrix with one row a mode",
                                 modes * modes));
 }
+
+/// Where a joint comes from.
+struct JointSource {
+  std::string file;
+  std::optional<double> covered_to;  ///< N
+};
 
 /// All but the joint itself, which comes from the file.
 StructuralJoint read_joint_table(const TomlTable& table, std::string name, Joint joint,
@@ -211,7 +217,7 @@ StructuralJoint read_joint_table(const TomlTable& table, std::string name, Joint
 }
 
 void read_joints(const TomlTable& top, std::string_view file, std::size_t modes,
-                 std::vector<StructuralJoint>& joints, std::vector<std::string>& files) {
+                 std::vector<StructuralJoint>& joints, std::vector<JointSource>& sources) {
   if (!top.has("joint")) return;
   const std::vector<TomlTable> tables = top.tables("joint");
   for (const TomlTable& table : tables) {
@@ -220,9 +226,10 @@ void read_joints(const TomlTable& top, std::string_view file, std::size_t modes,
     std::string name = tables.size() == 1 ? "joint" : fmt::format("joint{}", joints.size() + 1);
     if (table.has("name")) name = table.text("name");
     check_name(table, name, joints, "joint");
-    files.push_back(joint_path(table, file));
-    joints.push_back(
-        read_joint_table(table, std::move(name), read_joint_of(table, files.back()), modes));
+    std::string path = joint_path(table, file);
+    const JointFile content = read_joint_of(table, path);
+    sources.push_back({std::move(path), covered_to(content)});
+    joints.push_back(read_joint_table(table, std::move(name), content.joint, modes));
   }
 }
 
@@ -288,12 +295,18 @@ ModelFile read_tables(const TomlTable& top, std::string_view file) {
   std::string response =
       top.has("response") ? read_response(top, linear.model) : excitations.front().point;
   std::vector<StructuralJoint> joints;
-  std::vector<std::string> files;
-  read_joints(top, file, linear.model.size(), joints, files);
+  std::vector<JointSource> sources;
+  read_joints(top, file, linear.model.size(), joints, sources);
   try {
-    return {JointedStructure(std::move(linear.model), std::move(joints), std::move(excitations),
-                             linear.law),
-            std::move(response), std::move(files)};
+    ModelFile model{JointedStructure(std::move(linear.model), std::move(joints),
+                                     std::move(excitations), linear.law),
+                    std::move(response),
+                    {}};
+    for (JointSource& source : sources) {
+      model.joint_files.push_back(std::move(source.file));
+      model.covered_to.push_back(source.covered_to);
+    }
+    return model;
   } catch (const InputError& error) {  // what concerns several keys
     throw error.renamed(fmt::format("{}: {}", file, error.name()));
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,19 +31,23 @@
 
 namespace microslip {
 
+/// What a model.toml holds.
 struct ModelFile {
-  JointedStructure structure;
+  JointedStructure structure;            ///< with its joints and excitations
   std::string response;                  ///< the point where the response is measured
   std::vector<std::string> joint_files;  ///< one a joint, as they were opened
+  /// covered_to() of each joint's file, N; fewer where they are not known.
+  std::vector<std::optional<double>> covered_to = {};
 };
 
 /// Reads the joint files too.
+/// @param text  the file's whole text.
 /// @param file  its folder is where those are sought; the current one where it has none.
 /// @throws FormatError  for text that is no TOML, another schema, keys unknown or missing; for a
 ///                      joint file as parse_joint().
-/// @throws InputError   naming `file:line:column: joint[1].shape` for a value of a wrong type or one
+/// @throws InputError   naming `model.toml:12:3: joint[1].shape` for a value of a wrong type or one
 ///                      that breaks a rule; for a joint file as parse_joint().
-/// @throws FileError    naming `file:line:column: joint[1].file` where that cannot be read.
+/// @throws FileError    naming `model.toml:12:3: joint[1].file` where that cannot be read.
 [[nodiscard]] ModelFile parse_model(std::string_view text, std::string_view file);
 
 /// parse_model() of a file; "-" is standard input. @throws FileError, FormatError, InputError

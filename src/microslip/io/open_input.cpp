@@ -17,7 +17,7 @@
 namespace microslip {
 namespace {
 
-std::string_view remedy_for(int error) {
+std::string_view remedy_for_reading(int error) {
   switch (error) {
     case ENOENT:
       return "Check the path.";
@@ -34,7 +34,7 @@ std::string_view remedy_for(int error) {
 
 void fail_reading(const std::string& name, int error) {
   throw FileError(name, fmt::format("cannot be read: {}", std::generic_category().message(error)),
-                  remedy_for(error));
+                  remedy_for_reading(error));
 }
 
 FileDescriptor open_input(const std::string& path) {

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kStandardOutput = "standard output";
 
-std::string_view remedy_for(int error) {
+std::string_view remedy_for_writing(int error) {
   switch (error) {
     case ENOENT:
       return "Create the folder first.";
@@ -47,7 +47,7 @@ std::string_view remedy_for(int error) {
 [[noreturn]] void fail(std::string_view path, int error) {
   throw FileError(path,
                   fmt::format("cannot be written: {}", std::generic_category().message(error)),
-                  remedy_for(error));
+                  remedy_for_writing(error));
 }
 
 [[noreturn]] void fail_twice(std::string_view path) {
@@ -94,12 +94,12 @@ void check_folder(const std::string& path, const std::string& target) {
 }
 
 /// Where a path leads, and what is there to be replaced.
-struct Target {
+struct OutputTarget {
   std::string file;
   std::optional<struct stat> replaced;
 };
 
-void check_replaceable(const std::string& path, const Target& target) {
+void check_replaceable(const std::string& path, const OutputTarget& target) {
   if (!target.replaced) return;
   if (S_ISDIR(target.replaced->st_mode)) {
     throw FileError(path, "is a folder and cannot be replaced", "Name a file in it.");
@@ -113,11 +113,11 @@ void check_replaceable(const std::string& path, const Target& target) {
   }
 }
 
-Target checked_target(const std::string& path) {
+OutputTarget checked_target(const std::string& path) {
   if (path.empty() || path.find('\0') != std::string::npos) {
     throw FileError(path.empty() ? "''" : path.c_str(), "is no name of a file");
   }
-  Target target{.file = behind_links(path), .replaced = {}};
+  OutputTarget target{.file = behind_links(path), .replaced = {}};
   check_folder(path, target.file);
   struct stat status {};
   if (::stat(target.file.c_str(), &status) == 0) {
@@ -151,7 +151,8 @@ void write_all(int file, std::string_view path, std::string_view content) {
 }
 
 /// A new file in the folder of the target, with the permissions of the file it is going to replace.
-std::pair<Temporary, FileDescriptor> create_beside(const std::string& path, const Target& target) {
+std::pair<Temporary, FileDescriptor> create_beside(const std::string& path,
+                                                   const OutputTarget& target) {
   static std::atomic<unsigned> counter{0};
   for (;;) {
     Temporary temporary(
@@ -207,7 +208,7 @@ std::optional<Temporary> second_name(const std::string& target, const std::strin
 
 void check_output(const std::string& path, std::string_view kind) {
   if (path == "-") return;
-  const Target target = checked_target(path);
+  const OutputTarget target = checked_target(path);
   if (target.replaced && !kind.empty()) check_kind(path, target.file, kind);
 }
 
@@ -225,7 +226,7 @@ void check_outputs(std::span<const PlannedOutput> outputs) {
 }
 
 std::pair<OutputFiles::File*, FileDescriptor> OutputFiles::create(const std::string& path) {
-  const Target target = checked_target(path);
+  const OutputTarget target = checked_target(path);
   const auto same = [&](const File& file) { return is_same_file(file.target, target.file); };
   if (std::any_of(files_.begin(), files_.end(), same)) fail_twice(path);
   auto created = create_beside(path, target);
@@ -251,7 +252,7 @@ std::string OutputFiles::stage(const std::string& path) {
 
 void OutputFiles::check_all() const {
   for (const File& file : files_) {
-    const Target target = checked_target(file.path);
+    const OutputTarget target = checked_target(file.path);
     const std::string& temporary = file.temporary.path();
     if (target.replaced) {
       check_kind(file.path, target.file, file_kind(read_file_head(temporary, kKindHeadSize)));

@@ -15,6 +15,7 @@ namespace microslip {
 class FileDescriptor;
 
 /// Checks, before a long computation, what OutputFiles will demand of a path at its end.
+/// @param path  "-" is standard output, to which anything may go.
 /// @param kind  what will be written, see file_kind.hpp; empty where that is not known yet.
 /// @throws FileError  where the folder is missing or closed to writing, or the path names a folder,
 ///                    a device or a pipe, or an existing file of another kind or one closed to
@@ -23,8 +24,8 @@ void check_output(const std::string& path, std::string_view kind = {});
 
 /// check_output() of a file where there are several.
 struct PlannedOutput {
-  std::string path;
-  std::string_view kind = {};
+  std::string path;            ///< of the file; "-" is standard output
+  std::string_view kind = {};  ///< as of check_output()
 };
 
 /// The same of all files that OutputFiles is to write.
@@ -39,7 +40,9 @@ class OutputFiles {
  public:
   OutputFiles() = default;
 
+  /// Adds a file with its content.
   /// @param path     "-" is standard output, written by commit().
+  /// @param content  all of it.
   /// @throws FileError  as check_output(), where two files of the set have one path, and where the
   ///                    content cannot be written.
   void add(const std::string& path, std::string_view content);
@@ -49,6 +52,7 @@ class OutputFiles {
   /// @throws FileError  as add().
   [[nodiscard]] std::string stage(const std::string& path);
 
+  /// Gives all files their names.
   /// @throws FileError  where a file cannot be replaced or is of another kind; then all are as
   ///                    before (on a file system without hard links: those not replaced yet).
   void commit();

@@ -20,7 +20,9 @@ class OutputFolders {
   ~OutputFolders();
 
   /// Makes a folder and those above it where they are missing.
-  /// @param remedy  of the message. @throws FileError  where that fails or a file has the name.
+  /// @param path    of the folder.
+  /// @param remedy  of the message.
+  /// @throws FileError  where that fails or a file has the name.
   void make(const std::string& path, std::string_view remedy = "Choose another folder.");
 
  private:

@@ -12,11 +12,13 @@ namespace microslip {
 
 /// Any other JSON value, as text.
 struct JsonText {
-  std::string text;
+  std::string text;  ///< of the value, as JSON writes it
 
+  /// Member by member.
   friend bool operator==(const JsonText&, const JsonText&) = default;
 };
 
+/// A value of a Record.
 using RecordValue = std::variant<double, std::string, std::vector<double>, JsonText>;
 
 /// Named values in their order. Names of quantities end in their unit, as in `covered_to_N`.
@@ -24,22 +26,24 @@ using Record = std::vector<std::pair<std::string, RecordValue>>;
 
 /// An input of a computation.
 struct InputHash {
-  std::string file;
+  std::string file;    ///< its name, as given
   std::string sha256;  ///< of its content, hexadecimal
 
+  /// Member by member.
   friend bool operator==(const InputHash&, const InputHash&) = default;
 };
 
 /// How a file came to be. No clock time: the same call on the same inputs writes the same bytes.
 struct Provenance {
-  std::string program = "microslip";
-  std::string version;
-  std::string command;  ///< the call as it was typed
-  std::vector<InputHash> inputs;
-  Record options;  ///< what was in force, the defaults included
-  std::optional<std::uint64_t> seed;
-  Record other;  ///< what else a file says
+  std::string program = "microslip";  ///< of the microslip that wrote it
+  std::string version;                ///< that wrote the file
+  std::string command;                ///< the call as it was typed
+  std::vector<InputHash> inputs;      ///< the files that were read
+  Record options;                     ///< what was in force, the defaults included
+  std::optional<std::uint64_t> seed;  ///< of the random numbers; nothing where there are none
+  Record other;                       ///< what else a file says
 
+  /// Member by member.
   friend bool operator==(const Provenance&, const Provenance&) = default;
 };
 

@@ -29,9 +29,9 @@ namespace {
 /// How the numbers of a file are written; unknown until one has a point or a comma.
 enum class Decimal { kUnknown, kPoint, kComma };
 
-class Reader {
+class CsvRecordingReader {
  public:
-  Reader(InputStream& file, const RecordingReadOptions& options)
+  CsvRecordingReader(InputStream& file, const RecordingReadOptions& options)
       : file_(file), options_(options), blocks_(file), header_(file.name()) {}
 
   Recordings read() {
@@ -382,7 +382,7 @@ Recordings read_recordings_csv(const std::string& path, const RecordingReadOptio
 }
 
 Recordings read_recordings_csv(InputStream& file, const RecordingReadOptions& options) {
-  return Reader(file, options).read();
+  return CsvRecordingReader(file, options).read();
 }
 
 }  // namespace microslip

@@ -34,13 +34,14 @@ class InputStream;
 
 /// Reads the file from front to end, in pieces: beside the values there is no more than a few MiB in
 /// memory.
-/// @param path  "-" is standard input.
+/// @param path     "-" is standard input.
+/// @param options  see RecordingReadOptions.
 /// @throws FileError    where the file cannot be read.
-/// @throws FormatError  at file:line:column, where it is not of the form above: empty, binary,
-///                      without header, rows, a channel or an axis; a row with more or fewer cells
-///                      than the header, a cell that is no finite number, an unknown unit, two
-///                      columns of one name, times that do not rise. A file that was cut within a row
-///                      is read as far as it is whole where the options allow that.
+/// @throws FormatError  naming the place, where it is not of the form above: empty, binary, without
+///                      header, rows, a channel or an axis; a row with more or fewer cells than
+///                      the header, a cell that is no finite number, an unknown unit, two columns
+///                      of one name, times that do not rise. A file that was cut within a row is
+///                      read as far as it is whole where the options allow that.
 /// @throws InputError   where a unit is assumed for an axis that has one.
 /// @throws Cancelled    where the progress callback says so.
 [[nodiscard]] Recordings read_recordings_csv(const std::string& path,
@@ -53,7 +54,8 @@ class InputStream;
 /// Writes text that read_recordings_csv() reads back as the same recording, but for its source: each
 /// number is the shortest that reads back as the same double. Times that are evenly spaced read back
 /// as such, their start and step to rounding.
-/// @param path  it is overwritten, if it is there; see OutputFiles::stage().
+/// @param path       it is overwritten, if it is there; see OutputFiles::stage().
+/// @param recording  over time or frequency.
 /// @throws InputError  where check_recording() does, or the axis is neither time nor frequency.
 /// @throws FileError   where the file cannot be written.
 void write_recording_csv(const std::string& path, const Recording& recording);

@@ -17,7 +17,7 @@
 namespace microslip {
 namespace {
 
-constexpr std::string_view kExampleHeader = "'time [s],force [N],acc1 [m/s^2]'";
+constexpr std::string_view kExampleRecordingHeader = "'time [s],force [N],acc1 [m/s^2]'";
 constexpr std::string_view kUsualUnits = "s, Hz, N, m/s^2, g, m/s, m, um (µm), 1";
 
 /// In small letters, with _ for blanks.
@@ -111,7 +111,8 @@ void RecordingCsvHeader::read_names(std::string_view line, std::size_t number) {
     return parse_number(cell.column.name) || parse_comma_number(cell.column.name);
   };
   if (std::ranges::all_of(cells_, is_number)) {
-    throw FormatError(cells_.front().place, fmt::format("a header such as {}", kExampleHeader),
+    throw FormatError(cells_.front().place,
+                      fmt::format("a header such as {}", kExampleRecordingHeader),
                       "a row of numbers", "Add a first line that names each column with its unit.");
   }
   for (std::size_t i = 0; i < cells_.size(); ++i) {

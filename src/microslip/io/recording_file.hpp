@@ -15,6 +15,7 @@
 
 namespace microslip {
 
+/// Formats that recordings are read and written in.
 enum class RecordingFormat {
   kCsv,        ///< comma-separated text, recording_csv.hpp
   kUff,        ///< universal file, datasets 58 in text
@@ -42,15 +43,17 @@ enum class RecordingFormat {
 
 /// `FILE:VARIABLE`, a part of a file, where there is no file of the whole name; or the file alone.
 struct PartOfFile {
-  std::string file;
+  std::string file;      ///< of the file alone
   std::string variable;  ///< empty for the whole file
 };
+/// Takes such a name apart, at the last colon before which there is a file.
 [[nodiscard]] PartOfFile part_of_file(const std::string& path);
 
 /// Reads a file of any format and gives channels without unit those that the options assume.
-/// @param path  a file; or `FILE:VARIABLE` for a part of a MATLAB file, where there is no file of the
-///              whole name; or "-" for standard input: CSV, and a universal file where it is not a
-///              pipe.
+/// @param path     a file; or `FILE:VARIABLE` for a part of a MATLAB file, where there is no file
+///                 of the whole name; or "-" for standard input: CSV, and a universal file where
+///                 it is not a pipe.
+/// @param options  see RecordingReadOptions.
 /// @throws FileError, FormatError, Cancelled  as the readers of the formats.
 /// @throws InputError  where an assumed unit does not fit, see assumed_units.hpp, or a variable is
 ///                     named for another format.
@@ -58,7 +61,10 @@ struct PartOfFile {
                                          const RecordingReadOptions& options);
 
 /// Adds a file of recordings to those to be written.
-/// @param path  "-", standard output, takes CSV alone.
+/// @param files       of the set to which it is added.
+/// @param path        "-", standard output, takes CSV alone.
+/// @param recordings  one for CSV, any number for the others.
+/// @param format      whatever the name of the file is.
 /// @throws InputError  where CSV is to hold another number of recordings than one, or a recording
 ///                     cannot be written in the format.
 /// @throws FileError   as OutputFiles::add().

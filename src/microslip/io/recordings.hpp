@@ -16,6 +16,7 @@ struct Recordings {
   std::vector<Warning> warnings;      ///< what the reader had to forgive
 };
 
+/// How files of recordings are read.
 struct RecordingReadOptions {
   /// Take what a file has where it ends before all it announces, with a warning. Otherwise that is
   /// an error.

@@ -34,13 +34,13 @@ namespace microslip {
 
 /// A rig and the file that it comes from: the paths in it are relative to the folder of that.
 struct RigFile {
-  Rig rig;
-  std::string file;
+  Rig rig;           ///< as described
+  std::string file;  ///< its path
 };
 
 /// contact.joint is the path as written.
 /// @throws FormatError  for text that is no TOML, another schema, keys unknown or missing.
-/// @throws InputError   naming `file:line:column: accelerometer[1].position_m` for a value of a
+/// @throws InputError   naming `rig.toml:12:3: accelerometer[1].position_m` for a value of a
 ///                      wrong type or one that breaks a rule of check_rig().
 [[nodiscard]] Rig parse_rig(std::string_view text, std::string_view file);
 

@@ -1,56 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <cstddef>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/rig_writer.hpp"
+#include "microslip/io/toml_lines.hpp"
 
 namespace microslip {
 namespace {
-
-/// A basic string of TOML.
-std::string quoted(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      result += '\\';
-      result += c;
-    } else if (byte < 0x20 || byte == 0x7F) {
-      result += fmt::format("\\u{:04X}", byte);
-    } else {
-      result += c;
-    }
-  }
-  return result + '"';
-}
-
-/// The lines of a file; fmt writes the shortest text that reads back as the same double.
-class TomlLines {
- public:
-  void table(std::string_view name) { text_ += fmt::format("\n[{}]\n", name); }
-  void element(std::string_view name) { text_ += fmt::format("\n[[{}]]\n", name); }
-  void add(std::string_view key, double value) { text_ += fmt::format("{} = {}\n", key, value); }
-  void add(std::string_view key, std::size_t value) {
-    text_ += fmt::format("{} = {}\n", key, value);
-  }
-  void add(std::string_view key, const std::vector<double>& values) {
-    text_ += fmt::format("{} = [{}]\n", key, fmt::join(values, ", "));
-  }
-  void add(std::string_view key, std::string_view text) {
-    text_ += fmt::format("{} = {}\n", key, quoted(text));
-  }
-  void raw(std::string_view text) { text_ += text; }
-  [[nodiscard]] std::string str() && { return std::move(text_); }
-
- private:
-  std::string text_;
-};
 
 void write_structure(const Rig& rig, TomlLines& lines) {
   if (const RigBeam* beam = rig.beam()) {

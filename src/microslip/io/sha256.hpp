@@ -12,6 +12,7 @@ namespace microslip {
 /// The SHA-256 digest of a byte sequence given piece by piece. [FIPS 180-4, sections 5 and 6.2]
 class Sha256 {
  public:
+  /// Appends bytes to the sequence.
   void update(std::string_view bytes);
 
   /// The digest of all that was given, as 64 lower-case hexadecimal digits. Ends the sequence.

@@ -28,7 +28,7 @@ constexpr std::array kBinary{
 };
 
 /// After blanks and line breaks.
-constexpr std::array kText{
+constexpr std::array kTextSignatures{
     Signature{"{"sv, "JSON"},
     Signature{"<svg"sv, "an SVG picture"},
     Signature{"<!doctype html"sv, "an HTML page"},
@@ -55,7 +55,7 @@ std::string_view signature(std::string_view head) {
   const std::size_t first = head.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return {};
   head.remove_prefix(first);
-  for (const Signature& s : kText) {
+  for (const Signature& s : kTextSignatures) {
     if (head.starts_with(s.start)) return s.name;
   }
   if (head.starts_with("<?xml") && head.find("<svg") != std::string_view::npos) {

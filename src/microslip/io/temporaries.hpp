@@ -9,11 +9,14 @@ namespace microslip {
 /// and by remove_temporaries(). So is a folder, unless it holds something.
 class Temporary {
  public:
+  /// @param path  of the file or folder; it need not exist yet.
   explicit Temporary(std::string path);
+  /// Takes over what the other was to remove.
   Temporary(Temporary&& other) noexcept;
   Temporary& operator=(Temporary&&) = delete;
   ~Temporary();
 
+  /// The name, as given.
   [[nodiscard]] const std::string& path() const { return path_; }
 
   /// The file has got its final name: there is nothing to remove any more.

@@ -12,6 +12,17 @@ namespace {
 
 bool starts_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
 
+/// Moves the first character of a text, not empty, to the result as printable() has it.
+void move_printable(std::string& result, std::string_view& rest) {
+  const std::size_t length = printable_length(rest);
+  if (length > 0) {
+    result += rest.substr(0, length);
+  } else {
+    result += fmt::format("\\x{:02X}", static_cast<unsigned char>(rest.front()));
+  }
+  rest.remove_prefix(std::max<std::size_t>(length, 1));
+}
+
 }  // namespace
 
 std::size_t printable_length(std::string_view text) {
@@ -34,18 +45,16 @@ std::size_t printable_length(std::string_view text) {
              : 0;
 }
 
+std::string printable(std::string_view text) {
+  std::string result;
+  while (!text.empty()) move_printable(result, text);
+  return result;
+}
+
 std::string in_quotes(std::string_view text, std::size_t limit) {
   std::string result = "'";
   std::string_view rest = text;
-  while (!rest.empty() && text.size() - rest.size() < limit) {
-    const std::size_t length = printable_length(rest);
-    if (length > 0) {
-      result += rest.substr(0, length);
-    } else {
-      result += fmt::format("\\x{:02X}", static_cast<unsigned char>(rest.front()));
-    }
-    rest.remove_prefix(std::max<std::size_t>(length, 1));
-  }
+  while (!rest.empty() && text.size() - rest.size() < limit) move_printable(result, rest);
   result += rest.empty() ? "'" : fmt::format("…' ({} bytes)", text.size());
   return result;
 }

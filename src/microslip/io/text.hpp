@@ -15,8 +15,10 @@ namespace microslip {
 /// Some programs begin a text of UTF-8 with it.
 inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// The text in single quotes, fit for a message of one line: cut after `limit` bytes with its
-/// length in all, bytes that are no printable UTF-8 written as \xNN.
+/// The text fit for a message of one line: bytes that are no printable UTF-8 written as `\xNN`.
+[[nodiscard]] std::string printable(std::string_view text);
+
+/// printable() in single quotes: cut after `limit` bytes with its length in all.
 [[nodiscard]] std::string in_quotes(std::string_view text, std::size_t limit = 40);
 
 /// Bytes of the printable character of UTF-8 that the text, not empty, starts with; 0 where there is

@@ -38,7 +38,7 @@ class TomlTable {
 
   // Each throws FormatError where the key is missing, and InputError where it has another type.
 
-  /// An integer or a float, which may be inf or nan.
+  /// An integer or a float, which may be `inf` or `nan`.
   [[nodiscard]] double number(std::string_view key) const;
   [[nodiscard]] std::vector<double> numbers(std::string_view key) const;
   /// An integer, 0 or more.

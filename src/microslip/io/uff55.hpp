@@ -26,18 +26,18 @@ enum class UffAnalysis {
 
 /// Values at nodes, in the units of the file: the scale of a mode shape is its maker's choice.
 struct UffModeShape {
-  std::array<std::string, 5> id_lines;  ///< empty where the file has NONE
-  UffAnalysis analysis = UffAnalysis::kOther;
-  std::int64_t load_case = 0;
-  std::int64_t number = 0;           ///< of the mode or of the frequency
-  std::int64_t specific_type = 0;    ///< 8 displacement, 11 velocity, 12 acceleration
-  double frequency = 0.0;            ///< Hz; of a complex mode |λ|/2π
-  double damping_ratio = 0.0;        ///< viscous, ζ, 1; of a complex mode -Re λ/|λ|
-  double loss_factor = 0.0;          ///< hysteretic, η, 1
-  std::optional<double> modal_mass;  ///< of a normal mode, as in the file
-  std::size_t values_per_node = 0;   ///< 3: X, Y, Z; 6: rotations too
-  std::vector<std::int64_t> nodes;
-  std::vector<double> values;     ///< nodes × values_per_node, a node after the other
+  std::array<std::string, 5> id_lines;         ///< empty where the file has NONE
+  UffAnalysis analysis = UffAnalysis::kOther;  ///< what the dataset says it is
+  std::int64_t load_case = 0;                  ///< its number; 0 where there is none
+  std::int64_t number = 0;                     ///< of the mode or of the frequency
+  std::int64_t specific_type = 0;              ///< 8 displacement, 11 velocity, 12 acceleration
+  double frequency = 0.0;                      ///< Hz; of a complex mode |λ|/2π
+  double damping_ratio = 0.0;                  ///< viscous, ζ, 1; of a complex mode -Re λ/|λ|
+  double loss_factor = 0.0;                    ///< hysteretic, η, 1
+  std::optional<double> modal_mass;            ///< of a normal mode, as in the file
+  std::size_t values_per_node = 0;             ///< 3: X, Y, Z; 6: rotations too
+  std::vector<std::int64_t> nodes;             ///< their numbers in the file
+  std::vector<double> values;                  ///< nodes × values_per_node, a node after the other
   std::vector<double> imaginary;  ///< of the same length, or empty where values are real
 
   /// Value j of node number i of the list, both from 0.
@@ -46,9 +46,10 @@ struct UffModeShape {
   }
 };
 
+/// What the datasets 55 of a file hold.
 struct UffModeShapes {
   std::vector<UffModeShape> shapes;  ///< in the order of the file; none where it has no dataset 55
-  std::vector<Warning> warnings;
+  std::vector<Warning> warnings;     ///< what the reader had to forgive
 };
 
 /// Reads all datasets 55 of a file and skips the others.

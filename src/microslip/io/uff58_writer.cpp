@@ -13,7 +13,7 @@ namespace microslip {
 namespace {
 
 constexpr std::size_t kRecord = 80;
-constexpr std::size_t kBlock = std::size_t{1} << 17U;
+constexpr std::size_t kTextBlock = std::size_t{1} << 17U;
 
 std::string line(std::string_view text) { return uff_padded(text, kRecord) + '\n'; }
 
@@ -45,10 +45,10 @@ std::string format_id(const Uff58Header& header, bool binary) {
 /// Appends to a text and hands it on when it is large.
 class Buffer {
  public:
-  explicit Buffer(UffOutput& output) : output_(output) { text_.reserve(kBlock + 2 * kRecord); }
+  explicit Buffer(UffOutput& output) : output_(output) { text_.reserve(kTextBlock + 2 * kRecord); }
 
   std::string& text() {
-    if (text_.size() >= kBlock) flush();
+    if (text_.size() >= kTextBlock) flush();
     return text_;
   }
   void flush() {
@@ -98,7 +98,7 @@ void write_binary(UffOutput& output, const Uff58Header& header, const Uff58Value
   if (header.is_complex) parts[count++] = values.imaginary;
 
   std::vector<double> block;
-  const std::size_t at_once = kBlock / sizeof(double) / count;
+  const std::size_t at_once = kTextBlock / sizeof(double) / count;
   for (std::size_t done = 0; done < header.points;) {
     const std::size_t points = std::min(at_once, header.points - done);
     block.resize(points * count);

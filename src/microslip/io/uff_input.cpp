@@ -15,7 +15,7 @@ namespace microslip {
 namespace {
 
 constexpr std::size_t kWindow = std::size_t{1} << 18U;
-constexpr std::size_t kLongestLine = std::size_t{1} << 16U;
+constexpr std::size_t kLongestUffLine = std::size_t{1} << 16U;
 constexpr std::size_t kReportEach = std::size_t{1} << 22U;
 
 }  // namespace
@@ -36,7 +36,7 @@ std::optional<std::string_view> UffInput::line() {
   std::string_view text = window(256);
   std::size_t end = text.find('\n');
   if (end == std::string_view::npos) {
-    text = window(kLongestLine);
+    text = window(kLongestUffLine);
     end = text.find('\n');
   }
   line_was_whole_ = end != std::string_view::npos;
@@ -45,7 +45,7 @@ std::optional<std::string_view> UffInput::line() {
   const std::size_t start = position_ - (line_was_whole_ ? end + 1 : text.size()) - window_start_;
   const std::size_t length = line_was_whole_ ? end : text.size();
   while (!line_was_whole_ && position_ < size_) {  // too long: the rest is of no use
-    const std::string rest = peek(0, kLongestLine);
+    const std::string rest = peek(0, kLongestUffLine);
     const std::size_t at = rest.find('\n');
     line_was_whole_ = at != std::string::npos;
     position_ += line_was_whole_ ? at + 1 : rest.size();

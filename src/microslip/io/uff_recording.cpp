@@ -41,9 +41,9 @@ std::string describe(const std::map<int, std::size_t>& datasets) {
   return text;
 }
 
-class Reader {
+class UffRecordingReader {
  public:
-  Reader(const std::string& path, const RecordingReadOptions& options, Wanted wanted)
+  UffRecordingReader(const std::string& path, const RecordingReadOptions& options, Wanted wanted)
       : options_(options), wanted_(wanted), input_(path, options.progress), envelope_(input_) {
     source_ = path == "-" ? input_.name() : std::filesystem::path(path).filename().string();
   }
@@ -163,11 +163,11 @@ class Reader {
 }  // namespace
 
 Recordings read_recordings_uff(const std::string& path, const RecordingReadOptions& options) {
-  return Reader(path, options, Wanted::kRecordings).read().recordings;
+  return UffRecordingReader(path, options, Wanted::kRecordings).read().recordings;
 }
 
 UffContents read_contents_uff(const std::string& path, const RecordingReadOptions& options) {
-  return Reader(path, options, Wanted::kAll).read();
+  return UffRecordingReader(path, options, Wanted::kAll).read();
 }
 
 }  // namespace microslip

@@ -54,7 +54,9 @@ struct UffContents {
 /// step that these do not hold is rounded. Attributes that are no field are left out, text longer
 /// than its field is cut off.
 ///
-/// @param path  is overwritten as it goes: a temporary name of OutputFiles::stage().
+/// @param path        is overwritten as it goes: a temporary name of OutputFiles::stage().
+/// @param recordings  written in their order.
+/// @param binary      datasets 58b; otherwise 58.
 /// @throws InputError  where a recording is not whole (check_recording()), the name of a channel has
 ///                     more than 80 characters or such as do not read back, a unit needs more than
 ///                     20, or the abscissae fall together in six digits.

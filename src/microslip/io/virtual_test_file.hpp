@@ -17,6 +17,8 @@ namespace microslip {
 /// deviations, and `mean_displacement [m]` of the joint. The secant stiffness is k_eq(A) of the joint
 /// (joint/secant.hpp), the resonance that of phase resonance under a pure force, the flags are the
 /// warnings of the level.
+/// @param levels   of the test, all of them.
+/// @param joint    of the test.
 /// @param sources  the name of each level's record.
 /// @throws InputError  where no level was found, or the number of sources differs.
 [[nodiscard]] CsvWriter truth_table(std::span<const VirtualLevel> levels, const Joint& joint,
@@ -26,6 +28,7 @@ namespace microslip {
 /// control_iterations [1], force_before [N], force_after [N]` of the fundamental, and `before_n [1],
 /// after_n [1]`, n = 2 … N, the harmonics of the force over the fundamental. "Before" is under a
 /// sinusoidal voltage. [AR14 Fig. 7]
+/// @param levels     of the test, all of them.
 /// @param harmonics  N.
 /// @throws InputError  where no level was found, or the levels have no shaker.
 [[nodiscard]] CsvWriter force_control_table(std::span<const VirtualLevel> levels,

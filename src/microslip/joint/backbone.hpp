@@ -20,6 +20,7 @@ namespace microslip {
 /// segment without a search. Power laws add their closed form.
 class Backbone {
  public:
+  /// Tabulates the curve; the density is not needed any more afterwards.
   explicit Backbone(const SlipDensity& density);
 
   /// F(s), N. @param s  kx, N; ≥ 0, finite.
@@ -37,7 +38,10 @@ class Backbone {
     double scale;              ///< 1
   };
 
-  /// Force on a branch at each x, m. @param force  N; of the length of x; may be x itself.
+  /// Force on a branch at each x.
+  /// @param branch  of any loop.
+  /// @param x       m; finite.
+  /// @param force   N; of the length of x; may be x itself.
   void branch_forces(const Branch& branch, std::span<const double> x,
                      std::span<double> force) const;
 

@@ -43,6 +43,7 @@ struct FourParameterPart {
   double beta;             ///< β, 1; ≥ 0
 };
 
+/// One of the parts that add up to a density.
 using DensityPart =
     std::variant<UniformPart, PowerLawPart, PiecewiseLinearPart, AtomsPart, FourParameterPart>;
 
@@ -64,12 +65,12 @@ class SlipDensity {
   /// φ = p + q·t, t = s − start, from `start` to the start of the next segment; the moments are those
   /// at `start`, the atoms there included.
   struct LinearSegment {
-    double start;  ///< N
-    double p;      ///< 1/N
-    double q;      ///< 1/N²
-    PartialMoments moments;
-    double force_deficit;  ///< ∫₀ˢ (s − f*) φ df* at `start`, N
-    double slip_energy;    ///< ∫₀ˢ f*(s − f*) φ df* at `start`, N²
+    double start;            ///< N
+    double p;                ///< 1/N
+    double q;                ///< 1/N²
+    PartialMoments moments;  ///< Φ0, Φ1 and Φ2 at `start`
+    double force_deficit;    ///< ∫₀ˢ (s − f*) φ df* at `start`, N
+    double slip_energy;      ///< ∫₀ˢ f*(s − f*) φ df* at `start`, N²
   };
 
   /// No slip at all: the elastic remainder is 1.
@@ -79,6 +80,7 @@ class SlipDensity {
   /// @throws InputError  naming the part and the value that breaks a rule.
   explicit SlipDensity(std::vector<DensityPart> parts);
 
+  /// The parts, as given.
   [[nodiscard]] std::span<const DensityPart> parts() const { return parts_; }
 
   /// φ(f*) without the atoms, 1/N; f* in N. At a step of φ the value above it. Infinite at f* = 0

@@ -29,9 +29,11 @@ class JenkinsNetwork {
   /// F and D of the network equal those of the joint wherever kA is at the edge of a bin, and the
   /// macro-slip force is exact. With an odd number left for the rest, one bin has a single element,
   /// which keeps Φ0 and Φ1.
-  /// @param n  ≥ 1, and above the number of atoms where the density has more than atoms.
+  /// @param joint  any.
+  /// @param n      ≥ 1, and above the number of atoms where the density has more than atoms.
   static JenkinsNetwork discretise(const Joint& joint, std::size_t n);
 
+  /// The number of elements.
   [[nodiscard]] std::size_t size() const { return size_; }
 
   /// κ_i, N/m.
@@ -70,6 +72,7 @@ enum class NormalLoadLaw {
 class NetworkMemory {
  public:
   /// @param network  kept by reference; must outlive the memory.
+  /// @param law      of all its elements.
   explicit NetworkMemory(const JenkinsNetwork& network,
                          NormalLoadLaw law = NormalLoadLaw::kIncremental);
   explicit NetworkMemory(const JenkinsNetwork&&,
@@ -81,12 +84,13 @@ class NetworkMemory {
 
   /// Moves to x while the load goes to p, both along a straight line. Within a step the incremental
   /// law takes the mean load for the stiffness and the load at its end for the slip force: of second
-  /// order in the step. The total law is exact. @param p  1; ≥ 0. @return force, N.
+  /// order in the step. The total law is exact. @param x  m. @param p  1; ≥ 0. @return force, N.
   /// @throws InputError  where x or p is not finite or p < 0; then no step is taken.
   double advance(double x, double p);
 
   /// A whole path; lengths equal. @throws InputError  as check_path() (see path.hpp).
   void march(std::span<const double> x, std::span<double> force);
+  /// The same under a normal load p of each point, 1; ≥ 0.
   void march(std::span<const double> x, std::span<const double> normal_load,
              std::span<double> force);
 

@@ -28,8 +28,11 @@ class Joint {
   /// @param beta             β, 1; ≥ 0.
   static Joint four_parameter(double macroslip_force, double stiffness, double chi, double beta);
 
+  /// k, N/m.
   [[nodiscard]] double stiffness() const { return stiffness_; }
+  /// φ.
   [[nodiscard]] const SlipDensity& density() const { return density_; }
+  /// F over the elastic force kx.
   [[nodiscard]] const Backbone& backbone() const { return backbone_; }
 
   /// F(x), N, odd in x: the force on first loading. [AR14 (2)]

@@ -26,11 +26,13 @@ namespace microslip {
 /// a value: a copy is a snapshot of several steps to return to.
 class Memory {
  public:
+  /// Where the path turned.
   struct ReversalPoint {
     double displacement;  ///< x_r, m
     double force;         ///< f_r, N
   };
 
+  /// What a step leads to.
   struct Response {
     double force;    ///< f, N
     double tangent;  ///< df/dx in the direction of the move, N/m
@@ -40,7 +42,9 @@ class Memory {
   explicit Memory(const Joint& joint) : joint_(&joint) {}
   explicit Memory(const Joint&&) = delete;
 
+  /// x where the joint stands, m.
   [[nodiscard]] double displacement() const { return x_; }
+  /// f there, N.
   [[nodiscard]] double force() const { return force_; }
 
   /// The reversals that still matter, oldest first; empty on the virgin curve.

@@ -17,10 +17,10 @@ namespace microslip {
 /// g(ρ), 1. @param rho  slip displacement over amplitude, 1; clipped to [0, 1].
 [[nodiscard]] double jenkins_secant(double rho);
 
-/// Secant stiffness k_eq(A), N/m; k at A = 0. @param amplitude  A, ≥ 0.
+/// Secant stiffness k_eq(A), N/m; k at A = 0. @param joint  any. @param amplitude  A, ≥ 0.
 [[nodiscard]] double secant_stiffness(const Joint& joint, double amplitude);
 
-/// Loss factor D/(π k_eq A²), 1; 0 at A = 0. @param amplitude  A, ≥ 0.
+/// Loss factor D/(π k_eq A²), 1; 0 at A = 0. @param joint  any. @param amplitude  A, ≥ 0.
 [[nodiscard]] double loss_factor(const Joint& joint, double amplitude);
 
 }  // namespace microslip

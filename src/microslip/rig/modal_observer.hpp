@@ -45,9 +45,11 @@ class ModalObserver {
   ///                     is 0 throughout.
   ModalObserver(const StickState& state, double omega, std::size_t harmonics);
   ~ModalObserver();
+  /// The other may only be destroyed or assigned to afterwards.
   ModalObserver(ModalObserver&&) noexcept;
-  ModalObserver& operator=(ModalObserver&&) noexcept;
+  ModalObserver& operator=(ModalObserver&&) noexcept;  ///< As the constructor.
 
+  /// The motion in one cycle.
   /// @param force          f, N.
   /// @param accelerations  one an accelerometer of the state, m/s².
   /// @throws InputError  where ω differs, or the number of accelerations.

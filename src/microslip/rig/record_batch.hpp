@@ -23,6 +23,7 @@ struct RejectedRecord {
   std::string reason;     ///< what the error says
 };
 
+/// How the files of a batch are worked on.
 struct RecordBatchOptions {
   /// Leave out files that cannot be read and records that cannot be worked on, and say so. Otherwise
   /// the first of them, in the order of the files, ends the batch.

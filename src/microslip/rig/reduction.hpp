@@ -20,12 +20,12 @@ namespace microslip {
 
 /// Flags that decide whether a level is used.
 inline constexpr std::string_view kInnerReversals = "inner_reversals";
-inline constexpr std::string_view kNegativeDissipation = "dissipation_negative";
+inline constexpr std::string_view kNegativeDissipation = "dissipation_negative";  ///< D < 0
 
 /// A value with its standard deviation.
 struct Measured {
-  double value = 0.0;
-  double std = 0.0;  ///< 0 where nothing is known of it
+  double value = 0.0;  ///< in the unit of what is measured
+  double std = 0.0;    ///< 0 where nothing is known of it
 };
 
 /// What one record tells.
@@ -50,9 +50,11 @@ struct ReducedLevel {
   /// What is to be looked at, each once; `code` is what the column `flags` of levels.csv shows.
   std::vector<Warning> flags = {};
 
+  /// Whether one of the flags has this code.
   [[nodiscard]] bool has_flag(std::string_view code) const;
 };
 
+/// How Reducer reduces, and what it flags.
 struct ReductionOptions {
   /// Order 10 as a rule. In a test at resonance the strongest line is the fundamental.
   FourierFitOptions fit = {.seek_longer_period = false};
@@ -93,12 +95,16 @@ class Reducer {
   /// @throws InputError  as check_rig() and stick_state(), and naming an option out of range.
   explicit Reducer(Rig rig, ReductionOptions options = {});
 
+  /// The level that a record holds.
   /// @throws InputError  naming the source: a channel is missing, of another unit or length, there
   ///                     is no steady vibration in it (and why not).
   [[nodiscard]] ReducedLevel reduce(const Recording& recording) const;
 
+  /// The rig of the records.
   [[nodiscard]] const Rig& rig() const { return rig_; }
+  /// The modes that the reduction works with.
   [[nodiscard]] const StickState& state() const { return state_; }
+  /// The options, as given.
   [[nodiscard]] const ReductionOptions& options() const { return options_; }
 
  private:

@@ -9,9 +9,10 @@
 
 namespace microslip {
 
+/// The levels of many files.
 struct ReductionBatch {
-  std::vector<ReducedLevel> levels;  ///< in the order of the files and of the records in each
-  std::vector<RejectedRecord> rejected;
+  std::vector<ReducedLevel> levels;      ///< in the order of the files and of the records in each
+  std::vector<RejectedRecord> rejected;  ///< with `skip_faulty`: what was left out
 };
 
 /// Reads and reduces `count` files, several at once; each is forgotten when it is reduced. The result

@@ -8,6 +8,7 @@
 #include <complex>
 #include <string_view>
 
+#include "microslip/base/percent.hpp"
 #include "microslip/signal/signal_quality.hpp"
 
 namespace microslip {
@@ -95,8 +96,8 @@ void flag_energies(ReducedLevel& level) {
 void flag_force(ReducedLevel& level, double most) {
   if (level.force_distortion <= most) return;
   add_flag(level, "force_distortion",
-           fmt::format("Harmonics of the force are {:.2g} % of the fundamental, above {:.2g} %.",
-                       100.0 * level.force_distortion, 100.0 * most));
+           fmt::format("Harmonics of the force are {} of the fundamental, above {:.2g} %.",
+                       percent_text(level.force_distortion), 100.0 * most));
 }
 
 // ---- Of the rig. ----
@@ -117,9 +118,9 @@ void flag_misfit(ReducedLevel& level, const Rig& rig, const std::vector<double>&
   const auto worst = static_cast<std::size_t>(std::ranges::max_element(misfit) - misfit.begin());
   add_flag(
       level, "model_misfit",
-      fmt::format("The rig's modes leave {:.2g} % of channel '{}' unexplained, more than {:.2g} "
+      fmt::format("The rig's modes leave {} of channel '{}' unexplained, more than {:.2g} "
                   "%. Check position, sign and unit of the accelerometers, and the beam.",
-                  100.0 * level.misfit, rig.accelerometers[worst].channel, 100.0 * most));
+                  percent_text(level.misfit), rig.accelerometers[worst].channel, 100.0 * most));
 }
 
 /// Its sign and phase count as well.

@@ -22,7 +22,9 @@ struct RigBeam {
   double youngs_modulus = 0.0;  ///< E, Pa; above 0
   double mass_density = 0.0;    ///< ρ, kg/m³; above 0
 
+  /// bh, m².
   [[nodiscard]] double area() const { return width * thickness; }
+  /// EI = E b h³/12, N m².
   [[nodiscard]] double bending_stiffness() const {
     return youngs_modulus * width * thickness * thickness * thickness / 12.0;
   }
@@ -56,17 +58,18 @@ struct RigMass {
 struct RigSensor {
   double position = 0.0;      ///< x, m; above 0 and below L. For a beam
   std::vector<double> shape;  ///< φ_i there, kg^-1/2. For an accelerometer where modes are given
-  std::string channel;
+  std::string channel;        ///< its name in the recordings
 };
 
 /// A displacement sensor at the joint.
 struct RigVibrometer {
+  /// What a vibrometer shows.
   enum class Measures {
     kJoint,  ///< the joint displacement u itself
     kAxial,  ///< the axial motion of the beam's centre line, to which r w′(L) is added [AR14 (13)]
   };
-  std::string channel;
-  Measures measures = Measures::kJoint;
+  std::string channel;                   ///< its name in the recordings
+  Measures measures = Measures::kJoint;  ///< what it shows
 };
 
 /// The virtual test.
@@ -78,8 +81,8 @@ struct RigTest {
   double sampling_rate = 0.0;         ///< Hz; above 0
   double duration = 0.0;              ///< of a record, s; above 0
   double frequency_resolution = 0.0;  ///< of the drive, Hz; 0 or more
-  std::size_t modes = 7;
-  std::size_t harmonics = 9;
+  std::size_t modes = 7;              ///< of a beam; 1 to 100
+  std::size_t harmonics = 9;          ///< of the balance; 1 to 100
 };
 
 /// Standard deviation of the noise of a sample.
@@ -104,18 +107,20 @@ struct RigShaker {
 
 /// A frictional-support test.
 struct Rig {
-  std::variant<RigBeam, RigModes> structure;
-  RigContact contact;
-  std::vector<double> loss_factor;  ///< η_i, 0 or more; later modes take the last value
-  std::vector<RigMass> masses;      ///< for a beam
-  RigSensor excitation;
-  std::vector<RigSensor> accelerometers;  ///< one at least
-  std::optional<RigVibrometer> vibrometer = {};
-  std::optional<RigTest> test = {};
-  std::optional<RigNoise> noise = {};
+  std::variant<RigBeam, RigModes> structure;  ///< a beam, or modes of another structure
+  RigContact contact;                         ///< between structure and support
+  std::vector<double> loss_factor;            ///< η_i, 0 or more; later modes take the last value
+  std::vector<RigMass> masses;                ///< for a beam
+  RigSensor excitation;                       ///< where the force acts
+  std::vector<RigSensor> accelerometers;      ///< one at least
+  std::optional<RigVibrometer> vibrometer = {};  ///< where there is one
+  std::optional<RigTest> test = {};              ///< of a virtual test alone
+  std::optional<RigNoise> noise = {};            ///< of a virtual test; without it none
   std::optional<RigShaker> shaker = {};  ///< of the virtual test; without it the default one
 
+  /// The beam; null where the structure is given by modes.
   [[nodiscard]] const RigBeam* beam() const { return std::get_if<RigBeam>(&structure); }
+  /// The modes; null where the structure is a beam.
   [[nodiscard]] const RigModes* modes() const { return std::get_if<RigModes>(&structure); }
 
   /// η of mode i, counted from 0.
@@ -124,6 +129,7 @@ struct Rig {
   }
 };
 
+/// Checks the ranges above, and what must go together.
 /// @throws InputError  naming the key of rig.toml, its value and the rule that it breaks.
 void check_rig(const Rig& rig);
 

@@ -2,11 +2,14 @@
 #include "microslip/rig/rig_structure.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
+
+#include "microslip/base/error.hpp"
 
 namespace microslip {
 
@@ -22,9 +25,35 @@ ModalModel rig_modes(const Rig& rig, const StickState& state) {
   return {std::move(modes), std::move(points)};
 }
 
+namespace {
+
+/// Modes that were typed in hold what their rounding left: without the joint no mode may have less than
+/// no stiffness, which is kΣψ_i²/ω_i² ≤ 1.
+void check_modes_hold(const Rig& rig, const StickState& state, double spring) {
+  if (!rig.modes()) return;
+  double flexibility = 0.0;
+  for (std::size_t i = 0; i < state.modes(); ++i) {
+    flexibility += state.joint[i] * state.joint[i] / (state.omega[i] * state.omega[i]);
+  }
+  const double share = spring * flexibility;
+  if (!(share > 1.0)) return;
+  throw InputError(
+      "modes.joint", fmt::format("[{:.6g}]", fmt::join(state.joint, ", ")),
+      fmt::format("must leave the structure some stiffness without the joint: with frequency_Hz it "
+                  "belongs to a joint of {:.6g} N/m at most, and k is {:.6g} N/m",
+                  1.0 / flexibility, spring),
+      fmt::format(
+          "If the joint is all the stiffness there is, rounding does this: make the shape at "
+          "the joint {:.2g} % smaller. Otherwise check k, the shape and the frequency.",
+          110.0 * (1.0 - 1.0 / std::sqrt(share))));
+}
+
+}  // namespace
+
 JointedStructure rig_structure(const Rig& rig, const StickState& state, Joint joint,
                                std::vector<std::complex<double>> force) {
   const double spring = state.stiffness > 0.0 ? state.stiffness : joint.stiffness();
+  check_modes_hold(rig, state, spring);
   StructuralJoint contact{.name = std::string(kContact),
                           .joint = std::move(joint),
                           .shape = state.joint,

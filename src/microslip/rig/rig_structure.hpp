@@ -18,6 +18,7 @@ inline constexpr std::string_view kContact = "contact";
 
 /// The modes of a test's stick state, with points that carry the names of the channels there: that of the
 /// force for the exciter, those of the accelerometers.
+/// @param rig    a test.
 /// @param state  of this rig.
 /// @throws InputError  as ModalModel.
 [[nodiscard]] ModalModel rig_modes(const Rig& rig, const StickState& state);
@@ -25,6 +26,7 @@ inline constexpr std::string_view kContact = "contact";
 /// The structure of a test with a joint in its contact, for prediction: the modes of its stick state,
 /// rig_modes(), with hysteretic damping as the reduction has it, and the joint with the shortening and
 /// the axial compliance [AR14 (12) (13)].
+/// @param rig    a test.
 /// @param state  of this rig.
 /// @param joint  its stiffness may be another than the rig's k: the spring in the modes, which is
 ///               taken out again, is the rig's; for modes of a rig without k, that of the joint.

@@ -32,6 +32,8 @@ struct ShakerTransfer {
   std::complex<double> displacement;  ///< b, N/m
 };
 
+/// a and b of a shaker.
+/// @param shaker             as check_rig() demands.
 /// @param angular_frequency  Ω, rad/s; ≥ 0, not checked.
 [[nodiscard]] ShakerTransfer shaker_transfer(const RigShaker& shaker, double angular_frequency);
 
@@ -45,6 +47,7 @@ struct ShakerEnergy {
 
 /// Each from its own formula: electrical − coil − suspension − mechanical is 0 for quantities that
 /// satisfy the equations above.
+/// @param shaker             as check_rig() demands.
 /// @param angular_frequency  ω of the cycle, rad/s; harmonic n is at nω.
 /// @param voltage, force, displacement  V_n, F_n and w_n: entry n is harmonic n, entry 0 plays no
 ///                  part; as many of each.

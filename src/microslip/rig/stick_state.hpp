@@ -27,6 +27,7 @@ struct StickState {
   double stiffness = 0.0;         ///< k, N/m; 0 where it is not known, which only k_eq needs
   double axial_compliance = 0.0;  ///< c = L/(ĀE), m/N
 
+  /// The number of modes.
   [[nodiscard]] std::size_t modes() const { return omega.size(); }
 };
 
@@ -36,6 +37,7 @@ inline constexpr std::size_t kBeamModes = 30;
 
 /// The stick state of a rig. Where the rig states the stick frequency, k follows from it: the
 /// torsional spring that gives the beam this first frequency is k r²/(1 + k c).
+/// @param rig    a test.
 /// @param modes  how many of a beam; 0: as many as [test] states, or kBeamModes. Of a rig with modes
 ///               all are taken.
 /// @throws InputError  as check_rig(), and where no stiffness gives the stick frequency.
@@ -43,7 +45,8 @@ inline constexpr std::size_t kBeamModes = 30;
 
 /// First natural frequency, Hz, of the structure when the joint does −δ·(Σψ_r q_r) less than stuck,
 /// g = δ Σψ_r q_r: the least eigenvalue of diag(ω_i²) − δ ψψᵀ. 0 where that is below 0.
-/// @param softening  δ, N/m
+/// @param state      of a rig.
+/// @param softening  δ, N/m.
 [[nodiscard]] double natural_frequency(const StickState& state, double softening);
 
 }  // namespace microslip

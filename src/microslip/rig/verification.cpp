@@ -11,6 +11,8 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/percent.hpp"
+#include "microslip/identify/covered_range.hpp"
 #include "microslip/rig/channel_harmonics.hpp"
 #include "microslip/rig/record_analysis.hpp"
 #include "microslip/rig/reduced_level.hpp"
@@ -23,8 +25,6 @@ using Complex = std::complex<double>;
 
 /// Noise reaches it in one harmonic of 3000; a resonance of a higher mode would make much of it.
 constexpr double kTellingHarmonic = 4.0;  // standard errors
-/// A joint identified by a level is not beyond it when that level is predicted a little high.
-constexpr double kBeyond = 1.02;
 /// Of an offset from the frequency of the record.
 constexpr double kFarthest = 0.2;
 
@@ -149,17 +149,39 @@ void add_histories(Verification& result, const RecordAnalysis& record, double cy
   }
 }
 
-void warn(Verification& result, const Joint& joint, const std::optional<double>& covered_to) {
-  if (!covered_to) return;
-  const double reached = joint.stiffness() * result.predicted.amplitude;
-  if (!(reached > kBeyond * *covered_to)) return;
-  result.warnings.push_back(
-      {"beyond_identification",
-       fmt::format("the joint moves by {:.4g} um, {:.0f} % more than the {:.4g} um of the highest "
-                   "level that it was identified by; what slips there is not known. Identify it "
-                   "with higher levels.",
-                   1e6 * result.predicted.amplitude, 100.0 * (reached / *covered_to - 1.0),
-                   1e6 * *covered_to / joint.stiffness())});
+/// η f of the record, Hz: what it lost in a cycle over 2π times its kinetic energy at most.
+double half_power_width(const RecordAnalysis& record) {
+  double square = 0.0;
+  for (const FourierSeries& modal : record.whole.motion.modal) square += std::norm(modal.c(1));
+  const double energy = 0.5 * record.fit.omega * record.fit.omega * square;
+  return record.whole.input_energy / (2.0 * std::numbers::pi * energy) * record.fit.frequency();
+}
+
+/// What a joint of a wrong stiffness or of wrong energies does to the prediction.
+void add_misfits(const RecordAnalysis& record, Verification& result) {
+  constexpr double kMostOffset = 0.1;  // of the half-power width
+  constexpr double kMostForceError = 0.02;
+  constexpr double kTellingError = 3.0;  // times the noise
+  const double width = half_power_width(record);
+  const std::optional<double> offset = result.predicted.frequency_offset;
+  if (offset && std::abs(*offset) > kMostOffset * width) {
+    result.warnings.push_back(
+        {"resonance_off",
+         fmt::format(
+             "the resonance of the model lies {:.0f} mHz {} that of the record, {:.0f} % of "
+             "the half-power width of {:.0f} mHz, so that force and phase near it are wrong. "
+             "Look at k of the joint and at the rig's first frequency.",
+             1e3 * std::abs(*offset), *offset > 0.0 ? "above" : "below",
+             100.0 * std::abs(*offset) / width, 1e3 * width)});
+  }
+  const ChannelComparison& force = result.channels.front();
+  if (force.nrmse > kMostForceError && force.nrmse > kTellingError * force.noise_share) {
+    result.warnings.push_back(
+        {"force_off",
+         fmt::format("the force is predicted wrong by {} (NRMSE), {:.3g} times its noise. Look at "
+                     "the sign of the force, the offset of the resonance and the energies.",
+                     percent_text(force.nrmse), force.nrmse / force.noise_share)});
+  }
 }
 
 }  // namespace
@@ -211,10 +233,14 @@ Verification Verifier::verify(const Recording& recording) const {
   }
   if (record.layout.at_exciter) result.drive_point = 1 + *record.layout.at_exciter;
   add_histories(result, record, options_.history_cycles);
-  warn(result, joint_, options_.covered_to);
+  if (auto warning =
+          beyond_identification(joint_, result.predicted.amplitude, options_.covered_to)) {
+    result.warnings.push_back(std::move(*warning));
+  }
   if (auto other = stiffness_warning(reducer_.state(), joint_)) {
     result.warnings.push_back(std::move(*other));
   }
+  if (result.summary.converged()) add_misfits(record, result);
   return result;
 }
 

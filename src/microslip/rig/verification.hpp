@@ -23,12 +23,12 @@ namespace microslip {
 
 /// One channel of a record and what the model says of it.
 struct ChannelComparison {
-  std::string name;
-  Dimension dimension;
+  std::string name;     ///< of the channel
+  Dimension dimension;  ///< of its signal
   /// Series over the axis of the record. That of the prediction has mean and trend of the recorded
   /// one: neither does the model tell them, nor an accelerometer.
   FourierSeries recorded;
-  FourierSeries predicted;
+  FourierSeries predicted;           ///< by the model
   std::vector<double> recorded_std;  ///< of the real and of the imaginary part of c_n, from n = 1
 
   /// rms(x − predicted)/rms(x − mean − trend) over the samples x of the whole record, 1.
@@ -56,9 +56,10 @@ struct PredictedLevel {
   std::optional<double> frequency_offset = {};
 };
 
+/// Predicted against recorded: one record.
 struct Verification {
-  ReducedLevel recorded;  ///< what the reduction says of the record, with its flags
-  PredictedLevel predicted;
+  ReducedLevel recorded;     ///< what the reduction says of the record, with its flags
+  PredictedLevel predicted;  ///< what the model does instead
   std::vector<ChannelComparison> channels;  ///< force, accelerometers, vibrometer
   std::optional<std::size_t> drive_point =
       {};                       ///< which of them is the accelerometer at the exciter
@@ -69,19 +70,22 @@ struct Verification {
   /// Of the harmonic balance. Not converged: `predicted` and `channels` are the best that was found.
   Summary summary;
   /// `beyond_identification`: the joint moves more than the levels that it was identified by.
-  /// `stiffness_differs`: see stiffness_warning().
+  /// `stiffness_differs`: see stiffness_warning(). `resonance_off`: the frequency offset is above a
+  /// tenth of the half-power width. `force_off`: the NRMSE of the force is above 2 % and above three
+  /// times its noise.
   std::vector<Warning> warnings = {};
 
   /// The channel with the largest NRMSE.
   [[nodiscard]] const ChannelComparison& worst() const;
 };
 
+/// How Verifier predicts.
 struct VerificationOptions {
   /// The fit of the records, of whose harmonics all are compared. `modes`, of a beam, are those of
   /// the model too.
   ReductionOptions reduction = {.modes = 7};
   /// Of the prediction. It has as many harmonics as the fit at least. A harmonic that meets a lightly
-  /// damped mode (the 11th of 55.3 Hz and the third mode of the reference rig) shows only where it is
+  /// damped mode (the 11th of 55.3 Hz and the fourth mode of the reference rig) shows only where it is
   /// among them.
   HarmonicBalanceOptions balance = {.harmonics = 9};
   /// Drives the model by the first harmonic of the force alone. Otherwise by the recorded
@@ -112,15 +116,21 @@ struct VerificationOptions {
 /// Shared by threads.
 class Verifier {
  public:
-  /// @param joint  see rig_structure().
+  /// @param rig      a test.
+  /// @param joint    see rig_structure().
+  /// @param options  of reduction, prediction and comparison.
   /// @throws InputError  as Reducer and rig_structure(), and naming an option out of range.
   Verifier(Rig rig, Joint joint, VerificationOptions options = {});
 
+  /// Compares one record.
   /// @throws InputError  as Reducer::reduce(). Not converging is a status.
   [[nodiscard]] Verification verify(const Recording& recording) const;
 
+  /// Of the rig; what the reduction of the records works with.
   [[nodiscard]] const Reducer& reducer() const { return reducer_; }
+  /// The joint of the prediction.
   [[nodiscard]] const Joint& joint() const { return joint_; }
+  /// The options, as given.
   [[nodiscard]] const VerificationOptions& options() const { return options_; }
 
  private:

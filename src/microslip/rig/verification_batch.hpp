@@ -9,9 +9,10 @@
 
 namespace microslip {
 
+/// The verifications of many files.
 struct VerificationBatch {
-  std::vector<Verification> records;  ///< in the order of the files and of the records in each
-  std::vector<RejectedRecord> rejected;
+  std::vector<Verification> records;     ///< in the order of the files and of the records in each
+  std::vector<RejectedRecord> rejected;  ///< with `skip_faulty`: what was left out
 
   [[nodiscard]] bool converged() const;  ///< all of them
 };

@@ -17,8 +17,10 @@ namespace microslip {
 ///
 /// Record r of a seed takes its phase from stream 2¹⁶ r of RandomStream and the noise of channel c,
 /// from 0, from stream 2¹⁶ r + 1 + c, so that it does not depend on what else is recorded.
+/// @param rig     with a [test].
 /// @param state   of this rig.
 /// @param driven  of a structure with these modes.
+/// @param seed    of all records of a test.
 /// @param record  r, see record_number().
 /// @throws InputError  as check_rig(), for more than 1e8 samples a channel too, and where the rig has no
 ///                     [test].

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/percent.hpp"
 #include "microslip/rig/force_control.hpp"
 #include "microslip/rig/progress_count.hpp"
 #include "microslip/rig/shaken_structure.hpp"
@@ -24,7 +25,7 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::VectorXcd;
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kWholeTurn = 2.0 * std::numbers::pi;
 constexpr double kCycles = 3.0;     // of a record at least
 constexpr double kCoarsest = 0.01;  // resolution of the drive over the stuck resonance
 /// Voltage of a harmonic over the fundamental by which H is measured: its force stands then beside
@@ -117,7 +118,7 @@ VectorXcd generator_of(const Setup& setup, const VectorXcd& voltage) {
 }
 
 ShakenStructure shaken(const Setup& setup, const VirtualLevel& level) {
-  return {setup.motion, setup.shaker, kTurn * level.frequency, level.response,
+  return {setup.motion, setup.shaker, kWholeTurn * level.frequency, level.response,
           level.controlled.vibration};
 }
 
@@ -176,17 +177,16 @@ void control_force(const Setup& setup, VirtualLevel& level) {
   if (!level.summary.converged() || distortion() <= setup.options.force_distortion) return;
   level.warnings.push_back(
       {std::string(kForceNotControlled),
-       fmt::format(
-           "level {}: after {} steps of the force control a harmonic of the force is {:.2g} "
-           "% of the first, above {:.2g} %",
-           level.number, level.control_iterations, 100.0 * distortion(),
-           100.0 * setup.options.force_distortion)});
+       fmt::format("level {}: after {} steps of the force control a harmonic of the force is {} "
+                   "of the first, above {:.2g} %",
+                   level.number, level.control_iterations, percent_text(distortion()),
+                   100.0 * setup.options.force_distortion)});
 }
 
 void drive_purely(const Setup& setup, VirtualLevel& level) {
   VibrationResult result = setup.motion.balance().solve(
-      {Quantity::kAngularFrequency, kTurn * level.frequency}, {Quantity::kResponse, level.response},
-      level.controlled.vibration);
+      {Quantity::kAngularFrequency, kWholeTurn * level.frequency},
+      {Quantity::kResponse, level.response}, level.controlled.vibration);
   result.summary.iterations = 1;  // balances
   add_iterations(level.summary, result.summary);
   level.controlled.vibration = std::move(result.vibration);
@@ -255,7 +255,7 @@ void set_resonance(const Setup& setup, const RigTest& test, SteadyVibration vibr
 /// Whether a point of a curve that did not converge is one of it: the last may be where it failed.
 bool is_resonance(const Setup& setup, const SteadyVibration& point) {
   return setup.motion.balance()
-      .solve({Quantity::kPhaseLag, kTurn / 4.0}, {Quantity::kResponse, point.response}, point)
+      .solve({Quantity::kPhaseLag, kWholeTurn / 4.0}, {Quantity::kResponse, point.response}, point)
       .summary.converged();
 }
 

@@ -19,13 +19,15 @@ namespace microslip {
 
 /// Warnings of a level.
 inline constexpr std::string_view kMacroSlip = "macro_slip";
+/// The control did not get the harmonics of the force down.
 inline constexpr std::string_view kForceNotControlled = "force_not_controlled";
+/// H could not be measured.
 inline constexpr std::string_view kTransferNotMeasured = "transfer_not_measured";
 
 /// A steady vibration and what drives it. Harmonics are factors of e^{inωt}, entry n that of harmonic
 /// n, entry 0 is 0; the phase of F_1 is 0.
 struct DrivenVibration {
-  SteadyVibration vibration;
+  SteadyVibration vibration;                  ///< of structure and joint
   std::vector<std::complex<double>> force;    ///< F_n at the exciter, N
   std::vector<std::complex<double>> voltage;  ///< V_n of the shaker, V; empty without one
 };
@@ -46,15 +48,17 @@ struct VirtualLevel {
   int control_iterations = 0;  ///< changes of the voltage harmonics
   /// Converged where the vibrations are; what the force control did not reach is a warning.
   Summary summary;
-  std::vector<Warning> warnings;
+  std::vector<Warning> warnings;  ///< of this level, see run_virtual_test()
 };
 
+/// What run_virtual_test() found.
 struct VirtualTest {
   std::vector<VirtualLevel> levels;  ///< all, in order
   /// Converged where all levels are. Iterations are balances solved, the residual is the largest.
   Summary summary;
 };
 
+/// How run_virtual_test() controls the force.
 struct VirtualTestOptions {
   /// false: the force is a pure sine, and no shaker needs control.
   bool shaker = true;

@@ -58,10 +58,12 @@ struct SampledEnergy {
 /// Mean and trend that were fitted are subtracted from both signals. The velocity is that of the
 /// series, or the running integral of the samples, less its mean over the cycle; the latter is
 /// independent of the series but for ω.
+/// @param axis                over time.
 /// @param force               f, N, one value a point of the axis.
 /// @param acceleration        ẅ, m/s², likewise.
 /// @param force_series        the fit of `force`.
 /// @param acceleration_series the fit of `acceleration`.
+/// @param velocity            where ẇ comes from.
 /// @throws InputError  where lengths or ω differ, or the record has no whole cycle.
 [[nodiscard]] SampledEnergy cycle_energy_from_samples(
     const Axis& axis, std::span<const double> force, std::span<const double> acceleration,

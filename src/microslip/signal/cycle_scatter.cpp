@@ -23,7 +23,7 @@ using Signals = std::span<const std::span<const double>>;
 
 constexpr double kPointsPerUnknown = 2.0;
 /// A record of whole cycles must not lose its last one by rounding.
-constexpr double kRounding = 1e-9;
+constexpr double kCycleRounding = 1e-9;
 constexpr double kLargestCorrelation = 0.9;
 constexpr std::size_t kLeastValues = 4;
 
@@ -55,7 +55,7 @@ double end_of(const Axis& axis, std::size_t points) {
 
 /// First point at or after a time, rounding allowed for.
 std::size_t point_at(const Axis& axis, std::size_t points, double time, double period) {
-  const double from = time - kRounding * period;
+  const double from = time - kCycleRounding * period;
   std::size_t low = 0;
   std::size_t high = points;
   while (low < high) {
@@ -182,7 +182,7 @@ CycleSeries cycle_series(const Axis& axis, Signals signals, const FourierFit& fi
   const double length = result.cycles_per_block * period;
   const double start = axis.at(0);
   const auto blocks =
-      static_cast<std::size_t>((end_of(axis, fit.points) - start) / length + kRounding);
+      static_cast<std::size_t>((end_of(axis, fit.points) - start) / length + kCycleRounding);
   const Eigen::MatrixXd values = without_trend(axis, signals, fit);
   for (std::size_t b = 0; b < blocks; ++b) {
     const double begin = start + static_cast<double>(b) * length;

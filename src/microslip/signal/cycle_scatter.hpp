@@ -20,6 +20,7 @@ struct CycleSeries {
   std::vector<std::vector<FourierSeries>> block;
 };
 
+/// How cycle_series() fits.
 struct CycleSeriesOptions {
   /// Harmonics of each cycle; ≥ 1. Not above that of the fit.
   int order = 10;
@@ -30,7 +31,10 @@ struct CycleSeriesOptions {
 /// the end is not used. Where a cycle has fewer than 2(2H + 1) points, a block of several cycles
 /// that has as many stands for it. Blocks with a gap of uneven times as long as half a period of the highest
 /// harmonic are left out: they do not determine it.
-/// @param fit  of the same axis and signals, converged.
+/// @param axis     over time.
+/// @param signals  each with one value a point of the axis.
+/// @param fit      of the same axis and signals, converged.
+/// @param options  how many harmonics.
 /// @throws InputError  where axis, signals and fit do not belong together, or ω is not above 0.
 [[nodiscard]] CycleSeries cycle_series(const Axis& axis,
                                        std::span<const std::span<const double>> signals,
@@ -64,6 +68,7 @@ struct Scatter {
 
 /// scatter() of a quantity that is computed from the series of each cycle. A quantity that is
 /// quadratic in one coefficient, |c|², has in its mean a bias of twice the variance of Re c.
+/// @param cycles    by cycle_series().
 /// @param quantity  from the series of all signals in one block.
 [[nodiscard]] Scatter scatter(
     const CycleSeries& cycles,

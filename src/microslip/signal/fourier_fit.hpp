@@ -48,6 +48,7 @@ enum class ResidualModel {
   kWhite,
 };
 
+/// What fit_fourier() fits.
 struct FourierFitOptions {
   /// H; 1 … 100. Reduced, with the warning order_reduced, where H·f is above 0.45 of the (mean)
   /// sampling rate or there are fewer than two points an unknown.
@@ -63,7 +64,7 @@ struct FourierFitOptions {
   int trend_degree = 1;
   /// False: the fundamental is the guess, which must be given, and only the rest is fitted.
   bool fit_frequency = true;
-  ResidualModel residuals = ResidualModel::kBlocks;
+  ResidualModel residuals = ResidualModel::kBlocks;  ///< for the standard errors
   /// The share of its variance (about mean and trend) that the series must explain in one signal
   /// at least, or the fit counts as not converged: no periodic content; in [0, 1).
   double least_explained = 0.5;
@@ -89,7 +90,7 @@ struct FourierFit {
   double cycles = 0.0;                  ///< periods in the record, 1
   std::size_t points = 0;               ///< samples in the record
   Summary summary;                      ///< residual: last step of ω, relative
-  std::vector<Warning> warnings;
+  std::vector<Warning> warnings;        ///< see fit_fourier() and FourierFitOptions
 
   /// ω/2π, Hz.
   [[nodiscard]] double frequency() const;
@@ -108,6 +109,7 @@ struct FourierFit {
 /// times that. 4 to 8 iterations are usual.
 /// @param axis     over time; the times rise.
 /// @param signals  one at least, each with one value a point of the axis; finite.
+/// @param options  what is fitted, and how the fundamental is found.
 /// @throws InputError  naming the option or the signal (1-based) and the rule it breaks.
 [[nodiscard]] FourierFit fit_fourier(const Axis& axis,
                                      std::span<const std::span<const double>> signals,

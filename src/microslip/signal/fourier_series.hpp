@@ -25,6 +25,7 @@ struct FourierSeries {
   double trend_half_width = 1.0;               ///< s; > 0
   std::vector<std::complex<double>> harmonic;  ///< c_1 … c_H, [x]; c_n is harmonic[n − 1]
 
+  /// H, the number of harmonics.
   [[nodiscard]] std::size_t order() const { return harmonic.size(); }
   /// c_n, n ≥ 1; 0 above the order.
   [[nodiscard]] std::complex<double> c(std::size_t n) const {
@@ -49,6 +50,7 @@ struct FourierSeries {
 [[nodiscard]] FourierSeries integral(const FourierSeries& series);
 
 /// The same signal with another zero of time: t = t_new + origin, so c_n e^{inω·origin}.
+/// @param series  on the old axis.
 /// @param origin  the new zero on the old axis, s.
 [[nodiscard]] FourierSeries shifted(const FourierSeries& series, double origin);
 
@@ -56,6 +58,8 @@ struct FourierSeries {
 [[nodiscard]] double rms(const FourierSeries& series, std::size_t first = 1);
 
 /// x(t) at all points of the axis.
+/// @param series  of any order.
+/// @param axis    over time.
 /// @param points  their number; an axis of even steps does not know it.
 [[nodiscard]] std::vector<double> values(const FourierSeries& series, const Axis& axis,
                                          std::size_t points);

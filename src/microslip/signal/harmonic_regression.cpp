@@ -11,7 +11,7 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 
 /// Rounding of sums over a record, relative to Σ y².
-constexpr double kRounding = 1e-13;
+constexpr double kSumRounding = 1e-13;
 /// Reciprocal condition number of AᵀA below which the points do not determine the unknowns.
 constexpr double kLeastCondition = 1e-10;
 
@@ -100,7 +100,7 @@ Eigen::MatrixXd HarmonicRegression::polynomials(PointRange range) const {
 }
 
 Eigen::VectorXd HarmonicRegression::floored(const Eigen::VectorXd& squares) const {
-  return squares.cwiseMax(kRounding * square_);
+  return squares.cwiseMax(kSumRounding * square_);
 }
 
 /// Aᵀ s^weight A_h: all unknowns × those of the harmonics.

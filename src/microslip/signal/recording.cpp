@@ -24,8 +24,9 @@ std::string names_of_channels(const Recording& recording) {
 }
 
 [[noreturn]] void throw_missing(const Recording& recording, std::string_view name) {
-  throw InputError(name_of(recording, name), "missing",
-                   fmt::format("must be one of {}", names_of_channels(recording)));
+  throw InputError(name_of(recording, name), InputState{"missing"},
+                   fmt::format("the recording has {}", names_of_channels(recording)),
+                   "Give the name that it has there.");
 }
 
 void check_finite(const Recording& recording, std::string_view name,
@@ -79,15 +80,15 @@ const Channel& Recording::channel(std::string_view name) const {
 std::span<const double> Recording::signal(std::string_view name, const Dimension& expected) const {
   const Channel& found = channel(name);
   if (axis.dimension != kTime) {
-    throw InputError(name_of(*this, name), "over " + dimension_name(axis.dimension),
+    throw InputError(name_of(*this, name), InputState{"over " + dimension_name(axis.dimension)},
                      "must be over time");
   }
   if (!found.imaginary.empty()) {
-    throw InputError(name_of(*this, name), "complex", "must be real");
+    throw InputError(name_of(*this, name), InputState{"complex"}, "must be real");
   }
   if (!found.dimension) {
     throw InputError(
-        name_of(*this, name), "without unit",
+        name_of(*this, name), InputState{"without unit"},
         fmt::format("must have a unit of {}", dimension_name(expected)),
         fmt::format("Say what it is in with --assume-units {}={}.", name, si_unit(expected)));
   }

@@ -17,16 +17,19 @@ namespace microslip {
 /// transformed. Point i lies at start + i·step, or at values[i] where the points are not evenly
 /// spaced.
 struct Axis {
-  Dimension dimension = kTime;
-  double start = 0.0;          ///< SI; the time zero of a record is where this axis has its 0
-  double step = 0.0;           ///< SI, above 0 where the points are evenly spaced
-  std::vector<double> values;  ///< SI; empty where they are
+  Dimension dimension = kTime;  ///< of the points
+  double start = 0.0;           ///< SI; the time zero of a record is where this axis has its 0
+  double step = 0.0;            ///< SI, above 0 where the points are evenly spaced
+  std::vector<double> values;   ///< SI; empty where they are
 
+  /// Whether the points are evenly spaced.
   [[nodiscard]] bool even() const { return values.empty(); }
+  /// Point i, SI.
   [[nodiscard]] double at(std::size_t i) const {
     return even() ? start + static_cast<double>(i) * step : values[i];
   }
 
+  /// Member by member.
   friend bool operator==(const Axis&, const Axis&) = default;
 };
 
@@ -36,21 +39,22 @@ using Attributes = std::vector<std::pair<std::string, std::string>>;
 
 /// One signal. Values are in SI where the unit is known.
 struct Channel {
-  std::string name;
+  std::string name;                    ///< no two the same in a recording
   std::optional<Dimension> dimension;  ///< nothing: the file has no unit; values are as it has them
-  std::vector<double> values;
-  std::vector<double> imaginary;  ///< empty, or of the same length: the values are complex
-  Attributes attributes;
+  std::vector<double> values;          ///< one a point of the axis
+  std::vector<double> imaginary;       ///< empty, or of the same length: the values are complex
+  Attributes attributes;               ///< beside its values
 
+  /// Member by member.
   friend bool operator==(const Channel&, const Channel&) = default;
 };
 
 /// Channels measured together, over one axis; each has a value at each of its points.
 struct Recording {
-  std::string source;  ///< where it comes from, for messages and tables: "level_1.csv"
-  Axis axis;
-  std::vector<Channel> channels;
-  Attributes attributes;
+  std::string source;             ///< where it comes from, for messages and tables: "level_1.csv"
+  Axis axis;                      ///< that its channels share
+  std::vector<Channel> channels;  ///< one at least
+  Attributes attributes;          ///< beside those of the channels
 
   /// The number of points.
   [[nodiscard]] std::size_t size() const {
@@ -60,6 +64,7 @@ struct Recording {
   /// 1/step, 1/s. Only for a recording over evenly spaced times.
   [[nodiscard]] double sampling_rate() const { return 1.0 / axis.step; }
 
+  /// The channel of this name.
   /// @throws InputError  naming the source, the channel and those there are, where it is missing.
   [[nodiscard]] const Channel& channel(std::string_view name) const;
 

@@ -37,6 +37,7 @@
 
 namespace microslip {
 
+/// How ring_down() finds and follows the mode.
 struct RingDownOptions {
   /// Near which the mode is sought, within 10 %, Hz. Without it: the highest peak of the spectrum.
   std::optional<double> frequency = {};
@@ -46,7 +47,7 @@ struct RingDownOptions {
   /// Where the free decay begins and ends, s on the axis of the recording. Without them: found, and the
   /// end of the record.
   std::optional<double> from = {};
-  std::optional<double> to = {};
+  std::optional<double> to = {};  ///< where it ends
   /// The windows are as short as this many periods where noise and other modes allow; from 3.
   double least_periods = 6.0;
   /// ln of the ratio of amplitudes over the longest window; above 0, up to 6. A longer window gives less
@@ -61,16 +62,16 @@ struct RingDownOptions {
 /// The mode over time: one entry a window, each of the last fitted value at its centre. Windows
 /// overlap; two that are half a window apart or more are all but independent (correlation −0.2).
 struct RingDown {
-  std::vector<double> time;       ///< s, on the axis of the recording
-  std::vector<double> amplitude;  ///< A, of the displacement at the sensor, m
-  std::vector<double> amplitude_std;
-  std::vector<double> frequency;  ///< ω/2π, Hz
-  std::vector<double> frequency_std;
-  std::vector<double> damping_ratio;  ///< ζ above, 1; for a viscous mode ζ/√(1 − ζ²)
-  std::vector<double> damping_ratio_std;
-  std::vector<double> loss;      ///< 2πζω²A² = D/m, J/kg
-  std::vector<double> loss_std;  ///< with the correlation of ζ and A
-  std::vector<double> window;    ///< length of each, s
+  std::vector<double> time;               ///< s, on the axis of the recording
+  std::vector<double> amplitude;          ///< A, of the displacement at the sensor, m
+  std::vector<double> amplitude_std;      ///< its standard deviation, m
+  std::vector<double> frequency;          ///< ω/2π, Hz
+  std::vector<double> frequency_std;      ///< its standard deviation, Hz
+  std::vector<double> damping_ratio;      ///< ζ above, 1; for a viscous mode ζ/√(1 − ζ²)
+  std::vector<double> damping_ratio_std;  ///< its standard deviation, 1
+  std::vector<double> loss;               ///< 2πζω²A² = D/m, J/kg
+  std::vector<double> loss_std;           ///< with the correlation of ζ and A
+  std::vector<double> window;             ///< length of each, s
 
   double from = 0.0;  ///< s: the range in which the windows lie
   double to = 0.0;    ///< s
@@ -80,13 +81,17 @@ struct RingDown {
   /// Converged where the decay was followed until the record ended or the rest was noise. The residual
   /// is noise_std over the first window's amplitude.
   Summary summary;
-  std::vector<Warning> warnings;
+  std::vector<Warning> warnings;  ///< see the summary for why it ended
 
+  /// The number of windows.
   [[nodiscard]] std::size_t size() const { return time.size(); }
 };
 
-/// @param signal    evenly sampled at `rate`, Hz; in SI. Its first sample is at time 0.
+/// Follows the decay of a signal.
+/// @param signal    evenly sampled, in SI. Its first sample is at time 0.
+/// @param rate      of the samples, Hz.
 /// @param measured  what it is: kLength, kVelocity or kAcceleration.
+/// @param options   which mode, when, and how it is followed.
 /// @throws InputError  for options out of range; where the signal is not finite, too short, clipped, or
 ///                     holds no decay above the noise.
 [[nodiscard]] RingDown ring_down(std::span<const double> signal, double rate,

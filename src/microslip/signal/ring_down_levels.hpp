@@ -8,6 +8,7 @@
 
 namespace microslip {
 
+/// What levels_of() must know of the mode and its joint.
 struct RingDownLevelsOptions {
   /// m, kg, above 0: the mode's mass at the sensor, 1/φ² with its mass-normalised shape φ there.
   double modal_mass = 0.0;
@@ -25,19 +26,20 @@ struct RingDownLevelsOptions {
 /// What a decay tells of its joint, one entry a level by falling amplitude. Levels are half a window
 /// apart, so that they are all but independent.
 struct RingDownLevels {
-  std::vector<double> amplitude;  ///< of the joint's displacement, |joint_ratio|·A, m
-  std::vector<double> amplitude_std;
-  std::vector<double> dissipation;  ///< D = 2πζω²mA² − πηmω₀²A², J a cycle
-  std::vector<double> dissipation_std;
+  std::vector<double> amplitude;        ///< of the joint's displacement, |joint_ratio|·A, m
+  std::vector<double> amplitude_std;    ///< its standard deviation, m
+  std::vector<double> dissipation;      ///< D = 2πζω²mA² − πηmω₀²A², J a cycle
+  std::vector<double> dissipation_std;  ///< its standard deviation, J
   /// k + m(ω² − ω₀²)/joint_ratio², N/m, of first order in the change; empty without k.
   std::vector<double> secant_stiffness;
-  std::vector<double> secant_stiffness_std;
-  std::vector<double> time;           ///< s
-  std::vector<double> frequency;      ///< Hz
-  std::vector<double> damping_ratio;  ///< of the mode, linear part included, 1
-  std::vector<Warning> warnings;      ///< what was left out, and why
+  std::vector<double> secant_stiffness_std;  ///< its standard deviation, N/m
+  std::vector<double> time;                  ///< s
+  std::vector<double> frequency;             ///< Hz
+  std::vector<double> damping_ratio;         ///< of the mode, linear part included, 1
+  std::vector<Warning> warnings;             ///< what was left out, and why
 };
 
+/// Levels of the joint from the decay of a mode.
 /// @throws InputError  for an option out of range, or k without the stick frequency.
 [[nodiscard]] RingDownLevels levels_of(const RingDown& decay, const RingDownLevelsOptions& options);
 

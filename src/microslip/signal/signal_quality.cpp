@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/percent.hpp"
 
 namespace microslip {
 namespace {
@@ -96,9 +97,10 @@ void check_at_least(std::string_view what, double value, double least) {
 void add_warnings(std::string_view name, SignalQuality& quality) {
   if (quality.clipping.clipped) {
     quality.warnings.push_back(
-        {"clipped", fmt::format("{}: {:.2g} % of the points lie in {} flat tops at the extremes: "
-                                "the signal is clipped; widen the range of the channel",
-                                name, 100.0 * quality.clipping.share, quality.clipping.runs)});
+        {"clipped",
+         fmt::format("{}: {} of the points lie in {} flat tops at the extremes: "
+                     "the signal is clipped; widen the range of the channel",
+                     name, percent_text(quality.clipping.share), quality.clipping.runs)});
   }
   const Dropouts& lost = quality.dropouts;
   if (lost.found()) {
@@ -110,9 +112,9 @@ void add_warnings(std::string_view name, SignalQuality& quality) {
   if (quality.drifts) {
     quality.warnings.push_back(
         {"amplitude_drift",
-         fmt::format("{}: the amplitude changes by {:.2g} % over the record, {:.1f} standard "
+         fmt::format("{}: the amplitude changes by {} over the record, {:.1f} standard "
                      "errors; wait longer for the steady state",
-                     name, 100.0 * quality.amplitude_change,
+                     name, percent_text(quality.amplitude_change),
                      quality.amplitude.slope_significance())});
   }
 }

@@ -27,6 +27,7 @@ struct Reversals {
   [[nodiscard]] std::size_t count() const { return points.size(); }
 };
 
+/// What counts as a reversal.
 struct ReversalOptions {
   /// k; ≥ 0. At 4 noise makes an inner reversal in fewer than one of 10⁴ flat places.
   double noise_factor = 4.0;
@@ -37,8 +38,10 @@ struct ReversalOptions {
 ///
 ///     k √2 σ,    σ² = Σ σ_n², the variance of the fitted series at any one time.
 ///
+/// @param series        of the signal.
 /// @param harmonic_std  σ_n, standard error of c_n as FourierFit has it, scaled like c_n where the
 ///                      series was integrated; [x]. Empty for 0.
+/// @param options       k.
 [[nodiscard]] Reversals reversals(const FourierSeries& series,
                                   std::span<const double> harmonic_std = {},
                                   const ReversalOptions& options = {});
@@ -46,6 +49,7 @@ struct ReversalOptions {
 /// Harmonics 2 … H over the first: √(Σ_{n≥2}|c_n|²)/|c_1|, 1. ∞ where c_1 = 0.
 [[nodiscard]] double distortion(const FourierSeries& series);
 
+/// What counts as clipped.
 struct ClippingOptions {
   /// Values that count as at the extreme: within this share of the peak-to-peak; [0, 0.01].
   double level_tolerance = 1e-9;
@@ -65,11 +69,13 @@ struct Clipping {
   std::size_t runs = 0;    ///< flat tops
   std::size_t points = 0;  ///< in them
   double share = 0.0;      ///< points over all points, 1
-  bool clipped = false;
+  bool clipped = false;    ///< `share` is above the bound
 };
+/// Flat tops, see Clipping. @throws InputError  where an option is out of range.
 [[nodiscard]] Clipping find_clipping(std::span<const double> signal,
                                      const ClippingOptions& options = {});
 
+/// What counts as a drop-out.
 struct DropoutOptions {
   /// Points in succession of one value (away from the extremes) that make a drop-out; ≥ 3.
   std::size_t least_run = 8;
@@ -87,15 +93,18 @@ struct Dropouts {
   std::size_t gaps = 0;         ///< of the axis
   double longest_gap = 0.0;     ///< s
 
+  /// Whether there is a run or a gap.
   [[nodiscard]] bool found() const { return runs + gaps > 0; }
 };
+/// Runs of one value and gaps, see Dropouts. @throws InputError  for an option out of range.
 [[nodiscard]] Dropouts find_dropouts(const Axis& axis, std::span<const double> signal,
                                      const DropoutOptions& options = {});
 
+/// What signal_quality() asks of a signal.
 struct SignalQualityOptions {
-  ReversalOptions reversals;
-  ClippingOptions clipping;
-  DropoutOptions dropouts;
+  ReversalOptions reversals;  ///< what counts as a reversal
+  ClippingOptions clipping;   ///< what counts as clipped
+  DropoutOptions dropouts;    ///< what counts as a drop-out
   /// The amplitude |c_1| drifts where its change over the record is above this share of it …; > 0
   double drift_share = 0.005;
   /// … and its slope above this many of its standard errors; > 0.
@@ -104,19 +113,25 @@ struct SignalQualityOptions {
 
 /// All of it for one signal of a fit.
 struct SignalQuality {
-  Reversals reversals;      ///< of the signal as it is, not of its integral
-  double distortion = 0.0;  ///< 1
-  Clipping clipping;
-  Dropouts dropouts;
+  Reversals reversals;          ///< of the signal as it is, not of its integral
+  double distortion = 0.0;      ///< 1
+  Clipping clipping;            ///< flat tops of the signal
+  Dropouts dropouts;            ///< runs of one value in it, and gaps of the axis
   Scatter amplitude;            ///< |c_1| cycle by cycle, [x]
   double amplitude_change = 0;  ///< over the record, relative to the mean, signed, 1
-  bool drifts = false;
+  bool drifts = false;          ///< by the options
   /// clipped, dropout, amplitude_drift, each with its figures.
   std::vector<Warning> warnings;
 };
 
-/// @param signals  those of the fit, in its order. @param cycles  cycle_series() of them.
-/// @param index    which of them. @param name  of the signal, for the warnings.
+/// Looks at one signal of a fit.
+/// @param axis     of the recording.
+/// @param signals  those of the fit, in its order.
+/// @param fit      of all signals.
+/// @param cycles   cycle_series() of them.
+/// @param index    which of them, from 0.
+/// @param name     of the signal, for the warnings.
+/// @param options  what counts as a fault.
 /// @throws InputError  where an option is out of range or the lengths do not fit.
 [[nodiscard]] SignalQuality signal_quality(const Axis& axis,
                                            std::span<const std::span<const double>> signals,

@@ -30,6 +30,7 @@ struct PeakToPeak {
   /// (largest + smallest)/2: where the middle of the cycle lies off its mean, [x].
   [[nodiscard]] double middle() const { return 0.5 * (largest + smallest); }
 };
+/// Both by turning_points(); 0 where all c_n are 0.
 [[nodiscard]] PeakToPeak peak_to_peak(const FourierSeries& series);
 
 }  // namespace microslip

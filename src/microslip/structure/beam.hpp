@@ -27,11 +27,13 @@ struct Beam {
   std::vector<PointMass> masses = {};  ///< any number and order, two may be at one place
 };
 
+/// Checks the ranges above.
 /// @throws InputError  naming the member and the rule it breaks.
 void check_beam(const Beam& beam);
 
 /// How many natural frequencies of the beam lie below ω: exact whatever their distance, by the
 /// count of [Wittrick & Williams].
+/// @param beam               as check_beam() demands.
 /// @param angular_frequency  ω, rad/s; ≥ 0, with (ω² ρA L⁴/EI)^¼ ≤ 10000 (about 3000 modes).
 /// @throws InputError  for a beam or ω out of its range.
 [[nodiscard]] std::size_t natural_frequencies_below(const Beam& beam, double angular_frequency);
@@ -40,6 +42,7 @@ void check_beam(const Beam& beam);
 /// k_θ = k r² then measures the stiffness k of the contact. Not a search: the spring is minus the
 /// dynamic stiffness of the beam's end against rotation at ω = 2πf₁, which one march along the beam
 /// gives. What beam.tip_stiffness is does not matter.
+/// @param beam             as check_beam() demands.
 /// @param first_frequency  f₁, Hz; at least that of the pinned beam (k_θ = 0), below that of the
 ///                         clamped one (k_θ = ∞).
 /// @throws InputError  for a beam out of its range; for an f₁ out of its own, naming that.

@@ -23,10 +23,12 @@ namespace microslip {
 /// The spring acts on the frequencies by ∂ω_i²/∂k_θ = φ_i′(L)².
 class BeamModes {
  public:
+  /// @param beam   as check_beam() demands.
   /// @param modes  from 1 to 1000.
   /// @throws InputError  for a beam or a number of modes out of its range.
   BeamModes(const Beam& beam, std::size_t modes);
 
+  /// The number of modes.
   [[nodiscard]] std::size_t size() const { return angular_frequencies_.size(); }
 
   /// ω_i, rad/s, rising.

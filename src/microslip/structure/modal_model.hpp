@@ -18,7 +18,7 @@ struct Mode {
 
 /// A place of the structure and a direction there, by the share of each mode in its displacement.
 struct ModalPoint {
-  std::string name;
+  std::string name;           ///< not empty; no two the same in a model
   std::vector<double> shape;  ///< φ_i, mass-normalised, kg^−½; one a mode
 };
 
@@ -43,7 +43,9 @@ class ModalModel {
 
   /// The number of modes.
   [[nodiscard]] std::size_t size() const { return modes_.size(); }
+  /// The modes, in the order given.
   [[nodiscard]] std::span<const Mode> modes() const { return modes_; }
+  /// The points, in the order given.
   [[nodiscard]] std::span<const ModalPoint> points() const { return points_; }
 
   /// φ_i(point), one a mode.
@@ -56,7 +58,9 @@ class ModalModel {
   ///
   /// and ω_i in place of the last ω for kHysteretic. Infinite at the natural frequency of a mode
   /// without damping that both points take part in.
+  /// @param to, from           names of points.
   /// @param angular_frequency  ω, rad/s; ≥ 0 and finite.
+  /// @param law                of the damping.
   /// @throws InputError  where a point is missing or ω out of its range.
   [[nodiscard]] std::complex<double> receptance(std::string_view to, std::string_view from,
                                                 double angular_frequency,
@@ -68,7 +72,9 @@ class ModalModel {
 };
 
 /// ω_i² − ω² + i η_i ω_i ω, or i η_i ω_i² for kHysteretic, rad²/s²: the dynamic stiffness of one mode.
+/// @param mode               one of a ModalModel.
 /// @param angular_frequency  ω, rad/s; ≥ 0, not checked.
+/// @param law                of the damping.
 [[nodiscard]] std::complex<double> modal_stiffness(const Mode& mode, double angular_frequency,
                                                    DampingLaw law = DampingLaw::kViscous);
 

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/identify/covered_range.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace microslip {
+namespace {
+
+/// In µm, mm or m.
+std::string length_text(double metres) {
+  if (metres < 1e-3) return fmt::format("{:.4g} µm", 1e6 * metres);
+  if (metres < 1.0) return fmt::format("{:.4g} mm", 1e3 * metres);
+  return fmt::format("{:.4g} m", metres);
+}
+
+}  // namespace
+
+std::optional<Warning> beyond_identification(const Joint& joint, double amplitude,
+                                             std::optional<double> covered_to) {
+  constexpr double kBeyond = 1.02;
+  if (!covered_to) return std::nullopt;
+  const double reached = joint.stiffness() * amplitude;
+  if (!(reached > kBeyond * *covered_to)) return std::nullopt;
+  return Warning{
+      "beyond_identification",
+      fmt::format("the joint moves by {}, {:.3g} times the {} of the highest level that "
+                  "it was identified by; what slips there is not known. Identify it with higher "
+                  "levels.",
+                  length_text(amplitude), reached / *covered_to,
+                  length_text(*covered_to / joint.stiffness()))};
+}
+
+}  // namespace microslip

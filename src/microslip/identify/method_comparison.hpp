@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "microslip/identify/differences.hpp"
+#include "microslip/identify/identification.hpp"
+#include "microslip/identify/levels.hpp"
+#include "microslip/identify/spline_density.hpp"
+
+/// @file
+/// The same levels by all methods, so that a density can be seen beside the others. [AR14 Fig. 9, 10]
+
+namespace microslip {
+
+/// What compare_methods() found.
+struct MethodComparison {
+  Levels levels;             ///< sorted, equal amplitudes merged; with the linear damping in D
+  InversionOptions options;  ///< of the inversion
+  Identification inversion;  ///< of the levels
+  /// The levels less the linear damping, which the methods below do not know: D − βA², 0 or more.
+  Levels net_levels;
+  SplineDensityResult spline;     ///< of the net levels
+  SignedDensity differences;      ///< of the net levels
+  std::vector<Warning> warnings;  ///< by the method that the options name
+};
+
+/// Inversion, spline and differences of levels.
+/// @param levels          kFewestLevels or more after equal amplitudes are merged.
+/// @param options         of the method whose warnings are wanted; bands are not computed.
+/// @param linear_damping  β of D = … + βA² that was identified, J/m²; nothing where none was.
+/// @throws InputError  as identify().
+[[nodiscard]] MethodComparison compare_methods(const Levels& levels,
+                                               const IdentificationOptions& options,
+                                               std::optional<double> linear_damping = {});
+
+/// The inversion with λ times a factor.
+/// @param methods  of the levels.
+/// @param factor   > 0.
+[[nodiscard]] Identification inversion_with(const MethodComparison& methods, double factor);
+
+/// The spline with λ times a factor.
+/// @param methods  of the levels.
+/// @param factor   > 0.
+[[nodiscard]] Identification spline_with(const MethodComparison& methods, double factor);
+
+}  // namespace microslip

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/model_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/file_kind.hpp"
+#include "microslip/io/toml_lines.hpp"
+
+namespace microslip {
+namespace {
+
+void write_structure(const JointedStructure& structure, TomlLines& lines) {
+  const bool viscous = structure.damping() == DampingLaw::kViscous;
+  std::vector<double> frequency;
+  std::vector<double> damping;
+  for (const Mode& mode : structure.linear().modes()) {
+    frequency.push_back(mode.angular_frequency / (2.0 * std::numbers::pi));
+    damping.push_back(viscous ? mode.loss_factor / 2.0 : mode.loss_factor);
+  }
+  lines.table("structure");
+  lines.add("frequency_Hz", frequency);
+  lines.add(viscous ? "damping_ratio" : "loss_factor", damping);
+  for (const ModalPoint& point : structure.linear().points()) {
+    lines.element("structure.point");
+    lines.add("name", point.name);
+    lines.add("shape", point.shape);
+  }
+}
+
+void write_joint(const StructuralJoint& joint, const std::string& file, TomlLines& lines) {
+  lines.element("joint");
+  lines.add("name", joint.name);
+  lines.add("file", file);
+  lines.add("shape", joint.shape);
+  if (joint.spring_in_modes > 0.0) lines.add("spring_in_modes_N_per_m", joint.spring_in_modes);
+  if (joint.series_compliance > 0.0) {
+    lines.add("series_compliance_m_per_N", joint.series_compliance);
+  }
+  if (!joint.shortening.empty()) lines.add("shortening_per_kg_m", joint.shortening);
+}
+
+void write_excitation(const Excitation& excitation, TomlLines& lines) {
+  std::vector<double> amplitude;
+  std::vector<double> phase;
+  for (const std::complex<double>& harmonic : excitation.harmonics) {
+    amplitude.push_back(std::abs(harmonic));
+    phase.push_back(std::arg(harmonic));
+  }
+  lines.element("excitation");
+  lines.add("point", excitation.point);
+  if (excitation.harmonics == std::vector<std::complex<double>>{1.0}) return;
+  lines.add("harmonics", amplitude);
+  lines.add("phase_rad", phase);
+}
+
+}  // namespace
+
+std::string format_model(const ModelFile& model, std::string_view comment) {
+  const std::span<const StructuralJoint> joints = model.structure.joints();
+  if (model.joint_files.size() != joints.size()) {
+    throw InputError("joint_files", fmt::format("{} files", model.joint_files.size()),
+                     fmt::format("must be {}, one a joint", joints.size()));
+  }
+  TomlLines lines;
+  lines.comment(comment);
+  lines.add("schema", kModelKind);
+  write_structure(model.structure, lines);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    write_joint(joints[i], model.joint_files[i], lines);
+  }
+  for (const Excitation& excitation : model.structure.excitations()) {
+    write_excitation(excitation, lines);
+  }
+  lines.table("response");
+  lines.add("point", model.response);
+  return std::move(lines).str();
+}
+
+}  // namespace microslip

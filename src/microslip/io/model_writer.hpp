@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "microslip/io/model_file.hpp"
+
+namespace microslip {
+
+/// The text of a model.toml that parse_model() reads back as the same model, but for the rounding of
+/// ω/2π. The joint files are named as in `model.joint_files`; they are not written.
+/// @param model    its joint files are told one a joint.
+/// @param comment  the first lines; may be empty.
+/// @throws InputError  where the number of joint files is not that of the joints.
+[[nodiscard]] std::string format_model(const ModelFile& model, std::string_view comment = "");
+
+}  // namespace microslip

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/model_writer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <complex>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/joint_file.hpp"
+
+namespace microslip {
+namespace {
+
+const std::string kJointFile = MICROSLIP_EXAMPLES "/reference_joint/joint.json";
+
+void expect_equal(std::span<const double> found, std::span<const double> expected) {
+  EXPECT_TRUE(std::ranges::equal(found, expected));
+}
+
+/// Two modes, a joint with all that one may have, two forces with harmonics.
+ModelFile two_modes(DampingLaw damping) {
+  const Joint joint = read_joint(kJointFile).joint;
+  ModalModel linear({{314.15926535, 0.01}, {1234.5, 0.002}},
+                    {{"tip", {1.0 / 3.0, -0.1}}, {"a \\ back'slash", {0.5, 1e-300}}});
+  StructuralJoint contact{.name = "contact",
+                          .joint = joint,
+                          .shape = {0.2, 0.7},
+                          .spring_in_modes = 100.5,
+                          .series_compliance = 1.4e-8,
+                          .shortening = {20.5, 6.4, 6.4, 77.0}};
+  return {JointedStructure(std::move(linear), {std::move(contact)},
+                           {{"tip", {1.0}}, {"a \\ back'slash", {{0.5, -0.25}, {0.0, 0.125}}}},
+                           damping),
+          "a \\ back'slash",
+          {kJointFile}};
+}
+
+// Only ω passes through a division by 2π: an error of 2 ulp is what that and the way back leave.
+TEST(ModelWriter, IsReadBackAsTheSameModel) {
+  for (const DampingLaw damping : {DampingLaw::kViscous, DampingLaw::kHysteretic}) {
+    const ModelFile model = two_modes(damping);
+    const ModelFile again = parse_model(format_model(model), "model.toml");
+    EXPECT_EQ(again.response, model.response);
+    EXPECT_EQ(again.joint_files, model.joint_files);
+    const ModalModel& linear = model.structure.linear();
+    const ModalModel& read = again.structure.linear();
+    EXPECT_EQ(again.structure.damping(), damping);
+    ASSERT_EQ(read.size(), linear.size());
+    for (std::size_t i = 0; i < linear.size(); ++i) {
+      const double omega = linear.modes()[i].angular_frequency;
+      EXPECT_NEAR(read.modes()[i].angular_frequency, omega, 5e-16 * omega);
+      EXPECT_EQ(read.modes()[i].loss_factor, linear.modes()[i].loss_factor);
+    }
+    ASSERT_EQ(read.points().size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_EQ(read.points()[i].name, linear.points()[i].name);
+      expect_equal(read.points()[i].shape, linear.points()[i].shape);
+    }
+    const StructuralJoint& joint = again.structure.joints()[0];
+    const StructuralJoint& contact = model.structure.joints()[0];
+    EXPECT_EQ(joint.name, contact.name);
+    expect_equal(joint.shape, contact.shape);
+    expect_equal(joint.shortening, contact.shortening);
+    EXPECT_EQ(joint.spring_in_modes, contact.spring_in_modes);
+    EXPECT_EQ(joint.series_compliance, contact.series_compliance);
+    EXPECT_EQ(joint.joint.stiffness(), contact.joint.stiffness());
+  }
+}
+
+// An amplitude and a phase of each are written: rounding of either is 2 ulp.
+TEST(ModelWriter, KeepsTheHarmonicsOfTheForces) {
+  const ModelFile model = two_modes(DampingLaw::kViscous);
+  const ModelFile again = parse_model(format_model(model), "model.toml");
+  ASSERT_EQ(again.structure.excitations().size(), 2U);
+  for (std::size_t d = 0; d < 2; ++d) {
+    const Excitation& read = again.structure.excitations()[d];
+    const Excitation& written = model.structure.excitations()[d];
+    EXPECT_EQ(read.point, written.point);
+    ASSERT_EQ(read.harmonics.size(), written.harmonics.size());
+    for (std::size_t n = 0; n < read.harmonics.size(); ++n) {
+      EXPECT_LE(std::abs(read.harmonics[n] - written.harmonics[n]), 1e-15);
+    }
+  }
+}
+
+TEST(ModelWriter, BeginsWithTheComment) {
+  const std::string text = format_model(two_modes(DampingLaw::kViscous), "one\ntwo \x1b three");
+  EXPECT_EQ(text.substr(0, text.find("schema")), "# one\n# two   three\n");
+  EXPECT_NO_THROW((void)parse_model(text, "model.toml"));
+}
+
+TEST(ModelWriter, WantsAFileForEachJoint) {
+  ModelFile model = two_modes(DampingLaw::kViscous);
+  model.joint_files.clear();
+  EXPECT_THROW((void)format_model(model), InputError);
+}
+
+}  // namespace
+}  // namespace microslip

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+
+/// @file
+/// What a test measures, for docs/validation.md: kept as a property of the test, which
+/// `--gtest_output=json` writes and scripts/update_validation reads. It asserts nothing.
+
+namespace microslip::test {
+
+/// One figure of the test that runs, by its name with unit, `name [unit]`. Given again, the one of
+/// both is kept that `keep(a, b)` returns; one that is not a number is kept whatever comes.
+template <class Keep>
+void record_figure(const std::string& name, double value, const Keep& keep) {
+  static std::map<std::pair<const void*, std::string>, double> figures;
+  const void* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  const auto [place, first] = figures.try_emplace({test, name}, value);
+  double& figure = place->second;
+  if (!first && !std::isnan(figure)) figure = std::isnan(value) ? value : keep(figure, value);
+  ::testing::Test::RecordProperty(name, fmt::format("{}", figure));
+}
+
+/// The largest of what is given in the test.
+inline void record_largest(const std::string& name, double value) {
+  record_figure(name, value, [](double a, double b) { return std::max(a, b); });
+}
+
+/// The smallest of what is given in the test.
+inline void record_smallest(const std::string& name, double value) {
+  record_figure(name, value, [](double a, double b) { return std::min(a, b); });
+}
+
+/// The sum of what is given in the test.
+inline void record_sum(const std::string& name, double value) {
+  record_figure(name, value, [](double a, double b) { return a + b; });
+}
+
+/// The largest |value/expected − 1| as `name [1]`.
+inline void record_deviation(const std::string& name, double value, double expected) {
+  record_largest(name + " [1]", std::abs(value / expected - 1.0));
+}
+
+}  // namespace microslip::test
