@@ -88,5 +88,20 @@ TEST(AxisTicks, LabelsNeverTouch) {
   }
 }
 
+TEST(AxisTicks, OfDegreesArePartsOfARightAngle) {
+  const auto degrees = [](double from, double to, double length) {
+    std::vector<double> values;
+    for (const TickLabel& label :
+         axis_ticks({.from = from, .to = to}, false, length, true, kFont, true).labelled) {
+      values.push_back(label.value);
+    }
+    return values;
+  };
+  EXPECT_EQ(degrees(-5.0, 185.0, 150.0), (std::vector{0.0, 45.0, 90.0, 135.0, 180.0}));
+  EXPECT_EQ(degrees(-5.0, 185.0, 100.0), (std::vector{0.0, 90.0, 180.0}));
+  EXPECT_EQ(degrees(0.0, 360.0, 60.0), (std::vector{0.0, 180.0, 360.0}));
+  EXPECT_EQ(degrees(81.0, 83.0, 100.0).size(), 3U) << "no part of a right angle within";
+}
+
 }  // namespace
 }  // namespace microslip

@@ -151,5 +151,37 @@ TEST(PanelLayoutFault, NoRoomForTheAxes) {
                        "must leave room for its axes. Make the picture larger"));
 }
 
+TEST(PanelLayout, KeepsTheMarginsThatAreAskedFor) {
+  const PanelLayout own = panel_layout(density_figure(), kSpace);
+  const Margins margins = margins_of(own, kSpace);
+  EXPECT_DOUBLE_EQ(margins.left, own.axes.left);
+  EXPECT_DOUBLE_EQ(margins.top, kSpace.top - own.axes.top);
+  const Margins least{.left = margins.left + 30.0,
+                      .bottom = margins.bottom + 20.0,
+                      .right = margins.right + 10.0,
+                      .top = margins.top + 5.0};
+  const PanelLayout moved = panel_layout(density_figure(), kSpace, least);
+  EXPECT_DOUBLE_EQ(moved.axes.left, own.axes.left + 30.0);
+  EXPECT_DOUBLE_EQ(moved.axes.bottom, own.axes.bottom + 20.0);
+  EXPECT_DOUBLE_EQ(moved.axes.right, own.axes.right - 10.0);
+  EXPECT_DOUBLE_EQ(moved.axes.top, own.axes.top - 5.0);
+  // What belongs to an edge moves along.
+  EXPECT_DOUBLE_EQ(moved.y_label.at(0).x, own.y_label.at(0).x + 30.0);
+  EXPECT_DOUBLE_EQ(moved.x_label.at(0).y, own.x_label.at(0).y + 20.0);
+  EXPECT_DOUBLE_EQ(moved.legend.at(0).y, own.legend.at(0).y + 20.0);
+  EXPECT_DOUBLE_EQ(moved.markers.at(0).label.y, own.markers.at(0).label.y - 5.0);
+  const PanelLayout same = panel_layout(density_figure(), kSpace, Margins{});
+  EXPECT_EQ(same.axes.left, own.axes.left);
+}
+
+TEST(PanelLayout, NumbersOfALowAxisAreAsDenseAsTheyFit) {
+  const Figure figure{.y = {.label = "force [N]"},
+                      .layers = {LineLayer{.x = {0.0, 1.0}, .y = {0.0, 100.0}}}};
+  const PanelLayout layout =
+      panel_layout(figure, {.left = 0.0, .bottom = 0.0, .right = 400.0, .top = 190.0});
+  // Of some 130 px; a number takes 30.
+  EXPECT_GE(layout.y_ticks.labelled.size(), 3U);
+}
+
 }  // namespace
 }  // namespace microslip

@@ -171,5 +171,22 @@ TEST(ConstantResponseFigure, DrawsResponseOverForceAndWhatIsExpectedDotted) {
   EXPECT_NE(layer<LineLayer>(figure, 2).stroke.colour, predicted.stroke.colour);
 }
 
+TEST(ForceControlFigure, OfFilesShowsTheHighestLevelAndAll) {
+  const std::vector<TestForceControl> levels{{"2", 4.0, {0.02, 0.05}, {1e-4, 2e-4}},
+                                             {"1", 2.0, {0.01, 0.03}, {1e-5, 2e-5}}};
+  const FigureGrid figure = force_control_figure("", levels);
+  ASSERT_EQ(figure.panels.size(), 2U);
+  Numbers heights;
+  for (const Layer& bar : figure.panels[0].layers) {
+    if (const auto* band = std::get_if<BandLayer>(&bar)) heights.push_back(band->upper.front());
+  }
+  expect_near(heights, {100.0, 2.0, 5.0, 100.0, 0.01, 0.02});
+  EXPECT_EQ(layer<LineLayer>(figure.panels[1], 1).x, (Numbers{2.0, 4.0}));
+  expect_near(layer<LineLayer>(figure.panels[1], 1).y, {3.0, 5.0});
+  expect_near(layer<LineLayer>(figure.panels[1], 2).y, {2e-3, 2e-2});
+  EXPECT_NO_THROW(check_figure(figure));
+  EXPECT_THROW((void)force_control_figure("", std::vector<TestForceControl>{}), InputError);
+}
+
 }  // namespace
 }  // namespace microslip

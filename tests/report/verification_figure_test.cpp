@@ -69,7 +69,7 @@ TEST(VerificationFigure, DrawsForceAndAccelerationAtTheExciterInTheirUnits) {
   const FigureGrid figure = verification_figure(records);
   EXPECT_EQ(figure.panels[0].y.label, "force [N]");
   EXPECT_EQ(figure.panels[1].y.label, "exciter [m/s²]");
-  EXPECT_EQ(figure.panels[1].subtitle, "exciter: NRMSE 1.23 %, noise alone 0.4 %");
+  EXPECT_EQ(figure.panels[1].subtitle, "exciter: NRMSE 1.2 %, noise alone 0.40 %");
   const auto& recorded = layer<PointLayer>(figure.panels[1], 1);
   EXPECT_NEAR(recorded.x.back(), 20.0, 1e-9) << "ms from the start of the history";
   EXPECT_EQ(recorded.y, std::vector<double>(21, 7.0));
@@ -112,6 +112,61 @@ TEST(VerificationFigure, GrowsByTheRow) {
   const PictureSize high = verification_size(verification_figure(two));
   EXPECT_EQ(low.width, high.width);
   EXPECT_EQ(high.height - low.height, 320);
+}
+
+/// Two cycles in which the prediction is 0.5 above the record.
+TestRecord recorded(const std::string& source) {
+  TestRecord made{source, {}, {}};
+  for (const std::string unit : {"N", "m/s^2"}) {
+    made.signals.push_back(
+        {unit == "N" ? "force" : "acc1", unit, {0.0, 0.01}, {1.0, 2.0}, {0.0, 0.01}, {1.5, 2.5}});
+  }
+  made.harmonics = {{"acc1", "m/s^2", {2.0, 0.5}, {2.5, 0.25}}};
+  return made;
+}
+
+TestResults files() {
+  TestResults made;
+  for (const double response : {3.0, 1.0, 2.0, 4.0}) {
+    const std::string source = "level " + std::to_string(static_cast<int>(response));
+    made.predictions.push_back(recorded(source));
+    for (const std::string channel : {"force", "acc1"}) {
+      made.comparisons.push_back(
+          {source, channel, "converged", 50.0, response, 0.0123, 0.01, 1.0, 0.0});
+    }
+  }
+  return made;
+}
+
+TEST(VerificationFigureOfFiles, HasARowOfTheLowestAMiddleAndTheHighestLevel) {
+  const FigureGrid figure = verification_figure(files());
+  ASSERT_EQ(figure.panels.size(), 9U);
+  EXPECT_EQ(figure.columns, 3U);
+  EXPECT_EQ(figure.panels[0].title, "1 m/s², 50.00 Hz");
+  EXPECT_EQ(figure.panels[0].subtitle, "NRMSE 1.2 %");
+  EXPECT_EQ(figure.panels[3].title, "2 m/s², 50.00 Hz");
+  EXPECT_EQ(figure.panels[6].title, "4 m/s², 50.00 Hz");
+  EXPECT_EQ(figure.panels[1].y.label, "acc1 [m/s²]");
+  EXPECT_EQ(layer<LineLayer>(figure.panels[1], 0).y, (std::vector<double>{1.5, 2.5}));
+  EXPECT_EQ(layer<PointLayer>(figure.panels[1], 1).x, (std::vector<double>{0.0, 10.0}));
+  std::vector<double> heights;
+  for (const Layer& bar : figure.panels[2].layers) {
+    if (const auto* band = std::get_if<BandLayer>(&bar)) heights.push_back(band->upper.front());
+  }
+  EXPECT_EQ(heights, (std::vector<double>{1.0, 0.25, 1.25, 0.125}));
+  EXPECT_NO_THROW(check_figure(figure));
+}
+
+TEST(VerificationFigureOfFiles, NeedsNeitherComparisonsNorHarmonics) {
+  TestResults bare;
+  bare.predictions = {recorded("one")};
+  bare.predictions[0].harmonics.clear();
+  const FigureGrid figure = verification_figure(bare);
+  ASSERT_EQ(figure.panels.size(), 2U);
+  EXPECT_EQ(figure.columns, 2U);
+  EXPECT_EQ(figure.panels[0].title, "one");
+  EXPECT_TRUE(figure.panels[0].subtitle.empty());
+  EXPECT_THROW((void)verification_figure(TestResults{}), InputError);
 }
 
 }  // namespace

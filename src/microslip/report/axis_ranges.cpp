@@ -15,6 +15,7 @@ namespace {
 constexpr double kPadding = 0.04;     // of the length of the axis, at both ends
 constexpr double kNearZero = 0.2;     // of the largest value: the axis starts at zero
 constexpr double kShortest = 1e-9;    // length of an axis relative to its values
+constexpr double kAboutOne = 0.25;    // decades to each side of a single value: a tick or two
 constexpr double kSmallest = 1e-100;  // magnitude that is not zero
 
 /// The smallest interval with all values in it.
@@ -47,7 +48,7 @@ class Extent {
 
   [[nodiscard]] AxisRange padded_log() const {
     const double decades = std::log10(high_) - std::log10(low_);
-    const double factor = std::pow(10.0, decades > kShortest ? kPadding * decades : 0.1);
+    const double factor = std::pow(10.0, decades > kShortest ? kPadding * decades : kAboutOne);
     return {.from = low_ / factor, .to = high_ * factor};
   }
 

@@ -137,6 +137,15 @@ Ticks linear_ticks(const Scale& scale) {
   }
 }
 
+/// The densest that fit of those at parts or multiples of 90 degrees; others where none do.
+Ticks degree_ticks(const Scale& scale) {
+  for (const int step : {15, 30, 45, 90, 180, 360}) {
+    std::vector<TickLabel> labels = multiples_of(step, 0, scale.range);
+    if (labels.size() >= 2 && scale.fits(labels)) return {.labelled = labels, .minor = {}};
+  }
+  return linear_ticks(scale);
+}
+
 /// Of an axis with less than three powers of ten; nothing where no labels fit.
 std::vector<TickLabel> short_log_labels(const Scale& scale) {
   std::vector<TickLabel> labels = labels_of(multiples_of_powers(scale.range, {1, 2, 5}));
@@ -169,10 +178,12 @@ double label_width(const TickLabel& label, Font font) {
   return text_width(label.text, font) + text_width(label.exponent, raised);
 }
 
-Ticks axis_ticks(const AxisRange& range, bool log, double length, bool vertical, Font font) {
+Ticks axis_ticks(const AxisRange& range, bool log, double length, bool vertical, Font font,
+                 bool degrees) {
   const Scale scale{
       .range = range, .log = log, .length = length, .vertical = vertical, .font = font};
-  return log ? log_ticks(scale) : linear_ticks(scale);
+  if (log) return log_ticks(scale);
+  return degrees ? degree_ticks(scale) : linear_ticks(scale);
 }
 
 }  // namespace microslip

@@ -31,7 +31,8 @@ struct Ticks {
 /// other multiples of them come in.
 /// @param length    of the axis, px.
 /// @param vertical  the labels are above each other, not side by side.
+/// @param degrees   ticks of a linear axis at parts and multiples of a right angle.
 [[nodiscard]] Ticks axis_ticks(const AxisRange& range, bool log, double length, bool vertical,
-                               Font font);
+                               Font font, bool degrees = false);
 
 }  // namespace microslip

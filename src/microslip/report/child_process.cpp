@@ -40,25 +40,26 @@ int number_of(const Socket& socket) { return socket ? fileno(socket.get()) : -1;
 
 /// Two connected sockets, which no child inherits unless it is given them. Sockets rather than
 /// pipes, because a send() to a child that is gone can be told not to raise SIGPIPE.
-struct Channel {
+struct SocketPair {
   Socket ours;
   Socket childs;
 };
 
-Channel open_channel(std::string_view program) {
+SocketPair open_channel(std::string_view program) {
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) fail(program, errno);
-  Channel channel{.ours = Socket(fdopen(ends[0], "r+")), .childs = Socket(fdopen(ends[1], "r+"))};
+  SocketPair channel{.ours = Socket(fdopen(ends[0], "r+")),
+                     .childs = Socket(fdopen(ends[1], "r+"))};
   if (!channel.ours || !channel.childs) fail(program, errno);
   return channel;
 }
 
 /// Numbers above 2: where this program runs with a standard stream closed, the socket that takes
 /// its number would be overwritten while the child's streams are put in place.
-Channel open_high_channel(std::string_view program) {
-  std::vector<Channel> low;
+SocketPair open_high_channel(std::string_view program) {
+  std::vector<SocketPair> low;
   for (;;) {
-    Channel channel = open_channel(program);
+    SocketPair channel = open_channel(program);
     if (std::min(number_of(channel.ours), number_of(channel.childs)) > 2) return channel;
     low.push_back(std::move(channel));
   }
@@ -74,7 +75,7 @@ class SpawnActions {
   SpawnActions& operator=(const SpawnActions&) = delete;
   ~SpawnActions() { posix_spawn_file_actions_destroy(&actions_); }
 
-  void connect(const Channel& channel, int stream, std::string_view program) {
+  void connect(const SocketPair& channel, int stream, std::string_view program) {
     const int code = posix_spawn_file_actions_adddup2(&actions_, number_of(channel.childs), stream);
     if (code != 0) fail(program, code);
   }
@@ -156,10 +157,10 @@ void converse(Socket to, Socket from, Socket errors_from, std::string_view progr
 
 std::optional<ChildResult> run_child(std::vector<std::string> command, std::string_view input) {
   const std::string program = command.at(0);
-  std::array<Channel, 3> channels;
+  std::array<SocketPair, 3> channels;
   SpawnActions actions(program);
   for (int stream = 0; stream < 3; ++stream) {
-    Channel& channel = channels[static_cast<std::size_t>(stream)];
+    SocketPair& channel = channels[static_cast<std::size_t>(stream)];
     channel = open_high_channel(program);
     actions.connect(channel, stream, program);
   }
@@ -174,7 +175,7 @@ std::optional<ChildResult> run_child(std::vector<std::string> command, std::stri
   if (code == ENOENT) return std::nullopt;
   if (code != 0) fail(program, code);
   Child child(id);
-  for (Channel& channel : channels) channel.childs.reset();
+  for (SocketPair& channel : channels) channel.childs.reset();
 
   ChildResult result;
   converse(std::move(channels[0].ours), std::move(channels[1].ours), std::move(channels[2].ours),

@@ -16,7 +16,7 @@ namespace {
 // What is beyond is no measurement, and no sum or power of it may leave the range of doubles.
 constexpr double kLargest = 1e100;
 // Length of a range relative to its ends; numbers at ticks have up to 15 digits.
-constexpr double kShortest = 1e-9;
+constexpr double kShortestRange = 1e-9;
 
 void require(bool holds, const std::string& what, double value, std::string_view rule,
              std::string_view remedy = {}) {
@@ -103,7 +103,7 @@ void check_axis(const std::string& name, const FigureAxis& axis) {
   check_number(name + ".range.from", axis.range->from);
   check_number(name + ".range.to", axis.range->to);
   const double largest = std::max(std::abs(axis.range->from), std::abs(axis.range->to));
-  require(axis.range->to - axis.range->from > kShortest * largest, name + ".range.to",
+  require(axis.range->to - axis.range->from > kShortestRange * largest, name + ".range.to",
           axis.range->to, fmt::format("must be larger than range.from = {}", axis.range->from));
   require(!axis.log || axis.range->from >= kSmallestOnLog, name + ".range.from", axis.range->from,
           "must be positive on a logarithmic axis");

@@ -15,82 +15,88 @@
 namespace microslip {
 
 /// Colours that people with any colour vision tell apart (Okabe and Ito), as indices: blue,
-/// vermillion, bluish green, reddish purple, orange, sky blue, black, grey. Larger indices start
+/// vermilion, bluish green, reddish purple, orange, sky blue, black, grey. Larger indices start
 /// again.
 inline constexpr int kColours = 8;
-inline constexpr int kBlue = 0;
-inline constexpr int kVermillion = 1;
-inline constexpr int kGreen = 2;
-inline constexpr int kPurple = 3;
-inline constexpr int kOrange = 4;
-inline constexpr int kSkyBlue = 5;
-inline constexpr int kBlack = 6;
-inline constexpr int kGrey = 7;
+inline constexpr int kBlue = 0;        ///< `#0072b2`
+inline constexpr int kVermillion = 1;  ///< `#d55e00`
+inline constexpr int kGreen = 2;       ///< `#009e73`
+inline constexpr int kPurple = 3;      ///< `#cc79a7`
+inline constexpr int kOrange = 4;      ///< `#e69f00`
+inline constexpr int kSkyBlue = 5;     ///< `#56b4e9`
+inline constexpr int kBlack = 6;       ///< `#000000`
+inline constexpr int kGrey = 7;        ///< `#707070`
 
 /// From one end of an axis to the other, in the unit of the data.
 struct AxisRange {
-  double from = 0.0;
-  double to = 1.0;  ///< > from
+  double from = 0.0;  ///< its lower end
+  double to = 1.0;    ///< > from
 };
 
+/// One axis of a figure.
 struct FigureAxis {
   std::string label = {};               ///< with the unit: "slip force f* [N]"
   bool log = false;                     ///< to base 10
+  bool degrees = false;                 ///< linear, with ticks at multiples of 15, 45 or 90
   std::optional<AxisRange> range = {};  ///< ≥ 1e-100 where log; without one, what the layers cover
 };
 
-enum class LineStyle { kSolid, kDashed, kDotted };
+/// How a line is drawn.
+enum class LineStyle { kSolid, kDashed, kDotted, kDashDotted, kLongDashed };
 
+/// Colour, style and width of a line.
 struct Stroke {
-  int colour = kBlue;  ///< ≥ 0
-  LineStyle style = LineStyle::kSolid;
-  double width = 1.8;  ///< px of a picture at its nominal size; > 0
+  int colour = kBlue;                   ///< ≥ 0
+  LineStyle style = LineStyle::kSolid;  ///< drawn through or broken
+  double width = 1.8;                   ///< px of a picture at its nominal size; > 0
 };
 
 /// A line through the points, in their order. An empty `legend` keeps a layer out of the legend.
 struct LineLayer {
-  std::vector<double> x;
-  std::vector<double> y;  ///< one an x
-  std::string legend = {};
-  Stroke stroke = {};
+  std::vector<double> x;    ///< in the unit of the axis
+  std::vector<double> y;    ///< one an x
+  std::string legend = {};  ///< of the layer; empty: not in the legend
+  Stroke stroke = {};       ///< of the line
 };
 
 /// As a line, with the last point joined to the first: a hysteresis loop.
 struct LoopLayer {
-  std::vector<double> x;
-  std::vector<double> y;  ///< one an x
-  std::string legend = {};
-  Stroke stroke = {};
+  std::vector<double> x;    ///< in the unit of the axis
+  std::vector<double> y;    ///< one an x
+  std::string legend = {};  ///< of the layer; empty: not in the legend
+  Stroke stroke = {};       ///< of the line
 };
 
 /// Marks, circles for the first colour and other shapes for the next ones, with bars from x −
 /// x_error to x + x_error and from y − y_error to y + y_error.
 struct PointLayer {
-  std::vector<double> x;
+  std::vector<double> x;             ///< in the unit of the axis
   std::vector<double> y;             ///< one an x
   std::vector<double> x_error = {};  ///< none, or one an x, ≥ 0
   std::vector<double> y_error = {};  ///< none, or one an x, ≥ 0
-  std::string legend = {};
-  int colour = kBlue;  ///< ≥ 0
-  double size = 1.0;   ///< of the marks, relative; > 0
+  std::string legend = {};           ///< of the layer; empty: not in the legend
+  int colour = kBlue;                ///< ≥ 0
+  double size = 1.0;                 ///< of the marks, relative; > 0
+  bool open = false;                 ///< outlines, through which a line can be seen
 };
 
 /// The translucent area between `lower` and `upper`.
 struct BandLayer {
-  std::vector<double> x;
+  std::vector<double> x;      ///< in the unit of the axis
   std::vector<double> lower;  ///< one an x
   std::vector<double> upper;  ///< one an x, ≥ lower
-  std::string legend = {};
-  int colour = kBlue;  ///< ≥ 0
+  std::string legend = {};    ///< of the layer; empty: not in the legend
+  int colour = kBlue;         ///< ≥ 0
 };
 
 /// A vertical line across the figure, with a label above it.
 struct MarkerLayer {
-  double x = 0.0;
-  std::string label = {};
-  Stroke stroke = {.colour = kGrey, .style = LineStyle::kDashed, .width = 1.2};
+  double x = 0.0;          ///< in the unit of the axis
+  std::string label = {};  ///< above the line; may be empty
+  Stroke stroke = {.colour = kGrey, .style = LineStyle::kDashed, .width = 1.2};  ///< of the line
 };
 
+/// Anything that can be drawn on a pair of axes.
 using Layer = std::variant<LineLayer, LoopLayer, PointLayer, BandLayer, MarkerLayer>;
 
 /// Where the legend goes. Below and on the right it covers no data, however long it is.
@@ -102,19 +108,19 @@ enum class Legend { kBelow, kRight, kTopLeft, kTopRight, kBottomLeft, kBottomRig
 /// are left out, lines and bands break, and the lower edge of a band or bar that reaches them goes
 /// to the end of the axis.
 struct Figure {
-  std::string title = {};
-  std::string subtitle = {};
-  FigureAxis x = {};
-  FigureAxis y = {};
-  std::vector<Layer> layers = {};
-  Legend legend = Legend::kBelow;
+  std::string title = {};          ///< above the figure; may be empty
+  std::string subtitle = {};       ///< below the title, smaller; may be empty
+  FigureAxis x = {};               ///< the horizontal one
+  FigureAxis y = {};               ///< the vertical one
+  std::vector<Layer> layers = {};  ///< from back to front; one at least that is no marker
+  Legend legend = Legend::kBelow;  ///< where it goes
 };
 
 /// Figures side by side under one title, row by row. The last row may be short.
 struct FigureGrid {
-  std::string title = {};
-  std::size_t columns = 2;  ///< ≥ 1
-  std::vector<Figure> panels = {};
+  std::string title = {};           ///< above all panels; may be empty
+  std::size_t columns = 2;          ///< ≥ 1
+  std::vector<Figure> panels = {};  ///< row by row; one at least
 };
 
 /// Checks what the comments above demand, that all numbers are finite and at most 1e100 in

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -12,12 +13,15 @@
 #include "microslip/base/error.hpp"
 #include "microslip/report/child_process.hpp"
 #include "microslip/report/gnuplot_panel.hpp"
+#include "microslip/report/panel_layout.hpp"
 #include "microslip/report/placed.hpp"
 
 namespace microslip {
 namespace {
 
-constexpr double kPixelsPerInch = 96.0;
+constexpr double kCssPixelsPerInch = 96.0;
+constexpr double kPointsPerInch = 72.0;
+constexpr double kMillimetresPerInch = 25.4;
 constexpr double kGridEdge = 14.0;  // between the edge of the picture and its title, px
 
 void check_length(std::string_view name, int length) {
@@ -26,42 +30,57 @@ void check_length(std::string_view name, int length) {
   }
 }
 
-/// Sizes of fonts are px everywhere else, but cairo takes points, and its unit of lines in a PDF is
-/// half a point.
-std::string terminal(PictureFormat format, PictureSize size) {
+void check_number(std::string_view name, double value, double from, double to) {
+  if (!(value >= from && value <= to)) {
+    throw InputError(name, value, fmt::format("must be {} to {}", from, to));
+  }
+}
+
+/// Sizes of fonts are px everywhere else, but cairo takes points, 3/4 of a px, and its unit of lines
+/// in a PDF is half a point.
+std::string terminal(PictureFormat format, PictureSize size, const PictureStyle& style) {
   const std::string look =
       fmt::format("font '{},{}' rounded background '#ffffff'", kFontName, kLabelFont.size);
   switch (format) {
     case PictureFormat::kSvg:
       return fmt::format("svg size {},{} {}", size.width, size.height, look);
-    case PictureFormat::kPng:
+    case PictureFormat::kPng: {
+      const double scale = style.png_scale;
       return fmt::format(
-          "pngcairo size {},{} {} fontscale 1.5 linewidth 2 pointscale 2.4 dashlength 1.7",
-          2 * size.width, 2 * size.height, look);
+          "pngcairo size {},{} {} fontscale {} linewidth {} pointscale {} dashlength 1.7",
+          std::lround(scale * size.width), std::lround(scale * size.height), look, 0.75 * scale,
+          scale, 1.2 * scale);
+    }
     case PictureFormat::kPdf:
       break;
   }
+  const double points = kPointsPerInch / style.pixels_per_inch;  // of a px
   return fmt::format(
-      "pdfcairo size {}in,{}in {} fontscale 0.5625 linewidth 1.5 pointscale 1.35 dashlength 1.7",
-      size.width / kPixelsPerInch, size.height / kPixelsPerInch, look);
+      "pdfcairo size {}in,{}in {} fontscale {} linewidth {} pointscale {} dashlength 1.7",
+      size.width / style.pixels_per_inch, size.height / style.pixels_per_inch, look, 0.75 * points,
+      2.0 * points, 1.8 * points);
 }
 
-std::string header(PictureFormat format, PictureSize size) {
+std::string header(PictureFormat format, PictureSize size, const PictureStyle& style) {
   check_length("width", size.width);
   check_length("height", size.height);
+  check_number("pixels_per_inch", style.pixels_per_inch, 24.0, 600.0);
+  check_number("png_scale", style.png_scale, 0.5, 20.0);
   return fmt::format(
       "set encoding utf8\n"
       "set terminal {}\n",
-      terminal(format, size));
+      terminal(format, size, style));
 }
 
-PanelSpace space_of(PictureSize size) {
+PanelSpace space_of(PictureSize size, const PictureStyle& style) {
   const auto width = static_cast<double>(size.width);
   const auto height = static_cast<double>(size.height);
   return {.box = {.left = 0.0, .bottom = 0.0, .right = width, .top = height},
           .picture_width = width,
           .picture_height = height,
-          .number = 0};
+          .number = 0,
+          .framed = style.framed,
+          .grey = style.grey};
 }
 
 std::vector<PlacedText> grid_title(const FigureGrid& grid, const PanelSpace& picture) {
@@ -91,6 +110,28 @@ PanelSpace panel_space(const FigureGrid& grid, const PanelSpace& picture, std::s
   space.box.top = top - height * static_cast<double>(row);
   space.box.bottom = space.box.top - height;
   return space;
+}
+
+/// Gives the panels of a column the same margins at the sides and those of a row the same ones below and
+/// above, so that their axes line up.
+void line_up(const FigureGrid& grid, std::vector<PanelSpace>& spaces) {
+  std::vector<Margins> own;
+  for (std::size_t i = 0; i < spaces.size(); ++i) {
+    own.push_back(margins_of(panel_layout(grid.panels[i], spaces[i].box), spaces[i].box));
+  }
+  for (std::size_t i = 0; i < spaces.size(); ++i) {
+    Margins& least = spaces[i].least;
+    for (std::size_t j = 0; j < spaces.size(); ++j) {
+      if (j % grid.columns == i % grid.columns) {
+        least.left = std::max(least.left, own[j].left);
+        least.right = std::max(least.right, own[j].right);
+      }
+      if (j / grid.columns == i / grid.columns) {
+        least.bottom = std::max(least.bottom, own[j].bottom);
+        least.top = std::max(least.top, own[j].top);
+      }
+    }
+  }
 }
 
 /// The line that says what is wrong; before it gnuplot may warn of other things and repeats the
@@ -131,6 +172,9 @@ void set_svg_title(std::string& picture, std::string_view title) {
   replace_all(picture, "<title>Gnuplot</title>", fmt::format("<title>{}</title>", xml_text(title)));
 }
 
+/// gnuplot leaves the > of texts as it is, and ]]> is no XML there.
+void escape_svg_texts(std::string& picture) { replace_all(picture, "]]>", "]]&gt;"); }
+
 /// gnuplot writes its name of a bold font, which is none of CSS, and no font for where this is
 /// missing.
 void set_svg_fonts(std::string& picture) {
@@ -138,6 +182,18 @@ void set_svg_fonts(std::string& picture) {
   replace_all(picture, "font-family=\"DejaVu Sans:Bold\"",
               fmt::format("{} font-weight=\"bold\"", kFamily));
   replace_all(picture, "font-family=\"DejaVu Sans\"", kFamily);
+}
+
+/// The size on paper, where px of a browser would give another one.
+void set_svg_size(std::string& picture, PictureSize size, double pixels_per_inch) {
+  if (pixels_per_inch == kCssPixelsPerInch) return;
+  const double unit = kMillimetresPerInch / pixels_per_inch;
+  const std::string nominal = fmt::format("width=\"{}\" height=\"{}\"", size.width, size.height);
+  const std::size_t at = picture.find(nominal);
+  if (at == std::string::npos) return;
+  picture.replace(
+      at, nominal.size(),
+      fmt::format("width=\"{:.4g}mm\" height=\"{:.4g}mm\"", unit * size.width, unit * size.height));
 }
 
 /// The same figure gives the same file on another day. The date keeps its length, because a PDF
@@ -150,45 +206,75 @@ void set_pdf_date(std::string& picture) {
   picture.replace(at + kKey.size(), kDate.size(), kDate);
 }
 
+/// What the picture is called: its title or, without one, what it shows.
+std::string name_of(const Figure& figure) {
+  if (!figure.title.empty() || figure.y.label.empty()) return figure.title;
+  return fmt::format("{} over {}", figure.y.label, figure.x.label);
+}
+
+std::string name_of(const FigureGrid& grid) {
+  if (!grid.title.empty()) return grid.title;
+  std::string name;
+  for (Figure panel : grid.panels) {
+    panel.title.clear();  // "(a)" says little
+    name += (name.empty() ? "" : "; ") + name_of(panel);
+  }
+  return name;
+}
+
 template <class FigureOrGrid>
-std::string draw_any(const FigureOrGrid& figure, PictureFormat format, PictureSize size) {
-  std::string picture = run_gnuplot(gnuplot_script(figure, format, size));
-  if (format == PictureFormat::kSvg) set_svg_fonts(picture);
-  if (format == PictureFormat::kSvg) set_svg_title(picture, figure.title);
+std::string draw_any(const FigureOrGrid& figure, PictureFormat format, PictureSize size,
+                     const PictureStyle& style) {
+  std::string picture = run_gnuplot(gnuplot_script(figure, format, size, style));
+  if (format == PictureFormat::kSvg) {
+    set_svg_size(picture, size, style.pixels_per_inch);
+    set_svg_fonts(picture);
+    escape_svg_texts(picture);
+    set_svg_title(picture, name_of(figure));
+  }
   if (format == PictureFormat::kPdf) set_pdf_date(picture);
   return picture;
 }
 
 }  // namespace
 
-std::string gnuplot_script(const Figure& figure, PictureFormat format, PictureSize size) {
+std::string gnuplot_script(const Figure& figure, PictureFormat format, PictureSize size,
+                           const PictureStyle& style) {
   check_figure(figure);
-  std::string script = header(format, size);
-  append_panel(script, figure, space_of(size));
+  std::string script = header(format, size, style);
+  append_panel(script, figure, space_of(size, style));
   return script;
 }
 
-std::string gnuplot_script(const FigureGrid& grid, PictureFormat format, PictureSize size) {
+std::string gnuplot_script(const FigureGrid& grid, PictureFormat format, PictureSize size,
+                           const PictureStyle& style) {
   check_figure(grid);
-  std::string script = header(format, size) + "set multiplot\n";
-  const PanelSpace picture = space_of(size);
+  std::string script = header(format, size, style) + "set multiplot\n";
+  const PanelSpace picture = space_of(size, style);
   const std::vector<PlacedText> title = grid_title(grid, picture);
+  std::vector<PanelSpace> spaces;
+  for (std::size_t i = 0; i < grid.panels.size(); ++i) {
+    spaces.push_back(panel_space(grid, picture, title.size(), i));
+  }
+  line_up(grid, spaces);
   for (std::size_t i = 0; i < grid.panels.size(); ++i) {
     for (const PlacedText& text : title) {
       if (i == 0) script += gnuplot_label(text, kGridTitleFont, "#202020", picture);
     }
-    append_panel(script, grid.panels[i], panel_space(grid, picture, title.size(), i));
+    append_panel(script, grid.panels[i], spaces[i]);
     script += "reset\n";
   }
   return script + "unset multiplot\n";
 }
 
-std::string draw(const Figure& figure, PictureFormat format, PictureSize size) {
-  return draw_any(figure, format, size);
+std::string draw(const Figure& figure, PictureFormat format, PictureSize size,
+                 const PictureStyle& style) {
+  return draw_any(figure, format, size, style);
 }
 
-std::string draw(const FigureGrid& grid, PictureFormat format, PictureSize size) {
-  return draw_any(grid, format, size);
+std::string draw(const FigureGrid& grid, PictureFormat format, PictureSize size,
+                 const PictureStyle& style) {
+  return draw_any(grid, format, size, style);
 }
 
 std::string run_gnuplot(std::string_view script) {

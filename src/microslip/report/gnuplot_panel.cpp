@@ -19,15 +19,17 @@ namespace {
 
 constexpr std::array<const char*, kColours> kPalette = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                         "#e69f00", "#56b4e9", "#000000", "#707070"};
-// Circle, square, triangle, diamond, triangle, pentagon, circle, square: gnuplot's filled shapes.
+// Neighbours differ by 0x30 or more. Black stays black and grey grey.
+constexpr std::array<const char*, kColours> kShades = {"#202020", "#787878", "#484848", "#a0a0a0",
+                                                       "#606060", "#b8b8b8", "#000000", "#707070"};
+// Circle, square, triangle, diamond, triangle, pentagon, circle, square: gnuplot's filled shapes; the
+// number before is the outline of each.
 constexpr std::array<int, kColours> kShapes = {7, 5, 9, 13, 11, 15, 7, 5};
 constexpr double kPointSize = 0.5;  // of gnuplot's
 constexpr double kBandOpacity = 0.22;
 
 constexpr const char* kTextColour = "#202020";
 constexpr const char* kQuietColour = "#5c5c5c";
-
-const char* colour_of(int index) { return kPalette[static_cast<std::size_t>(index % kColours)]; }
 
 /// Lengths of dashes and gaps; gnuplot's unit grows with the line's width.
 const char* dashes_of(LineStyle style) {
@@ -36,21 +38,14 @@ const char* dashes_of(LineStyle style) {
       return "(10,6)";
     case LineStyle::kDotted:
       return "(2,5)";
+    case LineStyle::kDashDotted:
+      return "(10,4,2,4)";
+    case LineStyle::kLongDashed:
+      return "(20,6)";
     case LineStyle::kSolid:
       break;
   }
   return "1";
-}
-
-std::string stroke_of(const Stroke& stroke) {
-  return fmt::format("linecolor rgb '{}' linewidth {} dashtype {}", colour_of(stroke.colour),
-                     stroke.width, dashes_of(stroke.style));
-}
-
-std::string marks_of(const PointLayer& layer) {
-  const auto index = static_cast<std::size_t>(layer.colour % kColours);
-  return fmt::format("linecolor rgb '{}' pointtype {} pointsize {}", kPalette[index],
-                     kShapes[index], kPointSize * layer.size);
 }
 
 bool has_errors(const PointLayer& layer) {
@@ -94,7 +89,10 @@ bool is_plain(char c) {
 class PanelWriter {
  public:
   PanelWriter(std::string& script, const Figure& figure, const PanelSpace& space)
-      : script_(script), figure_(figure), space_(space), layout_(panel_layout(figure, space.box)) {}
+      : script_(script),
+        figure_(figure),
+        space_(space),
+        layout_(panel_layout(figure, space.box, space.least)) {}
 
   void write() {
     append_look();
@@ -114,11 +112,35 @@ class PanelWriter {
     script_ += '\n';
   }
 
+  [[nodiscard]] const char* colour_of(int index) const {
+    return (space_.grey ? kShades : kPalette)[static_cast<std::size_t>(index % kColours)];
+  }
+
+  [[nodiscard]] std::string stroke_of(const Stroke& stroke) const {
+    return fmt::format("linecolor rgb '{}' linewidth {} dashtype {}", colour_of(stroke.colour),
+                       stroke.width, dashes_of(stroke.style));
+  }
+
+  [[nodiscard]] std::string marks_of(const PointLayer& layer) const {
+    const auto index = static_cast<std::size_t>(layer.colour % kColours);
+    return fmt::format("linecolor rgb '{}' pointtype {} pointsize {}", colour_of(layer.colour),
+                       kShapes[index] - (layer.open ? 1 : 0), kPointSize * layer.size);
+  }
+
   void append_look() {
-    line("set border 3 linecolor rgb '#404040' linewidth 1");
-    line("set tics nomirror out scale 0.6,0.3");
-    line("set grid back linecolor rgb '#e4e4e4' linewidth 0.8 linetype 1");
+    if (space_.framed) {
+      line("set border 15 linecolor rgb '#000000' linewidth 0.9");
+      line("set tics mirror in scale 0.7,0.35");
+      line("unset x2tics");
+      line("unset y2tics");
+    } else {
+      line("set border 3 linecolor rgb '#404040' linewidth 1");
+      line("set tics nomirror out scale 0.6,0.3");
+      line("set grid back linecolor rgb '#e4e4e4' linewidth 0.8 linetype 1");
+    }
     line("set errorbars small");
+    // gnuplot clears a place under each mark that has bars, of this size; 0 would mean the usual one.
+    line("set pointintervalbox 0.001");
     line("unset key");
   }
 
@@ -221,7 +243,7 @@ class PanelWriter {
 
   void append_sample(const MarkerLayer& /*layer*/, double /*x*/, double /*y*/) {}
 
-  static std::string fill_of(const BandLayer& layer) {
+  [[nodiscard]] std::string fill_of(const BandLayer& layer) const {
     return fmt::format("fillcolor rgb '{}' fillstyle transparent solid {}", colour_of(layer.colour),
                        kBandOpacity);
   }

@@ -19,6 +19,9 @@ struct PanelSpace {
   double picture_width = 0.0;
   double picture_height = 0.0;
   std::size_t number = 0;  ///< sets the names of its data blocks apart from those of other panels
+  Margins least = {};      ///< that the axes line up with those of other panels
+  bool framed = false;     ///< as in PictureStyle
+  bool grey = false;
 };
 
 /// The text as a string of gnuplot, in double quotes. All that means something to gnuplot in there

@@ -1,63 +1,57 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/report/identification_figures.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
+#include <variant>
 
+#include "microslip/base/percent.hpp"
 #include "microslip/joint/dissipation.hpp"
-#include "microslip/joint/memory.hpp"
+#include "microslip/report/sampled_curves.hpp"
+#include "microslip/report/scales.hpp"
+#include "microslip/report/shown_unit.hpp"
 
 namespace microslip {
 namespace {
 
-constexpr double kMicrometre = 1e-6;
-constexpr double kMillijoule = 1e-3;
-constexpr double kPerKilonewton = 1e-3;
 constexpr std::size_t kCurvePoints = 200;
 
-std::vector<double> scaled(std::vector<double> values, double unit) {
-  for (double& value : values) value /= unit;
-  return values;
-}
-
-std::vector<double> equal_ratios(double from, double to) {
-  std::vector<double> values;
-  for (std::size_t i = 0; i < kCurvePoints; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(kCurvePoints - 1);
-    values.push_back(from * std::pow(to / from, share));
-  }
-  return values;
-}
-
-/// What belongs to the slip forces that the levels cover: below them the shape is an assumption.
-std::vector<double> covered(const Identification& found, const std::vector<double>& values) {
+/// What belongs to the slip forces that the levels cover.
+std::vector<double> covered(const DensityCurve& curve, const std::vector<double>& slip_force,
+                            const std::vector<double>& values) {
   std::vector<double> kept;
   for (std::size_t j = 0; j < values.size(); ++j) {
-    if (found.slip_force[j] >= 0.9 * found.covered_from) kept.push_back(values[j]);
+    if (slip_force[j] >= 0.9 * curve.covered_from.value_or(0.0)) kept.push_back(values[j]);
   }
   return kept;
 }
 
-/// The steady loop from A down and up again.
-struct Loop {
-  std::vector<double> displacement;  // m
-  std::vector<double> force;         // N
-};
+LineLayer density_line(const Joint& joint, double from, double to, std::string name,
+                       const Stroke& stroke) {
+  DensityPoints points = density_points(joint, from, to);
+  return {std::move(points.slip_force), std::move(points.density), std::move(name), stroke};
+}
 
-Loop steady_loop(const Joint& joint, double amplitude) {
-  Loop loop;
-  Memory memory(joint);
-  memory.advance(amplitude);
-  const auto half = static_cast<double>(kCurvePoints);
-  for (const double sign : {1.0, -1.0}) {
-    for (std::size_t i = 0; i < kCurvePoints; ++i) {
-      const double x = sign * amplitude * (1.0 - 2.0 * static_cast<double>(i) / half);
-      loop.displacement.push_back(x);
-      loop.force.push_back(memory.advance(x));
+/// The highest that a line or band of the figure reaches.
+double highest_of(const Figure& figure) {
+  double highest = 0.0;
+  for (const Layer& layer : figure.layers) {
+    const std::vector<double>* values = nullptr;
+    if (const auto* line = std::get_if<LineLayer>(&layer)) values = &line->y;
+    if (const auto* band = std::get_if<BandLayer>(&layer)) values = &band->upper;
+    if (values != nullptr && !values->empty()) {
+      highest = std::max(highest, std::ranges::max(*values));
     }
   }
-  return loop;
+  return highest;
+}
+
+void add_marker(Figure& figure, const std::optional<double>& at, const char* label) {
+  if (at) figure.layers.emplace_back(MarkerLayer{.x = *at, .label = label});
 }
 
 }  // namespace
@@ -69,7 +63,7 @@ Figure dissipation_figure(const std::string& title, const Levels& levels,
   figure.x = {.label = "amplitude A [µm]", .log = true};
   figure.y = {.label = "dissipation per cycle D [mJ]", .log = true};
   const auto [lowest, highest] = std::ranges::minmax(levels.amplitude);
-  const std::vector<double> amplitude = equal_ratios(lowest, highest);
+  const std::vector<double> amplitude = equal_ratios(lowest, highest, kCurvePoints);
   const double beta = found.linear_damping.value_or(0.0);
   std::vector<double> total;
   std::vector<double> joint_only;
@@ -79,57 +73,84 @@ Figure dissipation_figure(const std::string& title, const Levels& levels,
     damping.push_back(beta * a * a);
     total.push_back(joint_only.back() + damping.back());
   }
-  const std::vector<double> x = scaled(amplitude, kMicrometre);
+  const std::vector<double> x = in_unit(amplitude, kMicrometre);
   if (beta > 0.0) {
     figure.layers.emplace_back(LineLayer{x,
-                                         scaled(joint_only, kMillijoule),
+                                         in_unit(joint_only, kMillijoule),
                                          "joint",
                                          {.colour = kGreen, .style = LineStyle::kDashed}});
     figure.layers.emplace_back(LineLayer{x,
-                                         scaled(damping, kMillijoule),
+                                         in_unit(damping, kMillijoule),
                                          "linear damping βA²",
                                          {.colour = kOrange, .style = LineStyle::kDotted}});
   }
   figure.layers.emplace_back(
-      LineLayer{x, scaled(total, kMillijoule), "identified", {.colour = kBlue}});
-  figure.layers.emplace_back(PointLayer{.x = scaled(levels.amplitude, kMicrometre),
-                                        .y = scaled(levels.dissipation, kMillijoule),
+      LineLayer{x, in_unit(total, kMillijoule), "identified", {.colour = kBlue}});
+  figure.layers.emplace_back(PointLayer{.x = in_unit(levels.amplitude, kMicrometre),
+                                        .y = in_unit(levels.dissipation, kMillijoule),
                                         .legend = "measured",
                                         .colour = kBlack,
                                         .size = 0.7});
   return figure;
 }
 
-Figure density_figure(const std::string& title, const Identification& found, const Joint* truth) {
+Figure density_figure(const std::string& title, const DensityCurve& curve,
+                      std::span<const DrawnJoint> joints) {
   Figure figure;
   figure.title = title;
-  figure.x = {.label = "slip force f* [N]", .range = AxisRange{0.0, 1.05 * found.covered_to}};
-  figure.y = {.label = "density φ [1/kN]"};
-  const std::vector<double> x = covered(found, found.slip_force);
-  const auto drawn = [&](const std::vector<double>& values) {
-    return scaled(covered(found, values), kPerKilonewton);
-  };
-  double highest = std::ranges::max(drawn(found.density));
-  if (!found.lower.empty()) {
-    highest = std::max(highest, std::ranges::max(drawn(found.upper)));
-    figure.layers.emplace_back(
-        BandLayer{x, drawn(found.lower), drawn(found.upper), "95 % band", kBlue});
+  const double end = curve.covered_to.value_or(curve.slip_force.back());
+  if (!curve.lower.empty()) {
+    const std::vector<double>& f =
+        curve.band_slip_force.empty() ? curve.slip_force : curve.band_slip_force;
+    figure.layers.emplace_back(BandLayer{
+        covered(curve, f, f), covered(curve, f, curve.lower), covered(curve, f, curve.upper),
+        fmt::format("{:.0f} % band", 100.0 * curve.confidence), kBlue});
   }
-  figure.y.range = AxisRange{0.0, 1.05 * highest};
-  figure.layers.emplace_back(LineLayer{x, drawn(found.density), "identified", {.colour = kBlue}});
-  if (truth != nullptr) {
-    std::vector<double> f;
-    std::vector<double> density;
-    for (std::size_t i = 0; i <= kCurvePoints; ++i) {
-      f.push_back(found.covered_to * static_cast<double>(i) / static_cast<double>(kCurvePoints));
-      density.push_back(truth->density().density(f.back()) / kPerKilonewton);
-    }
+  figure.layers.emplace_back(LineLayer{covered(curve, curve.slip_force, curve.slip_force),
+                                       covered(curve, curve.slip_force, curve.density),
+                                       curve.name,
+                                       {.colour = kBlue}});
+  for (const DrawnJoint& drawn : joints) {
     figure.layers.emplace_back(
-        LineLayer{f, density, "truth", {.colour = kVermillion, .style = LineStyle::kDashed}});
+        density_line(drawn.joint, 0.0, end, density_name(drawn.name, drawn.joint), drawn.stroke));
   }
-  figure.layers.emplace_back(MarkerLayer{.x = found.covered_from, .label = "kA of lowest level"});
-  figure.layers.emplace_back(MarkerLayer{.x = found.covered_to, .label = "kA of highest level"});
+  add_marker(figure, curve.covered_from, "kA of lowest level");
+  add_marker(figure, curve.covered_to, "kA of highest level");
+  constexpr std::size_t kFew = 3;
+  for (std::size_t i = 0; i < curve.atom_slip_force.size() && i < kFew; ++i) {
+    add_marker(figure, curve.atom_slip_force[i], "atom");
+  }
+  figure.x.range = AxisRange{0.0, 1.05 * end};
+  if (const double highest = highest_of(figure); highest > 0.0) {
+    figure.y.range = AxisRange{0.0, 1.05 * highest};
+  }
+  show_x(figure, "slip force f*", "N");
+  show_y(figure, "density φ", "1/N");
   return figure;
+}
+
+std::string density_name(const std::string& name, const Joint& joint) {
+  double share = 0.0;
+  for (const double weight : joint.density().atoms().weight) share += weight;
+  if (share == 0.0) return name;
+  return fmt::format("{} without its atoms, {} of k", name, percent_text(share));
+}
+
+DensityCurve density_curve(const Joint& joint, double from, double to) {
+  LineLayer line = density_line(joint, from, to, "", {});
+  return {.slip_force = std::move(line.x), .density = std::move(line.y)};
+}
+
+Figure density_figure(const std::string& title, const Identification& found, const Joint* truth) {
+  const DensityCurve curve{.slip_force = found.slip_force,
+                           .density = found.density,
+                           .lower = found.lower,
+                           .upper = found.upper,
+                           .covered_from = found.covered_from,
+                           .covered_to = found.covered_to};
+  if (truth == nullptr) return density_figure(title, curve, {});
+  const DrawnJoint drawn{"truth", *truth, {.colour = kVermillion, .style = LineStyle::kDashed}};
+  return density_figure(title, curve, {{drawn}});
 }
 
 FigureGrid loops_figure(const std::string& title, double amplitude, const NamedJoint& reference,
@@ -143,13 +164,13 @@ FigureGrid loops_figure(const std::string& title, double amplitude, const NamedJ
   difference.x = loops.x;
   difference.y = {.label = "force difference [N]"};
 
-  const Loop base = steady_loop(reference.joint, amplitude);
-  const std::vector<double> x = scaled(base.displacement, kMicrometre);
+  const SteadyLoop base = steady_loop(reference.joint, amplitude, kCurvePoints);
+  const std::vector<double> x = in_unit(base.displacement, kMicrometre);
   loops.layers.emplace_back(
       LoopLayer{x, base.force, reference.name, {.colour = kBlack, .width = 2.6}});
   int colour = kBlue;
   for (const NamedJoint& named : joints) {
-    const Loop loop = steady_loop(named.joint, amplitude);
+    const SteadyLoop loop = steady_loop(named.joint, amplitude, kCurvePoints);
     std::vector<double> apart(loop.force.size());
     std::ranges::transform(loop.force, base.force, apart.begin(),
                            [](double a, double b) { return a - b; });

@@ -14,8 +14,10 @@ namespace {
 constexpr double kEdge = 14.0;          // between the edge of the picture and anything, px
 constexpr double kTickGap = 11.0;       // between an axis and its numbers, px
 constexpr double kLabelGap = 10.0;      // between these and the label of the axis, px
+constexpr double kMarkerGap = 4.0;      // above and below the labels of markers, px
 constexpr double kHeadingGap = 10.0;    // between the axes and what stands above, px
 constexpr double kShortestAxis = 40.0;  // px
+constexpr double kLabelShare = 0.9;     // most of the height for a line of the label of y
 constexpr double kRightGap = 18.0;      // between the axes and a legend on the right, px
 constexpr double kRightShare = 0.35;    // most of the width for a legend on the right
 constexpr double kBelowShare = 0.45;    // most of the height for a legend below
@@ -103,20 +105,30 @@ class MarkerRows {
 /// Works inwards: what stands at the left and right, then below and above, leaves the axes.
 class LayoutMaker {
  public:
-  LayoutMaker(const Figure& figure, const Box& space)
+  LayoutMaker(const Figure& figure, const Box& space, const Margins& least)
       : figure_(figure),
+        least_{.left = space.left + least.left,
+               .bottom = space.bottom + least.bottom,
+               .right = space.right - least.right,
+               .top = space.top - least.top},
         inner_{.left = space.left + kEdge,
                .bottom = space.bottom + kEdge,
                .right = space.right - kEdge,
                .top = space.top - kEdge} {
     layout_.ranges = axis_ranges(figure);
-    layout_.axes = inner_;
   }
 
   PanelLayout make() {
-    place_left_and_right();
-    place_below();
-    place_above();
+    // How dense the numbers of y can stand follows from the height of the axes, and how wide these are
+    // from the numbers: the first round guesses the height.
+    double height = inner_.height() - 100.0;
+    for (int round = 0; round < 2; ++round) {
+      layout_.axes = inner_;
+      place_left_and_right(std::max(height, kShortestAxis));
+      place_below();
+      place_above();
+      height = layout_.axes.height();
+    }
     check_room();
     place_numbers();
     place_y_label();
@@ -125,23 +137,26 @@ class LayoutMaker {
   }
 
  private:
-  void place_left_and_right() {
+  void place_left_and_right(double height) {
     Box& axes = layout_.axes;
-    // The height is not known yet; how dense the numbers stand may follow a guess.
-    const double height = std::max(inner_.height() - 100.0, kShortestAxis);
-    layout_.y_ticks = axis_ticks(layout_.ranges.y, figure_.y.log, height, true, kSmallFont);
-    y_lines_ = wrapped(figure_.y.label, height, kLabelFont);
+    layout_.y_ticks =
+        axis_ticks(layout_.ranges.y, figure_.y.log, height, true, kSmallFont, figure_.y.degrees);
+    y_lines_ =
+        wrapped(figure_.y.label, std::max(height, kLabelShare * inner_.height()), kLabelFont);
     axes.left += height_of(y_lines_, kLabelFont) + (y_lines_.empty() ? 0.0 : kLabelGap) +
                  widest_label(layout_.y_ticks) + kTickGap;
+    label_shift_ = std::max(least_.left - axes.left, 0.0);
+    axes.left += label_shift_;
     double right = 8.0;
     if (figure_.legend == Legend::kRight) {
       right_texts_ = legend_texts(figure_, kRightShare * inner_.width());
       if (!right_texts_.empty()) right = legend_width(right_texts_) + kRightGap;
     }
-    axes.right -= right;
+    axes.right = std::min(axes.right - right, least_.right);
     // The ticks need a length; check_room() looks at it later.
     const double width = std::max(axes.width(), kShortestAxis);
-    layout_.x_ticks = axis_ticks(layout_.ranges.x, figure_.x.log, width, false, kSmallFont);
+    layout_.x_ticks =
+        axis_ticks(layout_.ranges.x, figure_.x.log, width, false, kSmallFont, figure_.x.degrees);
     // Half of the number at the end of the axis stands beyond it.
     if (!layout_.x_ticks.labelled.empty()) {
       const TickLabel& last = layout_.x_ticks.labelled.back();
@@ -163,10 +178,20 @@ class LayoutMaker {
     const double label_bottom = inner_.bottom + legend + (legend > 0.0 ? kLabelGap : 0.0);
     const auto lines = wrapped(figure_.x.label, axes.width(), kLabelFont);
     const double label_top = label_bottom + height_of(lines, kLabelFont);
-    layout_.x_label =
-        stacked(lines, 0.5 * (axes.left + axes.right), label_top, Side::kCentre, kLabelFont);
     axes.bottom =
         label_top + (lines.empty() ? 0.0 : 0.5 * kLabelGap) + line_height(kSmallFont) + kTickGap;
+    const double shift = std::max(least_.bottom - axes.bottom, 0.0);
+    axes.bottom += shift;
+    raise(layout_.legend, shift);
+    layout_.x_label = stacked(lines, 0.5 * (axes.left + axes.right), label_top + shift,
+                              Side::kCentre, kLabelFont);
+  }
+
+  static void raise(std::vector<LegendEntry>& legend, double shift) {
+    for (LegendEntry& entry : legend) {
+      entry.y += shift;
+      for (PlacedText& line : entry.lines) line.y += shift;
+    }
   }
 
   void place_above() {
@@ -180,10 +205,11 @@ class LayoutMaker {
     layout_.subtitle = stacked(subtitle, axes.left, below_title, Side::kLeft, kSmallFont);
     const double below_subtitle = below_title - height_of(subtitle, kSmallFont);
     const bool headed = below_subtitle < inner_.top;
-    const double below_markers =
-        below_subtitle - markers.height() - (headed && markers.height() > 0.0 ? 4.0 : 0.0);
-    axes.top = below_markers - (markers.height() > 0.0 ? 4.0 : headed ? kHeadingGap : 0.0);
-    layout_.markers = std::move(markers).above(below_markers);
+    const bool marked = markers.height() > 0.0;
+    const double gap = marked ? kMarkerGap : headed ? kHeadingGap : 0.0;
+    axes.top = below_subtitle - markers.height() - (headed && marked ? kMarkerGap : 0.0) - gap;
+    axes.top = std::min(axes.top, least_.top);
+    layout_.markers = std::move(markers).above(axes.top + gap);
   }
 
   void check_room() const {
@@ -217,8 +243,9 @@ class LayoutMaker {
       const double half = 0.5 * text_width(line, kLabelFont);
       const double middle = std::max(std::min(0.5 * (axes.bottom + axes.top), inner_.top - half),
                                      inner_.bottom + half);
-      const double x = inner_.left + (static_cast<double>(layout_.y_label.size()) + 0.5) *
-                                         line_height(kLabelFont);
+      const double x =
+          inner_.left + label_shift_ +
+          (static_cast<double>(layout_.y_label.size()) + 0.5) * line_height(kLabelFont);
       layout_.y_label.push_back({.text = line, .x = x, .y = middle, .side = Side::kCentre});
     }
   }
@@ -246,16 +273,26 @@ class LayoutMaker {
   }
 
   const Figure& figure_;
+  Box least_;  // the axes lie within
   Box inner_;
   PanelLayout layout_;
+  double label_shift_ = 0.0;  // of the label of y
   std::vector<std::string> y_lines_;
   std::vector<LegendText> right_texts_;
 };
 
 }  // namespace
 
-PanelLayout panel_layout(const Figure& figure, const Box& space) {
-  return LayoutMaker(figure, space).make();
+PanelLayout panel_layout(const Figure& figure, const Box& space, const Margins& least) {
+  return LayoutMaker(figure, space, least).make();
+}
+
+Margins margins_of(const PanelLayout& layout, const Box& space) {
+  const Box& axes = layout.axes;
+  return {.left = axes.left - space.left,
+          .bottom = axes.bottom - space.bottom,
+          .right = space.right - axes.right,
+          .top = space.top - axes.top};
 }
 
 }  // namespace microslip

@@ -21,6 +21,14 @@ struct Box {
   [[nodiscard]] double height() const { return top - bottom; }
 };
 
+/// Between the edges of a space and the axes in it.
+struct Margins {
+  double left = 0.0;
+  double bottom = 0.0;
+  double right = 0.0;
+  double top = 0.0;
+};
+
 enum class Side { kLeft, kCentre, kRight };
 
 /// One line of text. `side` of it is at x, its middle at y.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -10,17 +11,15 @@
 #include <utility>
 #include <vector>
 
+#include "microslip/base/error.hpp"
 #include "microslip/base/units.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/report/harmonic_bars.hpp"
+#include "microslip/report/scales.hpp"
 
 namespace microslip {
 namespace {
 
-constexpr double kMicrometre = 1e-6;
-constexpr double kMillijoule = 1e-3;
-constexpr double kMillisecond = 1e-3;
-constexpr double kPercent = 0.01;
 constexpr double kMostDistortion = 0.01;  // of the force [AR14]
 constexpr int kBefore = kVermillion;
 constexpr int kAfter = kBlue;
@@ -51,12 +50,29 @@ LineLayer force_over_a_cycle(const DrivenVibration& driven, const char* name, in
   return line;
 }
 
-/// |F_n|/|F_1|, n from 1, %.
+/// |F_n|/|F_1|, n from 2.
 std::vector<double> relative_harmonics(const DrivenVibration& driven, std::size_t harmonics) {
-  std::vector<double> heights;
-  for (std::size_t n = 1; n < driven.force.size() && n <= harmonics; ++n) {
-    heights.push_back(std::abs(driven.force[n]) / std::abs(driven.force[1]) / kPercent);
+  std::vector<double> shares;
+  for (std::size_t n = 2; n < driven.force.size() && n <= harmonics; ++n) {
+    shares.push_back(std::abs(driven.force[n]) / std::abs(driven.force[1]));
   }
+  return shares;
+}
+
+std::vector<TestForceControl> controls_of(std::span<const VirtualLevel> levels,
+                                          std::size_t harmonics) {
+  std::vector<TestForceControl> controls;
+  for (const VirtualLevel& level : levels) {
+    controls.push_back({"", level.response, relative_harmonics(level.uncontrolled, harmonics),
+                        relative_harmonics(level.controlled, harmonics)});
+  }
+  return controls;
+}
+
+/// The first harmonic, and the others over it, %.
+std::vector<double> heights_of(const std::vector<double>& shares) {
+  std::vector<double> heights = {1.0 / kPercent};
+  for (const double share : shares) heights.push_back(share / kPercent);
   return heights;
 }
 
@@ -67,37 +83,37 @@ LineLayer asked_for(double from, double to) {
           {.colour = kGrey, .style = LineStyle::kDashed, .width = 1.2}};
 }
 
-Figure force_histories(const VirtualLevel& level) {
+Figure force_histories(LineLayer before, LineLayer after) {
   Figure figure;
   figure.title = "Force at the highest level";
   figure.x = {.label = "time [ms]"};
   figure.y = {.label = "force [N]"};
-  figure.layers = {force_over_a_cycle(level.uncontrolled, "before control", kBefore),
-                   force_over_a_cycle(level.controlled, "after", kAfter)};
+  figure.layers = {std::move(before), std::move(after)};
   return figure;
 }
 
-Figure force_harmonics(const VirtualLevel& level, std::size_t harmonics) {
+Figure force_harmonics(const TestForceControl& level, const std::string& unit) {
   Figure figure;
   figure.title = "Its harmonics";
-  figure.x = harmonic_axis(harmonics);
+  figure.x = harmonic_axis(level.before.size() + 1);
+  figure.x.label += fmt::format(", at {:.3g} {}", level.response, unit);
   figure.y = {.label = "harmonic over the first [%]", .log = true, .range = AxisRange{1e-3, 200.0}};
-  add_harmonic_bars(figure, relative_harmonics(level.uncontrolled, harmonics), BarSide::kLeft,
-                    kBefore, "before control");
-  add_harmonic_bars(figure, relative_harmonics(level.controlled, harmonics), BarSide::kRight,
-                    kAfter, "after");
+  add_harmonic_bars(figure, heights_of(level.before), BarSide::kLeft, kBefore, "before control");
+  add_harmonic_bars(figure, heights_of(level.after), BarSide::kRight, kAfter, "after");
   figure.layers.emplace_back(asked_for(figure.x.range->from, figure.x.range->to));
   return figure;
 }
 
-Figure force_distortions(std::span<const VirtualLevel> levels, std::size_t harmonics,
-                         const std::string& unit) {
+Figure force_distortions(std::span<const TestForceControl> levels, const std::string& unit) {
   LineLayer before{{}, {}, "before control", {.colour = kBefore}};
   LineLayer after{{}, {}, "after", {.colour = kAfter}};
-  for (const VirtualLevel& level : levels) {
+  const auto largest = [](const std::vector<double>& shares) {
+    return shares.empty() ? 0.0 : std::ranges::max(shares) / kPercent;
+  };
+  for (const TestForceControl& level : levels) {
     for (auto* line : {&before, &after}) line->x.push_back(level.response / size_of(unit));
-    before.y.push_back(force_distortion(level.uncontrolled, harmonics) / kPercent);
-    after.y.push_back(force_distortion(level.controlled, harmonics) / kPercent);
+    before.y.push_back(largest(level.before));
+    after.y.push_back(largest(level.after));
   }
   Figure figure;
   figure.title = "Largest harmonic, from the second";
@@ -178,10 +194,21 @@ Figure linear_share_figure(const std::string& title, std::span<const ReducedLeve
 
 FigureGrid force_control_figure(const std::string& title, std::span<const VirtualLevel> levels,
                                 std::size_t harmonics, const std::string& unit) {
+  const std::vector<TestForceControl> controls = controls_of(levels, harmonics);
+  const VirtualLevel& highest = levels.back();
   return {title,
           3,
-          {force_histories(levels.back()), force_harmonics(levels.back(), harmonics),
-           force_distortions(levels, harmonics, unit)}};
+          {force_histories(force_over_a_cycle(highest.uncontrolled, "before control", kBefore),
+                           force_over_a_cycle(highest.controlled, "after", kAfter)),
+           force_harmonics(controls.back(), unit), force_distortions(controls, unit)}};
+}
+
+FigureGrid force_control_figure(const std::string& title, std::span<const TestForceControl> levels,
+                                const std::string& unit) {
+  if (levels.empty()) throw InputError("levels.size()", 0, "the figure needs a force control");
+  std::vector<TestForceControl> sorted(levels.begin(), levels.end());
+  std::ranges::stable_sort(sorted, {}, &TestForceControl::response);
+  return {title, 2, {force_harmonics(sorted.back(), unit), force_distortions(sorted, unit)}};
 }
 
 Figure constant_response_figure(const std::string& title, std::span<const NamedResponse> responses,

@@ -6,6 +6,7 @@
 
 #include "microslip/report/figure.hpp"
 #include "microslip/report/gnuplot.hpp"
+#include "microslip/report/test_results.hpp"
 #include "microslip/rig/verification.hpp"
 
 namespace microslip {
@@ -19,6 +20,11 @@ namespace microslip {
 /// @throws InputError  for a unit that is none of acceleration.
 [[nodiscard]] FigureGrid verification_figure(std::span<const Verification> records,
                                              const std::string& unit = "m/s²");
+
+/// The same of what files hold: force and the first acceleration over the histories and, where they are
+/// known, the harmonics of the latter. Titles tell the level, subtitles the NRMSE, where it is known.
+/// @throws InputError  where there are no histories.
+[[nodiscard]] FigureGrid verification_figure(const TestResults& results);
 
 /// That the panels are readable.
 [[nodiscard]] PictureSize verification_size(const FigureGrid& figure);

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "microslip/report/report_document.hpp"
+
+/// @file
+/// A report as one HTML file that needs nothing else: no network, no other file, no program.
+
+namespace microslip {
+
+/// How html_report() draws.
+struct HtmlReportOptions {
+  /// Draws the SVG pictures for paper and for browsers without scripts. By default draw() by gnuplot;
+  /// empty for a file without such pictures: the browser then makes those that are printed.
+  std::function<std::string(const Figure&, int width, int height)> picture = default_picture();
+
+  /// What draws them by gnuplot.
+  [[nodiscard]] static std::function<std::string(const Figure&, int, int)> default_picture();
+};
+
+/// The file. Charts are drawn by plotly.js and uPlot, which are part of it with their licences. Its
+/// content security policy lets the browser run these scripts alone, by their SHA-256, and load
+/// nothing; all texts of the document are escaped. The same document gives the same bytes.
+/// A figure for which the picture throws InputError has none, nor have those whose pictures would make the
+/// file larger than 4 MB; for these the browser makes one once the page is read.
+/// @throws InputError  as check_report(). @throws Error  as the picture does.
+[[nodiscard]] std::string html_report(const ReportDocument& document,
+                                      const HtmlReportOptions& options = {});
+
+}  // namespace microslip

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "microslip/report/record_figures.hpp"
+#include "microslip/report/test_sections.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr double kMilliradian = 1e-3;
+
+std::vector<std::string> channels_of(const std::vector<TestComparison>& comparisons) {
+  std::vector<std::string> names;
+  for (const TestComparison& row : comparisons) {
+    if (std::ranges::find(names, row.channel) == names.end()) names.push_back(row.channel);
+  }
+  return names;
+}
+
+/// What is to be looked at in a row of the table.
+std::string remarks_of(const TestComparison& row) {
+  std::string text = row.status == "converged" ? "" : row.status;
+  if (!row.flags.empty()) text += (text.empty() ? "" : " ") + row.flags;
+  return text;
+}
+
+/// One row a record, with the NRMSE of its channels. The rows of a record follow each other.
+ReportTable misfit_table(const std::vector<TestComparison>& comparisons) {
+  const std::vector<std::string> channels = channels_of(comparisons);
+  ReportTable table{.title = "Predicted against recorded",
+                    .caption =
+                        "NRMSE of each channel: rms of the difference over rms of the record. The "
+                        "first harmonic at the exciter is given to the model and fits with any "
+                        "joint; the force shows the joint.",
+                    .columns = {{"record"}, {"frequency", "Hz", 5}, {"response", "m/s²"}}};
+  for (const std::string& channel : channels) table.columns.push_back({channel, "%", 3});
+  const bool remarks = std::ranges::any_of(
+      comparisons, [](const TestComparison& row) { return !remarks_of(row).empty(); });
+  if (remarks) table.columns.push_back({"remarks"});
+  std::string source;
+  for (const TestComparison& row : comparisons) {
+    if (table.rows.empty() || row.source != source) {
+      source = row.source;
+      table.rows.push_back({source, row.frequency, row.response_amplitude});
+      table.rows.back().resize(table.columns.size(), std::numeric_limits<double>::quiet_NaN());
+      if (remarks) table.rows.back().back() = remarks_of(row);
+      if (!remarks_of(row).empty()) table.marked.push_back(table.rows.size() - 1);
+    }
+    const auto channel = std::ranges::find(channels, row.channel) - channels.begin();
+    table.rows.back()[3 + static_cast<std::size_t>(channel)] = row.nrmse / kPercent;
+  }
+  return table;
+}
+
+using ValueOf = std::function<double(const TestComparison&)>;
+
+/// A value of each channel over the response.
+std::vector<ReportTrace> over_response(const std::vector<TestComparison>& comparisons,
+                                       const ValueOf& value) {
+  std::vector<ReportTrace> traces;
+  int colour = kBlue;
+  for (const std::string& channel : channels_of(comparisons)) {
+    ReportTrace trace{.name = channel, .kind = TraceKind::kPoints, .stroke = {.colour = colour++}};
+    for (const TestComparison& row : comparisons) {
+      if (row.channel != channel) continue;
+      trace.x.push_back(row.response_amplitude);
+      trace.y.push_back(value(row));
+    }
+    traces.push_back(std::move(trace));
+  }
+  return traces;
+}
+
+ReportAxis response_axis() {
+  return {.label = "response at the exciter", .unit = "m/s²", .log_switch = true};
+}
+
+ReportFigure misfit_figure(const std::vector<TestComparison>& comparisons) {
+  std::vector<ReportTrace> traces = over_response(
+      comparisons, [](const TestComparison& row) { return row.noise_share / kPercent; });
+  for (ReportTrace& trace : traces) {
+    trace.name += ", noise";
+    trace.group = "noise of the channel";
+    trace.kind = TraceKind::kLine;
+    trace.stroke = {.colour = kGrey, .width = 1.2};
+  }
+  for (ReportTrace& trace :
+       over_response(comparisons, [](const TestComparison& row) { return row.nrmse / kPercent; })) {
+    traces.push_back(std::move(trace));
+  }
+  return {.title = "Misfit of the prediction",
+          .caption =
+              "NRMSE of each channel, and what its noise makes of it: what the best Fourier series "
+              "leaves. Points on their line have no error of the model that the noise would show.",
+          .x = response_axis(),
+          .y = {.label = "NRMSE", .unit = "%", .log = true, .log_switch = true},
+          .choices = {{"", std::move(traces)}},
+          .wide = true};
+}
+
+ReportFigure amplitude_figure(const std::vector<TestComparison>& comparisons) {
+  return {.title = "Amplitude error",
+          .caption = "First harmonic predicted over recorded, less 1.",
+          .x = response_axis(),
+          .y = {.label = "amplitude error", .unit = "%"},
+          .choices = {{"", over_response(comparisons, [](const TestComparison& row) {
+                         return (row.amplitude_ratio - 1.0) / kPercent;
+                       })}}};
+}
+
+ReportFigure phase_figure(const std::vector<TestComparison>& comparisons) {
+  return {.title = "Phase error",
+          .caption = "First harmonic, predicted less recorded.",
+          .x = response_axis(),
+          .y = {.label = "phase error", .unit = "mrad"},
+          .choices = {{"", over_response(comparisons, [](const TestComparison& row) {
+                         return row.phase_error / kMilliradian;
+                       })}}};
+}
+
+}  // namespace
+
+ReportSection predictions_section(const TestResults& results) {
+  ReportSection section{.title = "Prediction", .blocks = {}};
+  if (results.comparisons.empty() && results.predictions.empty()) {
+    section.blocks.emplace_back(
+        ReportMissing{"No prediction held against recordings: no verification.csv in this folder.",
+                      "microslip verify rig.toml joint.json recordings/level_* --out "
+                      "verification.csv --histories "
+                      "verification_histories.csv"});
+    return section;
+  }
+  section.blocks.emplace_back(
+      ReportText{results.predictions_are_of_this_joint
+                     ? "What the identified joint predicts for the rig at the recorded frequency "
+                       "and response, against the record. [AR14 Fig. 11]"
+                     : "What another joint or rig than those of this report predicts at the "
+                       "recorded frequency and response, against the record: verify again."});
+  add_records(section, results, results.predictions, kPredictedNames);
+  if (!results.comparisons.empty()) {
+    section.blocks.emplace_back(misfit_figure(results.comparisons));
+    section.blocks.emplace_back(amplitude_figure(results.comparisons));
+    section.blocks.emplace_back(phase_figure(results.comparisons));
+    section.blocks.emplace_back(misfit_table(results.comparisons));
+  }
+  return section;
+}
+
+}  // namespace microslip

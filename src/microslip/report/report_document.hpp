@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "microslip/report/figure.hpp"
+
+/// @file
+/// What a report says, apart from how it looks (report/html_report). Texts are UTF-8 and shown as
+/// they are, without markup: names out of files can do no harm. Values are drawn as they are given: a
+/// caller who wants µm on an axis scales the data and names µm as its unit.
+
+namespace microslip {
+
+/// "label [unit]" as the axis reads.
+struct ReportAxis {
+  std::string label;                    ///< of the axis, without unit
+  std::string unit;                     ///< "1" for a number
+  bool log = false;                     ///< to base 10, at first
+  bool log_switch = false;              ///< lets the reader change that
+  std::optional<AxisRange> range = {};  ///< on a linear axis; without one, what the traces cover
+};
+
+/// How a trace is drawn.
+enum class TraceKind {
+  kLine,    ///< through the points, in their order
+  kPoints,  ///< marks, with bars of ± one standard deviation where `y_std` is given
+  kBand,    ///< the area between `lower` and `upper`
+  kLoop,    ///< a line whose last point is joined to the first
+  kBars,    ///< from the axis up to y
+  kMarker,  ///< a vertical line at x[0] across the figure
+};
+
+/// One thing drawn on a pair of axes. An infinite or undefined y is a gap.
+struct ReportTrace {
+  std::string name;  ///< in the legend, unless there is a group
+  /// Traces with one share an entry of the legend; without it, `name` is it.
+  std::string group = {};
+  TraceKind kind = TraceKind::kLine;  ///< how it is drawn
+  std::vector<double> x = {};         ///< finite
+  std::vector<double> y = {};         ///< one an x; empty for a band and a marker
+  std::vector<double> lower = {};     ///< of a band: one an x, finite
+  std::vector<double> upper = {};     ///< of a band: one an x, finite, ≥ lower
+  std::vector<double> y_std = {};     ///< of points: none, or one an x, ≥ 0 and finite
+  Stroke stroke = {};                 ///< of lines, bands, bars and markers
+  bool shown = true;                  ///< at first; the reader turns traces on and off
+};
+
+/// What the legend calls it.
+[[nodiscard]] inline const std::string& legend_of(const ReportTrace& trace) {
+  return trace.group.empty() ? trace.name : trace.group;
+}
+
+/// One of several contents of a figure: that of a level, for instance.
+struct ReportChoice {
+  std::string name;                      ///< its name in the menu
+  std::vector<ReportTrace> traces = {};  ///< what is drawn then
+};
+
+/// How a figure is drawn on the screen.
+enum class ChartKind {
+  kPlot,
+  kTimeHistory,  ///< lines over time, many points; those of a section share their cursor
+};
+
+/// Axes and what is drawn on them. With several choices the reader picks one; figures of a section with
+/// the same `choose` change together, where they have a choice of that name.
+struct ReportFigure {
+  std::string title;                       ///< above the figure
+  std::string caption = {};                ///< what is to be seen, a sentence or two
+  ChartKind chart = ChartKind::kPlot;      ///< how it is drawn on the screen
+  ReportAxis x = {};                       ///< the horizontal axis
+  ReportAxis y = {};                       ///< the vertical axis
+  std::string choose = {};                 ///< what is chosen: "Level"
+  std::vector<ReportChoice> choices = {};  ///< one at least
+  std::size_t chosen = 0;                  ///< at first; the one in the printed picture
+  bool wide = false;                       ///< over the width of the page
+};
+
+/// A column of a table.
+struct ReportColumn {
+  std::string name;       ///< its head
+  std::string unit = {};  ///< empty for a column of text
+  int digits = 4;         ///< of its numbers; 0 for whole numbers
+  bool code = false;      ///< its texts are for machines: hash sums, commands
+};
+
+/// A number, or a text.
+using ReportCell = std::variant<double, std::string>;
+
+/// A table with a head.
+struct ReportTable {
+  std::string title;                       ///< above the table
+  std::string caption = {};                ///< what it shows, a sentence or two
+  std::vector<ReportColumn> columns = {};  ///< one at least
+  std::vector<std::vector<ReportCell>> rows =
+      {};                                ///< each as long as `columns`; a NaN is an empty cell
+  std::vector<std::size_t> marked = {};  ///< rows to be looked at, rising
+};
+
+/// Names with values, in two columns.
+struct ReportFacts {
+  std::string title = {};                                       ///< above them; may be empty
+  std::vector<std::pair<std::string, std::string>> facts = {};  ///< names and values
+  bool prominent = false;   ///< large figures, for the few that matter most
+  bool one_column = false;  ///< for long values
+};
+
+/// A paragraph.
+struct ReportText {
+  std::string text;  ///< of the paragraph
+};
+
+/// Something to worry about. Never hidden.
+struct ReportWarning {
+  std::string code;  ///< as in the files: "density_negative"
+  std::string text;  ///< one sentence
+};
+
+/// Several of them together.
+struct ReportWarnings {
+  std::vector<ReportWarning> warnings = {};  ///< in the order shown
+};
+
+/// What is not there, and the command that makes it.
+struct ReportMissing {
+  std::string text;          ///< what is missing
+  std::string command = {};  ///< that makes it; may be empty
+};
+
+/// A piece of a section.
+using ReportBlock =
+    std::variant<ReportText, ReportFacts, ReportWarnings, ReportMissing, ReportTable, ReportFigure>;
+
+/// A part of the report under a heading.
+struct ReportSection {
+  std::string title;                     ///< its heading
+  std::vector<ReportBlock> blocks = {};  ///< in the order shown
+};
+
+/// A whole report.
+struct ReportDocument {
+  std::string title;                         ///< its main heading, and that of the window
+  std::string subtitle = {};                 ///< below it; may be empty
+  std::vector<ReportSection> sections = {};  ///< one at least
+};
+
+/// Checks what the comments above demand, that there is a section, and that each figure has an axis
+/// label with a unit and something to draw.
+/// @throws InputError  naming the section, the figure and the trace, counted from 0, and the value.
+void check_report(const ReportDocument& document);
+
+}  // namespace microslip

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "microslip/identify/interpolation.hpp"
+#include "microslip/joint/secant.hpp"
+#include "microslip/report/test_sections.hpp"
+
+namespace microslip {
+namespace {
+
+/// A quantity of the structure as predicted.
+ReportTrace predicted(const TestBackbone& backbone, const std::vector<double>& values, double unit,
+                      const char* name, Stroke stroke) {
+  return {.name = name,
+          .x = in_unit(backbone.amplitude, kMicrometre),
+          .y = in_unit(values, unit),
+          .stroke = stroke};
+}
+
+void add_predicted(const TestResults& results, std::vector<double> TestBackbone::*values,
+                   double unit, std::vector<ReportTrace>& traces) {
+  const auto add = [&](const std::optional<TestBackbone>& backbone, const char* name,
+                       Stroke stroke) {
+    if (backbone) {
+      traces.push_back(predicted(*backbone, (*backbone).*values, unit, name, stroke));
+    }
+  };
+  add(results.backbone, "predicted by the joint", kFound);
+  add(results.true_backbone, "by the true joint", kTruth);
+}
+
+ReportFigure resonance_figure(const TestResults& results) {
+  const TestLevels& test = *results.levels;
+  const bool measured = !test.resonance_frequency.empty();
+  ReportFigure figure{
+      .title = "Resonance frequency",
+      .caption = measured
+                     ? "From the measured phase of the response, not from the setting of the drive."
+                     : "The frequency of the drive: that of the resonance as far as the test kept "
+                       "the phase there.",
+      .x = amplitude_axis(),
+      .y = {.label = "frequency", .unit = "Hz"},
+      .choices = {{"", {}}}};
+  std::vector<ReportTrace>& traces = figure.choices[0].traces;
+  if (!test.frequency.empty()) {
+    traces.push_back(at_levels(results, "drive", test.frequency, {}, kSkyBlue));
+  }
+  if (measured) {
+    traces.push_back(at_levels(results, "resonance", test.resonance_frequency, {}, kBlack));
+  }
+  add_predicted(results, &TestBackbone::frequency, 1.0, traces);
+  return figure;
+}
+
+/// ζ = W/(4πE) with the measured W and the E of the prediction, which is that of the response and the
+/// mode and hardly depends on the joint. Empty where the levels or the prediction tell too little.
+ReportTrace measured_damping(const TestResults& results) {
+  ReportTrace trace{.name = "measured", .kind = TraceKind::kPoints, .stroke = {.colour = kBlack}};
+  const TestBackbone& backbone = *results.backbone;
+  const TestLevels& test = *results.levels;
+  if (backbone.vibration_energy.empty() || test.input_energy.empty()) return trace;
+  std::vector<double> modal_stiffness;  // over 2: E/A² is nearly constant
+  for (std::size_t i = 0; i < backbone.amplitude.size(); ++i) {
+    modal_stiffness.push_back(backbone.vibration_energy[i] / std::pow(backbone.amplitude[i], 2));
+  }
+  for (std::size_t i = 0; i < test.levels.size(); ++i) {
+    const double a = test.levels.amplitude[i];
+    const double energy = interpolate(backbone.amplitude, modal_stiffness, a) * a * a;
+    trace.x.push_back(a / kMicrometre);
+    trace.y.push_back(test.input_energy[i] / (4.0 * std::numbers::pi * energy) / kPercent);
+  }
+  return trace;
+}
+
+/// Of the structure with its joint.
+ReportFigure structure_damping_figure(const TestResults& results) {
+  ReportFigure figure{.title = "Damping of the structure",
+                      .caption =
+                          "Damping ratio in phase resonance, predicted for the rig: by the energy "
+                          "that a cycle loses in structure and joint.",
+                      .x = amplitude_axis(),
+                      .y = {.label = "damping ratio", .unit = "%", .log_switch = true},
+                      .choices = {{"", {}}}};
+  if (ReportTrace measured = measured_damping(results); !measured.x.empty()) {
+    figure.caption += " Measured: the input energy over the energy of that vibration.";
+    figure.choices[0].traces.push_back(std::move(measured));
+  }
+  add_predicted(results, &TestBackbone::damping_ratio, kPercent, figure.choices[0].traces);
+  return figure;
+}
+
+ReportFigure secant_figure(const TestResults& results) {
+  const Levels& levels = results.levels->levels;
+  ReportFigure figure{.title = "Secant stiffness",
+                      .caption = "Of the first harmonic.",
+                      .x = amplitude_axis(),
+                      .y = {.label = "k_eq", .unit = "kN/m"},
+                      .choices = {{"", {}}}};
+  if (!levels.secant_stiffness.empty()) {
+    figure.caption +=
+        " The absolute level of the measured one stands and falls with k; its change over the "
+        "amplitude does not.";
+  }
+  std::vector<ReportTrace>& traces = figure.choices[0].traces;
+  if (!levels.secant_stiffness.empty()) {
+    traces.push_back(at_levels(results, "measured",
+                               in_unit(levels.secant_stiffness, kKilonewtonPerMetre),
+                               in_unit(levels.secant_stiffness_std, kKilonewtonPerMetre), kBlack));
+  }
+  std::ranges::move(curves_of_joints(results,
+                                     [](const Joint& joint, double a) {
+                                       return secant_stiffness(joint, a) / kKilonewtonPerMetre;
+                                     }),
+                    std::back_inserter(traces));
+  return figure;
+}
+
+ReportFigure loss_figure(const TestResults& results) {
+  ReportFigure figure{.title = "Loss factor of the joint",
+                      .caption =
+                          "D/(π k_eq A²): it rises with micro-slip, and falls again beyond "
+                          "macro-slip where a part of the stiffness never slips.",
+                      .x = amplitude_axis(),
+                      .y = {.label = "loss factor", .unit = "1", .log_switch = true},
+                      .choices = {{"", {}}}};
+  std::vector<ReportTrace>& traces = figure.choices[0].traces;
+  const Levels& levels = results.levels->levels;
+  if (!levels.secant_stiffness.empty()) {
+    const std::vector<double> net = net_dissipation(results);
+    std::vector<double> measured;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      measured.push_back(net[i] / (std::numbers::pi * levels.secant_stiffness[i] *
+                                   std::pow(levels.amplitude[i], 2)));
+    }
+    traces.push_back(at_levels(results, "measured", measured, {}, kBlack));
+  }
+  std::ranges::move(curves_of_joints(results, loss_factor), std::back_inserter(traces));
+  return figure;
+}
+
+}  // namespace
+
+ReportSection stiffness_section(const TestResults& results) {
+  ReportSection section{.title = "Stiffness and damping", .blocks = {}};
+  if (!results.levels) return section;
+  const TestLevels& test = *results.levels;
+  const bool secant = results.joint || results.truth || !test.levels.secant_stiffness.empty();
+  if (!test.resonance_frequency.empty() || !test.frequency.empty())
+    section.blocks.emplace_back(resonance_figure(results));
+  if (secant) {
+    section.blocks.emplace_back(secant_figure(results));
+    section.blocks.emplace_back(loss_figure(results));
+  }
+  if (results.backbone) section.blocks.emplace_back(structure_damping_figure(results));
+  if (section.blocks.empty()) {
+    section.blocks.emplace_back(
+        ReportMissing{"No stiffness and damping: the levels have neither resonance frequencies nor "
+                      "secant stiffnesses, and there is no joint."});
+  }
+  return section;
+}
+
+}  // namespace microslip

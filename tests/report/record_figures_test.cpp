@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/report/record_figures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <variant>
+
+#include "report/support.hpp"
+
+namespace microslip {
+namespace {
+
+TestResults record_of(int accelerations) {
+  TestRecord record{.source = "level_01.csv", .signals = {}, .harmonics = {}};
+  for (int i = 1; i <= accelerations; ++i) {
+    const std::string name = "a" + std::to_string(i);
+    record.signals.push_back({name, "m/s^2", {0.0, 1.0}, {1.0, 2.0}, {}, {}});
+    record.harmonics.push_back({name, "m/s^2", {1.0, 0.1}, {}});
+  }
+  record.signals.push_back({"force", "N", {0.0, 1.0}, {1.0, 2.0}, {}, {}});
+  return {.records = {record}};
+}
+
+ReportSection signals_of(const TestResults& results) {
+  ReportSection section{.title = "Signals", .blocks = {}};
+  add_records(section, results, results.records, kControlNames);
+  return section;
+}
+
+TEST(RecordFigures, EightChannelsOfAQuantityAtMostAndTheCaptionSaysSo) {
+  const ReportSection section = signals_of(record_of(200));
+  ASSERT_EQ(section.blocks.size(), 3);
+  const auto& accelerations = std::get<ReportFigure>(section.blocks[0]);
+  ASSERT_EQ(accelerations.choices[0].traces.size(), 8);
+  EXPECT_EQ(accelerations.choices[0].traces[7].name, "a8");
+  EXPECT_EQ(accelerations.caption, "The first 8 of the 200 channels of the record are shown.");
+  const auto& force = std::get<ReportFigure>(section.blocks[1]);
+  EXPECT_EQ(force.choices[0].traces.size(), 1);
+  EXPECT_EQ(force.caption, "");
+  const auto& harmonics = std::get<ReportFigure>(section.blocks[2]);
+  EXPECT_EQ(harmonics.choices[0].traces.size(), 9);  // with the line of 1 %
+  EXPECT_TRUE(test::contains(harmonics.caption, "The first 8 of the 200 channels"))
+      << harmonics.caption;
+}
+
+TEST(RecordFigures, AllOfFewChannels) {
+  const ReportSection section = signals_of(record_of(8));
+  const auto& accelerations = std::get<ReportFigure>(section.blocks[0]);
+  EXPECT_EQ(accelerations.choices[0].traces.size(), 8);
+  EXPECT_EQ(accelerations.caption, "");
+  EXPECT_FALSE(test::contains(std::get<ReportFigure>(section.blocks[2]).caption, "channels"));
+}
+
+}  // namespace
+}  // namespace microslip
