@@ -25,9 +25,19 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-}  // namespace
+/// A number and the unit behind it, SI where there is none.
+struct GivenQuantity {
+  double value = 0.0;
+  Unit unit;
 
-double parse_quantity(std::string_view option, std::string_view text, const Dimension& dimension) {
+  [[nodiscard]] double si() const { return unit.to_si(value); }
+  [[nodiscard]] bool has_unit_of(const GivenQuantity& other) const {
+    return unit.numerator == other.unit.numerator && unit.denominator == other.unit.denominator;
+  }
+};
+
+GivenQuantity read_quantity(std::string_view option, std::string_view text,
+                            const Dimension& dimension) {
   std::string_view rest = trimmed(text);
   if (rest.starts_with('+')) rest.remove_prefix(1);
   double value = 0.0;
@@ -41,7 +51,14 @@ double parse_quantity(std::string_view option, std::string_view text, const Dime
   }
   rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
   rest = trimmed(rest);
-  return rest.empty() ? value : parse_option_unit(option, rest, dimension).to_si(value);
+  if (rest.empty()) return {value, {.dimension = dimension}};
+  return {value, parse_option_unit(option, rest, dimension)};
+}
+
+}  // namespace
+
+double parse_quantity(std::string_view option, std::string_view text, const Dimension& dimension) {
+  return read_quantity(option, text, dimension).si();
 }
 
 Unit parse_option_unit(std::string_view option, std::string_view text, const Dimension& dimension) {
@@ -83,8 +100,15 @@ std::vector<double> parse_range(std::string_view option, std::string_view text,
   if (parts.size() < 3 || parts.size() > 4 || (parts.size() == 4 && parts[3] != "log")) {
     fail("must read FROM:TO:COUNT or FROM:TO:COUNT:log", "For instance 1e-6:3e-4:50:log.");
   }
-  const double from = parse_quantity(fmt::format("FROM of {}", option), parts[0], dimension);
-  const double to = parse_quantity(fmt::format("TO of {}", option), parts[1], dimension);
+  GivenQuantity first = read_quantity(fmt::format("FROM of {}", option), parts[0], dimension);
+  GivenQuantity last = read_quantity(fmt::format("TO of {}", option), parts[1], dimension);
+  // In the unit that they are given in 50um:300um:6 is 100 um, not the double below 1e-4.
+  if (!first.has_unit_of(last)) {
+    first = {first.si(), {.dimension = dimension}};
+    last = {last.si(), {.dimension = dimension}};
+  }
+  const double from = first.value;
+  const double to = last.value;
   const std::uint64_t n =
       parse_whole_number(fmt::format("COUNT of {}", option), parts[2], 2, kMostPoints);
   const bool log = parts.size() == 4;
@@ -93,11 +117,18 @@ std::vector<double> parse_range(std::string_view option, std::string_view text,
 
   std::vector<double> values(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(n - 1);
-    values[i] = log ? from * std::pow(to / from, share) : from + (to - from) * share;
+    const auto step = static_cast<double>(i);
+    const auto steps = static_cast<double>(n - 1);
+    values[i] = first.unit.to_si(log ? from * std::pow(to / from, step / steps)
+                                     : from + (to - from) * step / steps);
   }
-  values.back() = to;
+  values.back() = last.si();
   return values;
+}
+
+void check_displacement(std::string_view option, double displacement) {
+  if (displacement >= 1e-15 && displacement <= 1e6) return;
+  throw InputError(option, displacement, "must be above 0 m: from 1e-15 to 1e6");
 }
 
 }  // namespace microslip::app

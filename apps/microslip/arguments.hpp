@@ -40,4 +40,8 @@ namespace microslip::app {
 [[nodiscard]] std::vector<double> parse_range(std::string_view option, std::string_view text,
                                               const Dimension& dimension);
 
+/// A displacement, m, of something that vibrates.
+/// @throws InputError  beyond 1e-15 to 1e6 m, where products leave the range of doubles.
+void check_displacement(std::string_view option, double displacement);
+
 }  // namespace microslip::app

@@ -77,7 +77,7 @@ int run(const BackboneOptions& options, const Call& call) {
   const ResponseCurve curve = curve_of(balance, options, responses, mode, call.quiet);
   return finish(
       curve, options.prediction, call, [&] { return backbone_table(curve, heading_of(call)); },
-      [&] { return describe(balance, curve, options); });
+      [&] { return describe(balance, curve, options) + describe_reach(model, curve); });
 }
 
 }  // namespace

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,30 @@ enum ExitStatus : int {
   kNotConverged = 3,  ///< a solver; what was found is written and marked
 };
 
+struct ExitStatusText {
+  ExitStatus status;
+  const char* text;
+};
+
+/// As the help and the manual tell them.
+inline constexpr std::array<ExitStatusText, 4> kExitStatusTexts = {{
+    {kDone, "done"},
+    {kInputAtFault, "the input or the call is at fault; one line says where, what and what to do"},
+    {kNotConverged, "a solver did not converge; what it found is written and marked"},
+    {kFailed, "anything else, for instance a file that cannot be written"},
+}};
+
+/// What an argument is called in the help (CLI::Option::type_name) where it names a file or a folder.
+/// The completion of the shells offers names with this ending.
+inline constexpr const char* kCsvValue = "FILE.csv";
+inline constexpr const char* kJsonValue = "FILE.json";
+inline constexpr const char* kTomlValue = "FILE.toml";
+inline constexpr const char* kHtmlValue = "FILE.html";
+inline constexpr const char* kPictureValue = "PICTURE";      ///< in any format that is drawn
+inline constexpr const char* kRecordingValue = "RECORDING";  ///< in any format that can be read
+inline constexpr const char* kFolderValue = "FOLDER";
+inline constexpr const char* kResultValue = "RESULT";  ///< a folder, or a file of any kind
+
 /// The call of the program as a whole.
 struct Call {
   std::string command_line;  ///< as typed, quoted where a shell would need it
@@ -27,17 +53,23 @@ struct Call {
   std::function<int()> run;  ///< set by the subcommand that was chosen; gives the exit status
 };
 
+/// The program with all of its subcommands. Both must live until the call has run.
+[[nodiscard]] std::unique_ptr<CLI::App> make_program(Call& call);
+
 void add_measure(CLI::App& program, Call& call);
 void add_reduce(CLI::App& program, Call& call);
 void add_identify(CLI::App& program, Call& call);
 void add_loop(CLI::App& program, Call& call);
 void add_dissipation(CLI::App& program, Call& call);
+void add_model(CLI::App& program, Call& call);
 void add_frf(CLI::App& program, Call& call);
 void add_backbone(CLI::App& program, Call& call);
 void add_march(CLI::App& program, Call& call);
 void add_convert(CLI::App& program, Call& call);
 void add_ringdown(CLI::App& program, Call& call);
 void add_verify(CLI::App& program, Call& call);
+void add_report(CLI::App& program, Call& call);
+void add_plot(CLI::App& program, Call& call);
 void add_demo(CLI::App& program, Call& call);
 
 /// An example at the end of a subcommand's help.

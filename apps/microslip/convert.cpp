@@ -124,10 +124,13 @@ void add_options(CLI::App& command, ConvertOptions& options) {
       .add_option("in", options.in,
                   "Recordings: CSV, universal file (UFF), MATLAB or HDF5, told by the content; "
                   "FILE.mat:VARIABLE for a part of a MATLAB file; - is standard input")
-      ->required();
-  command.add_option("out", options.out,
-                     "File to write; .csv, .uff, .unv, .uf, .mat, .h5 or .hdf5 tells the format; "
-                     "- is standard output, in CSV");
+      ->required()
+      ->type_name(kRecordingValue);
+  command
+      .add_option("out", options.out,
+                  "File to write; .csv, .uff, .unv, .uf, .mat, .h5 or .hdf5 tells the format; "
+                  "- is standard output, in CSV")
+      ->type_name(kRecordingValue);
   command.add_flag("--list", options.list, "Show what the file holds, and write nothing");
   command
       .add_option("--format", options.format, "Format to write, whatever the name; uff is binary")

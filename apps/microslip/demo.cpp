@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -51,9 +52,10 @@ int run(const DemoOptions& options, const Call& call) {
   const RigDemonstration rig = demonstrate_rig(folder);
   const std::vector<std::string> pictures = folder.commit();
   if (!call.quiet) {
-    fmt::print("{}{}\n", kBeamHeading, describe(beam, beam.inversion->levels.size()));
+    fmt::print("{}{}\n", kBeamHeading,
+               describe_identification(beam, beam.inversion->levels.size()));
     fmt::print(kRigHeading, rig.test.levels.size());
-    fmt::print("{}\n{}\n", describe(rig.found, rig.found.inversion->levels.size()),
+    fmt::print("{}\n{}\n", describe_identification(rig.found, rig.found.inversion->levels.size()),
                describe_rig(rig));
     fmt::print(
         "Written to {}: recordings, levels, truth, verification and densities (csv), joints "
@@ -61,6 +63,11 @@ int run(const DemoOptions& options, const Call& call) {
         "the\nrig (toml), pictures (svg, png):\n",
         options.out);
     for (const std::string& name : pictures) fmt::print("  {}.svg\n", name);
+    // The rig comes last, and first for the reader.
+    std::vector<std::string> reports = folder.report_paths();
+    std::ranges::reverse(reports);
+    fmt::print("\nReports, each one file to open in a browser:\n");
+    for (const std::string& path : reports) fmt::print("  {}\n", path);
   }
   return beam.summary.converged() && rig.converged() ? kDone : kNotConverged;
 }
@@ -72,6 +79,7 @@ void add_demo(CLI::App& program, Call& call) {
   CLI::App* command = program.add_subcommand(
       "demo", "The whole chain on a rig whose joint is known, and a measured bolt, with pictures");
   command->add_option("--out", options->out, "Folder for the results; made if it is not there")
+      ->type_name(kFolderValue)
       ->capture_default_str();
   command->add_flag("--quiet", call.quiet, "No summary, no progress");
   add_examples(*command, {"microslip demo --out demo"});

@@ -13,7 +13,7 @@ namespace {
 
 // Modal stiffness of the Brake-Reuss beam at its drive point; how it was found stands in
 // examples/brake_reuss_beam/README.md.
-constexpr double kStiffness = 5.08e5;  // N/m
+constexpr double kBeamStiffness = 5.08e5;  // N/m
 
 }  // namespace
 
@@ -22,17 +22,20 @@ Identification demonstrate_beam(DemoFolder& folder) {
   const LevelsFile file =
       parse_levels(std::string(kBrakeReussLevels), "examples/brake_reuss_beam/levels.csv");
   IdentificationOptions options;
-  options.inversion.stiffness = kStiffness;
+  options.inversion.stiffness = kBeamStiffness;
   options.inversion.linear_damping = true;
   options.bands =
       BandOptions{.seed = kDemoSeed, .progress = progress_bar("bands", folder.call().quiet)};
   Identification found = identify(file.levels, options);
   folder.add(kFolder + "/levels.csv", std::string(kBrakeReussLevels));
-  folder.add_identification(kFolder, found, file.file, kBrakeReussLevels);
+  folder.add_identification(kFolder, found, options, file.file, kBrakeReussLevels);
   folder.draw_both(kFolder + "/dissipation",
                    dissipation_figure("Brake–Reuß beam: dissipation", file.levels, found));
   folder.draw_both(kFolder + "/density",
                    density_figure("Brake–Reuß beam: slip-force density", found, nullptr));
+  folder.add_report(kFolder, "Brake–Reuß beam",
+                    "Eight measured levels of a bolted joint, as an equivalent joint between drive "
+                    "point and ground with linear damping beside it");
   return found;
 }
 

@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "demo_folder.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <span>
 #include <utility>
 
 #include "identification_report.hpp"
 #include "microslip/base/version.hpp"
-#include "microslip/io/density_file.hpp"
+#include "microslip/io/file_kind.hpp"
 #include "microslip/io/joint_file.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/io/recording_file.hpp"
 #include "microslip/io/sha256.hpp"
+#include "provenance.hpp"
+#include "recorded_options.hpp"
+#include "report_folder.hpp"
+#include "report_html.hpp"
 
 namespace microslip::app {
+
 DemoFolder::DemoFolder(std::string path, const Call& call) : path_(std::move(path)), call_(call) {
   make_folder(path_);
 }
@@ -22,29 +28,67 @@ void DemoFolder::make_folder(const std::string& path) {
   folders_.make(path, "Choose another folder with --out.");
 }
 
+std::string DemoFolder::path_of(const std::string& name) const {
+  return (std::filesystem::path(path_) / name).string();
+}
+
 void DemoFolder::add_identification(const std::string& folder, const Identification& found,
+                                    const IdentificationOptions& options,
                                     const std::string& input_name, std::string_view input) {
   Provenance provenance;
   provenance.version = kVersion;
   provenance.command = call_.command_line;
   provenance.inputs.push_back({input_name, sha256(input)});
+  provenance.options = record_of_options(options);
   provenance.seed = kDemoSeed;
   add(folder + "/joint.json", format_joint({found.joint, provenance, record_of(found)}));
-  add(folder + "/density.csv", density_table(density_table_of(found)).str());
+  add(folder + "/density.csv", density_csv(found));
+}
+
+std::string DemoFolder::provenance(const std::string& folder,
+                                   const std::vector<std::string>& inputs) const {
+  std::vector<NamedInput> named;
+  for (const std::string& input : inputs) {
+    const auto file = std::ranges::find(files_, folder + "/" + input,
+                                        [](const auto& entry) { return entry.first; });
+    named.push_back({input, file->second});
+  }
+  return provenance_of(call_, named);
+}
+
+void DemoFolder::add_report(const std::string& folder, const std::string& title,
+                            const std::string& subtitle) {
+  reports_.push_back({folder, title, subtitle});
+  make_folder(path_of(folder));
+  check_output(report_paths().back(), kReportKind);
+}
+
+std::vector<std::string> DemoFolder::report_paths() const {
+  std::vector<std::string> paths;
+  for (const Report& report : reports_) paths.push_back(path_of(report.folder + "/report.html"));
+  return paths;
+}
+
+void DemoFolder::write_report(const Report& report) const {
+  TestResults results = read_test_folder(path_of(report.folder), call_.quiet, kRecordsOverTime);
+  results.title = report.title;
+  results.subtitle = report.subtitle;
+  write_file(path_of(report.folder + "/report.html"), report_html(std::move(results), call_));
 }
 
 std::vector<std::string> DemoFolder::commit() {
   OutputFiles outputs;
-  const auto path_of = [&](const std::string& name) {
-    const std::filesystem::path path = std::filesystem::path(path_) / name;
-    make_folder(path.parent_path().string());
-    return path.string();
+  const auto prepared = [&](const std::string& name) {
+    std::string path = path_of(name);
+    make_folder(std::filesystem::path(path).parent_path().string());
+    return path;
   };
-  for (const auto& [name, content] : files_) outputs.add(path_of(name), content);
+  for (const auto& [name, content] : files_) outputs.add(prepared(name), content);
   for (const auto& [name, recording] : recordings_) {
-    write_recordings(outputs, path_of(name), std::span(&recording, 1), RecordingFormat::kCsv);
+    write_recordings(outputs, prepared(name), std::span(&recording, 1), RecordingFormat::kCsv);
   }
   outputs.commit();
+  for (const Report& report : reports_) write_report(report);
   return pictures_;
 }
 

@@ -35,7 +35,15 @@ class DemoFolder {
 
   /// joint.json and density.csv.
   void add_identification(const std::string& folder, const Identification& found,
-                          const std::string& input_name, std::string_view input);
+                          const IdentificationOptions& options, const std::string& input_name,
+                          std::string_view input);
+
+  /// What a table says of its origin: call and hashes of files that were added to the folder.
+  [[nodiscard]] std::string provenance(const std::string& folder,
+                                       const std::vector<std::string>& inputs) const;
+
+  /// A report of a folder of the demonstration, written last.
+  void add_report(const std::string& folder, const std::string& title, const std::string& subtitle);
 
   template <typename Picture>
   void draw_both(const std::string& name, const Picture& picture, PictureSize size = {}) {
@@ -46,11 +54,22 @@ class DemoFolder {
 
   [[nodiscard]] const Call& call() const { return call_; }
 
-  /// @return the names of the pictures, without ending.
+  /// Writes all files, then the reports of them. @return the names of the pictures, without ending.
   std::vector<std::string> commit();
 
+  /// Of the reports, in the order of add_report().
+  [[nodiscard]] std::vector<std::string> report_paths() const;
+
  private:
+  struct Report {
+    std::string folder;  ///< name
+    std::string title;
+    std::string subtitle;
+  };
+
   void make_folder(const std::string& path);
+  [[nodiscard]] std::string path_of(const std::string& name) const;
+  void write_report(const Report& report) const;
 
   std::string path_;
   const Call& call_;
@@ -58,6 +77,7 @@ class DemoFolder {
   std::vector<std::pair<std::string, std::string>> files_;  // name and content
   std::vector<std::pair<std::string, Recording>> recordings_;
   std::vector<std::string> pictures_;
+  std::vector<Report> reports_;
 };
 
 }  // namespace microslip::app

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -44,7 +46,11 @@ VirtualTest test_rig(const Rig& rig, const Joint& truth, bool quiet) {
 struct Records {
   std::vector<std::string> names;
   std::vector<Recording> recordings;
+  std::vector<std::pair<std::string, Recording>> before_control;  ///< of some levels
 };
+
+/// Levels with a record before the force control too.
+constexpr std::array<std::size_t, 4> kCompared = {1, 26, 51, 90};
 
 Records record(const Rig& rig, const VirtualTest& test) {
   const StickState state = stick_state(rig, rig.test->modes);
@@ -54,6 +60,10 @@ Records record(const Rig& rig, const VirtualTest& test) {
     Recording& recording = records.recordings.emplace_back(
         virtual_record(rig, state, level.controlled, kDemoSeed, record_number(level)));
     recording.source = records.names.back();
+    if (std::ranges::find(kCompared, level.number) == kCompared.end()) continue;
+    records.before_control.emplace_back(
+        fmt::format("recordings/before_control_{:02}.csv", level.number),
+        virtual_record(rig, state, level.uncontrolled, kDemoSeed, record_number(level, true)));
   }
   return records;
 }
@@ -83,7 +93,7 @@ Identification identify_joint(DemoFolder& folder, const ReductionBatch& reductio
   options.bands =
       BandOptions{.seed = kDemoSeed, .progress = progress_bar("bands", folder.call().quiet)};
   Identification found = identify(file.levels, options);
-  folder.add_identification(kFolder, found, file.file, text);
+  folder.add_identification(kFolder, found, options, file.file, text);
   return found;
 }
 
@@ -95,11 +105,18 @@ void add_tables(DemoFolder& folder, const RigDemonstration& done, Records record
   folder.add(
       kFolder + "/force_control.csv",
       force_control_table(done.test.levels, VirtualTestOptions{}.controlled_harmonics).str());
-  folder.add(kFolder + "/verification.csv", verification_table(done.verification.records).str());
-  folder.add(kFolder + "/verification_histories.csv",
-             histories_table(done.verification.records).str());
+  const std::string origin = folder.provenance(kFolder, {"rig.toml", "joint.json"});
+  const auto add_predicted = [&](const char* name, CsvWriter table) {
+    table.add_comment(origin);
+    folder.add(kFolder + name, table.str());
+  };
+  add_predicted("/verification.csv", verification_table(done.verification.records));
+  add_predicted("/verification_histories.csv", histories_table(done.verification.records));
   for (std::size_t i = 0; i < records.names.size(); ++i) {
     folder.add(kFolder + "/" + records.names[i], std::move(records.recordings[i]));
+  }
+  for (auto& [name, recording] : records.before_control) {
+    folder.add(kFolder + "/" + name, std::move(recording));
   }
 }
 
@@ -133,6 +150,9 @@ RigDemonstration demonstrate_rig(DemoFolder& folder) {
                         .verification = std::move(verification)};
   draw_rig(folder, kFolder, done, levels.levels);
   add_tables(folder, done, std::move(records));
+  folder.add_report(kFolder, "Reference rig",
+                    "A virtual frictional-support test with shaker, force control and noise; the "
+                    "joint is known, and the reduction never reads it");
   return done;
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "identification_report.hpp"
+#include "microslip/base/percent.hpp"
 #include "microslip/base/units.hpp"
 #include "microslip/identify/density_comparison.hpp"
 #include "microslip/joint/secant.hpp"
@@ -53,9 +54,8 @@ std::string describe_force(const RigDemonstration& done) {
     before = std::max(before, force_distortion(level.uncontrolled, harmonics));
     after = std::max(after, force_distortion(level.controlled, harmonics));
   }
-  return line("force harmonics",
-              fmt::format("at most {:.2g} % of the first before control, {:.2g} % after",
-                          100.0 * before, 100.0 * after));
+  return line("force harmonics", fmt::format("at most {} of the first before control, {} after",
+                                             percent_text(before), percent_text(after)));
 }
 
 std::string describe_density(const RigDemonstration& done) {

@@ -13,6 +13,7 @@
 #include "microslip/io/joint_file.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/joint/secant.hpp"
+#include "prediction.hpp"
 
 namespace microslip::app {
 namespace {
@@ -23,13 +24,16 @@ struct DissipationOptions {
   std::string out;
 };
 
-int run(const DissipationOptions& options) {
+int run(const DissipationOptions& options, const Call& call) {
   check_output(options.out, kDissipationKind);
   const std::vector<double> amplitude = parse_range("--amplitude", options.amplitude, kLength);
   if (amplitude.front() < 0.0) {
     throw InputError("--amplitude", amplitude.front(), "FROM must be 0 m or more");
   }
-  const Joint joint = read_joint(options.joint).joint;
+  if (amplitude.front() > 0.0) check_displacement("FROM of --amplitude", amplitude.front());
+  check_displacement("TO of --amplitude", amplitude.back());
+  const JointFile file = read_joint(options.joint);
+  const Joint& joint = file.joint;
 
   std::vector<double> force;
   std::vector<double> energy;
@@ -48,6 +52,7 @@ int run(const DissipationOptions& options) {
   table.add_numbers("secant_stiffness", kStiffness, secant);
   table.add_numbers("loss_factor", kDimensionless, loss);
   write_file(options.out, table.str());
+  if (!call.quiet) show_reach(file, amplitude.back());
   return kDone;
 }
 
@@ -57,7 +62,9 @@ void add_dissipation(CLI::App& program, Call& call) {
   auto options = std::make_shared<DissipationOptions>();
   CLI::App* command = program.add_subcommand(
       "dissipation", "Energy per cycle, secant stiffness and loss factor over the amplitude");
-  command->add_option("joint", options->joint, "Joint model, joint.json")->required();
+  command->add_option("joint", options->joint, "Joint model, joint.json")
+      ->required()
+      ->type_name(kJsonValue);
   command
       ->add_option("--amplitude", options->amplitude,
                    "FROM:TO:COUNT[:log], in m or with units; :log for equal ratios")
@@ -66,10 +73,13 @@ void add_dissipation(CLI::App& program, Call& call) {
       ->add_option("--out", options->out,
                    "CSV to write: amplitude [m], force [N], dissipation [J], "
                    "secant_stiffness [N/m], loss_factor [1]; - is standard output")
-      ->required();
+      ->required()
+      ->type_name(kCsvValue);
+  command->add_flag("--quiet", call.quiet, "No warnings");
   add_examples(*command,
                {"microslip dissipation joint.json --amplitude 1um:300um:50:log --out curve.csv"});
-  command->callback([options, &call] { call.run = [options] { return run(*options); }; });
+  command->callback(
+      [options, &call] { call.run = [options, &call] { return run(*options, call); }; });
 }
 
 }  // namespace microslip::app

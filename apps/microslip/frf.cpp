@@ -112,7 +112,7 @@ int run(const FrfOptions& options, const Call& call) {
   const ResponseCurve curve = curve_of(balance, options, range, call.quiet);
   return finish(
       curve, options.prediction, call, [&] { return response_table(curve, heading_of(call)); },
-      [&] { return describe(balance, curve, options); });
+      [&] { return describe(balance, curve, options) + describe_reach(model, curve); });
 }
 
 }  // namespace

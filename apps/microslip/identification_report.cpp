@@ -7,6 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "microslip/base/percent.hpp"
+#include "microslip/io/density_file.hpp"
 #include "report_text.hpp"
 
 namespace microslip::app {
@@ -19,19 +21,37 @@ std::string method_name(const Identification& found) {
   return found.summary.method;
 }
 
+/// Of D, and of k_eq where it has standard deviations.
 std::string describe_scatter(const InversionResult& result) {
-  return result.scatter_is_relative
-             ? fmt::format("{:.2g} % of D about the fit (estimated)", 100.0 * result.scatter)
-             : fmt::format("{:.2f} of the standard deviations given", result.scatter);
+  const double d = result.dissipation_scatter;
+  const std::string of_d = result.scatter_is_relative
+                               ? percent_text(d) + " of D about the fit (estimated)"
+                               : fmt::format("{:.2f} of the standard deviations given", d);
+  if (!result.secant_scatter) return line("scatter", of_d);
+  const double k = *result.secant_scatter;
+  return line("scatter of D", of_d) +
+         line("scatter of k_eq", fmt::format("{:.2f} of those given{}", k,
+                                             k < 0.7 ? ", which hold more than scatter" : ""));
+}
+
+/// Where the joint's own secant stiffnesses lie against the measured ones.
+std::string describe_offset(const Identification& found) {
+  const InversionResult& result = *found.inversion;
+  if (result.fitted_secant_stiffness.empty()) return {};
+  const double k = found.joint.stiffness();
+  return line("k_eq of the joint", fmt::format("{} of k {} the measured, ± {}",
+                                               percent_text(std::abs(result.secant_offset) / k),
+                                               result.secant_offset > 0.0 ? "below" : "above",
+                                               percent_text(result.secant_offset_std / k)));
 }
 
 std::string describe_inversion(const Identification& found) {
   const InversionResult& result = *found.inversion;
   const PathPoint& point = result.path[result.chosen];
-  std::string text = line("scatter", describe_scatter(result));
+  std::string text = describe_scatter(result);
   text += line("smoothing",
                fmt::format("lambda {:.3g}, {:.1f} degrees of freedom", point.lambda, point.edf));
-  if (found.parametric) return text;
+  text += describe_offset(found);
   if (result.atom_slip_force) {
     text += line("macro-slip at", fmt::format("{:.4g} N, by an atom of weight {:.3f}",
                                               *result.atom_slip_force, result.atom_weight));
@@ -54,7 +74,7 @@ std::string describe_parameters(const ParametricResult& fit) {
             ? fmt::format("{:.4g}{} (at the end of its range)", parameter.value, unit)
             : fmt::format("{:.4g} ± {:.2g}{}", parameter.value, parameter.standard_error, unit));
   }
-  text += line("misfit", fmt::format("{:.2g} % of D, rms", 100.0 * fit.misfit));
+  text += line("misfit", percent_text(fit.misfit) + " of D, rms");
   return text;
 }
 
@@ -104,6 +124,12 @@ void add_path(const InversionResult& result, Record& record) {
   record.emplace_back("degrees_of_freedom", result.edf);
   record.emplace_back("scatter", result.scatter);
   record.emplace_back("scatter_of", result.scatter_is_relative ? "dissipation" : "dissipation_std");
+  record.emplace_back("scatter_dissipation", result.dissipation_scatter);
+  if (result.secant_scatter) record.emplace_back("scatter_secant", *result.secant_scatter);
+  if (!result.fitted_secant_stiffness.empty()) {
+    record.emplace_back("secant_offset_N_per_m", result.secant_offset);
+    record.emplace_back("secant_offset_std_N_per_m", result.secant_offset_std);
+  }
   record.emplace_back("path_lambda", std::move(lambda));
   record.emplace_back("path_degrees_of_freedom", std::move(edf));
   record.emplace_back("path_residual", std::move(residual));
@@ -126,7 +152,7 @@ void add_parameters(const ParametricResult& fit, Record& record) {
 
 }  // namespace
 
-std::string describe(const Identification& found, std::size_t level_count) {
+std::string describe_identification(const Identification& found, std::size_t level_count) {
   const Joint& joint = found.joint;
   const SlipDensity& density = joint.density();
   std::string text = "Identified joint\n";
@@ -135,7 +161,7 @@ std::string describe(const Identification& found, std::size_t level_count) {
   text += line("stiffness k", fmt::format("{:.6g} N/m", joint.stiffness()));
   text += line("slip forces covered",
                fmt::format("{:.4g} to {:.4g} N", found.covered_from, found.covered_to));
-  if (found.inversion) text += describe_inversion(found);
+  if (found.inversion && !found.parametric) text += describe_inversion(found);
   if (found.parametric) text += describe_parameters(*found.parametric);
   text += line("stiffness slipped",
                fmt::format("{:.1f} % (elastic remainder {:.1f} %)", 100.0 * density.total().zeroth,
@@ -183,10 +209,16 @@ Record record_of(const Identification& found) {
   return record;
 }
 
-DensityTable density_table_of(const Identification& found) {
-  DensityTable table{found.slip_force, found.density, found.lower, found.upper};
-  for (double& value : table.density) value = std::max(value, 0.0);
-  return table;
+std::string density_csv(const Identification& found) {
+  DensityTable density{found.slip_force, found.density, found.lower, found.upper};
+  for (double& value : density.density) value = std::max(value, 0.0);
+  CsvWriter table = density_table(density);
+  const AtomsPart& atoms = found.joint.density().atoms();
+  for (std::size_t i = 0; i < atoms.weight.size(); ++i) {
+    table.add_comment(fmt::format("not in the density: an atom of weight {:.6g} at {:.6g} N",
+                                  atoms.weight[i], atoms.slip_force[i]));
+  }
+  return table.str();
 }
 
 }  // namespace microslip::app

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "microslip/identify/identification.hpp"
-#include "microslip/io/density_file.hpp"
 #include "microslip/io/record.hpp"
 
 /// @file
@@ -15,12 +14,14 @@ namespace microslip::app {
 
 /// What was identified, how sure it is and what to worry about; some twenty lines.
 /// @param level_count  of the levels as read, or as merged where only that is known.
-[[nodiscard]] std::string describe(const Identification& found, std::size_t level_count);
+[[nodiscard]] std::string describe_identification(const Identification& found,
+                                                  std::size_t level_count);
 
 /// What joint.json says of the identification under that key.
 [[nodiscard]] Record record_of(const Identification& found);
 
-/// For density.csv; negative values of methods that allow them are written as 0.
-[[nodiscard]] DensityTable density_table_of(const Identification& found);
+/// The text of density.csv; negative values of methods that allow them are written as 0, and comments
+/// tell of atoms.
+[[nodiscard]] std::string density_csv(const Identification& found);
 
 }  // namespace microslip::app

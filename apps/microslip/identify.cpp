@@ -8,6 +8,8 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,7 +20,6 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/version.hpp"
 #include "microslip/identify/identification.hpp"
-#include "microslip/io/density_file.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/joint_file.hpp"
@@ -27,6 +28,8 @@
 #include "microslip/io/sha256.hpp"
 #include "microslip/io/text.hpp"
 #include "progress_bar.hpp"
+#include "recorded_options.hpp"
+#include "report_text.hpp"
 #include "smoothing_argument.hpp"
 
 namespace microslip::app {
@@ -46,6 +49,7 @@ struct IdentifyOptions {
   std::string seed = "1";
   std::string dissipation_gain = "0";
   std::string amplitude_gain = "0";
+  std::string loss_factor = "0";
   std::string fit = "none";
   std::string inner_reversals = "leave-out";
 };
@@ -83,8 +87,8 @@ double stiffness_of(const IdentifyOptions& options) {
   return k;
 }
 
-/// A standard deviation of a gain, as a share of it.
-double gain_of(std::string_view option, const std::string& text) {
+/// A standard deviation of a gain or of the loss factor, as a share of it.
+double relative_std(std::string_view option, const std::string& text) {
   constexpr double kLargest = 0.3;
   const double gain = parse_quantity(option, text, kDimensionless);
   if (!(gain >= 0.0 && gain < kLargest)) {
@@ -100,8 +104,9 @@ std::optional<BandOptions> bands_of(const IdentifyOptions& options, bool quiet) 
   BandOptions bands;
   bands.seed =
       parse_whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
-  bands.dissipation_gain_std = gain_of("--dissipation-gain-std", options.dissipation_gain);
-  bands.amplitude_gain_std = gain_of("--amplitude-gain-std", options.amplitude_gain);
+  bands.dissipation_gain_std = relative_std("--dissipation-gain-std", options.dissipation_gain);
+  bands.amplitude_gain_std = relative_std("--amplitude-gain-std", options.amplitude_gain);
+  bands.loss_factor_std = relative_std("--loss-factor-std", options.loss_factor);
   if (options.bands == "0") return std::nullopt;
   bands.samples = parse_whole_number("--bands", options.bands, kFewest, kMost,
                                      "1000 give a smooth band, 0 gives none.");
@@ -140,30 +145,21 @@ IdentificationOptions library_options(const IdentifyOptions& options, bool quiet
   return all;
 }
 
-Record options_record(const IdentifyOptions& options, const IdentificationOptions& library) {
-  BandOptions none;
-  none.samples = 0;
-  const BandOptions bands = library.bands.value_or(none);
-  Record record;
-  record.emplace_back("method", options.method);
-  record.emplace_back("smoothing", options.smoothing);
-  if (options.smoothing_unit) record.emplace_back("smoothing_unit", *options.smoothing_unit);
-  record.emplace_back("linear_damping", options.linear_damping);
-  record.emplace_back("atom", options.atom ? "sought" : "none");
-  record.emplace_back("bands", static_cast<double>(bands.samples));
-  record.emplace_back("dissipation_gain_std", bands.dissipation_gain_std);
-  record.emplace_back("amplitude_gain_std", bands.amplitude_gain_std);
-  record.emplace_back("fit", options.fit);
-  record.emplace_back("inner_reversals", options.inner_reversals);
-  return record;
-}
+/// Values of a column from the first to the second limit; 0 too where that has a meaning.
+struct Sizes {
+  double from;
+  double to;
+  bool or_zero = true;
+};
 
 void check_size(const LevelsFile& file, const std::vector<double>& values, std::string_view name,
-                double from, double to, const Dimension& dimension) {
+                const Sizes& sizes, const Dimension& dimension) {
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (values[i] >= from && values[i] <= to) continue;
+    if (values[i] >= sizes.from && values[i] <= sizes.to) continue;
+    if (values[i] == 0.0 && sizes.or_zero) continue;
     throw FormatError({.file = file.file, .line = file.line[i], .column = 0},
-                      fmt::format("{} from {:g} to {:g} {}", name, from, to, si_unit(dimension)),
+                      fmt::format("{} {}from {:g} to {:g} {}", name, sizes.or_zero ? "0 or " : "",
+                                  sizes.from, sizes.to, si_unit(dimension)),
                       fmt::format("{:g}", values[i]),
                       "Check the value and the unit of the column.");
   }
@@ -172,15 +168,18 @@ void check_size(const LevelsFile& file, const std::vector<double>& values, std::
 /// Far beyond every joint something else was measured or labelled, and products of such numbers leave
 /// the range of doubles.
 void check_sizes(const LevelsFile& file) {
+  constexpr Sizes kEnergies{1e-30, 1e12};
+  constexpr Sizes kDeviations{1e-24, 1e6};
+  constexpr Sizes kStiffnesses{kSmallestStiffness, kLargestStiffness, false};
   const Levels& levels = file.levels;
-  check_size(file, levels.amplitude, "amplitude", 1e-15, 1e6, kLength);
-  check_size(file, levels.amplitude_std, "amplitude_std", 0.0, 1e6, kLength);
-  check_size(file, levels.dissipation, "dissipation", 0.0, 1e12, kEnergy);
-  check_size(file, levels.dissipation_std, "dissipation_std", 0.0, 1e12, kEnergy);
-  check_size(file, levels.secant_stiffness, "secant_stiffness", kSmallestStiffness,
-             kLargestStiffness, kStiffness);
-  check_size(file, levels.secant_stiffness_std, "secant_stiffness_std", 0.0, kLargestStiffness,
-             kStiffness);
+  check_size(file, levels.amplitude, "amplitude", {1e-15, 1e6, false}, kLength);
+  check_size(file, levels.amplitude_std, "amplitude_std", kDeviations, kLength);
+  check_size(file, levels.dissipation, "dissipation", kEnergies, kEnergy);
+  check_size(file, levels.dissipation_std, "dissipation_std", kEnergies, kEnergy);
+  check_size(file, levels.linear_dissipation, "linear_dissipation", kEnergies, kEnergy);
+  check_size(file, levels.secant_stiffness, "secant_stiffness", kStiffnesses, kStiffness);
+  check_size(file, levels.secant_stiffness_std, "secant_stiffness_std",
+             {kSmallestStiffness, kLargestStiffness}, kStiffness);
 }
 
 /// D of a level whose joint turns more than twice a cycle is not that of [AR14 (7)].
@@ -205,6 +204,28 @@ std::string describe_left_out(const LevelsFile& file, const IdentifyOptions& opt
                      used ? ", used all the same" : ", left out; --inner-reversals use takes them");
 }
 
+/// Flags that the levels used carry, for the summary; empty if none.
+std::string describe_levels_flags(const LevelsFile& file) {
+  std::map<std::string, std::size_t> levels_with;
+  for (const std::string& flags : file.flags) {
+    std::istringstream words(flags);
+    std::set<std::string> of_level;
+    for (std::string flag; words >> flag;) of_level.insert(flag);
+    for (const std::string& flag : of_level) ++levels_with[flag];
+  }
+  std::string text;
+  for (const auto& [flag, count] : levels_with) {
+    text += fmt::format("{}{} ({} of {})", text.empty() ? "" : ", ", printable(flag), count,
+                        file.levels.size());
+  }
+  if (text.empty()) return text;
+  return wrapped("  warning: ",
+                 "levels carry flags: " + text +
+                     "; `microslip reduce` says what "
+                     "they mean.",
+                 11);
+}
+
 /// The options were checked before: what is left to complain of are the levels.
 Identification identify_file(const LevelsFile& file, const IdentificationOptions& options) {
   check_sizes(file);
@@ -220,7 +241,9 @@ int run(const IdentifyOptions& options, const Call& call) {
   if (!options.density_csv.empty()) check_output(options.density_csv, kDensityKind);
   const IdentificationOptions library = library_options(options, call.quiet);
   const std::string text = read_file(options.levels);
-  const LevelsFile all = parse_levels(text, input_name(options.levels));
+  const bool linear_loss = library.bands && library.bands->loss_factor_std > 0.0;
+  const LevelsFile all =
+      parse_levels(text, input_name(options.levels), {.linear_dissipation = linear_loss});
   const LevelsFile file = usable_levels(all, options);
   const Identification found = identify_file(file, library);
 
@@ -228,18 +251,20 @@ int run(const IdentifyOptions& options, const Call& call) {
   provenance.version = kVersion;
   provenance.command = call.command_line;
   provenance.inputs.push_back({options.levels, sha256(text)});
-  provenance.options = options_record(options, library);
+  provenance.options = record_of_options(
+      library, {options.smoothing, options.smoothing_unit, options.inner_reversals});
   if (library.bands) provenance.seed = library.bands->seed;
   OutputFiles outputs;
   outputs.add(options.out, format_joint({found.joint, provenance, record_of(found)}));
   if (!options.density_csv.empty()) {
-    outputs.add(options.density_csv, density_table(density_table_of(found)).str());
+    outputs.add(options.density_csv, density_csv(found));
   }
   outputs.commit();
   if (!call.quiet) {
     const bool data_on_stdout = options.out == "-" || options.density_csv == "-";
-    fmt::print(data_on_stdout ? stderr : stdout, "{}{}", describe(found, file.levels.size()),
-               describe_left_out(all, options));
+    fmt::print(data_on_stdout ? stderr : stdout, "{}{}{}",
+               describe_identification(found, file.levels.size()), describe_left_out(all, options),
+               describe_levels_flags(file));
   }
   return found.summary.converged() ? kDone : kNotConverged;
 }
@@ -247,9 +272,12 @@ int run(const IdentifyOptions& options, const Call& call) {
 void add_output_options(CLI::App& command, IdentifyOptions& options) {
   command
       .add_option("--out", options.out, "Joint model to write, joint.json; - is standard output")
-      ->required();
-  command.add_option("--density-csv", options.density_csv,
-                     "Density as CSV: slip_force [N], density [1/N], lower [1/N], upper [1/N]");
+      ->required()
+      ->type_name(kJsonValue);
+  command
+      .add_option("--density-csv", options.density_csv,
+                  "Density as CSV: slip_force [N], density [1/N], lower [1/N], upper [1/N]")
+      ->type_name(kCsvValue);
 }
 
 void add_method_options(CLI::App& command, IdentifyOptions& options) {
@@ -299,6 +327,15 @@ void add_band_options(CLI::App& command, IdentifyOptions& options) {
       ->needs("--bands")
       ->type_name("FLOAT")
       ->capture_default_str();
+  command
+      .add_option(
+          "--loss-factor-std", options.loss_factor,
+          "Relative error of the structure's loss factor, and so of the linear loss that was "
+          "taken from D, for the band [1]; also in %; needs the column linear_dissipation "
+          "[J]")
+      ->needs("--bands")
+      ->type_name("FLOAT")
+      ->capture_default_str();
 }
 
 }  // namespace
@@ -311,7 +348,8 @@ void add_identify(CLI::App& program, Call& call) {
       ->add_option("levels", options->levels,
                    "CSV, one row a level: amplitude [m], dissipation [J]; used when there: "
                    "amplitude_std, dissipation_std, secant_stiffness [N/m], secant_stiffness_std")
-      ->required();
+      ->required()
+      ->type_name(kCsvValue);
   command
       ->add_option("--stiffness", options->stiffness,
                    "k of the stuck joint, in N/m or with a unit: slip forces are k times A")

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "microslip/io/path_file.hpp"
 #include "microslip/joint/jenkins_network.hpp"
 #include "microslip/joint/memory.hpp"
+#include "prediction.hpp"
 
 namespace microslip::app {
 namespace {
@@ -48,7 +50,7 @@ std::vector<double> cycle(double amplitude, std::size_t points) {
 DisplacementPath path_of(const LoopOptions& options) {
   if (!options.path.empty()) return read_path(options.path);
   const double amplitude = parse_quantity("--amplitude", options.amplitude, kLength);
-  if (!(amplitude > 0.0)) throw InputError("--amplitude", amplitude, "must be above 0 m");
+  check_displacement("--amplitude", amplitude);
   return {cycle(amplitude, options.points), {}};
 }
 
@@ -67,11 +69,19 @@ std::vector<double> forces(const Joint& joint, const DisplacementPath& path,
   return force;
 }
 
-int run(const LoopOptions& options) {
+/// Sliders slip that lie below k times the farthest displacement, as in a cycle of that amplitude.
+double farthest(const DisplacementPath& path) {
+  double result = 0.0;
+  for (const double x : path.displacement) result = std::max(result, std::abs(x));
+  return result;
+}
+
+int run(const LoopOptions& options, const Call& call) {
   check_output(options.out, kLoopKind);
   const JointFile file = read_joint(options.joint);
   const DisplacementPath path = path_of(options);
   write_file(options.out, loop_table(path, forces(file.joint, path, options)).str());
+  if (!call.quiet) show_reach(file, farthest(path));
   return kDone;
 }
 
@@ -81,10 +91,13 @@ void add_loop(CLI::App& program, Call& call) {
   auto options = std::make_shared<LoopOptions>();
   CLI::App* command = program.add_subcommand(
       "loop", "Force of a joint along a displacement path, or around one steady cycle");
-  command->add_option("joint", options->joint, "Joint model, joint.json")->required();
+  command->add_option("joint", options->joint, "Joint model, joint.json")
+      ->required()
+      ->type_name(kJsonValue);
   CLI::Option* path = command->add_option(
       "--path", options->path,
       "Path as CSV: displacement [m], and normal_load [1] where the normal load varies");
+  path->type_name(kCsvValue);
   CLI::Option* amplitude =
       command->add_option("--amplitude", options->amplitude,
                           "First loading and one cycle of this amplitude, in m or with a unit");
@@ -102,14 +115,17 @@ void add_loop(CLI::App& program, Call& call) {
                    "Jenkins elements, where the normal load varies")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  command->add_option("--out", options->out, "CSV to write; - is standard output")->required();
+  command->add_option("--out", options->out, "CSV to write; - is standard output")
+      ->required()
+      ->type_name(kCsvValue);
+  command->add_flag("--quiet", call.quiet, "No warnings");
   add_examples(*command, {"microslip loop joint.json --amplitude 300um --out loop.csv",
                           "microslip loop joint.json --path path.csv --out -"});
   command->callback([options, &call] {
     if (options->path.empty() && options->amplitude.empty()) {
       throw CLI::RequiredError("--path or --amplitude");
     }
-    call.run = [options] { return run(*options); };
+    call.run = [options, &call] { return run(*options, call); };
   });
 }
 

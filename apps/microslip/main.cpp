@@ -2,27 +2,28 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstddef>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <new>
+#include <numeric>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "command.hpp"
 #include "microslip/base/error.hpp"
-#include "microslip/base/version.hpp"
 #include "microslip/io/temporaries.hpp"
 #include "nothing_found.hpp"
 
 namespace {
 
 using namespace microslip::app;
-
-constexpr const char* kDescription =
-    "Identifies the friction model of a jointed structure from the energy it dissipates per\n"
-    "cycle, and simulates the joint. All numbers are SI unless a unit is given.";
 
 // Nothing half-written stays behind: files in the making go, then the signal does what it would have
 // done.
@@ -65,15 +66,57 @@ int complain(int status, std::string_view message) {
   return status;
 }
 
-/// What CLI11 found, but for a subcommand that does not exist: it says that there is none.
+/// Letters to insert, remove or replace (Levenshtein).
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+/// An option that the subcommand does not have, and the one that was probably meant.
+std::string unknown_option(const CLI::App& command, const std::string& argument) {
+  constexpr std::size_t kMostEdits = 3;
+  const std::string name = argument.substr(0, argument.find('='));
+  std::string nearest;
+  std::size_t least = kMostEdits + 1;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& known : option->get_lnames()) {
+      const std::size_t edits = edit_distance(name, "--" + known);
+      if (edits >= least) continue;
+      least = edits;
+      nearest = "--" + known;
+    }
+  }
+  return fmt::format("There is no option {}{}", name,
+                     nearest.empty() ? "" : fmt::format("; {} is near", nearest));
+}
+
+/// What CLI11 found, but for options and subcommands that do not exist: it says that there are none.
 std::string fault_of(const CLI::App& program, const CLI::ParseError& error) {
+  const std::vector<CLI::App*> chosen = program.get_subcommands();
+  if (!chosen.empty()) {
+    for (const std::string& argument : chosen.front()->remaining()) {
+      if (argument == "--")
+        return "After -- all arguments are names of files: give options before it";
+      if (argument.starts_with("--")) return unknown_option(*chosen.front(), argument);
+    }
+    return error.what();
+  }
   const std::vector<std::string> rest = program.remaining();
-  if (!program.get_subcommands().empty() || rest.empty()) return error.what();
+  if (rest.empty()) return error.what();
   std::string names;
   for (const CLI::App* command : program.get_subcommands({})) {
     names += (names.empty() ? "" : ", ") + command->get_name();
   }
-  if (rest.front().starts_with('-')) return fmt::format("There is no option {}", rest.front());
+  if (rest.front().starts_with('-')) return unknown_option(program, rest.front());
   return fmt::format("subcommand = '{}'; must be one of {}", rest.front(), names);
 }
 
@@ -102,25 +145,10 @@ int parse_and_run(CLI::App& program, Call& call, int argc, char** argv) {
 int main(int argc, char** argv) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) remove_temporaries_on(signal);
   try {
-    CLI::App program(kDescription, "microslip");
-    program.set_version_flag("--version", "microslip " + std::string(microslip::kVersion));
-    program.require_subcommand(1);
-    program.get_formatter()->column_width(36);
     Call call;
     call.command_line = command_line(argc, argv);
-    add_measure(program, call);
-    add_reduce(program, call);
-    add_identify(program, call);
-    add_loop(program, call);
-    add_dissipation(program, call);
-    add_verify(program, call);
-    add_frf(program, call);
-    add_backbone(program, call);
-    add_march(program, call);
-    add_convert(program, call);
-    add_ringdown(program, call);
-    add_demo(program, call);
-    return parse_and_run(program, call, argc, argv);
+    const std::unique_ptr<CLI::App> program = make_program(call);
+    return parse_and_run(*program, call, argc, argv);
   } catch (const microslip::InputError& error) {
     return complain(kInputAtFault, error.what());
   } catch (const microslip::FormatError& error) {

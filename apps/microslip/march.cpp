@@ -82,6 +82,9 @@ std::string describe(const MarchArguments& arguments, const ModelFile& model,
                        largest(result.points[0].displacement), largest(result.points[0].velocity),
                        largest(result.points[0].acceleration), model.response));
   text += describe_energy(result.energy);
+  std::vector<double> reach;
+  for (const JointMotion& joint : result.joints) reach.push_back(largest(joint.displacement));
+  text += describe_reach(model, reach);
   if (model.structure.damping() == DampingLaw::kHysteretic) {
     text += wrapped("  warning: ",
                     "hysteretic damping has no form in time; the damping is viscous with the same "
@@ -114,22 +117,27 @@ void add_march(CLI::App& program, Call& call) {
   auto arguments = std::make_shared<MarchArguments>();
   CLI::App* command =
       program.add_subcommand("march", "Motion in time of a structure with joints under any force");
-  command->add_option("model", arguments->model, "Structure with joints, model.toml")->required();
+  command->add_option("model", arguments->model, "Structure with joints, model.toml")
+      ->required()
+      ->type_name(kTomlValue);
   command
       ->add_option("--force-file", arguments->forces,
                    "What acts, as CSV: time [s], force [N] at the excitation of the model or force "
                    "at POINT [N]; normal_load [1] or normal_load of JOINT [1] where the normal "
                    "load of a joint varies. Linear between the times; - is standard input")
-      ->required();
+      ->required()
+      ->type_name(kCsvValue);
   command
       ->add_option("--out", arguments->out,
                    "CSV to write: time [s], force [N], displacement [m], velocity [m/s], "
                    "acceleration [m/s^2], JOINT displacement [m], JOINT force [N]; - is standard "
                    "output")
-      ->required();
+      ->required()
+      ->type_name(kCsvValue);
   command->add_option("--step", arguments->step,
                       "Longest step, in s or with a unit; without it a twentieth of the shortest "
-                      "period of the stuck structure, a hundredth where a normal load varies");
+                      "period of the stuck structure, an eightieth where a density has atoms, a "
+                      "four-hundredth where a normal load varies");
   command
       ->add_option("--every", arguments->every, "Times of the force file per row that is written")
       ->capture_default_str();

@@ -19,6 +19,7 @@
 #include "arguments.hpp"
 #include "command.hpp"
 #include "microslip/base/error.hpp"
+#include "microslip/base/percent.hpp"
 #include "microslip/base/version.hpp"
 #include "microslip/io/csv_writer.hpp"
 #include "microslip/io/file_kind.hpp"
@@ -66,9 +67,10 @@ struct Inputs {
 
 std::string joint_path_of(const Rig& rig, const std::string& rig_path) {
   if (rig.contact.joint.empty()) {
-    throw InputError(input_name(rig_path) + ": contact.joint", "none",
-                     "must name the file of the true joint",
-                     "Add joint = \"joint.json\" to [contact]; the path is relative to the rig's.");
+    throw InputError(
+        input_name(rig_path) + ": contact.joint", "none", "must name the file of the true joint",
+        "Add joint = \"FILE\" to [contact], a joint that you take for the true one; the path is "
+        "relative to the rig's.");
   }
   return (fs::path(rig_path).parent_path() / rig.contact.joint).string();
 }
@@ -334,13 +336,13 @@ std::string describe_force(const std::vector<const VirtualLevel*>& levels) {
     const VirtualLevel& level = **std::ranges::max_element(
         levels, {},
         [&](const VirtualLevel* one) { return force_distortion(state(*one), harmonics); });
-    return std::pair{100.0 * force_distortion(state(level), harmonics), level.number};
+    return std::pair{force_distortion(state(level), harmonics), level.number};
   };
   const auto before = worst([](const VirtualLevel& l) -> const auto& { return l.uncontrolled; });
   const auto after = worst([](const VirtualLevel& l) -> const auto& { return l.controlled; });
-  return fmt::format(
-      "up to {:.2g} % of the first before control (level {}), {:.2g} % after it (level {})",
-      before.first, before.second, after.first, after.second);
+  return fmt::format("up to {} of the first before control (level {}), {} after it (level {})",
+                     percent_text(before.first), before.second, percent_text(after.first),
+                     after.second);
 }
 
 std::string describe(const MeasureOptions& options, const Inputs& inputs, const RecordNames& names,
@@ -418,9 +420,11 @@ void add_measure(CLI::App& program, Call& call) {
   command
       ->add_option("rig", options->rig,
                    "Description of the test, rig.toml, with [test] and the true joint in [contact]")
-      ->required();
+      ->required()
+      ->type_name(kTomlValue);
   command->add_option("--out", options->out, "Folder to write to; made where it is missing")
-      ->required();
+      ->required()
+      ->type_name(kFolderValue);
   command->add_option("--format", options->format, "Format of the records; uff is binary")
       ->check(CLI::IsMember({"csv", "uff", "uff-ascii", "mat", "h5"}))
       ->capture_default_str();

@@ -12,9 +12,11 @@
 #include "arguments.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/version.hpp"
+#include "microslip/identify/covered_range.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/io/response_file.hpp"
+#include "recording_arguments.hpp"
 #include "report_text.hpp"
 
 namespace microslip::app {
@@ -31,12 +33,15 @@ std::string counted(std::size_t count, const char* what) {
 
 void add_prediction_arguments(CLI::App& command, PredictionArguments& arguments, Call& call,
                               const std::string& columns) {
-  command.add_option("model", arguments.model, "Structure with joints, model.toml")->required();
+  command.add_option("model", arguments.model, "Structure with joints, model.toml")
+      ->required()
+      ->type_name(kTomlValue);
   command
       .add_option("--out", arguments.out,
                   "CSV to write: " + columns +
                       ", energies, amplitude and dissipation of each joint; - is standard output")
-      ->required();
+      ->required()
+      ->type_name(kCsvValue);
   command
       .add_option("--harmonics", arguments.harmonics,
                   "H: the motion has harmonics 0 to H. 3 serve where a joint hardly slips, 9 in "
@@ -68,11 +73,6 @@ double parse_force(std::string_view option, std::string_view text) {
   throw InputError(option, force, "must be above 0 N: from 1e-12 to 1e12");
 }
 
-void check_displacement(std::string_view option, double displacement) {
-  if (displacement >= 1e-15 && displacement <= 1e6) return;
-  throw InputError(option, displacement, "must be above 0 m: from 1e-15 to 1e6");
-}
-
 std::string heading_of(const Call& call) {
   return fmt::format("microslip {}: {}", kVersion, call.command_line);
 }
@@ -92,6 +92,33 @@ std::string describe_model(const std::string& file, const JointedStructure& stru
                                    counted(structure.linear().size(), "mode"),
                                    counted(structure.joints().size(), "joint"))) +
          line("stuck resonances", stuck_frequencies_text(structure));
+}
+
+std::string describe_reach(const ModelFile& model, const std::vector<double>& amplitude) {
+  std::string text;
+  for (std::size_t j = 0; j < std::min(amplitude.size(), model.covered_to.size()); ++j) {
+    const StructuralJoint& joint = model.structure.joints()[j];
+    const auto warning = beyond_identification(joint.joint, amplitude[j], model.covered_to[j]);
+    if (!warning) continue;
+    text += wrapped("  warning: ", fmt::format("'{}': {}", joint.name, warning->text), 11);
+  }
+  return text;
+}
+
+std::string describe_reach(const ModelFile& model, const ResponseCurve& curve) {
+  std::vector<double> amplitude(model.structure.joints().size(), 0.0);
+  for (const SteadyVibration& point : curve.points) {
+    for (std::size_t j = 0; j < amplitude.size(); ++j) {
+      amplitude[j] = std::max(amplitude[j], point.joints[j].amplitude);
+    }
+  }
+  return describe_reach(model, amplitude);
+}
+
+void show_reach(const JointFile& file, double amplitude) {
+  if (const auto warning = beyond_identification(file.joint, amplitude, covered_to(file))) {
+    show_warnings({*warning});
+  }
 }
 
 std::string describe_ending(const Summary& summary) {

@@ -3,11 +3,13 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "command.hpp"
 #include "microslip/base/summary.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/io/csv_writer.hpp"
+#include "microslip/io/joint_file.hpp"
 #include "microslip/io/model_file.hpp"
 
 /// @file
@@ -40,9 +42,6 @@ void add_prediction_arguments(CLI::App& command, PredictionArguments& arguments,
 /// A force on the command line. @throws InputError  where it is none, or one that nothing bears.
 [[nodiscard]] double parse_force(std::string_view option, std::string_view text);
 
-/// @throws InputError  for a displacement out of the range of what vibrates.
-void check_displacement(std::string_view option, double displacement);
-
 /// The first comment of a table: version and call.
 [[nodiscard]] std::string heading_of(const Call& call);
 
@@ -52,6 +51,17 @@ void check_displacement(std::string_view option, double displacement);
 /// The lines of a summary on the model: size and stuck resonances.
 [[nodiscard]] std::string describe_model(const std::string& file,
                                          const JointedStructure& structure);
+
+/// Warnings of a summary, where joints move more than in the levels that they were identified by.
+/// @param amplitude  the largest of each joint, m.
+[[nodiscard]] std::string describe_reach(const ModelFile& model,
+                                         const std::vector<double>& amplitude);
+
+/// The same of a curve.
+[[nodiscard]] std::string describe_reach(const ModelFile& model, const ResponseCurve& curve);
+
+/// The same of a joint by itself that moves by so much, on standard error.
+void show_reach(const JointFile& file, double amplitude);
 
 /// The line on how it ended, broken where it is long.
 [[nodiscard]] std::string describe_ending(const Summary& summary);

@@ -19,7 +19,7 @@ constexpr std::size_t kMostAttributes = 12;
 bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
 /// One line of so many characters at most; what control characters there are become blanks.
-std::string line(std::string_view text) {
+std::string as_line(std::string_view text) {
   std::string result;
   std::size_t width = 0;
   for (const char c : text) {
@@ -30,17 +30,17 @@ std::string line(std::string_view text) {
 }
 
 std::string fact(std::string_view name, std::string_view value) {
-  return line(fmt::format("    {:<9} {}", name, value));
+  return as_line(fmt::format("    {:<9} {}", name, value));
 }
 
 std::string describe_attributes(const Attributes& attributes) {
   std::string text;
   const std::size_t shown = std::min(attributes.size(), kMostAttributes);
   for (std::size_t i = 0; i < shown; ++i) {
-    text += line(fmt::format("    {}: {}", attributes[i].first, attributes[i].second));
+    text += as_line(fmt::format("    {}: {}", attributes[i].first, attributes[i].second));
   }
   if (shown < attributes.size()) {
-    text += line(fmt::format("    and {} more like these", attributes.size() - shown));
+    text += as_line(fmt::format("    and {} more like these", attributes.size() - shown));
   }
   return text;
 }
@@ -87,8 +87,8 @@ std::string describe_values(const Channel& channel) {
     sum += share * share;
   }
   const double rms = scale * std::sqrt(sum / static_cast<double>(channel.values.size()));
-  return line(fmt::format("    {}RMS {:.4g}, min {:.4g}, max {:.4g}", complex ? "magnitude " : "",
-                          rms, least, greatest));
+  return as_line(fmt::format("    {}RMS {:.4g}, min {:.4g}, max {:.4g}",
+                             complex ? "magnitude " : "", rms, least, greatest));
 }
 
 std::string describe(const Recording& recording) {
@@ -96,7 +96,7 @@ std::string describe(const Recording& recording) {
                                                 dimension_name(recording.axis.dimension)));
   text += describe_axis(recording) + describe_attributes(recording.attributes);
   for (const Channel& channel : recording.channels) {
-    text += line(fmt::format("  {}: {}", channel.name, unit_of(channel)));
+    text += as_line(fmt::format("  {}: {}", channel.name, unit_of(channel)));
     text += describe_values(channel) + describe_attributes(channel.attributes);
   }
   return text;
@@ -131,7 +131,7 @@ std::string list_mode_shapes(std::span<const UffModeShape> shapes) {
   if (shapes.empty()) return {};
   std::string text =
       fmt::format("{} dataset{} 55 (mode shapes)\n", shapes.size(), shapes.size() == 1 ? "" : "s");
-  for (const UffModeShape& shape : shapes) text += line("  " + describe(shape));
+  for (const UffModeShape& shape : shapes) text += as_line("  " + describe(shape));
   return text;
 }
 
@@ -140,7 +140,7 @@ std::string list_recordings(const Recordings& recordings) {
   const std::size_t count = recordings.recordings.size();
   for (std::size_t i = 0; i < count; ++i) {
     const Recording& recording = recordings.recordings[i];
-    text += line(fmt::format("Recording {} of {}: {}", i + 1, count, recording.source));
+    text += as_line(fmt::format("Recording {} of {}: {}", i + 1, count, recording.source));
     text += describe(recording);
   }
   return text;

@@ -20,6 +20,7 @@
 #include "microslip/io/recording_file.hpp"
 #include "microslip/io/reduction_file.hpp"
 #include "microslip/io/rig_file.hpp"
+#include "microslip/io/sha256.hpp"
 #include "microslip/io/stepped_sine_file.hpp"
 #include "microslip/rig/reduction.hpp"
 #include "microslip/rig/reduction_batch.hpp"
@@ -52,6 +53,51 @@ ReductionOptions reduction_options(const ReduceOptions& options) {
   return reduction;
 }
 
+/// More recordings than this share one digest.
+constexpr std::size_t kMostNamed = 4;
+
+/// The call. Of many recordings the first and the last stand for all: one name after the other, they
+/// would make a line that nobody reads.
+std::string short_call(const ReduceOptions& options, const Call& call) {
+  const std::string& line = call.command_line;
+  const std::vector<std::string>& names = options.recordings;
+  if (names.size() <= kMostNamed) return line;
+  const std::size_t first = line.find(names.front());
+  const std::size_t last = line.rfind(names.back());
+  if (first == std::string::npos || last == std::string::npos || last <= first) return line;
+  const std::size_t begin = first + names.front().size();
+  const std::string between = line.substr(begin, last - begin);
+  const bool names_only =
+      between.find('\'') == std::string::npos && between.find(" -") == std::string::npos;
+  return names_only ? line.substr(0, begin) + " ... " + line.substr(last) : line;
+}
+
+/// Of a recording that was read; of standard input, which cannot be read again, nothing.
+std::string digest_of(const std::string& path) {
+  return path == "-" ? std::string() : sha256(read_file(part_of_file(path).file));
+}
+
+/// Version, call, and digests of what was read. That of many recordings is what
+/// `sha256sum RECORDINGS | sha256sum` says.
+std::string reduction_provenance(const ReduceOptions& options, const Call& call,
+                                 const std::string& rig, const std::vector<std::string>& digests) {
+  std::string text = fmt::format("microslip {}: {}\n{}: sha256 {}", kVersion,
+                                 short_call(options, call), input_name(options.rig), sha256(rig));
+  std::string list;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < digests.size(); ++i) {
+    if (digests[i].empty()) continue;
+    const std::string file = part_of_file(options.recordings[i]).file;
+    list += fmt::format("{}  {}\n", digests[i], file);
+    ++count;
+    if (digests.size() <= kMostNamed) text += fmt::format("\n{}: sha256 {}", file, digests[i]);
+  }
+  if (digests.size() > kMostNamed && count > 0) {
+    text += fmt::format("\n{} recordings: sha256sum | sha256sum {}", count, sha256(list));
+  }
+  return text;
+}
+
 /// Stepped-sine tables have no scatter: a column that only some levels could have would be missing
 /// in all.
 [[noreturn]] void throw_mixed(const std::string& path, std::string_view found,
@@ -72,12 +118,14 @@ std::vector<ReducedLevel> reduce_table(const Reducer& reducer, const std::string
   return levels;
 }
 
-ReductionBatch reduce_tables(const Reducer& reducer, const ReduceOptions& options) {
+ReductionBatch reduce_tables(const Reducer& reducer, const ReduceOptions& options,
+                             std::vector<std::string>& digests) {
   ReductionBatch batch;
   for (std::size_t i = 0; i < options.recordings.size(); ++i) {
     try {
       std::ranges::move(reduce_table(reducer, options.recordings[i]),
                         std::back_inserter(batch.levels));
+      digests[i] = digest_of(options.recordings[i]);
     } catch (const Error& error) {
       if (!options.skip_faulty) throw;
       batch.rejected.push_back({i, error.what()});
@@ -86,13 +134,16 @@ ReductionBatch reduce_tables(const Reducer& reducer, const ReduceOptions& option
   return batch;
 }
 
-ReductionBatch reduce_records(const Reducer& reducer, const ReduceOptions& options, bool quiet) {
+ReductionBatch reduce_records(const Reducer& reducer, const ReduceOptions& options, bool quiet,
+                              std::vector<std::string>& digests) {
   const RecordingReadOptions reading = read_options(options.reading);
   std::vector<std::vector<Warning>> warnings(options.recordings.size());
   const auto read = [&](std::size_t i) {
     const std::string& path = options.recordings[i];
     if (is_stepped_sine(path)) throw_mixed(path, "a stepped-sine table", "a record in time");
-    return read_named_recordings(path, reading, warnings[i]);
+    std::vector<Recording> recordings = read_named_recordings(path, reading, warnings[i]);
+    digests[i] = digest_of(path);
+    return recordings;
   };
   ReductionBatch batch = reduce_batch(
       reducer, options.recordings.size(), read,
@@ -121,8 +172,8 @@ std::vector<ReducedLevel> writable_levels(const std::vector<ReducedLevel>& level
 }
 
 /// What only solving the rig can find, such as a stick frequency out of reach, names the file too.
-Reducer reducer_of(const ReduceOptions& options) {
-  const Rig rig = read_rig(options.rig);
+Reducer reducer_of(const ReduceOptions& options, const std::string& text) {
+  const Rig rig = parse_rig(text, input_name(options.rig));
   const ReductionOptions reduction = reduction_options(options);
   try {
     return Reducer(rig, reduction);
@@ -133,17 +184,20 @@ Reducer reducer_of(const ReduceOptions& options) {
 
 int run(const ReduceOptions& options, const Call& call) {
   check_output(options.out, kLevelsKind);
-  const Reducer reducer = reducer_of(options);
+  constexpr std::size_t kLargestRig = std::size_t{1} << 20U;
+  const std::string rig = read_file(options.rig, kLargestRig);
+  const Reducer reducer = reducer_of(options, rig);
+  std::vector<std::string> digests(options.recordings.size());
   const ReductionBatch batch = is_stepped_sine(options.recordings.front())
-                                   ? reduce_tables(reducer, options)
-                                   : reduce_records(reducer, options, call.quiet);
+                                   ? reduce_tables(reducer, options, digests)
+                                   : reduce_records(reducer, options, call.quiet, digests);
   if (batch.levels.empty()) {
     throw InputError("recordings", fmt::format("{} files", options.recordings.size()),
                      "must hold one that can be reduced",
                      batch.rejected.empty() ? "" : batch.rejected.front().reason);
   }
   CsvWriter table = reduction_table(writable_levels(batch.levels));
-  table.add_comment(fmt::format("microslip {}: {}", kVersion, call.command_line));
+  table.add_comment(reduction_provenance(options, call, rig, digests));
   write_file(options.out, table.str());
   if (!call.quiet) {
     fmt::print(options.out == "-" ? stderr : stdout, "{}", describe_reduction(reducer, batch));
@@ -157,15 +211,19 @@ void add_reduce(CLI::App& program, Call& call) {
   auto options = std::make_shared<ReduceOptions>();
   CLI::App* command =
       program.add_subcommand("reduce", "Levels of a frictional-support test from its recordings");
-  command->add_option("rig", options->rig, "Description of the test, rig.toml")->required();
+  command->add_option("rig", options->rig, "Description of the test, rig.toml")
+      ->required()
+      ->type_name(kTomlValue);
   command
       ->add_option("recordings", options->recordings,
                    "Steady records, one a level (CSV, UFF, MAT, HDF5), or stepped-sine tables: CSV "
                    "with frequency [Hz], force [N], acceleration [m/s^2], phase [rad], or "
                    "FILE.mat:VARIABLE with such fields")
-      ->required();
+      ->required()
+      ->type_name(kRecordingValue);
   command->add_option("--out", options->out, "levels.csv to write; - is standard output")
-      ->required();
+      ->required()
+      ->type_name(kCsvValue);
   command->add_option("--frequency", options->frequency,
                       "Frequency of the drive, to 3 %, in Hz; found if it is not given");
   command->add_option("--order", options->order, "Harmonics that are fitted")

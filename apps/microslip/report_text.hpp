@@ -14,8 +14,8 @@ namespace microslip::app {
 [[nodiscard]] std::string line(std::string_view name, std::string_view text);
 
 /// Breaks a paragraph between words, later lines indented.
-[[nodiscard]] std::string wrapped(std::string_view first, std::string_view text,
-                                  std::size_t indent);
+[[nodiscard]] std::string wrapped(std::string_view first, std::string_view text, std::size_t indent,
+                                  std::size_t width = 78);
 
 /// The end of a path, of so many characters at most: it tells files apart.
 [[nodiscard]] std::string shortened(const std::string& source, std::size_t width);

@@ -105,8 +105,9 @@ Signal choose_signal(const std::vector<Recording>& recordings, const std::string
   }
   if (fits.size() == 1) return fits.front();
   const std::string what =
-      name.empty() ? file : fmt::format("{}: channel {}", file, in_quotes(name));
-  throw InputError(what, fits.empty() ? "missing" : fmt::format("there {} times", fits.size()),
+      fmt::format("{}: {}", file, name.empty() ? "motion" : "channel " + in_quotes(name));
+  const std::string state = fits.empty() ? "missing" : fmt::format("there {} times", fits.size());
+  throw InputError(what, InputState{state},
                    name.empty() ? "must have one channel of displacement, velocity or acceleration "
                                   "over time"
                                 : "must be there once",
@@ -229,14 +230,16 @@ void add_ringdown(CLI::App& program, Call& call) {
   command
       ->add_option("recording", options->recording,
                    "Recording of a free decay, evenly sampled: time [s], acc1 [m/s^2], ...")
-      ->required();
+      ->required()
+      ->type_name(kRecordingValue);
   command
       ->add_option(
           "--out", options->out,
           "Levels to write as CSV: amplitude [m], dissipation [J], amplitude_std, "
           "dissipation_std, frequency [Hz], damping_ratio [1], decay_time [s], source, flags; - "
           "is standard output")
-      ->required();
+      ->required()
+      ->type_name(kCsvValue);
   add_analysis_options(*command, *options);
   add_level_options(*command, *options);
   command->add_flag("--quiet", call.quiet, "No summary, no progress");

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "report_text.hpp"
@@ -71,19 +73,39 @@ std::string describe_worst(const std::vector<Verification>& records) {
   return text;
 }
 
-std::string describe_troubles(const VerificationBatch& batch) {
+bool has_code(const Verification& record, std::string_view code) {
+  return record.recorded.has_flag(code) ||
+         std::ranges::any_of(record.warnings, [&](const Warning& w) { return w.code == code; });
+}
+
+/// Each kind of warning and flag once, with the text of the first record that has it.
+std::string describe_warnings(const std::vector<Verification>& records) {
+  std::vector<std::string> codes;
   std::string text;
-  for (const Verification& record : batch.records) {
-    const std::string name = shortened(record.recorded.source, 30);
-    if (!record.summary.converged()) {
-      text += wrapped(fmt::format("  {} (!): ", name), record.summary.brief(), 4);
-    }
+  for (const Verification& record : records) {
     for (const auto* list : {&record.warnings, &record.recorded.flags}) {
       for (const Warning& warning : *list) {
-        text += wrapped(fmt::format("  {}, {}: ", name, warning.code), warning.text, 4);
+        if (std::ranges::find(codes, warning.code) != codes.end()) continue;
+        codes.push_back(warning.code);
+        const auto count = std::ranges::count_if(
+            records, [&](const Verification& other) { return has_code(other, warning.code); });
+        text += wrapped(fmt::format("  {} ({} of {} records, first {}): ", warning.code, count,
+                                    records.size(), shortened(record.recorded.source, 30)),
+                        warning.text, 4);
       }
     }
   }
+  return text;
+}
+
+std::string describe_troubles(const VerificationBatch& batch) {
+  std::string text;
+  for (const Verification& record : batch.records) {
+    if (record.summary.converged()) continue;
+    text += wrapped(fmt::format("  {} (!): ", shortened(record.recorded.source, 30)),
+                    record.summary.brief(), 4);
+  }
+  text += describe_warnings(batch.records);
   for (const RejectedRecord& record : batch.rejected) {
     text += fmt::format("  Left out: {}\n", record.reason);
   }

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <memory>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "command.hpp"
@@ -141,13 +140,20 @@ void add_output_options(CLI::App& command, VerifyOptions& options) {
       .add_option("--out", options.out,
                   "CSV to write, a row a record and channel: NRMSE [1], noise_share [1], "
                   "amplitude_ratio [1], phase_error [rad], ...; - is standard output")
-      ->required();
-  command.add_option("--harmonics-csv", options.harmonics_csv,
-                     "Harmonics of each channel as CSV, recorded and predicted");
-  command.add_option("--histories", options.histories,
-                     "A few cycles of each channel as CSV, recorded and predicted");
-  command.add_option("--picture", options.picture,
-                     "Lowest, middle and highest level as .svg, .png or .pdf");
+      ->required()
+      ->type_name(kCsvValue);
+  command
+      .add_option("--harmonics-csv", options.harmonics_csv,
+                  "Harmonics of each channel as CSV, recorded and predicted")
+      ->type_name(kCsvValue);
+  command
+      .add_option("--histories", options.histories,
+                  "A few cycles of each channel as CSV, recorded and predicted")
+      ->type_name(kCsvValue);
+  command
+      .add_option("--picture", options.picture,
+                  "Lowest, middle and highest level as .svg, .png or .pdf")
+      ->type_name(kPictureValue);
 }
 
 void add_model_options(CLI::App& command, VerifyOptions& options) {
@@ -174,12 +180,17 @@ void add_verify(CLI::App& program, Call& call) {
   auto options = std::make_shared<VerifyOptions>();
   CLI::App* command = program.add_subcommand(
       "verify", "Recordings of a frictional-support test against what a joint predicts");
-  command->add_option("rig", options->rig, "Description of the test, rig.toml")->required();
-  command->add_option("joint", options->joint, "The joint, joint.json")->required();
+  command->add_option("rig", options->rig, "Description of the test, rig.toml")
+      ->required()
+      ->type_name(kTomlValue);
+  command->add_option("joint", options->joint, "The joint, joint.json")
+      ->required()
+      ->type_name(kJsonValue);
   command
       ->add_option("recordings", options->recordings,
                    "Steady records, one a level (CSV, UFF, MAT, HDF5)")
-      ->required();
+      ->required()
+      ->type_name(kRecordingValue);
   add_output_options(*command, *options);
   add_model_options(*command, *options);
   add_recording_arguments(*command, options->reading);

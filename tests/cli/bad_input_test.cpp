@@ -93,6 +93,12 @@ TEST(BadLevels, BeyondEveryJoint) {
       {"levels.csv:3: expected amplitude from 1e-15 to 1e+06 m", "1e+07", "unit"});
   expect_levels_refused(kHeader + "1e-20,1e-9\n", {"levels.csv:2: ", "amplitude", "1e-20"});
   expect_levels_refused(kHeader + "1e-6,1e300\n", {"levels.csv:2: ", "dissipation", "1e+300"});
+  expect_levels_refused(kHeader + "1e-6,1e-200\n",
+                        {"levels.csv:2: ", "dissipation 0 or from 1e-30", "1e-200"});
+  const std::string head = "amplitude [m],dissipation [J],";
+  expect_levels_refused(
+      head + "secant_stiffness [N/m],secant_stiffness_std [N/m]\n1e-6,1e-9,1e5,1e-200\n",
+      {"levels.csv:2: ", "secant_stiffness_std 0 or from", "1e-200"});
 }
 
 TEST(BadLevels, WithABadOptionalColumn) {

@@ -82,6 +82,23 @@ void expect_density(const std::string& path) {
   EXPECT_FALSE(density.upper.empty());
 }
 
+/// A page of at most 4 MB that lacks no section but those a measured bolt cannot have.
+void expect_report(const std::string& path) {
+  const std::string html = test::get(path);
+  EXPECT_TRUE(html.starts_with("<!doctype html>"));
+  EXPECT_LE(html.size(), 4'000'000U);
+  EXPECT_EQ(html.find("pictures_missing"), std::string::npos);
+  EXPECT_NE(html.find("<h3>Slip-force density</h3>"), std::string::npos);
+  if (path.find("brake_reuss_beam") != std::string::npos) return;
+  EXPECT_EQ(html.find("Not in this report"), std::string::npos);
+  for (const char* title :
+       {"Force over time", "Force control over the levels", "Energies per cycle",
+        "Regenerated loops", "Resonance frequency", "Secant stiffness",
+        "Frequency responses at constant response", "Misfit of the prediction"}) {
+    EXPECT_NE(html.find("<h3>" + std::string(title) + "</h3>"), std::string::npos) << title;
+  }
+}
+
 /// What the file is by its name is what its reader takes.
 void expect_readable(const std::string& path) {
   SCOPED_TRACE(path);
@@ -97,7 +114,10 @@ void expect_readable(const std::string& path) {
     EXPECT_GE(read_levels(path).levels.size(), 8U);
   } else if (path.ends_with("rig.toml")) {
     EXPECT_EQ(read_rig(path).accelerometers.size(), 3U);
-  } else if (path.find("/recordings/level_") != std::string::npos) {
+  } else if (path.ends_with("report.html")) {
+    expect_report(path);
+  } else if (path.find("/recordings/level_") != std::string::npos ||
+             path.find("/recordings/before_control_") != std::string::npos) {
     EXPECT_EQ(read_recordings(path, {}).recordings.at(0).size(), 8192U);
   } else {
     EXPECT_TRUE(path.ends_with("force_control.csv") || path.ends_with("verification.csv") ||
@@ -121,21 +141,38 @@ TEST(demo, RunsTheWholeChain) {
   const Outcome run = expect_done(box, {"demo", "--out", "demo"});
   const std::set<std::string> names = names_in(box.file("demo"));
   for (const std::string& name : names) expect_readable(box.file("demo/" + name));
-  for (const std::string name :
-       {"brake_reuss_beam/joint.json", "brake_reuss_beam/density.svg", "reference_rig/rig.toml",
-        "reference_rig/recordings/level_01.csv", "reference_rig/recordings/level_90.csv",
-        "reference_rig/truth.csv", "reference_rig/force_control.csv", "reference_rig/levels.csv",
-        "reference_rig/joint.json", "reference_rig/density.csv", "reference_rig/verification.csv",
-        "reference_rig/resonance.svg", "reference_rig/force_control.svg",
-        "reference_rig/energies.svg", "reference_rig/dissipation.svg", "reference_rig/density.svg",
-        "reference_rig/loops.svg", "reference_rig/constant_response.svg",
-        "reference_rig/verification.svg"}) {
+  for (const std::string name : {"brake_reuss_beam/joint.json",
+                                 "brake_reuss_beam/density.svg",
+                                 "brake_reuss_beam/report.html",
+                                 "reference_rig/report.html",
+                                 "reference_rig/rig.toml",
+                                 "reference_rig/recordings/before_control_90.csv",
+                                 "reference_rig/recordings/level_01.csv",
+                                 "reference_rig/recordings/level_90.csv",
+                                 "reference_rig/truth.csv",
+                                 "reference_rig/force_control.csv",
+                                 "reference_rig/levels.csv",
+                                 "reference_rig/joint.json",
+                                 "reference_rig/density.csv",
+                                 "reference_rig/verification.csv",
+                                 "reference_rig/resonance.svg",
+                                 "reference_rig/force_control.svg",
+                                 "reference_rig/energies.svg",
+                                 "reference_rig/dissipation.svg",
+                                 "reference_rig/density.svg",
+                                 "reference_rig/loops.svg",
+                                 "reference_rig/constant_response.svg",
+                                 "reference_rig/verification.svg"}) {
     EXPECT_EQ(names.count(name), 1U) << name;
     if (name.ends_with(".svg")) {
       EXPECT_EQ(names.count(name.substr(0, name.size() - 3) + "png"), 1U) << name;
       EXPECT_NE(run.out.find(name), std::string::npos) << name << " is not in the summary";
     }
   }
+  // The main report is told first.
+  const auto rig_report = run.out.find("  demo/reference_rig/report.html");
+  ASSERT_NE(rig_report, std::string::npos) << run.out;
+  EXPECT_LT(rig_report, run.out.find("  demo/brake_reuss_beam/report.html"));
   // What the chain must reach, in per cent; the truth is known.
   EXPECT_LE(told(run.out, "density error"), 5.0) << run.out;
   EXPECT_GE(told(run.out, "95 % band          "), 90.0) << run.out;
@@ -147,7 +184,9 @@ TEST(demo, RunsTheWholeChain) {
   EXPECT_EQ(again.out, "");
   std::set<std::string> changed;
   for (const auto& [path, text] : box.content()) {
-    const bool tells_the_call = path.ends_with("joint.json");
+    const bool tells_the_call = path.ends_with("joint.json") || path.ends_with("report.html") ||
+                                path.ends_with("verification.csv") ||
+                                path.ends_with("verification_histories.csv");
     if (before.at(path) != text && !tells_the_call) changed.insert(path);
   }
   EXPECT_EQ(changed, std::set<std::string>{});
@@ -158,6 +197,15 @@ TEST(demo, ReplacesNothingOfAnotherKind) {
   fs::create_directories(box.file("demo/reference_rig"));
   box.put("demo/reference_rig/density.csv", "my notes\n");
   expect_refused(box, {"demo", "--out", "demo"}, {"reference_rig/density.csv", "Remove it"});
+}
+
+// The reports come last; what stands in their way is told before anything is written.
+TEST(demo, ReplacesNoPageThatIsNone) {
+  const Sandbox box;
+  fs::create_directories(box.file("demo/brake_reuss_beam"));
+  box.put("demo/brake_reuss_beam/report.html", "my notes\n");
+  expect_refused(box, {"demo", "--out", "demo"}, {"brake_reuss_beam/report.html", "Remove it"});
+  EXPECT_EQ(names_in(box.file("demo")).size(), 1U);
 }
 
 TEST(demo, NeedsAFolder) {

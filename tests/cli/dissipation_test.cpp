@@ -50,6 +50,14 @@ TEST(dissipation, WritesTheCurveOfTheLibrary) {
   expect_curve(text, {0.0, 1e-4, 2e-4, 3e-4});
 }
 
+TEST(dissipation, RefusesWhatLeavesTheRangeOfDoubles) {
+  const Sandbox box = sandbox();
+  for (const std::string range : {"1e-310:1:3:log", "1e-155:1e155:3:log", "0:1e7:3"}) {
+    expect_refused(box, {"dissipation", "joint.json", "--amplitude", range, "--out", "curve.csv"},
+                   {"--amplitude", "1e-15 to 1e6"});
+  }
+}
+
 TEST(dissipation, TakesUnitsAndEqualRatios) {
   const Sandbox box = sandbox();
   const Outcome run =
@@ -72,6 +80,41 @@ TEST(dissipation, ReadsTheJointFromStandardInput) {
   const Outcome run = expect_done(
       box, {"dissipation", "-", "--amplitude", "1um:2um:2", "--out", "-"}, {.in = kJointText});
   expect_curve(run.out, {1e-6, 2e-6});
+}
+
+// What is round in the unit of the range is the number that a reader would type.
+TEST(dissipation, KeepsRoundAmplitudesRound) {
+  const Sandbox box = sandbox();
+  const Outcome run =
+      expect_done(box, {"dissipation", "joint.json", "--amplitude", "50um:300um:6", "--out", "-"});
+  EXPECT_EQ(CsvTable(run.out, "out").numbers("amplitude", kLength),
+            (std::vector<double>{50e-6, 100e-6, 150e-6, 200e-6, 250e-6, 300e-6}));
+  const Outcome mixed =
+      expect_done(box, {"dissipation", "joint.json", "--amplitude", "50um:0.3mm:2", "--out", "-"});
+  EXPECT_EQ(CsvTable(mixed.out, "out").numbers("amplitude", kLength),
+            (std::vector<double>{50e-6, 300e-6}));
+}
+
+// The sample reaches farther than an identification up to 20 N, 118 um, tells.
+TEST(dissipation, WarnsBeyondTheIdentifiedRange) {
+  const Sandbox box;
+  std::string joint = kJointText;
+  joint.insert(joint.rfind('}'), R"(, "identification": {"covered_to_N": 20})");
+  box.put("joint.json", joint);
+  const Arguments near{"dissipation", "joint.json", "--amplitude", "1um:100um:3", "--out", "a.csv"};
+  EXPECT_EQ(expect_done(box, near).err, "");
+  Arguments far = near;
+  far[3] = "1um:200um:3";
+  EXPECT_TRUE(
+      box.run(far).err.starts_with("microslip: warning: the joint moves by 200 µm, 1.7 times "
+                                   "the 117.6 µm of the highest level"))
+      << box.run(far).err;
+  far.emplace_back("--quiet");
+  EXPECT_EQ(box.run(far).err, "");
+
+  const Outcome loop = box.run({"loop", "joint.json", "--amplitude", "0.2mm", "--out", "loop.csv"});
+  EXPECT_EQ(loop.status, 0);
+  EXPECT_TRUE(loop.err.starts_with("microslip: warning: the joint moves by 200 µm")) << loop.err;
 }
 
 TEST(dissipation, TakesAnElasticJoint) {

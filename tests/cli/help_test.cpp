@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -28,16 +29,25 @@ std::string help_of(const std::string& subcommand) {
   return run.out;
 }
 
+/// Without the breaks of its lines.
+std::string flowing(const std::string& help) {
+  std::istringstream stream(help);
+  std::string text;
+  for (std::string word; stream >> word;) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
 void expect_parts(const std::string& text, const std::vector<std::string>& parts) {
+  const std::string flow = flowing(text);
   for (const std::string& part : parts) {
-    EXPECT_NE(text.find(part), std::string::npos) << "no '" << part << "' in\n" << text;
+    EXPECT_NE(flow.find(part), std::string::npos) << "no '" << part << "' in\n" << text;
   }
 }
 
 TEST(Help, OfTheProgramNamesTheSubcommandsAndTheUnits) {
-  expect_parts(help_of(""),
-               {"measure", "reduce", "identify", "verify", "ringdown", "convert", "loop",
-                "dissipation", "frf", "backbone", "march", "demo", "SI", "--version"});
+  expect_parts(help_of(""), {"measure", "reduce", "identify", "verify", "model", "ringdown",
+                             "convert", "loop", "dissipation", "frf", "backbone", "march", "demo",
+                             "report", "plot", "SI", "--version"});
 }
 
 TEST(Help, OfEachSubcommandNamesColumnsAndUnits) {
@@ -66,6 +76,25 @@ TEST(Help, OfEachSubcommandNamesColumnsAndUnits) {
                 "JOINT displacement [m], JOINT force [N]", "- is standard output"});
   expect_parts(help_of("convert"), {"CHANNEL=UNIT", "--list", ".hdf5", "- is standard"});
   expect_parts(help_of("demo"), {"--out", "Folder"});
+  expect_parts(help_of("plot"), {"IN", "--figure", "energies", "constant-response", "--width-mm",
+                                 "--grey", "svg", "- is standard"});
+  expect_parts(help_of("report"), {"DIR", "levels.csv", "--out", "--no-pictures"});
+}
+
+TEST(Help, OfEachSubcommandHasQuiet) {
+  const Sandbox box;
+  std::istringstream lines(help_of(""));
+  std::size_t count = 0;
+  bool listed = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (listed && line.starts_with("  ") && line[2] != ' ') {
+      const std::string subcommand = line.substr(2, line.find(' ', 2) - 2);
+      EXPECT_NE(help_of(subcommand).find("--quiet"), std::string::npos) << subcommand;
+      ++count;
+    }
+    listed = line.starts_with("Subcommands:") || (listed && !line.empty());
+  }
+  EXPECT_GE(count, 14U);
 }
 
 TEST(Help, IsForShortOptionsToo) {

@@ -13,6 +13,7 @@
 #include "microslip/identify/identification.hpp"
 #include "microslip/io/density_file.hpp"
 #include "microslip/io/sha256.hpp"
+#include "microslip/joint/secant.hpp"
 
 namespace microslip::cli_test {
 namespace {
@@ -77,6 +78,20 @@ TEST(identify, SeeksAnAtom) {
   IdentificationOptions options = library_options();
   options.inversion.atom = true;
   expect_as_library({"--atom"}, options);
+}
+
+// Three tenths of k slip at once at 12 N: the table of the density says so.
+TEST(identify, TellsOfAnAtomBesideTheDensity) {
+  const Sandbox box(
+      {{"truth.json", R"({"schema": "microslip.joint/1", "stiffness_N_per_m": 2e5, "density": [)"
+                      R"({"type": "uniform", "from_N": 0, "to_N": 10, "weight": 0.6},)"
+                      R"({"type": "atoms", "slip_force_N": [12], "weight": [0.3]}]})"}});
+  expect_done(box, {"dissipation", "truth.json", "--amplitude", "2um:120um:60", "--out", "l.csv"});
+  expect_done(box, {"identify", "l.csv", "--stiffness", "2e5", "--atom", "--out", "joint.json",
+                    "--density-csv", "density.csv"});
+  const std::string table = box.get("density.csv");
+  EXPECT_TRUE(table.starts_with("# not in the density: an atom of weight 0.")) << table;
+  EXPECT_FALSE(read_density(box.file("density.csv")).density.empty());
 }
 
 TEST(identify, SmoothsTheInversionAsTold) {
@@ -153,6 +168,76 @@ TEST(identify, WritesTheBand) {
   EXPECT_NE(run.out.find("95 % band"), std::string::npos) << run.out;
 }
 
+/// The sample with what `reduce` adds: W_lin of 20 times D at the lowest level, flags.
+std::string reduced_levels_text() {
+  const Levels levels = sample_levels();
+  std::string text = "amplitude [m],dissipation [J],linear_dissipation [J],flags\n";
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const double a = levels.amplitude[i];
+    text += fmt::format("{},{},{},{}\n", a, levels.dissipation[i],
+                        20.0 * levels.dissipation.front() * a * a / 1e-10,
+                        i < 3 ? "force_distortion spike" : "force_distortion");
+  }
+  return text;
+}
+
+TEST(identify, WidensTheBandByTheLossFactor) {
+  const Sandbox box = sandbox();
+  box.put("levels.csv", reduced_levels_text());
+  const Arguments bands = identify_with({"--bands", "40", "--density-csv", "density.csv"});
+  expect_done(box, bands);
+  const DensityTable without = read_density(box.file("density.csv"));
+  Arguments with = bands;
+  with.insert(with.end(), {"--loss-factor-std", "2%"});
+  expect_done(box, with);
+  const DensityTable wide = read_density(box.file("density.csv"));
+  EXPECT_EQ(wide.density, without.density);
+  EXPECT_GT(wide.upper[1] - wide.lower[1], 1.5 * (without.upper[1] - without.lower[1]));
+  EXPECT_EQ(record(box, "provenance").at("options").at("loss_factor_std"), 0.02);
+
+  box.put("levels.csv", sample_levels_text());
+  const Outcome missing = box.run(with);
+  EXPECT_EQ(missing.status, 2);
+  EXPECT_NE(missing.err.find("expected a column 'linear_dissipation [J]'"), std::string::npos)
+      << missing.err;
+}
+
+TEST(identify, TellsTheFlagsOfTheLevels) {
+  const Sandbox box = sandbox();
+  EXPECT_EQ(expect_done(box, identify_with({})).out.find("flags"), std::string::npos);
+  box.put("levels.csv", reduced_levels_text());
+  const Outcome run = expect_done(box, identify_with({}));
+  EXPECT_NE(run.out.find("levels carry flags: force_distortion (20 of 20), spike (3 of 20)"),
+            std::string::npos)
+      << run.out;
+}
+
+// k_eq 1 % of k above what the joint has: told, though it is too little for a warning.
+TEST(identify, TellsScatterAndOffsetOfTheSecantStiffness) {
+  const Sandbox box = sandbox();
+  const Joint joint = sample_joint();
+  const Levels levels = sample_levels();
+  std::string text =
+      "amplitude [m],dissipation [J],dissipation_std [J],secant_stiffness [N/m],"
+      "secant_stiffness_std [N/m]\n";
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const double a = levels.amplitude[i];
+    text += fmt::format("{},{},{},{},{}\n", a, levels.dissipation[i], 3e-3 * levels.dissipation[i],
+                        secant_stiffness(joint, a) + 0.01 * joint.stiffness(), 100.0);
+  }
+  box.put("levels.csv", text);
+  const Outcome run = expect_done(box, identify_with({}));
+  EXPECT_NE(run.out.find("scatter of D         "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("scatter of k_eq      "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("% of k below the measured, ± 0.059 %"), std::string::npos) << run.out;
+  const json found = record(box, "identification");
+  EXPECT_NEAR(found.at("secant_offset_N_per_m").get<double>(), 0.01 * joint.stiffness(),
+              2e-3 * joint.stiffness());
+  EXPECT_NEAR(found.at("secant_offset_std_N_per_m").get<double>(), 100.0, 1e-9);
+  EXPECT_GT(found.at("scatter_dissipation").get<double>(), 0.3);
+  EXPECT_LT(found.at("scatter_secant").get<double>(), 1.0);
+}
+
 TEST(identify, IsReproducibleForASeed) {
   const Arguments bands =
       identify_with({"--bands", "40", "--seed", "18446744073709551615", "--density-csv", "d.csv"});
@@ -190,6 +275,7 @@ TEST(identify, WritesItsProvenance) {
                                             {"bands", 20},
                                             {"dissipation_gain_std", 0},
                                             {"amplitude_gain_std", 0},
+                                            {"loss_factor_std", 0},
                                             {"fit", "none"},
                                             {"inner_reversals", "leave-out"}}));
 }

@@ -13,6 +13,7 @@
 #include "cli/run_program.hpp"
 #include "microslip/io/csv.hpp"
 #include "microslip/io/joint_file.hpp"
+#include "microslip/io/sha256.hpp"
 #include "microslip/joint/joint.hpp"
 
 namespace microslip::cli_test {
@@ -70,6 +71,37 @@ std::pair<double, double> errors(const Sandbox& box, const std::string& name) {
     largest.second = std::max(largest.second, std::abs(d[i] / true_d[i] - 1.0));
   }
   return largest;
+}
+
+// The lines before the table; that of the recordings is as `sha256sum level_*.csv | sha256sum` says.
+TEST(reduce, TellsWhatItWasMadeOf) {
+  const RigSandbox box;
+  expect_done(box, with(all_levels(), {"--out", "levels.csv"}));
+  const std::string many = box.get("levels.csv");
+  std::string list;
+  for (int i = 1; i <= kLevels; ++i) {
+    list += sha256(box.get(level_name(i))) + "  " + level_name(i) + "\n";
+  }
+  const std::string rig = "\n# rig.toml: sha256 " + sha256(box.get("rig.toml")) + "\n";
+  EXPECT_NE(many.find(": microslip reduce rig.toml level_01.csv ... " + level_name(kLevels) +
+                      " --out levels.csv" + rig + "# " + std::to_string(kLevels) +
+                      " recordings: sha256sum | sha256sum " + sha256(list) + "\namplitude [m]"),
+            std::string::npos)
+      << many.substr(0, 400);
+
+  expect_done(box, {"reduce", "rig.toml", "level_01.csv", "level_02.csv", "--out", "two.csv"});
+  EXPECT_NE(box.get("two.csv").find(": microslip reduce rig.toml level_01.csv level_02.csv --out "
+                                    "two.csv" +
+                                    rig + "# level_01.csv: sha256 " +
+                                    sha256(box.get("level_01.csv")) + "\n# level_02.csv: sha256 " +
+                                    sha256(box.get("level_02.csv")) + "\namplitude [m]"),
+            std::string::npos);
+
+  // Options between the recordings are part of the call.
+  Arguments split = all_levels();
+  split.insert(split.begin() + 4, {"--order", "9"});
+  expect_done(box, with(split, {"--out", "split.csv"}));
+  EXPECT_NE(box.get("split.csv").find("--order 9 level_03.csv level_04.csv"), std::string::npos);
 }
 
 TEST(reduce, WritesTheLevelsOfTheExample) {

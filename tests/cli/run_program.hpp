@@ -33,7 +33,7 @@ struct Circumstances {
   std::string in{};                      ///< text on standard input
   std::optional<int> standard_output{};  ///< a file descriptor in place of one that is captured
   std::vector<int> closed{};             ///< of 0, 1, 2
-  std::optional<int> ignored_signal{};   ///< as nohup ignores SIGHUP
+  std::optional<int> ignored_signal{};   ///< as `nohup` ignores SIGHUP
   bool unprivileged = false;             ///< no more rights than any user, even where root tests
   std::optional<unsigned short>
       columns{};  ///< on a terminal of this width, see Running::terminal()

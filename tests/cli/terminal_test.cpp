@@ -88,5 +88,27 @@ TEST(Terminal, ShowsAMessageOnce) {
             "path.\r\n");
 }
 
+/// The longest line of the descriptions, in characters; options and examples are as they must be typed.
+std::size_t longest_line(const std::string& help) {
+  std::size_t longest = 0;
+  std::istringstream stream(help.substr(0, help.find("Example")));
+  for (std::string line; std::getline(stream, line);) {
+    if (line.starts_with("Usage") || line.starts_with("  -")) continue;
+    std::erase_if(line, [](char c) { return c == '\r' || (c & 0xC0) == 0x80; });
+    longest = std::max(longest, line.size());
+  }
+  return longest;
+}
+
+TEST(Terminal, BreaksTheHelpBetweenWords) {
+  const Sandbox box;
+  for (const std::string command : {"identify", "measure", "march", "plot", "report"}) {
+    EXPECT_LE(longest_line(expect_done(box, {command, "--help"}).out), 80U) << command;
+    const Outcome narrow = box.run({command, "--help"}, {.columns = 46});
+    EXPECT_EQ(narrow.status, 0);
+    EXPECT_LE(longest_line(narrow.out), 46U) << narrow.out;
+  }
+}
+
 }  // namespace
 }  // namespace microslip::cli_test

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+
+#include "command.hpp"
+#include "help_formatter.hpp"
+#include "microslip/base/version.hpp"
+
+namespace microslip::app {
+namespace {
+
+constexpr const char* kDescription =
+    "Identifies the friction model of a jointed structure from the energy it dissipates per\n"
+    "cycle, and simulates the joint. All numbers are SI unless a unit is given.";
+
+std::string exit_status_text() {
+  std::string text = "Exit status:\n";
+  for (const ExitStatusText& line : kExitStatusTexts) {
+    text += fmt::format("  {}  {}\n", static_cast<int>(line.status), line.text);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::unique_ptr<CLI::App> make_program(Call& call) {
+  auto program = std::make_unique<CLI::App>(kDescription, "microslip");
+  program->set_version_flag("--version", "microslip " + std::string(kVersion));
+  program->require_subcommand(1);
+  program->formatter(make_help_formatter(help_width()));
+  program->footer(exit_status_text());
+  add_measure(*program, call);
+  add_reduce(*program, call);
+  add_identify(*program, call);
+  add_verify(*program, call);
+  add_model(*program, call);
+  add_frf(*program, call);
+  add_backbone(*program, call);
+  add_march(*program, call);
+  add_loop(*program, call);
+  add_dissipation(*program, call);
+  add_report(*program, call);
+  add_plot(*program, call);
+  add_ringdown(*program, call);
+  add_convert(*program, call);
+  add_demo(*program, call);
+  return program;
+}
+
+}  // namespace microslip::app

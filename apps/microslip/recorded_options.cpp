@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "recorded_options.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "record_entries.hpp"
+#include "smoothing_argument.hpp"
+
+namespace microslip::app {
+
+IdentificationOptions recorded_options(const Record& record) {
+  IdentificationOptions options;
+  const std::string method = text_in(record, "method").value_or("");
+  for (const auto known : {IdentificationMethod::kInversion, IdentificationMethod::kSpline,
+                           IdentificationMethod::kDifferences}) {
+    if (method == to_string(known)) options.method = known;
+  }
+  const std::string model = text_in(record, "fit").value_or("");
+  for (const auto known :
+       {ParametricModel::kFourParameter, ParametricModel::kPowerLaw, ParametricModel::kUniform}) {
+    if (model == to_string(known)) options.fit = known;
+  }
+  options.inversion.linear_damping = text_in(record, "linear_damping") == "fit";
+  options.inversion.atom = text_in(record, "atom") == "sought";
+  if (const auto smoothing = text_in(record, "smoothing")) {
+    set_smoothing(*smoothing, text_in(record, "smoothing_unit"), options);
+  }
+  return options;
+}
+
+Record record_of_options(const IdentificationOptions& options, const OptionTexts& texts) {
+  BandOptions none;
+  none.samples = 0;
+  const BandOptions bands = options.bands.value_or(none);
+  Record record;
+  record.emplace_back("method", std::string(to_string(options.method)));
+  record.emplace_back("smoothing", texts.smoothing);
+  if (texts.smoothing_unit) record.emplace_back("smoothing_unit", *texts.smoothing_unit);
+  record.emplace_back("linear_damping", options.inversion.linear_damping ? "fit" : "none");
+  record.emplace_back("atom", options.inversion.atom ? "sought" : "none");
+  record.emplace_back("bands", static_cast<double>(bands.samples));
+  record.emplace_back("dissipation_gain_std", bands.dissipation_gain_std);
+  record.emplace_back("amplitude_gain_std", bands.amplitude_gain_std);
+  record.emplace_back("loss_factor_std", bands.loss_factor_std);
+  record.emplace_back("fit", options.fit ? std::string(to_string(*options.fit)) : "none");
+  record.emplace_back("inner_reversals", texts.inner_reversals);
+  return record;
+}
+
+}  // namespace microslip::app

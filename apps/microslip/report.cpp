@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "command.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/io/file_kind.hpp"
+#include "microslip/io/output_files.hpp"
+#include "report_folder.hpp"
+#include "report_html.hpp"
+
+namespace microslip::app {
+namespace {
+
+struct ReportOptions {
+  std::string folder;
+  std::string out;
+  std::string title;
+  std::size_t records = kRecordsOverTime;
+  bool no_pictures = false;
+};
+
+bool is_empty(const TestResults& results) {
+  return !results.levels && !results.joint && results.records.empty() &&
+         results.comparisons.empty() && results.predictions.empty() &&
+         results.force_control.empty();
+}
+
+/// Folders in the folder that hold what it lacks, or why its records are not shown.
+std::string remedy_for(const std::string& folder, const TestResults& results) {
+  if (!results.warnings.empty()) return results.warnings.front().text;
+  std::vector<std::string> folders;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
+    const std::filesystem::path& path = entry.path();
+    if (std::filesystem::exists(path / "levels.csv", none)) folders.push_back(path.string());
+  }
+  if (folders.empty()) return "See microslip reduce and microslip identify.";
+  std::ranges::sort(folders);
+  return fmt::format("There are levels in {}.", fmt::join(folders, ", "));
+}
+
+constexpr std::size_t kLarge = 4'000'000;  // bytes
+
+int run(const ReportOptions& options, const Call& call) {
+  check_output(options.out, kReportKind);
+  TestResults results = read_test_folder(options.folder, call.quiet, options.records);
+  if (is_empty(results)) {
+    throw InputError("DIR", "'" + options.folder + "'",
+                     "must hold levels.csv, joint.json, recordings level_*, verification.csv or "
+                     "force_control.csv",
+                     remedy_for(options.folder, results));
+  }
+  if (!call.quiet) {
+    for (const ReportWarning& warning : results.warnings) {
+      fmt::print(stderr, "microslip: warning: {}\n", warning.text);
+    }
+  }
+  if (!options.title.empty()) results.title = options.title;
+  const std::string html = report_html(std::move(results), call, !options.no_pictures);
+  write_file(options.out, html);
+  if (!call.quiet && options.out != "-") {
+    fmt::print("{}: {:.1f} MB, one file; open it in a browser.\n", options.out,
+               static_cast<double>(html.size()) * 1e-6);
+    if (html.size() > kLarge) {
+      fmt::print("That is large for mail and slow to open: fewer --records make it smaller.\n");
+    }
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_report(CLI::App& program, Call& call) {
+  auto options = std::make_shared<ReportOptions>();
+  CLI::App* command = program.add_subcommand(
+      "report", "An interactive HTML report of what a folder holds of a test");
+  command
+      ->add_option(
+          "DIR", options->folder,
+          "Folder with any of rig.toml, levels.csv, joint.json, density.csv; recordings "
+          "level_* and before_control_*, also in recordings/; force_control.csv, truth.csv, "
+          "truth_joint.json; verification.csv, verification_histories.csv, "
+          "verification_harmonics.csv")
+      ->required()
+      ->type_name(kFolderValue);
+  command->add_option("--out", options->out, "The report: one HTML file; - is standard output")
+      ->required()
+      ->type_name(kHtmlValue);
+  command->add_option("--title", options->title, "Its title; without one, the name of the folder");
+  command
+      ->add_option("--records", options->records,
+                   "So many recordings are shown over time; all are by their harmonics where a "
+                   "page holds them")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->add_flag("--no-pictures", options->no_pictures,
+                    "Without the pictures for paper that gnuplot draws: a smaller file");
+  command->add_flag("--quiet", call.quiet, "No summary, no progress");
+  add_examples(*command, {"microslip report test --out report.html"});
+  command->callback(
+      [options, &call] { call.run = [options, &call] { return run(*options, call); }; });
+}
+
+}  // namespace microslip::app

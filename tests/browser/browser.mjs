@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+
+// What the tests of the report in a browser share.
+
+import assert from 'node:assert/strict';
+import {existsSync, mkdirSync, readFileSync, statSync} from 'node:fs';
+import {pathToFileURL} from 'node:url';
+
+const kSkipped = 77;  // see SKIP_RETURN_CODE in CMakeLists.txt
+const kChromium = process.env.MICROSLIP_CHROMIUM ?? '/usr/bin/chromium';
+const kMostBytes = 4e6;
+
+function skip(reason) {
+  console.log(`skipped: ${reason}`);
+  process.exit(kSkipped);
+}
+
+/** Starts Chromium, or skips the test where it or playwright-core is missing. */
+export async function launch() {
+  if (!existsSync(kChromium)) skip(`${kChromium} is not there (apt-get install chromium)`);
+  let playwright;
+  try {
+    playwright = await import('playwright-core');
+  } catch {
+    skip('playwright-core is not there (npm ci in tests/browser)');
+  }
+  return playwright.chromium.launch({
+    executablePath: kChromium,
+    args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
+      '--disable-background-networking', '--disable-component-update', '--disable-sync'],
+  });
+}
+
+/** Opens a report and notes all that a report must not do. */
+export async function open(browser, file, options = {}) {
+  const context = await browser.newContext({viewport: {width: 1280, height: 900}, ...options});
+  const page = await context.newPage();
+  const faults = [];
+  page.on('console', (message) => {
+    if (['error', 'warning'].includes(message.type())) faults.push(`console: ${message.text()}`);
+  });
+  page.on('pageerror', (error) => faults.push(`error: ${error.message}`));
+  page.on('dialog', (dialog) => faults.push(`dialog: ${dialog.message()}`));
+  page.on('popup', (popup) => faults.push(`popup: ${popup.url()}`));
+  const url = pathToFileURL(file).href;
+  page.on('request', (request) => {
+    const inside = /^(data|blob):/.test(request.url()) || request.url() === url;
+    if (!inside) faults.push(`request: ${request.url()}`);
+  });
+  await page.goto(url);
+  if (options.javaScriptEnabled !== false) {
+    await page.waitForSelector('html[data-drawn=all]', {timeout: 120000});
+  }
+  return {page, context, faults};
+}
+
+/** The traces of a plotly figure as it has them, without those that only close an area. */
+export function plotted(page, selector) {
+  return page.$eval(`${selector} .chart`, (chart) => chart.data
+      .filter((trace) => trace.showlegend !== false)
+      .map(({name, x, y}) => ({name, points: x.length, y: y.filter(Number.isFinite).length})));
+}
+
+/** A figure by its title, of a section where several have the same. */
+export function figure(page, title, section = '') {
+  return page.locator(`${section} figure`, {has: page.locator(`h3:text-is("${title}")`)}).first();
+}
+
+/** What the data of the report say of its figures: titles, units, and the points of each shown trace. */
+function expectedFigures(page) {
+  return page.evaluate(() => {
+    const figures = JSON.parse(document.getElementById('report-data').textContent);
+    const length = (traces, {x}) => x.count ?? (x.of === undefined ? x.length : length(traces, traces[x.of]));
+    return figures.map(({title, chart, x, y, chosen, choices}) => {
+      const {traces} = choices[chosen];
+      const drawn = traces.filter(({kind, shown}) => shown && kind !== 'marker');
+      return {title, chart, x, y, chosen, choices: choices.length,
+        points: drawn.map((trace) => length(traces, trace) + (trace.kind === 'loop' ? 1 : 0))};
+    });
+  });
+}
+
+/** Every figure has its points, units, buttons and alternatives, and each of its switches works. */
+export async function checkEveryFigure(page) {
+  const expected = await expectedFigures(page);
+  const nodes = page.locator('figure.figure');
+  assert.equal(await nodes.count(), expected.length);
+  await chartsFit(page);
+  for (const [i, figure] of expected.entries()) {
+    const node = nodes.nth(i);
+    const name = `figure ${i}, ${figure.title}`;
+    assert.equal(await node.locator('h3').textContent(), figure.title);
+    const axes = [figure.y, figure.x].map(({label, unit}) => `${label} [${unit}]`);
+    const alternative = await node.locator('.chart').getAttribute('aria-label');
+    assert.ok(alternative.startsWith(`${figure.title}: ${axes[0]} over ${axes[1]}`), alternative);
+    for (const label of ['Reset', 'CSV', 'PNG', 'SVG']) {
+      assert.equal(await node.getByRole('button', {name: `${label}: ${figure.title}`, exact: true}).count(), 1, `${name}: ${label}`);
+    }
+    if (figure.chart === 'time') {
+      assert.equal(await node.locator('.uplot canvas').count(), 1, name);
+      assert.deepEqual(await timeCharts(page, i), {labels: [figure.x, figure.y].map(({label, unit}) => `${label} [${unit}]`),
+        points: figure.points}, name);
+    } else {
+      const chart = await node.locator('.chart').evaluate((element) => element.data
+          .filter(({hoverinfo}) => hoverinfo !== 'skip').map(({x}) => x.length));
+      assert.deepEqual(chart, figure.points, name);
+      assert.equal(await node.locator('.ytitle').textContent(), axes[0]);
+      assert.equal(await node.locator('.xtitle').textContent(), axes[1]);
+      await checkLogSwitches(node, figure, name);
+    }
+    await checkChoices(page, i, node, figure, name);
+  }
+}
+
+/** Each chart is as high as its place, also when a neighbour in its row changes that. */
+async function chartsFit(page) {
+  const misfits = () => page.evaluate(() => views.map(({area, figure}) => {
+    const chart = area.querySelector('.main-svg, .uplot');
+    return [figure.title, Math.round(chart.getBoundingClientRect().bottom - area.getBoundingClientRect().bottom)];
+  }).filter(([, below]) => below > 1));
+  const until = Date.now() + 5000;
+  while ((await misfits()).length > 0 && Date.now() < until) await page.waitForTimeout(50);
+  assert.deepEqual(await misfits(), []);
+}
+
+/** The axes and the points of each line of a time history. */
+function timeCharts(page, figure) {
+  return page.evaluate((i) => {
+    const {plot} = views[i].chart;
+    return {labels: plot.axes.map(({label}) => label),
+      points: plot.data.slice(1).map((values) => values.filter((y) => y !== undefined).length)};
+  }, figure);
+}
+
+/** What is drawn, as a text. */
+function drawnText(page, figure) {
+  return page.evaluate((i) => {
+    const {chart} = views[i];
+    return JSON.stringify(chart.plot ? chart.plot.data : chart.element.data.map(({x, y}) => [[...x], [...y]]));
+  }, figure);
+}
+
+async function checkLogSwitches(node, figure, name) {
+  for (const axis of ['x', 'y']) {
+    const made = node.getByRole('button', {name: `log ${axis}: ${figure.title}`, exact: true});
+    assert.equal(await made.count(), figure[axis].switch ? 1 : 0, `${name}: log ${axis}`);
+    if (!figure[axis].switch) continue;
+    const type = () => node.locator('.chart').evaluate((element, of) => element.layout[`${of}axis`].type, axis);
+    for (const log of [!figure[axis].log, figure[axis].log]) {
+      await made.click();
+      assert.equal(await type(), log ? 'log' : 'linear', `${name}: log ${axis}`);
+      assert.equal(await made.getAttribute('aria-pressed'), String(log));
+    }
+  }
+}
+
+async function checkChoices(page, i, node, figure, name) {
+  const select = node.locator('select');
+  assert.equal(await select.count(), figure.choices > 1 ? 1 : 0, name);
+  if (figure.choices < 2) return;
+  assert.equal(await select.locator('option').count(), figure.choices, name);
+  const before = await select.inputValue();
+  const drawn = await drawnText(page, i);
+  await select.selectOption({index: figure.chosen === 0 ? 1 : 0});
+  assert.notEqual(await node.locator('.legend button').count(), 0, name);
+  assert.notEqual(await drawnText(page, i), drawn, name);
+  await select.selectOption(before);
+  assert.equal(await drawnText(page, i), drawn, name);
+}
+
+/** Milliseconds from the start of the navigation. */
+export function times(page) {
+  return page.evaluate(() => Object.fromEntries(performance.getEntriesByType('mark')
+      .filter(({name}) => name.startsWith('microslip-'))
+      .map(({name, startTime}) => [name.slice('microslip-'.length), Math.round(startTime)])));
+}
+
+/** The least of several loads, in ms: until the first screen and the first chart are drawn and the page answers, and until all
+    figures are charts; and the time of the processor until the former, which other programs on the
+    machine do not lengthen. */
+export async function measureLoads(browser, file) {
+  const loads = [];
+  for (let i = 0; i < 3; ++i) {
+    const page = await (await browser.newContext({viewport: {width: 1280, height: 900}})).newPage();
+    const session = await page.context().newCDPSession(page);
+    const events = [];
+    session.on('Tracing.dataCollected', ({value}) => events.push(...value));
+    await session.send('Tracing.start', {categories: 'blink.user_timing', transferMode: 'ReportEvents'});
+    await page.goto(pathToFileURL(file).href);
+    await page.waitForSelector('html[data-drawn=all]', {timeout: 120000});
+    const complete = new Promise((done) => { session.once('Tracing.tracingComplete', done); });
+    await session.send('Tracing.end');
+    await complete;
+    // tts: µs of its thread since that began, which is before the navigation did.
+    const {tts} = events.find(({name}) => name === 'microslip-interactive');
+    loads.push({...await times(page), processor: Math.round(tts / 1000)});
+    await page.context().close();
+  }
+  return Object.fromEntries(Object.keys(loads[0]).map(
+      (key) => [key, Math.min(...loads.map((load) => load[key]))]));
+}
+
+export function checkSize(file) {
+  const bytes = statSync(file).size;
+  assert.ok(bytes <= kMostBytes, `${bytes} bytes`);
+  return bytes;
+}
+
+export function folder(path) {
+  mkdirSync(path, {recursive: true});
+  return path;
+}
+
+/** Saves what a button gives and returns its bytes. */
+export async function download(page, locator) {
+  const [file] = await Promise.all([page.waitForEvent('download'), locator.click()]);
+  return {name: file.suggestedFilename(), bytes: readFileSync(await file.path())};
+}
+
+/** Screenshots in both themes and on a phone, and a print; the same checks on each. */
+export async function takePictures(browser, file, artefacts) {
+  const kinds = {
+    light: {colorScheme: 'light'},
+    dark: {colorScheme: 'dark'},
+    phone: {viewport: {width: 390, height: 844}, isMobile: true, hasTouch: true},
+  };
+  for (const [name, options] of Object.entries(kinds)) {
+    const {page, context, faults} = await open(browser, file, options);
+    await page.screenshot({path: `${artefacts}/${name}.png`, fullPage: true});
+    const {content, screen} = await page.evaluate(() => ({
+      content: document.documentElement.scrollWidth, screen: innerWidth}));
+    assert.ok(content <= screen, `${name}: ${content} px wide on ${screen}`);
+    if (name === 'light') {
+      await page.pdf({path: `${artefacts}/print.pdf`, preferCSSPageSize: true});
+      const loaded = await page.$$eval('.picture', (all) => all.filter(
+          ({complete, naturalWidth}) => complete && naturalWidth > 0).length);
+      assert.equal(loaded, await page.locator('.picture').count(), 'pictures in print');
+    }
+    assert.deepEqual(faults, [], name);
+    await context.close();
+  }
+}
