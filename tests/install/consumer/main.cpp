@@ -1,10 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
+#include <string>
 
+#include "microslip/base/error.hpp"
+#include "microslip/identify/inversion.hpp"
+#include "microslip/io/recording_file.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/joint.hpp"
 
+/// Uses parts that need fmt, TBB, HDF5, matio and zlib, so that all of them must be found.
 int main() {
   const auto joint = microslip::Joint::four_parameter(400.0, 1.7e5, -0.5, 1.0);
-  std::printf("dissipation = %.6e J\n", microslip::dissipation(joint, 1e-4));
+  microslip::Levels levels;
+  for (double amplitude = 2e-5; amplitude < 2e-3; amplitude *= 1.2) {
+    levels.amplitude.push_back(amplitude);
+    levels.dissipation.push_back(microslip::dissipation(joint, amplitude));
+  }
+  microslip::InversionOptions options;
+  options.stiffness = joint.stiffness();
+  std::printf("area = %.3f\n", microslip::invert(levels, options).area);
+  try {
+    static_cast<void>(microslip::read_recordings("absent.h5", {}));
+  } catch (const microslip::FileError& error) {
+    std::printf("%s\n", error.what());
+  }
 }

@@ -1,0 +1,95 @@
+# `cmake --build build/release --target package`: two Debian packages, microslip with the program and
+# libmicroslip-dev with the static library. Where Debian's tools are missing, or the library is
+# shared, an archive of the installed files instead.
+
+set(MICROSLIP_MAINTAINER
+    "The microslip authors <microslip@example.org>"
+    CACHE STRING "Name and address in the Debian packages")
+mark_as_advanced(MICROSLIP_MAINTAINER)
+
+set(CPACK_PACKAGE_NAME microslip)
+set(CPACK_PACKAGE_CONTACT "${MICROSLIP_MAINTAINER}")
+set(CPACK_PACKAGE_VENDOR "The microslip authors")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_PACKAGE_VERSION "${PROJECT_VERSION}")
+set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+    OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+
+find_program(DPKG_SHLIBDEPS dpkg-shlibdeps)
+mark_as_advanced(DPKG_SHLIBDEPS)
+if(NOT DPKG_SHLIBDEPS OR NOT microslip_type STREQUAL "STATIC_LIBRARY" OR NOT TARGET microslip_cli)
+  set(CPACK_GENERATOR TGZ)
+  include(CPack)
+  return()
+endif()
+
+set(MICROSLIP_COMPONENTS program library)
+
+# What Debian wants beside the components of MicroslipInstall.cmake.
+
+set(debian "${PROJECT_SOURCE_DIR}/cmake/debian")
+set(debian_changelog "${PROJECT_BINARY_DIR}/debian/changelog.gz")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${debian}/changelog")
+file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/debian")
+execute_process(
+  COMMAND gzip -9nc "${debian}/changelog"
+  OUTPUT_FILE "${debian_changelog}"
+  COMMAND_ERROR_IS_FATAL ANY)
+
+set(debian_packages microslip libmicroslip-dev)
+foreach(component package IN ZIP_LISTS MICROSLIP_COMPONENTS debian_packages)
+  install(
+    FILES "${debian}/copyright" "${debian_changelog}"
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/${package}"
+    COMPONENT debian_${component}
+    EXCLUDE_FROM_ALL)
+endforeach()
+install(
+  FILES "${MICROSLIP_DOCUMENTS}/zsh/_microslip"
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions"
+  COMPONENT debian_program
+  EXCLUDE_FROM_ALL)
+
+set(MICROSLIP_MAKES_DEBIAN_PACKAGES ON)
+set(CPACK_GENERATOR DEB)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL program debian_program library debian_library)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME microslip)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+# The pictures; without gnuplot all else works.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS
+    "gnuplot-nox | gnuplot-qt | gnuplot-x11, fonts-dejavu-core")
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
+    "microslip turns the energy that a bolted or frictional joint dissipates
+per vibration cycle, measured at rising amplitude, into the slip-force
+density of an Iwan model of the joint, with a band of confidence, and
+simulates the joint.
+.
+It reads recordings in CSV, universal (UFF), MATLAB and HDF5 files.")
+
+# The archive holds calls of these libraries, of the versions whose headers it was compiled with.
+math(EXPR next_fmt "${fmt_VERSION_MAJOR} + 1")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libmicroslip-dev)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS
+    "libfmt-dev (>= ${fmt_VERSION_MAJOR}), libfmt-dev (<< ${next_fmt}), libtbb-dev (>= ${TBB_VERSION_MAJOR}), libhdf5-dev, libmatio-dev, zlib1g-dev"
+)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "microslip, cmake | pkgconf")
+set(CPACK_DEBIAN_LIBRARY_DESCRIPTION
+    "Headers and static library of microslip, with the files by which CMake
+(find_package) and pkg-config find them.")
+
+include(CPack)
+cpack_add_component_group(program)
+cpack_add_component_group(library)
+foreach(component IN LISTS MICROSLIP_COMPONENTS)
+  cpack_add_component(${component} GROUP ${component})
+  cpack_add_component(debian_${component} GROUP ${component})
+endforeach()

@@ -1,0 +1,126 @@
+#!/usr/bin/env bash
+# Makes the Debian packages and looks at them as a user does: what they say of themselves, that apt finds
+# what they need, that they install, the installed program runs, and they go without a trace. Only root can
+# install; without root the rest is done and the status is 77, or 1 where something is wrong.
+# Usage: check_debian_packages.sh CPACK CPACK_CONFIGURATION VERSION SOURCE_FOLDER
+set -euo pipefail
+export LC_ALL=C
+cpack="$1" configuration="$2" version="$3" source="$4"
+
+folder="$(mktemp -d)"
+trap 'rm -rf "$folder"' EXIT
+failed=0
+complain() {
+  echo "$*" >&2
+  failed=1
+}
+
+# Fast in place of small: how much they are compressed is of no matter here.
+"$cpack" --config "$configuration" -B "$folder" -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip
+architecture="$(dpkg --print-architecture)"
+program="$folder/microslip_${version}_$architecture.deb"
+library="$folder/libmicroslip-dev_${version}_$architecture.deb"
+[[ -f $program && -f $library ]] || { complain "made: $(ls "$folder")"; exit 1; }
+
+# What they say.
+field() { dpkg-deb --field "$@"; }
+[[ "$(field "$program" Version)" == "$version" ]] || complain "version $(field "$program" Version)"
+for need in libc6 libfmt libhdf5 libmatio libstdc++ libtbb zlib1g; do
+  [[ "$(field "$program" Depends)" == *"$need"* ]] || complain "microslip does not depend on $need"
+done
+[[ "$(field "$program" Recommends)" == *gnuplot* ]] || complain "microslip does not recommend gnuplot"
+for need in libfmt-dev libhdf5-dev libmatio-dev libtbb-dev zlib1g-dev; do
+  [[ "$(field "$library" Depends)" == *"$need"* ]] || complain "libmicroslip-dev does not depend on $need"
+done
+for package in "$program" "$library"; do
+  [[ -z "$(dpkg-deb --contents "$package" | grep -Ev '^(-rw-r--r--|-rwxr-xr-x|drwxr-xr-x) root/root ')" ]] ||
+    complain "$package: owners or modes of $(dpkg-deb --contents "$package")"
+done
+changelog="$(dpkg-parsechangelog --file "$source/cmake/debian/changelog" --show-field Version)"
+[[ $changelog == "$version" ]] || complain "cmake/debian/changelog begins with $changelog, not $version"
+
+# What they hold, apart from each other.
+tree="$folder/tree"
+mkdir "$tree"
+for package in "$program" "$library"; do
+  name="$(field "$package" Package)"
+  dpkg-deb --extract "$package" "$tree/$name"
+  for file in "usr/share/doc/$name/copyright" "usr/share/doc/$name/changelog.gz"; do
+    [[ -s $tree/$name/$file ]] || complain "$name has no $file"
+  done
+  (cd "$tree/$name" && find . ! -type d) | sort >"$folder/$name.files"
+done
+common="$(comm -12 "$folder/microslip.files" "$folder/libmicroslip-dev.files")"
+[[ -z $common ]] || complain "in both: $common"
+for file in usr/bin/microslip usr/share/man/man1/microslip.1.gz \
+  usr/share/man/man1/microslip-identify.1.gz usr/share/bash-completion/completions/microslip \
+  usr/share/zsh/vendor-completions/_microslip usr/share/doc/microslip/docs/commands.md; do
+  [[ -s $tree/microslip/$file ]] || complain "microslip has no $file"
+done
+for file in usr/lib/libmicroslip.a usr/lib/cmake/microslip/microslipConfig.cmake \
+  usr/lib/pkgconfig/microslip.pc usr/include/microslip/joint/joint.hpp; do
+  [[ -s $tree/libmicroslip-dev/$file ]] || complain "libmicroslip-dev has no $file"
+done
+traces="$(grep -rlF -e "$source" -e "$folder" "$tree" || true)"
+[[ -z $traces ]] || complain "folders of the build in: $traces"
+
+bash "$(dirname "${BASH_SOURCE[0]}")/../docs_checks/check_links.sh" "$tree/microslip/usr/share/doc/microslip" \
+  links || complain "documents lead to what is not in the package"
+
+# What they need is in this Debian.
+if command -v apt-get >/dev/null; then
+  apt-get install --simulate --no-install-recommends "$program" "$library" >"$folder/log" 2>&1 ||
+    { complain "apt cannot install:"; cat "$folder/log" >&2; }
+else
+  echo "No apt: dependencies are not resolved."
+fi
+
+# use ROOT: the program of that root does all that it can, in an environment without anything.
+use() {
+  local run=(env -i PATH=/usr/bin:/bin HOME="$folder" "$1/usr/bin/microslip")
+  local example="$1/usr/share/doc/microslip/examples/reference_rig"
+  rm -rf "$folder/work"
+  mkdir "$folder/work"
+  cd "$folder/work"
+  [[ "$("${run[@]}" --version)" == "microslip $version" ]] || complain "--version is not $version"
+  "${run[@]}" demo --quiet --out demo || complain "the demonstration failed"
+  local report
+  for report in reference_rig brake_reuss_beam; do
+    [[ -s demo/$report/report.html ]] || complain "the demonstration wrote no report of $report"
+  done
+  [[ -n "$(find demo -name '*.svg' -size +1k)" ]] || complain "the demonstration drew nothing"
+  "${run[@]}" reduce "$example/rig.toml" "$example"/recordings/*.csv --quiet --out levels.csv ||
+    complain "the example failed"
+  cd "$folder"
+}
+
+# In, at work, and out. An empty system has none of what they depend on, so the program takes it from this one.
+if [[ $EUID -eq 0 ]]; then
+  root="$folder/root"
+  mkdir -p "$root"/var/lib/dpkg/{info,updates,triggers}
+  touch "$root/var/lib/dpkg/status" "$root/var/lib/dpkg/available"
+  present() { (cd "$root" && find . -path ./var -prune -o ! -path . -print); }
+  dpkg --root="$root" --force-depends --install "$program" "$library" >"$folder/log" 2>&1 ||
+    { complain "not installed:"; cat "$folder/log" >&2; }
+  use "$root"
+  [[ -z "$(dpkg --root="$root" --verify)" ]] || complain "$(dpkg --root="$root" --verify)"
+  dpkg --root="$root" --purge libmicroslip-dev microslip >"$folder/log" 2>&1 ||
+    { complain "not removed:"; cat "$folder/log" >&2; }
+  [[ -z "$(present)" ]] || complain "left behind: $(present)"
+else
+  use "$tree/microslip"
+fi
+
+# Debian's own inspector, where there is one. Nothing is uploaded to Debian, and nothing is there to be
+# compiled for another machine.
+if command -v lintian >/dev/null; then
+  lintian --allow-root --fail-on error,warning \
+    --suppress-tags initial-upload-closes-no-bugs,pkg-config-unavailable-for-cross-compilation \
+    "$program" "$library" || complain "lintian complains"
+fi
+
+((failed == 0)) || exit 1
+if [[ $EUID -ne 0 ]]; then
+  echo "Partly tested: not root, so the packages were unpacked and used, but not installed and removed." >&2
+  exit 77
+fi
