@@ -66,8 +66,7 @@ void add_range(const TestJoint& found, std::vector<ReportTrace>& traces) {
   mark("lowest level", found.covered_from);
   mark("highest level", found.covered_to);
   const auto& atoms = found.joint.density().atoms();
-  constexpr std::size_t kFew = 3;
-  for (std::size_t i = 0; i < atoms.weight.size() && i < kFew; ++i) {
+  for (std::size_t i = 0; i < atoms.weight.size() && i < kMostAtomsShown; ++i) {
     mark("atom", atoms.slip_force[i]);
   }
 }

@@ -116,8 +116,7 @@ Figure density_figure(const std::string& title, const DensityCurve& curve,
   }
   add_marker(figure, curve.covered_from, "kA of lowest level");
   add_marker(figure, curve.covered_to, "kA of highest level");
-  constexpr std::size_t kFew = 3;
-  for (std::size_t i = 0; i < curve.atom_slip_force.size() && i < kFew; ++i) {
+  for (std::size_t i = 0; i < curve.atom_slip_force.size() && i < kMostAtomsShown; ++i) {
     add_marker(figure, curve.atom_slip_force[i], "atom");
   }
   figure.x.range = AxisRange{0.0, 1.05 * end};

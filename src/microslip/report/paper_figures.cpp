@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <span>
 #include <utility>
 
@@ -50,12 +48,6 @@ struct PlottedQuantity {
 constexpr PlottedQuantity kDissipation{"dissipation per cycle D", "J", dissipation, true, true};
 constexpr PlottedQuantity kSecant{"secant stiffness k_eq", "N/m", secant_stiffness};
 constexpr PlottedQuantity kLossFactor{"loss factor η", "1", loss_factor};
-
-/// Values at the levels, in SI.
-struct MeasuredPoints {
-  std::vector<double> value;
-  std::vector<double> std;  // empty where it is not known
-};
 
 PointLayer points_of(const TestLevels& levels, const MeasuredPoints& measured, std::string legend,
                      int colour = kBlack) {
@@ -121,28 +113,6 @@ MeasuredPoints measured_dissipation(const TestResults& results) {
 MeasuredPoints measured_secant(const TestResults& results) {
   if (!results.levels) return {};
   return {results.levels->levels.secant_stiffness, results.levels->levels.secant_stiffness_std};
-}
-
-/// η = D/(π k_eq A²), with D less the linear damping beside the joint; its relative variance is that of D and of k_eq and four times that of A.
-MeasuredPoints measured_loss_factor(const TestResults& results) {
-  MeasuredPoints measured;
-  if (!results.levels || results.levels->levels.secant_stiffness.empty()) return measured;
-  const Levels& levels = results.levels->levels;
-  const std::vector<double> dissipation = net_dissipation(results);
-  const bool has_std = !levels.dissipation_std.empty() && !levels.amplitude_std.empty() &&
-                       !levels.secant_stiffness_std.empty();
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    const double a = levels.amplitude[i];
-    const double k = levels.secant_stiffness[i];
-    const double work = std::numbers::pi * k * a * a;
-    measured.value.push_back(dissipation[i] / work);
-    if (!has_std) continue;
-    const double relative =
-        std::hypot(levels.secant_stiffness_std[i] / k, 2.0 * levels.amplitude_std[i] / a);
-    measured.std.push_back(
-        std::hypot(levels.dissipation_std[i] / work, measured.value.back() * relative));
-  }
-  return measured;
 }
 
 /// ζ of the mode, of a ring-down.

@@ -27,6 +27,9 @@ struct DensityPoints {
 /// At a step the density is the one above it; at `to` the one below it, where identified ones end.
 [[nodiscard]] DensityPoints density_points(const Joint& joint, double from, double to);
 
+/// So many atoms are marked in figures and named in the summary.
+inline constexpr std::size_t kMostAtomsShown = 3;
+
 /// A steady loop: from A down and up again, without the point at which it closes.
 struct SteadyLoop {
   std::vector<double> displacement;  ///< m

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "microslip/identify/interpolation.hpp"
@@ -130,15 +131,9 @@ ReportFigure loss_figure(const TestResults& results) {
                       .y = {.label = "loss factor", .unit = "1", .log_switch = true},
                       .choices = {{"", {}}}};
   std::vector<ReportTrace>& traces = figure.choices[0].traces;
-  const Levels& levels = results.levels->levels;
-  if (!levels.secant_stiffness.empty()) {
-    const std::vector<double> net = net_dissipation(results);
-    std::vector<double> measured;
-    for (std::size_t i = 0; i < levels.size(); ++i) {
-      measured.push_back(net[i] / (std::numbers::pi * levels.secant_stiffness[i] *
-                                   std::pow(levels.amplitude[i], 2)));
-    }
-    traces.push_back(at_levels(results, "measured", measured, {}, kBlack));
+  MeasuredPoints measured = measured_loss_factor(results);
+  if (!measured.value.empty()) {
+    traces.push_back(at_levels(results, "measured", std::move(measured.value), {}, kBlack));
   }
   std::ranges::move(curves_of_joints(results, loss_factor), std::back_inserter(traces));
   return figure;

@@ -24,8 +24,6 @@ constexpr const char* kIdentify =
     "microslip identify levels.csv --stiffness K --bands 1000 --out joint.json --density-csv "
     "density.csv";
 
-constexpr std::size_t kFewAtoms = 3;
-
 std::string count_of(std::size_t levels) {
   return fmt::format("{} level{}", levels, levels == 1 ? "" : "s");
 }
@@ -85,7 +83,7 @@ ReportFacts key_facts(const TestResults& results) {
   }
   add("stiffness that slips", percent_text(density.total().zeroth));
   add("elastic remainder", percent_text(density.elastic_remainder()));
-  for (std::size_t i = 0; i < density.atoms().weight.size() && i < kFewAtoms; ++i) {
+  for (std::size_t i = 0; i < density.atoms().weight.size() && i < kMostAtomsShown; ++i) {
     add("slips at once", fmt::format("{} at {:.4g} N", percent_text(density.atoms().weight[i]),
                                      density.atoms().slip_force[i]));
   }

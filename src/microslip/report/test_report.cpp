@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <numbers>
 #include <utility>
 
 #include "microslip/base/error.hpp"
@@ -138,6 +139,27 @@ std::vector<double> net_dissipation(const TestResults& results) {
   std::vector<double> net = levels.dissipation;
   for (std::size_t i = 0; i < net.size(); ++i) net[i] -= beta * std::pow(levels.amplitude[i], 2);
   return net;
+}
+
+MeasuredPoints measured_loss_factor(const TestResults& results) {
+  MeasuredPoints measured;
+  if (!results.levels || results.levels->levels.secant_stiffness.empty()) return measured;
+  const Levels& levels = results.levels->levels;
+  const std::vector<double> dissipation = net_dissipation(results);
+  const bool has_std = !levels.dissipation_std.empty() && !levels.amplitude_std.empty() &&
+                       !levels.secant_stiffness_std.empty();
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const double a = levels.amplitude[i];
+    const double k = levels.secant_stiffness[i];
+    const double work = std::numbers::pi * k * a * a;
+    measured.value.push_back(dissipation[i] / work);
+    if (!has_std) continue;
+    const double relative =
+        std::hypot(levels.secant_stiffness_std[i] / k, 2.0 * levels.amplitude_std[i] / a);
+    measured.std.push_back(
+        std::hypot(levels.dissipation_std[i] / work, measured.value.back() * relative));
+  }
+  return measured;
 }
 
 std::vector<double> dissipation_deviations(const TestResults& results) {

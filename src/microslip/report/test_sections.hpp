@@ -55,6 +55,16 @@ namespace microslip {
 /// Empty where a level has no σ_D.
 [[nodiscard]] std::vector<double> dissipation_deviations(const TestResults& results);
 
+/// Values at the levels, SI.
+struct MeasuredPoints {
+  std::vector<double> value;
+  std::vector<double> std;  ///< empty where it is not known
+};
+
+/// η = D/(π k_eq A²) of the levels, with D less the linear damping beside the joint; its relative variance
+/// is that of D and of k_eq and four times that of A. Empty where k_eq was not measured.
+[[nodiscard]] MeasuredPoints measured_loss_factor(const TestResults& results);
+
 /// D of the levels less that of the joint of the results.
 struct Misfit {
   double rms = 0.0;            ///< over the deviations, or relative to D, 1
