@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace microslip {
@@ -17,15 +18,30 @@ constexpr int kHalvings = 12;
 constexpr double kTrustedDeviations = 0.1;
 constexpr double kTrustedStep = 1e-5;
 
-double gauss_newton_step(const HarmonicRegression& regression, const HarmonicFit& fit) {
+struct Step {
+  double value = 0.0;
+  double rounding =
+      0.0;  ///< how far rounding may move it, and the phase Ω at the ends of the record
+};
+
+Step gauss_newton_step(const HarmonicRegression& regression, const HarmonicFit& fit) {
   const Eigen::ArrayXd squares = regression.floored(fit.squares).array();
-  const double gradient = (fit.gradient.array() / squares).sum();
   const double curvature = (fit.curvature.array() / squares).sum();
-  return curvature > 0.0 ? -gradient / curvature : 0.0;
+  if (!(curvature > 0.0)) return {};
+  const double gradient = (fit.gradient.array() / squares).sum();
+  const double rounding = (fit.rounding.array() / squares).sum();
+  return {-gradient / curvature,
+          rounding / curvature + std::numeric_limits<double>::epsilon() * fit.big_omega};
 }
 
 double deviation(const HarmonicRegression& regression, const HarmonicFit& fit) {
   return 1.0 / std::sqrt(information(regression, fit));
+}
+
+/// The step that nobody would miss: far below the standard error, or lost in rounding.
+double tolerance(const HarmonicRegression& regression, const HarmonicFit& fit, const Step& step) {
+  return std::max({kRelativeStep * fit.big_omega, step.rounding,
+                   kStepInDeviations * deviation(regression, fit)});
 }
 
 /// Takes the step, or the first of its halves that lowers the loss; false where none does.
@@ -63,13 +79,11 @@ Descent descend(const HarmonicRegression& regression, double big_omega, Eigen::I
   state.fit = regression.fit(std::clamp(big_omega, range.lowest, range.highest), order);
   state.iterations = 1;
   while (state.fit.determined) {
-    const double wanted = gauss_newton_step(regression, state.fit);
-    const double limited = std::clamp(wanted, -kLargestStep, kLargestStep);
+    const Step wanted = gauss_newton_step(regression, state.fit);
+    const double limited = std::clamp(wanted.value, -kLargestStep, kLargestStep);
     const double here = state.fit.big_omega;
     state.step = std::clamp(here + limited, range.lowest, range.highest) - here;
-    const double tolerance =
-        std::max(kRelativeStep * here, kStepInDeviations * deviation(regression, state.fit));
-    state.converged = std::abs(wanted) <= tolerance;
+    state.converged = std::abs(wanted.value) <= tolerance(regression, state.fit, wanted);
     if (state.converged || state.step == 0.0 || state.iterations >= max_iterations) break;
     if (!advance(regression, state.step, state)) break;
   }

@@ -28,7 +28,7 @@ struct Descent {
 [[nodiscard]] double information(const HarmonicRegression& regression, const HarmonicFit& fit);
 
 /// Gauss–Newton steps on Ω that lower the loss, halved until they do. Converged: the next step is
-/// below 1e−4 standard errors of Ω or 1e−13 of Ω.
+/// below 1e−4 standard errors of Ω, 1e−13 of Ω or what rounding of the gradient makes of it.
 [[nodiscard]] Descent descend(const HarmonicRegression& regression, double big_omega,
                               Eigen::Index order, OmegaRange range, int max_iterations);
 

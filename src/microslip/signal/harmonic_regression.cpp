@@ -2,7 +2,9 @@
 #include "microslip/signal/harmonic_regression.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
+#include <limits>
 
 namespace microslip {
 namespace {
@@ -10,8 +12,10 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-/// Rounding of sums over a record, relative to Σ y².
-constexpr double kSumRounding = 1e-13;
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+/// RSS/Σ y² below which the difference Σ y² − aᵀAᵀy has lost so many digits that the weights of the
+/// signals, 1/RSS, would change from one Ω to the next by rounding alone.
+constexpr double kCancelled = 1e-8;
 /// Reciprocal condition number of AᵀA below which the points do not determine the unknowns.
 constexpr double kLeastCondition = 1e-10;
 
@@ -44,6 +48,15 @@ Eigen::MatrixXd harmonic_products(const Eigen::RowVectorXcd& sums, Index order) 
     }
   }
   return g;
+}
+
+/// aᵀb by columns.
+Eigen::VectorXd dots(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  return a.cwiseProduct(b).colwise().sum().transpose();
+}
+
+Eigen::ArrayXd norms(const Eigen::MatrixXd& columns) {
+  return columns.colwise().norm().transpose().array();
 }
 
 /// Complex rows as pairs of real ones: Re of row 0, Im of row 0, Re of row 1, …
@@ -100,7 +113,8 @@ Eigen::MatrixXd HarmonicRegression::polynomials(PointRange range) const {
 }
 
 Eigen::VectorXd HarmonicRegression::floored(const Eigen::VectorXd& squares) const {
-  return squares.cwiseMax(kSumRounding * square_);
+  const double phase = kEpsilon * static_cast<double>(times_.points());
+  return squares.cwiseMax(phase * phase * square_);
 }
 
 /// Aᵀ s^weight A_h: all unknowns × those of the harmonics.
@@ -145,18 +159,31 @@ HarmonicFit HarmonicRegression::fit(double big_omega, Index order) const {
   Eigen::MatrixXd right(degree_ + 1 + 2 * order, count);  // Aᵀy
   right << polynomial_sums_, as_pairs(sums.leftCols(count));
   fit.coefficients = fit.gram.solve(right);
-  const auto dots = [](const auto& a, const auto& b) -> Eigen::VectorXd {
-    return a.cwiseProduct(b).colwise().sum().transpose();
-  };
-  fit.squares = square_ - dots(fit.coefficients, right);
+  fill_squares(right, fit);
 
   const Eigen::MatrixXd turned = as_pairs(fit.turned_harmonics());
   const Eigen::MatrixXd weighted = as_pairs(sums.rightCols(count));  // A_hᵀ s y
   fit.slope = gram(moments, order, 1) * turned;
   fit.gradient = dots(fit.coefficients, fit.slope) - dots(turned, weighted);
   const Eigen::MatrixXd squared = gram(moments, order, 2).bottomRows(2 * order) * turned;
-  fit.curvature = dots(turned, squared) - dots(fit.slope, fit.gram.solve(fit.slope));
+  const Eigen::VectorXd square_of_slope = dots(turned, squared);  // |x′|²
+  const Eigen::MatrixXd g = fit.gram.solve(fit.slope);
+  fit.curvature = square_of_slope - dots(fit.slope, g);
+  // Each sum over the record is off by some √points roundings of terms as large as its factors: those
+  // with x′ directly, those of Aᵀy and AᵀA by what they move a.
+  const double root = std::sqrt(static_cast<double>(times_.points()));
+  const Eigen::ArrayXd size = square_.cwiseSqrt().array();
+  fit.rounding = kEpsilon * root *
+                 (size * square_of_slope.cwiseMax(0.0).cwiseSqrt().array() +
+                  root * (size + root * norms(fit.coefficients)) * norms(g));
   return fit;
+}
+
+/// Σ y² − aᵀAᵀy, or from the residuals where that difference is rounding.
+void HarmonicRegression::fill_squares(const Eigen::MatrixXd& right, HarmonicFit& fit) const {
+  fit.squares = square_ - dots(fit.coefficients, right);
+  if ((fit.squares.array() > kCancelled * square_.array()).all()) return;
+  fit.squares = residuals(fit).colwise().squaredNorm().transpose();
 }
 
 Eigen::MatrixXd HarmonicRegression::residuals(const HarmonicFit& fit) const {

@@ -18,6 +18,7 @@ struct HarmonicFit {
   Eigen::MatrixXd coefficients;  ///< a, unknowns × signals
   Eigen::VectorXd squares;       ///< RSS per signal
   Eigen::VectorXd gradient;      ///< ½ dRSS/dΩ
+  Eigen::VectorXd rounding;      ///< how far rounding may move the gradient
   Eigen::VectorXd curvature;     ///< |P x′|², x′ = ∂x/∂Ω at fixed a, P off all columns
   Eigen::MatrixXd slope;         ///< Aᵀx′, unknowns × signals
   Eigen::LLT<Eigen::MatrixXd> gram;  ///< of AᵀA
@@ -47,7 +48,8 @@ class HarmonicRegression {
   [[nodiscard]] Eigen::Index degree() const { return degree_; }
   /// Σ y² per signal.
   [[nodiscard]] const Eigen::VectorXd& square() const { return square_; }
-  /// RSS, but not less than 1e−13 Σ y²: below, differences are rounding.
+  /// RSS, but not less than (ε points)² Σ y²: the phase of a harmonic next to the Nyquist frequency,
+  /// π/2 points rad at the ends of the record, is not known better, and below differences are rounding.
   [[nodiscard]] Eigen::VectorXd floored(const Eigen::VectorXd& squares) const;
   /// P_0(s) … P_K(s) at the points of the range.
   [[nodiscard]] Eigen::MatrixXd polynomials(PointRange range) const;
@@ -57,6 +59,7 @@ class HarmonicRegression {
                                      Eigen::Index weight) const;
   [[nodiscard]] Eigen::MatrixXd normal_matrix(const Eigen::MatrixXcd& moments,
                                               Eigen::Index order) const;
+  void fill_squares(const Eigen::MatrixXd& right, HarmonicFit& fit) const;
 
   const RecordTimes& times_;
   Eigen::Index degree_;
