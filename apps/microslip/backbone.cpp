@@ -74,10 +74,11 @@ int run(const BackboneOptions& options, const Call& call) {
       parse_whole_number("--mode", options.mode, 1, model.structure.linear().size(),
                          "That is how many modes the model has.");
   const HarmonicBalance balance = balance_of(model, options.prediction);
-  const ResponseCurve curve = curve_of(balance, options, responses, mode, call.quiet);
+  ResponseCurve curve = curve_of(balance, options, responses, mode, call.quiet);
+  add_reach_warnings(model, curve);
   return finish(
       curve, options.prediction, call, [&] { return backbone_table(curve, heading_of(call)); },
-      [&] { return describe(balance, curve, options) + describe_reach(model, curve); });
+      [&] { return describe(balance, curve, options) + describe_warnings(curve.warnings); });
 }
 
 }  // namespace

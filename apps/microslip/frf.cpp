@@ -109,10 +109,11 @@ int run(const FrfOptions& options, const Call& call) {
   const std::pair<double, double> range = parse_frequencies(options.frequency);
   const ModelFile model = read_model(options.prediction.model);
   const HarmonicBalance balance = balance_of(model, options.prediction);
-  const ResponseCurve curve = curve_of(balance, options, range, call.quiet);
+  ResponseCurve curve = curve_of(balance, options, range, call.quiet);
+  add_reach_warnings(model, curve);
   return finish(
       curve, options.prediction, call, [&] { return response_table(curve, heading_of(call)); },
-      [&] { return describe(balance, curve, options) + describe_reach(model, curve); });
+      [&] { return describe(balance, curve, options) + describe_warnings(curve.warnings); });
 }
 
 }  // namespace

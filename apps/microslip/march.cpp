@@ -84,7 +84,7 @@ std::string describe(const MarchArguments& arguments, const ModelFile& model,
   text += describe_energy(result.energy);
   std::vector<double> reach;
   for (const JointMotion& joint : result.joints) reach.push_back(largest(joint.displacement));
-  text += describe_reach(model, reach);
+  text += describe_warnings(reach_warnings(model, reach));
   if (model.structure.damping() == DampingLaw::kHysteretic) {
     text += wrapped("  warning: ",
                     "hysteretic damping has no form in time; the damping is viscous with the same "

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -94,25 +95,31 @@ std::string describe_model(const std::string& file, const JointedStructure& stru
          line("stuck resonances", stuck_frequencies_text(structure));
 }
 
-std::string describe_reach(const ModelFile& model, const std::vector<double>& amplitude) {
-  std::string text;
+std::vector<Warning> reach_warnings(const ModelFile& model, const std::vector<double>& amplitude) {
+  std::vector<Warning> warnings;
   for (std::size_t j = 0; j < std::min(amplitude.size(), model.covered_to.size()); ++j) {
     const StructuralJoint& joint = model.structure.joints()[j];
     const auto warning = beyond_identification(joint.joint, amplitude[j], model.covered_to[j]);
     if (!warning) continue;
-    text += wrapped("  warning: ", fmt::format("'{}': {}", joint.name, warning->text), 11);
+    warnings.push_back({warning->code, fmt::format("'{}': {}", joint.name, warning->text)});
   }
-  return text;
+  return warnings;
 }
 
-std::string describe_reach(const ModelFile& model, const ResponseCurve& curve) {
+void add_reach_warnings(const ModelFile& model, ResponseCurve& curve) {
   std::vector<double> amplitude(model.structure.joints().size(), 0.0);
   for (const SteadyVibration& point : curve.points) {
     for (std::size_t j = 0; j < amplitude.size(); ++j) {
       amplitude[j] = std::max(amplitude[j], point.joints[j].amplitude);
     }
   }
-  return describe_reach(model, amplitude);
+  std::ranges::copy(reach_warnings(model, amplitude), std::back_inserter(curve.warnings));
+}
+
+std::string describe_warnings(const std::vector<Warning>& warnings) {
+  std::string text;
+  for (const Warning& warning : warnings) text += wrapped("  warning: ", warning.text, 11);
+  return text;
 }
 
 void show_reach(const JointFile& file, double amplitude) {

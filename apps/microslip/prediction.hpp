@@ -52,13 +52,16 @@ void add_prediction_arguments(CLI::App& command, PredictionArguments& arguments,
 [[nodiscard]] std::string describe_model(const std::string& file,
                                          const JointedStructure& structure);
 
-/// Warnings of a summary, where joints move more than in the levels that they were identified by.
+/// Where joints move more than in the levels that they were identified by.
 /// @param amplitude  the largest of each joint, m.
-[[nodiscard]] std::string describe_reach(const ModelFile& model,
-                                         const std::vector<double>& amplitude);
+[[nodiscard]] std::vector<Warning> reach_warnings(const ModelFile& model,
+                                                  const std::vector<double>& amplitude);
 
-/// The same of a curve.
-[[nodiscard]] std::string describe_reach(const ModelFile& model, const ResponseCurve& curve);
+/// The same of a curve, to its warnings: the table holds them too.
+void add_reach_warnings(const ModelFile& model, ResponseCurve& curve);
+
+/// The lines of a summary on warnings.
+[[nodiscard]] std::string describe_warnings(const std::vector<Warning>& warnings);
 
 /// The same of a joint by itself that moves by so much, on standard error.
 void show_reach(const JointFile& file, double amplitude);

@@ -74,7 +74,8 @@ struct ResponseCurve {
   std::vector<SteadyVibration> peaks;
   /// i where the curve turns back in the quantity that it follows between points i − 1 and i + 1.
   std::vector<std::size_t> turning_points;
-  Summary summary;  ///< of the whole curve: why it ended, and where
+  std::vector<Warning> warnings;  ///< what one must know who reads the points; tables repeat them
+  Summary summary;                ///< of the whole curve: why it ended, and where
 };
 
 }  // namespace microslip

@@ -119,6 +119,7 @@ CsvWriter begin(const ResponseCurve& curve, std::string_view heading) {
   CsvWriter table;
   if (!heading.empty()) table.add_comment(heading);
   add_ending(curve.summary, table);
+  for (const Warning& warning : curve.warnings) table.add_comment("warning: " + warning.text);
   return table;
 }
 

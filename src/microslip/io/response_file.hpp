@@ -14,7 +14,8 @@
 ///     amplitude_NAME [m], dissipation_NAME [J], reversals_NAME [1]    of each joint
 ///     energy_imbalance [1]    |W_ext − W_lin − ΣD|/W_ext: how well the equations are solved
 ///
-/// and their comments tell how the computation ended, "NOT CONVERGED" where it did not.
+/// and their comments tell how the computation ended, "NOT CONVERGED" where it did not, and the
+/// warnings of the curve.
 
 namespace microslip {
 
