@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -19,11 +21,14 @@
 #include "command.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/io/temporaries.hpp"
+#include "microslip/io/write_error.hpp"
 #include "nothing_found.hpp"
 
 namespace {
 
 using namespace microslip::app;
+
+constexpr std::string_view kStandardOutput = "standard output";
 
 // Nothing half-written stays behind: files in the making go, then the signal does what it would have
 // done.
@@ -120,11 +125,30 @@ std::string fault_of(const CLI::App& program, const CLI::ParseError& error) {
   return fmt::format("subcommand = '{}'; must be one of {}", rest.front(), names);
 }
 
+/// The status, unless what was printed got lost.
+int finished_output(int status) {
+  const bool whole = std::ferror(stdout) == 0;
+  if (std::fflush(stdout) != 0) microslip::fail_to_write(kStandardOutput, errno);
+  if (!whole) microslip::fail_to_write(kStandardOutput, EIO);
+  microslip::close_copy(STDOUT_FILENO, kStandardOutput);
+  return status;
+}
+
+/// A stream that the caller has closed must not become a file that is written: messages would get
+/// into it. Reading from it or writing to it fails.
+void occupy_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) >= 0) continue;
+    const int access = stream == STDIN_FILENO ? O_WRONLY : O_RDONLY;
+    if (::open("/dev/null", access) < 0) return;  // takes the lowest number that is free
+  }
+}
+
 int parse_and_run(CLI::App& program, Call& call, int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& success) {
-    return program.exit(success);  // --help, --version
+    return finished_output(program.exit(success));  // --help, --version
   } catch (const CLI::ParseError& error) {
     const auto chosen = program.get_subcommands();
     const std::string help =
@@ -132,18 +156,16 @@ int parse_and_run(CLI::App& program, Call& call, int argc, char** argv) {
     return complain(kInputAtFault, fmt::format("{}. Run `{}` for the options and examples.",
                                                fault_of(program, error), help));
   }
-  const int status = call.run();
-  if (std::fflush(stdout) != 0) {
-    return complain(kFailed, fmt::format("standard output: cannot be written: {}",
-                                         std::generic_category().message(errno)));
-  }
-  return status;
+  return finished_output(call.run());
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) remove_temporaries_on(signal);
+  occupy_closed_streams();
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) remove_temporaries_on(signal);
+  // A pipe that nobody reads and a limit of the size of files are errors of writing, as a full disk.
+  for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
   try {
     Call call;
     call.command_line = command_line(argc, argv);
@@ -153,12 +175,19 @@ int main(int argc, char** argv) {
     return complain(kInputAtFault, error.what());
   } catch (const microslip::FormatError& error) {
     return complain(kInputAtFault, error.what());
+  } catch (const microslip::WriteError& error) {
+    return complain(kFailed, error.what());
   } catch (const microslip::FileError& error) {
     return complain(kInputAtFault, error.what());
   } catch (const microslip::app::NothingFound& error) {
     return complain(kNotConverged, error.what());
   } catch (const std::bad_alloc&) {
     return complain(kFailed, "out of memory");
+  } catch (const std::system_error& error) {  // of a table on standard output, as a rule
+    const bool lost = std::ferror(stdout) != 0;
+    return complain(kFailed, lost ? fmt::format("{}: cannot be written: {}", kStandardOutput,
+                                                error.code().message())
+                                  : error.what());
   } catch (const std::exception& error) {
     return complain(kFailed, error.what());
   }

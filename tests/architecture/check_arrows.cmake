@@ -33,7 +33,7 @@ string(JOIN "|" random "# *include *<random>" "std::(random_device|mt19937|rand|
        "(^|[^A-Za-z0-9_:.>])s?rand *\\(")
 
 # What may end a process all the same: the copy of this process that it started itself.
-set(may_end src/microslip/io/trial_process.cpp)
+set(may_end src/microslip/io/reading_process.cpp)
 
 set(offences 0)
 function(offend file number text)

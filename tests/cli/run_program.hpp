@@ -30,11 +30,13 @@ struct Outcome {
 
 /// The circumstances of a run.
 struct Circumstances {
-  std::string in{};                      ///< text on standard input
-  std::optional<int> standard_output{};  ///< a file descriptor in place of one that is captured
-  std::vector<int> closed{};             ///< of 0, 1, 2
-  std::optional<int> ignored_signal{};   ///< as `nohup` ignores SIGHUP
-  bool unprivileged = false;             ///< no more rights than any user, even where root tests
+  std::string in{};                        ///< text on standard input
+  std::optional<int> standard_output{};    ///< a file descriptor in place of one that is captured
+  std::vector<int> closed{};               ///< of 0, 1, 2
+  std::optional<int> ignored_signal{};     ///< as `nohup` ignores SIGHUP
+  std::optional<std::size_t> file_size{};  ///< no file can become larger, bytes
+  std::vector<std::string> environment{};  ///< "NAME=VALUE", added to that of the test
+  bool unprivileged = false;               ///< no more rights than any user, even where root tests
   std::optional<unsigned short>
       columns{};  ///< on a terminal of this width, see Running::terminal()
 };
@@ -96,6 +98,11 @@ class Sandbox {
 /// nothing on standard output and nothing written.
 void expect_refused(const Sandbox& box, const Arguments& arguments,
                     const std::vector<std::string>& parts, const Circumstances& how = {});
+
+/// Expects that what was to be written could not be: status 1, one line on standard error that says
+/// so with all of the parts, and all files as they were.
+void expect_unwritten(const Sandbox& box, const Arguments& arguments,
+                      const std::vector<std::string>& parts, const Circumstances& how);
 
 /// Expects that the call is done, with nothing on standard error.
 Outcome expect_done(const Sandbox& box, const Arguments& arguments, const Circumstances& how = {});

@@ -36,6 +36,9 @@ class Hdf5Session {
 /// FormatError "place: expected …, found …" with the library's reason.
 [[noreturn]] void fail_hdf5(std::string_view place, std::string_view expected);
 
+/// WriteError with the library's reason, and that of the system where it tells it.
+[[noreturn]] void fail_to_write_hdf5(std::string_view place);
+
 /// Owns an identifier of the library.
 class Hdf5Handle {
  public:
@@ -62,7 +65,11 @@ class Hdf5Handle {
   Close close_ = nullptr;
 };
 
-/// @throws FileError  where there is no such file, it may not be read, or it is no HDF5 file.
+/// @throws FileError  where there is no such file or it may not be read.
+void check_hdf5_file(const std::string& path);
+
+/// To be called in a reading process alone, see reading_process.hpp.
+/// @throws FormatError  where it is no HDF5 file, or a damaged one.
 [[nodiscard]] Hdf5Handle open_hdf5(const std::string& path);
 
 /// The names of the members of a group, those that end in numbers by number: x_2 before x_10.

@@ -12,10 +12,11 @@
 #include "microslip/io/hdf5_handle.hpp"
 #include "microslip/io/hdf5_layout.hpp"
 #include "microslip/io/hdf5_values.hpp"
-#include "microslip/io/input_file.hpp"
+#include "microslip/io/hdf5_written.hpp"
+#include "microslip/io/reading_process.hpp"
 #include "microslip/io/sampling.hpp"
 #include "microslip/io/text.hpp"
-#include "microslip/io/trial_process.hpp"
+#include "microslip/io/written_recordings.hpp"
 
 namespace microslip {
 namespace {
@@ -107,20 +108,9 @@ class OwnReader {
   Hdf5Progress& progress_;
 };
 
-/// As write_recordings_hdf5() leaves it: a superblock of version 2 or later, which like all that it
-/// leads to has a checksum, and the schema among the attributes of the root, which come next. Told
-/// from the bytes, as opening a damaged file is what can crash.
-bool has_own_layout(const std::string& path) {
-  constexpr std::string_view kSignature = "\x89HDF\r\n\x1A\n";
-  constexpr std::size_t kHeadSize = 4096;
-  const std::string head = read_file_head(path, kHeadSize);
-  return head.starts_with(kSignature) && head.size() > kSignature.size() &&
-         head[kSignature.size()] >= 2 && head.find(kRecordingSchema) != std::string::npos;
-}
-
-Recordings read_file_of_recordings(const std::string& path, const RecordingReadOptions& options) {
+Recordings read_file_of_recordings(const std::string& path, const Progress& told) {
   const Hdf5Handle file = open_hdf5(path);
-  Hdf5Progress progress(file.id(), options.progress);
+  Hdf5Progress progress(file.id(), told);
   if (hdf5_text(file.id(), "schema", path) != kRecordingSchema) {
     return read_foreign_hdf5(file.id(), path, progress);
   }
@@ -134,17 +124,30 @@ Recordings read_file_of_recordings(const std::string& path, const RecordingReadO
 
 }  // namespace
 
+void check_written_hdf5(const Hdf5Session& session, const std::string& path,
+                        std::span<const Recording> recordings) {
+  try {
+    const auto compare = [&](const Progress& told) {
+      const Recordings found = read_file_of_recordings(path, told);
+      if (are_same(found.recordings, recordings)) return;
+      throw FormatError({.file = path}, "what was written", "something else");
+    };
+    run_reading_process(session, path, {},
+                        {.read = compare, .give = [](auto&) {}, .take = [](auto&) {}});
+  } catch (const FormatError&) {
+    fail_as_not_written(path);
+  } catch (const InputError&) {
+    fail_as_not_written(path);
+  }
+}
+
 Recordings read_recordings_hdf5(const std::string& path, const RecordingReadOptions& options) {
   try {
-    if (path == "-") return read_file_of_recordings(path, options);  // which refuses it
+    check_hdf5_file(path);
     const Hdf5Session session;
-    if (!has_own_layout(path)) {
-      RecordingReadOptions silent = options;
-      silent.progress = {};
-      try_in_child(session, path, options.progress,
-                   [&] { (void)read_file_of_recordings(path, silent); });
-    }
-    return read_file_of_recordings(path, options);
+    return read_in_process<Recordings>(session, path, options.progress, [&](const Progress& told) {
+      return read_file_of_recordings(path, told);
+    });
   } catch (const std::bad_alloc&) {
     throw FileError(path, "does not fit into memory");
   }

@@ -34,8 +34,8 @@
 /// attribute of the dataset or of a group that it lies in, or a dataset of one number there.
 /// `channel_name` names a channel (else the name of the dataset does), `unit_str`, `unit` or
 /// `units` its unit. Values come in SI; without unit they are as the file has them. A damaged file
-/// without checksums can crash the HDF5 library; therefore a copy of the process (fork) reads a file
-/// of others first, which takes as long again.
+/// can crash the HDF5 library or keep it busy for ever, whoever wrote it; therefore a copy of the
+/// process (fork) reads it and hands over what it has read.
 
 namespace microslip {
 

@@ -9,19 +9,21 @@
 #include "microslip/io/hdf5_layout.hpp"
 #include "microslip/io/hdf5_recording.hpp"
 #include "microslip/io/hdf5_values.hpp"
+#include "microslip/io/hdf5_written.hpp"
 
 namespace microslip {
 namespace {
 
 constexpr hsize_t kChunk = hsize_t{1} << 17U;  // values
 
-[[noreturn]] void fail_to_write_hdf5(const std::string& place) {
-  throw FileError(place, fmt::format("cannot be written: {}", hdf5_reason()));
-}
-
-Hdf5Handle require(Hdf5Handle handle, const std::string& place) {
+Hdf5Handle require_written(Hdf5Handle handle, const std::string& place) {
   if (!handle.valid()) fail_to_write_hdf5(place);
   return handle;
+}
+
+/// What has been kept back is written upon closing.
+void close_written(Hdf5Handle& handle, const std::string& place) {
+  if (!handle.close()) fail_to_write_hdf5(place);
 }
 
 /// The attributes of a recording or a channel under names that are free, in their order.
@@ -56,10 +58,10 @@ Hdf5Handle dataset_properties(hsize_t count) {
 Hdf5Handle create_dataset(hid_t group, const char* name, hid_t type, hsize_t count,
                           const std::string& place) {
   const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
-  return require({H5Dcreate2(group, name, type, space.id(), H5P_DEFAULT,
-                             dataset_properties(count).id(), H5P_DEFAULT),
-                  H5Dclose},
-                 place);
+  return require_written({H5Dcreate2(group, name, type, space.id(), H5P_DEFAULT,
+                                     dataset_properties(count).id(), H5P_DEFAULT),
+                          H5Dclose},
+                         place);
 }
 
 Hdf5Handle write_real(hid_t group, const char* name, std::span<const double> values,
@@ -106,8 +108,9 @@ Hdf5Handle write_complex(hid_t group, const char* name, const Channel& channel,
 void write_axis(hid_t group, const Axis& axis, const std::string& place) {
   write_hdf5_text(group, "axis_unit", si_unit(axis.dimension), place);
   if (!axis.even()) {
-    const Hdf5Handle dataset = write_real(group, "axis", axis.values, place + "/axis");
-    return write_hdf5_text(dataset.id(), "unit_str", si_unit(axis.dimension), place + "/axis");
+    Hdf5Handle dataset = write_real(group, "axis", axis.values, place + "/axis");
+    write_hdf5_text(dataset.id(), "unit_str", si_unit(axis.dimension), place + "/axis");
+    return close_written(dataset, place + "/axis");
   }
   write_hdf5_number(group, "start", axis.start, place);
   write_hdf5_number(group, "step", axis.step, place);
@@ -118,9 +121,9 @@ void write_channel(hid_t group, std::size_t number, const Channel& channel, cons
                    const std::string& place_of_group) {
   const std::string name = fmt::format("channel_{}", number);
   const std::string place = place_of_group + "/" + name;
-  const Hdf5Handle dataset = channel.imaginary.empty()
-                                 ? write_real(group, name.c_str(), channel.values, place)
-                                 : write_complex(group, name.c_str(), channel, place);
+  Hdf5Handle dataset = channel.imaginary.empty()
+                           ? write_real(group, name.c_str(), channel.values, place)
+                           : write_complex(group, name.c_str(), channel, place);
   write_hdf5_text(dataset.id(), "channel_name", channel.name, place);
   if (channel.dimension) {
     write_hdf5_text(dataset.id(), "unit_str", si_unit(*channel.dimension), place);
@@ -130,6 +133,7 @@ void write_channel(hid_t group, std::size_t number, const Channel& channel, cons
     write_hdf5_number(dataset.id(), "fs", 1.0 / axis.step, place);
   }
   write_attributes(dataset.id(), channel.attributes, kChannelKeys, place);
+  close_written(dataset, place);
 }
 
 void write_recording(hid_t file, std::size_t number, const Recording& recording,
@@ -139,7 +143,7 @@ void write_recording(hid_t file, std::size_t number, const Recording& recording,
   const Hdf5Handle properties(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
   H5Pset_attr_creation_order(properties.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
   H5Pset_obj_track_times(properties.id(), false);
-  const Hdf5Handle group = require(
+  Hdf5Handle group = require_written(
       {H5Gcreate2(file, name.c_str(), H5P_DEFAULT, properties.id(), H5P_DEFAULT), H5Gclose}, place);
   write_hdf5_text(group.id(), "source", recording.source, place);
   write_axis(group.id(), recording.axis, place);
@@ -147,6 +151,23 @@ void write_recording(hid_t file, std::size_t number, const Recording& recording,
   for (std::size_t i = 0; i < recording.channels.size(); ++i) {
     write_channel(group.id(), i + 1, recording.channels[i], recording.axis, place);
   }
+  close_written(group, place);
+}
+
+void write_whole(const std::string& path, std::span<const Recording> recordings) {
+  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  // From 1.10 on all that surrounds the values carries checksums.
+  H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_LATEST);
+  const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  H5Pset_obj_track_times(creation.id(), false);
+  Hdf5Handle file = require_written(
+      {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose}, path);
+  write_hdf5_text(file.id(), "schema", std::string(kRecordingSchema), path);
+  for (std::size_t i = 0; i < recordings.size(); ++i) {
+    write_recording(file.id(), i + 1, recordings[i], path);
+  }
+  if (H5Fflush(file.id(), H5F_SCOPE_GLOBAL) < 0) fail_to_write_hdf5(path);
+  close_written(file, path);
 }
 
 }  // namespace
@@ -154,18 +175,9 @@ void write_recording(hid_t file, std::size_t number, const Recording& recording,
 void write_recordings_hdf5(const std::string& path, std::span<const Recording> recordings) {
   for (const Recording& recording : recordings) check_recording(recording);
   const Hdf5Session session;
-  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  // From 1.10 on all that surrounds the values carries checksums.
-  H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_LATEST);
-  const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
-  H5Pset_obj_track_times(creation.id(), false);
-  Hdf5Handle file =
-      require({H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose}, path);
-  write_hdf5_text(file.id(), "schema", std::string(kRecordingSchema), path);
-  for (std::size_t i = 0; i < recordings.size(); ++i) {
-    write_recording(file.id(), i + 1, recordings[i], path);
-  }
-  if (!file.close()) fail_to_write_hdf5(path);
+  write_whole(path, recordings);
+  // The library has let errors of the disk pass; what was written is what is promised.
+  check_written_hdf5(session, path, recordings);
 }
 
 }  // namespace microslip

@@ -9,6 +9,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/hdf5_handle.hpp"
+#include "microslip/io/reading_process.hpp"
 #include "microslip/io/text.hpp"
 
 namespace microslip {
@@ -140,8 +141,7 @@ void write_attribute(hid_t object, const std::string& name, hid_t type, const vo
   Hdf5Handle attribute(H5Acreate2(object, name.c_str(), type, space.id(), H5P_DEFAULT, H5P_DEFAULT),
                        H5Aclose);
   if (!attribute.valid() || H5Awrite(attribute.id(), type, value) < 0 || !attribute.close()) {
-    throw FileError(place, fmt::format("the attribute {} cannot be written: {}", in_quotes(name),
-                                       hdf5_reason()));
+    fail_to_write_hdf5(fmt::format("{}: attribute {}", place, in_quotes(name)));
   }
 }
 
@@ -185,6 +185,7 @@ std::size_t check_hdf5_storage(hid_t dataset, const std::string& place) {
     throw FormatError({.file = place}, fmt::format("{} values", count), "fewer in the file",
                       "It was not closed when it was written, or it is damaged.");
   }
+  expect_to_read(std::max<hsize_t>(bytes, count * sizeof(double)));
   return count;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -297,8 +298,13 @@ class VariableReader {
     if (length <= 0 || names.size() % step != 0) {
       stream_.fail("names of fields", fmt::format("{} bytes for each", length));
     }
+    std::set<std::string> taken;
     for (std::size_t at = 0; at < names.size(); at += step) {
       value.fields.emplace_back(names.substr(at, step).c_str());
+      if (!taken.insert(value.fields.back()).second) {
+        stream_.fail("each field of a struct once",
+                     fmt::format("{} twice", in_quotes(value.fields.back())));
+      }
       if (!is_plain_name(value.fields.back())) {
         stream_.fail("the name of a field", in_quotes(value.fields.back()));
       }

@@ -13,8 +13,8 @@
 #include "microslip/io/hdf5_handle.hpp"
 #include "microslip/io/hdf5_values.hpp"
 #include "microslip/io/mat_text.hpp"
+#include "microslip/io/reading_process.hpp"
 #include "microslip/io/text.hpp"
-#include "microslip/io/trial_process.hpp"
 
 namespace microslip {
 namespace {
@@ -184,10 +184,9 @@ MatTree read_tree(const std::string& path, const MatReadOptions& options) {
 
 MatTree read_mat73(const std::string& path, const MatReadOptions& options) {
   const Hdf5Session session;
-  MatReadOptions silent = options;
-  silent.progress = {};
-  try_in_child(session, path, options.progress, [&] { (void)read_tree(path, silent); });
-  return read_tree(path, options);
+  return read_in_process<MatTree>(session, path, options.progress, [&](const Progress& told) {
+    return read_tree(path, {.only = options.only, .progress = told});
+  });
 }
 
 }  // namespace microslip

@@ -117,7 +117,11 @@ MatPlace follow(MatValue& root, std::string_view path, const std::string& file) 
 MatValue* field_of(MatValue& value, std::size_t element, std::string_view name) {
   const auto found = std::ranges::find(value.fields, name);
   if (value.kind != MatValue::Kind::kStruct || found == value.fields.end()) return nullptr;
-  const auto index = static_cast<std::size_t>(std::distance(value.fields.begin(), found));
+  return field_at(value, element,
+                  static_cast<std::size_t>(std::distance(value.fields.begin(), found)));
+}
+
+MatValue* field_at(MatValue& value, std::size_t element, std::size_t index) {
   const std::size_t at = element * value.fields.size() + index;
   return at < value.children.size() ? &value.children[at] : nullptr;
 }

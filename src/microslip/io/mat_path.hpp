@@ -25,5 +25,7 @@ struct MatPlace {
 
 /// The field of an element; null where there is none of the name.
 [[nodiscard]] MatValue* field_of(MatValue& value, std::size_t element, std::string_view name);
+/// The same by its number in `fields`, from 0.
+[[nodiscard]] MatValue* field_at(MatValue& value, std::size_t element, std::size_t index);
 
 }  // namespace microslip

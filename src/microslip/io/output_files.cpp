@@ -17,7 +17,9 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/file_descriptor.hpp"
 #include "microslip/io/file_kind.hpp"
+#include "microslip/io/file_output.hpp"
 #include "microslip/io/input_file.hpp"
+#include "microslip/io/write_error.hpp"
 
 namespace microslip {
 namespace {
@@ -25,30 +27,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kStandardOutput = "standard output";
-
-std::string_view remedy_for_writing(int error) {
-  switch (error) {
-    case ENOENT:
-      return "Create the folder first.";
-    case EACCES:
-    case EPERM:
-    case EROFS:
-      return "Choose a folder that you may write to.";
-    case ENOSPC:
-    case EDQUOT:
-      return "Make room, or choose another folder.";
-    case ENAMETOOLONG:
-      return "Choose a shorter name.";
-    default:
-      return {};
-  }
-}
-
-[[noreturn]] void fail(std::string_view path, int error) {
-  throw FileError(path,
-                  fmt::format("cannot be written: {}", std::generic_category().message(error)),
-                  remedy_for_writing(error));
-}
 
 [[noreturn]] void fail_twice(std::string_view path) {
   throw FileError(path, "would be written twice", "Choose different names.");
@@ -82,7 +60,7 @@ void check_folder(const std::string& path, const std::string& target) {
   const std::string folder = folder_of(target);
   struct stat status {};
   if (::stat(folder.c_str(), &status) != 0) {
-    if (errno != ENOENT) fail(path, errno);
+    if (errno != ENOENT) fail_to_write(path, errno);
     throw FileError(path, fmt::format("cannot be written: there is no folder '{}'", folder),
                     "Create it first.");
   }
@@ -90,7 +68,8 @@ void check_folder(const std::string& path, const std::string& target) {
     throw FileError(path, fmt::format("cannot be written: '{}' is no folder", folder),
                     "Choose another name.");
   }
-  if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0) fail(path, errno);
+  if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0)
+    fail_to_write(path, errno);
 }
 
 /// Where a path leads, and what is there to be replaced.
@@ -123,7 +102,7 @@ OutputTarget checked_target(const std::string& path) {
   if (::stat(target.file.c_str(), &status) == 0) {
     target.replaced = status;
   } else if (errno != ENOENT) {
-    fail(path, errno);
+    fail_to_write(path, errno);
   }
   check_replaceable(path, target);
   return target;
@@ -141,15 +120,6 @@ void check_kind(const std::string& path, const std::string& target, std::string_
                   "Remove it or choose another name.");
 }
 
-void write_all(int file, std::string_view path, std::string_view content) {
-  while (!content.empty()) {
-    const ssize_t count = ::write(file, content.data(), content.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail(path, errno);
-    content.remove_prefix(static_cast<std::size_t>(count));
-  }
-}
-
 /// A new file in the folder of the target, with the permissions of the file it is going to replace.
 std::pair<Temporary, FileDescriptor> create_beside(const std::string& path,
                                                    const OutputTarget& target) {
@@ -165,22 +135,31 @@ std::pair<Temporary, FileDescriptor> create_beside(const std::string& path,
     }
     const int error = errno;
     temporary.keep();
-    if (error != EEXIST) fail(path, error);
+    if (error != EEXIST) fail_to_write(path, error);
   }
 }
 
 /// To disk, or the new name could outlive the content in a power failure.
 void flush_to_disk(const std::string& path, const std::string& temporary) {
-  const FileDescriptor file(::open(temporary.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.is_open() && ::fsync(file.number()) != 0 && errno != EINVAL && errno != ENOTSUP) {
-    fail(path, errno);
-  }
+  FileDescriptor file(::open(temporary.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file.is_open()) fail_to_write(path, errno);
+  sync_file(file.number(), path);
+  if (!file.close()) fail_to_write(path, errno);
 }
 
-void flush_folder(const std::string& target) {
+/// The names, too. A folder that may be written to but not be listed cannot be opened: no harm.
+void flush_folder(const std::string& path, const std::string& target) {
   const FileDescriptor folder(
       ::open(folder_of(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (folder.is_open()) ::fsync(folder.number());  // some file systems refuse: no harm
+  if (folder.is_open()) sync_file(folder.number(), path);
+}
+
+/// Some file systems tell only now what they could not keep.
+void write_standard_output(std::string_view content) {
+  if (std::fflush(stdout) != 0) fail_to_write(kStandardOutput, errno);
+  write_all(STDOUT_FILENO, content, kStandardOutput);
+  sync_file(STDOUT_FILENO, kStandardOutput);
+  close_copy(STDOUT_FILENO, kStandardOutput);
 }
 
 /// A file that has got its final name, and how to take that back.
@@ -241,8 +220,8 @@ void OutputFiles::add(const std::string& path, std::string_view content) {
     return;
   }
   auto [file, descriptor] = create(path);
-  write_all(descriptor.number(), path, content);
-  if (!descriptor.close()) fail(path, errno);
+  write_all(descriptor.number(), content, path);
+  if (!descriptor.close()) fail_to_write(path, errno);
 }
 
 std::string OutputFiles::stage(const std::string& path) {
@@ -263,25 +242,24 @@ void OutputFiles::check_all() const {
 
 void OutputFiles::commit() {
   check_all();
-  if (standard_output_) {
-    std::fflush(stdout);
-    write_all(STDOUT_FILENO, kStandardOutput, *standard_output_);
-  }
+  if (standard_output_) write_standard_output(*standard_output_);
   std::vector<Placed> placed;
   placed.reserve(files_.size());
-  for (File& file : files_) {
-    const bool replaced = fs::exists(fs::symlink_status(file.target));
-    auto old = replaced && files_.size() > 1 ? second_name(file.target, file.temporary.path())
-                                             : std::nullopt;
-    if (::rename(file.temporary.path().c_str(), file.target.c_str()) != 0) {
-      const int error = errno;
-      for (Placed& earlier : placed) earlier.take_back();
-      fail(file.path, error);
+  try {
+    for (File& file : files_) {
+      const bool replaced = fs::exists(fs::symlink_status(file.target));
+      auto old = replaced ? second_name(file.target, file.temporary.path()) : std::nullopt;
+      if (::rename(file.temporary.path().c_str(), file.target.c_str()) != 0) {
+        fail_to_write(file.path, errno);
+      }
+      file.temporary.keep();
+      placed.push_back({file.target, replaced, std::move(old)});
     }
-    file.temporary.keep();
-    placed.push_back({file.target, replaced, std::move(old)});
+    for (const File& file : files_) flush_folder(file.path, file.target);
+  } catch (...) {
+    for (Placed& earlier : placed) earlier.take_back();
+    throw;
   }
-  for (const File& file : files_) flush_folder(file.target);
   files_.clear();
   standard_output_.reset();
 }

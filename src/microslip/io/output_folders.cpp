@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "microslip/base/error.hpp"
+#include "microslip/io/write_error.hpp"
 
 namespace microslip {
 
@@ -22,7 +22,8 @@ void OutputFolders::make(const std::string& path, std::string_view remedy) {
     if (fs::create_directory(so_far, error)) made_.emplace_back(so_far.string());
     if (!error) continue;
     const std::string where = so_far == path ? "" : so_far.string() + ": ";
-    throw FileError(path, where + error.message(), remedy);
+    if (is_fault_of_path(error.value())) throw FileError(path, where + error.message(), remedy);
+    throw WriteError(path, where + error.message(), remedy);
   }
 }
 

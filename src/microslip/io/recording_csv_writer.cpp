@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cstddef>
-#include <fstream>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/csv_cells.hpp"
+#include "microslip/io/file_output.hpp"
 #include "microslip/io/recording_csv.hpp"
 #include "microslip/io/recording_csv_header.hpp"
 #include "microslip/io/text.hpp"
@@ -95,19 +93,15 @@ std::string checked_header(const Recording& recording) {
 
 void write_recording_csv(const std::string& path, const Recording& recording) {
   std::string text = checked_header(recording);
-  std::ofstream file(path, std::ios::binary | std::ios::trunc);
-  for (std::size_t row = 0; row < recording.size() && file; ++row) {
+  FileOutput file(path);
+  for (std::size_t row = 0; row < recording.size(); ++row) {
     append_row(text, recording, row);
     if (text.size() < kBufferSize) continue;
-    file.write(text.data(), static_cast<std::streamsize>(text.size()));
+    file.write(text);
     text.clear();
   }
-  file.write(text.data(), static_cast<std::streamsize>(text.size()));
+  file.write(text);
   file.close();
-  if (file) return;
-  throw FileError(path,
-                  fmt::format("cannot be written: {}", std::generic_category().message(errno)),
-                  "Make room, or choose another folder.");
 }
 
 std::string format_recording_csv(const Recording& recording) {

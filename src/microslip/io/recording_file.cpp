@@ -19,6 +19,7 @@
 #include "microslip/io/signature.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/io/uff_recording.hpp"
+#include "microslip/io/write_error.hpp"
 
 namespace microslip {
 namespace {
@@ -140,6 +141,22 @@ void write_csv(OutputFiles& files, const std::string& path, std::span<const Reco
   }
 }
 
+void write_format(OutputFiles& files, const std::string& path,
+                  std::span<const Recording> recordings, RecordingFormat format) {
+  switch (format) {
+    case RecordingFormat::kCsv:
+      return write_csv(files, path, recordings);
+    case RecordingFormat::kUff:
+    case RecordingFormat::kUffBinary:
+      return write_recordings_uff(files.stage(path), recordings,
+                                  format == RecordingFormat::kUffBinary);
+    case RecordingFormat::kMat:
+      return write_recordings_mat(files.stage(path), recordings);
+    case RecordingFormat::kHdf5:
+      return write_recordings_hdf5(files.stage(path), recordings);
+  }
+}
+
 }  // namespace
 
 PartOfFile part_of_file(const std::string& path) {
@@ -197,17 +214,10 @@ Recordings read_recordings(const std::string& path, const RecordingReadOptions& 
 
 void write_recordings(OutputFiles& files, const std::string& path,
                       std::span<const Recording> recordings, RecordingFormat format) {
-  switch (format) {
-    case RecordingFormat::kCsv:
-      return write_csv(files, path, recordings);
-    case RecordingFormat::kUff:
-    case RecordingFormat::kUffBinary:
-      return write_recordings_uff(files.stage(path), recordings,
-                                  format == RecordingFormat::kUffBinary);
-    case RecordingFormat::kMat:
-      return write_recordings_mat(files.stage(path), recordings);
-    case RecordingFormat::kHdf5:
-      return write_recordings_hdf5(files.stage(path), recordings);
+  try {
+    write_format(files, path, recordings, format);
+  } catch (const WriteError& error) {
+    throw error.renamed(path);  // its own is that of a temporary file
   }
 }
 

@@ -45,7 +45,7 @@ std::string format_id(const Uff58Header& header, bool binary) {
 /// Appends to a text and hands it on when it is large.
 class Buffer {
  public:
-  explicit Buffer(UffOutput& output) : output_(output) { text_.reserve(kTextBlock + 2 * kRecord); }
+  explicit Buffer(FileOutput& output) : output_(output) { text_.reserve(kTextBlock + 2 * kRecord); }
 
   std::string& text() {
     if (text_.size() >= kTextBlock) flush();
@@ -57,7 +57,7 @@ class Buffer {
   }
 
  private:
-  UffOutput& output_;
+  FileOutput& output_;
   std::string text_;
 };
 
@@ -66,7 +66,7 @@ std::size_t points_per_line(const Uff58Header& header) {
   return header.even ? 4 / header.components() : 2 / header.components();
 }
 
-void write_text(UffOutput& output, const Uff58Header& header, const Uff58Values& values) {
+void write_text(FileOutput& output, const Uff58Header& header, const Uff58Values& values) {
   Buffer buffer(output);
   const std::size_t per_line = points_per_line(header);
   for (std::size_t i = 0; i < header.points;) {
@@ -90,7 +90,7 @@ double little_endian(double value) {
   return std::bit_cast<double>(__builtin_bswap64(std::bit_cast<std::uint64_t>(value)));
 }
 
-void write_binary(UffOutput& output, const Uff58Header& header, const Uff58Values& values) {
+void write_binary(FileOutput& output, const Uff58Header& header, const Uff58Values& values) {
   std::array<std::span<const double>, 3> parts{};
   std::size_t count = 0;
   if (!header.even) parts[count++] = values.x;
@@ -129,7 +129,7 @@ std::string format_header(const Uff58Header& header, bool binary) {
 
 std::string uff_e13(double value) { return fmt::format("{:13.5E}", value); }
 
-void write_uff58(UffOutput& output, const Uff58Header& header, const Uff58Values& values,
+void write_uff58(FileOutput& output, const Uff58Header& header, const Uff58Values& values,
                  bool binary) {
   output.write(format_header(header, binary));
   binary ? write_binary(output, header, values) : write_text(output, header, values);

@@ -3,8 +3,8 @@
 
 #include <span>
 
+#include "microslip/io/file_output.hpp"
 #include "microslip/io/uff58.hpp"
-#include "microslip/io/uff_output.hpp"
 
 /// @file
 /// Writing of dataset 58. Internal to io.
@@ -23,7 +23,7 @@ struct Uff58Values {
 
 /// The whole dataset, in double precision. As text a value has 13 significant digits, x has 6; 58b is
 /// exact: little-endian IEEE, 8 bytes for x too.
-void write_uff58(UffOutput& output, const Uff58Header& header, const Uff58Values& values,
+void write_uff58(FileOutput& output, const Uff58Header& header, const Uff58Values& values,
                  bool binary);
 
 }  // namespace microslip

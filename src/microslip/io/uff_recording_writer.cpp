@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
+#include "microslip/io/file_output.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/io/uff151.hpp"
 #include "microslip/io/uff164.hpp"
@@ -14,7 +15,6 @@
 #include "microslip/io/uff_axis.hpp"
 #include "microslip/io/uff_channel.hpp"
 #include "microslip/io/uff_fields.hpp"
-#include "microslip/io/uff_output.hpp"
 #include "microslip/io/uff_recording.hpp"
 
 namespace microslip {
@@ -54,7 +54,7 @@ void check_six_digits(const Recording& recording) {
       "Write it binary (58b).");
 }
 
-void write_recording(UffOutput& output, const Recording& recording, bool binary) {
+void write_recording(FileOutput& output, const Recording& recording, bool binary) {
   output.write(format_uff151(recording.attributes));
   output.write(format_uff164_si());
   const std::vector<double> x = abscissae(recording, binary);
@@ -80,7 +80,7 @@ void write_recordings_uff(const std::string& path, std::span<const Recording> re
     for (const Channel& channel : recording.channels) check_name(recording, channel.name);
     if (!binary) check_six_digits(recording);
   }
-  UffOutput output(path);
+  FileOutput output(path);
   for (const Recording& recording : recordings) write_recording(output, recording, binary);
   output.close();
 }

@@ -11,22 +11,23 @@
 
 namespace microslip {
 
-class UffOutput {
+class FileOutput {
  public:
   /// Opens the file, which becomes empty. @throws FileError  where it cannot be opened.
-  explicit UffOutput(const std::string& path);
+  explicit FileOutput(const std::string& path);
 
-  /// @throws FileError  where the system does not take the bytes.
+  /// @throws WriteError  where the system does not take the bytes.
   void write(std::string_view bytes);
 
-  /// @throws FileError  where the system reports, only now, that something could not be written.
+  /// @throws WriteError  where the system reports, only now, that something could not be written.
   void close();
 
  private:
-  [[noreturn]] void fail(int error) const;
-
   std::string path_;
   FileDescriptor file_;
 };
+
+/// All of the bytes. @throws WriteError  naming `path`, where the system does not take them.
+void write_all(int descriptor, std::string_view bytes, std::string_view path);
 
 }  // namespace microslip
