@@ -90,7 +90,7 @@ UffContents read_contents(const ConvertOptions& options, bool quiet) {
   }
   const RecordingReadOptions how = read_options(options.reading, progress_bar("reading", quiet));
   UffContents contents = read_contents_uff(options.in, how);
-  assume_units(how.assumed_units, contents.recordings.recordings);
+  finish_units(how.assumed_units, contents.recordings);
   return contents;
 }
 

@@ -43,6 +43,16 @@ std::vector<Case> known_units() {
       {"N*mm", 1e-3, kEnergy},
       {"N·m", 1.0, kEnergy},
       {"lbf in", 4.4482216152605 * 0.0254, kEnergy},
+      {"in·lbf", 4.4482216152605 * 0.0254, kEnergy},
+      {"in*lbf", 4.4482216152605 * 0.0254, kEnergy},
+      {"in-lbf", 4.4482216152605 * 0.0254, kEnergy},
+      {"lbf·in", 4.4482216152605 * 0.0254, kEnergy},
+      {"kip", 4448.2216152605, kForce},
+      {"klbf", 4448.2216152605, kForce},
+      {"kip/in", 4448.2216152605 / 0.0254, kStiffness},
+      {"kip-ft", 4448.2216152605 * 0.3048, kEnergy},
+      {"N-m", 1.0, kEnergy},
+      {"m-s-2", 1.0, kAcceleration},
       {"N/m", 1.0, kStiffness},
       {"N / mm", 1e3, kStiffness},
       {"kN/mm", 1e6, kStiffness},
@@ -107,29 +117,10 @@ TEST(Units, PowersOfTenAreExact) {
 }
 
 TEST(Units, UnknownOnesAreRefused) {
-  for (const char* text : {"",
-                           " ",
-                           "furlong",
-                           "hz",
-                           "KN",
-                           "kkg",
-                           "mkg",
-                           "mmm",
-                           "/",
-                           "1/",
-                           "/s",
-                           "m^",
-                           "m^0",
-                           "m^99",
-                           "m--2",
-                           "N//m",
-                           "m**2",
-                           "12",
-                           "\xB5m",
-                           "\xFF",
-                           "Mg",
-                           "kin",
-                           "m^9999999999999999999"}) {
+  for (const char* text :
+       {"",     " ",    "furlong", "hz",  "KN",    "kkg",  "mkg", "mmm", "/",
+        "1/",   "/s",   "m^",      "m^0", "m^99",  "m--2", "m-",  "-m",  "in--lbf",
+        "kkip", "N//m", "m**2",    "12",  "\xB5m", "\xFF", "Mg",  "kin", "m^9999999999999999999"}) {
     EXPECT_FALSE(find_unit(text)) << text;
   }
   EXPECT_FALSE(find_unit(std::string(100000, 'm')));

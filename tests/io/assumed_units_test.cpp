@@ -61,6 +61,30 @@ TEST(AssumedUnits, SiByQuantity) {
   EXPECT_EQ(channels[4].values, (std::vector<double>{1.0, -2.0}));
 }
 
+// The letters that stand for a displacement, a velocity, an acceleration and a force are names.
+TEST(AssumedUnits, SiByTheUsualNames) {
+  struct Case {
+    std::string name;
+    std::optional<Dimension> dimension;
+  };
+  const std::vector<Case> cases{{"x", kLength},        {"X2", kLength},
+                                {"y", kLength},        {"u_1", kLength},
+                                {"v", kVelocity},      {"a", kAcceleration},
+                                {"F", kForce},         {"tip_acceleration", kAcceleration},
+                                {"2 Force", kForce},   {"accel_x", kAcceleration},
+                                {"Disp 3", kLength},   {"x tip", std::nullopt},
+                                {"ldv", std::nullopt}, {"force velocity", std::nullopt},
+                                {"17", std::nullopt}};
+  for (const Case& c : cases) {
+    std::vector<Recording> recordings{sample()};
+    recordings[0].channels.resize(1);
+    recordings[0].channels[0].name = c.name;
+    assume_units(parse({"SI"}), recordings);
+    EXPECT_EQ(recordings[0].channels[0].dimension, c.dimension) << c.name;
+    EXPECT_EQ(recordings[0].channels[0].values[0], 1.0);
+  }
+}
+
 TEST(AssumedUnits, KnowsWhatAnAxisIsCalled) {
   EXPECT_EQ(axis_dimension("Time"), kTime);
   EXPECT_EQ(axis_dimension("t"), kTime);

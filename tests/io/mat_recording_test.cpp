@@ -7,7 +7,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdlib>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -105,6 +107,130 @@ TEST_F(MatRecording, TakesOneLetterAsTheAxisOnlyWhereItRises) {
   const Recording sweep = read_with_f({1.0, 2.0, 4.0});
   EXPECT_EQ(sweep.axis.dimension, kFrequency);
   EXPECT_EQ(sweep.channels.size(), 1U);
+}
+
+// Whatever program it was: nothing says which of the two holds, and values are taken by name.
+TEST_F(MatRecording, RefusesAVariableThatIsThereTwice) {
+  write_mat(path_, std::vector{test::time_recording()}, MatVersion::k5);
+  const std::string once = test::get(path_);
+  test::put(path_, once + once.substr(128));
+  EXPECT_NE(message_of<FormatError>([&] {
+              return read_recordings_mat(path_);
+            }).find("expected each variable once, found 'recording_1' twice"),
+            std::string::npos);
+  const std::string level4 = test::get(sample("level4.mat"));
+  test::put(path_, level4 + level4);
+  EXPECT_NE(message_of<FormatError>([&] {
+              return read_recordings_mat(path_);
+            }).find("expected each variable once, found "),
+            std::string::npos);
+}
+
+TEST_F(MatRecording, RefusesAFieldThatIsThereTwice) {
+  write_mat(path_, std::vector{test::time_recording()}, MatVersion::k5);
+  std::string content = test::get(path_);
+  const std::size_t at = content.find("start");
+  ASSERT_NE(at, std::string::npos);
+  content.replace(at, 6, std::string("step\0\0", 6));
+  test::put(path_, content);
+  EXPECT_NE(message_of<FormatError>([&] {
+              return read_recordings_mat(path_);
+            }).find("expected each field of a struct once, found 'step' twice"),
+            std::string::npos);
+}
+
+/// A struct of vectors of three numbers, and texts.
+class StructFile {
+ public:
+  void add(const char* name, const char* text) {
+    std::array<std::size_t, 2> sizes{1, std::string_view(text).size()};
+    fields_.push_back(name);
+    values_.push_back(Mat_VarCreate(nullptr, MAT_C_CHAR, MAT_T_UINT8, 2, sizes.data(), text, 0));
+  }
+  void add(const char* name, std::array<double, 3> values) {
+    std::array<std::size_t, 2> sizes{3, 1};
+    fields_.push_back(name);
+    values_.push_back(
+        Mat_VarCreate(nullptr, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, sizes.data(), values.data(), 0));
+  }
+  Recordings read(const std::string& path) {
+    std::array<std::size_t, 2> one{1, 1};
+    matvar_t* data = Mat_VarCreateStruct("data", 2, one.data(), fields_.data(),
+                                         static_cast<unsigned>(fields_.size()));
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+      Mat_VarSetStructFieldByName(data, fields_[i], 0, values_[i]);
+    }
+    mat_t* file = Mat_CreateVer(path.c_str(), nullptr, MAT_FT_MAT5);
+    Mat_VarWrite(file, data, MAT_COMPRESSION_NONE);
+    Mat_VarFree(data);
+    Mat_Close(file);
+    return read_recordings_mat(path);
+  }
+
+ private:
+  std::vector<const char*> fields_;
+  std::vector<matvar_t*> values_;
+};
+
+TEST_F(MatRecording, TakesTheUnitsOfAList) {
+  struct Case {
+    const char* units;
+    double step;
+    std::optional<Dimension> force, acc;
+    double first;  ///< of acc1
+  };
+  const std::vector<Case> cases{
+      {"ms, N, g, g", 1e-3, kForce, kAcceleration, 9.80665},    // for each array
+      {"N, g, g", 1.0, kForce, kAcceleration, 9.80665},         // for each channel
+      {"ms; m/s^2", 1e-3, kAcceleration, kAcceleration, 1.0},   // for the axis and all channels
+      {"mm/s^2", 1.0, kAcceleration, kAcceleration, 1e-3},      // for all channels
+      {"g, N", 1.0, kForce, kAcceleration, 9.80665},            // by what the names tell
+      {"s, g, N, V, Pa", 1.0, kForce, kAcceleration, 9.80665},  // the same
+      {"N, kN", 1.0, std::nullopt, std::nullopt, 1.0},          // which?
+  };
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.units);
+    StructFile file;
+    file.add("time", {0.0, 1.0, 2.0});
+    file.add("force", {1.0, 2.0, 3.0});
+    file.add("acc1", {1.0, 2.0, 3.0});
+    file.add("acc2", {1.0, 2.0, 3.0});
+    file.add("units", c.units);
+    const Recordings read = file.read(path_);
+    ASSERT_EQ(read.recordings.size(), 1U);
+    const Recording& recording = read.recordings[0];
+    EXPECT_DOUBLE_EQ(recording.axis.step, c.step);
+    EXPECT_EQ(recording.channel("force").dimension, c.force);
+    EXPECT_EQ(recording.channel("acc2").dimension, c.acc);
+    EXPECT_EQ(recording.channel("acc1").values[0], c.first);
+    ASSERT_EQ(read.warnings.size(), c.acc ? 0U : 1U);
+    if (!c.acc) EXPECT_EQ(read.warnings[0].code, "units_not_assigned");
+  }
+}
+
+TEST_F(MatRecording, TakesTheUnitBesideAnArray) {
+  StructFile file;
+  file.add("time", {0.0, 1.0, 2.0});
+  file.add("force", {1.0, 2.0, 3.0});
+  file.add("force_unit", "kN");
+  file.add("acc1", {1.0, 2.0, 3.0});
+  file.add("units", "m/s^2");
+  const Recording recording = file.read(path_).recordings.at(0);
+  EXPECT_EQ(recording.channel("force").values[0], 1000.0);
+  EXPECT_EQ(recording.channel("acc1").dimension, kAcceleration);
+}
+
+TEST_F(MatRecording, ReadsTheHammerBlowWithItsUnits) {
+  const char* folder = std::getenv("MICROSLIP_DATA_DIR");
+  if (folder == nullptr) GTEST_SKIP() << "MICROSLIP_DATA_DIR is not set";
+  const Recordings read =
+      read_recordings_mat(std::string(folder) + "/brake_reuss_beam/HammerImpact.mat");
+  ASSERT_EQ(read.recordings.size(), 1U);
+  ASSERT_EQ(read.recordings[0].channels.size(), 3U);
+  for (const Channel& channel : read.recordings[0].channels) {
+    EXPECT_EQ(channel.dimension, kAcceleration) << channel.name;
+  }
+  EXPECT_TRUE(read.warnings.empty());
 }
 
 TEST_F(MatRecording, RefusesTextsThatAreNotUtf8) {

@@ -41,7 +41,8 @@ constexpr std::array kSymbols{
     Symbol{"rad", 1.0, 0, kAngle, "um"},
     Symbol{"deg", std::numbers::pi / 180.0, 0, kAngle, ""},
     Symbol{"N", 1.0, 0, kForce, "numkMG"},
-    Symbol{"lbf", kPoundForce, 0, kForce, ""},
+    Symbol{"lbf", kPoundForce, 0, kForce, "k"},
+    Symbol{"kip", kPoundForce, 3, kForce, ""},
     Symbol{"J", 1.0, 0, kEnergy, "numkM"},
     Symbol{"Pa", 1.0, 0, kPressure, "mkMG"},
     Symbol{"psi", kPoundForce / (254.0 * 254.0), 8, kPressure, ""},
@@ -65,8 +66,8 @@ constexpr std::array kQuantities{
     Quantity{kAngularFrequency, "angular frequency", "rad/s"},
     Quantity{kVelocity, "velocity", "m/s, mm/s, um/s, in/s"},
     Quantity{kAcceleration, "acceleration", "m/s^2, mm/s^2, g, mg, in/s^2, ft/s^2"},
-    Quantity{kForce, "force", "N, mN, kN, lbf"},
-    Quantity{kEnergy, "energy", "J, mJ, uJ (µJ), nJ, N mm, lbf in"},
+    Quantity{kForce, "force", "N, mN, kN, lbf, kip"},
+    Quantity{kEnergy, "energy", "J, mJ, uJ (µJ), nJ, N mm, in lbf"},
     Quantity{kStiffness, "stiffness", "N/m, kN/m, MN/m, N/mm, N/um, lbf/in"},
     Quantity{kPerForce, "inverse force", "1/N, 1/kN, 1/lbf"},
     Quantity{kPressure, "pressure", "Pa, kPa, MPa, GPa, psi"},
@@ -138,7 +139,8 @@ std::optional<Symbol> find_symbol(std::string_view name) {
   return std::nullopt;
 }
 
-/// unit = factor (('/' | '*' | ' ') factor)*;  factor = '1' | symbol [['^'] ['-'] digit].
+/// unit = factor (('/' | '*' | '-' | ' ') factor)*;  factor = '1' | symbol [['^'] ['-'] digit].
+/// A '-' before a letter joins two units, as in in-lbf.
 class UnitParser {
  public:
   explicit UnitParser(std::string_view text) : text_(text) {}
@@ -160,7 +162,7 @@ class UnitParser {
   int read_operator() {
     skip_blanks();
     const char first = text_.empty() ? ' ' : text_.front();
-    if (first == '/' || first == '*') text_.remove_prefix(1);
+    if (first == '/' || first == '*' || first == '-') text_.remove_prefix(1);
     skip_blanks();
     return first == '/' ? -1 : 1;
   }
@@ -185,11 +187,17 @@ class UnitParser {
     return name;
   }
 
+  /// A '-' with a unit behind it.
+  [[nodiscard]] bool joins() const {
+    constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+    return text_.size() > 1 && kLetters.find(text_[1]) != std::string_view::npos;
+  }
+
   /// 1 where no power is written; nothing where it is written wrong.
   std::optional<int> read_power() {
     const bool raised = text_.starts_with('^');
     if (raised) text_.remove_prefix(1);
-    const bool negative = text_.starts_with('-');
+    const bool negative = text_.starts_with('-') && !joins();
     if (negative) text_.remove_prefix(1);
     const std::size_t length = std::min(text_.find_first_not_of(kDigits), text_.size());
     if (length == 0) return raised || negative ? std::nullopt : std::optional<int>(1);

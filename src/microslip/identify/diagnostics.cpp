@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "microslip/base/percent.hpp"
+#include "microslip/base/plausibility.hpp"
 
 namespace microslip {
 namespace {
@@ -237,6 +238,8 @@ std::vector<Warning> diagnose(const Levels& levels) {
          "amplitude_std says something only beside dissipation_std: without that the "
          "scatter is estimated from D. Give both, or neither."});
   }
+  warn_of_implausible("The largest amplitude", kLength, levels.amplitude, warnings);
+  warn_of_implausible("The largest dissipation", kEnergy, levels.dissipation, warnings);
   return warnings;
 }
 

@@ -14,7 +14,8 @@ namespace microslip {
 ///   * `narrow_range`        the highest amplitude is below 1.5 times the lowest;
 ///   * `amplitudes_merged`   equal amplitudes became one level each;
 ///   * `std_ignored`         a standard deviation of zero somewhere, so none of that column is used; or
-///                           deviations of A without those of D.
+///                           deviations of A without those of D;
+///   * `implausible_value`   a displacement or a loss that no structure survives, see plausibility.hpp.
 [[nodiscard]] std::vector<Warning> diagnose(const Levels& levels);
 
 /// What an inversion gives reason to say:

@@ -4,53 +4,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/text.hpp"
+#include "microslip/signal/quantity_name.hpp"
 
 namespace microslip {
 namespace {
 
 constexpr std::string_view kOption = "--assume-units";
 
-struct Word {
-  std::string_view text;
-  Dimension dimension;
-};
-
-constexpr std::array kWords{
-    Word{"force", kForce},         Word{"acceleration", kAcceleration},
-    Word{"acc", kAcceleration},    Word{"velocity", kVelocity},
-    Word{"vel", kVelocity},        Word{"displacement", kLength},
-    Word{"disp", kLength},         Word{"pressure", kPressure},
-    Word{"time", kTime},           Word{"t", kTime},
-    Word{"frequency", kFrequency}, Word{"freq", kFrequency},
-};
-
-/// The letters that a text begins with, in small.
-std::string first_word(std::string_view text) {
-  std::string word;
-  for (const char c : text) {
-    const char small = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    if (small < 'a' || small > 'z') break;
-    word += small;
-  }
-  return word;
-}
-
-std::optional<Dimension> dimension_of_word(std::string_view word) {
-  const auto* found = std::ranges::find(kWords, word, &Word::text);
-  if (found == kWords.end()) return std::nullopt;
-  return found->dimension;
-}
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 std::optional<Dimension> quantity_of(const Channel& channel) {
   for (const auto& [name, value] : channel.attributes) {
-    if (name == "quantity") return dimension_of_word(first_word(value));
+    if (name == "quantity") return quantity_of_name(value);
   }
-  return dimension_of_word(first_word(channel.name));
+  return quantity_of_name(channel.name);
 }
 
 std::pair<std::string, Unit> parse_argument(const std::string& argument) {
@@ -97,7 +68,7 @@ std::optional<Unit> AssumedUnits::find(std::string_view name) const {
   for (const auto& [channel, unit] : named) {
     if (channel == name) return unit;
   }
-  const std::optional<Dimension> dimension = dimension_of_word(first_word(name));
+  const std::optional<Dimension> dimension = quantity_of_name(name);
   if (!si || !dimension) return std::nullopt;
   return Unit{.dimension = *dimension};
 }
@@ -139,10 +110,10 @@ void assume_units(const AssumedUnits& units, std::span<Recording> recordings) {
 }
 
 std::optional<Dimension> axis_dimension(std::string_view name) {
-  const std::string word = first_word(name);
-  const std::optional<Dimension> dimension = dimension_of_word(word);
+  const std::optional<Dimension> dimension = quantity_of_name(name);
   const bool axis = dimension == kTime || dimension == kFrequency;
-  return axis && word.size() == name.size() ? dimension : std::nullopt;
+  const bool one_word = std::ranges::all_of(name, [](char c) { return is_letter(c); });
+  return axis && one_word ? dimension : std::nullopt;
 }
 
 }  // namespace microslip

@@ -17,9 +17,8 @@ namespace microslip {
 /// none.
 struct AssumedUnits {
   /// Each channel without unit whose quantity the file names is in the SI unit of it. A file names
-  /// it in the attribute `quantity` of the channel ("force"), or with the word that the channel's
-  /// name begins with: force, acceleration or `acc`, velocity or `vel`, displacement or `disp`,
-  /// pressure; time or `t`, frequency or `freq`.
+  /// it in the attribute `quantity` of the channel ("force"), or by the channel's name, see
+  /// quantity_of_name().
   bool si = false;
   /// By name of the channel; these go before `si`.
   std::vector<std::pair<std::string, Unit>> named;

@@ -9,6 +9,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/mat_path.hpp"
+#include "microslip/io/mat_units.hpp"
 #include "microslip/io/sampling.hpp"
 #include "microslip/io/text.hpp"
 
@@ -26,12 +27,8 @@ struct Array {
   std::string name;
   MatValue* value;
   std::string unit;
+  std::vector<std::string> units = {};  ///< of its channels, where they differ
 };
-
-std::string text_of(const MatValue* value) {
-  const bool is_text = value != nullptr && value->kind == Kind::kText && value->texts.size() == 1;
-  return is_text ? value->texts.front() : std::string{};
-}
 
 template <class Names>
 MatValue* first_field(MatValue& value, std::size_t element, const Names& names) {
@@ -39,25 +36,6 @@ MatValue* first_field(MatValue& value, std::size_t element, const Names& names) 
     if (MatValue* found = field_of(value, element, name)) return found;
   }
   return nullptr;
-}
-
-/// The texts of a cell, the rows of a text, or what stands between its commas.
-std::vector<std::string> texts_of(const MatValue* value) {
-  std::vector<std::string> texts;
-  if (value == nullptr) return texts;
-  if (value->kind == Kind::kCell) {
-    for (const MatValue& child : value->children) texts.push_back(text_of(&child));
-  } else if (value->kind == Kind::kText && value->texts.size() == 1) {
-    for (std::string_view rest = value->texts.front();;) {
-      const std::size_t comma = rest.find(',');
-      texts.emplace_back(trimmed(rest.substr(0, comma)));
-      if (comma == std::string_view::npos) break;
-      rest.remove_prefix(comma + 1);
-    }
-  } else if (value->kind == Kind::kText) {
-    texts = value->texts;
-  }
-  return texts;
 }
 
 bool is_numbers(const MatValue& value) {
@@ -113,7 +91,6 @@ struct Scope {
   Sampling sampling;
   std::optional<PointsAxis> axis;
   std::vector<std::string> names;  ///< of channels
-  std::vector<std::string> units;  ///< of channels
 };
 
 /// Structs with values, but not over points of their own.
@@ -130,28 +107,48 @@ bool is_channels(MatValue& value) {
 /// Vectors and matrices of a struct, and structs in it that describe a channel.
 std::vector<Array> arrays_of(MatValue& value, std::size_t element) {
   std::vector<Array> arrays;
-  for (const std::string& name : value.fields) {
-    MatValue* field = field_of(value, element, name);
+  for (std::size_t index = 0; index < value.fields.size(); ++index) {
+    const std::string& name = value.fields[index];
+    MatValue* field = field_at(value, element, index);
     if (field == nullptr) continue;
     if (is_numbers(*field)) arrays.push_back({name, field, {}});
     if (!is_channels(*field)) continue;
     for (std::size_t i = 0; i < field->count(); ++i) {
-      const std::string own = text_of(first_field(*field, i, kNameNames));
+      const std::string own = mat_text(first_field(*field, i, kNameNames));
       const std::string number = field->count() == 1 ? "" : fmt::format("_{}", i + 1);
       arrays.push_back({own.empty() ? name + number : own, first_field(*field, i, kValuesNames),
-                        text_of(first_field(*field, i, kUnitNames))});
+                        mat_text(first_field(*field, i, kUnitNames))});
     }
   }
   return arrays;
 }
 
+template <class Names>
+bool may_be_axis(const Array& array, const Names& names) {
+  return is_one_of(array.name, names) && array.value->is_vector() &&
+         array.value->imaginary.empty() && may_be_points(array.name, array.value->real);
+}
+
+/// The array that take_axis() will take; the number of arrays where there is none.
+std::size_t find_axis(const std::vector<Array>& arrays) {
+  const auto find = [&](const auto& names) {
+    const auto found =
+        std::ranges::find_if(arrays, [&](const Array& a) { return may_be_axis(a, names); });
+    return static_cast<std::size_t>(found - arrays.begin());
+  };
+  const std::size_t time = find(kTimeNames);
+  return time < arrays.size() ? time : find(kFrequencyNames);
+}
+
+std::size_t channels_of(const MatValue& value) {
+  return value.is_vector() ? 1 : std::min(value.sizes[0], value.sizes[1]);
+}
+
 /// Takes the points off the arrays.
 std::optional<PointsAxis> take_axis(std::vector<Array>& arrays, const Scope& scope) {
   const auto take = [&](const auto& names, const Dimension& usual) -> std::optional<PointsAxis> {
-    const auto found = std::ranges::find_if(arrays, [&](const Array& a) {
-      return is_one_of(a.name, names) && a.value->is_vector() && a.value->imaginary.empty() &&
-             may_be_points(a.name, a.value->real);
-    });
+    const auto found =
+        std::ranges::find_if(arrays, [&](const Array& a) { return may_be_axis(a, names); });
     if (found == arrays.end()) return std::nullopt;
     std::vector<double> points = found->value->real;
     const Dimension dimension = apply_axis_unit(points, found->unit, usual,
@@ -178,15 +175,9 @@ class Collector {
       return keep(own_recording(value, element, scope.place));
     }
     scope.sampling = sampling_of(value, element, known, scope.place);
-    scope.names = texts_of(first_field(value, element, kNamesNames));
-    scope.units = texts_of(first_field(value, element, kUnitNames));
+    scope.names = mat_texts(first_field(value, element, kNamesNames));
     std::vector<Array> arrays = arrays_of(value, element);
-    if (scope.units.size() == arrays.size()) {  // one for each, the points among them
-      for (std::size_t i = 0; i < arrays.size(); ++i) {
-        if (arrays[i].unit.empty()) arrays[i].unit = scope.units[i];
-      }
-      scope.units.clear();
-    }
+    give_units(value, element, arrays, scope.place);
     scope.axis = take_axis(arrays, scope);
     if (!only.empty()) std::erase_if(arrays, [&](const Array& a) { return a.name != only; });
     read_arrays(arrays, scope);
@@ -212,6 +203,22 @@ class Collector {
     result_.recordings.push_back(std::move(recording));
   }
 
+  void give_units(MatValue& value, std::size_t element, std::vector<Array>& arrays,
+                  const std::string& place) {
+    const std::size_t axis = find_axis(arrays);
+    std::vector<UnitOfArray> units;
+    for (std::size_t i = 0; i < arrays.size(); ++i) {
+      const std::size_t channels = i == axis ? 0 : channels_of(*arrays[i].value);
+      units.push_back({arrays[i].name, channels, arrays[i].unit});
+    }
+    assign_units(value, element, first_field(value, element, kUnitNames), units, place,
+                 result_.warnings);
+    for (std::size_t i = 0; i < arrays.size(); ++i) {
+      arrays[i].unit = std::move(units[i].unit);
+      arrays[i].units = std::move(units[i].of_channels);
+    }
+  }
+
   void read_arrays(const std::vector<Array>& arrays, const Scope& scope) {
     std::vector<Recording> recordings;
     for (const Array& array : arrays) {
@@ -225,13 +232,13 @@ class Collector {
         without_axis_.push_back(fmt::format("{}: {}", scope.place, in_quotes(array.name)));
         continue;
       }
-      add_array(recordings, array, *axis, scope, arrays.size());
+      add_array(recordings, array, *axis, scope);
     }
     for (Recording& recording : recordings) keep(std::move(recording));
   }
 
   void add_array(std::vector<Recording>& recordings, const Array& array, const Axis& axis,
-                 const Scope& scope, std::size_t arrays) {
+                 const Scope& scope) {
     const std::string source =
         file_name(path_) + (scope.inside.empty() ? std::string{} : ":" + scope.inside);
     std::vector<MatValue> parts = parts_of(*array.value);
@@ -245,11 +252,8 @@ class Collector {
       }
       channel.values = std::move(parts[i].real);
       channel.imaginary = std::move(parts[i].imaginary);
-      const bool listed = arrays == 1 && scope.units.size() == parts.size();
-      const std::string unit = !array.unit.empty()       ? array.unit
-                               : listed                  ? scope.units[i]
-                               : scope.units.size() == 1 ? scope.units.front()
-                                                         : std::string{};
+      const bool listed = array.unit.empty() && i < array.units.size();
+      const std::string& unit = listed ? array.units[i] : array.unit;
       apply_unit(channel, unit, scope.place, result_.warnings);
       add_channel(recordings, source, axis, std::move(channel), array.name);
     }
@@ -257,8 +261,9 @@ class Collector {
 
   /// The structs in a struct, and those in its cells.
   void read_fields(MatValue& value, std::size_t element, const Scope& scope) {
-    for (const std::string& name : value.fields) {
-      MatValue* field = field_of(value, element, name);
+    for (std::size_t index = 0; index < value.fields.size(); ++index) {
+      const std::string& name = value.fields[index];
+      MatValue* field = field_at(value, element, index);
       if (field == nullptr) continue;
       const std::string inside = scope.inside.empty() ? name : scope.inside + "." + name;
       if (field->kind == Kind::kStruct && !is_channels(*field)) {

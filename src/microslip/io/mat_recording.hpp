@@ -36,9 +36,12 @@
 /// A vector is a channel; so is each column of a matrix (of a row where that is the longer side),
 /// with the names in the cell `names`, `channel_names` or `labels`; so is a struct with `values` or
 /// `data`, `name` and `unit`. Other structs are looked into, each element of an array by itself.
-/// `units` (`unit`, `unit_str`) has a text, or a cell or list between commas of one for each array of
-/// its struct, or for each channel. Without unit, values are as the file has them. Version 7.3 is read
-/// twice, see hdf5_recording.hpp.
+/// `units` (`unit`, `unit_str`) has a text for all channels; a cell, or a list between commas or
+/// semicolons, of one for each array of its struct, one for each channel (behind that of the axis or
+/// without it), one for the axis and one for all channels, or one for each quantity that the names
+/// tell; or a struct of one for each array. NAME_unit is that of the array NAME. A list that fits in
+/// none of these ways is told in a warning. Without unit, values are as the file has them. Version
+/// 7.3 is read in a process of its own, see hdf5_recording.hpp.
 
 namespace microslip {
 

@@ -9,8 +9,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/plausibility.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/hdf5_recording.hpp"
 #include "microslip/io/input_stream.hpp"
@@ -208,8 +210,23 @@ Recordings read_recordings(const std::string& path, const RecordingReadOptions& 
   const PartOfFile part = part_of_file(path);
   InputStream file(part.file);
   Recordings result = read_format(file, part, options);
-  assume_units(options.assumed_units, result.recordings);
+  finish_units(options.assumed_units, result);
   return result;
+}
+
+void finish_units(const AssumedUnits& units, Recordings& recordings) {
+  assume_units(units, recordings.recordings);
+  for (const Recording& recording : recordings.recordings) {
+    for (const Channel& channel : recording.channels) {
+      if (!channel.dimension || !channel.imaginary.empty()) continue;
+      const auto [least, greatest] = std::ranges::minmax(channel.values);
+      const double amplitude = 0.5 * greatest - 0.5 * least;
+      auto warning = implausible_value(
+          fmt::format("{}: channel {}", recording.source, in_quotes(channel.name)),
+          *channel.dimension, amplitude);
+      if (warning) recordings.warnings.push_back(*std::move(warning));
+    }
+  }
 }
 
 void write_recordings(OutputFiles& files, const std::string& path,

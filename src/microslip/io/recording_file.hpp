@@ -60,6 +60,11 @@ struct PartOfFile {
 [[nodiscard]] Recordings read_recordings(const std::string& path,
                                          const RecordingReadOptions& options);
 
+/// Gives channels without unit those that are assumed, and warns of what no structure survives
+/// (base/plausibility.hpp): half the range of a displacement, velocity or acceleration.
+/// @throws InputError  as assume_units().
+void finish_units(const AssumedUnits& units, Recordings& recordings);
+
 /// Adds a file of recordings to those to be written.
 /// @param files       of the set to which it is added.
 /// @param path        "-", standard output, takes CSV alone.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/io/doubtful_unit.hpp"
 #include "microslip/io/text.hpp"
 
 namespace microslip {
@@ -88,6 +89,11 @@ void apply_unit(Channel& channel, std::string_view unit, const std::string& sour
         {"unit_unknown", fmt::format("{}: channel {} is in {}, a unit not known; it "
                                      "is taken as without unit",
                                      source, in_quotes(channel.name), in_quotes(unit))});
+    return;
+  }
+  if (is_gravity(*found) && says_per_gravity(channel.attributes)) {
+    channel.attributes.emplace_back("unit", unit);
+    warnings.push_back(doubtful_gravity(source, channel.name, channel.values));
     return;
   }
   channel.dimension = found->dimension;

@@ -60,7 +60,7 @@ struct PointsAxis {
                                         std::optional<double> stated_step);
 
 /// Brings values to SI by the unit that the file names. An unknown one is kept as the attribute
-/// `unit` and told in a warning; an empty one is none.
+/// `unit` and told in a warning, as is a doubtful g (doubtful_unit.hpp); an empty one is none.
 void apply_unit(Channel& channel, std::string_view unit, const std::string& source,
                 std::vector<Warning>& warnings);
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/io/uff_channel.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string_view>
 #include <utility>
 
+#include "microslip/io/doubtful_unit.hpp"
 #include "microslip/io/uff_attributes.hpp"
 #include "microslip/io/uff_axis.hpp"
 
@@ -45,6 +48,13 @@ std::optional<Unit> only_if_named(const std::optional<Unit>& unit) {
 
 bool is_si(const std::optional<Unit>& unit, const Dimension& dimension) {
   return unit && unit->dimension == dimension && unit->factor() == 1.0;
+}
+
+/// In a line of the header, or as the unit of length of the file.
+bool has_factor_of_gravity(const Uff58Header& header, const std::optional<Uff164>& units) {
+  return std::ranges::any_of(header.id_lines,
+                             [](const auto& line) { return says_per_gravity(line); }) ||
+         (units && says_per_gravity(fmt::format("{}", units->length)));
 }
 
 /// Attributes may be of other units than the values are now.
@@ -92,7 +102,11 @@ UffChannel uff_channel(Uff58 data, const std::optional<Uff164>& units) {
   channel.header = std::move(data.header);
   Uff58Header& header = channel.header;
   const std::optional<Unit> abscissa = only_if_named(uff_abscissa_unit(header, units));
-  const std::optional<Unit> ordinate = only_if_named(uff_ordinate_unit(header, units));
+  std::optional<Unit> ordinate = only_if_named(uff_ordinate_unit(header, units));
+  if (ordinate && is_gravity(*ordinate) && has_factor_of_gravity(header, units)) {
+    channel.doubtful = true;
+    ordinate.reset();
+  }
   const std::optional<Unit> denominator = uff_denominator_unit(header, units);
   channel.axis = header.even ? even_uff_axis(header.start, header.step, abscissa.value_or(Unit{}))
                              : uneven_uff_axis(std::move(data.x), abscissa.value_or(Unit{}));

@@ -21,6 +21,8 @@ struct UffChannel {
   std::optional<Dimension> dimension;
   std::vector<double> values;
   std::vector<double> imaginary;
+  bool doubtful =
+      false;  ///< labelled g, but see doubtful_unit.hpp: values are as the file has them
 };
 
 /// @param units  the system of units of the file, if it has one.

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
+#include "microslip/io/doubtful_unit.hpp"
 #include "microslip/io/uff151.hpp"
 #include "microslip/io/uff164.hpp"
 #include "microslip/io/uff55_reader.hpp"
@@ -132,7 +133,14 @@ class UffRecordingReader {
     if (group_.channels.empty()) return;
     Recording recording;
     recording.axis = std::move(group_.axis);
+    std::vector<bool> doubtful;
+    for (const UffChannel& channel : group_.channels) doubtful.push_back(channel.doubtful);
     recording.channels = uff_channels(recording.axis.dimension, std::move(group_.channels));
+    for (std::size_t i = 0; i < doubtful.size(); ++i) {
+      const Channel& channel = recording.channels[i];
+      if (!doubtful[i]) continue;
+      result_.warnings.push_back(doubtful_gravity(source_, channel.name, channel.values));
+    }
     recording.attributes = attributes_;
     result_.recordings.push_back(std::move(recording));
     group_ = {};

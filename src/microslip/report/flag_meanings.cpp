@@ -8,7 +8,7 @@
 namespace microslip {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kMeanings = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 35> kMeanings = {{
     {"amplitude_drift", "no steady state: the amplitude wanders"},
     {"amplitude_rises", "the decay was left where its amplitude rises"},
     {"beyond_identification", "the joint moves more than in the levels it was identified by"},
@@ -27,6 +27,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kMeaning
      "half-power and predictions for a sine are not"},
     {"force_not_controlled", "the force control did not reach what was asked for"},
     {"force_off", "the predicted force is off by more than 2 % and three times its noise"},
+    {"implausible_value",
+     "a displacement above 1 m, or a loss above 1 MJ a cycle: a unit is wrong"},
     {"inner_reversals", "the joint turns more than twice a cycle: D is not that of one loop"},
     {"linear_loss_exceeds_all", "levels whose loss is below the linear one were left out"},
     {"macro_slip", "all that can slip does: D tells no more of the density"},

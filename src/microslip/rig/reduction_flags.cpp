@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "microslip/base/percent.hpp"
+#include "microslip/base/plausibility.hpp"
 #include "microslip/signal/signal_quality.hpp"
 
 namespace microslip {
@@ -60,6 +61,12 @@ void flag_dissipation(ReducedLevel& level, double stiffness) {
     add_flag(level, "dissipation_in_noise",
              fmt::format("D = {:.3g} J has a standard deviation of {:.3g} J.", d.value, d.std));
   }
+}
+
+void flag_values(ReducedLevel& level) {
+  auto flag = implausible_value("The joint", kLength, level.amplitude.value);
+  if (!flag) flag = implausible_value("The joint", kEnergy, level.dissipation.value);
+  if (flag) add_flag(level, flag->code, flag->text);
 }
 
 void flag_secant_stiffness(ReducedLevel& level, double stiffness) {
@@ -202,6 +209,7 @@ void add_flags(ReducedLevel& level, const RecordAnalysis& record, const Reducer&
     flag_vibrometer(level, reducer.rig(), record.whole, options.most_mismatch);
   }
   flag_dissipation(level, state.stiffness);
+  flag_values(level);
   flag_secant_stiffness(level, state.stiffness);
   flag_energies(level);
   flag_force(level, options.most_distortion);

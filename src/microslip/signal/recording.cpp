@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "microslip/base/error.hpp"
+#include "microslip/signal/quantity_name.hpp"
 
 namespace microslip {
 namespace {
@@ -27,6 +28,22 @@ std::string names_of_channels(const Recording& recording) {
   throw InputError(name_of(recording, name), InputState{"missing"},
                    fmt::format("the recording has {}", names_of_channels(recording)),
                    "Give the name that it has there.");
+}
+
+/// A name that tells of another quantity than the one that is sought is a hint that another channel
+/// was meant: obeying must not make metres of an acceleration.
+[[noreturn]] void throw_without_unit(const Recording& recording, std::string_view name,
+                                     const Dimension& expected) {
+  const Dimension likely = quantity_of_name(name).value_or(expected);
+  std::string rule = "must have a unit";
+  std::string remedy =
+      fmt::format("Say what it is in with --assume-units {}={}", name, si_unit(likely));
+  if (likely == expected) {
+    rule += " of " + dimension_name(expected);
+  } else {
+    remedy += fmt::format(", if it is {} as its name says", dimension_name(likely));
+  }
+  throw InputError(name_of(recording, name), InputState{"without unit"}, rule, remedy + ".");
 }
 
 void check_finite(const Recording& recording, std::string_view name,
@@ -86,12 +103,7 @@ std::span<const double> Recording::signal(std::string_view name, const Dimension
   if (!found.imaginary.empty()) {
     throw InputError(name_of(*this, name), InputState{"complex"}, "must be real");
   }
-  if (!found.dimension) {
-    throw InputError(
-        name_of(*this, name), InputState{"without unit"},
-        fmt::format("must have a unit of {}", dimension_name(expected)),
-        fmt::format("Say what it is in with --assume-units {}={}.", name, si_unit(expected)));
-  }
+  if (!found.dimension) throw_without_unit(*this, name, expected);
   if (*found.dimension != expected) {
     throw InputError(
         name_of(*this, name), dimension_name(*found.dimension),

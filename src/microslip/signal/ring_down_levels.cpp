@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/plausibility.hpp"
 
 namespace microslip {
 namespace {
@@ -107,6 +108,8 @@ RingDownLevels levels_of(const RingDown& decay, const RingDownLevelsOptions& opt
     levels.damping_ratio.push_back(decay.damping_ratio[i]);
   }
   drop_impossible_secants(levels);
+  warn_of_implausible("The largest amplitude", kLength, levels.amplitude, levels.warnings);
+  warn_of_implausible("The largest dissipation", kEnergy, levels.dissipation, levels.warnings);
   if (left_out > 0) {
     levels.warnings.push_back(
         {"linear_loss_exceeds_all",
