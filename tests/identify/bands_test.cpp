@@ -12,12 +12,14 @@
 #include <functional>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
+#include "microslip/identify/inversion_model.hpp"
 #include "support/densities.hpp"
 #include "support/figures.hpp"
 
@@ -158,6 +160,23 @@ TEST(Bands, SamplesAreFeasible) {
         EXPECT_NEAR(density.total().zeroth, sample.area, 1e-9) << name;
       }
     }
+  }
+}
+
+// A model that was spoilt, so that the equations of its samples overflow: they do not converge, which is
+// counted and not taken for a solution. None of the ordinary ones fails.
+TEST(Bands, CountSamplesThatDoNotConverge) {
+  InversionResult spoilt =
+      invert(testing::noisy_levels(testing::reference_joint(), 3), options_for());
+  auto model = std::make_shared<InversionModel>(*spoilt.model);
+  for (SmoothingPoint& point : model->path) point.lambda = 1e307;
+  spoilt.model = model;
+  const DensityBands bands = density_bands(spoilt, band_options(40));
+  EXPECT_EQ(bands.not_converged, 40U);
+  EXPECT_TRUE(std::ranges::all_of(bands.upper, [](double v) { return std::isfinite(v); }));
+  for (const auto& [name, truth] : testing::all_truths()) {
+    const InversionResult result = invert(testing::noisy_levels(truth, 3), options_for());
+    EXPECT_EQ(density_bands(result, band_options(40)).not_converged, 0U) << name;
   }
 }
 

@@ -142,6 +142,47 @@ TEST(Identification, BandsNeedTheInversion) {
   }
 }
 
+// The band of the free density would pass for one of the model.
+TEST(Identification, BandsNeedTheFreeDensity) {
+  IdentificationOptions options = options_for();
+  options.fit = ParametricModel::kPowerLaw;
+  options.bands = BandOptions{};
+  try {
+    (void)identify(testing::exact_levels(testing::reference_joint()), options);
+    FAIL() << "bands beside a model were accepted";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "bands = asked for; are those of a free density, not of the model power_law. Leave "
+        "out the model, whose parameters have standard errors, or the bands.");
+  }
+}
+
+// k_eq and frequencies judge the joint that is given, whatever the method: here that of a model that
+// has 26 % of k too much.
+TEST(Identification, StiffnessJudgesTheJointOfEachMethod) {
+  const Joint truth = testing::joint_of({UniformPart{0.0, 40.0, 0.5}});
+  Levels levels = testing::exact_levels(truth);
+  for (const double a : levels.amplitude) {
+    levels.frequency.push_back(80.0 * (1.0 + 0.01 * a / levels.amplitude.back()));
+    levels.secant_stiffness.push_back(secant_stiffness(truth, a) - 0.26 * kStiffness);
+    levels.secant_stiffness_std.push_back(2e-3 * kStiffness);
+  }
+  for (const auto method : {IdentificationMethod::kInversion, IdentificationMethod::kSpline,
+                            IdentificationMethod::kDifferences}) {
+    const Identification found = identify(levels, options_for(method));
+    EXPECT_TRUE(has(found, "frequency_rises")) << to_string(method);
+    EXPECT_EQ(std::ranges::count(found.warnings, "secant_inconsistent", &Warning::code), 1)
+        << to_string(method);
+    ASSERT_TRUE(found.stiffness.secant && found.stiffness.frequency);
+    EXPECT_NEAR(found.stiffness.secant->offset / kStiffness, -0.26, 0.02) << to_string(method);
+  }
+  IdentificationOptions fit = options_for();
+  fit.fit = ParametricModel::kUniform;
+  const Identification model = identify(levels, fit);
+  EXPECT_TRUE(has(model, "frequency_rises"));
+}
+
 TEST(Identification, WarningsOfLevelsComeFirst) {
   Levels levels = testing::levels_at(testing::power_law(), testing::equal_ratios(9, 1e-4, 3e-4));
   levels.amplitude.push_back(levels.amplitude.back());

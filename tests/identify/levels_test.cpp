@@ -58,6 +58,12 @@ TEST(Levels, Rules) {
   levels = three();
   levels.amplitude_std = {kNan, 0.0, 0.0};
   EXPECT_EQ(message(levels), "amplitude_std of level 1 = nan; must be 0 or more, and finite");
+  levels = three();
+  levels.frequency = {80.0, 0.0, 80.0};
+  EXPECT_EQ(message(levels), "frequency of level 2 = 0; must be positive and finite");
+  levels.frequency = {80.0, 80.0, 80.0};
+  levels.frequency_std = {0.1};
+  EXPECT_EQ(message(levels), "length of frequency_std = 1; must be the number of levels, 3");
 }
 
 TEST(Levels, SortsAllColumnsAlike) {
@@ -68,12 +74,16 @@ TEST(Levels, SortsAllColumnsAlike) {
   levels.dissipation_std = {0.003, 0.001, 0.002};
   levels.secant_stiffness = {30, 10, 20};
   levels.secant_stiffness_std = {0.3, 0.1, 0.2};
+  levels.frequency = {83, 81, 82};
+  levels.frequency_std = {0.3, 0.1, 0.2};
   const MergedLevels merged = sort_and_merge(levels);
   EXPECT_EQ(merged.levels.amplitude, (std::vector<double>{1.0, 2.0, 3.0}));
   EXPECT_EQ(merged.levels.dissipation, (std::vector<double>{0.1, 0.2, 0.3}));
   EXPECT_EQ(merged.levels.amplitude_std, (std::vector<double>{0.01, 0.02, 0.03}));
   EXPECT_EQ(merged.levels.secant_stiffness, (std::vector<double>{10, 20, 30}));
   EXPECT_EQ(merged.levels.secant_stiffness_std, (std::vector<double>{0.1, 0.2, 0.3}));
+  EXPECT_EQ(merged.levels.frequency, (std::vector<double>{81, 82, 83}));
+  EXPECT_EQ(merged.levels.frequency_std, (std::vector<double>{0.1, 0.2, 0.3}));
   EXPECT_EQ(merged.count, (std::vector<std::size_t>{1, 1, 1}));
   EXPECT_EQ(merged.levels.dissipation_std, (std::vector<double>{0.001, 0.002, 0.003}));
 }

@@ -247,6 +247,61 @@ TEST(Parametric, StandardErrorsWithDampingAndSecants) {
   }
 }
 
+// 2 % of scatter in A, which is 5 to 6 % of D, beside 1 % of D's own: told by amplitude_std the
+// standard errors hold, and weighing follows (without it they are a fifth of the scatter or so).
+TEST(Parametric, StandardErrorsWithDeviationsOfTheAmplitude) {
+  const Joint joint = Joint::four_parameter(400.0, 252660.0, -0.5, 1.0);
+  const Levels exact = exact_levels(joint, {0.02, 1.4, 40, joint.macroslip_displacement()});
+  std::vector<double> force, chi, beta, untold;
+  double chi_squared = 0.0;
+  constexpr std::uint64_t kSets = 100;
+  for (std::uint64_t seed = 0; seed < kSets; ++seed) {
+    Levels levels = with_noise(exact, 0.01, true, seed);
+    RandomStream random(seed, 1);
+    for (double& a : levels.amplitude) {
+      levels.amplitude_std.push_back(0.02 * a);
+      a *= 1.0 + 0.02 * random.normal();
+    }
+    const auto fit = [&] {
+      return fit_parametric(levels, 252660.0, kFourParameter, {.starts = 2});
+    };
+    const ParametricResult result = fit();
+    EXPECT_TRUE(result.summary.converged()) << result.summary.reason;
+    const auto z = [](const ParametricResult& of, const std::string& name, double truth) {
+      const FittedParameter& p = parameter(of, name);
+      return (p.value - truth) / p.standard_error;
+    };
+    force.push_back(z(result, "macroslip_force", 400.0));
+    chi.push_back(z(result, "chi", -0.5));
+    beta.push_back(z(result, "beta", 1.0));
+    chi_squared += result.chi_squared / static_cast<double>(kSets);
+    levels.amplitude_std.clear();
+    untold.push_back(z(fit(), "chi", -0.5));
+  }
+  expect_standard_normal(force, "macroslip_force");
+  expect_standard_normal(chi, "chi");
+  expect_standard_normal(beta, "beta");
+  EXPECT_NEAR(chi_squared, 37.0, 4.0 * std::sqrt(2.0 * 37.0 / static_cast<double>(kSets)));
+  EXPECT_LT(Scatter(untold).covered, 0.7) << "without amplitude_std they do not";
+}
+
+// k_eq has slopes too, and an estimated noise holds that of the amplitude already.
+TEST(Parametric, DeviationsOfTheAmplitudeMatterWhereDeviationsAreGiven) {
+  const Joint joint(1e3, SlipDensity({PowerLawPart{0.1, -0.5, 0.0, 25.0}}));
+  const Levels exact = exact_levels(joint, {0.01, 0.8, 25, 0.025}, true);
+  const auto error_of = [&](bool stated, bool amplitude) {
+    Levels levels = with_noise(exact, 0.01, stated, 3);
+    if (amplitude) {
+      for (const double a : levels.amplitude) levels.amplitude_std.push_back(0.05 * a);
+    }
+    const ParametricResult result = fit_parametric(levels, 1e3, kPowerLaw);
+    EXPECT_TRUE(result.summary.converged()) << result.summary.reason;
+    return parameter(result, "exponent").standard_error;
+  };
+  EXPECT_GT(error_of(true, true), 2.0 * error_of(true, false));
+  EXPECT_EQ(error_of(false, true), error_of(false, false));
+}
+
 TEST(Parametric, BoundsAreHitExactly) {
   const auto fit = [](double chi, double beta) {
     const Joint joint = Joint::four_parameter(50.0, 1e6, chi, beta);

@@ -45,6 +45,26 @@ TEST(LevelsFile, ReadsWhatIsOptional) {
   EXPECT_EQ(file.levels.secant_stiffness_std, Numbers{1.0});
 }
 
+// That of the resonance counts where both are there, and with the deviation of the same name.
+TEST(LevelsFile, ReadsFrequencies) {
+  const std::string text =
+      "amplitude [m],dissipation [J],frequency [Hz],frequency_std [Hz],resonance_frequency [Hz]\n"
+      "1,2,80,0.1,81\n2,3,79,0.1,78\n";
+  const Levels both = parse_levels(text, "levels.csv").levels;
+  EXPECT_EQ(both.frequency, (Numbers{81.0, 78.0}));
+  EXPECT_TRUE(both.frequency_std.empty());
+  const Levels drive =
+      parse_levels(
+          "amplitude [m],dissipation [J],frequency [kHz],frequency_std [Hz]\n1,2,0.08,0.1\n", "l")
+          .levels;
+  EXPECT_EQ(drive.frequency, Numbers{80.0});
+  EXPECT_EQ(drive.frequency_std, Numbers{0.1});
+  EXPECT_EQ(
+      fault("amplitude [m],dissipation [J],frequency [Hz]\n1,2,80\n2,3,0\n"),
+      "levels.csv:3:5: expected a number above 0 in 'frequency [Hz]', found '0'. Where it is not "
+      "known at every level, remove the column.");
+}
+
 // As recordings, and as spreadsheets write it; other parentheses belong to the name.
 TEST(LevelsFile, TakesUnitsInParentheses) {
   const LevelsFile file =

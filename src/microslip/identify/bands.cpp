@@ -156,9 +156,12 @@ DensitySample sample_density(const InversionResult& result, const BandOptions& o
       kPriorNoise * s * std::sqrt(lambda) * (problem.penalty().transpose() * prior_noise);
 
   QuadraticProgram program(problem.area(), 1.0);
-  const Eigen::VectorXd x = program.solve(problem.hessian(lambda), linear, point.solution.free).x;
+  const QuadraticProgram::Solution solution =
+      program.solve(problem.hessian(lambda), linear, point.solution.free);
+  const Eigen::VectorXd& x = solution.x;
 
   DensitySample sample;
+  sample.converged = solution.optimal();
   const Eigen::VectorXd density = model.density(x);
   sample.density.push_back(density(0));
   sample.density.insert(sample.density.end(), density.begin(), density.end());
@@ -190,6 +193,8 @@ DensityBands density_bands(const InversionResult& result, const BandOptions& opt
   DensityBands bands;
   bands.confidence = options.confidence;
   bands.samples = options.samples;
+  bands.not_converged =
+      static_cast<std::size_t>(std::ranges::count(samples, false, &DensitySample::converged));
   std::vector<double> values(samples.size());
   const auto quantiles_of = [&](const auto& read) {
     std::ranges::transform(samples, values.begin(), read);

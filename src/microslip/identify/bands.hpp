@@ -29,7 +29,8 @@ struct BandOptions {
   Progress progress = {};  ///< told of the samples done of all; may cancel
 };
 
-/// Pointwise band of a density.
+/// Pointwise band of a density: at each slip force by itself. Its lower edge as a whole is no joint, nor
+/// is its upper edge: no sample follows either, and their areas may lie far outside of `area`.
 struct DensityBands {
   double confidence = 0.0;                   ///< nominal coverage, 1
   std::vector<double> lower;                 ///< 1/N; one a knot of the result
@@ -38,6 +39,7 @@ struct DensityBands {
   std::pair<double, double> linear_damping;  ///< of β, J/m²; zeros where it was not fitted
   std::pair<double, double> atom_weight;     ///< 1; zeros where there is none
   std::size_t samples = 0;                   ///< that were drawn
+  std::size_t not_converged = 0;             ///< of them; they count as they are
 };
 
 /// One density drawn from what the data leave possible; itself a feasible Iwan density.
@@ -46,6 +48,7 @@ struct DensitySample {
   double area = 0.0;            ///< Φ0 of the density and the atom, 1; ≤ 1
   double linear_damping = 0.0;  ///< J/m²
   double atom_weight = 0.0;     ///< 1
+  bool converged = false;       ///< whether its optimality conditions hold
 };
 
 /// Sample `index` of a seed: the constrained problem solved again with data and prior perturbed

@@ -6,11 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "microslip/base/percent.hpp"
 #include "microslip/base/plausibility.hpp"
+#include "microslip/identify/stiffness_evidence.hpp"
 
 namespace microslip {
 namespace {
@@ -22,12 +27,12 @@ constexpr double kMostExtrapolated = 0.25;
 constexpr double kMostDampingShare = 0.5;
 constexpr double kLargeScatter = 0.2;  // relative
 constexpr double kBendScore = -4.0;
-constexpr double kMostSecantOffset = 0.02;     // of k: seldom is it known better
-constexpr double kTellingOffset = 5.0;         // standard deviations
 constexpr double kLeastSlip = 0.01;            // area
 constexpr double kNarrowRange = 1.5;           // highest over lowest amplitude
 constexpr double kDampingRange = 2.0;          // the same, from which A² and A³ are told apart
 constexpr double kAsScatter = 1.3;             // times what the fit leaves
+constexpr double kExponentMargin = 0.1;        // from 2
+constexpr double kExponentScore = 3.0;         // standard deviations
 constexpr double kDissipationRounding = 1e-6;  // relative to D
 /// Where no standard deviation was given, that of a low level counts as a share of its D.
 constexpr std::string_view kGiveStd =
@@ -114,7 +119,6 @@ void diagnose_scatter(const InversionResult& result, std::vector<Warning>& warni
 /// An error of k moves all k_eq alike, and the resonances with them.
 void diagnose_stiffness(const InversionResult& result, double stiffness,
                         std::vector<Warning>& warnings) {
-  const double offset = result.secant_offset;
   if (result.fitted_secant_stiffness.empty()) {
     if (result.area >= kLeastSlip) return;
     warnings.push_back(
@@ -124,17 +128,73 @@ void diagnose_stiffness(const InversionResult& result, double stiffness,
                      percent_text(result.area), stiffness)});
     return;
   }
-  if (std::abs(offset) <= kMostSecantOffset * stiffness) return;
-  if (std::abs(offset) <= kTellingOffset * result.secant_offset_std) return;
+  const SecantEvidence secant{result.secant_offset, result.secant_offset_std,
+                              result.secant_scatter};
+  auto offset = diagnose_offset(secant, stiffness, 1.0 - result.area);
+  if (offset) warnings.push_back(std::move(*offset));
+}
+
+/// The p of D ∝ A^p by the lines of least squares through ln D over ln A, with its standard deviation;
+/// nothing where the levels are too few or too close.
+struct Exponent {
+  double value;
+  double std;
+};
+
+std::optional<Exponent> exponent_of(std::span<const double> amplitude,
+                                    std::span<const double> dissipation) {
+  std::vector<double> x;
+  std::vector<double> y;
+  for (std::size_t i = 0; i < amplitude.size(); ++i) {
+    if (!(dissipation[i] > 0.0)) continue;
+    x.push_back(std::log(amplitude[i]));
+    y.push_back(std::log(dissipation[i]));
+  }
+  constexpr std::size_t kFewest = 4;
+  if (x.size() < kFewest) return std::nullopt;
+  const auto n = static_cast<double>(x.size());
+  const double mean_x = std::accumulate(x.begin(), x.end(), 0.0) / n;
+  const double mean_y = std::accumulate(y.begin(), y.end(), 0.0) / n;
+  double xx = 0.0;
+  double xy = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xx += std::pow(x[i] - mean_x, 2);
+    xy += (x[i] - mean_x) * (y[i] - mean_y);
+  }
+  if (!(xx > 0.0)) return std::nullopt;
+  double left = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    left += std::pow(y[i] - mean_y - xy / xx * (x[i] - mean_x), 2);
+  }
+  return Exponent{xy / xx, std::sqrt(left / (n - 2.0) / xx)};
+}
+
+double exponent_margin(const Exponent& exponent) {
+  return std::max(kExponentMargin, kExponentScore * exponent.std);
+}
+
+/// Below A², which is the least that micro-slip and linear damping make. A joint that the levels follow
+/// into macro-slip is no such case: its D begins above A².
+void diagnose_exponent(const Levels& merged, std::vector<Warning>& warnings) {
+  const std::vector<double>& a = merged.amplitude;
+  if (a.back() < kDampingRange * a.front()) return;
+  const auto middle = static_cast<std::size_t>(
+      std::ranges::upper_bound(a, std::sqrt(a.front() * a.back())) - a.begin());
+  const auto all = exponent_of(a, merged.dissipation);
+  const auto lower =
+      exponent_of(std::span(a).first(middle), std::span(merged.dissipation).first(middle));
+  if (!all || !lower) return;
+  if (all->value >= 2.0 - exponent_margin(*all) || lower->value >= 2.0 - kExponentMargin) return;
   warnings.push_back(
-      {"secant_inconsistent",
-       fmt::format("The measured secant stiffnesses lie {:.3g} N/m ({} of k, ± {}) {} "
-                   "what D and k give: k = {:.4g} N/m would agree. Only their change over the "
-                   "amplitude was used; resonances that the joint predicts are too {}.",
-                   std::abs(offset), percent_text(std::abs(offset) / stiffness),
-                   percent_text(result.secant_offset_std / stiffness),
-                   offset > 0.0 ? "above" : "below", stiffness + offset,
-                   offset > 0.0 ? "low" : "high")});
+      {"exponent_below_two",
+       fmt::format(
+           "D grows as A^{:.2f} (± {:.2g}), less than A²: neither linear damping (A²) nor "
+           "micro-slip in this range (more than A²) does. It is the way towards macro-slip (A^1) "
+           "of "
+           "what slips below the lowest amplitude, of whose shape D tells nothing, or an error: an "
+           "offset of D, another gain at low levels, or a load that changed. Measure at lower "
+           "levels.",
+           all->value, all->std)});
 }
 
 /// Whether βA² alone is as near to D as the density. Measured secant stiffnesses tell slip from it.
@@ -171,6 +231,20 @@ double area_below(const InversionResult& result, double slip_force) {
   return area;
 }
 
+void diagnose_damping(const InversionResult& result, std::vector<Warning>& warnings) {
+  const auto exponent = exponent_of(result.levels.amplitude, result.levels.dissipation);
+  if (!exponent || std::abs(exponent->value - 2.0) > exponent_margin(*exponent)) return;
+  if (!is_as_linear_damping(result)) return;
+  warnings.push_back(
+      {"damping_suspected",
+       fmt::format(
+           "D grows as A^{:.2f} (± {:.2g}) all along, and linear damping as A², which is no "
+           "slip: D alone cannot tell them apart. Subtract the damping of the structure, "
+           "identify it beside the joint (linear damping), or give secant stiffnesses, "
+           "which slip lowers.",
+           exponent->value, exponent->std)});
+}
+
 void diagnose_ends(const InversionResult& result, const InversionOptions& options,
                    std::vector<Warning>& warnings) {
   const double lowest = options.stiffness * result.levels.amplitude.front();
@@ -184,13 +258,7 @@ void diagnose_ends(const InversionResult& result, const InversionOptions& option
                      100.0 * below / result.area, lowest)});
   }
   if (!result.linear_damping) {
-    if (is_as_linear_damping(result)) {
-      warnings.push_back(
-          {"damping_suspected",
-           "D grows with A² all along, as linear damping does, which is no slip: D alone cannot "
-           "tell them apart. Subtract the damping of the structure, identify it beside the joint "
-           "(linear damping), or give secant stiffnesses, which slip lowers."});
-    }
+    diagnose_damping(result, warnings);
     return;
   }
   const double a = result.levels.amplitude.front();
@@ -230,6 +298,7 @@ std::vector<Warning> diagnose(const Levels& levels) {
                                           "averaged into one level each.",
                                           levels.size(), distinct)});
   }
+  diagnose_exponent(merged.levels, warnings);
   diagnose_zero_std("dissipation_std", levels.dissipation_std, warnings);
   diagnose_zero_std("secant_stiffness_std", levels.secant_stiffness_std, warnings);
   if (!levels.amplitude_std.empty() && levels.dissipation_std.empty()) {
@@ -267,12 +336,30 @@ std::vector<Warning> diagnose(const InversionResult& result, const InversionOpti
   diagnose_stiffness(result, options.stiffness, warnings);
   diagnose_scatter(result, warnings);
   diagnose_ends(result, options, warnings);
+  if (result.inner_not_converged > 0) {
+    warnings.push_back(
+        {"inner_not_converged",
+         fmt::format(
+             "{} of {} inner solutions did not converge: those that the choice of the "
+             "smoothing, the search of an atom and the warnings of a negative density or of "
+             "too much area rest on. Do not rely on these; another number of levels or "
+             "--smoothing lambda=X may serve.",
+             result.inner_not_converged, result.inner_solutions)});
+  }
   if (options.atom && !result.atom_slip_force) {
     warnings.push_back({"macroslip_not_reached",
                         "No atom was identified: fewer than 20 levels, or they do not show D "
                         "growing in a straight line, as it does in macro-slip."});
   }
   return warnings;
+}
+
+std::vector<Warning> diagnose(const DensityBands& bands) {
+  if (bands.not_converged == 0) return {};
+  return {{"bands_not_converged",
+           fmt::format("{} of {} samples of the band did not converge; it holds them as they are. "
+                       "Take it as a rough one, and try another --smoothing or number of levels.",
+                       bands.not_converged, bands.samples)}};
 }
 
 }  // namespace microslip

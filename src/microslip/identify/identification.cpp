@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <string_view>
 #include <utility>
 #include <variant>
 
 #include "microslip/base/error.hpp"
 #include "microslip/identify/diagnostics.hpp"
 #include "microslip/identify/differences.hpp"
+#include "microslip/identify/stiffness_evidence.hpp"
 
 namespace microslip {
 namespace {
@@ -81,6 +83,7 @@ Identification by_inversion(const Levels& levels, const IdentificationOptions& o
     found.bands = density_bands(result, *options.bands);
     found.lower = found.bands->lower;
     found.upper = found.bands->upper;
+    append(found.warnings, diagnose(*found.bands));
   }
   found.inversion = std::move(result);
   return found;
@@ -117,6 +120,21 @@ Identification by_differences(const Levels& levels, const IdentificationOptions&
   return found;
 }
 
+/// The band is of the free density of the inversion: beside another joint it would pass for its own.
+void check_bands(const IdentificationOptions& options) {
+  if (!options.bands) return;
+  if (options.method != IdentificationMethod::kInversion) {
+    throw InputError("bands", "asked for", "come with the method inversion only",
+                     "Leave out the method, or the bands.");
+  }
+  if (options.fit) {
+    throw InputError(
+        "bands", "asked for",
+        fmt::format("are those of a free density, not of the model {}", to_string(*options.fit)),
+        "Leave out the model, whose parameters have standard errors, or the bands.");
+  }
+}
+
 Identification by_method(const Levels& levels, const IdentificationOptions& options) {
   switch (options.method) {
     case IdentificationMethod::kSpline:
@@ -135,6 +153,12 @@ void replace_by_fit(const Levels& levels, const IdentificationOptions& options,
   const double k = options.inversion.stiffness;
   ParametricResult fit =
       fit_parametric(levels, k, *options.fit, {.linear_damping = options.inversion.linear_damping});
+  if (found.summary.status == Status::kNotConverged) {
+    found.warnings.push_back(
+        {"free_density_not_converged",
+         fmt::format("What stands beside the model, by the method {}, did not converge: {}.",
+                     to_string(found.method), found.summary.reason)});
+  }
   found.joint = fit.joint;
   found.summary = fit.summary;
   if (options.inversion.linear_damping) found.linear_damping = fit.linear_damping;
@@ -153,6 +177,22 @@ void replace_by_fit(const Levels& levels, const IdentificationOptions& options,
   found.parametric = std::move(fit);
 }
 
+bool has_code(const std::vector<Warning>& warnings, std::string_view code) {
+  return std::ranges::find(warnings, code, &Warning::code) != warnings.end();
+}
+
+/// Of the joint that is given, whatever the inversion said of its own.
+void judge_stiffness(const Levels& levels, Identification& found) {
+  found.stiffness = stiffness_evidence(levels, found.joint);
+  std::erase_if(found.warnings, [](const Warning& w) { return w.code == "secant_inconsistent"; });
+  const bool told = found.inversion && !found.parametric && found.inversion->secant_scatter &&
+                    has_code(found.warnings, "scatter_large");
+  for (Warning& warning : diagnose(found.stiffness, found.joint)) {
+    if (told && warning.code == "secant_misfit") continue;
+    found.warnings.push_back(std::move(warning));
+  }
+}
+
 }  // namespace
 
 std::string_view to_string(IdentificationMethod method) {
@@ -168,10 +208,7 @@ std::string_view to_string(IdentificationMethod method) {
 }
 
 Identification identify(const Levels& levels, const IdentificationOptions& options) {
-  if (options.bands && options.method != IdentificationMethod::kInversion) {
-    throw InputError("bands", "asked for", "come with the method inversion only",
-                     "Leave out the method, or the bands.");
-  }
+  check_bands(options);
   std::vector<Warning> warnings = diagnose(levels);
   // A fit takes fewer levels than a free density.
   const bool fit_only = options.fit && sort_and_merge(levels).levels.size() < kFewestLevels;
@@ -179,6 +216,7 @@ Identification identify(const Levels& levels, const IdentificationOptions& optio
       fit_only ? Identification(options.method, Joint(options.inversion.stiffness, SlipDensity()))
                : by_method(levels, options);
   if (options.fit) replace_by_fit(levels, options, found);
+  judge_stiffness(levels, found);
   append(warnings, std::move(found.warnings));
   found.warnings = std::move(warnings);
   const auto [lowest, highest] = std::ranges::minmax(levels.amplitude);

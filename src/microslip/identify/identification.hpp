@@ -14,6 +14,7 @@
 #include "microslip/identify/levels.hpp"
 #include "microslip/identify/parametric.hpp"
 #include "microslip/identify/spline_density.hpp"
+#include "microslip/identify/stiffness_evidence.hpp"
 #include "microslip/joint/joint.hpp"
 
 namespace microslip {
@@ -34,7 +35,7 @@ struct IdentificationOptions {
   InversionOptions inversion;                           ///< its stiffness is that of all methods
   Smoothing spline_smoothing = Gcv{.edf_factor = 1.4};  ///< of kSpline: see SplineDensityOptions
   std::optional<ParametricModel> fit;  ///< a parametric model in place of the density
-  std::optional<BandOptions> bands;    ///< with kInversion only
+  std::optional<BandOptions> bands;    ///< with kInversion and without `fit` only
 };
 
 /// A joint from levels, and what its user must know of it.
@@ -63,11 +64,15 @@ struct Identification {
   std::optional<ParametricResult> parametric;  ///< of the parametric model that was asked for
   std::optional<DensityBands> bands;           ///< where they were asked for
 
-  std::vector<Warning> warnings;  ///< of the levels and of the method, see diagnose()
+  /// Measured k_eq and frequencies held against `joint`.
+  StiffnessEvidence stiffness = {};
+
+  std::vector<Warning> warnings;  ///< of the levels, the method and the stiffness, see diagnose()
   Summary summary;                ///< of the method
 };
 
-/// Levels to joint by the chosen method, judged: see diagnose() in diagnostics.hpp for the warnings.
+/// Levels to joint by the chosen method, judged: see diagnose() in diagnostics.hpp and
+/// stiffness_evidence.hpp for the warnings.
 /// Methods whose density may be negative give a joint with max(φ, 0), scaled to an area of 1 where it
 /// is above; both are said in a warning.
 /// @throws InputError  where an option or a level breaks a rule. @throws Cancelled  as density_bands().

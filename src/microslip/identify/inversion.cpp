@@ -20,7 +20,6 @@ namespace microslip {
 namespace {
 
 constexpr std::size_t kFirstPassPoints = 25;
-constexpr double kMostKktResidual = 1e-9;
 /// χ₀ stays where its power law has an area, and never rises: a rising reference would claim that
 /// there is no density at small slip forces, which D hardly tells.
 constexpr double kLeastExponent = -0.9;
@@ -151,7 +150,19 @@ void tell_kinds_apart(InversionModel& model, const ScaledLevels& levels) {
   model.least_softening_scatter = levels.softening_std_given ? 1.0 / both : 0.0;
 }
 
-void run_path(InversionModel& model, const InversionOptions& options, std::size_t points) {
+/// The inner solutions of an inversion: the result rests on them, though it is none of them.
+struct InnerSolutions {
+  std::size_t count = 0;
+  std::size_t not_converged = 0;
+
+  void add(const QuadraticProgram::Solution& solution) {
+    ++count;
+    if (!solution.optimal()) ++not_converged;
+  }
+};
+
+void run_path(InversionModel& model, const InversionOptions& options, std::size_t points,
+              InnerSolutions& inner) {
   const SmoothingProblem& problem = model.problem();
   model.most_edf = most_degrees_of_freedom(problem.rows(), problem.unpenalised());
   std::vector<double> lambdas = problem.lambda_grid(points);
@@ -161,6 +172,7 @@ void run_path(InversionModel& model, const InversionOptions& options, std::size_
     lambdas.insert(after, *options.lambda);
   }
   model.path = problem.path(lambdas);
+  for (const SmoothingPoint& point : model.path) inner.add(point.solution);
   model.lambda_fixed = options.lambda.has_value();
   if (!model.lambda_fixed) model.chosen = choose(model.path, options.rule, model.most_edf);
   const SmoothingPoint& point = model.solution();
@@ -172,7 +184,7 @@ void run_path(InversionModel& model, const InversionOptions& options, std::size_
 /// A first pass with rough weights, then the one that counts: its weights, reference and penalty
 /// come from the first. A third would change nothing.
 InversionModel two_passes(const ScaledLevels& levels, const InversionOptions& options, double top,
-                          bool atom) {
+                          bool atom, InnerSolutions& inner) {
   PassOptions pass;
   pass.top = top;
   pass.atom = atom;
@@ -183,7 +195,7 @@ InversionModel two_passes(const ScaledLevels& levels, const InversionOptions& op
   InversionOptions automatic = options;
   automatic.lambda.reset();
   InversionModel first(levels, pass);
-  run_path(first, automatic, kFirstPassPoints);
+  run_path(first, automatic, kFirstPassPoints, inner);
 
   const Eigen::VectorXd& x = first.solution().solution.x;
   pass.fit = first.dissipation(x);
@@ -194,7 +206,7 @@ InversionModel two_passes(const ScaledLevels& levels, const InversionOptions& op
         reference_exponent(levels, (levels.dissipation - damping).cwiseMax(levels.floor));
   }
   InversionModel second(levels, pass);
-  run_path(second, options, options.path_points);
+  run_path(second, options, options.path_points, inner);
   tell_kinds_apart(second, levels);
   return second;
 }
@@ -213,11 +225,12 @@ double schwarz_criterion(const ScaledLevels& levels, const InversionModel& model
 /// The slip force of an atom at macro-slip, as a share of kA_max: it ends the density, and above it D
 /// grows in a straight line. Nothing where the density goes on to the end of the data, or the levels
 /// are too few to tell.
-std::optional<double> find_atom(const ScaledLevels& levels, const InversionOptions& options) {
+std::optional<double> find_atom(const ScaledLevels& levels, const InversionOptions& options,
+                                InnerSolutions& inner) {
   const Eigen::Index count = levels.amplitude.size();
   if (count < kFewestForAtom) return std::nullopt;
   const auto criterion = [&](double top) {
-    return schwarz_criterion(levels, two_passes(levels, options, top, true));
+    return schwarz_criterion(levels, two_passes(levels, options, top, true, inner));
   };
   // Two levels at least must lie beyond an atom to show the straight line.
   const double first = levels.amplitude(2);
@@ -233,7 +246,7 @@ std::optional<double> find_atom(const ScaledLevels& levels, const InversionOptio
       lowest = value;
     }
   }
-  const double without = schwarz_criterion(levels, two_passes(levels, options, 1.0, false));
+  const double without = schwarz_criterion(levels, two_passes(levels, options, 1.0, false, inner));
   // The position is a parameter of its own.
   const double price = std::log(static_cast<double>(count)) + kStrongEvidence;
   if (!(lowest + price < without)) return std::nullopt;
@@ -267,15 +280,18 @@ SmoothingPoint unlimited_solution(const InversionModel& model) {
 // A test of the unlimited density itself would find every peak and edge guilty, as a smoother rings
 // beside them. What a flexible density ≥ 0 leaves of D has no peaks and edges any more, only what
 // no such density can give.
-void judge_sign(const InversionModel& model, const ScaledLevels& levels, InversionResult& result) {
+void judge_sign(const InversionModel& model, const ScaledLevels& levels, InversionResult& result,
+                InnerSolutions& inner) {
   const SmoothingProblem& problem = model.problem();
   const SmoothingPoint unlimited = unlimited_solution(model);
   if (unlimited.lambda == 0.0) return;
   QuadraticProgram no_budget(problem.area(), 1e9);
   const SmoothingPoint& last = model.path.back();
   const double lambda = std::max(1e-3 * unlimited.lambda, last.lambda);
-  const Eigen::VectorXd flexible =
-      no_budget.solve(problem.hessian(lambda), problem.linear(), last.solution.free).x;
+  const QuadraticProgram::Solution solution =
+      no_budget.solve(problem.hessian(lambda), problem.linear(), last.solution.free);
+  inner.add(solution);
+  const Eigen::VectorXd& flexible = solution.x;
   Eigen::VectorXd left = problem.data() - problem.design() * flexible;
   const double largest = levels.dissipation.maxCoeff();
   for (Eigen::Index i = 0; i < levels.amplitude.size(); ++i) {
@@ -300,7 +316,8 @@ void judge_sign(const InversionModel& model, const ScaledLevels& levels, Inversi
 }
 
 /// What area ≤ 1 costs: the solution without it, at the same λ.
-void judge_area(const InversionModel& model, const ScaledLevels& levels, InversionResult& result) {
+void judge_area(const InversionModel& model, const ScaledLevels& levels, InversionResult& result,
+                InnerSolutions& inner) {
   const SmoothingPoint& point = model.solution();
   const SmoothingProblem& problem = model.problem();
   const auto objective = [&](const Eigen::VectorXd& x) {
@@ -308,8 +325,10 @@ void judge_area(const InversionModel& model, const ScaledLevels& levels, Inversi
            point.lambda * (problem.penalty() * x).squaredNorm();
   };
   QuadraticProgram unlimited(problem.area(), 1e9);
-  const Eigen::VectorXd positive =
-      unlimited.solve(problem.hessian(point.lambda), problem.linear(), point.solution.free).x;
+  const QuadraticProgram::Solution solution =
+      unlimited.solve(problem.hessian(point.lambda), problem.linear(), point.solution.free);
+  inner.add(solution);
+  const Eigen::VectorXd& positive = solution.x;
   result.unlimited_area = problem.area().dot(positive);
   const double scatter =
       scatter_beyond_resolution(model, levels, problem.solve_unlimited(point.lambda));
@@ -364,13 +383,12 @@ void summarise(const InversionModel& model, Summary& summary) {
   summary.method = "regularised convex inversion";
   summary.residual = solution.kkt_residual;
   for (const SmoothingPoint& point : model.path) summary.iterations += point.solution.exchanges;
-  const bool solved =
-      solution.converged && solution.kkt_residual <= kMostKktResidual + solution.rounding;
+  constexpr double kWanted = QuadraticProgram::kMostKktResidual;
+  const bool solved = solution.optimal();
   summary.status = solved ? Status::kConverged : Status::kNotConverged;
-  summary.reason =
-      solved ? fmt::format("optimality conditions hold to {:.0e} or rounding", kMostKktResidual)
-             : fmt::format("optimality conditions hold to {:.0e} only, {:.0e} wanted",
-                           solution.kkt_residual, kMostKktResidual);
+  summary.reason = solved ? fmt::format("optimality conditions hold to {:.0e} or rounding", kWanted)
+                          : fmt::format("optimality conditions hold to {:.0e} only, {:.0e} wanted",
+                                        solution.kkt_residual, kWanted);
 }
 
 }  // namespace
@@ -383,15 +401,16 @@ InversionResult invert(const Levels& levels, const InversionOptions& options) {
   const ScaledLevels scaled(merged, options.stiffness);
 
   InversionResult result;
+  InnerSolutions inner;
   double top = 1.0;
   if (options.atom) {
-    if (const std::optional<double> found = find_atom(scaled, options)) {
+    if (const std::optional<double> found = find_atom(scaled, options, inner)) {
       top = *found;
       result.atom_slip_force = top * scaled.largest_slip_force;
     }
   }
   auto model = std::make_shared<InversionModel>(
-      two_passes(scaled, options, top, result.atom_slip_force.has_value()));
+      two_passes(scaled, options, top, result.atom_slip_force.has_value(), inner));
   result.levels = merged.levels;
   read_density(*model, result);
   read_fit(*model, scaled, result);
@@ -405,9 +424,12 @@ InversionResult invert(const Levels& levels, const InversionOptions& options) {
   if (scaled.softening_std_given) {
     result.secant_scatter = model->softening_scatter * model->scatter;
   }
-  judge_sign(*model, scaled, result);
-  judge_area(*model, scaled, result);
+  judge_sign(*model, scaled, result, inner);
+  judge_area(*model, scaled, result, inner);
   summarise(*model, result.summary);
+  // The chosen point of the path is the result itself.
+  result.inner_solutions = inner.count - 1;
+  result.inner_not_converged = inner.not_converged - (result.summary.converged() ? 0 : 1);
   result.model = std::move(model);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   result.summary.wall_seconds = elapsed.count();

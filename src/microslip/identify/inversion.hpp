@@ -96,6 +96,11 @@ struct InversionResult {
   double area_cost = 0.0;
   double unlimited_area = 0.0;  ///< Φ0 without the limit, 1
 
+  /// Solutions beside the result itself: those of the path and of its first pass, of the search of an
+  /// atom, and those behind lowest_score and area_cost; and how many did not converge.
+  std::size_t inner_solutions = 0;
+  std::size_t inner_not_converged = 0;  ///< of them
+
   Summary summary;  ///< residual: of the optimality conditions, relative
 
   /// What density_bands() needs again.

@@ -70,6 +70,8 @@ void check_levels(const Levels& levels) {
   check_column("secant_stiffness", levels.secant_stiffness, n, false, false);
   check_column("secant_stiffness_std", levels.secant_stiffness_std, n, false, true);
   check_column("linear_dissipation", levels.linear_dissipation, n, false, true);
+  check_column("frequency", levels.frequency, n, false, false);
+  check_column("frequency_std", levels.frequency_std, n, false, true);
 }
 
 MergedLevels sort_and_merge(const Levels& levels) {
@@ -92,6 +94,7 @@ MergedLevels sort_and_merge(const Levels& levels) {
                    out.dissipation_std);
     merge_measured(levels.secant_stiffness, levels.secant_stiffness_std, group,
                    out.secant_stiffness, out.secant_stiffness_std);
+    merge_measured(levels.frequency, levels.frequency_std, group, out.frequency, out.frequency_std);
     Column none;
     merge_measured(levels.linear_dissipation, {}, group, out.linear_dissipation, none);
     merged.count.push_back(group.size());

@@ -18,17 +18,21 @@ struct Levels {
   /// W_lin, linear loss per cycle that was taken from the input energy to get D, J; it serves
   /// BandOptions::loss_factor_std only.
   std::vector<double> linear_dissipation = {};
+  /// Frequency of the resonance at the level, Hz, or of a drive that was held there. No method fits
+  /// it: a joint is held against it, see stiffness_evidence().
+  std::vector<double> frequency = {};
+  std::vector<double> frequency_std = {};  ///< its standard deviation, Hz
 
   /// The number of levels.
   [[nodiscard]] std::size_t size() const { return amplitude.size(); }
 };
 
-/// Checks what every method needs: lengths agree, A > 0, all finite, D ≥ 0, k_eq > 0, W_lin ≥ 0,
+/// Checks what every method needs: lengths agree, A > 0, all finite, D ≥ 0, k_eq > 0, W_lin ≥ 0, f > 0,
 /// standard deviations ≥ 0. Order and repetition are free. @throws InputError  naming the level (1-based) and the value.
 void check_levels(const Levels& levels);
 
-/// The levels by rising amplitude; levels of equal amplitude become one: the mean of D and k_eq
-/// weighted by 1/σ² where σ is given (equally otherwise), with its standard deviation; that of W_lin.
+/// The levels by rising amplitude; levels of equal amplitude become one: the mean of D, k_eq and
+/// f weighted by 1/σ² where σ is given (equally otherwise), with its standard deviation; that of W_lin.
 struct MergedLevels {
   Levels levels;                   ///< sorted, no two of one amplitude
   std::vector<std::size_t> count;  ///< how many levels became this one

@@ -47,7 +47,25 @@ class Measured {
   void set_scale(double scale) { scale_ = std::max(scale, kSmallestScale); }
 
   [[nodiscard]] double sigma(std::size_t i) const {
-    return known_ ? sigma_[i] : scale_ * sigma_[i];
+    if (!known_) return scale_ * sigma_[i];
+    return through_slope_.empty() ? sigma_[i] : std::hypot(sigma_[i], through_slope_[i]);
+  }
+
+  /// What deviations of the amplitude make of a known σ.
+  /// @param through_slope  of the joint, one a level. @param weight  that it has in the mean of squares
+  ///                       with what was set before. @return  the largest change of ln σ.
+  double set_through_slope(Vector through_slope, double weight) {
+    for (std::size_t i = 0; i < through_slope_.size(); ++i) {
+      through_slope[i] = std::hypot(std::sqrt(weight) * through_slope[i],
+                                    std::sqrt(1.0 - weight) * through_slope_[i]);
+    }
+    const Vector before = std::exchange(through_slope_, std::move(through_slope));
+    double change = 0.0;
+    for (std::size_t i = 0; i < size(); ++i) {
+      const double old = before.empty() ? sigma_[i] : std::hypot(sigma_[i], before[i]);
+      change = std::max(change, std::abs(std::log(sigma(i) / old)));
+    }
+    return change;
   }
   [[nodiscard]] double residual(std::size_t i, double model) const {
     return (model - value_[i]) / sigma(i);
@@ -66,7 +84,8 @@ class Measured {
   Vector value_;
   bool known_;
   Vector sigma_;
-  double scale_ = 0.01;  // where the search for it starts
+  Vector through_slope_;  // empty, or one a level
+  double scale_ = 0.01;   // where the search for it starts
 };
 
 std::string with_unit(const FittedParameter& p) {
@@ -213,17 +232,62 @@ class Fit {
     return result;
   }
 
-  /// Fit and unknown noise in turns. A single unknown noise of all rows changes no weight against
-  /// another: then the first turn is the last. Otherwise the turns follow the best start, and when
-  /// the noise has settled all starts are tried again.
+  /// Deviations of the amplitude act through the slopes of D and k_eq, which the joint tells.
+  [[nodiscard]] bool weighs_amplitude() const {
+    return !levels_.amplitude_std.empty() && (loss_.known() || secant_.known());
+  }
+
+  /// Before there is a joint: D grows with A³ or so.
+  void guess_slopes() {
+    if (!weighs_amplitude() || !loss_.known()) return;
+    Vector loss;
+    for (std::size_t i = 0; i < loss_.size(); ++i) {
+      loss.push_back(3.0 * loss_.value(i) * levels_.amplitude_std[i] / levels_.amplitude[i]);
+    }
+    loss_.set_through_slope(std::move(loss), 1.0);
+  }
+
+  /// What ± σ_A makes of D and k_eq of the best joint so far. Not their slopes at A, which jump where
+  /// an atom slips: the turns would go round in circles. Where two minima are
+  /// nearly as good they still may: later turns count less and less. @return  the largest change of ln σ.
+  double update_slopes(const Minimum& best, int turn) {
+    if (!weighs_amplitude()) return 0.0;
+    constexpr int kFullTurns = 4;
+    const double weight = 1.0 / std::max(1, turn - kFullTurns);
+    const Joint joint = form_->joint(best.q);
+    const double linear = damping(best.q);
+    Vector loss;
+    Vector secant;
+    for (std::size_t i = 0; i < levels_.size(); ++i) {
+      const double above = levels_.amplitude[i] + levels_.amplitude_std[i];
+      const double below = std::max(0.0, levels_.amplitude[i] - levels_.amplitude_std[i]);
+      const auto half_change = [&](const auto& value) {
+        return 0.5 * std::abs(value(above) - value(below));
+      };
+      loss.push_back(half_change([&](double a) { return dissipation(joint, a) + linear * a * a; }));
+      secant.push_back(half_change([&](double a) { return secant_stiffness(joint, a); }));
+    }
+    double change = 0.0;
+    if (loss_.known()) change = loss_.set_through_slope(std::move(loss), weight);
+    if (secant_.size() > 0 && secant_.known()) {
+      change = std::max(change, secant_.set_through_slope(std::move(secant), weight));
+    }
+    return change;
+  }
+
+  /// Fit and unknown noise in turns, and weights by slopes of the fit. A single unknown noise of all
+  /// rows changes no weight against another: then the first turn is the last. Otherwise the turns
+  /// follow the best start, and when the noise has settled all starts are tried again.
   Minimum search() {
     constexpr int kMostTurns = 60;
     constexpr double kStill =
         1e-3;  // of a noise; the result then moves far less than its own error
     const std::vector<Vector> grid = candidates();
+    guess_slopes();
     Minimum best = minimise_from(grid);
-    double change = estimate_noise(best);
-    const bool mixed = secant_.size() > 0 && !(loss_.known() && secant_.known());
+    double change = update_weights(best, 0);
+    const bool mixed =
+        (secant_.size() > 0 && !(loss_.known() && secant_.known())) || weighs_amplitude();
     bool all_tried = !mixed;
     for (int turn = 0; turn < kMostTurns && !(all_tried && (change < kStill || !mixed)); ++turn) {
       all_tried = change < kStill;
@@ -232,11 +296,16 @@ class Fit {
       Minimum next = minimise_from(from);
       next.iterations += best.iterations;
       best = std::move(next);
-      change = estimate_noise(best);
+      change = update_weights(best, turn + 1);
     }
     noise_settled_ = !mixed || change < kStill;
     best.sum_of_squares = residuals(best.q).squaredNorm();
     return best;
+  }
+
+  double update_weights(const Minimum& best, int turn) {
+    const double noise = estimate_noise(best);
+    return std::max(noise, update_slopes(best, turn));
   }
 
   /// A start near q that is inside of all ranges.

@@ -57,7 +57,7 @@ struct ParametricResult {
   /// there.
   std::vector<double> covariance;
 
-  double chi_squared = 0.0;    ///< Σ (residual/σ)², with the σ given or estimated
+  double chi_squared = 0.0;    ///< Σ (residual/σ)², with the σ above
   int degrees_of_freedom = 0;  ///< rows − parameters that are not at a bound
   /// σ_D/D and σ_k/k_eq estimated from the misfit, 1; empty where the deviations were given.
   std::optional<double> dissipation_noise;
@@ -80,7 +80,12 @@ struct ParametricResult {
 ///
 /// σ is `dissipation_std` where that is given and positive at every level; otherwise σ_i = s D_i
 /// with s estimated from the misfit (this needs D > 0); `secant_stiffness_std` likewise. Where both
-/// kinds of row are there and an s is unknown, fit and s are found in turns.
+/// kinds of row are there and an s is unknown, fit and s are found in turns. `amplitude_std` adds to
+/// a σ that was given what it makes through the slope of the fit, also in turns:
+///
+///     σ_i² = σ_D,i² + ¼[D(A_i + σ_A,i) − D(A_i − σ_A,i)]²,  D = D_model + βl A²;  k_eq likewise
+///
+/// (effective variance, with D′σ_A as a difference that an atom leaves continuous; Orear, Am. J. Phys. 50 (1982) 912); an estimated s holds it already.
 ///
 /// Method: each parameter moves inside of its range by a smooth one-to-one transformation
 /// (logarithm or logit), in which MINPACK's Levenberg–Marquardt [J. J. Moré, Lect. Notes Math. 630

@@ -166,6 +166,10 @@ QuadraticProgram::Solution QuadraticProgram::solve(const Eigen::MatrixXd& hessia
   slack_rounding_ = 0.0;
   solution.converged =
       pivot_blocks(hessian, linear, solution) || go_downhill(hessian, linear, solution);
+  if (!solution.x.allFinite()) {  // comparisons with it find nothing wrong
+    solution.converged = false;
+    solution.x.setZero();
+  }
   solution.rounding = slack_rounding_ / std::max(linear.cwiseAbs().maxCoeff(), 1e-300);
   solution.kkt_residual = kkt_residual(hessian, linear, solution);
   solution.x = solution.x.cwiseMax(0.0);

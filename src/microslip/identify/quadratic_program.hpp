@@ -25,7 +25,14 @@ class QuadraticProgram {
     double kkt_residual = 0.0;  ///< largest violation of (KKT), relative; see solve()
     double rounding = 0.0;      ///< as much of it may be the rounding of x to doubles
     bool converged = false;
+
+    /// Whether it converged, and (KKT) holds to 1e−9 or rounding.
+    [[nodiscard]] bool optimal() const {
+      return converged && kkt_residual <= kMostKktResidual + rounding;
+    }
   };
+
+  static constexpr double kMostKktResidual = 1e-9;
 
   /// @param budget_weights  m, one a variable.
   QuadraticProgram(Eigen::VectorXd budget_weights, double budget);

@@ -217,6 +217,10 @@ std::vector<std::string> texts_of(const JsonText& list) {
   return texts;
 }
 
+JsonText list_of_texts(const std::vector<std::string>& texts) {
+  return {Json(texts).dump(-1, ' ', false, Json::error_handler_t::replace)};
+}
+
 std::string format_joint(const JointFile& file) {
   std::string text =
       fmt::format("{{\n  \"schema\": \"{}\",\n  \"stiffness_N_per_m\": ", kJointKind);

@@ -38,6 +38,9 @@ struct JointFile {
 /// Empty for what is no list.
 [[nodiscard]] std::vector<std::string> texts_of(const JsonText& list);
 
+/// The JSON list of texts that texts_of() reads back; what is no UTF-8 in them is replaced.
+[[nodiscard]] JsonText list_of_texts(const std::vector<std::string>& texts);
+
 /// The text that parse_joint() reads back as the same: numbers are the shortest that read back as
 /// the same double, keys come in a fixed order, nothing depends on the clock or the locale.
 /// @throws InputError  where a value of the records is not finite or no JSON.

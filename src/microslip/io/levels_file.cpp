@@ -25,6 +25,19 @@ constexpr OptionalColumn kOptionalColumns[] = {
     {"secant_stiffness_std", kStiffness, &Levels::secant_stiffness_std},
 };
 
+/// That of the resonance where the file has it, else that of the drive, with the deviation of the same.
+void read_frequency(const CsvTable& table, Levels& levels) {
+  for (const std::string name : {"resonance_frequency", "frequency"}) {
+    if (!table.has(name)) continue;
+    levels.frequency = table.numbers(name, kFrequency);
+    require_positive(table, name, levels.frequency,
+                     "Where it is not known at every level, remove the column.");
+    levels.frequency_std = table.numbers_if_present(name + "_std", kFrequency);
+    require_non_negative(table, name + "_std", levels.frequency_std);
+    return;
+  }
+}
+
 }  // namespace
 
 LevelsFile parse_levels(std::string text, std::string_view file, const LevelsReadOptions& options) {
@@ -43,6 +56,7 @@ LevelsFile parse_levels(std::string text, std::string_view file, const LevelsRea
   require_non_negative(table, "dissipation", levels.dissipation,
                        "A contact cannot give energy: remove the row, or check the phase.");
   require_positive(table, "secant_stiffness", levels.secant_stiffness);
+  read_frequency(table, levels);
   std::vector<double> reversals = table.numbers_if_present("reversals", kDimensionless);
   require_non_negative(table, "reversals", reversals);
   if (options.linear_dissipation) {
@@ -77,6 +91,8 @@ LevelsFile without_inner_reversals(const LevelsFile& file) {
   result.reversals = kept(file.reversals);
   result.flags = kept(file.flags);
   result.levels.linear_dissipation = kept(file.levels.linear_dissipation);
+  result.levels.frequency = kept(file.levels.frequency);
+  result.levels.frequency_std = kept(file.levels.frequency_std);
   result.levels.amplitude = kept(file.levels.amplitude);
   result.levels.dissipation = kept(file.levels.dissipation);
   for (const OptionalColumn& column : kOptionalColumns) {

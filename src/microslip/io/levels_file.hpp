@@ -12,8 +12,8 @@
 /// @file
 /// levels.csv: one row a level. Needed: `amplitude [m]`, `dissipation [J]`. Used when there:
 /// `amplitude_std [m]`, `dissipation_std [J]`, `secant_stiffness [N/m]`, `secant_stiffness_std
-/// [N/m]`, `reversals [1]` of the joint displacement in a cycle, and `flags`. Other columns are left
-/// alone.
+/// [N/m]`, `resonance_frequency [Hz]` or else `frequency [Hz]` with the same name and `_std`,
+/// `reversals [1]` of the joint displacement in a cycle, and `flags`. Other columns are left alone.
 
 namespace microslip {
 
@@ -44,8 +44,8 @@ struct LevelsReadOptions {
 };
 
 /// Levels from the text of a levels.csv.
-/// @throws FormatError  at the cell that breaks a rule: A > 0, D ≥ 0, k_eq > 0, W_lin ≥ 0, σ ≥ 0, all
-///                      finite.
+/// @throws FormatError  at the cell that breaks a rule: A > 0, D ≥ 0, k_eq > 0, W_lin ≥ 0, f > 0, σ ≥ 0,
+///                      all finite.
 [[nodiscard]] LevelsFile parse_levels(std::string text, std::string_view file,
                                       const LevelsReadOptions& options = {});
 

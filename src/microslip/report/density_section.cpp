@@ -102,6 +102,12 @@ ReportFigure density_figure(const TestResults& results,
         " An atom, a slip force at which a part of the stiffness slips at once, is a line without "
         "height here: the summary has its weight.";
   }
+  if (!found.band_slip_force.empty()) {
+    figure.caption +=
+        " The band holds at each slip force by itself: its lower edge as a whole is no joint, nor "
+        "is "
+        "its upper edge.";
+  }
   std::vector<ReportTrace>& traces = figure.choices[0].traces;
   if (!found.band_slip_force.empty()) traces.push_back(band_of(found));
   traces.push_back(density_curve(kFoundName, found.joint, from, to, kFound));

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <set>
 #include <sstream>
 #include <string>
@@ -14,6 +13,7 @@
 #include "microslip/base/percent.hpp"
 #include "microslip/base/summary.hpp"
 #include "microslip/identify/density_comparison.hpp"
+#include "microslip/identify/stiffness_evidence.hpp"
 #include "microslip/report/flag_meanings.hpp"
 #include "microslip/report/test_sections.hpp"
 
@@ -222,34 +222,18 @@ std::optional<ReportWarning> foreign_misfit(const TestResults& results,
                                           : "is not that of these levels")};
 }
 
-/// An Iwan joint under a constant load only softens, and with it every mode. Drives of 0.1 Hz steps at
-/// 55 Hz jump by up to 0.2 %.
-std::optional<ReportWarning> rising_frequency(const TestLevels& test) {
-  constexpr double kMostRise = 3e-3;
-  const std::vector<double>& frequency =
-      test.resonance_frequency.empty() ? test.frequency : test.resonance_frequency;
-  if (frequency.empty()) return std::nullopt;
-  std::vector<std::size_t> order(frequency.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const std::vector<double>& amplitude = test.levels.amplitude;
-  std::ranges::sort(order, {}, [&](std::size_t i) { return amplitude[i]; });
-  std::size_t lowest = order.front();
-  std::size_t from = lowest;
-  std::size_t to = lowest;
-  for (const std::size_t i : order) {
-    if (frequency[i] < frequency[lowest]) lowest = i;
-    if (frequency[i] * frequency[from] > frequency[to] * frequency[lowest]) {
-      from = lowest;
-      to = i;
-    }
+/// The stiffness of the levels held against the joint, as its identification does it. The resonance where
+/// it was measured, else the drive.
+std::vector<Warning> judge_stiffness(const TestResults& results) {
+  const TestLevels& test = *results.levels;
+  Levels levels = test.levels;
+  if (!test.resonance_frequency.empty()) {
+    levels.frequency = test.resonance_frequency;
+  } else {
+    levels.frequency = test.frequency;
   }
-  const double rise = frequency[to] / frequency[from] - 1.0;
-  if (!(rise > kMostRise)) return std::nullopt;
-  return ReportWarning{
-      "frequency_rises",
-      fmt::format("The frequency rises by {:.2f} % from {:.4g} to {:.4g} µm, while a joint under a "
-                  "constant load only softens: this one explains the damping, not the stiffness.",
-                  100.0 * rise, amplitude[from] / kMicrometre, amplitude[to] / kMicrometre)};
+  if (levels.frequency_std.size() != levels.frequency.size()) levels.frequency_std.clear();
+  return diagnose(stiffness_evidence(levels, results.joint->joint), results.joint->joint);
 }
 
 /// One for each code, with the number of records that carry it.
@@ -284,7 +268,7 @@ ReportWarnings all_warnings(const TestResults& results,
   };
   if (const auto misfit = foreign_misfit(results, methods)) add(misfit->code, misfit->text);
   if (results.joint && results.levels) {
-    if (const auto rise = rising_frequency(*results.levels)) add(rise->code, rise->text);
+    for (const Warning& warning : judge_stiffness(results)) add(warning.code, warning.text);
   }
   if (results.joint && results.levels && results.joint->method.empty()) {
     add("joint_of_unknown_origin",
