@@ -59,6 +59,16 @@ void choose_channels(const ConvertOptions& options, Recording& recording) {
   recording.channels = std::move(chosen);
 }
 
+/// What the reader had to forgive belongs to what is written too. A universal file has no place for it.
+void add_warning_attributes(const std::vector<Warning>& warnings,
+                            std::vector<Recording>& recordings) {
+  for (Recording& recording : recordings) {
+    for (const Warning& warning : warnings) {
+      recording.attributes.emplace_back("warning", warning.text);
+    }
+  }
+}
+
 void check_count(const ConvertOptions& options, RecordingFormat format, std::size_t count) {
   if (format != RecordingFormat::kCsv || count == 1) return;
   throw InputError(options.in, fmt::format("{} recordings", count),
@@ -110,6 +120,7 @@ int convert(const ConvertOptions& options, bool quiet) {
   choose_recording(options, found.recordings);
   check_count(options, format, found.recordings.size());
   for (Recording& recording : found.recordings) choose_channels(options, recording);
+  add_warning_attributes(found.warnings, found.recordings);
   OutputFiles files;
   write_recordings(files, options.out, found.recordings, format);
   files.commit();

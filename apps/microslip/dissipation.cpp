@@ -14,6 +14,8 @@
 #include "microslip/io/output_files.hpp"
 #include "microslip/joint/secant.hpp"
 #include "prediction.hpp"
+#include "provenance.hpp"
+#include "recording_arguments.hpp"
 
 namespace microslip::app {
 namespace {
@@ -51,8 +53,10 @@ int run(const DissipationOptions& options, const Call& call) {
   table.add_numbers("dissipation", kEnergy, energy);
   table.add_numbers("secant_stiffness", kStiffness, secant);
   table.add_numbers("loss_factor", kDimensionless, loss);
+  const std::vector<Warning> warnings = reach_warnings(file, amplitude.back());
+  add_warnings(warnings, table);
   write_file(options.out, table.str());
-  if (!call.quiet) show_reach(file, amplitude.back());
+  if (!call.quiet) show_warnings(warnings);
   return kDone;
 }
 
@@ -75,7 +79,7 @@ void add_dissipation(CLI::App& program, Call& call) {
                    "secant_stiffness [N/m], loss_factor [1]; - is standard output")
       ->required()
       ->type_name(kCsvValue);
-  command->add_flag("--quiet", call.quiet, "No warnings");
+  command->add_flag("--quiet", call.quiet, "No warnings on the screen; the file has them");
   add_examples(*command,
                {"microslip dissipation joint.json --amplitude 1um:300um:50:log --out curve.csv"});
   command->callback(

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "microslip/base/percent.hpp"
 #include "microslip/io/density_file.hpp"
+#include "microslip/io/joint_file.hpp"
+#include "provenance.hpp"
 #include "report_text.hpp"
 
 namespace microslip::app {
@@ -36,13 +39,24 @@ std::string describe_scatter(const InversionResult& result) {
 
 /// Where the joint's own secant stiffnesses lie against the measured ones.
 std::string describe_offset(const Identification& found) {
-  const InversionResult& result = *found.inversion;
-  if (result.fitted_secant_stiffness.empty()) return {};
+  if (!found.stiffness.secant) return {};
+  const SecantEvidence& secant = *found.stiffness.secant;
   const double k = found.joint.stiffness();
-  return line("k_eq of the joint", fmt::format("{} of k {} the measured, ± {}",
-                                               percent_text(std::abs(result.secant_offset) / k),
-                                               result.secant_offset > 0.0 ? "below" : "above",
-                                               percent_text(result.secant_offset_std / k)));
+  return line(
+      "k_eq of the joint",
+      fmt::format("{} of k {} the measured, ± {}", percent_text(std::abs(secant.offset) / k),
+                  secant.offset > 0.0 ? "below" : "above", percent_text(secant.offset_std / k)));
+}
+
+/// How far the measured frequencies are from what the joint can make of a resonance.
+std::string describe_frequencies(const Identification& found) {
+  if (!found.stiffness.frequency) return {};
+  const FrequencyEvidence& frequency = *found.stiffness.frequency;
+  return line("frequencies",
+              fmt::format("explained to ± {:.2g} Hz by a share of {:.2f} of the softening",
+                          frequency.uncertainty, frequency.share)) +
+         line("", fmt::format("(to {:.2g} Hz by all of it, as of an equivalent joint)",
+                              frequency.equivalent_joint_error));
 }
 
 std::string describe_inversion(const Identification& found) {
@@ -99,13 +113,46 @@ std::string describe_density(const Identification& found) {
   return text;
 }
 
-JsonText warnings_as_json(const std::vector<Warning>& warnings) {
-  std::string text = "[";
-  for (const Warning& warning : warnings) {
-    if (text.size() > 1) text += ",";
-    text += "\"" + warning.code + "\"";
+JsonText list_of(const std::vector<Warning>& warnings, std::string Warning::*member) {
+  std::vector<std::string> texts;
+  for (const Warning& warning : warnings) texts.push_back(warning.*member);
+  return list_of_texts(texts);
+}
+
+/// Of the joint that the file holds, whatever found it.
+void add_stiffness(const StiffnessEvidence& evidence, Record& record) {
+  if (evidence.secant) {
+    record.emplace_back("secant_offset_N_per_m", evidence.secant->offset);
+    record.emplace_back("secant_offset_std_N_per_m", evidence.secant->offset_std);
   }
-  return {text + "]"};
+  if (!evidence.frequency) return;
+  const FrequencyEvidence& frequency = *evidence.frequency;
+  record.emplace_back("frequency_rise", std::max(0.0, frequency.rise.change));
+  record.emplace_back("frequency_fall_unexplained",
+                      std::max(0.0, frequency.fall.explained - frequency.fall.change));
+  record.emplace_back("softening_share", frequency.share);
+  record.emplace_back("resonance_uncertainty_Hz", frequency.uncertainty);
+  record.emplace_back("equivalent_joint_error_Hz", frequency.equivalent_joint_error);
+}
+
+void add_bands(const Identification& found, Record& record) {
+  const DensityBands& bands = *found.bands;
+  const auto pair = [](const std::pair<double, double>& ends) {
+    return std::vector<double>{ends.first, ends.second};
+  };
+  record.emplace_back("band_confidence", bands.confidence);
+  record.emplace_back("band_samples", static_cast<double>(bands.samples));
+  record.emplace_back("band_samples_not_converged", static_cast<double>(bands.not_converged));
+  record.emplace_back("band_area", pair(bands.area));
+  if (found.linear_damping) {
+    record.emplace_back("band_linear_damping_J_per_m2", pair(bands.linear_damping));
+  }
+  if (found.inversion->atom_slip_force) {
+    record.emplace_back("band_atom_weight", pair(bands.atom_weight));
+  }
+  record.emplace_back("band_slip_force_N", found.slip_force);
+  record.emplace_back("band_lower_per_N", found.lower);
+  record.emplace_back("band_upper_per_N", found.upper);
 }
 
 void add_path(const InversionResult& result, Record& record) {
@@ -126,9 +173,8 @@ void add_path(const InversionResult& result, Record& record) {
   record.emplace_back("scatter_of", result.scatter_is_relative ? "dissipation" : "dissipation_std");
   record.emplace_back("scatter_dissipation", result.dissipation_scatter);
   if (result.secant_scatter) record.emplace_back("scatter_secant", *result.secant_scatter);
-  if (!result.fitted_secant_stiffness.empty()) {
-    record.emplace_back("secant_offset_N_per_m", result.secant_offset);
-    record.emplace_back("secant_offset_std_N_per_m", result.secant_offset_std);
+  if (result.inner_not_converged > 0) {
+    record.emplace_back("inner_not_converged", static_cast<double>(result.inner_not_converged));
   }
   record.emplace_back("path_lambda", std::move(lambda));
   record.emplace_back("path_degrees_of_freedom", std::move(edf));
@@ -161,8 +207,13 @@ std::string describe_identification(const Identification& found, std::size_t lev
   text += line("stiffness k", fmt::format("{:.6g} N/m", joint.stiffness()));
   text += line("slip forces covered",
                fmt::format("{:.4g} to {:.4g} N", found.covered_from, found.covered_to));
-  if (found.inversion && !found.parametric) text += describe_inversion(found);
-  if (found.parametric) text += describe_parameters(*found.parametric);
+  if (found.inversion && !found.parametric) {
+    text += describe_inversion(found);
+  } else {
+    if (found.parametric) text += describe_parameters(*found.parametric);
+    text += describe_offset(found);
+  }
+  text += describe_frequencies(found);
   text += line("stiffness slipped",
                fmt::format("{:.1f} % (elastic remainder {:.1f} %)", 100.0 * density.total().zeroth,
                            100.0 * density.elastic_remainder()));
@@ -199,13 +250,10 @@ Record record_of(const Identification& found) {
     record.emplace_back("degrees_of_freedom", found.spline->fit.edf);
   }
   if (found.parametric) add_parameters(*found.parametric, record);
-  if (!found.lower.empty()) {
-    record.emplace_back("band_confidence", found.bands->confidence);
-    record.emplace_back("band_slip_force_N", found.slip_force);
-    record.emplace_back("band_lower_per_N", found.lower);
-    record.emplace_back("band_upper_per_N", found.upper);
-  }
-  record.emplace_back("warnings", warnings_as_json(found.warnings));
+  add_stiffness(found.stiffness, record);
+  if (!found.lower.empty()) add_bands(found, record);
+  record.emplace_back("warnings", list_of(found.warnings, &Warning::code));
+  record.emplace_back("warning_texts", list_of(found.warnings, &Warning::text));
   return record;
 }
 
@@ -218,6 +266,15 @@ std::string density_csv(const Identification& found) {
     table.add_comment(fmt::format("not in the density: an atom of weight {:.6g} at {:.6g} N",
                                   atoms.weight[i], atoms.slip_force[i]));
   }
+  if (!density.lower.empty()) {
+    table.add_comment(
+        "lower and upper are pointwise: the lower edge as a whole is no joint, nor is the upper "
+        "one");
+  }
+  if (!found.summary.converged()) {
+    table.add_comment(fmt::format("NOT CONVERGED: {}", found.summary.reason));
+  }
+  add_warnings(found.warnings, table);
   return table.str();
 }
 

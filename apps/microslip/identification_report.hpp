@@ -21,7 +21,7 @@ namespace microslip::app {
 [[nodiscard]] Record record_of(const Identification& found);
 
 /// The text of density.csv; negative values of methods that allow them are written as 0, and comments
-/// tell of atoms.
+/// tell of atoms and warnings, and how the band is to be read.
 [[nodiscard]] std::string density_csv(const Identification& found);
 
 }  // namespace microslip::app

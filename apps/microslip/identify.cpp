@@ -29,7 +29,6 @@
 #include "microslip/io/text.hpp"
 #include "progress_bar.hpp"
 #include "recorded_options.hpp"
-#include "report_text.hpp"
 #include "smoothing_argument.hpp"
 
 namespace microslip::app {
@@ -46,7 +45,7 @@ struct IdentifyOptions {
   std::string linear_damping = "none";
   bool atom = false;
   std::string bands = "0";
-  std::string seed = "1";
+  std::optional<std::string> seed;
   std::string dissipation_gain = "0";
   std::string amplitude_gain = "0";
   std::string loss_factor = "0";
@@ -97,17 +96,32 @@ double relative_std(std::string_view option, const std::string& text) {
   return gain;
 }
 
+/// What only a band shows is refused without one, not ignored.
+void check_unused(const IdentifyOptions& options, const BandOptions& bands) {
+  const auto refuse = [](std::string_view option, const std::string& text) {
+    throw InputError(option, in_quotes(text), "belongs to a band, and --bands is 0",
+                     "Ask for samples, for instance --bands 1000, or leave it out.");
+  };
+  if (options.seed) refuse("--seed", *options.seed);
+  if (bands.dissipation_gain_std > 0.0) refuse("--dissipation-gain-std", options.dissipation_gain);
+  if (bands.amplitude_gain_std > 0.0) refuse("--amplitude-gain-std", options.amplitude_gain);
+  if (bands.loss_factor_std > 0.0) refuse("--loss-factor-std", options.loss_factor);
+}
+
 /// What belongs to the band of the free density; nothing where none was asked for.
 std::optional<BandOptions> bands_of(const IdentifyOptions& options, bool quiet) {
   constexpr std::uint64_t kFewest = 20;
   constexpr std::uint64_t kMost = 1'000'000;  // more memory than use
   BandOptions bands;
-  bands.seed =
-      parse_whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
+  bands.seed = parse_whole_number("--seed", options.seed.value_or("1"), 0,
+                                  std::numeric_limits<std::uint64_t>::max());
   bands.dissipation_gain_std = relative_std("--dissipation-gain-std", options.dissipation_gain);
   bands.amplitude_gain_std = relative_std("--amplitude-gain-std", options.amplitude_gain);
   bands.loss_factor_std = relative_std("--loss-factor-std", options.loss_factor);
-  if (options.bands == "0") return std::nullopt;
+  if (options.bands == "0") {
+    check_unused(options, bands);
+    return std::nullopt;
+  }
   bands.samples = parse_whole_number("--bands", options.bands, kFewest, kMost,
                                      "1000 give a smooth band, 0 gives none.");
   bands.progress = progress_bar("bands", quiet);
@@ -204,8 +218,22 @@ std::string describe_left_out(const LevelsFile& file, const IdentifyOptions& opt
                      used ? ", used all the same" : ", left out; --inner-reversals use takes them");
 }
 
-/// Flags that the levels used carry, for the summary; empty if none.
-std::string describe_levels_flags(const LevelsFile& file) {
+/// The same for the files.
+void add_left_out(const LevelsFile& file, const IdentifyOptions& options,
+                  std::vector<Warning>& warnings) {
+  const std::vector<std::size_t> lines = file.lines_with_inner_reversals();
+  if (lines.empty()) return;
+  const bool used = options.inner_reversals == "use";
+  warnings.push_back(
+      {used ? "inner_reversals_used" : "levels_left_out",
+       fmt::format("{} of {} levels ({} {} of {}) have inner reversals; they were {}.",
+                   lines.size(), file.levels.size(), lines.size() == 1 ? "line" : "lines",
+                   fmt::join(lines, ", "), printable(file.file),
+                   used ? "used all the same" : "left out")});
+}
+
+/// Flags that the levels used carry.
+void add_levels_flags(const LevelsFile& file, std::vector<Warning>& warnings) {
   std::map<std::string, std::size_t> levels_with;
   for (const std::string& flags : file.flags) {
     std::istringstream words(flags);
@@ -218,12 +246,9 @@ std::string describe_levels_flags(const LevelsFile& file) {
     text += fmt::format("{}{} ({} of {})", text.empty() ? "" : ", ", printable(flag), count,
                         file.levels.size());
   }
-  if (text.empty()) return text;
-  return wrapped("  warning: ",
-                 "levels carry flags: " + text +
-                     "; `microslip reduce` says what "
-                     "they mean.",
-                 11);
+  if (text.empty()) return;
+  warnings.push_back({"levels_flagged",
+                      "levels carry flags: " + text + "; `microslip reduce` says what they mean."});
 }
 
 /// The options were checked before: what is left to complain of are the levels.
@@ -245,7 +270,11 @@ int run(const IdentifyOptions& options, const Call& call) {
   const LevelsFile all =
       parse_levels(text, input_name(options.levels), {.linear_dissipation = linear_loss});
   const LevelsFile file = usable_levels(all, options);
-  const Identification found = identify_file(file, library);
+  Identification found = identify_file(file, library);
+  add_levels_flags(file, found.warnings);
+  const std::string summary =
+      describe_identification(found, file.levels.size()) + describe_left_out(all, options);
+  add_left_out(all, options, found.warnings);  // for the files: the summary has a line of its own
 
   Provenance provenance;
   provenance.version = kVersion;
@@ -262,9 +291,7 @@ int run(const IdentifyOptions& options, const Call& call) {
   outputs.commit();
   if (!call.quiet) {
     const bool data_on_stdout = options.out == "-" || options.density_csv == "-";
-    fmt::print(data_on_stdout ? stderr : stdout, "{}{}{}",
-               describe_identification(found, file.levels.size()), describe_left_out(all, options),
-               describe_levels_flags(file));
+    fmt::print(data_on_stdout ? stderr : stdout, "{}", summary);
   }
   return found.summary.converged() ? kDone : kNotConverged;
 }
@@ -312,9 +339,8 @@ void add_band_options(CLI::App& command, IdentifyOptions& options) {
                   "Samples of the 95 % band; 0 for none, 1000 for a smooth one")
       ->type_name("UINT")
       ->capture_default_str();
-  command.add_option("--seed", options.seed, "Seed of the samples")
-      ->type_name("UINT")
-      ->capture_default_str();
+  command.add_option("--seed", options.seed, "Seed of the samples; 1 without it")
+      ->type_name("UINT");
   command
       .add_option("--dissipation-gain-std", options.dissipation_gain,
                   "Relative gain error of D that all levels share, for the band [1]; also in %")
@@ -347,7 +373,8 @@ void add_identify(CLI::App& program, Call& call) {
   command
       ->add_option("levels", options->levels,
                    "CSV, one row a level: amplitude [m], dissipation [J]; used when there: "
-                   "amplitude_std, dissipation_std, secant_stiffness [N/m], secant_stiffness_std")
+                   "amplitude_std, dissipation_std, secant_stiffness [N/m], secant_stiffness_std; "
+                   "resonance_frequency or frequency [Hz], which the joint is held against")
       ->required()
       ->type_name(kCsvValue);
   command

@@ -17,6 +17,8 @@
 #include "microslip/joint/jenkins_network.hpp"
 #include "microslip/joint/memory.hpp"
 #include "prediction.hpp"
+#include "provenance.hpp"
+#include "recording_arguments.hpp"
 
 namespace microslip::app {
 namespace {
@@ -80,8 +82,11 @@ int run(const LoopOptions& options, const Call& call) {
   check_output(options.out, kLoopKind);
   const JointFile file = read_joint(options.joint);
   const DisplacementPath path = path_of(options);
-  write_file(options.out, loop_table(path, forces(file.joint, path, options)).str());
-  if (!call.quiet) show_reach(file, farthest(path));
+  CsvWriter table = loop_table(path, forces(file.joint, path, options));
+  const std::vector<Warning> warnings = reach_warnings(file, farthest(path));
+  add_warnings(warnings, table);
+  write_file(options.out, table.str());
+  if (!call.quiet) show_warnings(warnings);
   return kDone;
 }
 
@@ -118,7 +123,7 @@ void add_loop(CLI::App& program, Call& call) {
   command->add_option("--out", options->out, "CSV to write; - is standard output")
       ->required()
       ->type_name(kCsvValue);
-  command->add_flag("--quiet", call.quiet, "No warnings");
+  command->add_flag("--quiet", call.quiet, "No warnings on the screen; the file has them");
   add_examples(*command, {"microslip loop joint.json --amplitude 300um --out loop.csv",
                           "microslip loop joint.json --path path.csv --out -"});
   command->callback([options, &call] {

@@ -244,15 +244,26 @@ VirtualTest solve(const MeasureOptions& options, const Inputs& inputs, bool quie
   }
 }
 
+/// Behind other text: a record has one comment.
+std::string warnings_on_a_line(const std::vector<Warning>& warnings) {
+  std::string text;
+  for (const Warning& warning : warnings) {
+    text += fmt::format("; warning: {}: {}", warning.code, warning.text);
+  }
+  return text;
+}
+
 /// Writes all files of a test into its folder.
 class TestWriter {
  public:
+  /// @param comment  of all tables and the rig: provenance and warnings.
   TestWriter(const MeasureOptions& options, const Inputs& inputs, const RecordNames& names,
-             std::uint64_t seed)
+             std::uint64_t seed, std::string comment)
       : options_(options),
         inputs_(inputs),
         names_(names),
         seed_(seed),
+        comment_(std::move(comment)),
         state_(stick_state(inputs.rig)) {
     folders_.make(options.out, "Choose another folder with --out.");
   }
@@ -284,14 +295,15 @@ class TestWriter {
     recording.source = names_.name(before_control ? kBeforeControl : kLevel, level.number);
     recording.attributes.emplace_back(
         "comment",
-        fmt::format("microslip {}: virtual test, level {}, {:.6g} m/s^2 at {:.6g} Hz{}, seed {}",
+        fmt::format("microslip {}: virtual test, level {}, {:.6g} m/s^2 at {:.6g} Hz{}, seed {}{}",
                     kVersion, level.number, level.response, level.frequency,
-                    before_control ? ", before force control" : "", seed_));
+                    before_control ? ", before force control" : "", seed_,
+                    warnings_on_a_line(level.warnings)));
     write_recordings(files_, file(recording.source), {&recording, 1}, names_.format());
   }
 
   void add(const std::string& name, CsvWriter table) {
-    table.add_comment(inputs_.provenance);
+    table.add_comment(comment_);
     files_.add(file(name), table.str());
   }
 
@@ -309,7 +321,7 @@ class TestWriter {
     if (keeps_rig(options_)) return;
     Rig rig = inputs_.rig;
     rig.contact.joint.clear();
-    std::string comments = "# " + inputs_.provenance;
+    std::string comments = "# " + comment_;
     for (std::size_t at = comments.find('\n'); at != std::string::npos;
          at = comments.find('\n', at + 3)) {
       comments.insert(at + 1, "# ");
@@ -321,6 +333,7 @@ class TestWriter {
   const Inputs& inputs_;
   const RecordNames& names_;
   std::uint64_t seed_;
+  std::string comment_;
   StickState state_;
   OutputFolders folders_;
   OutputFiles files_;
@@ -400,9 +413,11 @@ int run(const MeasureOptions& options, const Call& call) {
   check_folder(options, inputs.rig, names);
   const VirtualTest test = solve(options, inputs, call.quiet);
   check_found(options, names, test);
-  TestWriter(options, inputs, names, seed).write(test, progress_bar("writing", call.quiet));
+  const std::vector<Warning> warnings = warnings_of(inputs, test);
+  TestWriter(options, inputs, names, seed, with_warnings(inputs.provenance, warnings))
+      .write(test, progress_bar("writing", call.quiet));
   if (!call.quiet) {
-    show_warnings(warnings_of(inputs, test));
+    show_warnings(warnings);
     fmt::print("{}", describe(options, inputs, names, test));
   }
   if (test.summary.converged()) return kDone;

@@ -83,11 +83,14 @@ int run(const ModelOptions& options, const Call& call) {
   const ModelFile model{of_rig(options, [&] { return rig_structure(rig, state, joint); }),
                         rig.excitation.channel,
                         {joint_name(options)}};
-  const std::string text = format_model(model, provenance_of(call, inputs));
+  std::vector<Warning> warnings;
+  if (const auto warning = stiffness_warning(state, joint)) warnings.push_back(*warning);
+  const std::string text =
+      format_model(model, with_warnings(provenance_of(call, inputs), warnings));
   check_readable(text, options);
   write_file(options.out, text);
   if (call.quiet) return kDone;
-  if (const auto warning = stiffness_warning(state, joint)) show_warnings({*warning});
+  show_warnings(warnings);
   const bool on_stdout = options.out == "-";
   fmt::print(on_stdout ? stderr : stdout, "{}",
              describe_model(on_stdout ? "standard output" : options.out, model.structure));

@@ -17,7 +17,6 @@
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/io/response_file.hpp"
-#include "recording_arguments.hpp"
 #include "report_text.hpp"
 
 namespace microslip::app {
@@ -122,10 +121,9 @@ std::string describe_warnings(const std::vector<Warning>& warnings) {
   return text;
 }
 
-void show_reach(const JointFile& file, double amplitude) {
-  if (const auto warning = beyond_identification(file.joint, amplitude, covered_to(file))) {
-    show_warnings({*warning});
-  }
+std::vector<Warning> reach_warnings(const JointFile& file, double amplitude) {
+  const auto warning = beyond_identification(file.joint, amplitude, covered_to(file));
+  return warning ? std::vector<Warning>{*warning} : std::vector<Warning>{};
 }
 
 std::string describe_ending(const Summary& summary) {

@@ -63,8 +63,8 @@ void add_reach_warnings(const ModelFile& model, ResponseCurve& curve);
 /// The lines of a summary on warnings.
 [[nodiscard]] std::string describe_warnings(const std::vector<Warning>& warnings);
 
-/// The same of a joint by itself that moves by so much, on standard error.
-void show_reach(const JointFile& file, double amplitude);
+/// The same of a joint by itself that moves by so much.
+[[nodiscard]] std::vector<Warning> reach_warnings(const JointFile& file, double amplitude);
 
 /// The line on how it ended, broken where it is long.
 [[nodiscard]] std::string describe_ending(const Summary& summary);

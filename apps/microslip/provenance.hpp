@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "command.hpp"
+#include "microslip/base/summary.hpp"
+#include "microslip/io/csv_writer.hpp"
 
 /// @file
-/// What files that are written say of their origin.
+/// What files that are written say of their origin, and what their readers must know.
 
 namespace microslip::app {
 
@@ -19,5 +21,15 @@ struct NamedInput {
 
 /// The lines of a comment: version and call, then "FILE: sha256 …" of each input.
 [[nodiscard]] std::string provenance_of(const Call& call, const std::vector<NamedInput>& inputs);
+
+/// Lines of a comment, "warning: CODE: TEXT" each: what was told, or with --quiet was not, is in the
+/// file too. Empty without warnings.
+[[nodiscard]] std::string warning_lines(const std::vector<Warning>& warnings);
+
+/// The same behind the lines of another comment.
+[[nodiscard]] std::string with_warnings(std::string comment, const std::vector<Warning>& warnings);
+
+/// The same as comments of a table.
+void add_warnings(const std::vector<Warning>& warnings, CsvWriter& table);
 
 }  // namespace microslip::app

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <utility>
 
@@ -50,6 +52,24 @@ std::optional<double> frequency_guess(const std::string& text) {
   const double guess = parse_quantity("--frequency", text, kFrequency);
   if (!(guess > 0.0)) throw InputError("--frequency", guess, "must be above 0 Hz");
   return guess;
+}
+
+std::vector<Warning> joined_warnings(const std::vector<std::vector<Warning>>& warnings) {
+  constexpr std::size_t kMost = 50;
+  std::vector<Warning> all;
+  std::size_t more = 0;
+  for (const std::vector<Warning>& of_one : warnings) {
+    for (const Warning& warning : of_one) {
+      if (std::ranges::find(all, warning.text, &Warning::text) != all.end()) continue;
+      if (all.size() < kMost) {
+        all.push_back(warning);
+      } else {
+        ++more;
+      }
+    }
+  }
+  if (more > 0) all.push_back({"more_warnings", fmt::format("{} more like these", more)});
+  return all;
 }
 
 void show_warnings(const std::vector<Warning>& warnings) {

@@ -39,6 +39,10 @@ void add_recording_arguments(CLI::App& command, RecordingArguments& arguments);
 /// @throws InputError  where it is no frequency above 0.
 [[nodiscard]] std::optional<double> frequency_guess(const std::string& text);
 
+/// What the readers of many recordings had to forgive, in one list, without what is said twice; of very
+/// many the first, and how many there are.
+[[nodiscard]] std::vector<Warning> joined_warnings(const std::vector<std::vector<Warning>>& warnings);
+
 /// On standard error. Nobody may listen: that is no error.
 void show_warnings(const std::vector<Warning>& warnings);
 

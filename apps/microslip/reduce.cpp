@@ -26,6 +26,7 @@
 #include "microslip/rig/reduction_batch.hpp"
 #include "microslip/rig/stepped_sine.hpp"
 #include "progress_bar.hpp"
+#include "provenance.hpp"
 #include "recording_arguments.hpp"
 #include "reduction_report.hpp"
 
@@ -135,9 +136,9 @@ ReductionBatch reduce_tables(const Reducer& reducer, const ReduceOptions& option
 }
 
 ReductionBatch reduce_records(const Reducer& reducer, const ReduceOptions& options, bool quiet,
-                              std::vector<std::string>& digests) {
+                              std::vector<std::string>& digests,
+                              std::vector<std::vector<Warning>>& warnings) {
   const RecordingReadOptions reading = read_options(options.reading);
-  std::vector<std::vector<Warning>> warnings(options.recordings.size());
   const auto read = [&](std::size_t i) {
     const std::string& path = options.recordings[i];
     if (is_stepped_sine(path)) throw_mixed(path, "a stepped-sine table", "a record in time");
@@ -188,9 +189,11 @@ int run(const ReduceOptions& options, const Call& call) {
   const std::string rig = read_file(options.rig, kLargestRig);
   const Reducer reducer = reducer_of(options, rig);
   std::vector<std::string> digests(options.recordings.size());
-  const ReductionBatch batch = is_stepped_sine(options.recordings.front())
-                                   ? reduce_tables(reducer, options, digests)
-                                   : reduce_records(reducer, options, call.quiet, digests);
+  std::vector<std::vector<Warning>> warnings(options.recordings.size());
+  const ReductionBatch batch =
+      is_stepped_sine(options.recordings.front())
+          ? reduce_tables(reducer, options, digests)
+          : reduce_records(reducer, options, call.quiet, digests, warnings);
   if (batch.levels.empty()) {
     throw InputError("recordings", fmt::format("{} files", options.recordings.size()),
                      "must hold one that can be reduced",
@@ -198,6 +201,8 @@ int run(const ReduceOptions& options, const Call& call) {
   }
   CsvWriter table = reduction_table(writable_levels(batch.levels));
   table.add_comment(reduction_provenance(options, call, rig, digests));
+  add_warnings(joined_warnings(warnings), table);
+  add_warnings(reduction_warnings(batch), table);
   write_file(options.out, table.str());
   if (!call.quiet) {
     fmt::print(options.out == "-" ? stderr : stdout, "{}", describe_reduction(reducer, batch));

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "report_text.hpp"
@@ -45,44 +46,65 @@ std::string describe_level(const ReducedLevel& level) {
 }
 
 /// Each kind of flag once, with the text of the first level that has it.
-std::string describe_flags(const std::vector<ReducedLevel>& levels) {
-  std::vector<std::string> codes;
-  std::string text;
+std::vector<Warning> flags_of(const std::vector<ReducedLevel>& levels, std::size_t source_width) {
+  std::vector<Warning> flags;
   for (const ReducedLevel& level : levels) {
     for (const Warning& flag : level.flags) {
-      if (std::ranges::find(codes, flag.code) != codes.end()) continue;
-      codes.push_back(flag.code);
+      const auto same = [&](const Warning& known) {
+        return known.code.starts_with(flag.code + " (");
+      };
+      if (std::ranges::any_of(flags, same)) continue;
       const auto count = std::ranges::count_if(
           levels, [&](const ReducedLevel& other) { return other.has_flag(flag.code); });
-      text += fmt::format("  {} ({} of {} levels, first {}):\n    {}\n", flag.code, count,
-                          levels.size(), shortened(level.source, 30), flag.text);
+      flags.push_back({fmt::format("{} ({} of {} levels, first {})", flag.code, count,
+                                   levels.size(), shortened(level.source, source_width)),
+                       flag.text});
     }
+  }
+  return flags;
+}
+
+std::string describe_flags(const std::vector<ReducedLevel>& levels) {
+  std::string text;
+  for (const Warning& flag : flags_of(levels, 30)) {
+    text += fmt::format("  {}:\n    {}\n", flag.code, flag.text);
   }
   return text.empty() ? text : "Flags\n" + text;
 }
 
-std::string describe_left_out(const ReductionBatch& batch) {
-  std::string text;
+/// What is not in the table, or will not be used of it.
+std::vector<Warning> left_out(const ReductionBatch& batch) {
+  std::vector<Warning> found;
   const auto count = [&](std::string_view code) {
     return std::ranges::count_if(batch.levels,
                                  [&](const ReducedLevel& level) { return level.has_flag(code); });
   };
   if (const auto n = count(kNegativeDissipation); n > 0) {
-    text += fmt::format("Not written, for their D is negative: {}\n", n);
+    found.push_back(
+        {"levels_not_written", fmt::format("Not written, for their D is negative: {}", n)});
   }
   if (const auto n = count(kInnerReversals); n > 0) {
-    text += fmt::format(
-        "Written, but left out by `microslip identify` for their inner reversals: {}\n", n);
+    found.push_back(
+        {"levels_with_inner_reversals",
+         fmt::format("Written, but left out by `microslip identify` for their inner reversals: {}",
+                     n)});
   }
   const auto without_secant = std::ranges::count_if(
       batch.levels, [](const ReducedLevel& level) { return !level.secant_stiffness; });
   if (without_secant > 0 && static_cast<std::size_t>(without_secant) < batch.levels.size()) {
-    text += fmt::format("Secant stiffnesses are not written: {} of the levels {} none\n",
-                        without_secant, without_secant == 1 ? "has" : "have");
+    found.push_back({"secant_not_written",
+                     fmt::format("Secant stiffnesses are not written: {} of the levels {} none",
+                                 without_secant, without_secant == 1 ? "has" : "have")});
   }
   for (const RejectedRecord& record : batch.rejected) {
-    text += fmt::format("Left out: {}\n", record.reason);
+    found.push_back({"left_out", "Left out: " + record.reason});
   }
+  return found;
+}
+
+std::string describe_left_out(const ReductionBatch& batch) {
+  std::string text;
+  for (const Warning& warning : left_out(batch)) text += warning.text + "\n";
   return text;
 }
 
@@ -97,6 +119,12 @@ std::string describe_reduction(const Reducer& reducer, const ReductionBatch& bat
   for (const ReducedLevel& level : batch.levels) text += describe_level(level);
   const std::string flags = describe_flags(batch.levels) + describe_left_out(batch);
   return flags.empty() ? text : text + "\n" + flags;
+}
+
+std::vector<Warning> reduction_warnings(const ReductionBatch& batch) {
+  std::vector<Warning> warnings = flags_of(batch.levels, std::string::npos);
+  std::ranges::move(left_out(batch), std::back_inserter(warnings));
+  return warnings;
 }
 
 }  // namespace microslip::app

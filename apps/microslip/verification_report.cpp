@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -79,9 +80,10 @@ bool has_code(const Verification& record, std::string_view code) {
 }
 
 /// Each kind of warning and flag once, with the text of the first record that has it.
-std::string describe_warnings(const std::vector<Verification>& records) {
+std::vector<Warning> kinds_of_warnings(const std::vector<Verification>& records,
+                                       std::size_t source_width) {
   std::vector<std::string> codes;
-  std::string text;
+  std::vector<Warning> kinds;
   for (const Verification& record : records) {
     for (const auto* list : {&record.warnings, &record.recorded.flags}) {
       for (const Warning& warning : *list) {
@@ -89,13 +91,14 @@ std::string describe_warnings(const std::vector<Verification>& records) {
         codes.push_back(warning.code);
         const auto count = std::ranges::count_if(
             records, [&](const Verification& other) { return has_code(other, warning.code); });
-        text += wrapped(fmt::format("  {} ({} of {} records, first {}): ", warning.code, count,
-                                    records.size(), shortened(record.recorded.source, 30)),
-                        warning.text, 4);
+        kinds.push_back(
+            {fmt::format("{} ({} of {} records, first {})", warning.code, count, records.size(),
+                         shortened(record.recorded.source, source_width)),
+             warning.text});
       }
     }
   }
-  return text;
+  return kinds;
 }
 
 std::string describe_troubles(const VerificationBatch& batch) {
@@ -105,7 +108,9 @@ std::string describe_troubles(const VerificationBatch& batch) {
     text += wrapped(fmt::format("  {} (!): ", shortened(record.recorded.source, 30)),
                     record.summary.brief(), 4);
   }
-  text += describe_warnings(batch.records);
+  for (const Warning& kind : kinds_of_warnings(batch.records, 30)) {
+    text += wrapped(fmt::format("  {}: ", kind.code), kind.text, 4);
+  }
   for (const RejectedRecord& record : batch.rejected) {
     text += fmt::format("  Left out: {}\n", record.reason);
   }
@@ -125,6 +130,22 @@ std::string describe_verification(const Verifier& verifier, const VerificationBa
       "\n  ΔW  energy input a cycle, predicted over recorded, less 1"
       "\n  NRMSE  rms(recorded − predicted)/rms(recorded), without means\n\n";
   return text + describe_worst(batch.records) + describe_troubles(batch);
+}
+
+// Without wall times, which Summary::brief() has: the same call writes the same bytes.
+std::vector<Warning> verification_warnings(const VerificationBatch& batch) {
+  std::vector<Warning> warnings;
+  for (const Verification& record : batch.records) {
+    if (record.summary.converged()) continue;
+    warnings.push_back(
+        {"not_converged", fmt::format("{}: {}", record.recorded.source, record.summary.reason)});
+  }
+  std::ranges::move(kinds_of_warnings(batch.records, std::string::npos),
+                    std::back_inserter(warnings));
+  for (const RejectedRecord& record : batch.rejected) {
+    warnings.push_back({"left_out", record.reason});
+  }
+  return warnings;
 }
 
 }  // namespace microslip::app

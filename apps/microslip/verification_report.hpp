@@ -2,7 +2,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "microslip/base/summary.hpp"
 #include "microslip/rig/verification.hpp"
 #include "microslip/rig/verification_batch.hpp"
 
@@ -12,5 +14,9 @@ namespace microslip::app {
 /// what is to be looked at.
 [[nodiscard]] std::string describe_verification(const Verifier& verifier,
                                                 const VerificationBatch& batch);
+
+/// What of it is to be looked at, for the files: what did not converge, each kind of warning and flag
+/// once, what was left out.
+[[nodiscard]] std::vector<Warning> verification_warnings(const VerificationBatch& batch);
 
 }  // namespace microslip::app

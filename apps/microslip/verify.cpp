@@ -73,10 +73,9 @@ Verifier verifier_of(const VerifyOptions& options, const NamedInput& rig_input,
   }
 }
 
-VerificationBatch verify_records(const Verifier& verifier, const VerifyOptions& options,
-                                 bool quiet) {
+VerificationBatch verify_records(const Verifier& verifier, const VerifyOptions& options, bool quiet,
+                                 std::vector<std::vector<Warning>>& warnings) {
   const RecordingReadOptions reading = read_options(options.reading);
-  std::vector<std::vector<Warning>> warnings(options.recordings.size());
   const auto read = [&](std::size_t i) {
     return read_named_recordings(options.recordings[i], reading, warnings[i]);
   };
@@ -125,8 +124,11 @@ int run(const VerifyOptions& options, const Call& call) {
   const std::vector<NamedInput> inputs{{options.rig, read_file(options.rig)},
                                        {options.joint, read_file(options.joint)}};
   const Verifier verifier = verifier_of(options, inputs[0], inputs[1]);
-  const VerificationBatch batch = verify_records(verifier, options, call.quiet);
-  write_outputs(options, batch, provenance_of(call, inputs));
+  std::vector<std::vector<Warning>> warnings(options.recordings.size());
+  const VerificationBatch batch = verify_records(verifier, options, call.quiet, warnings);
+  warnings.push_back(verification_warnings(batch));
+  write_outputs(options, batch,
+                with_warnings(provenance_of(call, inputs), joined_warnings(warnings)));
   if (!call.quiet) {
     const bool data_on_stdout =
         options.out == "-" || options.harmonics_csv == "-" || options.histories == "-";

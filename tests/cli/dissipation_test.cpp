@@ -109,12 +109,17 @@ TEST(dissipation, WarnsBeyondTheIdentifiedRange) {
       box.run(far).err.starts_with("microslip: warning: the joint moves by 200 µm, 1.7 times "
                                    "the 117.6 µm of the highest level"))
       << box.run(far).err;
+  const std::string table = box.get("a.csv");
+  EXPECT_TRUE(table.starts_with("# warning: beyond_identification: the joint moves by 200 µm"))
+      << table;
   far.emplace_back("--quiet");
   EXPECT_EQ(box.run(far).err, "");
+  EXPECT_EQ(box.get("a.csv"), table) << "quiet or not, the file has it";
 
   const Outcome loop = box.run({"loop", "joint.json", "--amplitude", "0.2mm", "--out", "loop.csv"});
   EXPECT_EQ(loop.status, 0);
   EXPECT_TRUE(loop.err.starts_with("microslip: warning: the joint moves by 200 µm")) << loop.err;
+  EXPECT_TRUE(box.get("loop.csv").starts_with("# warning: beyond_identification: the joint moves"));
 }
 
 TEST(dissipation, TakesAnElasticJoint) {

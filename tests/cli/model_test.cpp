@@ -74,6 +74,9 @@ TEST(model, TellsItsOriginAndAnotherStiffness) {
   EXPECT_EQ(text.rfind("# microslip ", 0), 0U);
   EXPECT_NE(text.find("# test/rig.toml: sha256 "), std::string::npos);
   EXPECT_NE(text.find("# test/joint.json: sha256 "), std::string::npos);
+  EXPECT_NE(text.find("\n# warning: stiffness_differs: The joint has k = 2e+05 N/m"),
+            std::string::npos)
+      << text;
 }
 
 // What a model cannot hold is named where the user wrote it, not in a file that is not written.

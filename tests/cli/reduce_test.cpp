@@ -283,6 +283,20 @@ TEST(reduce, LeavesOutFaultyFilesWhenTold) {
   const Outcome run = expect_done(box, with(call, {"--skip-faulty"}));
   EXPECT_NE(run.out.find("Left out: bad.csv"), std::string::npos) << run.out;
   EXPECT_EQ(table(box, "levels.csv").rows(), 1U);
+  EXPECT_NE(box.get("levels.csv").find("\n# warning: left_out: Left out: bad.csv"),
+            std::string::npos);
+}
+
+// What the reader of a record had to forgive is in the table, quiet or not.
+TEST(reduce, WarningsOfRecordsAreInTheFile) {
+  const RigSandbox box;
+  const std::string record = box.get("level_05.csv");
+  box.put("cut.csv", record.substr(0, record.size() - 4));
+  const Arguments call{"reduce", "rig.toml",   "cut.csv", "--allow-truncated",
+                       "--out",  "levels.csv", "--quiet"};
+  EXPECT_EQ(expect_done(box, call).err, "");
+  EXPECT_NE(box.get("levels.csv").find("\n# warning: "), std::string::npos)
+      << box.get("levels.csv");
 }
 
 }  // namespace

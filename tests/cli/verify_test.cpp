@@ -142,6 +142,9 @@ TEST(verify, WarnsBeyondTheIdentifiedRange) {
   const std::vector<std::string> flags = table(box, "out.csv").text("flags");
   EXPECT_EQ(flags[0].find("beyond_identification"), std::string::npos);
   EXPECT_NE(flags[14].find("beyond_identification"), std::string::npos);
+  EXPECT_NE(box.get("out.csv").find(
+                "\n# warning: beyond_identification (2 of 3 records, first level_05.csv): "),
+            std::string::npos);
 }
 
 // Accelerations in a wrong unit: the exciter would move 0.33 m on a beam of 0.58 m, where the
@@ -160,6 +163,8 @@ TEST(verify, WhatDoesNotConvergeIsWrittenAndMarked) {
   EXPECT_EQ(run.status, 3) << run.out << run.err;
   EXPECT_NE(run.out.find("(!)"), std::string::npos) << run.out;
   EXPECT_EQ(table(box, "out.csv").text("status")[0], "not converged");
+  EXPECT_NE(box.get("out.csv").find("\n# warning: not_converged: level_01.csv: "),
+            std::string::npos);
 }
 
 TEST(verify, NamesWhatIsWrong) {
