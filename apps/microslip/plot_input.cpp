@@ -165,8 +165,8 @@ PlotInput read_plot_input(const std::string& path, bool quiet) {
     return input;
   }
   // What is no table or model of this program may be a recording of any size.
-  const std::string head = path == "-" ? read_file(path) : read_file_head(path, kKindHeadSize);
-  const std::string kind = file_kind(std::string_view(head).substr(0, kKindHeadSize));
+  const std::string head = path == "-" ? read_file(path) : read_kind_head(path);
+  const std::string kind = file_kind(head);
   if (add_text(kind, path == "-" ? head : read_file(path), input.name, input)) return input;
   if (path == "-") {
     throw InputError("IN", "standard input", "must be a table or a joint of this program",

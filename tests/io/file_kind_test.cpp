@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include "io/support.hpp"
+
 namespace microslip {
 namespace {
 
@@ -68,6 +70,24 @@ TEST(FileKind, TellsHistoriesApartByAllOfTheirColumns) {
 TEST(FileKind, TellsOtherTablesApart) {
   EXPECT_EQ(file_kind("a,b\n1,2\n"), "a table of 'a, b'");
   EXPECT_NE(file_kind("a,b\n1,2\n"), file_kind("a,c\n1,2\n"));
+}
+
+// Comments and headers of any length do not hide what a file is.
+TEST(FileKind, IsReadBehindManyComments) {
+  const test::TemporaryFolder folder;
+  std::string comments;
+  while (comments.size() < 5 * kKindHeadSize) comments += "# turns back: frequency 16.67 Hz\n";
+  const auto kind = [&](const std::string& text) {
+    test::put(folder.file("f"), text);
+    return file_kind(read_kind_head(folder.file("f")));
+  };
+  EXPECT_EQ(kind(comments + "frequency [Hz],force [N],displacement [m],phase [rad]\n1,1,1,1\n"),
+            kResponseKind);
+  EXPECT_EQ(kind("\r\n" + comments + "schema = \"microslip.model/1\"\n"), kModelKind);
+  EXPECT_EQ(kind(comments), "");
+  std::string names = "frequency [Hz],displacement [m],phase [rad]";
+  for (int i = 0; i < 10000; ++i) names += ",amplitude_" + std::to_string(i) + " [m]";
+  EXPECT_EQ(kind(names + "\n"), kResponseKind);
 }
 
 TEST(FileKind, IsEmptyForTheRest) {

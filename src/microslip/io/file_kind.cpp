@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "microslip/io/csv.hpp"
+#include "microslip/io/input_stream.hpp"
 #include "microslip/io/signature.hpp"
 #include "microslip/io/text.hpp"
 
@@ -92,6 +93,18 @@ std::string_view toml_schema(std::string_view head) {
   return {};
 }
 
+/// Whether a line ends that is neither empty nor a comment: that of a table's header, or of a schema.
+bool has_line(std::string_view head) {
+  if (head.starts_with(kByteOrderMark)) head.remove_prefix(kByteOrderMark.size());
+  for (;;) {
+    const std::size_t end = head.find_first_of("\r\n");
+    if (end == std::string_view::npos) return false;
+    const std::string_view line = trimmed(head.substr(0, end));
+    if (!line.empty() && !line.starts_with('#')) return true;
+    head.remove_prefix(end + 1);
+  }
+}
+
 /// By the mark that a report has in its head.
 bool is_report(std::string_view head) {
   return head.substr(0, head.find("<body"))
@@ -100,6 +113,20 @@ bool is_report(std::string_view head) {
 }
 
 }  // namespace
+
+std::string_view peek_kind_head(InputStream& file) {
+  constexpr std::size_t kMost = std::size_t{1} << 26U;  // what is no text may have no lines
+  for (std::size_t size = kKindHeadSize;; size *= 4) {
+    const std::string_view head = file.peek(size);
+    const bool whole = head.size() < size || size >= kMost;
+    if (whole || !signature(head).empty() || has_line(head)) return head;
+  }
+}
+
+std::string read_kind_head(const std::string& path) {
+  InputStream file(path);
+  return std::string(peek_kind_head(file));
+}
 
 std::string file_kind(std::string_view head) {
   const std::string_view name = signature(head);

@@ -32,8 +32,16 @@ inline constexpr std::string_view kForceControlKind = "a table of a force contro
 inline constexpr std::string_view kReportKind = "a report of microslip";
 inline constexpr std::string_view kMarchKind = "a table of a march";  ///< of march_table()
 
-/// So much of a file tells its kind.
+class InputStream;
+
+/// So much of a file tells its kind, unless comments or a very long header fill it.
 inline constexpr std::size_t kKindHeadSize = 65536;
+
+/// Of a file: what tells its kind, its first kKindHeadSize bytes or, where no line of them ends that
+/// is neither empty nor a comment, so many more. @throws FileError  as InputStream::peek().
+[[nodiscard]] std::string_view peek_kind_head(InputStream& file);
+/// The same by a path, "-" being standard input. @throws FileError  as read_file().
+[[nodiscard]] std::string read_kind_head(const std::string& path);
 
 /// What a file is, by its first bytes: the schema of a JSON or TOML file, one of the kinds above by
 /// the columns of a table, or its signature. Other tables are told apart by the names of their

@@ -109,7 +109,7 @@ OutputTarget checked_target(const std::string& path) {
 }
 
 void check_kind(const std::string& path, const std::string& target, std::string_view kind) {
-  const std::string old_head = read_file_head(target, kKindHeadSize);
+  const std::string old_head = read_kind_head(target);
   if (old_head.empty()) return;
   const std::string old_kind = file_kind(old_head);
   if (!kind.empty() && old_kind == kind) return;
@@ -234,7 +234,7 @@ void OutputFiles::check_all() const {
     const OutputTarget target = checked_target(file.path);
     const std::string& temporary = file.temporary.path();
     if (target.replaced) {
-      check_kind(file.path, target.file, file_kind(read_file_head(temporary, kKindHeadSize)));
+      check_kind(file.path, target.file, file_kind(read_kind_head(temporary)));
     }
     flush_to_disk(file.path, temporary);
   }

@@ -108,7 +108,7 @@ std::string head_of(const std::string& path) {
   if (std::filesystem::is_fifo(path, ignored)) return {};
   InputStream file(path);
   if (!file.rewind()) return {};
-  std::string head(file.peek(kKindHeadSize));
+  std::string head(peek_kind_head(file));
   file.rewind();
   return head;
 }
