@@ -55,6 +55,14 @@ GivenQuantity read_quantity(std::string_view option, std::string_view text,
   return {value, parse_option_unit(option, rest, dimension)};
 }
 
+std::pair<double, double> read_ends(std::string_view option, std::string_view text,
+                                    const Dimension& dimension) {
+  const std::vector<std::string_view> parts = split(text, ':');
+  if (parts.size() != 2) throw InputError(option, in_quotes(text), "must read FROM:TO");
+  return {parse_quantity(fmt::format("FROM of {}", option), parts[0], dimension),
+          parse_quantity(fmt::format("TO of {}", option), parts[1], dimension)};
+}
+
 }  // namespace
 
 double parse_quantity(std::string_view option, std::string_view text, const Dimension& dimension) {
@@ -83,12 +91,26 @@ std::uint64_t parse_whole_number(std::string_view option, std::string_view text,
 
 std::pair<double, double> parse_interval(std::string_view option, std::string_view text,
                                          const Dimension& dimension) {
-  const std::vector<std::string_view> parts = split(text, ':');
-  if (parts.size() != 2) throw InputError(option, in_quotes(text), "must read FROM:TO");
-  const double from = parse_quantity(fmt::format("FROM of {}", option), parts[0], dimension);
-  const double to = parse_quantity(fmt::format("TO of {}", option), parts[1], dimension);
+  const auto [from, to] = read_ends(option, text, dimension);
   if (from < to) return {from, to};
   throw InputError(option, in_quotes(text), "FROM must be below TO", "Swap the two.");
+}
+
+std::pair<double, double> parse_way(std::string_view option, std::string_view text,
+                                    const Dimension& dimension) {
+  const auto [from, to] = read_ends(option, text, dimension);
+  if (from != to) return {from, to};
+  throw InputError(option, in_quotes(text), "FROM and TO must differ");
+}
+
+std::vector<double> parse_values(std::string_view option, std::string_view text,
+                                 const Dimension& dimension) {
+  if (text.find(':') != std::string_view::npos) return parse_range(option, text, dimension);
+  std::vector<double> values;
+  for (const std::string_view part : split(text, ',')) {
+    values.push_back(parse_quantity(option, part, dimension));
+  }
+  return values;
 }
 
 std::vector<double> parse_range(std::string_view option, std::string_view text,

@@ -34,6 +34,15 @@ namespace microslip::app {
                                                        std::string_view text,
                                                        const Dimension& dimension);
 
+/// FROM:TO, either way round. @throws InputError  where it has another form, or both are the same.
+[[nodiscard]] std::pair<double, double> parse_way(std::string_view option, std::string_view text,
+                                                  const Dimension& dimension);
+
+/// Values between commas, or FROM:TO:COUNT[:log] as in parse_range().
+/// @throws InputError  where one is none.
+[[nodiscard]] std::vector<double> parse_values(std::string_view option, std::string_view text,
+                                               const Dimension& dimension);
+
 /// FROM:TO:COUNT[:log]: COUNT values from FROM to TO, equally spaced or in equal ratios.
 /// @throws InputError  where it has another form, FROM is not below TO, COUNT is no whole number from
 ///                     2 to 10 million, or `log` comes with FROM = 0 or less.

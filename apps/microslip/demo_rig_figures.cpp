@@ -38,7 +38,7 @@ std::vector<NamedJoint> regenerated_joints(const Levels& levels, double stiffnes
 std::vector<NamedResponse> constant_responses(const RigDemonstration& done) {
   const StickState& state = done.verifier.reducer().state();
   const ResponsePoint point{done.rig.excitation.channel, ResponseKind::kAcceleration};
-  const HarmonicBalanceOptions smooth{.largest_change = 0.05};
+  const HarmonicBalanceOptions smooth{.largest_change = 0.05, .accuracy = 0.0};
   const HarmonicBalance found(rig_structure(done.rig, state, done.found.joint), point, smooth);
   const HarmonicBalance truth(rig_structure(done.rig, state, done.truth), point, smooth);
   const double resonance = state.omega.front();

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <numbers>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "arguments.hpp"
@@ -54,12 +55,12 @@ void add_prediction_arguments(CLI::App& command, PredictionArguments& arguments,
   command.add_flag("--quiet", call.quiet, "No summary, no progress");
 }
 
-HarmonicBalance balance_of(const ModelFile& model, const PredictionArguments& arguments) {
-  HarmonicBalanceOptions options;
+HarmonicBalance balance_of(const ModelFile& model, const PredictionArguments& arguments,
+                           HarmonicBalanceOptions options) {
   options.harmonics = parse_whole_number("--harmonics", arguments.harmonics, 1, kMostHarmonics);
   options.samples = parse_whole_number("--samples", arguments.samples, 4, kMostSamples);
   try {
-    return HarmonicBalance(model.structure, {model.response}, options);
+    return HarmonicBalance(model.structure, {model.response}, std::move(options));
   } catch (const InputError& error) {
     const bool option = error.name() == "harmonics" || error.name() == "samples";
     throw error.renamed(option ? "--" + error.name()
@@ -98,9 +99,10 @@ std::vector<Warning> reach_warnings(const ModelFile& model, const std::vector<do
   std::vector<Warning> warnings;
   for (std::size_t j = 0; j < std::min(amplitude.size(), model.covered_to.size()); ++j) {
     const StructuralJoint& joint = model.structure.joints()[j];
-    const auto warning = beyond_identification(joint.joint, amplitude[j], model.covered_to[j]);
+    auto warning = beyond_identification(joint.joint, amplitude[j], model.covered_to[j]);
     if (!warning) continue;
-    warnings.push_back({warning->code, fmt::format("'{}': {}", joint.name, warning->text)});
+    warning->text = fmt::format("'{}': {}", joint.name, warning->text);
+    warnings.push_back(std::move(*warning));
   }
   return warnings;
 }

@@ -92,7 +92,8 @@ struct Sweep {
 
 Sweep sweep(const Grid& grid) {
   const HarmonicBalance balance(
-      structure(), {"mass"}, {.harmonics = 3, .samples = 512, .least_points = grid.pick(500, 120)});
+      structure(), {"mass"},
+      {.harmonics = 3, .samples = 512, .least_points = grid.pick(500, 120), .accuracy = 0.0});
   Sweep made;
   made.amplitude = grid.reduced ? std::vector{0.05, 0.4, 2.0, 3.2, 8.0, 20.0}
                                 : std::vector{0.05, 0.15, 0.4, 1.0, 2.0, 3.2, 8.0, 20.0};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -24,7 +25,8 @@ constexpr double pi = std::numbers::pi;
 
 const std::string kHeader =
     "frequency [Hz],force [N],displacement [m],phase [rad],dissipation [J],linear_dissipation "
-    "[J],amplitude_joint [m],dissipation_joint [J],reversals_joint [1],energy_imbalance [1]\n";
+    "[J],amplitude_joint [m],dissipation_joint [J],reversals_joint [1],energy_imbalance [1],peak "
+    "[1]\n";
 
 const std::string kJenkins =
     R"({"schema": "microslip.joint/1", "stiffness_N_per_m": 0.25,
@@ -230,6 +232,111 @@ TEST(frf, WarnsWhereTheRangeHoldsNoResonance) {
   EXPECT_EQ(CsvTable(box.get("frf.csv"), "t").numbers("frequency", kFrequency).back(), 0.3);
 }
 
+TEST(frf, TellsInTheFileWhatItWarnsOf) {
+  const Sandbox box = one_mass();
+  expect_done(box, frf({"--force", "0.1", "--frequency", "0.2:0.3", "--quiet"}));
+  expect_parts(box.get("frf.csv"), {"# warning: no resonance in the range", "0.15915 Hz"});
+}
+
+// The row of a peak is that of its comment, with all columns, and none is higher.
+TEST(frf, HasItsPeaksAmongTheRows) {
+  const Sandbox box = example_model("two_joints");
+  expect_done(box, frf({"--force", "0.5", "--frequency", "12:35"}));
+  const std::string text = box.get("frf.csv");
+  const CsvTable table(text, "frf.csv");
+  const std::vector<double> marks = table.numbers("peak", kDimensionless);
+  const std::vector<double> f = table.numbers("frequency", kFrequency);
+  const std::vector<double> a = table.numbers("displacement", kLength);
+  std::string rest = text;
+  int peaks = 0;
+  for (std::size_t i = 1; i + 1 < f.size(); ++i) {
+    const bool is_highest = a[i] > a[i - 1] && a[i] > a[i + 1];
+    EXPECT_EQ(marks[i] == 1.0, is_highest) << f[i];
+    if (!is_highest) continue;
+    ++peaks;
+    rest = rest.substr(std::min(rest.find("# peak:") + 1, rest.size()));
+    EXPECT_NEAR(f[i], number_behind(rest, "frequency"), 1e-8 * f[i]);
+    EXPECT_NEAR(a[i], number_behind(rest, "displacement"), 1e-8 * a[i]);
+  }
+  EXPECT_EQ(peaks, 2);
+}
+
+/// The value of the polygon through points with rising x.
+double on_polygon(const std::vector<double>& x, const std::vector<double>& y, double at) {
+  const auto next = static_cast<std::size_t>(std::ranges::upper_bound(x, at) - x.begin());
+  const std::size_t i = std::clamp<std::size_t>(next, 1, x.size() - 1);
+  return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
+}
+
+// Rows at given frequencies lie on the curve; the polygon through the others is as near to them as it is
+// to be, and is the curve of 50 times that accuracy to that.
+TEST(frf, DrawsItsCurveAsCloselyAsIsAsked) {
+  const Sandbox box = one_mass();
+  for (const std::string kept : {"--force", "--response"}) {
+    const std::vector<std::string> common{kept, kept == "--force" ? "0.1" : "0.8", "--frequency",
+                                          "0.1:0.2"};
+    const auto table_of = [&](std::vector<std::string> more) {
+      more.insert(more.begin(), common.begin(), common.end());
+      expect_done(box, frf(more));
+      return CsvTable(box.get("frf.csv"), "frf.csv");
+    };
+    const std::string drawn = kept == "--force" ? "displacement" : "force";
+    const Dimension& dimension = kept == "--force" ? kLength : kForce;
+    const CsvTable exact = table_of({"--at", "0.1:0.2:301", "--accuracy", "0.004%"});
+    const std::vector<double> f = exact.numbers("frequency", kFrequency);
+    const std::vector<double> y = exact.numbers(drawn, dimension);
+    EXPECT_TRUE(std::ranges::is_sorted(f));
+    for (int i = 0; i <= 300; ++i) {
+      const double at = 0.1 + (0.2 - 0.1) * i / 300.0;
+      EXPECT_NE(std::ranges::find_if(f, [at](double x) { return std::abs(x - at) < 1e-15; }),
+                f.end());
+    }
+    std::size_t rows = 0;
+    for (const double accuracy : {0.002, 0.0005}) {
+      const CsvTable table = table_of({"--accuracy", std::to_string(accuracy)});
+      const std::vector<double> x = table.numbers("frequency", kFrequency);
+      const std::vector<double> z = table.numbers(drawn, dimension);
+      EXPECT_GT(x.size(), rows);
+      rows = x.size();
+      const double top = kept == "--force" ? std::ranges::max(y) : std::ranges::min(y);
+      for (std::size_t i = 0; i < f.size(); ++i) {
+        const double allowed = kept == "--force" ? accuracy * top : accuracy * y[i];
+        EXPECT_NEAR(on_polygon(x, z, f[i]), y[i], allowed) << kept << " " << f[i];
+      }
+    }
+  }
+}
+
+// The same curve the other way round.
+TEST(frf, GoesDownward) {
+  const Sandbox box = one_mass();
+  expect_done(box, frf({"--force", "0.1", "--frequency", "0.1:0.2"}));
+  const CsvTable up(box.get("frf.csv"), "frf.csv");
+  expect_done(box, frf({"--force", "0.1", "--frequency", "0.2:0.1"}));
+  const CsvTable down(box.get("frf.csv"), "frf.csv");
+  const std::vector<double> f = down.numbers("frequency", kFrequency);
+  const std::vector<double> a = down.numbers("displacement", kLength);
+  EXPECT_EQ(f.front(), 0.2);
+  EXPECT_EQ(f.back(), 0.1);
+  EXPECT_TRUE(std::ranges::is_sorted(f, std::greater{}));
+  const std::vector<double> before = up.numbers("displacement", kLength);
+  EXPECT_NEAR(a.back(), before.front(), 1e-9 * a.back());
+  EXPECT_NEAR(std::ranges::max(a), std::ranges::max(before), 1e-9 * std::ranges::max(a));
+}
+
+// A file of this kind stays one however many comments it has.
+TEST(frf, ReplacesItsOwnFileBehindManyComments) {
+  const Sandbox box = one_mass();
+  const Arguments call = frf({"--force", "0.1", "--frequency", "0.1:0.2"});
+  expect_done(box, call);
+  std::string comments;
+  for (int i = 0; i < 4000; ++i) comments += "# turns back: frequency 16.67 Hz, force 2.19 N\n";
+  box.put("frf.csv", comments + box.get("frf.csv"));
+  expect_done(box, {"plot", "frf.csv", "--out", "frf.svg"});
+  expect_done(box, call);
+  EXPECT_LT(box.get("frf.csv").size(), comments.size());
+}
+
 TEST(frf, ReplacesOnlyItsOwnKind) {
   const Sandbox box = one_mass();
   const Arguments call = frf({"--force", "0.1", "--frequency", "0.1:0.2"});
@@ -261,8 +368,16 @@ TEST(frf, RefusesBadCalls) {
       {{"--response", "1N", "--frequency", "0.1:0.2"}, {"--response: unit = 'N'", "force"}},
       {{"--force", "1", "--frequency", "0.2"}, {"--frequency = '0.2'", "FROM:TO"}},
       {{"--force", "1", "--frequency", "0.1:0.2:5"}, {"--frequency = '0.1:0.2:5'", "FROM:TO"}},
-      {{"--force", "1", "--frequency", "0.2:0.1"}, {"FROM must be below TO", "Swap"}},
-      {{"--force", "1", "--frequency", "0.2:0.2"}, {"FROM must be below TO"}},
+      {{"--force", "1", "--frequency", "0.2:0.2"}, {"FROM and TO must differ"}},
+      {{"--force", "1", "--frequency", "0.2:0"}, {"TO of --frequency = 0", "above 0 Hz"}},
+      {{"--force", "1", "--frequency", "1e10:1"}, {"FROM of --frequency = 10000000000", "1e9"}},
+      {{"--force", "1", "--frequency", "0.1:0.2", "--accuracy", "0"},
+       {"--accuracy = '0'", "from 0.0001% to 100%"}},
+      {{"--force", "1", "--frequency", "0.1:0.2", "--accuracy", "2mm"}, {"--accuracy: unit"}},
+      {{"--force", "1", "--frequency", "0.1:0.2", "--at", "0.25"},
+       {"--at = 0.25", "0.1 to 0.2 Hz", "Widen"}},
+      {{"--force", "1", "--frequency", "0.1:0.2", "--at", "0.15,x"}, {"--at = 'x'", "finite"}},
+      {{"--force", "1", "--frequency", "0.1:0.2", "--at", "0.1:0.2"}, {"--at", "FROM:TO:COUNT"}},
       {{"--force", "1", "--frequency", "0:0.2"}, {"FROM of --frequency = 0", "above 0 Hz"}},
       {{"--force", "1", "--frequency", "1:1e10"}, {"TO of --frequency = 10000000000", "1e9"}},
       {{"--force", "1", "--frequency", "1:2 rad/s"}, {"TO of --frequency: unit", "Hz"}},

@@ -70,7 +70,8 @@ BalanceEquations::BalanceEquations(const JointedStructure& structure, const Resp
       force_(coefficient_count(harmonics)),
       tangents_(structure.joints().size(),
                 Eigen::MatrixXd(coefficient_count(harmonics), coefficient_count(harmonics))),
-      cycles_(structure.joints().size()) {}
+      cycles_(structure.joints().size()),
+      branches_(structure.joints().size()) {}
 
 StructureSide::Input BalanceEquations::input() const {
   return {displacement_, tension_, z_[count_], z_[count_ + 1]};
@@ -95,8 +96,66 @@ void BalanceEquations::evaluate(const VectorXd& z) {
                               {force_.data(), static_cast<std::size_t>(block)},
                               {tangent.data(), static_cast<std::size_t>(tangent.size())});
     tension_.segment(first, block) = -force_;
+    keep_branches(j);
   }
   side_->evaluate(input(), values_);
+}
+
+/// Those of the motion that was evaluated last.
+void BalanceEquations::keep_branches(std::size_t joint) {
+  if (structure_.joints()[joint].joint.density().atoms().slip_force.empty()) return;
+  Branches& branches = branches_[joint];
+  const Index block = coefficient_count(harmonics_);
+  branches.reaches.resize(joint_force_.reaches());
+  branches.gradients.resize(block, static_cast<Index>(joint_force_.reaches()));
+  for (std::size_t rank = 0; rank < branches.reaches.size(); ++rank) {
+    branches.reaches[rank] = joint_force_.reach(rank);
+    joint_force_.reach_gradient(rank, {branches.gradients.col(static_cast<Index>(rank)).data(),
+                                       static_cast<std::size_t>(block)});
+  }
+}
+
+double BalanceEquations::miss(const Onset& onset) const {
+  const std::vector<double>& reaches = branches_[onset.joint].reaches;
+  return onset.rank < reaches.size() ? reaches[onset.rank] / onset.displacement - 1.0 : -1.0;
+}
+
+RowVectorXd BalanceEquations::miss_gradient(const Onset& onset) const {
+  RowVectorXd gradient = RowVectorXd::Zero(count_ + 2);
+  const Branches& branches = branches_[onset.joint];
+  if (onset.rank >= branches.reaches.size()) return gradient;
+  const Index block = coefficient_count(harmonics_);
+  gradient.segment(static_cast<Index>(onset.joint) * block, block) =
+      branches.gradients.col(static_cast<Index>(onset.rank)).transpose() / onset.displacement;
+  return gradient;
+}
+
+std::vector<std::size_t> BalanceEquations::slipping() const {
+  std::vector<std::size_t> counts;
+  for (std::size_t j = 0; j < branches_.size(); ++j) {
+    const Joint& joint = structure_.joints()[j].joint;
+    counts.push_back(branches_[j].reaches.size());
+    for (const double slip_force : joint.density().atoms().slip_force) {
+      const double least = slip_force / joint.stiffness();
+      counts.push_back(static_cast<std::size_t>(std::ranges::count_if(
+          branches_[j].reaches, [least](double reach) { return reach > least; })));
+    }
+  }
+  return counts;
+}
+
+bool BalanceEquations::slips_otherwise(const std::vector<std::size_t>& one,
+                                       const std::vector<std::size_t>& other) const {
+  auto a = one.begin();
+  auto b = other.begin();
+  for (const StructuralJoint& joint : structure_.joints()) {
+    const std::size_t count = 1 + joint.joint.density().atoms().slip_force.size();
+    const auto end = a + static_cast<std::ptrdiff_t>(count);
+    if (*a == *b && !std::equal(a, end, b)) return true;
+    a = end;
+    b += static_cast<std::ptrdiff_t>(count);
+  }
+  return false;
 }
 
 /// The structure's part of the derivatives and, by the chain rule, the joints'.

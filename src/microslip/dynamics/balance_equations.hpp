@@ -17,6 +17,14 @@
 
 namespace microslip {
 
+/// Where an atom starts to slip on a branch of a joint's motion: the equations bend there. Internal to
+/// dynamics.
+struct Onset {
+  std::size_t joint;
+  std::size_t rank;     ///< of the branch among the joint's, from the one that goes farthest
+  double displacement;  ///< how far a branch goes on which the atom is about to slip, m
+};
+
 /// The equations of harmonic balance, condensed onto the joints. Internal to dynamics.
 ///
 /// Unknowns z: the coefficients of each joint's displacement, n = J(2H + 1) of them, then ω and A.
@@ -56,6 +64,23 @@ class BalanceEquations {
   [[nodiscard]] double miss(const Target& target) const;
   [[nodiscard]] Eigen::RowVectorXd miss_gradient(const Target& target);
 
+  /// How far the branches of a joint with atoms go, m, the farthest first; see
+  /// HarmonicForce::reaches(). Empty without atoms.
+  [[nodiscard]] std::span<const double> reaches(std::size_t joint) const {
+    return branches_[joint].reaches;
+  }
+  /// How far z misses an onset, relative, and its derivatives; −1 and 0 where there is no such
+  /// branch.
+  [[nodiscard]] double miss(const Onset& onset) const;
+  [[nodiscard]] Eigen::RowVectorXd miss_gradient(const Onset& onset) const;
+  /// Of each joint, one after the other: how many branches its motion has, and on how many of them
+  /// each atom slips, by rising slip force.
+  [[nodiscard]] std::vector<std::size_t> slipping() const;
+  /// Whether an atom starts or ceases to slip from one such state to the other. Inner loops that
+  /// appear or vanish change a joint's numbers too, but not the derivatives: such joints do not count.
+  [[nodiscard]] bool slips_otherwise(const std::vector<std::size_t>& one,
+                                     const std::vector<std::size_t>& other) const;
+
   /// A quantity at z.
   [[nodiscard]] double value(Quantity quantity) const;
 
@@ -71,6 +96,7 @@ class BalanceEquations {
  private:
   [[nodiscard]] StructureSide::Input input() const;
   void differentiate();
+  void keep_branches(std::size_t joint);
   void add_joint_cycles(SteadyVibration& vibration) const;
   void add_energies(SteadyVibration& vibration) const;
 
@@ -87,6 +113,11 @@ class BalanceEquations {
   Eigen::VectorXd force_;
   std::vector<Eigen::MatrixXd> tangents_;  // ∂F/∂u of each joint, transposed
   std::vector<HarmonicForce::Cycle> cycles_;
+  struct Branches {
+    std::vector<double> reaches;
+    Eigen::MatrixXd gradients;  // a column a branch
+  };
+  std::vector<Branches> branches_;  // of each joint; none without atoms
   StructureSide::Values values_;
   bool differentiated_ = false;
   StructureSide::Derivatives change_;

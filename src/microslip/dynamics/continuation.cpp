@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -22,22 +23,20 @@ using Eigen::VectorXd;
 bool beyond(double along, double limit, double sign) { return sign * (along - limit) > 0.0; }
 
 constexpr double kSmallestLength = 1e-10;  // of a step, relative
-constexpr double kKinkLength = 1e-4;       // likewise: if the tangent still turns, it jumps
 constexpr double kLeastCosine = 0.8;       // of the angles between two tangents and the chord
-constexpr double kLargestGap = 0.3;        // of a step and the mean of its slopes, relative
+constexpr double kLargestGap = 0.1;        // of a step and the mean of its slopes, relative
 constexpr int kQuickIterations = 5;        // Newton's: the step may grow
-
-double sign_of_determinant(const Eigen::PartialPivLU<MatrixXd>& solver) {
-  double sign = static_cast<double>(solver.permutationP().determinant());
-  for (const double pivot : solver.matrixLU().diagonal()) sign *= pivot < 0.0 ? -1.0 : 1.0;
-  return sign;
-}
 
 }  // namespace
 
-Continuation::Continuation(BalanceEquations& equations, const ContinuationOptions& options,
+Continuation::Continuation(BalanceEquations& equations, ContinuationOptions options,
                            const Target& kept, Quantity along, double from, double to)
-    : equations_(equations), options_(options), kept_(kept), along_(along), from_(from), to_(to) {}
+    : equations_(equations),
+      options_(std::move(options)),
+      kept_(kept),
+      along_(along),
+      from_(from),
+      to_(to) {}
 
 /// Of z where the equations were evaluated.
 VectorXd Continuation::scale() const {
@@ -59,73 +58,108 @@ MatrixXd Continuation::matrix(const VectorXd& scale, const RowVectorXd& last) co
   return matrix;
 }
 
-/// The tangent is the null vector of the balance and the kept target, with the sign of `direction`,
-/// or, at the start, towards the end of the range. The equations must be evaluated at z.
-Continuation::Point Continuation::point_at(const VectorXd& z, const VectorXd* direction) const {
+/// The derivative of what changes along the curve by relative z: of ln of the response, of the others
+/// over their scale.
+RowVectorXd Continuation::along_row(const VectorXd& scale) const {
   const Index n = equations_.balance_count();
+  if (along_ == Quantity::kResponse) {
+    return equations_.log_response_gradient() * scale.asDiagonal();
+  }
+  return RowVectorXd::Unit(n + 2, along_ == Quantity::kForceAmplitude ? n + 1 : n);
+}
+
+/// The tangent is the null vector of the balance and the kept target on the positive side of
+/// `towards`. The equations must be evaluated at the point, or beside it on the side that counts.
+Continuation::Ray Continuation::ray_at(const VectorXd& scale, const RowVectorXd& towards) const {
+  const Index n = equations_.balance_count();
+  Ray ray;
+  const Eigen::PartialPivLU<MatrixXd> solver(matrix(scale, towards));
+  ray.tangent = solver.solve(VectorXd::Unit(n + 2, n + 1)).normalized();
+  ray.along_slope = along_row(scale) * ray.tangent;
+  const RowVectorXd log_response = equations_.log_response_gradient() * scale.asDiagonal();
+  ray.gain_slope = log_response * ray.tangent - ray.tangent[n + 1];
+  const Eigen::RowVectorXcd response = equations_.response_gradient() / equations_.response();
+  ray.change_rate = std::abs((response * scale.asDiagonal() * ray.tangent).value());
+  const auto joints = static_cast<Index>(equations_.structure().joints().size());
+  for (Index j = 0; j < joints; ++j) {
+    const Index block = n / joints;
+    ray.change_rate = std::max(ray.change_rate, ray.tangent.segment(j * block, block).norm());
+  }
+  return ray;
+}
+
+/// Without its rays. The equations must be evaluated at z.
+Continuation::Point Continuation::place_at(const VectorXd& z) const {
   Point point;
   point.z = z;
   point.scale = scale();
   point.response = equations_.response();
-  const RowVectorXd log_response = equations_.log_response_gradient() * point.scale.asDiagonal();
-  RowVectorXd along = RowVectorXd::Unit(n + 2, along_ == Quantity::kForceAmplitude ? n + 1 : n);
-  if (along_ == Quantity::kResponse) along = log_response;
-
-  RowVectorXd last = along;
-  if (direction != nullptr) {
-    last = direction->transpose();
-  } else if (to_ < from_) {
-    last = -along;
-  }
-  const Eigen::PartialPivLU<MatrixXd> solver(matrix(point.scale, last));
-  point.tangent = solver.solve(VectorXd::Unit(n + 2, n + 1)).normalized();
-  point.orientation = sign_of_determinant(solver);
-
   point.along = equations_.value(along_);
-  point.along_slope = along * point.tangent;
-  point.gain_slope = log_response * point.tangent - point.tangent[n + 1];
-  const Eigen::RowVectorXcd response = equations_.response_gradient() / equations_.response();
-  point.change_rate = std::abs((response * point.scale.asDiagonal() * point.tangent).value());
-  const auto joints = static_cast<Index>(equations_.structure().joints().size());
-  for (Index j = 0; j < joints; ++j) {
-    const Index block = n / joints;
-    point.change_rate = std::max(point.change_rate, point.tangent.segment(j * block, block).norm());
+  point.height = equations_.value(kept_.quantity == Quantity::kResponse ? Quantity::kForceAmplitude
+                                                                        : Quantity::kResponse);
+  return point;
+}
+
+/// A point without a corner, its tangent on the side of `direction`, or, at the start, towards the
+/// end of the range. The equations must be evaluated at z.
+Continuation::Point Continuation::point_at(const VectorXd& z, const VectorXd* direction) const {
+  Point point = place_at(z);
+  RowVectorXd towards;
+  if (direction != nullptr) {
+    towards = direction->transpose();
+  } else {
+    towards = along_row(point.scale) * (to_ < from_ ? -1.0 : 1.0);
   }
+  point.arrival = ray_at(point.scale, towards);
+  point.onward = point.arrival;
+  point.slipping = equations_.slipping();
+  add_neighbours(point);
   return point;
 }
 
 /// From the tangents of two points: how the tangent will go on to turn. Across it alone, so that
 /// the plane on which the next point is sought stays where it is.
 void Continuation::add_curvature(const Point& before, double length, Point& point) {
-  const VectorXd old = before.tangent.cwiseProduct(before.scale).cwiseQuotient(point.scale);
-  point.curvature = (point.tangent * old.norm() - old) / (length * old.norm() * old.norm());
-  point.curvature -= point.tangent * point.tangent.dot(point.curvature);
+  const VectorXd old = before.onward.tangent.cwiseProduct(before.scale).cwiseQuotient(point.scale);
+  VectorXd& curvature = point.onward.curvature;
+  const VectorXd& tangent = point.onward.tangent;
+  curvature = (tangent * old.norm() - old) / (length * old.norm() * old.norm());
+  curvature -= tangent * tangent.dot(curvature);
 }
 
 /// The length after which the curve has changed by as much as is wanted, by the tangent.
 double Continuation::wanted_length(const Point& point) const {
-  double length = options_.largest_change / std::max(point.change_rate, 1e-12);
+  double length = options_.largest_change / std::max(point.onward.change_rate, 1e-12);
+  const double slope = options_.least_points * std::abs(point.onward.along_slope) + 1e-12;
   if (along_ == Quantity::kAngularFrequency) {
-    length = std::min(length, 1.0 / (options_.least_points * std::abs(point.along_slope) + 1e-12));
+    length = std::min(length, 1.0 / slope);
   } else {  // along is relative: over ln of the range
-    const double range = std::abs(std::log(to_ / from_));
-    length =
-        std::min(length, range / (options_.least_points * std::abs(point.along_slope) + 1e-12));
+    length = std::min(length, std::abs(std::log(to_ / from_)) / slope);
   }
-  return length;
+  return std::min(length, longest_);
+}
+
+/// By tangent and curvature.
+VectorXd Continuation::predicted(const Point& from, double length) {
+  const Ray& ray = from.onward;
+  VectorXd z = from.z + length * from.scale.cwiseProduct(ray.tangent);
+  if (ray.curvature.size() > 0) {
+    z += 0.5 * length * length * from.scale.cwiseProduct(ray.curvature);
+  }
+  return z;
 }
 
 NewtonResult Continuation::correct(const Point& from, double length, VectorXd& z) {
-  const VectorXd predicted = from.z + length * from.scale.cwiseProduct(from.tangent);
+  const VectorXd& tangent = from.onward.tangent;
   const Index n = equations_.balance_count();
-  z = predicted;
-  if (from.curvature.size() > 0)
-    z += 0.5 * length * length * from.scale.cwiseProduct(from.curvature);
+  z = predicted(from, length);
   if (!(z[n] > 0.0 && z[n + 1] > 0.0)) {
     return {.converged = false, .residual = HUGE_VAL, .iterations = 0, .reason = "step too long"};
   }
-  const Place place{predicted, from.tangent.transpose() * from.scale.cwiseInverse().asDiagonal()};
+  const Place place{from.z + length * from.scale.cwiseProduct(tangent),
+                    tangent.transpose() * from.scale.cwiseInverse().asDiagonal()};
   NewtonResult result = newton(equations_, kept_, place, options_.newton, z);
+  summary_.iterations += result.iterations;
   return result;
 }
 
@@ -143,17 +177,16 @@ double Continuation::change(const Point& from, const VectorXd& z) const {
 }
 
 /// A point whose energy balance is lost in rounding ends the curve.
-bool Continuation::add(const VectorXd& z, ResponseCurve& curve) {
-  equations_.evaluate(z);
+bool Continuation::add(Point point) {
+  equations_.evaluate(point.z);
   SteadyVibration vibration = equations_.vibration();
   const std::string doubt = energy_doubt(vibration, options_.newton.tolerance);
   if (doubt.empty()) {
-    curve.points.push_back(std::move(vibration));
+    rows_.push_back({std::move(point), std::move(vibration)});
     return true;
   }
-  stop(curve, Status::kNotConverged,
-       fmt::format("{}, at {:.9g} Hz, force {:.6g} N", doubt, vibration.frequency(),
-                   vibration.force_amplitude));
+  stop(Status::kNotConverged, fmt::format("{}, at {:.9g} Hz, force {:.6g} N", doubt,
+                                          vibration.frequency(), vibration.force_amplitude));
   return false;
 }
 
@@ -165,9 +198,9 @@ std::string Continuation::place(const Point& point) const {
   return text;
 }
 
-void Continuation::stop(ResponseCurve& curve, Status status, const std::string& reason) {
-  curve.summary.status = status;
-  curve.summary.reason = reason;
+void Continuation::stop(Status status, const std::string& reason) {
+  summary_.status = status;
+  summary_.reason = reason;
 }
 
 /// In thousandths of the range; a curve that turns back does not take any back.
@@ -179,52 +212,78 @@ void Continuation::tell(const Progress& progress, double along) {
 }
 
 void Continuation::run(const VectorXd& z, ResponseCurve& curve, const Progress& progress) {
-  follow(z, curve, progress);
-  curve.summary.reason += missed_;
+  summary_ = curve.summary;
+  follow(z, progress);
+  if (along_ == Quantity::kAngularFrequency) {
+    if (options_.accuracy > 0.0) draw_closely(progress);
+    if (!options_.frequencies.empty()) add_frequencies(progress);
+  }
+  hand_over(curve);
 }
 
-void Continuation::follow(const VectorXd& z, ResponseCurve& curve, const Progress& progress) {
-  if (!add(z, curve)) return;
+/// Rows become the points of the curve, with the marks on them.
+void Continuation::hand_over(ResponseCurve& curve) {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (rows_[i].point.is_peak) {
+      curve.peaks.push_back(rows_[i].vibration);
+      curve.peak_points.push_back(i);
+    }
+    if (i == 0 || i + 1 == rows_.size()) continue;
+    const double before = rows_[i].point.along - rows_[i - 1].point.along;
+    const double after = rows_[i + 1].point.along - rows_[i].point.along;
+    if (before * after < 0.0) curve.turning_points.push_back(i);
+  }
+  for (Row& row : rows_) curve.points.push_back(std::move(row.vibration));
+  curve.summary = summary_;
+  curve.warnings = std::move(warnings_);
+}
+
+void Continuation::follow(const VectorXd& z, const Progress& progress) {
+  equations_.evaluate(z);
   Point point = point_at(z, nullptr);
+  if (!add(point)) return;
   double length = wanted_length(point);
-  while (step(point, length, curve)) {
+  while (step(point, length)) {
     tell(progress, point.along);
-    if (static_cast<int>(curve.points.size()) >= options_.max_points) {
-      stop(curve, Status::kNotConverged,
+    if (static_cast<int>(rows_.size()) >= options_.max_points) {
+      stop(Status::kNotConverged,
            fmt::format("max_points = {} are used up {}", options_.max_points, place(point)));
       return;
     }
   }
-  if (curve.summary.converged()) tell(progress, to_);
+  if (summary_.converged()) tell(progress, to_);
 }
 
-/// The next point: the step is halved until Newton's method converges, nothing changes by too much,
-/// and the tangent turns by so little that it cannot be the other way round.
-bool Continuation::find_next(const Point& point, double& length, Point& next,
-                             ResponseCurve& curve) {
+/// The next point: a corner where one lies as near as that; else the step is halved until Newton's
+/// method converges, nothing changes by too much, no atom starts or ceases to slip on the way, and the
+/// tangent turns by so little that it cannot be the other way round.
+bool Continuation::find_next(const Point& point, double& length, Point& next) {
   const double longest = wanted_length(point);
   length = std::min(length, longest);
   NewtonResult result;
   for (; length >= kSmallestLength * longest; length *= 0.5) {
+    if (reach_corner(point, length, next)) return true;
     VectorXd z;
     result = correct(point, length, z);
-    curve.summary.iterations += result.iterations;
     if (!result.converged || change(point, z) > 2.0 * options_.largest_change) continue;
-    const VectorXd step = point.scale.cwiseProduct(point.tangent);
+    if (equations_.slips_otherwise(equations_.slipping(), point.slipping)) {
+      if (corner_between(point, length, next)) return true;
+      continue;
+    }
+    const VectorXd step = point.scale.cwiseProduct(point.onward.tangent);
     const VectorXd direction = step.cwiseQuotient(scale()).normalized();
     next = point_at(z, &direction);
-    const bool kink = length < kKinkLength * longest;  // where the tangent jumps
     const double chord = (z - point.z).cwiseQuotient(point.scale).norm();
-    const bool turns = direction.dot(next.tangent) < kLeastCosine || length < kLeastCosine * chord;
-    if (!kink && (turns || !smooth(point, length, next))) continue;
+    const bool turns =
+        direction.dot(next.arrival.tangent) < kLeastCosine || length < kLeastCosine * chord;
+    if (turns || !smooth(point, length, next)) continue;
     add_curvature(point, length, next);
-    curve.summary.residual = std::max(curve.summary.residual, result.residual);
+    summary_.residual = std::max(summary_.residual, result.residual);
     quick_ = result.iterations <= kQuickIterations;
     return true;
   }
-  if (round_corner(point, longest, length, next, curve)) return true;
-  curve.summary.residual = std::max(curve.summary.residual, result.residual);
-  stop(curve, Status::kNotConverged,
+  summary_.residual = std::max(summary_.residual, result.residual);
+  stop(Status::kNotConverged,
        fmt::format("Newton's method finds no further point {}: {}", place(point),
                    result.converged ? "the curve bends too sharply" : result.reason));
   return false;
@@ -233,68 +292,33 @@ bool Continuation::find_next(const Point& point, double& length, Point& next,
 /// Whether `along` went as its slopes at both ends say. Both flanks of a narrow resonance look the same
 /// in all but that: a step from one to the other would turn the curve round.
 bool Continuation::smooth(const Point& point, double length, const Point& next) const {
+  const double slope = point.onward.along_slope;
+  const double slope_there = next.arrival.along_slope;
   const double range = along_ == Quantity::kAngularFrequency ? std::abs(to_ - from_) : point.along;
   const double moved = (next.along - point.along) / range;
-  if (point.along_slope * next.along_slope > 0.0) return moved * next.along_slope >= 0.0;
-  const double expected = 0.5 * length * (point.along_slope + next.along_slope);
-  const double size =
-      std::abs(moved) + 0.5 * length * (std::abs(point.along_slope) + std::abs(next.along_slope));
+  if (slope * slope_there > 0.0) return moved * slope_there >= 0.0;
+  const double expected = 0.5 * length * (slope + slope_there);
+  const double size = std::abs(moved) + 0.5 * length * (std::abs(slope) + std::abs(slope_there));
   return std::abs(moved - expected) <= kLargestGap * size;
 }
 
-/// Where an atom starts to slip the derivatives jump, and the curve may turn by more than a right
-/// angle: nothing lies ahead. The tangent behind the corner is that of the derivatives a bit further
-/// along the old one. Across the jump, which is of rank one in the derivatives, det(derivatives,
-/// tangent) keeps its sign where the tangent leads away from the corner. [Allgower & Georg,
-/// Numerical Continuation Methods, Springer 1990, ch. 12-14]
-bool Continuation::round_corner(const Point& point, double longest, double& length, Point& next,
-                                ResponseCurve& curve) {
-  for (double share = 1e-7; share < 2e-2; share *= 10.0) {
-    length = share * longest;
-    const VectorXd ahead = point.z + length * point.scale.cwiseProduct(point.tangent);
-    equations_.evaluate(ahead);
-    Point corner = point_at(ahead, &point.tangent);
-    corner.z = point.z;
-    corner.scale = point.scale;
-    if (corner.orientation == point.orientation) continue;
-    corner.tangent = -corner.tangent;
-    VectorXd z;
-    const NewtonResult result = correct(corner, length, z);
-    curve.summary.iterations += result.iterations;
-    if (!result.converged) continue;
-    next = point_at(z, &corner.tangent);
-    if (next.orientation != point.orientation || corner.tangent.dot(next.tangent) < kLeastCosine) {
-      continue;
-    }
-    curve.summary.residual = std::max(curve.summary.residual, result.residual);
-    quick_ = true;
-    return true;
-  }
-  return false;
-}
-
-/// One more point; false where the curve ends.
-bool Continuation::step(Point& point, double& length, ResponseCurve& curve) {
+/// One more point, and the peak and the fold on the way to it; false where the curve ends.
+bool Continuation::step(Point& point, double& length) {
   Point next;
-  if (!find_next(point, length, next, curve)) return false;
+  if (!find_next(point, length, next)) return false;
   const double ahead = to_ > from_ ? 1.0 : -1.0;
   const bool ends = beyond(next.along, to_, ahead);
   const bool returns = beyond(next.along, from_, -ahead);
-  const bool turns = point.along_slope * next.along_slope < 0.0;
-  if (point.gain_slope > 0.0 && next.gain_slope < 0.0) {
-    locate_peak(point, length, next.gain_slope, curve);
-  }
+  for (auto& [here, found] : located(point, length, next)) add(std::move(found));
   if (ends || returns) {
-    if (!land(point, next, ends ? to_ : from_, curve)) return false;
-    if (turns && returns) curve.turning_points.push_back(curve.points.size() - 1);
-    stop(curve, ends ? Status::kConverged : Status::kNotConverged,
+    if (!land(point, next, ends ? to_ : from_)) return false;
+    stop(ends ? Status::kConverged : Status::kNotConverged,
          ends ? "reached the end of the range"
               : fmt::format("the curve turned back and left the range where it began, {}",
                             place(next)));
     return false;
   }
-  if (!add(next.z, curve)) return false;
-  if (turns) curve.turning_points.push_back(curve.points.size() - 1);
+  if (!add(next)) return false;
   if (quick_) length *= 2.0;
   point = std::move(next);
   return true;
@@ -302,49 +326,87 @@ bool Continuation::step(Point& point, double& length, ResponseCurve& curve) {
 
 /// The last point, exactly at the limit: from the chord, or, where the curve turns behind it, from the
 /// tangent.
-bool Continuation::land(const Point& before, const Point& after, double limit,
-                        ResponseCurve& curve) {
+bool Continuation::land(const Point& before, const Point& after, double limit) {
   const double left = limit - before.along;
   const VectorXd chord = (after.z - before.z) / (after.along - before.along);
-  const VectorXd tangent = before.scale.cwiseProduct(before.tangent) / before.along_slope;
+  const VectorXd tangent =
+      before.scale.cwiseProduct(before.onward.tangent) / before.onward.along_slope;
   NewtonResult result;
   for (const VectorXd& direction : {chord, tangent}) {
     VectorXd z = before.z + left * direction;
     result = newton(equations_, kept_, Target{along_, limit}, options_.newton, z);
-    curve.summary.iterations += result.iterations;
+    summary_.iterations += result.iterations;
     if (!result.converged) continue;
-    curve.summary.residual = std::max(curve.summary.residual, result.residual);
-    return add(z, curve);
+    summary_.residual = std::max(summary_.residual, result.residual);
+    const VectorXd forward = (after.z - before.z).cwiseQuotient(scale());
+    return add(point_at(z, &forward));
   }
-  curve.summary.residual = std::max(curve.summary.residual, result.residual);
-  stop(curve, Status::kNotConverged,
-       fmt::format("the last point, {}, was not found: {}", describe({along_, limit}),
-                   result.reason));
+  summary_.residual = std::max(summary_.residual, result.residual);
+  stop(Status::kNotConverged, fmt::format("the last point, {}, was not found: {}",
+                                          describe({along_, limit}), result.reason));
   return false;
 }
 
-/// Where d ln(response/force)/ds passes 0, by false position over the length of the step; the slope of
-/// an end that is kept twice in a row is halved (Illinois). In the last step it may lie beyond the
-/// range, and is left out.
-void Continuation::locate_peak(const Point& from, double length, double slope_there,
-                               ResponseCurve& curve) {
+bool Continuation::in_range(const Point& point) const {
+  return !beyond(point.along, std::max(from_, to_), 1.0) &&
+         !beyond(point.along, std::min(from_, to_), -1.0);
+}
+
+/// The peak and the fold inside of a step, by their places in it.
+std::map<double, Continuation::Point> Continuation::located(const Point& from, double length,
+                                                            const Point& to) {
+  struct Kind {
+    Slope slope;
+    bool is_peak;
+  };
+  const double way = from.onward.along_slope;
+  const std::array kinds{Kind{[](const Ray& ray) { return ray.gain_slope; }, true},
+                         Kind{[way](const Ray& ray) { return way * ray.along_slope; }, false}};
+  std::map<double, Point> found;
+  for (const auto& [slope, is_peak] : kinds) {
+    if (!(slope(from.onward) > 0.0 && slope(to.arrival) < 0.0)) continue;
+    Point point;
+    std::string reason;
+    const auto here = vanishing(from, length, slope(to.arrival), slope, point, reason);
+    if (here && in_range(point)) {
+      equations_.evaluate(point.z);
+      reason = energy_doubt(equations_.vibration(), options_.newton.tolerance);
+      point.is_peak = is_peak;
+      if (reason.empty()) found.emplace(*here, std::move(point));
+    }
+    if (is_peak && !reason.empty()) {
+      warnings_.push_back({"peak_not_located",
+                           fmt::format("the peak {} was not located: {}", place(from), reason)});
+    }
+  }
+  return found;
+}
+
+/// Where a slope that is positive at `from` passes 0, by false position over the length of the step;
+/// that of an end that is kept twice in a row is halved (Illinois).
+std::optional<double> Continuation::vanishing(const Point& from, double length, double there,
+                                              const Slope& slope_of, Point& found,
+                                              std::string& reason) {
   constexpr int kMostSteps = 60;
   constexpr double kNear = 1e-7;  // of the step
+  const double start = slope_of(from.onward);
   double low = 0.0;
   double high = length;
-  double slope_low = from.gain_slope;
-  double slope_high = slope_there;
+  double slope_low = start;
+  double slope_high = there;
   int moved = 0;  // the end that moved last: −1 low, 1 high
   for (int step = 0; step < kMostSteps; ++step) {
     const double here = low + (high - low) * slope_low / (slope_low - slope_high);
     VectorXd z;
     const NewtonResult result = correct(from, here, z);
-    curve.summary.iterations += result.iterations;
-    if (!result.converged) return miss_peak(from, result.reason);
-    const Point point = point_at(z, &from.tangent);
-    const double slope = point.gain_slope;
+    if (!result.converged) {
+      reason = result.reason;
+      return std::nullopt;
+    }
+    found = point_at(z, &from.onward.tangent);
+    const double slope = slope_of(found.arrival);
     const bool narrow = std::min(here - low, high - here) < kNear * length;
-    if (std::abs(slope) <= 1e-9 * from.gain_slope || narrow) return keep_peak(point, curve);
+    if (std::abs(slope) <= 1e-9 * start || narrow) return here;
     if (slope > 0.0) {
       low = here;
       slope_low = slope;
@@ -357,21 +419,8 @@ void Continuation::locate_peak(const Point& from, double length, double slope_th
       moved = 1;
     }
   }
-  miss_peak(from, fmt::format("its slope does not vanish in {} steps", kMostSteps));
-}
-
-/// Where it lies in the range and its energy is no rounding. The equations are those at the peak.
-void Continuation::keep_peak(const Point& peak, ResponseCurve& curve) {
-  if (beyond(peak.along, std::max(from_, to_), 1.0)) return;
-  if (beyond(peak.along, std::min(from_, to_), -1.0)) return;
-  SteadyVibration vibration = equations_.vibration();
-  const std::string doubt = energy_doubt(vibration, options_.newton.tolerance);
-  if (!doubt.empty()) return miss_peak(peak, doubt);
-  curve.peaks.push_back(std::move(vibration));
-}
-
-void Continuation::miss_peak(const Point& near, const std::string& reason) {
-  missed_ += fmt::format("; the peak {} was not located: {}", place(near), reason);
+  reason = fmt::format("its slope does not vanish in {} steps", kMostSteps);
+  return std::nullopt;
 }
 
 }  // namespace microslip

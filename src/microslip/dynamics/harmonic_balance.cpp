@@ -41,6 +41,8 @@ void check_options(const HarmonicBalanceOptions& o, const JointedStructure& stru
           "must be above 0 and at most 1");
   require(o.least_points >= 1, "least_points", o.least_points, "must be at least 1");
   require(o.max_points >= 2, "max_points", o.max_points, "must be at least 2");
+  require(o.accuracy == 0.0 || (o.accuracy >= 1e-6 && o.accuracy <= 1.0), "accuracy", o.accuracy,
+          "must be 0 or from 1e-6 to 1");
 }
 
 /// A response that no excited mode takes part in cannot be a target, and has no phase.
@@ -211,7 +213,9 @@ VectorXd to_unknowns(const SteadyVibration& start, const BalanceEquations& equat
 
 HarmonicBalance::HarmonicBalance(JointedStructure structure, ResponsePoint response,
                                  HarmonicBalanceOptions options)
-    : structure_(std::move(structure)), response_(std::move(response)), options_(options) {
+    : structure_(std::move(structure)),
+      response_(std::move(response)),
+      options_(std::move(options)) {
   check_options(options_, structure_);
   check_response(structure_, response_);
 }
@@ -250,8 +254,9 @@ ResponseCurve HarmonicBalance::follow(const Target& kept, Quantity along, double
   curve.summary.residual = first.newton.residual;
   curve.summary.iterations = first.newton.iterations;
   if (first.newton.converged) {
-    const ContinuationOptions options{run.newton_options, options_.largest_change,
-                                      options_.least_points, options_.max_points};
+    const ContinuationOptions options{run.newton_options,    options_.largest_change,
+                                      options_.least_points, options_.max_points,
+                                      options_.accuracy,     options_.frequencies};
     Continuation(run.equations, options, kept, along, from, to).run(first.z, curve, progress);
   } else {
     curve.summary.status = Status::kNotConverged;

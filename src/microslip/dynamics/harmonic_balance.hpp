@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "microslip/base/progress.hpp"
 #include "microslip/dynamics/jointed_structure.hpp"
@@ -33,6 +34,14 @@ struct HarmonicBalanceOptions {
   int least_points = 20;
   /// Points of a curve at most; ≥ 2.
   int max_points = 5000;
+  /// Of a curve over the frequency: how far the polygon through its points may lie beside it at a
+  /// frequency, relative to the peak of the hill that it is on, 1: of the response, or, where that is
+  /// kept, of the force, relative to the force there. Points are added until those between them
+  /// agree; 0: none are added.
+  double accuracy = 0.002;
+  /// Where a curve over the frequency is to have points as well, ω, rad/s; on each of its branches
+  /// there.
+  std::vector<double> frequencies = {};
 };
 
 /// Steady periodic vibrations of a jointed structure by the harmonic balance method, with the exact
@@ -81,7 +90,9 @@ class HarmonicBalance {
   ///
   /// The length of a step is such that neither the response nor the motion of a joint changes by more
   /// than `largest_change`; it is halved where Newton's method does not converge or where the curve
-  /// bends too sharply for it, as at a narrow superharmonic resonance. The summary tells why the
+  /// bends too sharply for it, as at a narrow superharmonic resonance. Where an atom of a density
+  /// starts to slip the curve has a corner, which becomes a point; so do peaks and points where it
+  /// turns back, and over the frequency so many others as `accuracy` wants. The summary tells why the
   /// curve ended and where; a curve that did not reach its end, or on which the energy balance got
   /// lost in rounding (an undamped mode at its pole), is not converged, and holds the points up to
   /// there.

@@ -53,4 +53,18 @@ HarmonicForce::Cycle HarmonicForce::evaluate(const Joint& joint,
   return cycle_->evaluate(joint, displacement, force, jacobian);
 }
 
+std::size_t HarmonicForce::reaches() const { return cycle_->reaches(); }
+
+double HarmonicForce::reach(std::size_t rank) const {
+  if (rank < cycle_->reaches()) return cycle_->reach(rank);
+  throw InputError("rank", static_cast<double>(rank),
+                   fmt::format("must be below the number of reaches, {}", cycle_->reaches()));
+}
+
+void HarmonicForce::reach_gradient(std::size_t rank, std::span<double> gradient) const {
+  (void)reach(rank);  // throws where there is none
+  check_length("gradient", gradient.size(), static_cast<std::size_t>(cycle_->coefficients()));
+  cycle_->reach_gradient(rank, gradient);
+}
+
 }  // namespace microslip

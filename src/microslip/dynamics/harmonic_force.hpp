@@ -59,6 +59,15 @@ class HarmonicForce {
   Cycle evaluate(const Joint& joint, std::span<const double> displacement, std::span<double> force,
                  std::span<double> jacobian);
 
+  /// How far the branches of the motion evaluated last go, m: |x| at the extreme of the largest |x|,
+  /// from virgin rest, and half of the way from each reversal to the next on its branch, inner loops
+  /// included. An atom slips on a branch that goes farther than its slip force over k: there f bends.
+  [[nodiscard]] std::size_t reaches() const;
+  /// One of them. @param rank  from 0, the farthest, below reaches().
+  [[nodiscard]] double reach(std::size_t rank) const;
+  /// Its derivatives. @param gradient  ∂reach/∂displacement_j at j, 1; 2H + 1 values.
+  void reach_gradient(std::size_t rank, std::span<double> gradient) const;
+
  private:
   std::unique_ptr<SteadyCycle> cycle_;
 };

@@ -139,6 +139,11 @@ Condition condition(BalanceEquations& equations, const Target& target) {
           [&equations, target] { return equations.miss_gradient(target); }};
 }
 
+Condition condition(BalanceEquations& equations, const Onset& onset) {
+  return {[&equations, onset](const VectorXd&) { return equations.miss(onset); },
+          [&equations, onset] { return equations.miss_gradient(onset); }};
+}
+
 Condition condition(const Place& place) {
   return {[&place](const VectorXd& z) { return place.normal * (z - place.at); },
           [&place] { return place.normal; }};
@@ -155,6 +160,12 @@ NewtonResult newton(BalanceEquations& equations, const Target& first, const Targ
 NewtonResult newton(BalanceEquations& equations, const Target& first, const Place& second,
                     const NewtonOptions& options, VectorXd& z) {
   return Newton(equations, condition(equations, first), condition(second)).run(options, z);
+}
+
+NewtonResult newton(BalanceEquations& equations, const Target& first, const Onset& second,
+                    const NewtonOptions& options, VectorXd& z) {
+  return Newton(equations, condition(equations, first), condition(equations, second))
+      .run(options, z);
 }
 
 }  // namespace microslip

@@ -35,5 +35,7 @@ NewtonResult newton(BalanceEquations& equations, const Target& first, const Targ
                     const NewtonOptions& options, Eigen::VectorXd& z);
 NewtonResult newton(BalanceEquations& equations, const Target& first, const Place& second,
                     const NewtonOptions& options, Eigen::VectorXd& z);
+NewtonResult newton(BalanceEquations& equations, const Target& first, const Onset& second,
+                    const NewtonOptions& options, Eigen::VectorXd& z);
 
 }  // namespace microslip

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "microslip/dynamics/bracketed_newton.hpp"
@@ -37,6 +38,7 @@ HarmonicForce::Cycle SteadyCycle::evaluate(const Joint& joint, std::span<const d
   moments_.setZero();
   kinks_.reset(displacement);
   through_reversals_.setZero();
+  reaches_.clear();
   if (extremes_.size() == 0) {
     at_rest(joint);
   } else {
@@ -77,6 +79,7 @@ void SteadyCycle::march(const Joint& joint) {
   const double x = extremes_[start].displacement;
   gradients_.col(column) = joint.tangent_stiffness(x) * rows_.col(column);
   stack_.assign(1, {start, joint.virgin_force(x)});
+  reaches_.push_back({std::abs(x), start, start});
 
   Index left = basis_.samples();
   for (std::size_t step = 0; step < count; ++step) {
@@ -88,6 +91,7 @@ void SteadyCycle::march(const Joint& joint) {
     left -= samples;
     segment(joint, from, to, samples);
   }
+  std::ranges::sort(reaches_, std::greater{}, &Reach::half);
 }
 
 /// From one extreme to the next: on the branch from the reversal there, then, each time the path
@@ -200,7 +204,22 @@ SteadyCycle::Reversal SteadyCycle::reversal_on(const Joint& joint, const Reversa
   const CycleExtremes::Extreme& turn = extremes_[at];
   kinks_.add_turn(in_interval(turn.tau, turn.next), turn.next, rows_.col(here),
                   joint.stiffness() - tangent);
+  reaches_.push_back({half, at, origin.at});
   return {at, origin.force + 2.0 * sign * joint.virgin_force(half)};
+}
+
+/// The extremes themselves stay where they are to first order, as the velocity is 0 there.
+void SteadyCycle::reach_gradient(std::size_t rank, std::span<double> gradient) const {
+  const Reach& reach = reaches_[rank];
+  Eigen::Map<VectorXd> result(gradient.data(), static_cast<Index>(gradient.size()));
+  const auto at = static_cast<Index>(reach.at);
+  if (reach.at == reach.from) {
+    result = rows_.col(at) * (extremes_[reach.at].displacement > 0.0 ? 1.0 : -1.0);
+    return;
+  }
+  const auto from = static_cast<Index>(reach.from);
+  const bool up = extremes_[reach.at].displacement > extremes_[reach.from].displacement;
+  result = (up ? 0.5 : -0.5) * (rows_.col(at) - rows_.col(from));
 }
 
 /// Samples that may run over the end of the cycle.

@@ -28,11 +28,23 @@ class SteadyCycle {
   HarmonicForce::Cycle evaluate(const Joint& joint, std::span<const double> displacement,
                                 std::span<double> force, std::span<double> jacobian);
 
+  [[nodiscard]] std::size_t reaches() const { return reaches_.size(); }
+  [[nodiscard]] double reach(std::size_t rank) const { return reaches_[rank].half; }
+  void reach_gradient(std::size_t rank, std::span<double> gradient) const;
+
  private:
   /// The force at an extreme and its derivatives by the coefficients are those of column `at`.
   struct Reversal {
     std::size_t at;
     double force;
+  };
+
+  /// How far a branch goes: half of the way from the reversal that it comes from, or, of the first
+  /// extreme, |x| from virgin rest, m.
+  struct Reach {
+    double half;
+    std::size_t at;
+    std::size_t from;  ///< as `at`: on the virgin curve
   };
 
   /// Samples between two extremes, in which x moves one way.
@@ -69,6 +81,7 @@ class SteadyCycle {
   Eigen::MatrixXd rows_;         // T at each extreme, a column an extreme
   Eigen::MatrixXd gradients_;    // of the force there
   std::vector<Reversal> stack_;  // as in Memory
+  std::vector<Reach> reaches_;   // the farthest first
   std::span<const double> coefficients_of_x_;
   KinkCorrection kinks_;
   Eigen::VectorXd jump_gradient_;      // of the jump of the tangent at a kink

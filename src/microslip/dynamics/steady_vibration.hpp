@@ -65,13 +65,14 @@ struct VibrationResult {
   Summary summary;            ///< residual: of the equations, see HarmonicBalanceOptions
 };
 
-/// A curve of steady vibrations in the order in which they were found.
+/// A curve of steady vibrations in its own order.
 struct ResponseCurve {
-  std::vector<SteadyVibration> points;  ///< in the order found
+  std::vector<SteadyVibration> points;  ///< in the order of the curve, the peaks among them
   /// Local maxima of the response over the force along the curve, located by its slope to 1e-7 of
   /// a step: of the response at constant force, minima of the force at
-  /// constant response.
+  /// constant response. At a corner of the curve, where an atom starts to slip, the corner itself.
   std::vector<SteadyVibration> peaks;
+  std::vector<std::size_t> peak_points;  ///< i of each of them among the points
   /// i where the curve turns back in the quantity that it follows between points i − 1 and i + 1.
   std::vector<std::size_t> turning_points;
   std::vector<Warning> warnings;  ///< what one must know who reads the points; tables repeat them

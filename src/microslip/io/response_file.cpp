@@ -7,6 +7,7 @@
 #include <cmath>
 #include <complex>
 #include <iterator>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,14 @@ bool is_finite(const SteadyVibration& point) {
          std::ranges::all_of(point.joints, [&](const JointCycle& joint) {
            return fine(joint.amplitude) && fine(joint.dissipation);
          });
+}
+
+constexpr std::size_t kMostMarks = 100;  // of a kind, as comments
+
+/// "… and 12 more" where a list of comments was cut.
+void add_rest(std::size_t count, std::string_view what, CsvWriter& table) {
+  if (count <= kMostMarks) return;
+  table.add_comment(fmt::format("{}: and {} more", what, count - kMostMarks));
 }
 
 /// What a curve that did not converge ended in may be no number.
@@ -99,20 +108,35 @@ void add_ending(const Summary& summary, CsvWriter& table) {
 }
 
 void add_marks(const ResponseCurve& curve, CsvWriter& table) {
-  for (const SteadyVibration& peak : curve.peaks) {
+  for (const SteadyVibration& peak :
+       std::span(curve.peaks).first(std::min(curve.peaks.size(), kMostMarks))) {
     table.add_comment(fmt::format(
         "peak: frequency {:.9g} Hz, force {:.9g} N, displacement {:.9g} m, phase {:.6g} rad, "
         "damping_ratio {:.6g}",
         peak.frequency(), peak.force_amplitude, peak.response, peak.phase_lag,
         peak.damping_ratio()));
   }
-  for (const std::size_t i : curve.turning_points) {
+  add_rest(curve.peaks.size(), "peak", table);
+  for (const std::size_t i :
+       std::span(curve.turning_points).first(std::min(curve.turning_points.size(), kMostMarks))) {
     if (i >= curve.points.size()) continue;
     const SteadyVibration& point = curve.points[i];
     table.add_comment(
         fmt::format("turns back: frequency {:.9g} Hz, force {:.9g} N, displacement {:.9g} m",
                     point.frequency(), point.force_amplitude, point.response));
   }
+  add_rest(curve.turning_points.size(), "turns back", table);
+}
+
+/// 1 in the rows of peaks. What is not finite has no row.
+std::vector<double> peak_marks(const ResponseCurve& curve) {
+  std::vector<double> marks;
+  for (std::size_t i = 0; i < curve.points.size(); ++i) {
+    if (!is_finite(curve.points[i])) continue;
+    const bool is_peak = std::ranges::find(curve.peak_points, i) != curve.peak_points.end();
+    marks.push_back(is_peak ? 1.0 : 0.0);
+  }
+  return marks;
 }
 
 CsvWriter begin(const ResponseCurve& curve, std::string_view heading) {
@@ -137,6 +161,7 @@ CsvWriter response_table(const ResponseCurve& curve, std::string_view heading) {
   columns.add_displacement();
   columns.add("phase", kAngle, [](const auto& point) { return point.phase_lag; });
   columns.add_energies();
+  table.add_numbers("peak", kDimensionless, peak_marks(curve));
   return table;
 }
 

@@ -39,7 +39,7 @@ std::vector<double> some_responses(std::vector<double> responses) {
 HarmonicBalance balance_of(const Rig& rig, const StickState& state, const Joint& joint) {
   return {rig_structure(rig, state, joint),
           {rig.excitation.channel, ResponseKind::kAcceleration},
-          {.harmonics = 5, .largest_change = 0.06, .least_points = 60}};
+          {.harmonics = 5, .largest_change = 0.06, .least_points = 60, .accuracy = 0.0}};
 }
 
 std::optional<TestBackbone> backbone_of(const HarmonicBalance& balance,

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/dynamics/continuation.hpp"
+
+/// @file
+/// Points between those of the steps: so many that the polygon through all of them is close to the
+/// curve, and those at given frequencies. Peaks, folds and corners are points already; between two
+/// neighbours the curve is smooth and goes one way in frequency.
+
+namespace microslip {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr int kMostHalvings = 14;        // of the distance between two points of the steps
+constexpr double kSameFrequency = 1e-9;  // relative: a vertical piece has no height over frequency
+constexpr double kMostBeside = 0.5;      // of a point from the chord, over that
+constexpr double kMostStrayed = 0.2;     // of a harmonic from where it was expected, over it
+constexpr double kLeastHarmonic = 1e-4;  // of the joint's motion: a smaller one counts as so much
+constexpr int kWalkSteps = 8;            // between two points without a found one in the middle
+constexpr int kMostWalkSteps = 1000;
+
+/// The cubic polynomials of u from 0 to 1 that have one of (value, slope; value, slope) 1, the others 0.
+std::array<double, 4> hermite(double u) {
+  const double v = 1.0 - u;
+  return {v * v * (1.0 + 2.0 * u), u * v * v, u * u * (3.0 - 2.0 * u), -u * u * v};
+}
+
+std::array<double, 4> hermite_slope(double u) {
+  const double v = 1.0 - u;
+  return {-6.0 * u * v, v * (1.0 - 3.0 * u), 6.0 * u * v, u * (3.0 * u - 2.0)};
+}
+
+}  // namespace
+
+/// The cubic curve between two points that has their tangents, over u from 0 to 1.
+struct Continuation::Bridge {
+  Bridge(const Point& a, const Point& b) : from(a), to(b) {
+    chord = (b.z - a.z).cwiseQuotient(a.scale);
+    length = chord.norm();
+    tangent_a = length * a.scale.cwiseProduct(a.onward.tangent);
+    stretch_b = length / b.scale.cwiseProduct(b.arrival.tangent).cwiseQuotient(a.scale).norm();
+    tangent_b = stretch_b * b.scale.cwiseProduct(b.arrival.tangent);
+  }
+
+  [[nodiscard]] VectorXd mix(const std::array<double, 4>& h) const {
+    return h[0] * from.z + h[1] * tangent_a + h[2] * to.z + h[3] * tangent_b;
+  }
+
+  /// Frequency and height, whose slopes follow from those of the rays.
+  [[nodiscard]] std::array<double, 2> at(double u, Index frequency, double growth) const {
+    const std::array<double, 4> h = hermite(u);
+    const double slope_a = growth * length * from.onward.gain_slope * from.height;
+    const double slope_b = growth * stretch_b * to.arrival.gain_slope * to.height;
+    return {h[0] * from.z[frequency] + h[1] * tangent_a[frequency] + h[2] * to.z[frequency] +
+                h[3] * tangent_b[frequency],
+            h[0] * from.height + h[1] * slope_a + h[2] * to.height + h[3] * slope_b};
+  }
+
+  const Point& from;
+  const Point& to;
+  VectorXd chord;  // relative
+  double length;   // of it
+  double stretch_b;
+  VectorXd tangent_a;  // by u
+  VectorXd tangent_b;
+};
+
+namespace {
+
+/// Of a point from the chord between two others, at its frequency.
+double beside_chord(const std::array<double, 2>& a, const std::array<double, 2>& b,
+                    const std::array<double, 2>& point) {
+  const double run = b[0] - a[0];
+  if (std::abs(run) <= kSameFrequency * b[0]) return 0.0;
+  return std::abs(point[1] - a[1] - (b[1] - a[1]) * (point[0] - a[0]) / run);
+}
+
+}  // namespace
+
+/// A solution between two neighbours, if it is: near the bridge, and ahead.
+std::optional<Continuation::Row> Continuation::row_between(const Bridge& bridge, const VectorXd& z,
+                                                           const NewtonResult& result) {
+  if (!result.converged) return std::nullopt;
+  const VectorXd moved = (z - bridge.from.z).cwiseQuotient(bridge.from.scale);
+  const double share = moved.dot(bridge.chord) / (bridge.length * bridge.length);
+  if (!(share > 0.0 && share < 1.0)) return std::nullopt;
+  if ((moved - share * bridge.chord).norm() > kMostBeside * bridge.length) return std::nullopt;
+  const VectorXd direction = (bridge.to.z - bridge.from.z).cwiseQuotient(scale()).normalized();
+  Row row{point_at(z, &direction), equations_.vibration()};
+  if (!energy_doubt(row.vibration, options_.newton.tolerance).empty()) return std::nullopt;
+  summary_.residual = std::max(summary_.residual, result.residual);
+  return row;
+}
+
+/// How far a harmonic of a joint's motion is from where it was expected, relative to the harmonic: on
+/// the way over a narrow superharmonic resonance by all of it, when little else shows that.
+double Continuation::strayed(const Bridge& bridge, const VectorXd& z,
+                             const VectorXd& expected) const {
+  const auto joints = static_cast<Index>(equations_.structure().joints().size());
+  const Index block = equations_.balance_count() / std::max<Index>(1, joints);
+  double most = 0.0;
+  for (Index first = 0; first < joints * block; first += block) {
+    for (Index i = first + 1; i + 1 < first + block; i += 2) {
+      const double size =
+          std::max({z.segment(i, 2).norm(), bridge.from.z.segment(i, 2).norm(),
+                    bridge.to.z.segment(i, 2).norm(), kLeastHarmonic * bridge.from.scale[i]});
+      most = std::max(most, (z - expected).segment(i, 2).norm() / size);
+    }
+  }
+  return most;
+}
+
+/// At a share of the bridge, on the plane across it; where that leads nowhere, from the chord.
+std::optional<Continuation::Row> Continuation::between(const Row& from, const Row& to,
+                                                       double share) {
+  const Bridge bridge(from.point, to.point);
+  const VectorXd on_chord = from.point.z + share * (to.point.z - from.point.z);
+  const VectorXd slope =
+      bridge.mix(hermite_slope(share)).cwiseQuotient(from.point.scale).normalized();
+  for (const bool curved : {true, false}) {
+    VectorXd z = curved ? bridge.mix(hermite(share)) : on_chord;
+    const VectorXd& normal = curved ? slope : bridge.chord;
+    const Place place{z, normal.transpose() * from.point.scale.cwiseInverse().asDiagonal()};
+    const NewtonResult result = newton(equations_, kept_, place, options_.newton, z);
+    summary_.iterations += result.iterations;
+    auto row = row_between(bridge, z, result);
+    if (!row) continue;
+    row->strayed = strayed(bridge, z, bridge.mix(hermite(share)));
+    return row;
+  }
+  return std::nullopt;
+}
+
+/// How high the polygon may lie beside the curve between each point and the next: of the response by
+/// the top of the hill between two valleys, of the force by itself.
+std::vector<double> Continuation::allowed_deviations() const {
+  std::vector<double> allowed;
+  const auto height = [&](std::size_t i) { return rows_[i].point.height; };
+  for (std::size_t i = 0; i + 1 < rows_.size(); ++i) {
+    if (kept_.quantity == Quantity::kResponse) {
+      allowed.push_back(options_.accuracy * std::min(height(i), height(i + 1)));
+      continue;
+    }
+    std::size_t top = height(i) < height(i + 1) ? i + 1 : i;
+    while (top + 1 < rows_.size() && height(top + 1) > height(top)) ++top;
+    while (top > 0 && height(top - 1) > height(top)) --top;
+    allowed.push_back(options_.accuracy * height(top));
+  }
+  return allowed;
+}
+
+void Continuation::draw_closely(const Progress& progress) {
+  const std::vector<double> allowed = allowed_deviations();
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    rows.push_back(rows_[i]);
+    if (i + 1 == rows_.size()) break;
+    refine(rows_[i], rows_[i + 1], allowed[i], kMostHalvings, rows);
+    tell(progress, rows_[i + 1].point.along);
+    if (static_cast<int>(rows.size() + rows_.size() - i) < options_.max_points) continue;
+    warnings_.push_back(
+        {"not_drawn_closely",
+         fmt::format("max_points = {} are used up {}: the polygon through the points that follow "
+                     "may lie farther beside the curve than {:g} of its peak",
+                     options_.max_points, place(rows_[i].point), options_.accuracy)});
+    rows.insert(rows.end(), rows_.begin() + static_cast<std::ptrdiff_t>(i) + 1, rows_.end());
+    break;
+  }
+  rows_ = std::move(rows);
+  add_left_out();
+}
+
+/// The peaks and folds of narrow bumps that the points between the steps have found.
+void Continuation::add_left_out() {
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    rows.push_back(rows_[i]);
+    if (i + 1 == rows_.size() || rows_[i].point.is_peak || rows_[i + 1].point.is_peak) continue;
+    const Point& from = rows_[i].point;
+    const Point& to = rows_[i + 1].point;
+    const double length = (to.z - from.z).cwiseQuotient(from.scale).dot(from.onward.tangent);
+    if (!(length > 0.0)) continue;
+    for (auto& [here, point] : located(from, length, to)) {
+      equations_.evaluate(point.z);
+      SteadyVibration vibration = equations_.vibration();
+      rows.push_back({std::move(point), std::move(vibration)});
+    }
+  }
+  rows_ = std::move(rows);
+}
+
+/// Shorter steps from a point to the next, where a narrow resonance may lie between; none where they
+/// do not lead there.
+std::vector<Continuation::Row> Continuation::walk(const Row& from, const Row& to) {
+  const VectorXd chord = (to.point.z - from.point.z).cwiseQuotient(from.point.scale);
+  const Summary before = summary_;
+  longest_ = chord.norm() / kWalkSteps;
+  std::vector<Row> rows;
+  Point point = from.point;
+  double length = longest_;
+  bool arrived = false;
+  for (int step = 0; step < kMostWalkSteps && !arrived; ++step) {
+    Point next;
+    if (!find_next(point, length, next)) break;
+    const VectorXd left = (to.point.z - next.z).cwiseQuotient(from.point.scale);
+    arrived = left.norm() <= 2.0 * longest_ && left.dot(point.onward.tangent) <= 0.0;
+    if (arrived) break;
+    equations_.evaluate(next.z);
+    rows.push_back({next, equations_.vibration()});
+    if (quick_) length *= 2.0;
+    point = std::move(next);
+  }
+  longest_ = HUGE_VAL;
+  summary_.status = before.status;
+  summary_.reason = before.reason;
+  return arrived ? rows : std::vector<Row>{};
+}
+
+/// The point in the middle is solved, and kept; where it lies too far beside the chord or from where
+/// the tangents lead, or the curve by its tangents too far beside the new chords, once more in each
+/// half.
+void Continuation::refine(const Row& from, const Row& to, double allowed, int depth,
+                          std::vector<Row>& rows) {
+  const Index n = equations_.balance_count();
+  const auto mark = [n](const Point& p) { return std::array{p.z[n], p.height}; };
+  if (std::abs(to.point.z[n] - from.point.z[n]) <= kSameFrequency * to.point.z[n]) return;
+  const std::optional<Row> middle = between(from, to, 0.5);
+  if (!middle) {
+    const std::vector<Row> steps = depth > 1 ? walk(from, to) : std::vector<Row>{};
+    for (std::size_t i = 0; i <= steps.size() && !steps.empty(); ++i) {
+      refine(i == 0 ? from : steps[i - 1], i < steps.size() ? steps[i] : to, allowed,
+             std::max(depth - 3, 1), rows);
+      if (i < steps.size()) rows.push_back(steps[i]);
+    }
+    if (!steps.empty()) return;
+    warnings_.push_back({"not_drawn_closely",
+                         fmt::format("no point was found between those {} and {}: the polygon may "
+                                     "lie beside the curve there",
+                                     place(from.point), place(to.point))});
+    return;
+  }
+  const double growth = kept_.quantity == Quantity::kResponse ? -1.0 : 1.0;
+  const auto off = [&](const Point& a, const Point& b) {
+    const Bridge bridge(a, b);
+    double most = 0.0;
+    for (const double u : {0.25, 0.5, 0.75}) {
+      most = std::max(most, beside_chord(mark(a), mark(b), bridge.at(u, n, growth)));
+    }
+    return most > allowed;
+  };
+  const bool far = beside_chord(mark(from.point), mark(to.point), mark(middle->point)) > allowed ||
+                   middle->strayed > kMostStrayed;
+  const bool deeper = depth > 1;
+  if (deeper && (far || off(from.point, middle->point))) {
+    refine(from, *middle, allowed, depth - 1, rows);
+  }
+  rows.push_back(*middle);
+  if (deeper && (far || off(middle->point, to.point))) {
+    refine(*middle, to, allowed, depth - 1, rows);
+  }
+}
+
+/// Where the bridge has a frequency that lies between those of its ends.
+std::optional<Continuation::Row> Continuation::at_frequency(const Row& from, const Row& to,
+                                                            double frequency) {
+  const Bridge bridge(from.point, to.point);
+  const Index n = equations_.balance_count();
+  const bool up = to.point.z[n] > from.point.z[n];
+  double low = 0.0;
+  double high = 1.0;
+  while (high - low > 1e-6) {
+    const double u = 0.5 * (low + high);
+    ((bridge.mix(hermite(u))[n] < frequency) == up ? low : high) = u;
+  }
+  VectorXd z = bridge.mix(hermite(low));
+  z[n] = frequency;
+  NewtonResult result =
+      newton(equations_, kept_, Target{Quantity::kAngularFrequency, frequency}, options_.newton, z);
+  summary_.iterations += result.iterations;
+  z[n] = frequency;  // but for rounding it is
+  equations_.evaluate(z);
+  return row_between(bridge, z, result);
+}
+
+void Continuation::add_frequencies(const Progress& progress) {
+  const Index n = equations_.balance_count();
+  std::vector<double> wanted = options_.frequencies;
+  std::ranges::sort(wanted);
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    rows.push_back(rows_[i]);
+    if (i + 1 == rows_.size()) break;
+    const double here = rows_[i].point.z[n];
+    const double there = rows_[i + 1].point.z[n];
+    const auto first = std::ranges::upper_bound(wanted, std::min(here, there));
+    std::vector<double> inside(first, std::ranges::lower_bound(wanted, std::max(here, there)));
+    if (there < here) std::ranges::reverse(inside);
+    for (const double frequency : inside) {
+      std::optional<Row> row = at_frequency(rows.back(), rows_[i + 1], frequency);
+      if (row) {
+        rows.push_back(std::move(*row));
+        continue;
+      }
+      warnings_.push_back(
+          {"frequency_not_found", fmt::format("no point was found at the wanted {}",
+                                              describe({Quantity::kAngularFrequency, frequency}))});
+    }
+    tell(progress, rows_[i + 1].point.along);
+  }
+  rows_ = std::move(rows);
+}
+
+}  // namespace microslip
