@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: MIT
+// That each option, key and column reaches the outputs that tests/data/effects.txt says.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "cli/effects_table.hpp"
+#include "cli/run_program.hpp"
+#include "cli/samples.hpp"
+#include "command.hpp"
+#include "documents/description.hpp"
+#include "microslip/joint/dissipation.hpp"
+#include "microslip/joint/secant.hpp"
+
+namespace microslip::cli_test {
+namespace {
+
+using Files = std::map<std::string, std::string>;
+
+constexpr const char* kAddRow =
+    " has no row in tests/data/effects.txt; add one, the top of the file says how";
+
+/// What a call leaves.
+struct Run {
+  Outcome outcome;
+  Files files;
+};
+
+Arguments words(const std::string& text) {
+  Arguments result;
+  std::istringstream in(text);
+  for (std::string word; in >> word;) result.push_back(word);
+  return result;
+}
+
+Run run(const Files& inputs, const Arguments& arguments) {
+  const Sandbox box;
+  for (const auto& [name, content] : inputs) {
+    std::filesystem::create_directories(std::filesystem::path(box.file(name)).parent_path());
+    box.put(name, content);
+  }
+  Run result;
+  result.outcome = box.run(arguments);
+  for (const auto& [path, content] : box.content()) {
+    result.files[std::filesystem::path(path).lexically_relative(box.path())] = content;
+  }
+  return result;
+}
+
+/// Levels whose columns are all there: by ringdown or reduce, and with what they do not have.
+std::string full_levels() {
+  std::string text =
+      "amplitude [m],amplitude_std [m],dissipation [J],dissipation_std [J],secant_stiffness [N/m],"
+      "secant_stiffness_std [N/m],linear_dissipation [J],reversals [1],flags\n";
+  const Joint joint = sample_joint();
+  for (int i = 1; i <= 12; ++i) {
+    const double a = 2e-5 * i;
+    const double d = dissipation(joint, a) * (1.0 + 0.01 * std::sin(7.0 * i));
+    const double k = secant_stiffness(joint, a) * (1.0 + 0.002 * std::sin(5.0 * i));
+    text += fmt::format("{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{},{}\n", a,
+                        0.003 * a, d, 0.01 * d * (1.0 + 0.5 * std::sin(i)), k, 300.0 + 20.0 * i,
+                        0.4 * d, i == 7 ? 4 : 2, i == 3 ? "dissipation_in_noise" : "");
+  }
+  return text;
+}
+
+/// Levels of a joint whose macro-slip begins at once, at 40 N.
+std::string atom_levels() {
+  const Joint joint = parse_joint(R"({"schema": "microslip.joint/1", "stiffness_N_per_m": 1.7e5,
+      "density": [{"type": "uniform", "from_N": 0, "to_N": 40, "weight": 0.5},
+                  {"type": "atoms", "slip_force_N": [40], "weight": [0.3]}]})",
+                                  "atom.json")
+                          .joint;
+  std::string text = "amplitude [m],dissipation [J]\n";
+  for (int i = 1; i <= 40; ++i) {
+    const double a = 1e-5 * i;
+    text += fmt::format("{:.12g},{:.12g}\n", a,
+                        dissipation(joint, a) * (1.0 + 0.001 * std::sin(7.0 * i)));
+  }
+  return text;
+}
+
+/// The first column of a table and its second, with what is made of it and of that of another.
+template <class F>
+std::string combined(const std::string& table, const std::string& other, const char* header,
+                     const F& text_of) {
+  std::istringstream lines(table);
+  std::istringstream others(other);
+  std::string line;
+  std::string beside;
+  std::getline(lines, line);
+  std::getline(others, beside);
+  std::string result = header;
+  while (std::getline(lines, line) && std::getline(others, beside)) {
+    const std::size_t comma = line.find(',');
+    result +=
+        line.substr(0, comma) + "," +
+        text_of(std::stod(line.substr(comma + 1)), std::stod(beside.substr(beside.find(',') + 1))) +
+        "\n";
+  }
+  return result;
+}
+
+/// A decay that two accelerometers see.
+std::string two_channels(const std::string& decay) {
+  return combined(decay, decay, "time [s],acc1 [m/s^2],acc2 [m/s^2]\n",
+                  [](double x, double) { return fmt::format("{:.17g},{:.17g}", x, 0.7 * x); });
+}
+
+/// Two modes in one channel.
+std::string two_modes(const std::string& decay) {
+  SampleDecay second;
+  second.frequency = 120.0;
+  second.amplitude = 1e-5;
+  second.damping = 0.005;
+  return combined(decay, sample_decay_text(second), "time [s],acc1 [m/s^2]\n",
+                  [](double x, double y) { return fmt::format("{:.17g}", x + y); });
+}
+
+/// The files from which every call starts: those of docs/file_formats.md, records of their rig, and what
+/// the options are about that only files with a fault need.
+const Files& inputs() {
+  static const Files files = [] {
+    Files all = documented_files();
+    all["full_levels.csv"] = full_levels();
+    all["decay.csv"] = sample_decay_text();
+    all["noise.csv"] = "time [s], nothing [V]\n0,1\n1,2\n2,3\n";
+    all["other_force.csv"] = "time [s],force [N]\n0,0\n0.01,50\n0.02,0\n";
+    all["joint400.json"] = edited(all.at("joint.json"), "1.7e5 -> 4e5");
+    all["modes400.toml"] = edited(all.at("modes.toml"), "5.08e5 -> 4e5");
+    all["atom_levels.csv"] = atom_levels();
+    all["beats.csv"] = two_modes(all.at("decay.csv"));
+    all["two.csv"] = two_channels(all.at("decay.csv"));
+    Files made = run(all, words("measure rig.toml --out test --quiet")).files;
+    for (const char* name : {"level_01.csv", "level_02.csv"}) {
+      all[name] = made.at(std::string("test/") + name);
+    }
+    all["unitless.csv"] = std::regex_replace(all["level_01.csv"], std::regex(" \\[[^\\]]*\\]"), "");
+    Files written = run(all, words("convert level_01.csv level.uff --format uff --quiet")).files;
+    all["cut.uff"] = written.at("level.uff").substr(0, written.at("level.uff").size() * 7 / 8);
+    all["several.uff"] = written.at("level.uff");
+    written = run(all, words("convert level_02.csv level.uff --format uff --quiet")).files;
+    all["several.uff"] += written.at("level.uff");
+    written = run(all, words("convert decay.csv decay.uff --format uff --quiet")).files;
+    all["cut_decay.uff"] =
+        written.at("decay.uff").substr(0, written.at("decay.uff").size() * 7 / 8);
+    all["unitless_decay.csv"] =
+        std::regex_replace(all["decay.csv"], std::regex(" \\[[^\\]]*\\]"), "");
+    written =
+        run(all, words("frf model.toml --force 50 --frequency 10:20 --out frf.csv --quiet")).files;
+    all["frf.csv"] = written.at("frf.csv");
+    written = run(all, words("identify levels.csv --stiffness 1.7e5 --out identified.json "
+                             "--density-csv density.csv --quiet"))
+                  .files;
+    for (const char* name : {"levels.csv", "joint.json", "level_01.csv", "level_02.csv"}) {
+      all[std::string("folder/") + name] = all.at(name);
+    }
+    all["folder/rig.toml"] = made.at("test/rig.toml");
+    all["identified.json"] = written.at("identified.json");
+    return all;
+  }();
+  return files;
+}
+
+/// Each call once.
+const Run& base_run(const std::string& arguments) {
+  static std::map<std::string, Run> runs;
+  const auto known = runs.find(arguments);
+  if (known != runs.end()) return known->second;
+  return runs.emplace(arguments, run(inputs(), words(arguments))).first->second;
+}
+
+std::string output(const Run& run, const std::string& name, const std::string& part) {
+  if (name == "out") return content_of(run.outcome.out, part);
+  if (name == "err") return run.outcome.err;
+  if (name == "status") return fmt::format("{}", run.outcome.status);
+  const auto file = run.files.find(name);
+  return file == run.files.end() ? "" : content_of(file->second, part);
+}
+
+/// `FILE`, `FILE:PART`, …: what must differ, or with `=` before it must not.
+void expect_effect(const std::string& effect, const Run& base, const Run& changed) {
+  if (effect.starts_with("refused:")) {
+    EXPECT_EQ(changed.outcome.status, 2);
+    EXPECT_NE(changed.outcome.err.find(trimmed(effect.substr(8))), std::string::npos)
+        << changed.outcome.err;
+    return;
+  }
+  EXPECT_TRUE(changed.outcome.status == 0 || changed.outcome.status == 3) << changed.outcome.err;
+  if (effect.starts_with("+")) {
+    EXPECT_FALSE(base.files.contains(effect.substr(1)));
+    EXPECT_TRUE(changed.files.contains(effect.substr(1)));
+    return;
+  }
+  const bool same = effect.starts_with("=");
+  const std::string place = effect.substr(same ? 1 : 0);
+  const std::string name = place.substr(0, place.find(':'));
+  const std::string part = name == place ? "" : place.substr(name.size() + 1);
+  const std::string before = output(base, name, part);
+  const std::string after = output(changed, name, part);
+  if (same) {
+    EXPECT_EQ(after, before);
+    EXPECT_FALSE(after.empty());
+  } else {
+    EXPECT_NE(after, before);
+  }
+}
+
+/// The call with the change: more arguments, others, or an edited file.
+Run changed_run(const EffectRow& row) {
+  constexpr std::string_view kInstead = "instead:";
+  if (row.change.starts_with(kInstead))
+    return run(inputs(), words(row.change.substr(kInstead.size())));
+  const std::size_t colon = row.change.find(": ");
+  const auto file =
+      colon == std::string::npos ? inputs().end() : inputs().find(row.change.substr(0, colon));
+  if (file == inputs().end()) return run(inputs(), words(row.base + " " + row.change));
+  Files edited_inputs = inputs();
+  edited_inputs[file->first] = edited(file->second, row.change.substr(colon + 2));
+  return run(edited_inputs, words(row.base));
+}
+
+void expect_row(const EffectRow& row) {
+  if (row.effects.front().starts_with("elsewhere:")) return;
+  const Run& base = base_run(row.base);
+  const bool refusal_is_lifted = std::ranges::count(row.effects, "status") > 0;
+  EXPECT_TRUE(refusal_is_lifted || base.outcome.status == 0 || base.outcome.status == 3)
+      << base.outcome.err;
+  const Run changed = changed_run(row);
+  for (const std::string& effect : row.effects) {
+    SCOPED_TRACE(effect);
+    expect_effect(effect, base, changed);
+  }
+}
+
+std::set<std::string> subjects() {
+  std::set<std::string> result;
+  for (const EffectRow& row : effect_rows()) result.insert(row.subject);
+  return result;
+}
+
+class Effects : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Effects, AreThere) {
+  for (const EffectRow& row : effect_rows()) {
+    if (row.subject != GetParam()) continue;
+    SCOPED_TRACE(fmt::format("effects.txt:{}: {} {}", row.line, row.subject, row.item));
+    ASSERT_FALSE(row.effects.empty()) << "a row has 5 cells";
+    expect_row(row);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Effects, ::testing::ValuesIn(subjects()), [](const auto& subject) {
+  std::string name = subject.param;
+  std::ranges::replace_if(
+      name, [](char c) { return c == '.' || c == '-'; }, '_');
+  return name;
+});
+
+bool has_row(const std::string& subject, const std::string& item) {
+  static const std::vector<EffectRow> rows = effect_rows();
+  return std::ranges::any_of(
+      rows, [&](const EffectRow& r) { return r.subject == subject && r.item == item; });
+}
+
+TEST(EffectsTable, HasEveryOption) {
+  app::Call call;
+  const std::unique_ptr<CLI::App> program = app::make_program(call);
+  std::set<std::pair<std::string, std::string>> there;
+  for (const app::CommandDescription& command : app::describe(*program, "1").commands) {
+    for (const app::ArgumentDescription& option : command.options) {
+      const std::string& name = option.names.back();
+      if (name == "--help") continue;  // presentation alone: help_test.cpp
+      there.insert({subcommand_name(command), name});
+      EXPECT_TRUE(has_row(subcommand_name(command), name))
+          << subcommand_name(command) << " " << name << kAddRow;
+    }
+  }
+  for (const EffectRow& row : effect_rows()) {
+    if (!row.item.starts_with("--")) continue;
+    EXPECT_TRUE(there.contains({row.subject, row.item}))
+        << "effects.txt:" << row.line << ": there is no " << row.subject << " " << row.item;
+  }
+}
+
+TEST(EffectsTable, HasEveryKeyOfTheDocumentedFiles) {
+  const std::map<std::string, std::string> files = documented_files();
+  for (const char* name : {"rig.toml", "modes.toml", "model.toml", "joint.json", "four.json"}) {
+    for (const std::string& key : keys_in(files.at(name))) {
+      EXPECT_TRUE(has_row(name, key)) << name << " " << key << kAddRow;
+    }
+  }
+}
+
+TEST(EffectsTable, HasEveryColumnThatIsRead) {
+  const std::map<std::string, std::string> sections{{"levels.csv", "## levels.csv"},
+                                                    {"force.csv", "## force.csv"}};
+  for (const auto& [file, section] : sections) {
+    const std::vector<std::string> columns = documented_columns(section);
+    EXPECT_GE(columns.size(), 2U) << section;
+    for (const std::string& column : columns) {
+      EXPECT_TRUE(has_row(file, column)) << file << " " << column << kAddRow;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace microslip::cli_test
