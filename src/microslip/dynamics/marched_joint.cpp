@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace microslip {
 
@@ -59,14 +60,15 @@ double MarchedJoint::dissipation() const {
 double MarchedJoint::stored_energy() const { return network_ ? 0.0 : memory_.stored_energy(); }
 
 // Newton's method from 0: u + cF(u) is concave in |u|, so that it comes from below. At a constant load
-// both laws scale the virgin force by it.
+// both laws scale the virgin force by it. Three terms of up to |y| round to half an ε each.
 double MarchedJoint::displacement_at(double y, double load) const {
+  const double rounding = 2.0 * std::numeric_limits<double>::epsilon() * std::abs(y);
   const double c = load * joint_->series_compliance;
   double u = 0.0;
   for (int i = 0; i < 100 && std::abs(y) > 0.0; ++i) {
     const double miss = y - u - c * joint_->joint.virgin_force(u);
     u += miss / (1.0 + c * joint_->joint.tangent_stiffness(u));
-    if (std::abs(miss) <= 1e-15 * std::abs(y)) break;
+    if (std::abs(miss) <= rounding) break;
   }
   return u;
 }
