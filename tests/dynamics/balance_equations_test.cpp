@@ -51,6 +51,7 @@ JointedStructure structure_with_three_joints(bool shortens, DampingLaw law) {
         }
       }
     }
+    joint.linear_damping = 2e4 * static_cast<double>(joints.size());
     joints.push_back(std::move(joint));
   }
   const std::vector<Excitation> excitations{{"a", {1.0, {0.1, 0.2}}},

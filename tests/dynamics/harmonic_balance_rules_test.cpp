@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -116,6 +118,11 @@ TEST(JointedStructure, NamesTheJointThatBreaksARule) {
   bad = good;
   bad.series_compliance = -1.0;
   expect_message(build({bad}), "series_compliance of joint 'a' = -1");
+  bad = good;
+  for (const double beta : {-1.0, HUGE_VAL, std::nan("")}) {
+    bad.linear_damping = beta;
+    expect_message(build({bad}), fmt::format("linear_damping of joint 'a' = {}; must be 0", beta));
+  }
   bad = good;
   bad.shortening = {1.0, 2.0, 3.0, 1.0};
   expect_message(build({bad}), "shortening[1, 0] of joint 'a' = 3");

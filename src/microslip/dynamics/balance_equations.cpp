@@ -95,6 +95,7 @@ void BalanceEquations::evaluate(const VectorXd& z) {
         joint_force_.evaluate(structure_.joints()[j].joint, to_span(displacement_, first, block),
                               {force_.data(), static_cast<std::size_t>(block)},
                               {tangent.data(), static_cast<std::size_t>(tangent.size())});
+    add_linear_damping(j);
     tension_.segment(first, block) = -force_;
     keep_branches(j);
   }
@@ -156,6 +157,22 @@ bool BalanceEquations::slips_otherwise(const std::vector<std::size_t>& one,
     b += static_cast<std::ptrdiff_t>(count);
   }
   return false;
+}
+
+/// i(β/π) u_n to harmonic n of the force, with its derivatives.
+void BalanceEquations::add_linear_damping(std::size_t joint) {
+  const double factor = structure_.joints()[joint].linear_damping / pi;
+  if (factor == 0.0) return;
+  const Index first = static_cast<Index>(joint) * coefficient_count(harmonics_);
+  Eigen::MatrixXd& tangent = tangents_[joint];  // transposed
+  for (std::size_t n = 1; n <= harmonics_; ++n) {
+    const Index real = coefficient_index(n);
+    const Index imaginary = real + 1;
+    force_[real] -= factor * displacement_[first + imaginary];
+    force_[imaginary] += factor * displacement_[first + real];
+    tangent(imaginary, real) -= factor;
+    tangent(real, imaginary) += factor;
+  }
 }
 
 /// The structure's part of the derivatives and, by the chain rule, the joints'.
@@ -300,6 +317,10 @@ void BalanceEquations::add_joint_cycles(SteadyVibration& vibration) const {
     cycle.amplitude = 0.5 * (cycles_[j].highest - cycles_[j].lowest);
     cycle.reversals = cycles_[j].reversals;
     cycle.dissipation = work(cycle.force, cycle.displacement);
+    const double beta = structure_.joints()[j].linear_damping;
+    for (std::size_t n = 1; n <= harmonics_; ++n) {
+      cycle.linear_dissipation += static_cast<double>(n) * beta * std::norm(cycle.displacement[n]);
+    }
     vibration.joints.push_back(std::move(cycle));
   }
 }

@@ -97,6 +97,7 @@ class BalanceEquations {
   [[nodiscard]] StructureSide::Input input() const;
   void differentiate();
   void keep_branches(std::size_t joint);
+  void add_linear_damping(std::size_t joint);
   void add_joint_cycles(SteadyVibration& vibration) const;
   void add_energies(SteadyVibration& vibration) const;
 

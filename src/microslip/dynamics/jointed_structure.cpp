@@ -69,6 +69,7 @@ void check_joints(const std::vector<StructuralJoint>& joints, const ModalModel& 
     require_values(*joint, "shape", joint->shape, linear.size());
     require_non_negative(*joint, "spring_in_modes", joint->spring_in_modes);
     require_non_negative(*joint, "series_compliance", joint->series_compliance);
+    require_non_negative(*joint, "linear_damping", joint->linear_damping);
     check_shortening(*joint, linear);
   }
 }

@@ -18,6 +18,10 @@ namespace microslip {
 ///
 /// The terms with Γ are those of a joint that a bending beam shortens, and that tensions the beam
 /// in turn [AR14 (12)]; both come from one potential, so that they lose no energy.
+///
+/// Beside F a joint may lose energy with the square of its amplitude, D = … + βA², as the fit of levels
+/// tells it that hold a loss other than slip. To harmonic n ≥ 1 of its force that adds i(β/π) u_n: the
+/// same loss at every frequency, nβ|u_n|² of that harmonic a period. It is no part of the stiffness.
 struct StructuralJoint {
   std::string name;           ///< not empty, no two the same
   Joint joint;                ///< F(u)
@@ -34,6 +38,8 @@ struct StructuralJoint {
 
   /// Γ_ij, 1/(kg m), by rows, symmetric; empty where nothing shortens.
   std::vector<double> shortening = {};
+
+  double linear_damping = 0.0;  ///< β, J/m²: loses βA² a cycle of amplitude A beside F; ≥ 0, finite
 };
 
 /// A periodic force at a point, f(t) = A Re Σ_n s_n e^{inωt}. The force amplitude A, N, is common to

@@ -16,10 +16,12 @@ namespace microslip {
 struct JointCycle {
   std::string name;                                ///< of the joint
   std::vector<std::complex<double>> displacement;  ///< u_n, m
-  std::vector<std::complex<double>> force;         ///< F_n, N: the restoring force
-  double amplitude = 0.0;                          ///< half of max u − min u, m
-  double dissipation = 0.0;                        ///< ∮ F du of the harmonics, J per cycle
-  std::size_t reversals = 0;                       ///< in a cycle; 2 without inner loops
+  std::vector<std::complex<double>> force;  ///< F_n, N: the restoring force, βi u_n/π included
+  double amplitude = 0.0;                   ///< half of max u − min u, m
+  /// D = ∮ F du of the harmonics, J per cycle: all that the joint loses, as levels have it.
+  double dissipation = 0.0;
+  double linear_dissipation = 0.0;  ///< Σ_n nβ|u_n|², J per cycle: what of D is not slip
+  std::size_t reversals = 0;        ///< in a cycle; 2 without inner loops
 };
 
 /// A steady periodic vibration.
