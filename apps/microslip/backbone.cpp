@@ -75,10 +75,14 @@ int run(const BackboneOptions& options, const Call& call) {
                          "That is how many modes the model has.");
   const HarmonicBalance balance = balance_of(model, options.prediction);
   ResponseCurve curve = curve_of(balance, options, responses, mode, call.quiet);
-  add_reach_warnings(model, curve);
+  add_model_warnings(model, curve);
   return finish(
-      curve, options.prediction, call, [&] { return backbone_table(curve, heading_of(call)); },
-      [&] { return describe(balance, curve, options) + describe_warnings(curve.warnings); });
+      curve, options.prediction, call,
+      [&] { return backbone_table(curve, heading_of(call, model)); },
+      [&] {
+        return describe(balance, curve, options) + describe_damping(model) +
+               describe_warnings(curve.warnings);
+      });
 }
 
 }  // namespace

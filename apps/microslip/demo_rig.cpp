@@ -136,7 +136,9 @@ RigDemonstration demonstrate_rig(DemoFolder& folder) {
   ReductionBatch reduction = reduce(reducer, records, quiet);
   LevelsFile levels;
   Identification found = identify_joint(folder, reduction, reducer.state().stiffness, levels);
-  Verifier verifier(without_truth(rig), found.joint, {.covered_to = found.covered_to});
+  Verifier verifier(
+      without_truth(rig), found.joint,
+      {.covered_to = found.covered_to, .linear_damping = found.linear_damping.value_or(0.0)});
   VerificationBatch verification =
       verify_batch(verifier, records.recordings.size(), reader_of(records),
                    {.progress = progress_bar("verification", quiet)});

@@ -39,7 +39,9 @@ std::vector<NamedResponse> constant_responses(const RigDemonstration& done) {
   const StickState& state = done.verifier.reducer().state();
   const ResponsePoint point{done.rig.excitation.channel, ResponseKind::kAcceleration};
   const HarmonicBalanceOptions smooth{.largest_change = 0.05, .accuracy = 0.0};
-  const HarmonicBalance found(rig_structure(done.rig, state, done.found.joint), point, smooth);
+  const double damping = done.found.linear_damping.value_or(0.0);
+  const HarmonicBalance found(rig_structure(done.rig, state, done.found.joint, {1.0}, damping),
+                              point, smooth);
   const HarmonicBalance truth(rig_structure(done.rig, state, done.truth), point, smooth);
   const double resonance = state.omega.front();
   std::vector<NamedResponse> responses;

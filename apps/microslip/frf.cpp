@@ -95,7 +95,7 @@ ResponseCurve curve_of(const HarmonicBalance& balance, const FrfOptions& options
 
 /// What a reader of the table must know: the summary says it too.
 void add_warnings(const HarmonicBalance& balance, const ModelFile& model, ResponseCurve& curve) {
-  add_reach_warnings(model, curve);
+  add_model_warnings(model, curve);
   if (!curve.summary.converged() || !curve.peaks.empty()) return;
   curve.warnings.push_back(
       {"no_resonance",
@@ -157,8 +157,12 @@ int run(const FrfOptions& options, const Call& call) {
   ResponseCurve curve = curve_of(balance, options, range, call.quiet);
   add_warnings(balance, model, curve);
   return finish(
-      curve, options.prediction, call, [&] { return response_table(curve, heading_of(call)); },
-      [&] { return describe(balance, curve, options) + describe_warnings(curve.warnings); });
+      curve, options.prediction, call,
+      [&] { return response_table(curve, heading_of(call, model)); },
+      [&] {
+        return describe(balance, curve, options) + describe_damping(model) +
+               describe_warnings(curve.warnings);
+      });
 }
 
 }  // namespace

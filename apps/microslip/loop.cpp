@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -78,12 +81,27 @@ double farthest(const DisplacementPath& path) {
   return result;
 }
 
+/// A loss of βA² whatever the frequency is known for harmonics alone.
+std::optional<Warning> damping_warning(const JointFile& file) {
+  const double beta = identified_damping(file).value_or(0.0);
+  if (beta == 0.0) return std::nullopt;
+  return Warning{
+      "linear_damping_left_out",
+      fmt::format("The joint was identified with a linear damping of {}, which is not in "
+                  "the force: a loss that grows with the square of the amplitude and does "
+                  "not depend on the rate has no force along a path. Per cycle of "
+                  "amplitude A the joint loses {:.6g} J/m^2 A^2 more than the area of "
+                  "the loop.",
+                  damping_text(beta), beta)};
+}
+
 int run(const LoopOptions& options, const Call& call) {
   check_output(options.out, kLoopKind);
   const JointFile file = read_joint(options.joint);
   const DisplacementPath path = path_of(options);
   CsvWriter table = loop_table(path, forces(file.joint, path, options));
-  const std::vector<Warning> warnings = reach_warnings(file, farthest(path));
+  std::vector<Warning> warnings = reach_warnings(file, farthest(path));
+  if (const auto warning = damping_warning(file)) warnings.push_back(*warning);
   add_warnings(warnings, table);
   write_file(options.out, table.str());
   if (!call.quiet) show_warnings(warnings);

@@ -36,6 +36,7 @@
 #include "microslip/rig/virtual_record.hpp"
 #include "microslip/rig/virtual_test.hpp"
 #include "nothing_found.hpp"
+#include "prediction.hpp"
 #include "progress_bar.hpp"
 #include "provenance.hpp"
 #include "recording_arguments.hpp"
@@ -61,6 +62,7 @@ struct MeasureOptions {
 struct Inputs {
   Rig rig;
   Joint joint;
+  double linear_damping;  ///< β of the joint, J/m²
   std::string joint_path;
   std::string provenance;  ///< lines
 };
@@ -84,10 +86,12 @@ Inputs read_inputs(const MeasureOptions& options, const Call& call, std::uint64_
                      "must be there", "The path is relative to the folder of the rig.");
   }
   const NamedInput joint_input{joint_path, read_file(joint_path, kLargestInput)};
-  Joint joint = parse_joint(joint_input.text, joint_path).joint;
+  JointFile joint = parse_joint(joint_input.text, joint_path);
+  const double damping = identified_damping(joint).value_or(0.0);
   std::string provenance =
       fmt::format("{}\nvirtual test, seed {}", provenance_of(call, {rig_input, joint_input}), seed);
-  return {std::move(rig), std::move(joint), joint_path, std::move(provenance)};
+  if (damping > 0.0) provenance += "\nlinear damping of the joint: " + damping_text(damping);
+  return {std::move(rig), std::move(joint.joint), damping, joint_path, std::move(provenance)};
 }
 
 constexpr std::string_view kLevel = "level";
@@ -236,6 +240,7 @@ void check_found(const MeasureOptions& options, const RecordNames& names, const 
 VirtualTest solve(const MeasureOptions& options, const Inputs& inputs, bool quiet) {
   VirtualTestOptions test;
   test.shaker = !options.no_shaker;
+  test.linear_damping = inputs.linear_damping;
   test.progress = progress_bar("levels", quiet);
   try {
     return run_virtual_test(inputs.rig, inputs.joint, test);
@@ -379,6 +384,9 @@ std::string describe(const MeasureOptions& options, const Inputs& inputs, const 
                        range(1e6 * first.joints[0].amplitude, 1e6 * last.joints[0].amplitude, "um"),
                        range(1e6 * first.joints[0].dissipation, 1e6 * last.joints[0].dissipation,
                              "uJ a cycle")));
+  if (inputs.linear_damping > 0.0) {
+    text += line("linear damping", damping_text(inputs.linear_damping) + ", as identified");
+  }
   text += line("force harmonics", options.no_shaker ? "none: a pure force" : describe_force(found));
   text += line("solved in", fmt::format("{:.2f} s, {} harmonic balances", test.summary.wall_seconds,
                                         test.summary.iterations));

@@ -10,6 +10,7 @@
 
 #include "command.hpp"
 #include "microslip/base/error.hpp"
+#include "microslip/dynamics/damping_twice.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/joint_file.hpp"
@@ -77,13 +78,18 @@ int run(const ModelOptions& options, const Call& call) {
   const std::vector<NamedInput> inputs{{options.rig, read_file(options.rig)},
                                        {options.joint, read_file(options.joint)}};
   const Rig rig = parse_rig(inputs[0].text, input_name(options.rig));
-  const Joint joint = parse_joint(inputs[1].text, options.joint).joint;
+  const JointFile file = parse_joint(inputs[1].text, options.joint);
+  const Joint& joint = file.joint;
+  const double damping = identified_damping(file).value_or(0.0);
   check_name("joint", options.joint);
   const StickState state = of_rig(options, [&] { return stick_state(rig, options.modes); });
-  const ModelFile model{of_rig(options, [&] { return rig_structure(rig, state, joint); }),
-                        rig.excitation.channel,
-                        {joint_name(options)}};
-  std::vector<Warning> warnings;
+  const ModelFile model{
+      of_rig(options, [&] { return rig_structure(rig, state, joint, {1.0}, damping); }),
+      rig.excitation.channel,
+      {joint_name(options)},
+      {covered_to(file)},
+      {identified_damping(file)}};
+  std::vector<Warning> warnings = damping_twice(model.structure);
   if (const auto warning = stiffness_warning(state, joint)) warnings.push_back(*warning);
   const std::string text =
       format_model(model, with_warnings(provenance_of(call, inputs), warnings));
@@ -93,7 +99,8 @@ int run(const ModelOptions& options, const Call& call) {
   show_warnings(warnings);
   const bool on_stdout = options.out == "-";
   fmt::print(on_stdout ? stderr : stdout, "{}",
-             describe_model(on_stdout ? "standard output" : options.out, model.structure));
+             describe_model(on_stdout ? "standard output" : options.out, model.structure) +
+                 describe_damping(model));
   return kDone;
 }
 

@@ -14,6 +14,7 @@
 #include "arguments.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/version.hpp"
+#include "microslip/dynamics/damping_twice.hpp"
 #include "microslip/identify/covered_range.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/output_files.hpp"
@@ -28,6 +29,19 @@ constexpr std::uint64_t kMostSamples = 1'000'000;
 
 std::string counted(std::size_t count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+/// What is used and what was identified, which are not the same where the model says so. Empty where
+/// there is neither.
+std::string damping_of(const ModelFile& model, std::size_t j) {
+  const double used = model.structure.joints()[j].linear_damping;
+  double identified = 0.0;
+  if (j < model.identified_damping.size()) identified = model.identified_damping[j].value_or(0.0);
+  if (used == 0.0 && identified == 0.0) return "";
+  if (used == identified) return damping_text(used) + ", as identified";
+  if (identified == 0.0) return damping_text(used) + ", as the model says";
+  return fmt::format("{}, as the model says; identified are {:.6g} J/m^2",
+                     used == 0.0 ? "none" : damping_text(used), identified);
 }
 
 }  // namespace
@@ -78,6 +92,21 @@ std::string heading_of(const Call& call) {
   return fmt::format("microslip {}: {}", kVersion, call.command_line);
 }
 
+std::string heading_of(const Call& call, const ModelFile& model) {
+  std::string text = heading_of(call);
+  for (std::size_t j = 0; j < model.structure.joints().size(); ++j) {
+    const std::string damping = damping_of(model, j);
+    if (damping.empty()) continue;
+    text += fmt::format("\nlinear damping of '{}': {}", model.structure.joints()[j].name, damping);
+  }
+  return text;
+}
+
+std::string damping_text(double linear_damping) {
+  if (linear_damping == 0.0) return "";
+  return fmt::format("{:.6g} J/m^2 beside slip", linear_damping);
+}
+
 std::string stuck_frequencies_text(const JointedStructure& structure) {
   constexpr std::size_t kMost = 5;
   const std::vector<double> omega = structure.stuck_frequencies();
@@ -95,6 +124,17 @@ std::string describe_model(const std::string& file, const JointedStructure& stru
          line("stuck resonances", stuck_frequencies_text(structure));
 }
 
+std::string describe_damping(const ModelFile& model) {
+  std::string text;
+  for (std::size_t j = 0; j < model.structure.joints().size(); ++j) {
+    const std::string damping = damping_of(model, j);
+    if (damping.empty()) continue;
+    text +=
+        line("linear damping", fmt::format("'{}': {}", model.structure.joints()[j].name, damping));
+  }
+  return text;
+}
+
 std::vector<Warning> reach_warnings(const ModelFile& model, const std::vector<double>& amplitude) {
   std::vector<Warning> warnings;
   for (std::size_t j = 0; j < std::min(amplitude.size(), model.covered_to.size()); ++j) {
@@ -107,7 +147,8 @@ std::vector<Warning> reach_warnings(const ModelFile& model, const std::vector<do
   return warnings;
 }
 
-void add_reach_warnings(const ModelFile& model, ResponseCurve& curve) {
+void add_model_warnings(const ModelFile& model, ResponseCurve& curve) {
+  std::ranges::copy(damping_twice(model.structure), std::back_inserter(curve.warnings));
   std::vector<double> amplitude(model.structure.joints().size(), 0.0);
   for (const SteadyVibration& point : curve.points) {
     for (std::size_t j = 0; j < amplitude.size(); ++j) {

@@ -47,6 +47,13 @@ void add_prediction_arguments(CLI::App& command, PredictionArguments& arguments,
 /// The first comment of a table: version and call.
 [[nodiscard]] std::string heading_of(const Call& call);
 
+/// The same of a prediction, with a line on the linear damping of each joint and on what is to be
+/// known of it: that belongs into the file.
+[[nodiscard]] std::string heading_of(const Call& call, const ModelFile& model);
+
+/// "4672 J/m^2 beside slip": of a joint that is by itself. Empty where β is 0.
+[[nodiscard]] std::string damping_text(double linear_damping);
+
 /// "0.15915, 1.2 Hz": the natural frequencies with all joints stuck.
 [[nodiscard]] std::string stuck_frequencies_text(const JointedStructure& structure);
 
@@ -54,13 +61,17 @@ void add_prediction_arguments(CLI::App& command, PredictionArguments& arguments,
 [[nodiscard]] std::string describe_model(const std::string& file,
                                          const JointedStructure& structure);
 
+/// Lines of a summary on the linear damping of the joints: as identified, or as the model has it.
+[[nodiscard]] std::string describe_damping(const ModelFile& model);
+
 /// Where joints move more than in the levels that they were identified by.
 /// @param amplitude  the largest of each joint, m.
 [[nodiscard]] std::vector<Warning> reach_warnings(const ModelFile& model,
                                                   const std::vector<double>& amplitude);
 
-/// The same of a curve, to its warnings: the table holds them too.
-void add_reach_warnings(const ModelFile& model, ResponseCurve& curve);
+/// The same of a curve, and losses that the model seems to hold twice, to its warnings: the table
+/// holds them too.
+void add_model_warnings(const ModelFile& model, ResponseCurve& curve);
 
 /// The lines of a summary on warnings.
 [[nodiscard]] std::string describe_warnings(const std::vector<Warning>& warnings);

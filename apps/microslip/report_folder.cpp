@@ -88,7 +88,9 @@ class FolderReader {
     }
     if (results_.joint) read_density();
     if (const auto input = find("truth_joint.json")) {
-      results_.truth = parse_joint(input->text, input->path).joint;
+      const JointFile file = parse_joint(input->text, input->path);
+      results_.truth = file.joint;
+      results_.true_linear_damping = identified_damping(file).value_or(0.0);
     }
   }
 

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "prediction.hpp"
 #include "report_text.hpp"
 
 namespace microslip::app {
@@ -30,6 +31,9 @@ std::string describe_model(const Verifier& verifier) {
         fmt::format(", identified up to {:.4g} µm", 1e6 * *options.covered_to / joint.stiffness());
   }
   text += line("joint", covered);
+  if (options.linear_damping > 0.0) {
+    text += line("linear damping", damping_text(options.linear_damping) + ", as identified");
+  }
   text += line("force", options.sine ? "a pure sine" : "with its recorded harmonics");
   return text + line("given to the model", "frequency, and first harmonic of the drive point");
 }

@@ -22,6 +22,7 @@
 #include "microslip/rig/verification.hpp"
 #include "microslip/rig/verification_batch.hpp"
 #include "picture_argument.hpp"
+#include "prediction.hpp"
 #include "progress_bar.hpp"
 #include "provenance.hpp"
 #include "recording_arguments.hpp"
@@ -56,6 +57,7 @@ VerificationOptions verification_options(const VerifyOptions& options, const Joi
   verification.reduction.use_vibrometer = !options.no_vibrometer;
   verification.sine = options.sine;
   verification.covered_to = covered_to(joint);
+  verification.linear_damping = identified_damping(joint).value_or(0.0);
   verification.history_cycles = options.cycles;
   return verification;
 }
@@ -119,6 +121,13 @@ void write_outputs(const VerifyOptions& options, const VerificationBatch& batch,
   outputs.commit();
 }
 
+/// What each table begins with.
+std::string comment_of(const Verifier& verifier, std::string provenance) {
+  const std::string damping = damping_text(verifier.options().linear_damping);
+  if (!damping.empty()) provenance += "\nlinear damping of the joint: " + damping;
+  return provenance;
+}
+
 int run(const VerifyOptions& options, const Call& call) {
   check_outputs_of(options);
   const std::vector<NamedInput> inputs{{options.rig, read_file(options.rig)},
@@ -128,7 +137,8 @@ int run(const VerifyOptions& options, const Call& call) {
   const VerificationBatch batch = verify_records(verifier, options, call.quiet, warnings);
   warnings.push_back(verification_warnings(batch));
   write_outputs(options, batch,
-                with_warnings(provenance_of(call, inputs), joined_warnings(warnings)));
+                with_warnings(comment_of(verifier, provenance_of(call, inputs)),
+                              joined_warnings(warnings)));
   if (!call.quiet) {
     const bool data_on_stdout =
         options.out == "-" || options.harmonics_csv == "-" || options.histories == "-";

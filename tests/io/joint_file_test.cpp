@@ -135,6 +135,23 @@ TEST(JointFile, KeepsWhatOthersSayInProvenanceAndIdentification) {
   EXPECT_EQ(back.identification, file.identification);
 }
 
+TEST(JointFile, TellsTheLinearDampingThatWasIdentified) {
+  const auto read_with = [](const std::string& identification) {
+    return read(R"({"schema": "microslip.joint/1", "stiffness_N_per_m": 1, "density": [])" +
+                identification + "}");
+  };
+  const auto of = [](const std::string& value) {
+    return R"(, "identification": {"linear_damping_J_per_m2": )" + value + "}";
+  };
+  EXPECT_EQ(identified_damping(read_with("")), std::nullopt);
+  EXPECT_EQ(identified_damping(read_with(R"(, "identification": {})")), std::nullopt);
+  EXPECT_EQ(identified_damping(read_with(of("0"))), 0.0);
+  EXPECT_EQ(identified_damping(read_with(of("4672.5"))), 4672.5);
+  for (const char* value : {"-1e-9", "1.1e15", "12345678901234567890", "\"4672\"", "null", "[1]"}) {
+    EXPECT_THROW((void)read_with(of(value)), InputError) << value;
+  }
+}
+
 TEST(JointFile, RefusesToWriteWhatItCouldNotRead) {
   JointFile file{.joint = Joint(1.0, SlipDensity()), .provenance = {}, .identification = {}};
   file.identification = {{"a", std::numeric_limits<double>::quiet_NaN()}};

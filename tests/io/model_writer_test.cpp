@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <complex>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "io/support.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/io/joint_file.hpp"
 
@@ -32,7 +34,8 @@ ModelFile two_modes(DampingLaw damping) {
                           .shape = {0.2, 0.7},
                           .spring_in_modes = 100.5,
                           .series_compliance = 1.4e-8,
-                          .shortening = {20.5, 6.4, 6.4, 77.0}};
+                          .shortening = {20.5, 6.4, 6.4, 77.0},
+                          .linear_damping = 123.4};
   return {JointedStructure(std::move(linear), {std::move(contact)},
                            {{"tip", {1.0}}, {"a \\ back'slash", {{0.5, -0.25}, {0.0, 0.125}}}},
                            damping),
@@ -68,8 +71,34 @@ TEST(ModelWriter, IsReadBackAsTheSameModel) {
     expect_equal(joint.shortening, contact.shortening);
     EXPECT_EQ(joint.spring_in_modes, contact.spring_in_modes);
     EXPECT_EQ(joint.series_compliance, contact.series_compliance);
+    EXPECT_EQ(joint.linear_damping, contact.linear_damping);
     EXPECT_EQ(joint.joint.stiffness(), contact.joint.stiffness());
   }
+}
+
+// A reader takes that of the joint file where the model does not say.
+TEST(ModelWriter, SaysThatAJointHasNoLinearDampingWhereItsFileHasSome) {
+  const test::TemporaryFolder folder;
+  ModelFile model = two_modes(DampingLaw::kViscous);
+  std::vector<StructuralJoint> joints(model.structure.joints().begin(),
+                                      model.structure.joints().end());
+  joints.front().linear_damping = 0.0;
+  const std::vector<Excitation> excitations(model.structure.excitations().begin(),
+                                            model.structure.excitations().end());
+  model.structure = JointedStructure(model.structure.linear(), joints, excitations);
+  const JointFile joint{.joint = joints.front().joint,
+                        .provenance = {},
+                        .identification = {{"linear_damping_J_per_m2", 4672.0}}};
+  model.joint_files = {folder.file("joint.json")};
+  test::put(folder.file("joint.json"), format_joint(joint));
+  for (const bool known : {false, true}) {
+    if (known) model.identified_damping = {identified_damping(joint)};
+    const ModelFile again = parse_model(format_model(model), "model.toml");
+    EXPECT_EQ(again.structure.joints()[0].linear_damping, 0.0) << known;
+    EXPECT_EQ(again.identified_damping, std::vector<std::optional<double>>{4672.0});
+  }
+  model.identified_damping = {std::nullopt};
+  EXPECT_EQ(format_model(model).find("linear_damping"), std::string::npos) << "nothing to say";
 }
 
 // An amplitude and a phase of each are written: rounding of either is 2 ulp.

@@ -23,7 +23,7 @@ TEST(ShakenStructure, AnswersSmallVoltagesAsTheLinearStructure) {
   const Rig rig = testing::reference_rig();
   const StickState state = stick_state(rig, 7);
   const Joint joint = testing::reference_joint();
-  const RigInMotion motion(rig, state, joint, {.harmonics = 10, .samples = 256});
+  const RigInMotion motion(rig, state, joint, {.harmonics = 10, .samples = 256}, 0.0);
   const VibrationResult resonance =
       motion.balance().solve({Quantity::kPhaseLag, kTurn / 4.0}, {Quantity::kResponse, kResponse});
   ASSERT_TRUE(resonance.summary.converged()) << resonance.summary.full();

@@ -174,6 +174,15 @@ void append_density(std::string& text, std::span<const DensityPart> parts) {
   text += parts.empty() ? "]" : "\n  ]";
 }
 
+/// Predictions take it: what cannot be understood must not pass for nothing.
+void check_damping(const JsonObject& identification) {
+  if (!identification.has(kLinearDampingKey)) return;
+  const double beta = identification.number(kLinearDampingKey);
+  if (beta >= 0.0 && beta <= kLargestLinearDamping) return;
+  throw InputError(identification.name(kLinearDampingKey), beta,
+                   fmt::format("must be from 0 to {:g} J/m^2", kLargestLinearDamping));
+}
+
 void append_object(std::string& text, std::string_view key, const Record& record) {
   text += fmt::format(",\n  \"{}\": ", key);
   append_record(text, record, "  ");
@@ -189,6 +198,14 @@ std::optional<double> covered_to(const JointFile& file) {
   return std::nullopt;
 }
 
+std::optional<double> identified_damping(const JointFile& file) {
+  for (const auto& [name, value] : file.identification) {
+    const double* number = std::get_if<double>(&value);
+    if (name == kLinearDampingKey && number != nullptr) return *number;
+  }
+  return std::nullopt;
+}
+
 JointFile parse_joint(std::string_view text, std::string_view file) {
   const Json json = parse_json(text, file);
   const JsonObject top(json, file, "");
@@ -199,7 +216,10 @@ JointFile parse_joint(std::string_view text, std::string_view file) {
     if (top.has(key)) (void)JsonObject(top.at(key), file, key);  // throws where it is no object
   }
   if (top.has("provenance")) result.provenance = read_provenance(top.at("provenance"));
-  if (top.has("identification")) result.identification = read_record(top.at("identification"));
+  if (top.has("identification")) {
+    check_damping(JsonObject(top.at("identification"), file, "identification"));
+    result.identification = read_record(top.at("identification"));
+  }
   return result;
 }
 

@@ -25,10 +25,20 @@ struct JointFile {
 /// kA of the highest level that the joint was identified by, N; nothing where the file does not say.
 [[nodiscard]] std::optional<double> covered_to(const JointFile& file);
 
+/// The key of β in an identification.
+inline constexpr std::string_view kLinearDampingKey = "linear_damping_J_per_m2";
+/// The largest β that is read, J/m²: beyond all that joins.
+inline constexpr double kLargestLinearDamping = 1e15;
+
+/// β of D = … + βA², J/m²: the loss beside slip that the identification found with the joint; nothing
+/// where the file does not say. A prediction by the joint adds it (StructuralJoint::linear_damping).
+[[nodiscard]] std::optional<double> identified_damping(const JointFile& file);
+
 /// A joint from the text of a joint.json.
 /// @throws FormatError  for text that is no JSON, another schema, keys unknown or missing.
 /// @throws InputError   naming `file: density[i].key` for a value of a wrong type or one that
-///                      breaks a rule of SlipDensity or Joint.
+///                      breaks a rule of SlipDensity or Joint; for a β in the identification that
+///                      is no number from 0 to kLargestLinearDamping.
 [[nodiscard]] JointFile parse_joint(std::string_view text, std::string_view file);
 
 /// parse_joint() of a file; "-" is standard input. @throws FileError, FormatError, InputError

@@ -56,8 +56,9 @@ std::vector<double> read_signed(const TomlTable& table, std::string_view key, do
   return values;
 }
 
-double read_optional(const TomlTable& table, std::string_view key, double most) {
-  if (!table.has(key)) return 0.0;
+double read_optional(const TomlTable& table, std::string_view key, double most,
+                     double otherwise = 0.0) {
+  if (!table.has(key)) return otherwise;
   const double value = table.number(key);
   if (value >= 0.0 && value <= most) return value;
   throw InputError(table.name(key), value, fmt::format("must be from 0 to {:g}", most));
@@ -199,19 +200,22 @@ std::vector<double> read_shortening(const TomlTable& table, std::size_t modes) {
 /// Where a joint comes from.
 struct JointSource {
   std::string file;
-  std::optional<double> covered_to;  ///< N
+  std::optional<double> covered_to;          ///< N
+  std::optional<double> identified_damping;  ///< J/m²
 };
 
-/// All but the joint itself, which comes from the file.
-StructuralJoint read_joint_table(const TomlTable& table, std::string name, Joint joint,
+/// The joint itself comes from its file, and its linear damping where the model does not say.
+StructuralJoint read_joint_table(const TomlTable& table, std::string name, const JointFile& file,
                                  std::size_t modes) {
   StructuralJoint result{
       .name = std::move(name),
-      .joint = std::move(joint),
+      .joint = file.joint,
       .shape = read_shape(table, modes),
       .spring_in_modes = read_optional(table, "spring_in_modes_N_per_m", kLargestStiffness),
       .series_compliance = read_optional(table, "series_compliance_m_per_N", kLargestCompliance),
-      .shortening = read_shortening(table, modes)};
+      .shortening = read_shortening(table, modes),
+      .linear_damping = read_optional(table, kLinearDampingKey, kLargestLinearDamping,
+                                      identified_damping(file).value_or(0.0))};
   if (std::ranges::all_of(result.shortening, is_zero)) require_motion(table, result.shape);
   return result;
 }
@@ -222,14 +226,14 @@ void read_joints(const TomlTable& top, std::string_view file, std::size_t modes,
   const std::vector<TomlTable> tables = top.tables("joint");
   for (const TomlTable& table : tables) {
     table.allow_only({"file", "shape", "name", "spring_in_modes_N_per_m",
-                      "series_compliance_m_per_N", "shortening_per_kg_m"});
+                      "series_compliance_m_per_N", "shortening_per_kg_m", kLinearDampingKey});
     std::string name = tables.size() == 1 ? "joint" : fmt::format("joint{}", joints.size() + 1);
     if (table.has("name")) name = table.text("name");
     check_name(table, name, joints, "joint");
     std::string path = joint_path(table, file);
     const JointFile content = read_joint_of(table, path);
-    sources.push_back({std::move(path), covered_to(content)});
-    joints.push_back(read_joint_table(table, std::move(name), content.joint, modes));
+    sources.push_back({std::move(path), covered_to(content), identified_damping(content)});
+    joints.push_back(read_joint_table(table, std::move(name), content, modes));
   }
 }
 
@@ -305,6 +309,7 @@ ModelFile read_tables(const TomlTable& top, std::string_view file) {
     for (JointSource& source : sources) {
       model.joint_files.push_back(std::move(source.file));
       model.covered_to.push_back(source.covered_to);
+      model.identified_damping.push_back(source.identified_damping);
     }
     return model;
   } catch (const InputError& error) {  // what concerns several keys

@@ -19,7 +19,9 @@
 ///     [[structure.point]] name, shape = […]; one at least
 ///     [[joint]]         file, shape = […]: of the relative displacement across the joint; optional:
 ///                       name, spring_in_modes_N_per_m, series_compliance_m_per_N,
-///                       shortening_per_kg_m = […] (Γ by rows); any number of them, also none
+///                       shortening_per_kg_m = […] (Γ by rows), linear_damping_J_per_m2 (β; without
+///                       the key that of the joint file's identification); any number of them, also
+///                       none
 ///     [excitation]      point; optional: harmonics = […] (amplitude of harmonic n over the force
 ///                       amplitude) and phase_rad = […] (its phase, a lead); or several as
 ///                       [[excitation]]
@@ -38,6 +40,9 @@ struct ModelFile {
   std::vector<std::string> joint_files;  ///< one a joint, as they were opened
   /// covered_to() of each joint's file, N; fewer where they are not known.
   std::vector<std::optional<double>> covered_to = {};
+  /// identified_damping() of each joint's file, J/m²; fewer where they are not known. What the model
+  /// uses is linear_damping of its joints.
+  std::vector<std::optional<double>> identified_damping = {};
 };
 
 /// Reads the joint files too.

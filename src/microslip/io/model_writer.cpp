@@ -13,6 +13,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/file_kind.hpp"
+#include "microslip/io/joint_file.hpp"
 #include "microslip/io/toml_lines.hpp"
 
 namespace microslip {
@@ -36,16 +37,25 @@ void write_structure(const JointedStructure& structure, TomlLines& lines) {
   }
 }
 
-void write_joint(const StructuralJoint& joint, const std::string& file, TomlLines& lines) {
+/// Without the key a reader takes what the joint file says.
+bool says_damping(const ModelFile& model, std::size_t joint) {
+  if (model.structure.joints()[joint].linear_damping > 0.0) return true;
+  const bool known = joint < model.identified_damping.size();
+  return !known || model.identified_damping[joint].value_or(0.0) > 0.0;
+}
+
+void write_joint(const ModelFile& model, std::size_t number, TomlLines& lines) {
+  const StructuralJoint& joint = model.structure.joints()[number];
   lines.element("joint");
   lines.add("name", joint.name);
-  lines.add("file", file);
+  lines.add("file", model.joint_files[number]);
   lines.add("shape", joint.shape);
   if (joint.spring_in_modes > 0.0) lines.add("spring_in_modes_N_per_m", joint.spring_in_modes);
   if (joint.series_compliance > 0.0) {
     lines.add("series_compliance_m_per_N", joint.series_compliance);
   }
   if (!joint.shortening.empty()) lines.add("shortening_per_kg_m", joint.shortening);
+  if (says_damping(model, number)) lines.add(kLinearDampingKey, joint.linear_damping);
 }
 
 void write_excitation(const Excitation& excitation, TomlLines& lines) {
@@ -74,9 +84,7 @@ std::string format_model(const ModelFile& model, std::string_view comment) {
   lines.comment(comment);
   lines.add("schema", kModelKind);
   write_structure(model.structure, lines);
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    write_joint(joints[i], model.joint_files[i], lines);
-  }
+  for (std::size_t i = 0; i < joints.size(); ++i) write_joint(model, i, lines);
   for (const Excitation& excitation : model.structure.excitations()) {
     write_excitation(excitation, lines);
   }

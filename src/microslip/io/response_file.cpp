@@ -28,7 +28,8 @@ bool is_finite(const SteadyVibration& point) {
          fine(point.phase_lag) && fine(point.linear_dissipation) && fine(imbalance(point)) &&
          fine(point.damping_ratio()) &&
          std::ranges::all_of(point.joints, [&](const JointCycle& joint) {
-           return fine(joint.amplitude) && fine(joint.dissipation);
+           return fine(joint.amplitude) && fine(joint.dissipation) &&
+                  fine(joint.linear_dissipation);
          });
 }
 
@@ -92,11 +93,19 @@ class Columns {
       add("dissipation_" + name, kEnergy, [j](const auto& p) { return p.joints[j].dissipation; });
       add("reversals_" + name, kDimensionless,
           [j](const auto& p) { return static_cast<double>(p.joints[j].reversals); });
+      add_linear_dissipation(j);
     }
     add("energy_imbalance", kDimensionless, imbalance);
   }
 
  private:
+  /// The part of a joint's D that is no slip, where it has one.
+  void add_linear_dissipation(std::size_t j) {
+    const auto value = [j](const SteadyVibration& p) { return p.joints[j].linear_dissipation; };
+    if (std::ranges::none_of(points_, [&](const auto& p) { return value(p) > 0.0; })) return;
+    add("linear_dissipation_" + points_.front().joints[j].name, kEnergy, value);
+  }
+
   const std::vector<SteadyVibration>& points_;
   CsvWriter& table_;
 };

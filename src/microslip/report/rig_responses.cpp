@@ -36,8 +36,9 @@ std::vector<double> some_responses(std::vector<double> responses) {
   return some;
 }
 
-HarmonicBalance balance_of(const Rig& rig, const StickState& state, const Joint& joint) {
-  return {rig_structure(rig, state, joint),
+HarmonicBalance balance_of(const Rig& rig, const StickState& state, const Joint& joint,
+                           double linear_damping) {
+  return {rig_structure(rig, state, joint, {1.0}, linear_damping),
           {rig.excitation.channel, ResponseKind::kAcceleration},
           {.harmonics = 5, .largest_change = 0.06, .least_points = 60, .accuracy = 0.0}};
 }
@@ -93,9 +94,10 @@ void add_predictions(TestResults& results) {
   if (!(lowest > 0.0 && highest > lowest)) return;
   const std::vector<double> responses = equal_ratios(lowest, highest, kBackbonePoints);
   const StickState state = stick_state(rig, kModes);
-  const HarmonicBalance found = balance_of(rig, state, results.joint->joint);
+  const HarmonicBalance found =
+      balance_of(rig, state, results.joint->joint, results.joint->linear_damping.value_or(0.0));
   std::optional<HarmonicBalance> truth;
-  if (results.truth) truth = balance_of(rig, state, *results.truth);
+  if (results.truth) truth = balance_of(rig, state, *results.truth, results.true_linear_damping);
 
   results.backbone = backbone_of(found, responses);
   if (!results.backbone) return;

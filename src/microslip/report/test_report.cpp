@@ -129,7 +129,9 @@ std::vector<ReportTrace> curves_of_joints(const TestResults& results,
     add(beta > 0.0 ? "identified joint and linear damping" : kFoundName, results.joint->joint, beta,
         kFound);
   }
-  if (results.truth) add("truth", *results.truth, 0.0, kTruth);
+  if (results.truth) {
+    add("truth", *results.truth, damping ? results.true_linear_damping : 0.0, kTruth);
+  }
   return traces;
 }
 

@@ -145,6 +145,7 @@ struct TestResults {
   /// What the joint was identified with, as far as its file tells; stiffness and bands are not used.
   IdentificationOptions options = {};
   std::optional<Joint> truth = {};             ///< of a virtual test
+  double true_linear_damping = 0.0;            ///< β of the truth, J/m²
   std::optional<TestLevels> true_levels = {};  ///< of a virtual test, without errors
   /// The other: before force control. Some may have harmonics alone.
   std::vector<TestRecord> records = {};

@@ -51,7 +51,7 @@ void check_modes_hold(const Rig& rig, const StickState& state, double spring) {
 }  // namespace
 
 JointedStructure rig_structure(const Rig& rig, const StickState& state, Joint joint,
-                               std::vector<std::complex<double>> force) {
+                               std::vector<std::complex<double>> force, double linear_damping) {
   const double spring = state.stiffness > 0.0 ? state.stiffness : joint.stiffness();
   check_modes_hold(rig, state, spring);
   StructuralJoint contact{.name = std::string(kContact),
@@ -59,7 +59,8 @@ JointedStructure rig_structure(const Rig& rig, const StickState& state, Joint jo
                           .shape = state.joint,
                           .spring_in_modes = spring,
                           .series_compliance = state.axial_compliance,
-                          .shortening = state.shortening};
+                          .shortening = state.shortening,
+                          .linear_damping = linear_damping};
   return JointedStructure(rig_modes(rig, state), {std::move(contact)},
                           {{rig.excitation.channel, std::move(force)}}, DampingLaw::kHysteretic);
 }

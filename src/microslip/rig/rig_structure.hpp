@@ -31,9 +31,12 @@ inline constexpr std::string_view kContact = "contact";
 /// @param joint  its stiffness may be another than the rig's k: the spring in the modes, which is
 ///               taken out again, is the rig's; for modes of a rig without k, that of the joint.
 /// @param force  s_1, s_2, …, 1: see Excitation.
+/// @param linear_damping  β of the joint, J/m²: see StructuralJoint. The loss factors of the rig stay
+///                        beside it, as the reduction had taken their loss off when β was found.
 /// @throws InputError  as JointedStructure.
 [[nodiscard]] JointedStructure rig_structure(const Rig& rig, const StickState& state, Joint joint,
-                                             std::vector<std::complex<double>> force = {1.0});
+                                             std::vector<std::complex<double>> force = {1.0},
+                                             double linear_damping = 0.0);
 
 /// A warning, `stiffness_differs`, where the stiffness of a joint and k of the rig differ by more than
 /// 1 %: the modes are then those of another stuck state, and so are its frequencies.

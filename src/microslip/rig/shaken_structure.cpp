@@ -21,7 +21,7 @@ constexpr int kMostTrials = 40;
 }  // namespace
 
 HarmonicBalance RigInMotion::balance(std::vector<Complex> force) const {
-  return HarmonicBalance(rig_structure(rig_, state_, joint_, std::move(force)),
+  return HarmonicBalance(rig_structure(rig_, state_, joint_, std::move(force), linear_damping_),
                          {rig_.excitation.channel, ResponseKind::kAcceleration}, options_);
 }
 

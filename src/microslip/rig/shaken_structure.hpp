@@ -22,8 +22,13 @@ class RigInMotion {
  public:
   /// The references must outlive the object.
   RigInMotion(const Rig& rig, const StickState& state, const Joint& joint,
-              HarmonicBalanceOptions options)
-      : rig_(rig), state_(state), joint_(joint), modes_(rig_modes(rig, state)), options_(options) {}
+              HarmonicBalanceOptions options, double linear_damping)
+      : rig_(rig),
+        state_(state),
+        joint_(joint),
+        modes_(rig_modes(rig, state)),
+        options_(options),
+        linear_damping_(linear_damping) {}
 
   /// @param force  s_1, s_2, …: see Excitation.
   [[nodiscard]] HarmonicBalance balance(std::vector<std::complex<double>> force = {1.0}) const;
@@ -46,6 +51,7 @@ class RigInMotion {
   const Joint& joint_;
   ModalModel modes_;
   HarmonicBalanceOptions options_;
+  double linear_damping_;  // of the joint
 };
 
 /// Structure, joint and shaker together at one frequency of the drive and one response, which V_1

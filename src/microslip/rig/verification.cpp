@@ -80,7 +80,8 @@ HarmonicBalance balance_of(const Verifier& verifier, std::vector<Complex> force,
   const Reducer& reducer = verifier.reducer();
   HarmonicBalanceOptions options = verifier.options().balance;
   options.harmonics = std::max(options.harmonics, least_harmonics);
-  return {rig_structure(reducer.rig(), reducer.state(), verifier.joint(), std::move(force)),
+  return {rig_structure(reducer.rig(), reducer.state(), verifier.joint(), std::move(force),
+                        verifier.options().linear_damping),
           {reducer.rig().excitation.channel, ResponseKind::kAcceleration},
           options};
 }

@@ -49,7 +49,7 @@ struct PredictedLevel {
   double amplitude = 0.0;           ///< A of the joint, m
   double input_energy = 0.0;        ///< W_ext, J
   double linear_dissipation = 0.0;  ///< W_lin, J
-  double dissipation = 0.0;         ///< D of the joint, J
+  double dissipation = 0.0;         ///< D of the joint, J; its linear damping included
   /// By which the resonance of the model lies above that of the record, Hz: the frequency at which
   /// the model has the recorded phase between force and response, less that of the record. Nothing
   /// where there is no such frequency within 20 %.
@@ -94,6 +94,8 @@ struct VerificationOptions {
   /// kA of the highest level that the joint was identified by, N; above 0. Nothing: not known.
   std::optional<double> covered_to = {};
   double history_cycles = 2.0;  ///< kept as histories; 0 or more
+  /// β of the joint, J/m²: see StructuralJoint; 0 or more, finite.
+  double linear_damping = 0.0;
 };
 
 /// Compares records of a rig with what a joint predicts for it, in the manner of [AR14 Fig. 11]: the

@@ -381,7 +381,8 @@ VirtualTest run_virtual_test(const Rig& rig, const Joint& joint,
       options.shaker ? std::max(test.harmonics, options.controlled_harmonics) : test.harmonics;
   const double stuck_frequency = natural_frequency(state, 0.0);
   check_test(test, stuck_frequency, harmonics);
-  const RigInMotion motion(rig, state, joint, {.harmonics = harmonics, .samples = options.samples});
+  const RigInMotion motion(rig, state, joint, {.harmonics = harmonics, .samples = options.samples},
+                           options.linear_damping);
   Setup setup{options, motion, rig.shaker.value_or(RigShaker{}), stuck_frequency, {}};
 
   VirtualTest result;

@@ -67,6 +67,7 @@ struct VirtualTestOptions {
   double force_distortion = 0.003;
   int max_control_iterations = 30;  ///< 0 or more
   std::size_t samples = 256;        ///< see HarmonicBalanceOptions
+  double linear_damping = 0.0;      ///< β of the joint, J/m²: see StructuralJoint; 0 or more
   Progress progress = {};           ///< levels done of all levels
 };
 
