@@ -1,17 +1,41 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/dynamics/steady_vibration.hpp"
 
+#include <fmt/format.h>
+
+#include <cstddef>
 #include <numbers>
 #include <span>
 #include <string_view>
 
+#include "microslip/base/error.hpp"
+
 namespace microslip {
+namespace {
+
+void check_modal(const std::vector<std::vector<std::complex<double>>>& modal, std::size_t modes,
+                 std::size_t harmonics) {
+  if (modal.size() != modes) {
+    throw InputError("modes of the vibration", static_cast<double>(modal.size()),
+                     fmt::format("must be those of the model, {}", modes));
+  }
+  for (std::size_t i = 0; i < modes; ++i) {
+    if (modal[i].size() == harmonics) continue;
+    throw InputError(fmt::format("harmonics of mode {}", i + 1),
+                     static_cast<double>(modal[i].size()),
+                     fmt::format("must be as many as those of mode 1, {}", harmonics));
+  }
+}
+
+}  // namespace
 
 double SteadyVibration::frequency() const { return angular_frequency / (2.0 * std::numbers::pi); }
 
 double SteadyVibration::damping_ratio() const {
   double square = 0.0;  // of the modal amplitude
-  for (const auto& harmonics : modal) square += std::norm(harmonics.at(1));
+  for (const auto& harmonics : modal) {
+    if (harmonics.size() > 1) square += std::norm(harmonics[1]);
+  }
   const double energy = 2.0 * std::numbers::pi * angular_frequency * angular_frequency * square;
   double lost = linear_dissipation;
   for (const JointCycle& joint : joints) lost += joint.dissipation;
@@ -22,6 +46,7 @@ std::vector<std::complex<double>> SteadyVibration::displacement(const ModalModel
                                                                 std::string_view point) const {
   const std::span<const double> shape = model.shape(point);
   const std::size_t count = modal.empty() ? 0 : modal.front().size();
+  if (!modal.empty()) check_modal(modal, model.size(), count);
   std::vector<std::complex<double>> result(count);
   for (std::size_t i = 0; i < modal.size(); ++i) {
     for (std::size_t n = 0; n < count; ++n) result[n] += shape[i] * modal[i][n];

@@ -53,7 +53,7 @@ struct SteadyVibration {
   [[nodiscard]] double damping_ratio() const;
 
   /// The displacement at a point, harmonics 0 to H, m.
-  /// @throws InputError  where the model has no such point.
+  /// @throws InputError  where the model has no such point, or other modes than the vibration.
   [[nodiscard]] std::vector<std::complex<double>> displacement(const ModalModel& model,
                                                                std::string_view point) const;
   /// The acceleration there, −n²ω² times it, m/s².

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/identify/bands.hpp"
 
+#include <fmt/format.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -12,6 +13,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
+#include "microslip/identify/check_result.hpp"
 #include "microslip/identify/interpolation.hpp"
 #include "microslip/identify/inversion_model.hpp"
 
@@ -31,6 +33,11 @@ void check_options(const BandOptions& options) {
   if (!(options.confidence > 0.0 && options.confidence < 1.0)) {
     throw InputError("confidence", options.confidence, "must be between 0 and 1");
   }
+}
+
+/// What a sample needs.
+void check_errors(const InversionResult& result, const BandOptions& options) {
+  check_result(result);
   const auto check_gain = [](std::string_view name, double value) {
     if (!(std::isfinite(value) && value >= 0.0 && value < 0.3)) {
       throw InputError(name, value, "must be a relative standard deviation from 0 to 0.3");
@@ -39,6 +46,16 @@ void check_options(const BandOptions& options) {
   check_gain("dissipation_gain_std", options.dissipation_gain_std);
   check_gain("amplitude_gain_std", options.amplitude_gain_std);
   check_gain("loss_factor_std", options.loss_factor_std);
+  if (options.loss_factor_std == 0.0) return;
+  const std::vector<double>& loss = result.levels.linear_dissipation;
+  if (loss.empty()) {
+    throw InputError("loss_factor_std", options.loss_factor_std,
+                     "needs the linear loss of the levels, linear_dissipation",
+                     "`microslip reduce` writes it.");
+  }
+  if (loss.size() == result.levels.size()) return;
+  throw InputError("number of linear_dissipation", static_cast<double>(loss.size()),
+                   fmt::format("must be {}, one a level", result.levels.size()));
 }
 
 /// The λ of one sample: drawn with its likelihood over the path, within the guard.
@@ -134,6 +151,7 @@ Eigen::VectorXd data_noise(const InversionResult& result, double scatter, double
 
 DensitySample sample_density(const InversionResult& result, const BandOptions& options,
                              std::size_t index) {
+  check_errors(result, options);
   const InversionModel& model = *result.model;
   const SmoothingProblem& problem = model.problem();
   RandomStream random(options.seed, index);
@@ -175,11 +193,7 @@ DensitySample sample_density(const InversionResult& result, const BandOptions& o
 
 DensityBands density_bands(const InversionResult& result, const BandOptions& options) {
   check_options(options);
-  if (options.loss_factor_std > 0.0 && result.levels.linear_dissipation.empty()) {
-    throw InputError("loss_factor_std", options.loss_factor_std,
-                     "needs the linear loss of the levels, linear_dissipation",
-                     "`microslip reduce` writes it.");
-  }
+  check_errors(result, options);
   std::vector<DensitySample> samples(options.samples);
   SharedProgress progress(options.progress, options.samples);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, options.samples, 16),

@@ -66,11 +66,13 @@ struct DensitySample {
 /// (tests/identify); with 20 levels of 3 % 0.91 and more. Beside a step of the density it covers less.
 /// A wrong loss factor perturbs D by δW_lin, δ ~ N(0, loss_factor_std²), before the problem is solved.
 /// A function of (seed, index) alone.
+/// @throws InputError  where a standard deviation breaks its rule, loss_factor_std lacks the
+///                     linear_dissipation of the levels, or the result is none of invert().
 [[nodiscard]] DensitySample sample_density(const InversionResult& result,
                                            const BandOptions& options, std::size_t index);
 
 /// Pointwise quantiles of samples 0 … samples − 1, widened to the estimate where they do not hold it; on all processors; the same on any number of them.
-/// @throws InputError  where an option breaks its rule. @throws Cancelled  when progress says so.
+/// @throws InputError  where an option breaks its rule, or as sample_density(). @throws Cancelled  when progress says so.
 [[nodiscard]] DensityBands density_bands(const InversionResult& result, const BandOptions& options);
 
 }  // namespace microslip

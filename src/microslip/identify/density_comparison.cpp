@@ -19,6 +19,9 @@ std::vector<double> points_of(double reach, CoveredRange range) {
     throw InputError("range", fmt::format("{} to {}", range.from, range.to),
                      "must rise, within 0 to 1");
   }
+  if (!(std::isfinite(reach) && reach > 0.0)) {
+    throw InputError("covered_to", reach, "must be above 0 N, and finite");
+  }
   constexpr int kPoints = 2001;
   std::vector<double> points;
   for (int i = 0; i < kPoints; ++i) {
@@ -66,6 +69,12 @@ double density_error(const std::vector<double>& slip_force, const std::vector<do
 double band_coverage(const Identification& found, const SlipDensity& truth, CoveredRange range) {
   if (found.lower.empty()) {
     throw InputError("found", "without band", "must have been identified with a band");
+  }
+  const std::size_t knots = found.slip_force.size();
+  if (found.lower.size() != knots || found.upper.size() != knots) {
+    throw InputError("band of found",
+                     fmt::format("{} and {} values", found.lower.size(), found.upper.size()),
+                     fmt::format("must have {}, one a slip force", knots));
   }
   const std::vector<double> points = points_of(found.covered_to, range);
   const auto inside = std::ranges::count_if(points, [&](double f) {

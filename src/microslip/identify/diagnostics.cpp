@@ -15,6 +15,7 @@
 
 #include "microslip/base/percent.hpp"
 #include "microslip/base/plausibility.hpp"
+#include "microslip/identify/check_result.hpp"
 #include "microslip/identify/stiffness_evidence.hpp"
 
 namespace microslip {
@@ -313,6 +314,7 @@ std::vector<Warning> diagnose(const Levels& levels) {
 }
 
 std::vector<Warning> diagnose(const InversionResult& result, const InversionOptions& options) {
+  check_result(result);
   std::vector<Warning> warnings;
   if (result.lowest_score < kLowestScore) {
     warnings.push_back(

@@ -36,6 +36,7 @@ namespace microslip {
 ///   * `scatter_small`           they scatter much less than was said;
 ///   * `inner_not_converged`     solutions that λ, the atom or these warnings rest on did not converge;
 ///   * `macroslip_not_reached`   no atom was found.
+/// @throws InputError  where the result is none of invert().
 [[nodiscard]] std::vector<Warning> diagnose(const InversionResult& result,
                                             const InversionOptions& options);
 

@@ -6,6 +6,9 @@
 #include <cstddef>
 #include <utility>
 
+#include "microslip/base/error.hpp"
+#include "microslip/identify/check_result.hpp"
+
 namespace microslip {
 namespace {
 
@@ -55,7 +58,11 @@ MethodComparison compare_methods(const Levels& levels, const IdentificationOptio
 }
 
 Identification inversion_with(const MethodComparison& methods, double factor) {
+  if (!methods.inversion.inversion) {
+    throw InputError("methods", "without inversion", "must be what compare_methods() returned");
+  }
   const InversionResult& result = *methods.inversion.inversion;
+  check_result(result);
   InversionOptions options = methods.options;
   options.lambda = factor * result.path[result.chosen].lambda;
   return invert_levels(methods.levels, options);

@@ -38,6 +38,7 @@ struct MethodComparison {
 /// The inversion with λ times a factor.
 /// @param methods  of the levels.
 /// @param factor   > 0.
+/// @throws InputError  where they hold no inversion, or the factor breaks its rule.
 [[nodiscard]] Identification inversion_with(const MethodComparison& methods, double factor);
 
 /// The spline with λ times a factor.

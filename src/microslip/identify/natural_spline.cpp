@@ -2,11 +2,18 @@
 #include "microslip/identify/natural_spline.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "microslip/base/error.hpp"
 
 namespace microslip {
+
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
 
 NaturalSpline::NaturalSpline(std::vector<double> x, std::vector<double> value,
                              std::vector<double> second)
@@ -27,6 +34,7 @@ NaturalSpline::NaturalSpline(std::vector<double> x, std::vector<double> value,
 }
 
 double NaturalSpline::value(double x) const {
+  if (x_.empty()) return kUnknown;
   if (x < x_.front()) return value_.front() + (x - x_.front()) * knot_slope(0);
   if (x > x_.back()) return value_.back() + (x - x_.back()) * knot_slope(x_.size() - 1);
   const std::size_t i = interval(x);
@@ -38,6 +46,7 @@ double NaturalSpline::value(double x) const {
 }
 
 double NaturalSpline::first_derivative(double x) const {
+  if (x_.empty()) return kUnknown;
   if (x <= x_.front()) return knot_slope(0);
   if (x >= x_.back()) return knot_slope(x_.size() - 1);
   const std::size_t i = interval(x);
@@ -49,6 +58,7 @@ double NaturalSpline::first_derivative(double x) const {
 }
 
 double NaturalSpline::second_derivative(double x) const {
+  if (x_.empty()) return kUnknown;
   if (x <= x_.front() || x >= x_.back()) return 0.0;
   const std::size_t i = interval(x);
   const double a = (x - x_[i]) / (x_[i + 1] - x_[i]);

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/joint/backbone.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
+#include "microslip/base/error.hpp"
 #include "microslip/joint/power_law.hpp"
 #include "microslip/joint/vector_clones.hpp"
 
@@ -32,7 +35,7 @@ Backbone::Backbone(const SlipDensity& density)
   }
   if (power_laws_.empty() && density.elastic_remainder() == 0.0) cubics_.back().slope = 0.0;
   fill_buckets();
-  cubics_.push_back({std::numeric_limits<double>::infinity(), 0.0, 0.0, 0.0, 0.0});
+  cubics_.push_back({std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0, 0.0, 0.0});
 }
 
 // The table grows until no bucket holds two knots, or until its size stops being worth it; a crowded
@@ -64,6 +67,10 @@ void Backbone::fill_buckets() {
 // of the segment and its cubic does not.
 void Backbone::branch_forces(const Branch& branch, std::span<const double> x,
                              std::span<double> force) const {
+  if (force.size() != x.size()) {
+    throw InputError("length of force", static_cast<double>(force.size()),
+                     fmt::format("must be that of the displacements, {}", x.size()));
+  }
   const double origin = branch.force;
   const double scale = branch.scale;
   const Lookup find = lookup();
@@ -86,7 +93,10 @@ MICROSLIP_VECTOR_CLONES
 void Backbone::elastic_forces(std::size_t n, const double* x, const Branch& branch, double* s) {
   const double displacement = branch.displacement;
   const double newtons_per_metre = branch.newtons_per_metre;
-  for (std::size_t i = 0; i < n; ++i) s[i] = newtons_per_metre * std::abs(x[i] - displacement);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double elastic = newtons_per_metre * std::abs(x[i] - displacement);
+    s[i] = elastic < 0.0 ? 0.0 : elastic;
+  }
 }
 
 MICROSLIP_VECTOR_CLONES
@@ -108,6 +118,7 @@ double Backbone::power_law_deficit(double s) const {
 
 double Backbone::slope(double s) const {
   const Lookup find = lookup();
+  s = std::max(s, 0.0);
   const Cubic& c = find.cubic(s, find.bucket(s));
   const double t = s - c.start;
   double slope = c.slope - t * (2.0 * c.half_p + 3.0 * t * c.sixth_q);

@@ -23,9 +23,10 @@ class Backbone {
   /// Tabulates the curve; the density is not needed any more afterwards.
   explicit Backbone(const SlipDensity& density);
 
-  /// F(s), N. @param s  kx, N; ≥ 0, finite.
+  /// F(s), N. @param s  kx, N; ≥ 0, finite. Below 0 it is that of 0; NaN where s is NaN or infinite.
   [[nodiscard]] double force(double s) const {
     const Lookup find = lookup();
+    s = std::max(s, 0.0);  // in this order NaN stays
     const double force = linear_force(find.cubic(s, find.bucket(s)), s);
     return power_laws_.empty() ? force : force - power_law_deficit(s);
   }
@@ -40,12 +41,13 @@ class Backbone {
 
   /// Force on a branch at each x.
   /// @param branch  of any loop.
-  /// @param x       m; finite.
+  /// @param x       m; finite. NaN where it is not.
   /// @param force   N; of the length of x; may be x itself.
+  /// @throws InputError  for another length.
   void branch_forces(const Branch& branch, std::span<const double> x,
                      std::span<double> force) const;
 
-  /// dF/ds = 1 − Φ0(s), 1, in [0, 1]. At an atom the value beyond it.
+  /// dF/ds = 1 − Φ0(s), 1, in [0, 1]. At an atom the value beyond it; s as in force().
   [[nodiscard]] double slope(double s) const;
 
  private:
@@ -66,9 +68,9 @@ class Backbone {
     double last_bucket;
     bool crowded;
 
-    /// The bucket of an s ≥ 0.
+    /// The bucket of an s ≥ 0; the last for NaN, by the order of the comparison.
     [[nodiscard]] std::int32_t bucket(double s) const {
-      return static_cast<std::int32_t>(std::min(s * buckets_per_newton, last_bucket));
+      return static_cast<std::int32_t>(std::min(last_bucket, s * buckets_per_newton));
     }
 
     /// The last cubic with start ≤ s. Inline and without a branch in the common case: it runs once a
@@ -99,7 +101,7 @@ class Backbone {
   void fill_buckets();
   [[nodiscard]] double power_law_deficit(double s) const;
 
-  std::vector<Cubic> cubics_;  // by rising start; a sentinel at infinity ends it
+  std::vector<Cubic> cubics_;  // by rising start; a sentinel that starts nowhere ends it
   std::vector<std::uint32_t>
       buckets_;  // last cubic that starts at or below the bucket's lower edge
   double buckets_per_newton_ = 0.0;

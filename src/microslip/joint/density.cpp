@@ -310,7 +310,7 @@ const SlipDensity::LinearSegment& SlipDensity::segment_at(double s) const {
 }
 
 double SlipDensity::density(double slip_force) const {
-  if (slip_force < 0.0) return 0.0;
+  if (!(slip_force >= 0.0)) return slip_force < 0.0 ? 0.0 : slip_force;
   const LinearSegment& segment = segment_at(slip_force);
   double sum = segment.p;
   if (segment.q != 0.0) sum += segment.q * (slip_force - segment.start);
@@ -323,6 +323,7 @@ double SlipDensity::density(double slip_force) const {
 }
 
 PartialMoments SlipDensity::moments(double s) const {
+  if (std::isnan(s)) return {s, s, s};
   if (!(s > 0.0)) return {};
   const LinearSegment& segment = segment_at(s);
   PartialMoments sum = moments_within(segment, s - segment.start);
@@ -336,7 +337,9 @@ PartialMoments SlipDensity::moments(double s) const {
 }
 
 double SlipDensity::slip_energy(double s) const {
+  if (std::isnan(s)) return s;
   if (!(s > 0.0)) return 0.0;
+  if (std::isinf(s)) return total_.first > 0.0 ? s : 0.0;
   const LinearSegment& segment = segment_at(s);
   double sum = slip_energy_within(segment, s - segment.start);
   for (const PowerLawPart& part : power_laws_) sum += power_law_slip_energy(part, s);

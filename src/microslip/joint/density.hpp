@@ -84,14 +84,15 @@ class SlipDensity {
   [[nodiscard]] std::span<const DensityPart> parts() const { return parts_; }
 
   /// φ(f*) without the atoms, 1/N; f* in N. At a step of φ the value above it. Infinite at f* = 0
-  /// where a power law with a negative exponent starts there.
+  /// where a power law with a negative exponent starts there; NaN where f* is.
   [[nodiscard]] double density(double slip_force) const;
 
-  /// Φ0, Φ1, Φ2 at s, in closed form. @param s  N; s = ∞ gives the totals; s ≤ 0 gives zeros.
+  /// Φ0, Φ1, Φ2 at s, in closed form. @param s  N; s = ∞ gives the totals; s ≤ 0 gives zeros,
+  /// NaN gives NaN.
   [[nodiscard]] PartialMoments moments(double s) const;
 
   /// E(s) = ∫₀ˢ f*(s − f*) φ df* = sΦ1(s) − Φ2(s), N², without the cancellation of that difference:
-  /// the dissipation (7) is 4E(kA)/k.
+  /// the dissipation (7) is 4E(kA)/k. 0 for s ≤ 0, infinite for s = ∞ unless nothing slips, NaN for NaN.
   [[nodiscard]] double slip_energy(double s) const;
 
   /// Φn(∞).

@@ -16,6 +16,8 @@
 namespace microslip {
 namespace {
 
+constexpr std::size_t kMostElements = 100'000'000;
+
 void require(bool holds, std::size_t element, std::string_view field, double value) {
   if (!holds) {
     throw InputError(fmt::format("elements[{}].{}", element, field), value,
@@ -191,6 +193,10 @@ JenkinsNetwork JenkinsNetwork::discretise(const Joint& joint, std::size_t n) {
                      fmt::format("must be at least {} for this density: one an atom, and one for "
                                  "the rest",
                                  needed));
+  }
+  if (n > kMostElements) {
+    throw InputError("number of elements", static_cast<double>(n),
+                     fmt::format("must be at most {}", kMostElements));
   }
   const double k = joint.stiffness();
   std::vector<JenkinsElement> elements;

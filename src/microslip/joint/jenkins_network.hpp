@@ -30,7 +30,8 @@ class JenkinsNetwork {
   /// macro-slip force is exact. With an odd number left for the rest, one bin has a single element,
   /// which keeps Φ0 and Φ1.
   /// @param joint  any.
-  /// @param n      ≥ 1, and above the number of atoms where the density has more than atoms.
+  /// @param n      from 1 to 1e8, and above the number of atoms where the density has more than atoms.
+  /// @throws InputError  for another n.
   static JenkinsNetwork discretise(const Joint& joint, std::size_t n);
 
   /// The number of elements.

@@ -39,11 +39,17 @@ Joint Joint::four_parameter(double macroslip_force, double stiffness, double chi
 }
 
 double Joint::virgin_force(double x) const {
-  return std::copysign(backbone_.force(stiffness_ * std::abs(x)), x);
+  const double s = stiffness_ * std::abs(x);
+  if (!std::isinf(s)) [[likely]]
+    return std::copysign(backbone_.force(s), x);
+  return std::copysign(density_.elastic_remainder() > 0.0 ? s : macroslip_force(), x);
 }
 
 double Joint::tangent_stiffness(double x) const {
-  return stiffness_ * backbone_.slope(stiffness_ * std::abs(x));
+  const double s = stiffness_ * std::abs(x);
+  if (!std::isinf(s)) [[likely]]
+    return stiffness_ * backbone_.slope(s);
+  return stiffness_ * density_.elastic_remainder();
 }
 
 double Joint::macroslip_displacement() const {

@@ -35,10 +35,12 @@ class Joint {
   /// F over the elastic force kx.
   [[nodiscard]] const Backbone& backbone() const { return backbone_; }
 
-  /// F(x), N, odd in x: the force on first loading. [AR14 (2)]
+  /// F(x), N, odd in x: the force on first loading. [AR14 (2)] At x = ±∞ the limit, which is ±f_y or,
+  /// with an elastic remainder, infinite; NaN where x is NaN.
   [[nodiscard]] double virgin_force(double x) const;
 
-  /// F′(x) = k[1 − Φ0(k|x|)], N/m. At an atom the value beyond it. [AR14 (4)]
+  /// F′(x) = k[1 − Φ0(k|x|)], N/m. At an atom the value beyond it. [AR14 (4)] At
+  /// x = ±∞ the elastic remainder of k; NaN where x is NaN.
   [[nodiscard]] double tangent_stiffness(double x) const;
 
   /// f_y = Φ1(∞), N: the largest force that the sliders carry. [AR14 (1)] With an elastic remainder

@@ -90,6 +90,7 @@ double secant_stiffness(const Joint& joint, double amplitude) {
   if (amplitude == 0.0) return joint.stiffness();
   const SlipDensity& density = joint.density();
   const double s = joint.stiffness() * amplitude;
+  if (std::isinf(s)) return joint.stiffness() * density.elastic_remainder();
   // In macro-slip all but the remainder has slipped, and 1 − Φ0 is rounding.
   double share = s < density.largest_slip_force() ? 1.0 - density.moments(s).zeroth
                                                   : density.elastic_remainder();
@@ -101,7 +102,11 @@ double secant_stiffness(const Joint& joint, double amplitude) {
 double loss_factor(const Joint& joint, double amplitude) {
   check_amplitude(amplitude);
   if (amplitude == 0.0) return 0.0;
-  const double stored = pi * secant_stiffness(joint, amplitude) * amplitude * amplitude;
+  const double secant = secant_stiffness(joint, amplitude);
+  const double stored = pi * secant * amplitude * amplitude;
+  if (stored == 0.0) return 0.0;  // below what squares of doubles can tell
+  if (std::isinf(stored))
+    return dissipation(joint, amplitude) / amplitude / (pi * secant * amplitude);
   return dissipation(joint, amplitude) / stored;
 }
 

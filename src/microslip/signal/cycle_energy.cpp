@@ -151,10 +151,15 @@ SampledEnergy cycle_energy_from_samples(const Axis& axis, std::span<const double
   const double period = force_series.period();
   const double begin = axis.at(1);  // the first and the last step have no neighbours to sum with
   const double length = axis.at(force.size() - 2) - begin;
-  const auto cycles = static_cast<std::size_t>(std::max(0.0, length / period + kRounding));
-  if (cycles < 1) {
+  const double ratio = length / period + kRounding;
+  if (!(ratio >= 1.0)) {
     throw InputError("length of the record", length, fmt::format("must be a cycle, {} s", period));
   }
+  if (ratio > static_cast<double>(force.size())) {
+    throw InputError("length of the record", length,
+                     fmt::format("must be at most a cycle, {} s, a point", period));
+  }
+  const auto cycles = static_cast<std::size_t>(ratio);
   SampledEnergy result;
   for (std::size_t i = 0; i < cycles; ++i) {
     const double a = begin + static_cast<double>(i) * period;

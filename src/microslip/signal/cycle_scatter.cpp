@@ -10,6 +10,7 @@
 #include <complex>
 #include <limits>
 #include <numeric>
+#include <string_view>
 #include <utility>
 
 #include "microslip/base/error.hpp"
@@ -29,7 +30,16 @@ constexpr std::size_t kLeastValues = 4;
 
 void check(const Axis& axis, Signals signals, const FourierFit& fit,
            const CycleSeriesOptions& options) {
-  if (!(fit.omega > 0.0)) throw InputError("omega of the fit", fit.omega, "must be above 0");
+  const auto require_positive = [](std::string_view what, double value) {
+    if (value > 0.0 && std::isfinite(value)) return;
+    throw InputError(what, value, "must be above 0 and finite");
+  };
+  require_positive("omega of the fit", fit.omega);
+  require_positive("cycles of the fit", fit.cycles);
+  if (axis.even()) require_positive("step of the axis", axis.step);
+  if (fit.points < 2) {
+    throw InputError("points of the fit", static_cast<double>(fit.points), "must be 2 at least");
+  }
   if (options.order < 1) throw InputError("order", options.order, "must be 1 at least");
   if (signals.size() != fit.series.size()) {
     throw InputError("number of signals", static_cast<double>(signals.size()),
@@ -178,18 +188,22 @@ CycleSeries cycle_series(const Axis& axis, Signals signals, const FourierFit& fi
   const double per_cycle = static_cast<double>(fit.points) / fit.cycles;
   const double wanted = kPointsPerUnknown * (2.0 * static_cast<double>(order) + 1.0);
   CycleSeries result;
-  result.cycles_per_block = std::max(1, static_cast<int>(std::ceil(wanted / per_cycle)));
+  constexpr double kMostCycles = 1e9;
+  result.cycles_per_block =
+      static_cast<int>(std::clamp(std::ceil(wanted / per_cycle), 1.0, kMostCycles));
   const double length = result.cycles_per_block * period;
   const double start = axis.at(0);
+  const double ratio = (end_of(axis, fit.points) - start) / length + kCycleRounding;
+  // Not more than points, and none for an axis that does not rise or is no number.
   const auto blocks =
-      static_cast<std::size_t>((end_of(axis, fit.points) - start) / length + kCycleRounding);
+      ratio > 0.0 ? static_cast<std::size_t>(std::min(ratio, static_cast<double>(fit.points))) : 0;
   const Eigen::MatrixXd values = without_trend(axis, signals, fit);
   for (std::size_t b = 0; b < blocks; ++b) {
     const double begin = start + static_cast<double>(b) * length;
     const std::size_t first = point_at(axis, fit.points, begin, period);
     const std::size_t last = point_at(axis, fit.points, begin + length, period);
     // Uneven times may leave a block too few points, or a hole in it.
-    if (last - first < 2 * order + 2) continue;
+    if (last < first + 2 * order + 2) continue;
     if (longest_hole(axis, {begin, begin + length}, first, last) >
         0.5 * period / static_cast<double>(order)) {
       continue;

@@ -27,9 +27,9 @@ struct FourierSeries {
 
   /// H, the number of harmonics.
   [[nodiscard]] std::size_t order() const { return harmonic.size(); }
-  /// c_n, n ≥ 1; 0 above the order.
+  /// c_n, n ≥ 1; 0 above the order, and for n = 0: the mean is no harmonic.
   [[nodiscard]] std::complex<double> c(std::size_t n) const {
-    return n <= harmonic.size() ? harmonic[n - 1] : 0.0;
+    return n - 1 < harmonic.size() ? harmonic[n - 1] : 0.0;  // 0 − 1 is the largest
   }
   /// ω/2π, Hz.
   [[nodiscard]] double frequency() const;

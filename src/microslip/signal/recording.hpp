@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,9 +25,10 @@ struct Axis {
 
   /// Whether the points are evenly spaced.
   [[nodiscard]] bool even() const { return values.empty(); }
-  /// Point i, SI.
+  /// Point i, SI; NaN behind the last of those that are not evenly spaced.
   [[nodiscard]] double at(std::size_t i) const {
-    return even() ? start + static_cast<double>(i) * step : values[i];
+    if (even()) return start + static_cast<double>(i) * step;
+    return i < values.size() ? values[i] : std::numeric_limits<double>::quiet_NaN();
   }
 
   /// Member by member.

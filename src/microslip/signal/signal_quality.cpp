@@ -122,6 +122,11 @@ void add_warnings(std::string_view name, SignalQuality& quality) {
 void add_drift(const CycleSeries& cycles, std::size_t index, const SignalQualityOptions& options,
                SignalQuality& quality) {
   if (cycles.block.empty()) return;
+  for (const std::vector<FourierSeries>& block : cycles.block) {
+    if (index < block.size()) continue;
+    throw InputError("signals of a block", static_cast<double>(block.size()),
+                     fmt::format("must be above {}, the index of the signal", index));
+  }
   quality.amplitude = scatter(cycles, [index](std::span<const FourierSeries> signals) {
     return std::abs(signals[index].c(1));
   });
@@ -188,6 +193,10 @@ Dropouts find_dropouts(const Axis& axis, std::span<const double> signal,
   if (axis.values.size() < 2) return result;
   std::vector<double> steps;
   for (std::size_t i = 1; i < axis.values.size(); ++i) {
+    if (!(axis.values[i] > axis.values[i - 1])) {
+      throw InputError(fmt::format("time {}", i + 1), axis.values[i],
+                       "must be later than the time before it");
+    }
     steps.push_back(axis.values[i] - axis.values[i - 1]);
   }
   std::vector<double> sorted = steps;
@@ -207,6 +216,11 @@ SignalQuality signal_quality(const Axis& axis, std::span<const std::span<const d
   if (index >= signals.size() || signals.size() != fit.series.size()) {
     throw InputError("index of the signal", static_cast<double>(index),
                      fmt::format("must be below {}, the number of signals", fit.series.size()));
+  }
+  if (fit.harmonic_std.size() != fit.series.size()) {
+    throw InputError("number of harmonic_std of the fit",
+                     static_cast<double>(fit.harmonic_std.size()),
+                     fmt::format("must be {}, one a signal", fit.series.size()));
   }
   SignalQuality result;
   const FourierSeries& series = fit.series[index];

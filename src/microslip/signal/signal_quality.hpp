@@ -96,7 +96,8 @@ struct Dropouts {
   /// Whether there is a run or a gap.
   [[nodiscard]] bool found() const { return runs + gaps > 0; }
 };
-/// Runs of one value and gaps, see Dropouts. @throws InputError  for an option out of range.
+/// Runs of one value and gaps, see Dropouts. @throws InputError  for an option out of range, or times
+/// that do not rise.
 [[nodiscard]] Dropouts find_dropouts(const Axis& axis, std::span<const double> signal,
                                      const DropoutOptions& options = {});
 

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "microslip/base/error.hpp"
+#include "microslip/identify/bands.hpp"
+#include "microslip/identify/covered_range.hpp"
+#include "microslip/identify/density_comparison.hpp"
+#include "microslip/identify/diagnostics.hpp"
+#include "microslip/identify/differences.hpp"
+#include "microslip/identify/identification.hpp"
+#include "microslip/identify/method_comparison.hpp"
+#include "microslip/identify/parametric.hpp"
+#include "microslip/identify/spline_density.hpp"
+#include "microslip/joint/dissipation.hpp"
+
+/// @file
+/// Each public function of identify/ with arguments that mean nothing: a documented value or
+/// InputError.
+
+namespace microslip {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kStiffness = 1e5;
+
+Levels good_levels() {
+  const Joint joint(kStiffness, SlipDensity({UniformPart{0.0, 30.0, 0.6}}));
+  Levels levels;
+  for (int i = 1; i <= 12; ++i) {
+    levels.amplitude.push_back(2e-5 * i);
+    levels.dissipation.push_back(dissipation(joint, 2e-5 * i) * (1.0 + 0.01 * std::sin(5.0 * i)));
+  }
+  return levels;
+}
+
+std::vector<Levels> bad_levels() {
+  std::vector<Levels> all(1);  // empty
+  for (const double bad : {kNaN, kInfinity, -kInfinity, -1e-5}) {
+    for (std::vector<double> Levels::*column :
+         {&Levels::amplitude, &Levels::dissipation, &Levels::amplitude_std,
+          &Levels::dissipation_std, &Levels::secant_stiffness, &Levels::secant_stiffness_std,
+          &Levels::linear_dissipation}) {
+      Levels levels = good_levels();
+      (levels.*column).resize(levels.size(), 1e-6);
+      (levels.*column)[3] = bad;
+      all.push_back(levels);
+      (levels.*column).assign(5, 1e-6);  // of another length
+      all.push_back(levels);
+    }
+  }
+  return all;
+}
+
+TEST(AnyArgument, OfLevels) {
+  for (const Levels& levels : bad_levels()) {
+    EXPECT_THROW(check_levels(levels), InputError);
+    EXPECT_THROW((void)sort_and_merge(levels), InputError);
+    EXPECT_THROW((void)diagnose(levels), InputError);
+    EXPECT_THROW((void)invert(levels, {.stiffness = kStiffness}), InputError);
+    EXPECT_THROW((void)density_by_spline(levels, kStiffness), InputError);
+    EXPECT_THROW((void)density_by_differences(levels, kStiffness), InputError);
+    EXPECT_THROW((void)fit_parametric(levels, kStiffness, ParametricModel::kUniform), InputError);
+  }
+  for (const double bad : {kNaN, kInfinity, -1.0, 0.0}) {
+    EXPECT_THROW((void)invert(good_levels(), {.stiffness = bad}), InputError);
+    EXPECT_THROW((void)density_by_spline(good_levels(), bad), InputError);
+    EXPECT_THROW((void)density_by_differences(good_levels(), bad), InputError);
+    EXPECT_THROW((void)fit_parametric(good_levels(), bad, ParametricModel::kUniform), InputError);
+  }
+}
+
+// A loss factor without the losses of the levels, or with too few; an empty result.
+TEST(AnyArgument, OfSamplesOfTheDensity) {
+  const InversionResult good = invert(good_levels(), {.stiffness = kStiffness});
+  const BandOptions of_loss{.loss_factor_std = 0.1};
+  EXPECT_NO_THROW((void)sample_density(good, {}, 0));
+  EXPECT_NO_THROW((void)sample_density(good, {}, static_cast<std::size_t>(-1)));
+  EXPECT_THROW((void)sample_density(good, of_loss, 0), InputError);
+  EXPECT_THROW((void)density_bands(good, of_loss), InputError);
+  InversionResult bad = good;
+  bad.levels.linear_dissipation.assign(good.levels.size(), 1e-6);
+  EXPECT_NO_THROW((void)sample_density(bad, of_loss, 0));
+  bad.levels.linear_dissipation.pop_back();
+  EXPECT_THROW((void)sample_density(bad, of_loss, 0), InputError);
+  EXPECT_THROW((void)density_bands(bad, of_loss), InputError);
+  for (const double std : {kNaN, kInfinity, -0.1, 0.5}) {
+    EXPECT_THROW((void)sample_density(good, {.dissipation_gain_std = std}, 0), InputError);
+    EXPECT_THROW((void)sample_density(good, {.amplitude_gain_std = std}, 0), InputError);
+    EXPECT_THROW((void)sample_density(good, {.loss_factor_std = std}, 0), InputError);
+    EXPECT_THROW((void)density_bands(good, {.confidence = std - 0.5}), InputError);
+  }
+  EXPECT_THROW((void)density_bands(good, {.samples = 0}), InputError);
+
+  const std::vector<InversionResult> empty = [&] {
+    std::vector<InversionResult> all(5, good);
+    all[0] = InversionResult{};
+    all[1].model.reset();
+    all[2].density.pop_back();
+    all[3].levels = Levels{};
+    all[4].fitted_dissipation.clear();
+    return all;
+  }();
+  for (const InversionResult& result : empty) {
+    EXPECT_THROW((void)sample_density(result, {}, 0), InputError);
+    EXPECT_THROW((void)density_bands(result, {}), InputError);
+    EXPECT_THROW((void)diagnose(result, {.stiffness = kStiffness}), InputError);
+  }
+}
+
+TEST(AnyArgument, OfSplines) {
+  const NaturalSpline none;
+  const NaturalSpline line({0.0, 1.0}, {2.0, 3.0}, {0.0, 0.0});
+  EXPECT_TRUE(std::isnan(none.value(0.0)));
+  EXPECT_TRUE(std::isnan(none.first_derivative(0.0)));
+  EXPECT_TRUE(std::isnan(none.second_derivative(0.0)));
+  EXPECT_TRUE(std::isnan(line.value(kNaN)));
+  EXPECT_TRUE(std::isnan(line.first_derivative(kNaN)));
+  EXPECT_EQ(line.value(kInfinity), kInfinity);
+  EXPECT_EQ(line.value(-kInfinity), -kInfinity);
+  EXPECT_EQ(line.second_derivative(-kInfinity), 0.0);
+  EXPECT_THROW(NaturalSpline({}, {}, {}), InputError);
+  EXPECT_THROW(NaturalSpline({0.0, kNaN}, {0.0, 0.0}, {0.0, 0.0}), InputError);
+  EXPECT_THROW(NaturalSpline({0.0, 1.0}, {0.0}, {0.0, 0.0}), InputError);
+  EXPECT_TRUE(std::isnan(SplineDensityResult{}.fit.spline.value(1.0)));
+  (void)SplineDensityResult{}.density_at(1.0);
+
+  const std::vector<double> x{0.0, 1.0, 2.0, 3.0};
+  const std::vector<double> y{0.0, 1.0, 4.0, 9.0};
+  const std::vector<double> some{1.0, 1.0};
+  EXPECT_THROW((void)fit_smoothing_spline({}, {}, {}), InputError);
+  EXPECT_THROW((void)fit_smoothing_spline(x, some, {}), InputError);
+  EXPECT_THROW((void)fit_smoothing_spline(x, y, some), InputError);
+  for (const double bad : {kNaN, -1.0, -kInfinity}) {
+    const std::vector<double> broken{0.0, bad, 2.0, 3.0};
+    EXPECT_THROW((void)fit_smoothing_spline(x, y, broken), InputError);
+    EXPECT_THROW((void)fit_smoothing_spline(x, y, {}, FixedLambda{bad}), InputError);
+    EXPECT_THROW((void)fit_smoothing_spline(x, y, {}, TargetEdf{bad}), InputError);
+    EXPECT_THROW((void)fit_smoothing_spline(x, y, {}, MatlabP{bad, 1.0}), InputError);
+    EXPECT_THROW((void)fit_smoothing_spline(x, y, {}, MatlabP{0.5, bad}), InputError);
+    EXPECT_THROW((void)fit_smoothing_spline(x, y, {}, Gcv{.edf_factor = bad}), InputError);
+  }
+}
+
+TEST(AnyArgument, OfComparisons) {
+  const SlipDensity truth({UniformPart{0.0, 30.0, 0.6}});
+  const std::vector<double> force{0.0, 10.0};
+  const std::vector<double> density{0.1, 0.1};
+  for (const double bad : {kNaN, kInfinity, -1.0, 0.0}) {
+    EXPECT_THROW((void)density_error(truth, bad, truth), InputError);
+    EXPECT_THROW((void)density_error(force, density, bad, truth), InputError);
+  }
+  EXPECT_THROW((void)density_error(truth, 10.0, truth, {kNaN, 0.5}), InputError);
+  EXPECT_THROW((void)density_error(truth, 10.0, truth, {0.5, 0.2}), InputError);
+  EXPECT_THROW((void)density_error(force, {}, 10.0, truth), InputError);
+  EXPECT_THROW((void)density_error(std::vector<double>{}, {}, 10.0, truth), InputError);
+  EXPECT_THROW((void)density_error(truth, 10.0, SlipDensity()), InputError);
+
+  IdentificationOptions options;
+  options.inversion.stiffness = kStiffness;
+  options.bands = BandOptions{.samples = 20};
+  Identification found = identify(good_levels(), options);
+  EXPECT_NO_THROW((void)band_coverage(found, truth));
+  found.upper.pop_back();
+  EXPECT_THROW((void)band_coverage(found, truth), InputError);
+  found.lower.clear();
+  EXPECT_THROW((void)band_coverage(found, truth), InputError);
+
+  MethodComparison methods = compare_methods(good_levels(), options);
+  for (const double bad : {kNaN, kInfinity, -1.0, 0.0}) {
+    EXPECT_THROW((void)inversion_with(methods, bad), InputError);
+  }
+  EXPECT_THROW((void)spline_with(methods, kNaN), InputError);
+  methods.inversion.inversion.reset();
+  EXPECT_THROW((void)inversion_with(methods, 1.0), InputError);
+  EXPECT_THROW((void)compare_methods(Levels{}, options), InputError);
+
+  const Joint joint(kStiffness, truth);
+  EXPECT_FALSE(beyond_identification(joint, kNaN, 10.0));
+  EXPECT_FALSE(beyond_identification(joint, 1.0, kNaN));
+  EXPECT_FALSE(beyond_identification(joint, 1.0, std::nullopt));
+  EXPECT_TRUE(beyond_identification(joint, kInfinity, 10.0));
+}
+
+}  // namespace
+}  // namespace microslip
