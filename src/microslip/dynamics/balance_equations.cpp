@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -14,6 +15,7 @@ namespace {
 
 using Complex = std::complex<double>;
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 using std::numbers::pi;
@@ -53,17 +55,30 @@ double apparent_work(std::span<const Complex> force, std::span<const Complex> di
   return sum;
 }
 
+/// What modal forcing with ξ = 1/s feeds, J: Σ_i Σ_n n²π ω |q_i,n|².
+double input_of_unit_excitation(const SteadyVibration& vibration) {
+  double sum = 0.0;
+  for (const auto& harmonics : vibration.modal) {
+    for (std::size_t n = 1; n < harmonics.size(); ++n) {
+      const auto order = static_cast<double>(n);
+      sum += order * order * pi * vibration.angular_frequency * std::norm(harmonics[n]);
+    }
+  }
+  return sum;
+}
+
 constexpr double kReactive = 1e-3;  // less work than this share of the apparent is a difference
 
 }  // namespace
 
 BalanceEquations::BalanceEquations(const JointedStructure& structure, const ResponsePoint& response,
-                                   std::size_t harmonics, std::size_t samples)
+                                   std::size_t harmonics, std::size_t samples, Forcing forcing)
     : structure_(structure),
       kind_(response.kind),
       harmonics_(harmonics),
+      forcing_(forcing),
       joint_force_(harmonics, samples),
-      side_(make_structure_side(structure, response.point, harmonics)),
+      side_(make_structure_side(structure, response.point, harmonics, forcing)),
       count_(static_cast<Index>(structure.joints().size()) * coefficient_count(harmonics)),
       displacement_(count_),
       tension_(count_),
@@ -289,6 +304,41 @@ VectorXd BalanceEquations::scale() const {
   return scale;
 }
 
+VectorXd BalanceEquations::enlarged(VectorXd z, double n) const {
+  z.head(count_) *= n;
+  if (forcing_ == Forcing::kExcitation) z[count_ + 1] *= n;
+  return z;
+}
+
+VectorXd BalanceEquations::unknowns(const SteadyVibration& vibration) const {
+  VectorXd z(count_ + 2);
+  Index at = 0;
+  for (const JointCycle& joint : vibration.joints) {
+    z[at++] = joint.displacement[0].real();
+    for (std::size_t n = 1; n <= harmonics_; ++n) {
+      z[at++] = joint.displacement[n].real();
+      z[at++] = joint.displacement[n].imag();
+    }
+  }
+  z[at++] = vibration.angular_frequency;
+  z[at] = forcing_ == Forcing::kExcitation
+              ? vibration.force_amplitude
+              : vibration.input_energy / input_of_unit_excitation(vibration);
+  return z;
+}
+
+double BalanceEquations::lag_rise() {
+  MatrixXd matrix(count_ + 2, count_ + 2);
+  const VectorXd scale = this->scale();
+  matrix.topRows(count_) = scale.head(count_).cwiseInverse().asDiagonal() * jacobian();
+  matrix.row(count_) = log_response_gradient();
+  matrix.row(count_ + 1) = RowVectorXd::Unit(count_ + 2, count_) / z_[count_];
+  matrix *= scale.asDiagonal();
+  const VectorXd change = matrix.partialPivLu().solve(VectorXd::Unit(count_ + 2, count_ + 1));
+  const RowVectorXd lag = -(response_gradient() / values_.response).imag() * scale.asDiagonal();
+  return lag * change;
+}
+
 SteadyVibration BalanceEquations::vibration() {
   SteadyVibration result;
   result.angular_frequency = z_[count_];
@@ -325,7 +375,13 @@ void BalanceEquations::add_joint_cycles(SteadyVibration& vibration) const {
   }
 }
 
-void BalanceEquations::add_energies(SteadyVibration& vibration) const {
+/// Returns the apparent work.
+double BalanceEquations::add_input(SteadyVibration& vibration) const {
+  if (forcing_ == Forcing::kModal) {
+    vibration.input_energy = z_[count_ + 1] * input_of_unit_excitation(vibration);
+    vibration.force_amplitude = vibration.input_energy / (pi * std::abs(values_.response));
+    return std::abs(vibration.input_energy);
+  }
   double apparent = 0.0;
   for (const Excitation& excitation : structure_.excitations()) {
     std::vector<Complex> force{0.0};
@@ -334,6 +390,11 @@ void BalanceEquations::add_energies(SteadyVibration& vibration) const {
     vibration.input_energy += work(force, displacement);
     apparent += apparent_work(force, displacement);
   }
+  return apparent;
+}
+
+void BalanceEquations::add_energies(SteadyVibration& vibration) const {
+  const double apparent = add_input(vibration);
   for (std::size_t i = 0; i < vibration.modal.size(); ++i) {
     const Mode& mode = structure_.linear().modes()[i];
     for (std::size_t n = 1; n <= harmonics_; ++n) {

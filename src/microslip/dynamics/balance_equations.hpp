@@ -27,13 +27,15 @@ struct Onset {
 
 /// The equations of harmonic balance, condensed onto the joints. Internal to dynamics.
 ///
-/// Unknowns z: the coefficients of each joint's displacement, n = J(2H + 1) of them, then ω and A.
+/// Unknowns z: the coefficients of each joint's displacement, n = J(2H + 1) of them, then ω and A;
+/// with modal forcing, ω and ξ.
 /// Equations: n of balance; two targets, or one and a place on a curve, complete them. All are
 /// scaled: residuals of balance to the motion of their joint, the others to what they prescribe.
 class BalanceEquations {
  public:
   BalanceEquations(const JointedStructure& structure, const ResponsePoint& response,
-                   std::size_t harmonics, std::size_t samples);
+                   std::size_t harmonics, std::size_t samples,
+                   Forcing forcing = Forcing::kExcitation);
 
   /// n.
   [[nodiscard]] Eigen::Index balance_count() const { return count_; }
@@ -88,10 +90,21 @@ class BalanceEquations {
   /// z relative. A joint that hardly moves counts as moving 1e-6 of the one that moves most.
   [[nodiscard]] Eigen::VectorXd scale() const;
 
+  /// z of a vibration that is n times as large, as far as it is linear.
+  [[nodiscard]] Eigen::VectorXd enlarged(Eigen::VectorXd z, double n) const;
+
+  /// z of a vibration of the structure in these harmonics.
+  [[nodiscard]] Eigen::VectorXd unknowns(const SteadyVibration& vibration) const;
+
+  /// d lag/d ln ω of the response at constant response amplitude, rad: positive where the phase passes
+  /// as it does through a resonance, negative where it goes back, as at an antiresonance.
+  [[nodiscard]] double lag_rise();
+
   /// The solution at z, with its energies.
   [[nodiscard]] SteadyVibration vibration();
 
   [[nodiscard]] const JointedStructure& structure() const { return structure_; }
+  [[nodiscard]] Forcing forcing() const { return forcing_; }
 
  private:
   [[nodiscard]] StructureSide::Input input() const;
@@ -99,11 +112,13 @@ class BalanceEquations {
   void keep_branches(std::size_t joint);
   void add_linear_damping(std::size_t joint);
   void add_joint_cycles(SteadyVibration& vibration) const;
+  double add_input(SteadyVibration& vibration) const;
   void add_energies(SteadyVibration& vibration) const;
 
   const JointedStructure& structure_;
   ResponseKind kind_;
   std::size_t harmonics_;
+  Forcing forcing_;
   HarmonicForce joint_force_;
   std::unique_ptr<StructureSide> side_;
   Eigen::Index count_;

@@ -7,11 +7,13 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "microslip/base/error.hpp"
 #include "microslip/dynamics/continuation.hpp"
 #include "microslip/dynamics/level_walk.hpp"
+#include "microslip/dynamics/resonance_curve.hpp"
 #include "microslip/dynamics/trigonometric_basis.hpp"
 
 namespace microslip {
@@ -65,11 +67,26 @@ void check_target(const Target& target) {
   }
 }
 
-void check_targets(const Target& first, const Target& second) {
+/// A nonlinear mode has no force and, as nothing drives it, any phase.
+void check_modal_targets(const Target& first, const Target& second) {
+  for (const Target& target : {first, second}) {
+    if (target.quantity != Quantity::kForceAmplitude) continue;
+    throw InputError("target", to_string(target.quantity),
+                     "must not be prescribed with modal forcing", "Give a response.");
+  }
+  if (first.quantity == Quantity::kPhaseLag || second.quantity == Quantity::kPhaseLag) return;
+  throw InputError("targets",
+                   fmt::format("{} and {}", to_string(first.quantity), to_string(second.quantity)),
+                   "must hold phase resonance with modal forcing");
+}
+
+void check_targets(const Target& first, const Target& second, Forcing forcing) {
   check_target(first);
   check_target(second);
-  if (first.quantity != second.quantity) return;
-  throw InputError("second target", to_string(second.quantity), "must be another than the first");
+  if (first.quantity == second.quantity) {
+    throw InputError("second target", to_string(second.quantity), "must be another than the first");
+  }
+  if (forcing == Forcing::kModal) check_modal_targets(first, second);
 }
 
 double stuck_frequency(const JointedStructure& structure, std::size_t mode) {
@@ -81,6 +98,39 @@ double stuck_frequency(const JointedStructure& structure, std::size_t mode) {
                    "must be one that vibrates; this is a rigid body", "Take a higher mode.");
 }
 
+double product(const std::vector<double>& one, std::span<const double> other) {
+  return std::inner_product(one.begin(), one.end(), other.begin(), 0.0);
+}
+
+/// Modal forcing reaches a mode by what its joints do, and tells its size by the response.
+void check_modal_mode(const JointedStructure& structure, const ResponsePoint& response,
+                      std::size_t mode, double stuck_frequency) {
+  constexpr double kNothing = 1e-9;  // of a shape
+  const std::vector<double> shape = structure.stuck_mode(mode);
+  const auto takes_part = [&](std::span<const double> other) {
+    const double size =
+        std::sqrt(std::inner_product(other.begin(), other.end(), other.begin(), 0.0));
+    return std::abs(product(shape, other)) > kNothing * size;
+  };
+  const std::string what = fmt::format("mode with modal forcing");
+  if (!takes_part(structure.linear().shape(response.point))) {
+    throw InputError(what, fmt::format("{}", mode),
+                     fmt::format("must move the response point '{}'", response.point),
+                     "Take another response point.");
+  }
+  const auto joints = structure.joints();
+  if (structure.shortens() || std::ranges::any_of(joints, [&](const StructuralJoint& joint) {
+        return takes_part(joint.shape);
+      })) {
+    return;
+  }
+  throw InputError(what, fmt::format("{}", mode),
+                   fmt::format("must move a joint; this one is linear, with {:.9g} Hz and the "
+                               "damping of the model at every response",
+                               stuck_frequency / (2.0 * std::numbers::pi)),
+                   "Take another mode.");
+}
+
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -89,7 +139,7 @@ double seconds_since(Clock::time_point start) {
 struct Run {
   Run(const JointedStructure& structure, const ResponsePoint& response,
       const HarmonicBalanceOptions& options)
-      : equations(structure, response, options.harmonics, options.samples),
+      : equations(structure, response, options.harmonics, options.samples, options.forcing),
         newton_options{options.tolerance, options.max_iterations} {}
 
   struct Outcome {
@@ -190,23 +240,12 @@ VectorXd to_unknowns(const SteadyVibration& start, const BalanceEquations& equat
     throw InputError("joints of the start", static_cast<double>(start.joints.size()),
                      fmt::format("must be those of the structure, {}", joints));
   }
-  VectorXd z(equations.unknown_count());
-  Index at = 0;
   for (const JointCycle& joint : start.joints) {
-    if (joint.displacement.size() != harmonics + 1) {
-      throw InputError("harmonics of the start",
-                       static_cast<double>(joint.displacement.size()) - 1.0,
-                       fmt::format("must be those of the options, {}", harmonics));
-    }
-    z[at++] = joint.displacement[0].real();
-    for (std::size_t n = 1; n <= harmonics; ++n) {
-      z[at++] = joint.displacement[n].real();
-      z[at++] = joint.displacement[n].imag();
-    }
+    if (joint.displacement.size() == harmonics + 1) continue;
+    throw InputError("harmonics of the start", static_cast<double>(joint.displacement.size()) - 1.0,
+                     fmt::format("must be those of the options, {}", harmonics));
   }
-  z[at] = start.angular_frequency;
-  z[at + 1] = start.force_amplitude;
-  return z;
+  return equations.unknowns(start);
 }
 
 }  // namespace
@@ -223,7 +262,7 @@ HarmonicBalance::HarmonicBalance(JointedStructure structure, ResponsePoint respo
 VibrationResult HarmonicBalance::solve(const Target& first, const Target& second,
                                        std::size_t mode) const {
   const auto start = Clock::now();
-  check_targets(first, second);
+  check_targets(first, second, options_.forcing);
   Run run(structure_, response_, options_);
   return to_result(run, solve_from_stuck(run, first, second, mode), first, second, start);
 }
@@ -231,7 +270,7 @@ VibrationResult HarmonicBalance::solve(const Target& first, const Target& second
 VibrationResult HarmonicBalance::solve(const Target& first, const Target& second,
                                        const SteadyVibration& near) const {
   const auto start = Clock::now();
-  check_targets(first, second);
+  check_targets(first, second, options_.forcing);
   Run run(structure_, response_, options_);
   Run::Outcome outcome{{}, to_unknowns(near, run.equations, options_.harmonics)};
   outcome.newton = newton(run.equations, first, second, run.newton_options, outcome.z);
@@ -244,7 +283,7 @@ ResponseCurve HarmonicBalance::follow(const Target& kept, Quantity along, double
   if (along == Quantity::kPhaseLag) {
     throw InputError("quantity to follow", to_string(along), "must not be the phase lag");
   }
-  check_targets(kept, {along, from});
+  check_targets(kept, {along, from}, options_.forcing);
   check_target({along, to});
   require(from != to, "end of the range", to, "must be another than its start");
   Run run(structure_, response_, options_);
@@ -323,6 +362,24 @@ ResponseCurve HarmonicBalance::backbone(std::span<const double> responses, std::
   }
   if (!result.converged) s.residual = result.residual;
   s.wall_seconds = seconds_since(start);
+  return curve;
+}
+
+ResponseCurve HarmonicBalance::resonances(std::span<const double> responses, std::size_t mode,
+                                          const Progress& progress) const {
+  const auto start = Clock::now();
+  require(!responses.empty(), "number of responses", 0.0, "must be at least 1");
+  for (std::size_t i = 0; i < responses.size(); ++i) {
+    check_target({Quantity::kResponse, responses[i]});
+    if (i == 0 || responses[i] > responses[i - 1]) continue;
+    throw InputError(fmt::format("response[{}]", i), responses[i],
+                     fmt::format("must be above the one before, {}", responses[i - 1]));
+  }
+  const double stuck = stuck_frequency(structure_, mode);
+  if (options_.forcing == Forcing::kModal) check_modal_mode(structure_, response_, mode, stuck);
+  ResponseCurve curve =
+      ResonanceCurve(structure_, response_, options_, mode, stuck).at(responses, progress);
+  curve.summary.wall_seconds = seconds_since(start);
   return curve;
 }
 

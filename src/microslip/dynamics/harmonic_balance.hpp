@@ -42,6 +42,9 @@ struct HarmonicBalanceOptions {
   /// Where a curve over the frequency is to have points as well, ω, rad/s; on each of its branches
   /// there.
   std::vector<double> frequencies = {};
+  /// What keeps the vibration up. Modal forcing has nonlinear modes alone: of solve() it takes phase
+  /// resonance, which then only says when the time begins, with a response or a frequency.
+  Forcing forcing = Forcing::kExcitation;
 };
 
 /// Steady periodic vibrations of a jointed structure by the harmonic balance method, with the exact
@@ -65,6 +68,8 @@ class HarmonicBalance {
 
   /// The structure, as given.
   [[nodiscard]] const JointedStructure& structure() const { return structure_; }
+  /// The response point, as given.
+  [[nodiscard]] const ResponsePoint& response() const { return response_; }
   /// The options, as given.
   [[nodiscard]] const HarmonicBalanceOptions& options() const { return options_; }
 
@@ -127,6 +132,21 @@ class HarmonicBalance {
   /// @param progress   told after each; a long backbone may be cancelled (Cancelled).
   [[nodiscard]] ResponseCurve backbone(std::span<const double> responses, std::size_t mode = 0,
                                        const Progress& progress = {}) const;
+
+  /// The curve of phase resonance over the response, followed from where all joints stick, round the
+  /// folds where it turns back: then a response is met more than once, and the rows are those of
+  /// the curve in its order, folds among them (turning_points). With Forcing::kModal the nonlinear
+  /// mode, which exists whatever is driven.
+  ///
+  /// With a force at a point phase resonance may begin or end: the summary is not converged then and
+  /// says from where to where it exists and why no further, and the curve holds all that there is.
+  /// @param responses  > 0, rising, at least one, in the kind of the response point.
+  /// @param mode       as in solve().
+  /// @param progress   told after each; may cancel (Cancelled).
+  /// @throws InputError  also where modal forcing is asked of a mode that no joint takes part in, or
+  ///                     that does not move the response point: it is linear, or not to be seen.
+  [[nodiscard]] ResponseCurve resonances(std::span<const double> responses, std::size_t mode = 0,
+                                         const Progress& progress = {}) const;
 
  private:
   JointedStructure structure_;

@@ -91,6 +91,12 @@ Eigen::MatrixXd stiffness_matrix(const ModalModel& linear,
   return matrix;
 }
 
+/// Of a stuck joint with what lies in series.
+double stuck_stiffness(const StructuralJoint& joint) {
+  const double k = joint.joint.stiffness();
+  return k / (1.0 + k * joint.series_compliance);
+}
+
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& matrix) {
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly)
       .eigenvalues();
@@ -163,15 +169,21 @@ std::size_t JointedStructure::excited_harmonics() const {
 }
 
 std::vector<double> JointedStructure::stuck_frequencies() const {
-  const auto stuck = [](const StructuralJoint& joint) {
-    const double k = joint.joint.stiffness();
-    return k / (1.0 + k * joint.series_compliance);
-  };
   std::vector<double> result;
-  for (const double square : eigenvalues(stiffness_matrix(linear_, joints_, stuck))) {
+  for (const double square : eigenvalues(stiffness_matrix(linear_, joints_, stuck_stiffness))) {
     result.push_back(std::sqrt(std::max(square, 0.0)));
   }
   return result;
+}
+
+std::vector<double> JointedStructure::stuck_mode(std::size_t mode) const {
+  if (mode >= linear_.size()) {
+    throw InputError("mode", static_cast<double>(mode), "must be below the number of modes");
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+      stiffness_matrix(linear_, joints_, stuck_stiffness));
+  const Eigen::VectorXd shape = solver.eigenvectors().col(static_cast<Index>(mode));
+  return {shape.begin(), shape.end()};
 }
 
 }  // namespace microslip

@@ -84,6 +84,10 @@ class JointedStructure {
   /// resonances are at small amplitude. Series compliance included, shortening not.
   [[nodiscard]] std::vector<double> stuck_frequencies() const;
 
+  /// The shape of such a vibration over the modes q_i, of length 1 (mass-normalised).
+  /// @param mode  by frequency, from 0. @throws InputError  where there are not so many.
+  [[nodiscard]] std::vector<double> stuck_mode(std::size_t mode) const;
+
  private:
   ModalModel linear_;
   std::vector<StructuralJoint> joints_;

@@ -4,6 +4,11 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+#include "microslip/dynamics/trigonometric_basis.hpp"
 
 namespace microslip {
 namespace {
@@ -16,9 +21,65 @@ constexpr double kLargestRatio = 4.0;      // of two levels
 constexpr double kStuckLoss = 0.01;        // of joints in the linear vibration to start from
 constexpr double kSmallestRatio = 1.0005;  // below it the walk is stuck
 
+/// The number of the stuck mode next to ω.
+std::size_t mode_at(const JointedStructure& structure, double angular_frequency) {
+  const std::vector<double> frequencies = structure.stuck_frequencies();
+  const auto nearest = std::ranges::min_element(
+      frequencies, {}, [&](double frequency) { return std::abs(frequency - angular_frequency); });
+  return static_cast<std::size_t>(nearest - frequencies.begin());
+}
+
+/// The most of a motion of the joints, 1, at which they hardly slip.
+double stuck_share(const JointedStructure& structure, const VectorXd& motion) {
+  double share = HUGE_VAL;
+  const auto joints = structure.joints();
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const Joint& joint = joints[j].joint;
+    const double force = joint.stiffness() * std::abs(motion[static_cast<Index>(j)]);
+    if (joint.macroslip_force() > 0.0 && force > 0.0) {
+      share = std::min(share, kStuckShare * joint.macroslip_force() / force);
+    }
+  }
+  return share;
+}
+
+/// The mode v of the stuck structure there, so small that it stays stuck, with the ξ that keeps it up:
+/// Σ v_i² η_i ω_i and a little loss of the joints.
+VectorXd stuck_mode(const BalanceEquations& equations, double angular_frequency) {
+  const JointedStructure& structure = equations.structure();
+  const auto joints = structure.joints();
+  const std::vector<double> mode = structure.stuck_mode(mode_at(structure, angular_frequency));
+  double excitation = 0.0;
+  for (std::size_t i = 0; i < mode.size(); ++i) {
+    const Mode& m = structure.linear().modes()[i];
+    excitation += mode[i] * mode[i] *
+                  modal_stiffness(m, angular_frequency, structure.damping()).imag() /
+                  angular_frequency;
+  }
+  VectorXd motion = VectorXd::Zero(static_cast<Index>(joints.size()));
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const StructuralJoint& joint = joints[j];
+    const double k = joint.joint.stiffness();
+    const double across = std::inner_product(mode.begin(), mode.end(), joint.shape.begin(), 0.0);
+    motion[static_cast<Index>(j)] = across / (1.0 + k * joint.series_compliance);
+    excitation += kStuckLoss * k * std::pow(motion[static_cast<Index>(j)], 2) / angular_frequency;
+  }
+  const double share = stuck_share(structure, motion);
+  const Index n = equations.balance_count();
+  VectorXd z = VectorXd::Zero(n + 2);
+  for (Index j = 0; j < motion.size(); ++j) {
+    z[j * (n / motion.size()) + coefficient_index(1) + 1] =  // −i: a lag of a quarter
+        -motion[j] * (std::isfinite(share) ? share : 1.0);
+  }
+  z[n] = angular_frequency;
+  z[n + 1] = excitation;
+  return z;
+}
+
 }  // namespace
 
 VectorXd stuck_vibration(BalanceEquations& equations, double angular_frequency) {
+  if (equations.forcing() == Forcing::kModal) return stuck_mode(equations, angular_frequency);
   const Index n = equations.balance_count();
   VectorXd z = VectorXd::Zero(n + 2);
   z[n] = angular_frequency;
@@ -34,8 +95,7 @@ VectorXd scaled(BalanceEquations& equations, VectorXd z, const Target& level) {
   equations.evaluate(z);
   const double ratio = level.value / equations.value(level.quantity);
   const Index n = equations.balance_count();
-  z.head(n) *= ratio;
-  z[n + 1] *= ratio;
+  z = equations.enlarged(z, ratio);
   equations.evaluate(z);
   const auto joints = static_cast<Index>(equations.structure().joints().size());
   for (Index j = 0; j < joints; ++j) {
@@ -52,17 +112,12 @@ LevelWalk::LevelWalk(BalanceEquations& equations, const NewtonOptions& options, 
 NewtonResult LevelWalk::start(double angular_frequency, double most) {
   VectorXd z = stuck_vibration(equations_, angular_frequency);
   equations_.evaluate(z);
-  double share = HUGE_VAL;  // of the present level that hardly slips
   const auto joints = equations_.structure().joints();
-  const Index block =
-      equations_.balance_count() / std::max<Index>(1, static_cast<Index>(joints.size()));
-  for (std::size_t j = 0; j < joints.size(); ++j) {
-    const Joint& joint = joints[j].joint;
-    const double force = joint.stiffness() * z.segment(static_cast<Index>(j) * block, block).norm();
-    if (joint.macroslip_force() > 0.0 && force > 0.0) {
-      share = std::min(share, kStuckShare * joint.macroslip_force() / force);
-    }
-  }
+  const auto count = static_cast<Index>(joints.size());
+  const Index block = equations_.balance_count() / std::max<Index>(1, count);
+  VectorXd motion(count);
+  for (Index j = 0; j < count; ++j) motion[j] = z.segment(j * block, block).norm();
+  const double share = stuck_share(equations_.structure(), motion);
   const double present = equations_.value(quantity_);
   const double level = std::min(std::isfinite(share) ? share * present : HUGE_VAL,
                                 joints.empty() ? most : kStuckShare * most);
@@ -82,12 +137,7 @@ NewtonResult LevelWalk::start_at(double level, const VectorXd& z) {
 /// In proportion to the level at first, then linear through the last two.
 VectorXd LevelWalk::predicted(double level) const {
   const Index n = equations_.balance_count();
-  if (previous_level_ == 0.0) {
-    VectorXd z = z_;
-    z.head(n) *= level / level_;
-    z[n + 1] *= level / level_;
-    return z;
-  }
+  if (previous_level_ == 0.0) return equations_.enlarged(z_, level / level_);
   VectorXd z = z_ + (z_ - previous_) * ((level - level_) / (level_ - previous_level_));
   if (!(z[n] > 0.0)) z[n] = z_[n];
   if (!(z[n + 1] > 0.0)) z[n + 1] = z_[n + 1];

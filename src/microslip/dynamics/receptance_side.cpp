@@ -42,8 +42,8 @@ void put(VectorXd& vector, Index at, Complex z) {
 class ReceptanceSide final : public StructureSide {
  public:
   ReceptanceSide(const JointedStructure& structure, std::string_view response_point,
-                 std::size_t harmonics)
-      : m_(structure, response_point, harmonics),
+                 std::size_t harmonics, Forcing forcing)
+      : m_(structure, response_point, harmonics, forcing),
         stuck_(m_.joints),
         motion_(m_.modes, static_cast<Index>(harmonics) + 1) {
     for (Index j = 0; j < m_.joints; ++j) {
@@ -52,7 +52,7 @@ class ReceptanceSide final : public StructureSide {
     held_ = (m_.shapes.cwiseAbs2() * stuck_).cwiseAbs();
     static_spring_ = m_.spring_in_modes + stuck_;
     MatrixXd stiffness = m_.shapes * stuck_.asDiagonal() * m_.shapes.transpose();
-    for (Index i = 0; i < m_.modes; ++i) stiffness(i, i) += m_.stiffness(i, 0, 0.0).real();
+    for (Index i = 0; i < m_.modes; ++i) stiffness(i, i) += m_.stiffness(i, 0, 0.0, 0.0).real();
     static_modal_ = inverse_of_held(stiffness) * m_.shapes;
     static_receptance_ = m_.shapes.transpose() * static_modal_;
   }
@@ -67,7 +67,7 @@ class ReceptanceSide final : public StructureSide {
     }
     for (std::size_t h = 1; h <= m_.harmonics; ++h) {
       const auto column = static_cast<Index>(h);
-      prepare(h, input.angular_frequency);
+      prepare(h, input);
       motion_.col(column) =
           solve(m_.shapes * load(h, input, spring_) + input.force * m_.load.col(column));
       const VectorXcd made = m_.shapes.transpose() * motion_.col(column);
@@ -146,12 +146,13 @@ class ReceptanceSide final : public StructureSide {
   }
 
   /// Takes K and κ of harmonic h.
-  void prepare(std::size_t h, double angular_frequency) {
+  void prepare(std::size_t h, const Input& input) {
     constexpr double kNearPole = 1e-6;
     impedance_.resize(m_.modes);
-    near_pole_ = false;
+    // Modal forcing makes a free vibration, at a pole of the modes where the joints hardly hold.
+    near_pole_ = m_.forcing == Forcing::kModal;
     for (Index i = 0; i < m_.modes; ++i) {
-      impedance_[i] = m_.stiffness(i, h, angular_frequency);
+      impedance_[i] = m_.stiffness(i, h, input.angular_frequency, input.force);
       near_pole_ = near_pole_ || std::abs(impedance_[i]) < kNearPole * held_[i];
     }
     spring_ = m_.spring_in_modes;
@@ -172,14 +173,16 @@ class ReceptanceSide final : public StructureSide {
 
   void harmonic(std::size_t h, const Input& input, Derivatives& output) {
     const auto column = static_cast<Index>(h);
-    prepare(h, input.angular_frequency);
+    prepare(h, input);
     VectorXcd shift = motion_.col(column);  // −Z_i′q_i, the load that acts as dω does
+    VectorXcd unit(m_.modes);               // the load of a unit of force
     for (Index i = 0; i < m_.modes; ++i) {
-      shift[i] *= -m_.stiffness_slope(i, h, input.angular_frequency);
+      shift[i] *= -m_.stiffness_slope(i, h, input.angular_frequency, input.force);
+      unit[i] = m_.load_by_force(i, h, input.angular_frequency, motion_(i, column));
     }
     const MatrixXcd weighted = solve(m_.shapes);  // K⁻¹ψ
     const MatrixXcd receptance = m_.shapes.transpose() * weighted;
-    const VectorXcd driven = weighted.transpose() * m_.load.col(column);
+    const VectorXcd driven = weighted.transpose() * unit;
     const VectorXcd shifted = weighted.transpose() * shift;
     for (Index j = 0; j < m_.joints; ++j) {
       const Index row = at(j, h);
@@ -193,13 +196,14 @@ class ReceptanceSide final : public StructureSide {
                    -receptance(j, l) * (1.0 - spring_[l] * m_.compliance[l]));
       }
     }
-    if (h == 1) respond(weighted, shift, output);
+    if (h == 1) respond(weighted, unit, shift, output);
   }
 
-  void respond(const MatrixXcd& weighted, const VectorXcd& shift, Derivatives& output) const {
+  void respond(const MatrixXcd& weighted, const VectorXcd& unit, const VectorXcd& shift,
+               Derivatives& output) const {
     const VectorXcd transfer = weighted.transpose() * m_.response_shape;
     const VectorXcd point = solve(m_.response_shape);
-    output.response_by_force = (point.array() * m_.load.col(1).array()).sum();
+    output.response_by_force = (point.array() * unit.array()).sum();
     output.response_by_frequency = (point.array() * shift.array()).sum();
     for (Index l = 0; l < m_.joints; ++l) {
       const Complex by_displacement = transfer[l] * spring_[l];
@@ -230,8 +234,8 @@ class ReceptanceSide final : public StructureSide {
 
 std::unique_ptr<StructureSide> make_receptance_side(const JointedStructure& structure,
                                                     std::string_view response_point,
-                                                    std::size_t harmonics) {
-  return std::make_unique<ReceptanceSide>(structure, response_point, harmonics);
+                                                    std::size_t harmonics, Forcing forcing) {
+  return std::make_unique<ReceptanceSide>(structure, response_point, harmonics, forcing);
 }
 
 }  // namespace microslip

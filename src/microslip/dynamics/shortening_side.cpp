@@ -26,8 +26,8 @@ using Eigen::VectorXd;
 class ShorteningSide final : public StructureSide {
  public:
   ShorteningSide(const JointedStructure& structure, std::string_view response_point,
-                 std::size_t harmonics)
-      : m_(structure, response_point, harmonics), count_(coefficient_count(harmonics)) {
+                 std::size_t harmonics, Forcing forcing)
+      : m_(structure, response_point, harmonics, forcing), count_(coefficient_count(harmonics)) {
     for (const StructuralJoint& joint : structure.joints()) {
       MatrixXd gamma = MatrixXd::Zero(m_.modes, m_.modes);
       if (!joint.shortening.empty()) {
@@ -56,7 +56,7 @@ class ShorteningSide final : public StructureSide {
     const Index n = m_.joints * count_;
     change_.resize(load_.size(), n + 2);
     right_.resize(load_.size(), n + 2);
-    right_ << from_tension_, load_, frequency_load(input.angular_frequency);
+    right_ << from_tension_, load_by_force(input), frequency_load(input);
     change_ = solver_.solve(right_);
 
     output.by_displacement.setIdentity(n, n);
@@ -88,7 +88,7 @@ class ShorteningSide final : public StructureSide {
  private:
   void solve_modes(const Input& input) {
     stiffness_.setZero(load_.size(), load_.size());
-    for (Index i = 0; i < m_.modes; ++i) add_modal_stiffness(i, input.angular_frequency);
+    for (Index i = 0; i < m_.modes; ++i) add_modal_stiffness(i, input);
     VectorXd right = input.force * load_;
     for (Index j = 0; j < m_.joints; ++j) {
       const auto tension = input.tension.segment(j * count_, count_);
@@ -107,11 +107,11 @@ class ShorteningSide final : public StructureSide {
     q_ = solver_.solve(right);
   }
 
-  void add_modal_stiffness(Index i, double angular_frequency) {
+  void add_modal_stiffness(Index i, const Input& input) {
     const Index first = i * count_;
-    stiffness_(first, first) += m_.stiffness(i, 0, angular_frequency).real();
+    stiffness_(first, first) += m_.stiffness(i, 0, 0.0, 0.0).real();
     for (std::size_t h = 1; h <= m_.harmonics; ++h) {
-      const std::complex<double> z = m_.stiffness(i, h, angular_frequency);
+      const std::complex<double> z = m_.stiffness(i, h, input.angular_frequency, input.force);
       const Index at = first + coefficient_index(h);
       stiffness_(at, at) += z.real();
       stiffness_(at, at + 1) -= z.imag();
@@ -155,18 +155,32 @@ class ShorteningSide final : public StructureSide {
     return u;
   }
 
-  /// −(dZ/dω) q.
-  [[nodiscard]] VectorXd frequency_load(double angular_frequency) const {
+  /// The coefficients of a load that depends on the motion: a function of mode, harmonic, and q there.
+  template <typename Load>
+  [[nodiscard]] VectorXd load_of(const Load& load) const {
     VectorXd result = VectorXd::Zero(load_.size());
     for (Index i = 0; i < m_.modes; ++i) {
       for (std::size_t h = 1; h <= m_.harmonics; ++h) {
-        const std::complex<double> load = -m_.stiffness_slope(i, h, angular_frequency) *
-                                          harmonic_of(q_.segment(i * count_, count_), h);
-        result[i * count_ + coefficient_index(h)] = load.real();
-        result[i * count_ + coefficient_index(h) + 1] = load.imag();
+        const std::complex<double> value =
+            load(i, h, harmonic_of(q_.segment(i * count_, count_), h));
+        result[i * count_ + coefficient_index(h)] = value.real();
+        result[i * count_ + coefficient_index(h) + 1] = value.imag();
       }
     }
     return result;
+  }
+
+  /// −(dZ/dω) q.
+  [[nodiscard]] VectorXd frequency_load(const Input& input) const {
+    return load_of([&](Index i, std::size_t h, std::complex<double> q) {
+      return -m_.stiffness_slope(i, h, input.angular_frequency, input.force) * q;
+    });
+  }
+
+  [[nodiscard]] VectorXd load_by_force(const Input& input) const {
+    return load_of([&](Index i, std::size_t h, std::complex<double> q) {
+      return m_.load_by_force(i, h, input.angular_frequency, q);
+    });
   }
 
   [[nodiscard]] Eigen::RowVectorXcd response_row() const {
@@ -195,8 +209,8 @@ class ShorteningSide final : public StructureSide {
 
 std::unique_ptr<StructureSide> make_shortening_side(const JointedStructure& structure,
                                                     std::string_view response_point,
-                                                    std::size_t harmonics) {
-  return std::make_unique<ShorteningSide>(structure, response_point, harmonics);
+                                                    std::size_t harmonics, Forcing forcing) {
+  return std::make_unique<ShorteningSide>(structure, response_point, harmonics, forcing);
 }
 
 }  // namespace microslip

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "microslip/dynamics/jointed_structure.hpp"
+#include "microslip/dynamics/target.hpp"
 
 namespace microslip {
 
@@ -23,7 +24,7 @@ class StructureSide {
     const Eigen::VectorXd& displacement;  ///< u, m
     const Eigen::VectorXd& tension;       ///< N = −F(u), N
     double angular_frequency;             ///< ω, rad/s
-    double force;                         ///< amplitude A, N
+    double force;                         ///< amplitude A, N; with modal forcing ξ, 1/s
   };
 
   /// What is to be zero, and the response at the point.
@@ -63,34 +64,44 @@ class StructureSide {
 /// The fitting kind: by receptances, or with the modes solved for where a joint shortens.
 [[nodiscard]] std::unique_ptr<StructureSide> make_structure_side(const JointedStructure& structure,
                                                                  std::string_view response_point,
-                                                                 std::size_t harmonics);
+                                                                 std::size_t harmonics,
+                                                                 Forcing forcing);
 
 [[nodiscard]] std::unique_ptr<StructureSide> make_receptance_side(const JointedStructure& structure,
                                                                   std::string_view response_point,
-                                                                  std::size_t harmonics);
+                                                                  std::size_t harmonics,
+                                                                  Forcing forcing);
 [[nodiscard]] std::unique_ptr<StructureSide> make_shortening_side(const JointedStructure& structure,
                                                                   std::string_view response_point,
-                                                                  std::size_t harmonics);
+                                                                  std::size_t harmonics,
+                                                                  Forcing forcing);
 
 /// What both kinds need of a structure, as matrices.
 struct ModalMatrices {
   ModalMatrices(const JointedStructure& structure, std::string_view response_point,
-                std::size_t harmonics);
+                std::size_t harmonics, Forcing forcing);
 
-  /// ω_i² − n²ω² + damping, and its derivative by ω; no damping of the mean.
+  /// ω_i² − n²ω² + damping, and its derivative by ω; no damping of the mean. Modal forcing ξ is a
+  /// negative damping, −i nω ξ.
   [[nodiscard]] std::complex<double> stiffness(Eigen::Index mode, std::size_t n,
-                                               double angular_frequency) const;
+                                               double angular_frequency, double force) const;
   [[nodiscard]] std::complex<double> stiffness_slope(Eigen::Index mode, std::size_t n,
-                                                     double angular_frequency) const;
+                                                     double angular_frequency, double force) const;
+
+  /// What the unit of force adds to the load on a mode that moves by q.
+  [[nodiscard]] std::complex<double> load_by_force(Eigen::Index mode, std::size_t n,
+                                                   double angular_frequency,
+                                                   std::complex<double> q) const;
 
   Eigen::Index modes;
   Eigen::Index joints;
   std::size_t harmonics;   ///< H
   std::vector<Mode> mode;  ///< ω_i, η_i
   DampingLaw damping;
-  Eigen::MatrixXd shapes;           ///< ψ, modes × joints
-  Eigen::VectorXd response_shape;   ///< φ_i of the response point
-  Eigen::MatrixXcd load;            ///< on mode i in harmonic n at A = 1 N, modes × (H + 1)
+  Forcing forcing;
+  Eigen::MatrixXd shapes;          ///< ψ, modes × joints
+  Eigen::VectorXd response_shape;  ///< φ_i of the response point
+  Eigen::MatrixXcd load;  ///< on mode i in harmonic n at A = 1 N, modes × (H + 1); modal: 0
   Eigen::VectorXd spring_in_modes;  ///< k_s, one a joint
   Eigen::VectorXd compliance;       ///< c
 };

@@ -37,6 +37,18 @@ struct Target {
 /// The phase lag at resonance, π/2: the force then feeds the damping alone.
 inline constexpr Target kPhaseResonance{Quantity::kPhaseLag, 1.57079632679489661923};
 
+/// What keeps a vibration up.
+enum class Forcing {
+  kExcitation,  ///< the excitations of the structure
+  /// A force ξ M q̇ on every mode: it replaces at each place what the motion loses there, as a shaker
+  /// at each mass would. What remains is a nonlinear mode, whatever the drive point: the extended
+  /// periodic motion q̈ + … − 2ζω q̇ = 0 with ξ = 2ζω. [Krack, Computers & Structures 154 (2015),
+  /// eq. (4)] The excitations of the structure are left out. As the force amplitude counts that of
+  /// the force at the response point, in phase with its velocity, that would feed the same energy:
+  /// A = W_ext/(π|w_1|).
+  kModal,
+};
+
 /// The response of a point: the amplitude of the first harmonic of its displacement w, or of the
 /// derivatives of that.
 enum class ResponseKind {

@@ -116,6 +116,18 @@ void add_ending(const Summary& summary, CsvWriter& table) {
                                 summary.reason));
 }
 
+void add_turning_points(const ResponseCurve& curve, CsvWriter& table) {
+  for (const std::size_t i :
+       std::span(curve.turning_points).first(std::min(curve.turning_points.size(), kMostMarks))) {
+    if (i >= curve.points.size()) continue;
+    const SteadyVibration& point = curve.points[i];
+    table.add_comment(
+        fmt::format("turns back: frequency {:.9g} Hz, force {:.9g} N, displacement {:.9g} m",
+                    point.frequency(), point.force_amplitude, point.response));
+  }
+  add_rest(curve.turning_points.size(), "turns back", table);
+}
+
 void add_marks(const ResponseCurve& curve, CsvWriter& table) {
   for (const SteadyVibration& peak :
        std::span(curve.peaks).first(std::min(curve.peaks.size(), kMostMarks))) {
@@ -126,15 +138,7 @@ void add_marks(const ResponseCurve& curve, CsvWriter& table) {
         peak.damping_ratio()));
   }
   add_rest(curve.peaks.size(), "peak", table);
-  for (const std::size_t i :
-       std::span(curve.turning_points).first(std::min(curve.turning_points.size(), kMostMarks))) {
-    if (i >= curve.points.size()) continue;
-    const SteadyVibration& point = curve.points[i];
-    table.add_comment(
-        fmt::format("turns back: frequency {:.9g} Hz, force {:.9g} N, displacement {:.9g} m",
-                    point.frequency(), point.force_amplitude, point.response));
-  }
-  add_rest(curve.turning_points.size(), "turns back", table);
+  add_turning_points(curve, table);
 }
 
 /// 1 in the rows of peaks. What is not finite has no row.
@@ -177,6 +181,7 @@ CsvWriter response_table(const ResponseCurve& curve, std::string_view heading) {
 CsvWriter backbone_table(const ResponseCurve& curve, std::string_view heading) {
   const std::vector<SteadyVibration> points = writable(curve);
   CsvWriter table = begin(curve, heading);
+  add_turning_points(curve, table);
   Columns columns(points, table);
   columns.add_displacement();
   columns.add_force();
