@@ -25,6 +25,7 @@ struct BackboneOptions {
   PredictionArguments prediction;
   std::string response;
   std::string mode = "1";
+  std::string forcing = "excitation";
 };
 
 std::vector<double> responses_of(const BackboneOptions& options) {
@@ -41,9 +42,14 @@ std::string describe(const HarmonicBalance& balance, const ResponseCurve& curve,
   const auto span = [&](std::string_view name, double from, double to, std::string_view unit) {
     return line(name, fmt::format("{:.6g} to {:.6g}{}{}", from, to, unit.empty() ? "" : " ", unit));
   };
-  std::string text = fmt::format("Backbone of mode {}\n", options.mode);
+  std::string text = fmt::format("Backbone of mode {}{}\n", options.mode,
+                                 options.forcing == "modal" ? ", modal forcing" : "");
   text += describe_curve(balance, curve, options.prediction);
   text += line("points", fmt::format("{}", curve.points.size()));
+  for (const std::size_t i : curve.turning_points) {
+    text += line("turns back", fmt::format("at {:.6g} m, {:.6g} Hz", curve.points[i].response,
+                                           curve.points[i].frequency()));
+  }
   text += span("displacement", first.response, last.response, "m");
   text += span("force", first.force_amplitude, last.force_amplitude, "N");
   text += span("frequency", first.frequency(), last.frequency(), "Hz");
@@ -57,8 +63,15 @@ std::string describe(const HarmonicBalance& balance, const ResponseCurve& curve,
 ResponseCurve curve_of(const HarmonicBalance& balance, const BackboneOptions& options,
                        const std::vector<double>& responses, std::size_t mode, bool quiet) {
   try {
-    return balance.backbone(responses, mode - 1, progress_bar("responses", quiet));
+    ResponseCurve curve = balance.resonances(responses, mode - 1, progress_bar("responses", quiet));
+    if (!curve.summary.converged() && options.forcing != "modal") {
+      curve.summary.reason += " (--forcing modal)";
+    }
+    return curve;
   } catch (const InputError& error) {
+    if (error.name() == "mode with modal forcing") {
+      throw error.renamed("--mode " + options.mode + " with --forcing modal");
+    }
     if (error.name() != "mode") throw;
     throw InputError("--mode", options.mode,
                      "must be one that vibrates: with all joints stuck this is a rigid body",
@@ -73,14 +86,16 @@ int run(const BackboneOptions& options, const Call& call) {
   const std::size_t mode =
       parse_whole_number("--mode", options.mode, 1, model.structure.linear().size(),
                          "That is how many modes the model has.");
-  const HarmonicBalance balance = balance_of(model, options.prediction);
+  const Forcing forcing = options.forcing == "modal" ? Forcing::kModal : Forcing::kExcitation;
+  const HarmonicBalance balance = balance_of(model, options.prediction, {.forcing = forcing});
   ResponseCurve curve = curve_of(balance, options, responses, mode, call.quiet);
+  const std::string truncation = add_truncation(balance, Quantity::kPhaseLag, curve);
   add_model_warnings(model, curve);
   return finish(
       curve, options.prediction, call,
       [&] { return backbone_table(curve, heading_of(call, model)); },
       [&] {
-        return describe(balance, curve, options) + describe_damping(model) +
+        return describe(balance, curve, options) + truncation + describe_damping(model) +
                describe_warnings(curve.warnings);
       });
 }
@@ -102,8 +117,19 @@ void add_backbone(CLI::App& program, Call& call) {
       ->add_option("--mode", options->mode,
                    "Whose resonance: number of the mode, by frequency with all joints stuck")
       ->capture_default_str();
+  command
+      ->add_option(
+          "--forcing", options->forcing,
+          "What drives: the excitation of the model, or a force at every mass that makes "
+          "up what the motion loses there. That is the nonlinear mode itself, whatever the "
+          "drive point; the column force is then what would feed as much at the response "
+          "point")
+      ->check(CLI::IsMember({"excitation", "modal"}))
+      ->capture_default_str();
   add_examples(*command,
-               {"microslip backbone model.toml --response 10mm:2:40:log --out backbone.csv"});
+               {"microslip backbone model.toml --response 10mm:2:40:log --out backbone.csv",
+                "microslip backbone model.toml --response 10mm:2:40:log --forcing modal \\",
+                "          --out mode.csv"});
   command->callback(
       [options, &call] { call.run = [options, &call] { return run(*options, call); }; });
 }

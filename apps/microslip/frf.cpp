@@ -155,12 +155,14 @@ int run(const FrfOptions& options, const Call& call) {
   drawn.frequencies = parse_at(options.at, range);
   const HarmonicBalance balance = balance_of(model, options.prediction, std::move(drawn));
   ResponseCurve curve = curve_of(balance, options, range, call.quiet);
+  const std::string truncation = add_truncation(
+      balance, options.force.empty() ? Quantity::kResponse : Quantity::kForceAmplitude, curve);
   add_warnings(balance, model, curve);
   return finish(
       curve, options.prediction, call,
       [&] { return response_table(curve, heading_of(call, model)); },
       [&] {
-        return describe(balance, curve, options) + describe_damping(model) +
+        return describe(balance, curve, options) + truncation + describe_damping(model) +
                describe_warnings(curve.warnings);
       });
 }

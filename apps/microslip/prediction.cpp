@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <iterator>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/version.hpp"
 #include "microslip/dynamics/damping_twice.hpp"
+#include "microslip/dynamics/truncation.hpp"
 #include "microslip/identify/covered_range.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/output_files.hpp"
@@ -156,6 +158,23 @@ void add_model_warnings(const ModelFile& model, ResponseCurve& curve) {
     }
   }
   std::ranges::copy(reach_warnings(model, amplitude), std::back_inserter(curve.warnings));
+}
+
+std::string add_truncation(const HarmonicBalance& balance, Quantity kept, ResponseCurve& curve) {
+  const std::optional<Truncation> truncation = judge_truncation(balance, curve, kept);
+  if (!truncation) return "";
+  if (auto warning = truncation_warning(*truncation)) {
+    if (warning->code == "truncated") {
+      warning->text += fmt::format(" (--harmonics {})", truncation->harmonics);
+    }
+    curve.warnings.push_back(std::move(*warning));
+  }
+  if (truncation->points == 0) return "";
+  return line("harmonics above",
+              fmt::format("up to {}: {:.2g} % of a dissipation, {:.2g} % of the "
+                          "level, {} looked at",
+                          truncation->harmonics, 100.0 * truncation->dissipation,
+                          100.0 * truncation->level, counted(truncation->points, "point")));
 }
 
 std::string describe_warnings(const std::vector<Warning>& warnings) {

@@ -73,6 +73,11 @@ void add_prediction_arguments(CLI::App& command, PredictionArguments& arguments,
 /// holds them too.
 void add_model_warnings(const ModelFile& model, ResponseCurve& curve);
 
+/// Judges what the harmonics above leave out, by judge_truncation(): a warning of the curve where that
+/// is much, and a line of the summary.
+[[nodiscard]] std::string add_truncation(const HarmonicBalance& balance, Quantity kept,
+                                         ResponseCurve& curve);
+
 /// The lines of a summary on warnings.
 [[nodiscard]] std::string describe_warnings(const std::vector<Warning>& warnings);
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <exception>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -98,6 +99,80 @@ TEST(backbone, WritesColumnsCommentsAndASummary) {
   EXPECT_EQ(expect_done(box, backbone({"--response", "0.1:2:2", "--quiet"})).out, "");
 }
 
+/// The second mode hardly moves the point that is driven.
+Sandbox weak_mode() {
+  return Sandbox{
+      {"joint.json",
+       R"({"schema": "microslip.joint/1", "stiffness_N_per_m": 158478.48402568328, "density": )"
+       R"([{"type": "four_parameter", "macroslip_force_N": 13.206133047334411, )"
+       R"("chi": -0.6761657090641489, "beta": 1.2355182600944188}]})"},
+      {"model.toml",
+       "schema = \"microslip.model/1\"\n[structure]\n"
+       "frequency_Hz = [12.143849549953952, 23.644770858773224]\n"
+       "damping_ratio = [0.00067]\n[[structure.point]]\nname = \"m2\"\n"
+       "shape = [-0.87903385625902464, 0.49152919407096346]\n[[joint]]\nname = \"J0\"\n"
+       "file = \"joint.json\"\nshape = [-0.35102479256756741, -0.62776063105754187]\n"
+       "[excitation]\npoint = \"m2\"\n"}};
+}
+
+TEST(backbone, SaysThatPhaseResonanceDoesNotExist) {
+  const Sandbox box = weak_mode();
+  const Outcome none =
+      box.run(backbone({"--mode", "2", "--response", "1nm:0.8mm:40:log", "--quiet"}));
+  EXPECT_EQ(none.status, 3);
+  expect_parts(
+      none.err,
+      {"phase resonance of mode 2 at 'm2' with this excitation exists only up to", "antiresonance",
+       "drive or observe another point", "modal forcing", "nothing is written"});
+  EXPECT_THROW((void)box.get("backbone.csv"), std::exception);
+  // A part of it: what there is is written, and marked, where it ends too.
+  const Outcome some = box.run(backbone({"--mode", "2", "--response", "0.1nm:10nm:21:log"}));
+  EXPECT_EQ(some.status, 3);
+  expect_parts(box.get("backbone.csv"),
+               {"# harmonic balance, backbone: NOT CONVERGED: phase resonance of mode 2 at 'm2'",
+                "# turns back: frequency 50.1", "displacement 5.92"});
+  expect_parts(some.out, {"NOT CONVERGED", "turns back"});
+}
+
+TEST(backbone, TakesModalForcing) {
+  const Sandbox box = weak_mode();
+  const Outcome run = expect_done(
+      box, backbone({"--mode", "2", "--response", "1nm:0.8mm:40:log", "--forcing", "modal"}));
+  expect_parts(run.out, {"Backbone of mode 2, modal forcing", "harmonics above"});
+  const std::string text = box.get("backbone.csv");
+  expect_parts(text, {"# harmonic balance, backbone, modal forcing: converged"});
+  const CsvTable table(text, "backbone.csv");
+  const std::vector<double> frequency = table.numbers("frequency", kFrequency);
+  ASSERT_EQ(frequency.size(), 40U);
+  EXPECT_NEAR(frequency.front(), 50.18, 0.01);  // stuck: 50.5 Hz
+  EXPECT_NEAR(frequency.back(), 24.5, 0.1);     // free: 23.6 Hz
+  // What feeds the motion is what it loses.
+  const std::vector<double> force = table.numbers("force", kForce);
+  const std::vector<double> displacement = table.numbers("displacement", kLength);
+  const std::vector<double> joint = table.numbers("dissipation", kEnergy);
+  const std::vector<double> linear = table.numbers("linear_dissipation", kEnergy);
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    EXPECT_NEAR(pi * force[i] * displacement[i], joint[i] + linear[i],
+                1e-8 * (joint[i] + linear[i]));
+  }
+}
+
+TEST(backbone, WarnsOfTooFewHarmonicsInTheFileToo) {
+  const Sandbox box = one_mass();
+  expect_done(box, backbone({"--response", "0.3:2:5", "--harmonics", "1", "--quiet"}));
+  EXPECT_EQ(box.get("backbone.csv").find("# warning: "), std::string::npos);
+  box.put("model.toml",
+          "schema = \"microslip.model/1\"\n[structure]\nfrequency_Hz = [0.159, 0.41]\n"
+          "damping_ratio = [0.005]\n[[structure.point]]\nname = \"a\"\nshape = [1, 0.8]\n"
+          "[[joint]]\nname = \"joint\"\nfile = \"joint.json\"\nshape = [1, 1]\n"
+          "[excitation]\npoint = \"a\"\n");
+  const Arguments call = backbone({"--response", "0.5:2:5", "--harmonics", "1"});
+  const Outcome run = expect_done(box, call);
+  expect_parts(run.out, {"warning: with 3 harmonics the dissipation of 'joint' changes by"});
+  expect_parts(box.get("backbone.csv"), {"# warning: with 3 harmonics the dissipation of 'joint'",
+                                         "take 3 harmonics (--harmonics 3)\n"});
+}
+
 struct BadCall {
   Arguments arguments;
   std::vector<std::string> parts;
@@ -116,6 +191,7 @@ TEST(backbone, RefusesBadCalls) {
       {{"--response", "1:2:1"}, {"COUNT of --response = '1'", "from 2"}},
       {{"--response", "1:2:3", "--mode", "0"}, {"--mode = '0'", "from 1 to 1"}},
       {{"--response", "1:2:3", "--mode", "2"}, {"--mode = '2'", "how many modes"}},
+      {{"--response", "1:2:3", "--forcing", "shaker"}, {"--forcing", "modal"}},
       {{"--response", "1:2:3", "--harmonics", "0"}, {"--harmonics = '0'"}},
       {{"--response", "1:2:3", "--samples", "8"}, {"--samples = 8", "from 12"}},
   };

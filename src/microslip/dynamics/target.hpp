@@ -42,10 +42,9 @@ enum class Forcing {
   kExcitation,  ///< the excitations of the structure
   /// A force ξ M q̇ on every mode: it replaces at each place what the motion loses there, as a shaker
   /// at each mass would. What remains is a nonlinear mode, whatever the drive point: the extended
-  /// periodic motion q̈ + … − 2ζω q̇ = 0 with ξ = 2ζω. [Krack, Computers & Structures 154 (2015),
-  /// eq. (4)] The excitations of the structure are left out. As the force amplitude counts that of
-  /// the force at the response point, in phase with its velocity, that would feed the same energy:
-  /// A = W_ext/(π|w_1|).
+  /// periodic motion q̈ + … − 2ζω q̇ = 0 with ξ = 2ζω. [Krack 2015] The excitations of the structure
+  /// are left out. The force amplitude is that of a force at the response point, in phase with its
+  /// velocity, that would feed the same energy: A = W_ext/(π|w_1|).
   kModal,
 };
 
