@@ -41,7 +41,8 @@ void add_recording_arguments(CLI::App& command, RecordingArguments& arguments);
 
 /// What the readers of many recordings had to forgive, in one list, without what is said twice; of very
 /// many the first, and how many there are.
-[[nodiscard]] std::vector<Warning> joined_warnings(const std::vector<std::vector<Warning>>& warnings);
+[[nodiscard]] std::vector<Warning> joined_warnings(
+    const std::vector<std::vector<Warning>>& warnings);
 
 /// On standard error. Nobody may listen: that is no error.
 void show_warnings(const std::vector<Warning>& warnings);

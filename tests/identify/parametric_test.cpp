@@ -254,7 +254,7 @@ TEST(Parametric, StandardErrorsWithDeviationsOfTheAmplitude) {
   const Levels exact = exact_levels(joint, {0.02, 1.4, 40, joint.macroslip_displacement()});
   std::vector<double> force, chi, beta, untold;
   double chi_squared = 0.0;
-  constexpr std::uint64_t kSets = 100;
+  constexpr std::uint64_t kSets = 60;
   for (std::uint64_t seed = 0; seed < kSets; ++seed) {
     Levels levels = with_noise(exact, 0.01, true, seed);
     RandomStream random(seed, 1);

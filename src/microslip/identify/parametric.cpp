@@ -280,8 +280,7 @@ class Fit {
   /// follow the best start, and when the noise has settled all starts are tried again.
   Minimum search() {
     constexpr int kMostTurns = 60;
-    constexpr double kStill =
-        1e-3;  // of a noise; the result then moves far less than its own error
+    constexpr double kStill = 1.0;  // see update_weights()
     const std::vector<Vector> grid = candidates();
     guess_slopes();
     Minimum best = minimise_from(grid);
@@ -303,9 +302,13 @@ class Fit {
     return best;
   }
 
+  /// @return  the largest change of a noise or a σ, over what changes the result far less than its own
+  ///          error: σ weighs the levels against each other only.
   double update_weights(const Minimum& best, int turn) {
+    constexpr double kStillNoise = 1e-3;
+    constexpr double kStillSlopes = 1e-2;
     const double noise = estimate_noise(best);
-    return std::max(noise, update_slopes(best, turn));
+    return std::max(noise / kStillNoise, update_slopes(best, turn) / kStillSlopes);
   }
 
   /// A start near q that is inside of all ranges.
