@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/damaged_binary.hpp"
@@ -21,8 +22,8 @@ using test::message_of;
 /// A file as another program would write it, straight by the library.
 class OtherFile {
  public:
-  explicit OtherFile(const std::string& path)
-      : file_(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)) {}
+  explicit OtherFile(const std::string& path, hid_t access = H5P_DEFAULT)
+      : file_(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)) {}
   OtherFile(const OtherFile&) = delete;
   OtherFile& operator=(const OtherFile&) = delete;
   ~OtherFile() { H5Fclose(file_); }
@@ -223,6 +224,30 @@ TEST_F(Hdf5Recording, WarnsOfAnUnknownUnit) {
   EXPECT_EQ(read.recordings[0].channels[0].attributes, (Attributes{{"unit", "furlong"}}));
 }
 
+// Some analysers store m/s^2 and write how to show g: only the user knows.
+TEST_F(Hdf5Recording, AsksWhatIsLabelledGBesideItsFactor) {
+  {
+    OtherFile file(path_);
+    for (const char* name : {"acc1", "acc2"}) {
+      file.dataset<double>(name, H5T_NATIVE_DOUBLE, {2}, {3, -20});
+      file.number(name, "fs", 1.0);
+      file.text(name, "unit", "g");
+    }
+    file.number("acc1", "scale", 0.1019716);
+    file.number("acc2", "scale", 0.11);
+  }
+  const Recordings read = read_recordings_hdf5(path_);
+  ASSERT_EQ(read.warnings.size(), 1U);
+  EXPECT_EQ(read.warnings[0].code, "unit_doubtful");
+  EXPECT_NE(read.warnings[0].text.find("The largest is 20 m/s^2 if so, 196.1 m/s^2 if it is in g"),
+            std::string::npos)
+      << read.warnings[0].text;
+  EXPECT_NE(read.warnings[0].text.find("--assume-units acc1=m/s^2 or acc1=g"), std::string::npos);
+  EXPECT_FALSE(read.recordings[0].channel("acc1").dimension);
+  EXPECT_EQ(read.recordings[0].channel("acc1").values[0], 3.0);
+  EXPECT_EQ(read.recordings[0].channel("acc2").values[0], 3 * 9.80665);
+}
+
 // Such a dataset would be read as zeros.
 TEST_F(Hdf5Recording, RefusesADatasetThatWasNeverWritten) {
   {
@@ -250,15 +275,17 @@ TEST_F(Hdf5Recording, ReportsADiskThatIsFull) {
 
 TEST_F(Hdf5Recording, RefusesFilesCutShort) {
   write_recordings_hdf5(path_, std::vector{test::frequency_recording()});
-  test::read_cut(path_, 1, [&] { (void)read_recordings_hdf5(path_); });
+  test::read_cut(
+      path_, 1, [&] { (void)read_recordings_hdf5(path_); }, test::damaged_files(1000));
 }
 
 // Each byte of our files that matters is covered by a checksum: a change is found or does no harm.
 TEST_F(Hdf5Recording, FindsEveryChange) {
   const std::vector<Recording> written{test::frequency_recording()};
   write_recordings_hdf5(path_, written);
-  test::read_changed(path_, 2,
-                     [&] { test::expect_same(read_recordings_hdf5(path_).recordings, written); });
+  test::read_changed(
+      path_, 2, [&] { test::expect_same(read_recordings_hdf5(path_).recordings, written); },
+      test::damaged_files(500));
 }
 
 // Here no checksums guard what the library follows, and it crashes on some of the files.
@@ -277,6 +304,38 @@ TEST_F(Hdf5Recording, ReadsOrRefusesDamagedFilesOfOthers) {
     for (const Recording& r : read_recordings_hdf5(path_).recordings) check_recording(r);
   };
   test::read_changed(path_, 3, read, test::damaged_files(500));
+}
+
+// A text of any length lies in a heap, which has no checksum in any version of the format: even a file
+// that says to be ours, and has checksums else, can crash the library or keep it busy for ever.
+TEST_F(Hdf5Recording, SurvivesADamagedHeapInAFileOfItsOwnSchema) {
+  {
+    const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+    H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_LATEST);
+    OtherFile file(path_, access);
+    H5Pclose(access);
+    file.text("/", "schema", "microslip.recording/1");
+    file.group("recording_1");
+    file.text("recording_1", "source", "a");
+    file.text("recording_1", "axis_unit", "s");
+    file.number("recording_1", "start", 0.0);
+    file.number("recording_1", "step", 1.0);
+    file.dataset<double>("recording_1/channel_1", H5T_NATIVE_DOUBLE, {3}, {1, 2, 3});
+    file.text("recording_1/channel_1", "channel_name", "force");
+  }
+  ASSERT_EQ(read_recordings_hdf5(path_).recordings.size(), 1U);
+  const std::string whole = test::get(path_);
+  const std::size_t heap = whole.find("GCOL");
+  ASSERT_NE(heap, std::string::npos);
+  // Of the size of the first text: one value leads out of the heap, the other round in it.
+  for (const auto& [at, value] : {std::pair{27, 0xFF}, std::pair{25, 0x01}}) {
+    std::string content = whole;
+    content[heap + static_cast<std::size_t>(at)] = static_cast<char>(value);
+    test::put(path_, content);
+    EXPECT_NE(message().find("expected a whole HDF5 file, found one on which the HDF5 library"),
+              std::string::npos)
+        << at << ": " << message();
+  }
 }
 
 }  // namespace
