@@ -145,7 +145,8 @@ class StructFile {
   void add(const char* name, const char* text) {
     std::array<std::size_t, 2> sizes{1, std::string_view(text).size()};
     fields_.push_back(name);
-    values_.push_back(Mat_VarCreate(nullptr, MAT_C_CHAR, MAT_T_UINT8, 2, sizes.data(), text, 0));
+    values_.push_back(Mat_VarCreate(nullptr, MAT_C_CHAR, MAT_T_UINT8, 2, sizes.data(),
+                                    const_cast<char*>(text), 0));
   }
   void add(const char* name, std::array<double, 3> values) {
     std::array<std::size_t, 2> sizes{3, 1};
