@@ -532,7 +532,8 @@ TEST(FrequencyResponse, TellsItsProgressAndCanBeCancelled) {
     const ResponseCurve curve = up ? balance.frequency_response(0.02, 0.8, 1.1, listen)
                                    : balance.constant_response(0.5, 1.1, 0.8, listen);
     EXPECT_TRUE(curve.summary.converged());
-    EXPECT_EQ(told.size() + 1, curve.points.size());  // all but the first
+    EXPECT_GE(told.size(), 20U);
+    EXPECT_LE(told.size(), 2 * curve.points.size());
     EXPECT_TRUE(std::ranges::is_sorted(told));
     EXPECT_LT(told.front(), 100U);
     EXPECT_EQ(told.back(), 1000U);

@@ -23,6 +23,7 @@ using Eigen::VectorXd;
 bool beyond(double along, double limit, double sign) { return sign * (along - limit) > 0.0; }
 
 constexpr double kSmallestLength = 1e-10;  // of a step, relative
+constexpr double kKinkLength = 1e-4;       // likewise: what still turns is a kink of another kind
 constexpr double kLeastCosine = 0.8;       // of the angles between two tangents and the chord
 constexpr double kLargestGap = 0.1;        // of a step and the mean of its slopes, relative
 constexpr int kQuickIterations = 5;        // Newton's: the step may grow
@@ -248,6 +249,7 @@ void Continuation::follow(const VectorXd& z, const Progress& progress) {
     if (static_cast<int>(rows_.size()) >= options_.max_points) {
       stop(Status::kNotConverged,
            fmt::format("max_points = {} are used up {}", options_.max_points, place(point)));
+      rows_.erase(rows_.begin() + options_.max_points, rows_.end());
       return;
     }
   }
@@ -266,9 +268,11 @@ bool Continuation::find_next(const Point& point, double& length, Point& next) {
     VectorXd z;
     result = correct(point, length, z);
     if (!result.converged || change(point, z) > 2.0 * options_.largest_change) continue;
+    const bool kink = length < kKinkLength * longest;
     if (equations_.slips_otherwise(equations_.slipping(), point.slipping)) {
       if (corner_between(point, length, next)) return true;
-      continue;
+      if (!kink) continue;
+      equations_.evaluate(z);
     }
     const VectorXd step = point.scale.cwiseProduct(point.onward.tangent);
     const VectorXd direction = step.cwiseQuotient(scale()).normalized();
@@ -276,7 +280,7 @@ bool Continuation::find_next(const Point& point, double& length, Point& next) {
     const double chord = (z - point.z).cwiseQuotient(point.scale).norm();
     const bool turns =
         direction.dot(next.arrival.tangent) < kLeastCosine || length < kLeastCosine * chord;
-    if (turns || !smooth(point, length, next)) continue;
+    if (!kink && (turns || !smooth(point, length, next))) continue;
     add_curvature(point, length, next);
     summary_.residual = std::max(summary_.residual, result.residual);
     quick_ = result.iterations <= kQuickIterations;

@@ -25,6 +25,7 @@ constexpr double kSameFrequency = 1e-9;  // relative: a vertical piece has no he
 constexpr double kMostBeside = 0.5;      // of a point from the chord, over that
 constexpr double kMostStrayed = 0.2;     // of a harmonic from where it was expected, over it
 constexpr double kLeastHarmonic = 1e-4;  // of the joint's motion: a smaller one counts as so much
+constexpr double kNoEnd = 1e-4;          // of a step: so far from its ends a point is another
 constexpr int kWalkSteps = 8;            // between two points without a found one in the middle
 constexpr int kMostWalkSteps = 1000;
 
@@ -164,9 +165,11 @@ void Continuation::draw_closely(const Progress& progress) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     rows.push_back(rows_[i]);
     if (i + 1 == rows_.size()) break;
-    refine(rows_[i], rows_[i + 1], allowed[i], kMostHalvings, rows);
-    tell(progress, rows_[i + 1].point.along);
-    if (static_cast<int>(rows.size() + rows_.size() - i) < options_.max_points) continue;
+    if (static_cast<int>(rows.size() + rows_.size() - i) < options_.max_points) {
+      refine(rows_[i], rows_[i + 1], allowed[i], kMostHalvings, rows);
+      tell(progress, rows_[i + 1].point.along);
+      continue;
+    }
     warnings_.push_back(
         {"not_drawn_closely",
          fmt::format("max_points = {} are used up {}: the polygon through the points that follow "
@@ -190,6 +193,8 @@ void Continuation::add_left_out() {
     const double length = (to.z - from.z).cwiseQuotient(from.scale).dot(from.onward.tangent);
     if (!(length > 0.0)) continue;
     for (auto& [here, point] : located(from, length, to)) {
+      const double share = here / length;  // at an end it is that point itself
+      if (!(share > kNoEnd && share < 1.0 - kNoEnd)) continue;
       equations_.evaluate(point.z);
       SteadyVibration vibration = equations_.vibration();
       rows.push_back({std::move(point), std::move(vibration)});
