@@ -237,6 +237,122 @@ TEST(RingDown, TakesAnOffsetForNoPartOfTheDecay) {
   }
 }
 
+Recording recording_of(std::vector<double> values, const Dimension& dimension) {
+  return {.source = "hit.csv",
+          .axis = {.dimension = kTime, .start = -0.5, .step = 1.0 / kRate, .values = {}},
+          .channels = {{"acc1", dimension, std::move(values), {}, {}}},
+          .attributes = {}};
+}
+
+TEST(RingDown, FindsTheBlowInTheRecordAsItIs) {
+  // A filter for the mode would ring before the blow, a quarter of a second after the record begins.
+  const ViscousMode mode{.damping_ratio = 0.01, .start = 0.25};
+  const ViscousMode above{
+      .frequency = 400.0, .damping_ratio = 0.005, .amplitude = 1e-5, .start = 0.25};
+  const std::vector<double> signal = with_noise(sampled({mode, above}, 2, kRate, 3.0), 1e-4, 1);
+  const RingDown decay =
+      ring_down(recording_of(signal, kAcceleration), "acc1", {.frequency = 50.0});
+  EXPECT_EQ(decay.start_by, DecayStart::kBlow);
+  ASSERT_TRUE(decay.blow.has_value());
+  EXPECT_NEAR(*decay.blow, -0.25, 0.003);
+  EXPECT_GE(decay.from, *decay.blow);
+  EXPECT_NEAR(decay.start, *decay.blow + 1.5 / 50.0, 1e-9);
+  for (std::size_t i = 0; i < decay.size(); ++i) {
+    EXPECT_NEAR(decay.damping_ratio[i], mode.damping_ratio, 3.0 * decay.damping_ratio_std[i]);
+  }
+}
+
+TEST(RingDown, CountsWhatLeaksInAmongItsDeviations) {
+  // A neighbour 8 Hz above, as strong and as lasting, at several phases.
+  std::size_t covered = 0;
+  std::size_t all = 0;
+  for (const double phase : {0.0, 0.8, 1.6, 2.4}) {
+    const ViscousMode mode{.damping_ratio = 0.004};
+    const ViscousMode near{
+        .frequency = 58.0, .damping_ratio = 0.004, .amplitude = 0.7e-4, .phase = phase};
+    const std::vector<double> clean = sampled({mode, near}, 0, kRate, 4.0);
+    const RingDown decay =
+        ring_down(with_noise(clean, 1e-3, 5), kRate, kLength, {.frequency = 50.0});
+    for (std::size_t i = 0; i < decay.size(); ++i) {
+      const double off = std::abs(decay.damping_ratio[i] - mode.damping_ratio);
+      if (off <= 2.0 * decay.damping_ratio_std[i]) ++covered;
+      ++all;
+    }
+    EXPECT_TRUE(warns_of(decay, "other_peaks"));
+  }
+  EXPECT_GE(static_cast<double>(covered), 0.95 * static_cast<double>(all));
+}
+
+TEST(RingDown, SaysWhereTheFrequencyMoves) {
+  const JointedMode softening{.joint = Joint::four_parameter(2.0, 4e4, -0.5, 0.5),
+                              .mass = 1.0,
+                              .viscosity = 0.3,
+                              .stiffness = 6e4,
+                              .release = 1e-4};
+  EXPECT_TRUE(warns_of(ring_down(softening.sampled(2, kRate, 2.0, 20), kRate, kAcceleration),
+                       "frequency_moves"));
+  EXPECT_FALSE(warns_of(ring_down(sampled({ViscousMode{}}, 2, kRate, 2.0), kRate, kAcceleration),
+                        "frequency_moves"));
+}
+
+/// A second sensor with `ratio` times the motion and a noise of its own.
+Recording two_sensors(const std::vector<double>& motion, double ratio, double noise) {
+  Recording recording = recording_of(with_noise(motion, noise, 1), kAcceleration);
+  std::vector<double> other = motion;
+  for (double& y : other) y *= ratio;
+  recording.channels.push_back({"acc2", kAcceleration, with_noise(other, noise, 2), {}, {}});
+  return recording;
+}
+
+const std::vector<std::string> kBoth{"acc1", "acc2"};
+
+TEST(RingDown, ReducesSeveralSensorsTogether) {
+  const ViscousMode mode{.damping_ratio = 0.008};
+  const Recording recording = two_sensors(sampled({mode}, 2, kRate, 2.0), -0.4, 0.01);
+  const RingDown both = ring_down(recording, kBoth);
+  ASSERT_EQ(both.sensors.size(), 2U);
+  EXPECT_EQ(both.sensors[1].name, "acc2");
+  EXPECT_NEAR(both.sensors[1].ratio, 0.4, 0.01);
+  EXPECT_FALSE(warns_of(both, "shape_moves"));
+  const RingDown one = ring_down(recording, "acc1");
+  EXPECT_LT(both.damping_ratio_std.front(), one.damping_ratio_std.front() * 1.01);
+  for (std::size_t i = 0; i < both.size(); ++i) {
+    const double a = mode.amplitude * std::exp(-mode.decay() * (both.time[i] + 0.5));
+    EXPECT_NEAR(both.amplitude[i] / a, 1.0, 4.0 * both.amplitude_std[i] / a);
+    EXPECT_NEAR(both.damping_ratio[i], mode.damping_ratio, 4.0 * both.damping_ratio_std[i]);
+  }
+}
+
+TEST(RingDown, SaysWhereTheShapeMoves) {
+  const ViscousMode mode{.damping_ratio = 0.008};
+  Recording recording = two_sensors(sampled({mode}, 2, kRate, 2.0), 0.4, 1e-4);
+  std::vector<double>& other = recording.channels[1].values;
+  for (std::size_t i = 0; i < other.size(); ++i) {
+    other[i] *= 1.0 + 0.1 * std::exp(-6.0 * static_cast<double>(i) / kRate);
+  }
+  const RingDown both = ring_down(recording, kBoth);
+  EXPECT_TRUE(warns_of(both, "shape_moves"));
+  EXPECT_TRUE(warns_of(both, "sensors_differ"));
+  EXPECT_NE(both.flags.front().find("shape_moves"), std::string::npos);
+  // The first sensor is right; the disagreement is in the deviation of both.
+  EXPECT_NEAR(both.damping_ratio.front(), mode.damping_ratio, 2.0 * both.damping_ratio_std.front());
+}
+
+TEST(RingDown, RefusesSensorsThatAreMissingOrTwice) {
+  const Recording recording = two_sensors(sampled({ViscousMode{}}, 2, kRate, 2.0), 0.4, 0.01);
+  const auto channels = [&](std::vector<std::string> names) {
+    try {
+      (void)ring_down(recording, names);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(channels({"acc1", "acc1"}).find("'acc1' twice"), std::string::npos);
+  EXPECT_NE(channels({"acc1", "ldv"}).find("'ldv'"), std::string::npos);
+  EXPECT_NE(channels({}).find("missing"), std::string::npos);
+}
+
 TEST(RingDown, BeginsAfterAPlateau) {
   ViscousMode mode{.damping_ratio = 0.006, .start = 1.0};
   std::vector<double> signal = sampled({mode}, 0, kRate, 4.0);
@@ -277,13 +393,6 @@ TEST(RingDown, EndsAtASecondImpact) {
   EXPECT_LT(first.time.back(), 1.0);
   EXPECT_FALSE(first.summary.converged());
   EXPECT_TRUE(warns_of(first, "amplitude_rises") || warns_of(first, "mode_lost"));
-}
-
-Recording recording_of(std::vector<double> values, const Dimension& dimension) {
-  return {.source = "hit.csv",
-          .axis = {.dimension = kTime, .start = -0.5, .step = 1.0 / kRate, .values = {}},
-          .channels = {{"acc1", dimension, std::move(values), {}, {}}},
-          .attributes = {}};
 }
 
 TEST(RingDown, TakesMotionAndTimeFromTheRecording) {

@@ -25,8 +25,27 @@ int stays_at(std::span<const double> signal, double value) {
 
 }  // namespace
 
-double start_of_decay(std::span<const double> signal, double rate, double frequency,
-                      double length) {
+std::optional<double> find_blow(std::span<const double> signal, double rate) {
+  constexpr double kRise = 0.1;       // of the largest value
+  constexpr double kQuiet = 0.02;     // of the largest value
+  constexpr std::size_t kFewest = 8;  // samples before it
+  double largest = 0.0;
+  for (const double y : signal) largest = std::max(largest, std::abs(y));
+  if (!(largest > 0.0)) return std::nullopt;
+  const auto rises = [&](double y) { return std::abs(y) >= kRise * largest; };
+  const auto blow = std::ranges::find_if(signal, rises);
+  const auto before = static_cast<std::size_t>(blow - signal.begin());
+  if (before < kFewest) return std::nullopt;
+  double squares = 0.0;
+  for (const double y : signal.first(before)) squares += y * y;
+  if (squares > static_cast<double>(before) * kQuiet * kQuiet * largest * largest) {
+    return std::nullopt;
+  }
+  return static_cast<double>(before) / rate;
+}
+
+double start_of_decay(std::span<const double> signal, double rate, double frequency, double length,
+                      double margin) {
   constexpr double kHeld = 0.95;
   constexpr double kHop = 0.25;  // of the length
   const double duration = static_cast<double>(signal.size()) / rate;
@@ -37,7 +56,7 @@ double start_of_decay(std::span<const double> signal, double rate, double freque
   }
   if (amplitude.empty()) return 0.0;
   const auto largest = std::ranges::max_element(amplitude);
-  if (largest == amplitude.begin()) return 0.0;
+  if (*largest <= (1.0 + margin) * amplitude.front()) return 0.0;
   const double most = *largest;
   auto last = largest;
   for (auto it = largest; it != amplitude.end(); ++it) {

@@ -18,14 +18,25 @@ class LengthRule {
   LengthRule(const DecayTask& task, std::optional<double> noise_variance)
       : task_(task), noise_(noise_variance) {}
 
-  /// @param decay  δ, 1/s. @param amplitude  of the signal.
-  [[nodiscard]] double operator()(double decay, double amplitude) const {
-    const double longest = std::max(task_.shortest, (task_.to - task_.from) / 2.0);
-    if (!(decay > 0.0)) return longest;
+  [[nodiscard]] double longest() const {
+    return std::max(task_.shortest, (task_.to - task_.from) / 2.0);
+  }
+
+  /// What the decay of a window asks for, `ahead` seconds behind its centre.
+  [[nodiscard]] double operator()(const DecayWindow& window, double ahead = 0.0) const {
+    constexpr double kGrowth = 2.0;
+    const double decay = window.decay;
+    // Other modes are stronger than the decay in so short a window.
+    if (!(decay > 0.0)) return std::min(longest(), kGrowth * window.length);
+    const double amplitude = window.amplitude * std::exp(-decay * ahead);
     const double by_fall = task_.largest_fall / decay;
     // Where the noise is not known yet: more than half of what the fall allows.
     const double by_noise = noise_ ? length_for(decay, amplitude) : 0.6 * by_fall;
-    return std::clamp(std::min(by_noise, by_fall), task_.shortest, longest);
+    const double by_others = length_for_leakage(window.beside, decay, task_.wanted_std,
+                                                task_.shortest, std::max(task_.shortest, by_fall));
+    const double least = std::min(task_.least_fall / decay, (task_.to - task_.from) / 8.0);
+    return std::clamp(std::max({std::min(by_noise, by_fall), by_others, least}), task_.shortest,
+                      longest());
   }
 
  private:
@@ -41,18 +52,25 @@ class LengthRule {
 /// The window about a centre, its length adapted to what it finds.
 std::optional<DecayWindow> adapted(const DecayTask& task, const LengthRule& rule, double& centre,
                                    double length) {
-  constexpr int kMostTries = 4;
+  constexpr int kMostTries = 6;
   constexpr double kEnough = 0.8;  // of the length that the rule wants
+  constexpr double kTooMuch = 1.4;
+  constexpr double kGrowth = 1.6;  // where other modes hide the one that is sought
   std::optional<DecayWindow> best;
   for (int i = 0; i < kMostTries; ++i) {
     const double at = std::max(centre, task.from + length / 2.0);
     if (at + length / 2.0 > task.to) break;
     const auto found = fit_decay_window(task.signal, task.rate, at, length, task.lowest,
                                         task.highest, task.others);
-    if (!found) break;
+    if (!found && best) break;
+    if (!found) {
+      length *= kGrowth;
+      if (length > rule.longest()) break;
+      continue;
+    }
     best = found;
-    const double wanted = rule(found->decay, found->amplitude);
-    if (length >= kEnough * wanted) break;
+    const double wanted = rule(*found);
+    if (length >= kEnough * wanted && length <= kTooMuch * wanted) break;
     length = wanted;
   }
   if (best) centre = best->centre;
@@ -81,7 +99,7 @@ class Walker {
       : task_(task), noise_(noise), rule_(task, noise) {}
 
   DecayWalk run() {
-    double length = task_.shortest;
+    double length = std::max(task_.shortest, task_.first_length);
     double centre = task_.from + length / 2.0;
     for (;;) {
       walk_.end_time = centre;
@@ -96,7 +114,7 @@ class Walker {
       const DecayWindow& last = walk_.windows.back();
       const double hop = kHop * last.length;
       centre = last.centre + hop;
-      length = rule_(last.decay, last.amplitude * std::exp(-last.decay * hop));
+      length = rule_(last, hop);
     }
     return std::move(walk_);
   }
@@ -107,7 +125,7 @@ class Walker {
       walk_.end = reason;
       return false;
     };
-    if (!found) return end(WalkEnd::kLost);
+    if (!found) return end(near_noise() ? WalkEnd::kNoise : WalkEnd::kLost);
     const double noise = noise_.value_or(found->noise_variance);
     const DecayPoint point = decay_point(*found, task_.derivatives, noise);
     if (!walk_.windows.empty() && rises(walk_.windows.back(), *found, noise)) {
@@ -117,6 +135,16 @@ class Walker {
     walk_.windows.push_back(*found);
     walk_.end = WalkEnd::kRecord;
     return true;
+  }
+
+  /// Whether the last window was not far from the end by noise.
+  [[nodiscard]] bool near_noise() const {
+    constexpr double kNear = 0.2;
+    if (walk_.windows.empty()) return false;
+    const DecayWindow& last = walk_.windows.back();
+    const DecayPoint point =
+        decay_point(last, task_.derivatives, noise_.value_or(last.noise_variance));
+    return point.damping_std > kNear * task_.largest_std * point.damping;
   }
 
   const DecayTask& task_;

@@ -11,7 +11,8 @@
 
 namespace microslip {
 
-/// What the walk goes by.
+/// What the walk goes by. A window is as long as the noise asks for, the leakage of other modes and
+/// the least fall: over less of it whatever is small looks like damping.
 struct DecayTask {
   std::span<const double> signal;
   double rate = 0.0;    ///< Hz
@@ -20,8 +21,10 @@ struct DecayTask {
   double to = 0.0;
   double lowest = 0.0;  ///< Hz, where the mode's frequency is sought
   double highest = 0.0;
-  std::vector<double> others = {};  ///< Hz, of other modes
-  double shortest = 0.0;            ///< s, of a window
+  std::vector<SpectralPeak> others = {};  ///< other modes
+  double shortest = 0.0;                  ///< s, of a window
+  double first_length = 0.0;              ///< s, where the walk tries first
+  double least_fall = 0.0;                ///< ln of the ratio of amplitudes over a window
   double largest_fall = 0.0;
   double wanted_std = 0.0;
   double largest_std = 0.0;

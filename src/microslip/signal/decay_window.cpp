@@ -177,13 +177,13 @@ Parameters start(const TaperedWindow& window, double scale, double omega) {
 /// Mean square of the noise from what is left beside the mode, where the fit does not reach and no
 /// other mode is known. The lower quartile keeps unknown ones among the lines from counting.
 double noise_beside(const TaperedWindow& residual, double rate, double omega,
-                    std::span<const double> others) {
+                    std::span<const SpectralPeak> others) {
   constexpr double kNear = 3.5;  // lines: where the taper lets another mode through
   const double line = 2.0 * std::numbers::pi / residual.length();
   const auto usable = [&](double at) {
     return at > 2.0 * line && at < 0.9 * std::numbers::pi * rate &&
-           std::ranges::none_of(others, [&](double other) {
-             return std::abs(2.0 * std::numbers::pi * other - at) < kNear * line;
+           std::ranges::none_of(others, [&](const SpectralPeak& other) {
+             return std::abs(2.0 * std::numbers::pi * other.frequency - at) < kNear * line;
            });
   };
   std::vector<double> power;
@@ -192,7 +192,7 @@ double noise_beside(const TaperedWindow& residual, double rate, double omega,
       if (usable(at)) power.push_back(std::norm(residual.transform(at)));
     }
   }
-  if (power.empty()) return 0.0;
+  if (power.empty()) return others.empty() ? 0.0 : noise_beside(residual, rate, omega, {});
   const std::size_t rank = power.size() / 4;
   std::ranges::nth_element(power, power.begin() + static_cast<std::ptrdiff_t>(rank));
   // Mean of that order statistic of as many exponential variables of mean 1.
@@ -201,21 +201,39 @@ double noise_beside(const TaperedWindow& residual, double rate, double omega,
   return power[rank] / mean / residual.noise_gain();
 }
 
-double noise_of(const TaperedWindow& window, const Parameters& p, double scale, double rate,
-                double omega, std::span<const double> others) {
+std::vector<BesideMode> modes_beside(const TaperedWindow& residual, const DecayWindow& found,
+                                     std::span<const SpectralPeak> others) {
+  constexpr double kMeasurable = 4.0;  // lines
+  const double two_pi = 2.0 * std::numbers::pi;
+  std::vector<BesideMode> beside;
+  for (const SpectralPeak& other : others) {
+    const double distance = std::abs(other.frequency - found.omega / two_pi);
+    const double height = 2.0 * std::abs(residual.transform(two_pi * other.frequency));
+    const bool measurable = distance * found.length >= kMeasurable;
+    beside.push_back({distance, measurable ? height / found.amplitude : other.height});
+  }
+  return beside;
+}
+
+/// What the fit leaves.
+std::vector<double> residual_of(const TaperedWindow& window, const Parameters& p, double scale) {
   std::vector<double> residual(window.size());
   Parameters unused;
   for (std::size_t i = 0; i < window.size(); ++i) {
     residual[i] = window.value(i) - scale * model(p, window.place(i), unused);
   }
-  return noise_beside(window.with_values(residual), rate, omega, others);
+  return residual;
 }
 
 }  // namespace
 
+double relative_leakage(const DecayWindow& window) {
+  return decay_leakage(window.beside, window.length) / (std::abs(window.decay) * window.length);
+}
+
 std::optional<DecayWindow> fit_decay_window(std::span<const double> signal, double rate,
                                             double centre, double length, double from, double to,
-                                            std::span<const double> others) {
+                                            std::span<const SpectralPeak> others) {
   const TaperedWindow window(signal, rate, centre, length);
   const double scale = window.largest();
   if (!(scale > 0.0)) return std::nullopt;
@@ -232,7 +250,8 @@ std::optional<DecayWindow> fit_decay_window(std::span<const double> signal, doub
                     .decay = p[1] / h,
                     .exponent = p[kExponent],
                     .omega = p[4] / h,
-                    .chirp = p[5] / (h * h)};
+                    .chirp = p[5] / (h * h),
+                    .beside = {}};
   const double line = two_pi / length;
   if (!(found.omega > two_pi * from - line && found.omega < two_pi * to + line)) {
     return std::nullopt;
@@ -244,7 +263,10 @@ std::optional<DecayWindow> fit_decay_window(std::span<const double> signal, doub
     for (int j = 0; j < 4; ++j)
       found.covariance(i, j) = unit[i] * all(kKept[i], kKept[j]) * unit[j];
   }
-  found.noise_variance = noise_of(window, p, scale, rate, found.omega, others);
+  const std::vector<double> rest = residual_of(window, p, scale);
+  const TaperedWindow residual = window.with_values(rest);
+  found.noise_variance = noise_beside(residual, rate, found.omega, others);
+  found.beside = modes_beside(residual, found, others);
   if (!found.covariance.allFinite() || !std::isfinite(found.amplitude)) return std::nullopt;
   return found;
 }

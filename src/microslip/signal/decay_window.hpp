@@ -4,6 +4,10 @@
 #include <Eigen/Core>
 #include <optional>
 #include <span>
+#include <vector>
+
+#include "microslip/signal/decay_leakage.hpp"
+#include "microslip/signal/mode_peak.hpp"
 
 /// @file
 /// One decaying oscillation in one tapered window of a signal. Internal to signal.
@@ -40,18 +44,24 @@ struct DecayWindow {
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
   /// Variance of a sample's noise, if all were as dense as beside the mode.
   double noise_variance = 0.0;
+  /// The other modes, as strong as they are in this window; one too near to be measured in it as
+  /// strong as the spectrum has it.
+  std::vector<BesideMode> beside;
 };
+
+/// What the other modes move δ by, over δ.
+[[nodiscard]] double relative_leakage(const DecayWindow& window);
 
 /// @param signal    evenly sampled.
 /// @param rate      sampling rate, Hz.
 /// @param centre    s; with T/2 on both sides inside the signal.
 /// @param length    T, s; 3 periods at least.
 /// @param from, to  Hz: where the mode's frequency is sought.
-/// @param others    Hz: frequencies of other modes, where no noise is measured.
+/// @param others    of other modes, where no noise is measured.
 /// @return  nothing where no such oscillation is found.
 [[nodiscard]] std::optional<DecayWindow> fit_decay_window(std::span<const double> signal,
                                                           double rate, double centre, double length,
                                                           double from, double to,
-                                                          std::span<const double> others);
+                                                          std::span<const SpectralPeak> others);
 
 }  // namespace microslip

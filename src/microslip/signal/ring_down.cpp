@@ -5,323 +5,196 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <numbers>
+#include <numeric>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/units.hpp"
-#include "microslip/signal/decay_range.hpp"
-#include "microslip/signal/decay_walk.hpp"
-#include "microslip/signal/mode_peak.hpp"
-#include "microslip/signal/tapered_transform.hpp"
+#include "microslip/signal/decay_track.hpp"
+#include "microslip/signal/ring_down_result.hpp"
+#include "microslip/signal/ring_down_sensors.hpp"
 
 namespace microslip {
 namespace {
 
-constexpr double kLines = 6.0;   // of a window's resolution 1/T between a mode and what is kept out
-constexpr double kSearch = 0.1;  // about the frequency that is given
-constexpr double kWidest = 0.2;  // how far a mode's frequency may move, where nothing is near
-constexpr double kHighest = 0.45;  // of the sampling rate
-
-void check_positive(std::string_view name, double value, double most) {
-  if (value > 0.0 && value <= most) return;
-  throw InputError(name, value, fmt::format("must be above 0 and at most {:g}", most));
-}
-
-void check_options(const RingDownOptions& options, double rate) {
-  if (!(rate > 0.0 && std::isfinite(rate))) {
-    throw InputError("sampling rate", rate, "must be above 0 Hz and finite");
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
   }
-  if (options.frequency) check_positive("frequency", *options.frequency, kHighest * rate);
-  if (options.band) {
-    const auto [low, high] = *options.band;
-    if (!(low > 0.0 && low < high && high <= 0.5 * rate)) {
-      throw InputError("band", fmt::format("{:g} to {:g} Hz", low, high),
-                       "must rise from above 0 to at most half of the sampling rate");
-    }
-    if (options.frequency && !(low < *options.frequency && *options.frequency < high)) {
-      throw InputError("frequency", *options.frequency,
-                       fmt::format("must be inside of the band, {:g} to {:g} Hz", low, high));
-    }
-  }
-  if (!(options.least_periods >= 3.0 && options.least_periods <= 1000.0)) {
-    throw InputError("least_periods", options.least_periods, "must be from 3 to 1000");
-  }
-  check_positive("largest_fall", options.largest_fall, 6.0);
-  check_positive("wanted_std", options.wanted_std, 1.0);
-  check_positive("largest_std", options.largest_std, 1.0);
-}
 
-void check_signal(std::span<const double> signal) {
-  constexpr std::size_t kFewest = 32;
-  if (signal.size() < kFewest) {
-    throw InputError("number of samples", fmt::format("{}", signal.size()),
-                     fmt::format("must be {} at least: too short for a decay", kFewest));
-  }
-  const auto bad = std::ranges::find_if_not(signal, [](double y) { return std::isfinite(y); });
-  if (bad == signal.end()) return;
-  throw InputError(fmt::format("sample {}", bad - signal.begin() + 1), *bad, "must be finite");
-}
-
-/// The part of the signal between the options' times; its offset is kept beside it.
-struct Cut {
-  std::span<const double> signal;
-  double offset = 0.0;  ///< s
+ private:
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
-Cut cut(std::span<const double> signal, double rate, const RingDownOptions& options) {
-  const double duration = static_cast<double>(signal.size()) / rate;
-  const double from = options.from.value_or(0.0);
-  const double to = options.to.value_or(duration);
-  if (!(from < to && from < duration && to > 0.0)) {
-    throw InputError("range", fmt::format("{:g} to {:g} s", from, to),
-                     fmt::format("must rise and meet the record, 0 to {:g} s", duration));
-  }
-  const double last = static_cast<double>(signal.size());
-  const double first = std::clamp(std::ceil(from * rate), 0.0, last);
-  const double end = std::clamp(std::floor(to * rate), first, last);
-  return {signal.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(end - first)),
-          first / rate};
+bool ended_early(const DecayTrack& track) {
+  return track.walk.end == WalkEnd::kRise || track.walk.end == WalkEnd::kLost;
 }
 
-/// The signal less its mean over the last half under cos⁴: there the oscillation is small, and the
-/// taper lets next to nothing of it into the mean. An offset would pass for a large amplitude in the
-/// short windows that tell where the decay begins, and its rest for one where little is left of it.
-std::vector<double> without_offset(std::span<const double> signal, double rate) {
-  const double duration = static_cast<double>(signal.size() - 1) / rate;
-  const TaperedWindow tail(signal, rate, 0.75 * duration, 0.5 * duration);
-  const double mean = tail.transform(0.0).real();
-  std::vector<double> rest(signal.begin(), signal.end());
-  for (double& value : rest) value -= mean;
-  return rest;
-}
-
-/// The mode, and how near to it there is something else.
-struct Mode {
-  double frequency = 0.0;
-  double separation = 0.0;  ///< Hz
-  std::vector<SpectralPeak> neighbours;
+/// What is followed without the band that was given, where that is more.
+struct BetterBand {
+  std::pair<double, double> band;  ///< Hz
+  double end = 0.0;                ///< s on the axis
 };
 
-Mode choose_mode(std::span<const double> signal, double rate, const RingDownOptions& options) {
-  constexpr double kFewestPeriods = 8.0;
-  const double lowest = kFewestPeriods * rate / static_cast<double>(signal.size());
-  double from = lowest;
-  double to = kHighest * rate;
-  if (options.frequency) {
-    from = (1.0 - kSearch) * *options.frequency;
-    to = (1.0 + kSearch) * *options.frequency;
-  }
-  if (options.band) {
-    from = std::max(options.frequency ? from : 0.0, options.band->first);
-    to = std::min(to, options.band->second);
-  }
-  const ModePeak peak = find_mode(signal, rate, from, to);
-  if (!(peak.frequency > 0.0)) {
-    throw InputError("range of frequencies", fmt::format("{:g} to {:g} Hz", from, to),
-                     "must hold a peak of the spectrum: no decay found");
-  }
-  if (peak.frequency < lowest) {
-    throw InputError(
-        "record", fmt::format("{:g} s", static_cast<double>(signal.size()) / rate),
-        fmt::format("must hold {} periods of {:g} Hz: too short", kFewestPeriods, peak.frequency));
-  }
-  Mode mode{
-      .frequency = peak.frequency, .separation = peak.frequency, .neighbours = peak.neighbours};
-  if (options.band) {
-    mode.separation =
-        std::min(peak.frequency - options.band->first, options.band->second - peak.frequency);
-    // A peak at the very edge of the band: the spectrum rises beyond it.
-    if (mode.separation < 1.0 / (static_cast<double>(signal.size()) / rate)) {
-      throw InputError("band", fmt::format("peak at {:g} Hz", peak.frequency),
-                       "must hold the mode's peak inside, not at its edge");
+/// @param end  s: how far the mode was followed in the band that was given.
+std::optional<BetterBand> better_band(std::span<const double> signal, double rate,
+                                      const Dimension& measured, const RingDownOptions& options,
+                                      double origin, double begin, double end) {
+  constexpr double kLonger = 1.5;
+  try {
+    RingDownOptions free = options;
+    free.band.reset();
+    if (!free.frequency) {
+      free.frequency = std::midpoint(options.band->first, options.band->second);
     }
-    return mode;
-  }
-  for (const SpectralPeak& other : peak.neighbours) {
-    mode.separation = std::min(mode.separation, std::abs(other.frequency - peak.frequency));
-  }
-  return mode;
-}
-
-DecayTask task_for(std::span<const double> signal, double rate, int derivatives, const Mode& mode,
-                   const RingDownOptions& options) {
-  const double reach = std::min(mode.separation / 2.0, kWidest * mode.frequency);
-  DecayTask task{.signal = signal, .rate = rate, .derivatives = derivatives};
-  task.to = static_cast<double>(signal.size() - 1) / rate;
-  task.lowest = mode.frequency - reach;
-  task.highest = mode.frequency + reach;
-  task.shortest = std::max(options.least_periods / mode.frequency, kLines / mode.separation);
-  task.largest_fall = options.largest_fall;
-  task.wanted_std = options.wanted_std;
-  task.largest_std = options.largest_std;
-  for (const SpectralPeak& other : mode.neighbours) task.others.push_back(other.frequency);
-  if (!options.from) {
-    task.from = start_of_decay(signal, rate, mode.frequency,
-                               std::max(4.0 / mode.frequency, 2.0 / mode.separation));
-  }
-  if (task.to - task.from < 1.5 * task.shortest) {
-    throw InputError("free decay", fmt::format("{:g} s", task.to - task.from),
-                     fmt::format("must last {:g} s at least at {:g} Hz: too short",
-                                 1.5 * task.shortest, mode.frequency),
-                     "Give the band, or the time where the decay begins, if they are not what was "
-                     "found.");
-  }
-  return task;
-}
-
-[[noreturn]] void throw_no_decay(const DecayTask& task, const Mode& mode, WalkEnd end) {
-  const std::string what = fmt::format("oscillation at {:.6g} Hz", mode.frequency);
-  if (end == WalkEnd::kNoise) {
-    throw InputError(what, "no decay found",
-                     fmt::format("must decay, with a damping ratio known to {:g} % at least: the "
-                                 "signal-to-noise ratio is too low, or the amplitude constant",
-                                 100.0 * task.largest_std),
-                     "Give the mode's frequency and the time range of the decay.");
-  }
-  throw InputError(what, "no decay found", "must be one decaying oscillation",
-                   "Give the mode's frequency, its band and the time range of the decay.");
-}
-
-void add_point(const DecayWindow& window, const DecayPoint& point, double offset,
-               RingDown& result) {
-  constexpr double kTwoPi = 2.0 * std::numbers::pi;
-  result.time.push_back(offset + window.centre);
-  result.amplitude.push_back(point.amplitude);
-  result.amplitude_std.push_back(point.amplitude_std);
-  result.frequency.push_back(point.omega / kTwoPi);
-  result.frequency_std.push_back(point.omega_std / kTwoPi);
-  result.damping_ratio.push_back(point.damping);
-  result.damping_ratio_std.push_back(point.damping_std);
-  result.loss.push_back(point.loss);
-  result.loss_std.push_back(point.loss_std);
-  result.window.push_back(window.length);
-}
-
-void warn(const DecayTask& task, const Mode& mode, const DecayWalk& walk, double offset,
-          bool banded, RingDown& result) {
-  if (!banded && !mode.neighbours.empty()) {
-    std::string names;
-    for (const SpectralPeak& other : mode.neighbours) {
-      names += fmt::format("{}{:.5g} Hz", names.empty() ? "" : ", ", other.frequency);
-    }
-    result.warnings.push_back(
-        {"other_peaks", fmt::format("The spectrum has other peaks near {:.5g} Hz: {}. The windows "
-                                    "are {:.3g} s or longer to keep them out.",
-                                    mode.frequency, names, task.shortest)});
-  }
-  const DecayWindow& first = walk.windows.front();
-  if (first.length * first.decay > 1.2 * task.largest_fall) {
-    result.warnings.push_back(
-        {"decay_within_window",
-         fmt::format("The amplitude falls by a factor of {:.2g} within a window of {:.3g} s, the "
-                     "shortest that keeps out what is near {:.5g} Hz: damping may be biased where "
-                     "it changes fast.",
-                     std::exp(first.length * first.decay), first.length, mode.frequency)});
-  }
-  if (walk.end == WalkEnd::kRise || walk.end == WalkEnd::kLost) {
-    result.warnings.push_back(
-        {walk.end == WalkEnd::kRise ? "amplitude_rises" : "mode_lost",
-         fmt::format("The decay ends at {:.4g} s: {}.", offset + walk.end_time,
-                     walk.end == WalkEnd::kRise
-                         ? "the amplitude rises there, by a second impact or the beat of two modes"
-                         : "the mode cannot be followed further")});
+    const DecayTrack track = follow_decay(signal, rate, measured, free, origin);
+    if (track.walk.windows.empty()) return std::nullopt;
+    const double reached = track.offset + track.walk.windows.back().centre;
+    if (reached - begin < kLonger * (end - begin)) return std::nullopt;
+    return BetterBand{track.band(), reached};
+  } catch (const InputError&) {
+    return std::nullopt;
   }
 }
 
-std::string reason_of(WalkEnd end) {
-  switch (end) {
-    case WalkEnd::kRecord:
-      return "the record ends";
-    case WalkEnd::kNoise:
-      return "the rest is lost in noise";
-    case WalkEnd::kRise:
-      return "the amplitude rises";
-    case WalkEnd::kLost:
-      break;
-  }
-  return "the mode is lost";
+std::string better_text(const BetterBand& better) {
+  return fmt::format(
+      "With the band {:.6g} to {:.6g} Hz, which is taken where none is given, the "
+      "mode is followed to {:.4g} s.",
+      better.band.first, better.band.second, better.end);
 }
 
-int derivatives_of(const Dimension& measured) {
-  if (measured == kLength) return 0;
-  if (measured == kVelocity) return 1;
-  if (measured == kAcceleration) return 2;
-  throw InputError("measured quantity", dimension_name(measured),
-                   "must be displacement, velocity or acceleration");
+/// Follows the decay; where a band that was given loses it, says which would not.
+DecayTrack follow(std::span<const double> signal, double rate, const Dimension& measured,
+                  const RingDownOptions& options, double origin, std::vector<Warning>& warnings) {
+  DecayTrack track = follow_decay(signal, rate, measured, options, origin);
+  const bool found = !track.walk.windows.empty();
+  if (options.band && (!found || ended_early(track))) {
+    const double begin = track.offset + track.task.from;
+    const double end = found ? track.offset + track.walk.windows.back().centre : begin;
+    const auto better = better_band(signal, rate, measured, options, origin, begin, end);
+    if (better && !found) throw_no_decay(track, better_text(*better));
+    if (better) warnings.push_back({"band_loses_mode", better_text(*better)});
+  }
+  if (!found) throw_no_decay(track, {});
+  return track;
 }
 
-RingDown result_of(const DecayTask& task, const DecayWalk& walk, double offset) {
-  RingDown result;
-  for (const DecayWindow& window : walk.windows) {
-    add_point(window, decay_point(window, task.derivatives, walk.noise_variance), offset, result);
+/// A channel of motion, evenly sampled.
+struct MotionSignal {
+  std::span<const double> values;
+  Dimension measured;
+};
+
+MotionSignal motion_of(const Recording& recording, std::string_view name) {
+  const Channel& chosen = recording.channel(name);
+  const bool moves = chosen.dimension == kVelocity || chosen.dimension == kAcceleration;
+  const Dimension measured = moves ? *chosen.dimension : kLength;
+  const std::span<const double> values = recording.signal(name, measured);
+  if (!recording.axis.even()) {
+    throw InputError(recording.source + ": times", "uneven", "must be evenly spaced",
+                     "Resample the record.");
   }
-  result.from = result.time.front() - result.window.front() / 2.0;
-  result.to = result.time.back() + result.window.back() / 2.0;
-  result.noise_std = std::sqrt(walk.noise_variance);
-  const bool to_the_end = walk.end == WalkEnd::kRecord || walk.end == WalkEnd::kNoise;
-  result.summary.status = to_the_end ? Status::kConverged : Status::kNotConverged;
-  result.summary.method = "local fits of a decaying oscillation";
-  result.summary.reason = reason_of(walk.end);
-  result.summary.residual = result.noise_std / walk.windows.front().amplitude;
-  result.summary.iterations = static_cast<int>(result.size());
+  return {values, measured};
+}
+
+DecayTrack follow(const Recording& recording, std::string_view channel,
+                  const RingDownOptions& options, std::vector<Warning>& warnings) {
+  const MotionSignal motion = motion_of(recording, channel);
+  try {
+    return follow(motion.values, recording.sampling_rate(), motion.measured, options,
+                  recording.axis.start, warnings);
+  } catch (const InputError& error) {
+    throw error.renamed(
+        fmt::format("{}: channel '{}': {}", recording.source, channel, error.name()));
+  }
+}
+
+RingDown result_of_one(const DecayTrack& track, const Dimension& measured,
+                       const RingDownOptions& options, const std::vector<Warning>& warnings) {
+  RingDown result = ring_down_of(track, track.points, std::vector<std::string>(track.points.size()),
+                                 measured, options.band.has_value());
+  if (options.band) result.band = *options.band;
+  result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
   return result;
+}
+
+/// Those of the sensors that can be followed; the first must.
+std::vector<SensorTrack> follow_all(const Recording& recording,
+                                    std::span<const std::string> channels,
+                                    const RingDownOptions& options,
+                                    std::vector<Warning>& warnings) {
+  std::vector<SensorTrack> tracks;
+  for (const std::string& channel : channels) {
+    (void)motion_of(recording, channel);
+    try {
+      tracks.push_back({channel, follow(recording, channel, options, warnings)});
+    } catch (const InputError& error) {
+      if (tracks.empty()) throw;
+      warnings.push_back({"sensor_left_out", fmt::format("Left out: {}", error.what())});
+    }
+  }
+  return tracks;
+}
+
+void check_channels(std::span<const std::string> channels) {
+  if (channels.empty()) {
+    throw InputError("channels", InputState{"missing"}, "must name one sensor at least");
+  }
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const auto before = channels.first(i);
+    if (std::ranges::find(before, channels[i]) == before.end()) continue;
+    throw InputError("channels", fmt::format("'{}' twice", channels[i]),
+                     "must name each sensor once");
+  }
 }
 
 }  // namespace
 
 RingDown ring_down(std::span<const double> signal, double rate, const Dimension& measured,
                    const RingDownOptions& options) {
-  const auto began = std::chrono::steady_clock::now();
-  check_options(options, rate);
-  check_signal(signal);
-  const Cut part = cut(signal, rate, options);
-  check_signal(part.signal);
-  const std::vector<double> motion = without_offset(part.signal, rate);
-  const Mode mode = choose_mode(motion, rate, options);
-  const DecayTask task = task_for(motion, rate, derivatives_of(measured), mode, options);
-  if (looks_clipped(task.signal.subspan(static_cast<std::size_t>(task.from * rate)))) {
-    throw InputError("signal", "clipped",
-                     "must not stand still at its largest value again and again",
-                     "Begin later, where the signal is within the range of the instrument.");
-  }
-  const DecayWalk walk = walk_along(task);
-  if (walk.windows.empty()) throw_no_decay(task, mode, walk.end);
-  RingDown result = result_of(task, walk, part.offset);
-  result.measured = measured;
-  warn(task, mode, walk, part.offset, options.band.has_value(), result);
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - began;
-  result.summary.wall_seconds = elapsed.count();
+  const Stopwatch watch;
+  std::vector<Warning> warnings;
+  const DecayTrack track = follow(signal, rate, measured, options, 0.0, warnings);
+  RingDown result = result_of_one(track, measured, options, warnings);
+  result.summary.wall_seconds = watch.seconds();
   return result;
 }
 
 RingDown ring_down(const Recording& recording, std::string_view channel,
                    const RingDownOptions& options) {
+  const std::string name(channel);
+  return ring_down(recording, std::span<const std::string>(&name, 1), options);
+}
+
+RingDown ring_down(const Recording& recording, std::span<const std::string> channels,
+                   const RingDownOptions& options) {
+  const Stopwatch watch;
   check_recording(recording);
-  const Channel& chosen = recording.channel(channel);
-  const bool moves = chosen.dimension == kVelocity || chosen.dimension == kAcceleration;
-  const Dimension measured = moves ? *chosen.dimension : kLength;
-  const std::span<const double> signal = recording.signal(channel, measured);
-  if (!recording.axis.even()) {
-    throw InputError(recording.source + ": times", "uneven", "must be evenly spaced",
-                     "Resample the record.");
-  }
-  RingDownOptions shifted = options;
-  const double start = recording.axis.start;
-  if (shifted.from) *shifted.from -= start;
-  if (shifted.to) *shifted.to -= start;
+  check_channels(channels);
+  std::vector<Warning> warnings;
+  const std::vector<SensorTrack> tracks = follow_all(recording, channels, options, warnings);
+  const Dimension measured = motion_of(recording, channels.front()).measured;
   RingDown result;
-  try {
-    result = ring_down(signal, recording.sampling_rate(), measured, shifted);
-  } catch (const InputError& error) {
-    throw error.renamed(
-        fmt::format("{}: channel '{}': {}", recording.source, channel, error.name()));
+  if (tracks.size() == 1) {
+    result = result_of_one(tracks.front().track, measured, options, warnings);
+    result.sensors = {{.name = tracks.front().name}};
+  } else {
+    CombinedDecay all = combine_sensors(tracks);
+    result = ring_down_of(tracks[all.leader].track, all.points, std::move(all.flags), measured,
+                          options.band.has_value());
+    if (options.band) result.band = *options.band;
+    result.sensors = std::move(all.sensors);
+    for (const auto* more : {&warnings, &all.warnings}) {
+      result.warnings.insert(result.warnings.end(), more->begin(), more->end());
+    }
+    result.summary.method += fmt::format(", of {} sensors", tracks.size());
   }
-  for (double& time : result.time) time += start;
-  result.from += start;
-  result.to += start;
+  result.summary.wall_seconds = watch.seconds();
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -41,26 +42,50 @@ namespace microslip {
 struct RingDownOptions {
   /// Near which the mode is sought, within 10 %, Hz. Without it: the highest peak of the spectrum.
   std::optional<double> frequency = {};
-  /// Hz, low and high: the mode is sought inside and what is outside is kept out. Without it: as far as
-  /// the next peaks of the spectrum.
+  /// Hz, low and high: the mode is sought inside and what is outside is kept out. Without it the windows
+  /// are so long that the other peaks of the spectrum move ζ by no more than `wanted_std`.
   std::optional<std::pair<double, double>> band = {};
-  /// Where the free decay begins and ends, s on the axis of the recording. Without them: found, and the
-  /// end of the record.
+  /// Where the free decay begins and ends, s on the axis of the recording. Without them: see DecayStart,
+  /// and the end of the record.
   std::optional<double> from = {};
   std::optional<double> to = {};  ///< where it ends
   /// The windows are as short as this many periods where noise and other modes allow; from 3.
   double least_periods = 6.0;
+  /// ln of the ratio of amplitudes over the shortest window, where the record lasts eight of them; above
+  /// 0, up to largest_fall. Over a smaller fall whatever is small looks like damping.
+  double least_fall = 0.4;
   /// ln of the ratio of amplitudes over the longest window; above 0, up to 6. A longer window gives less
   /// scatter and more bias where the exponent of D(A) changes fast.
   double largest_fall = 2.0;
-  /// Windows are as long as this standard deviation of ζ, over ζ, needs; above 0.
+  /// Windows are as long as this standard deviation of ζ by noise, over ζ, needs, and as this change of
+  /// ζ by other modes; above 0.
   double wanted_std = 0.005;
   /// The decay ends where the longest window does not keep to this one; above 0.
   double largest_std = 0.1;
 };
 
+/// What tells where a decay begins.
+enum class DecayStart {
+  kGiven,   ///< the caller
+  kRecord,  ///< the mode is largest where the record begins
+  kBlow,    ///< a blow in the signal as it was recorded: 1.5 periods of the mode behind its onset
+  kFall,    ///< the mode's amplitude, where it leaves its highest 5 %: a plateau, or a later rise
+};
+
+/// One of the sensors that saw a decay.
+struct RingDownSensor {
+  std::string name;
+  double ratio = 1.0;      ///< its amplitude over that of the first sensor, 1, above 0
+  double ratio_std = 0.0;  ///< its standard deviation
+  /// (largest − smallest)/mean of the ratio over the windows, 1: 0 where the mode keeps its shape.
+  double ratio_range = 0.0;
+};
+
 /// The mode over time: one entry a window, each of the last fitted value at its centre. Windows
 /// overlap; two that are half a window apart or more are all but independent (correlation −0.2).
+/// Standard deviations hold the noise and what the choice of the window is worth: each is fitted again with
+/// 0.8, 1.25 and 1.6 times the length, and the mean square of the differences is added, at least what
+/// other modes are known to leak in; so is what the windows scatter about a smooth course beyond noise.
 struct RingDown {
   std::vector<double> time;               ///< s, on the axis of the recording
   std::vector<double> amplitude;          ///< A, of the displacement at the sensor, m
@@ -72,9 +97,20 @@ struct RingDown {
   std::vector<double> loss;               ///< 2πζω²A² = D/m, J/kg
   std::vector<double> loss_std;           ///< with the correlation of ζ and A
   std::vector<double> window;             ///< length of each, s
+  /// Codes between blanks: neighbour_leaks, other modes move ζ by more than 2 %; window_matters, the
+  /// choice of the window by more than 5 %; of several sensors shape_moves, a ratio of amplitudes is off
+  /// its mean by more than 1 % and twice its standard deviation; sensors_differ, ζ of two by more than
+  /// twice its own.
+  std::vector<std::string> flags;
 
-  double from = 0.0;  ///< s: the range in which the windows lie
-  double to = 0.0;    ///< s
+  double from = 0.0;   ///< s: the range in which the windows lie
+  double to = 0.0;     ///< s
+  double start = 0.0;  ///< s: where free decay begins, on the axis
+  DecayStart start_by = DecayStart::kGiven;
+  std::optional<double> blow = {};  ///< s: the onset of the blow that was found
+  std::pair<double, double> band = {
+      0.0, 0.0};                        ///< Hz: as given, or what the shortest window lets through
+  std::vector<RingDownSensor> sensors;  ///< those that were used, in their order
   double noise_std =
       0.0;  ///< of a sample, in the unit of the signal, by the density beside the mode
   Dimension measured = kLength;  ///< what the signal is: kLength, kVelocity or kAcceleration
@@ -100,6 +136,18 @@ struct RingDown {
 /// The same of a channel; its unit tells what it is.
 /// @throws InputError  also where the channel is missing, not evenly sampled over time or of no motion.
 [[nodiscard]] RingDown ring_down(const Recording& recording, std::string_view channel,
+                                 const RingDownOptions& options = {});
+
+/// The same of several sensors of one decay. The one that tells ζ best leads: in its windows all are
+/// fitted. ζ, ω and A are weighted means; amplitude and modal mass are those of the first sensor, to which
+/// the mean ratios of amplitudes bring the others. A weight is 1/(σ² + s²/r²): σ the sensor's own, r its
+/// amplitude over the largest, and s what explains that the sensors differ by more than their σ, over
+/// the windows within half a window [R. DerSimonian, N. Laird, Control. Clin. Trials 7 (1986) 177, there
+/// with r = 1]: what is foreign to the mode counts more where its amplitude is small.
+/// @param channels  one at least, no two the same. One that cannot be followed is left out with a
+///                  warning.
+/// @throws InputError  as for one; where the first cannot be followed.
+[[nodiscard]] RingDown ring_down(const Recording& recording, std::span<const std::string> channels,
                                  const RingDownOptions& options = {});
 
 }  // namespace microslip

@@ -21,11 +21,14 @@ void require_positive(std::string_view name, double value) {
   }
 }
 
+void check_ratio(double joint_ratio) {
+  if (std::isfinite(joint_ratio) && joint_ratio != 0.0) return;
+  throw InputError("joint_ratio", joint_ratio, "must be finite and not 0");
+}
+
 void check(const RingDownLevelsOptions& options) {
   require_positive("modal_mass", options.modal_mass);
-  if (!(std::isfinite(options.joint_ratio) && options.joint_ratio != 0.0)) {
-    throw InputError("joint_ratio", options.joint_ratio, "must be finite and not 0");
-  }
+  check_ratio(options.joint_ratio);
   if (!(options.loss_factor >= 0.0 && std::isfinite(options.loss_factor))) {
     throw InputError("loss_factor", options.loss_factor, "must be 0 or more and finite");
   }
@@ -69,6 +72,18 @@ void add_secant(const RingDown& decay, std::size_t i, double omega0,
                                         decay.frequency_std[i]);
 }
 
+/// What needs no modal mass.
+void add_motion(const RingDown& decay, std::size_t i, double joint_ratio, RingDownLevels& levels) {
+  levels.amplitude.push_back(std::abs(joint_ratio) * decay.amplitude[i]);
+  levels.amplitude_std.push_back(std::abs(joint_ratio) * decay.amplitude_std[i]);
+  levels.time.push_back(decay.time[i]);
+  levels.frequency.push_back(decay.frequency[i]);
+  levels.frequency_std.push_back(decay.frequency_std[i]);
+  levels.damping_ratio.push_back(decay.damping_ratio[i]);
+  levels.damping_ratio_std.push_back(decay.damping_ratio_std[i]);
+  levels.flags.push_back(decay.flags.empty() ? std::string() : decay.flags[i]);
+}
+
 /// One that is not positive tells that k, ω₀, m or the ratio do not belong together.
 void drop_impossible_secants(RingDownLevels& levels) {
   const bool good = std::ranges::all_of(levels.secant_stiffness, [](double k) { return k > 0.0; });
@@ -97,15 +112,11 @@ RingDownLevels levels_of(const RingDown& decay, const RingDownLevelsOptions& opt
       ++left_out;
       continue;
     }
-    levels.amplitude.push_back(std::abs(options.joint_ratio) * a);
-    levels.amplitude_std.push_back(std::abs(options.joint_ratio) * decay.amplitude_std[i]);
+    add_motion(decay, i, options.joint_ratio, levels);
     levels.dissipation.push_back(d);
     // The loss taken off has little scatter of its own: that of A² against that of ζ.
     levels.dissipation_std.push_back(m * decay.loss_std[i]);
     add_secant(decay, i, omega0, options, levels);
-    levels.time.push_back(decay.time[i]);
-    levels.frequency.push_back(decay.frequency[i]);
-    levels.damping_ratio.push_back(decay.damping_ratio[i]);
   }
   drop_impossible_secants(levels);
   warn_of_implausible("The largest amplitude", kLength, levels.amplitude, levels.warnings);
@@ -117,6 +128,13 @@ RingDownLevels levels_of(const RingDown& decay, const RingDownLevelsOptions& opt
                      "theirs. Check loss_factor.",
                      left_out, options.loss_factor)});
   }
+  return levels;
+}
+
+RingDownLevels damping_levels_of(const RingDown& decay, double joint_ratio) {
+  check_ratio(joint_ratio);
+  RingDownLevels levels;
+  for (const std::size_t i : independent_windows(decay)) add_motion(decay, i, joint_ratio, levels);
   return levels;
 }
 

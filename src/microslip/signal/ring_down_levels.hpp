@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "microslip/signal/ring_down.hpp"
@@ -35,12 +36,20 @@ struct RingDownLevels {
   std::vector<double> secant_stiffness_std;  ///< its standard deviation, N/m
   std::vector<double> time;                  ///< s
   std::vector<double> frequency;             ///< Hz
+  std::vector<double> frequency_std;         ///< its standard deviation, Hz
   std::vector<double> damping_ratio;         ///< of the mode, linear part included, 1
+  std::vector<double> damping_ratio_std;     ///< its standard deviation, 1
+  std::vector<std::string> flags;            ///< as RingDown has them
   std::vector<Warning> warnings;             ///< what was left out, and why
 };
 
 /// Levels of the joint from the decay of a mode.
 /// @throws InputError  for an option out of range, or k without the stick frequency.
 [[nodiscard]] RingDownLevels levels_of(const RingDown& decay, const RingDownLevelsOptions& options);
+
+/// The same without a modal mass: no dissipation and no secant stiffness.
+/// @param joint_ratio  as in RingDownLevelsOptions.
+/// @throws InputError  where it is 0 or not finite.
+[[nodiscard]] RingDownLevels damping_levels_of(const RingDown& decay, double joint_ratio = 1.0);
 
 }  // namespace microslip

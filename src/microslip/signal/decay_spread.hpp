@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "microslip/signal/decay_walk.hpp"
+
+/// @file
+/// How far what a decay tells depends on the window. Internal to signal.
+///
+/// Each window is fitted again with 0.8, 1.25 and 1.6 times its length about the same centre. Other modes
+/// come through the shorter one four times as strong and through the longer ones a quarter and a
+/// seventeenth, and what the model of the envelope cannot follow goes with a high power of the length:
+/// so the differences show both, about as large as the error itself or larger. Noise makes the lengths
+/// differ by a quarter of its variance, which is not taken off. What is known to leak in by
+/// decay_leakage() is the least that counts for damping. A mode too near for any of the lengths makes the
+/// decay beat: what damping scatters about a smooth course beyond its noise is
+/// added, and to the loss the 0.15 % that first harmonics are off by.
+
+namespace microslip {
+
+/// Mean squares of relative differences, 1.
+struct DecaySpread {
+  double amplitude = 0.0;
+  double omega = 0.0;
+  double damping = 0.0;
+  double loss = 0.0;
+};
+
+/// Of a fitted window.
+[[nodiscard]] DecaySpread spread_of(const DecayTask& task, const DecayWindow& window,
+                                    double noise_variance);
+
+/// The points of windows with standard deviations by noise and by spread, that averaged over the windows
+/// whose centres are within half a window, and by the scatter of damping about a parabola.
+[[nodiscard]] std::vector<DecayPoint> points_of(const DecayTask& task,
+                                                std::span<const DecayWindow> windows,
+                                                double noise_variance);
+
+}  // namespace microslip

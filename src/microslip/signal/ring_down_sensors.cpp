@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/signal/ring_down_sensors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+
+#include "microslip/signal/ring_down_result.hpp"
+#include "microslip/signal/sensor_means.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr double kSure = 2.0;         // standard deviations
+constexpr double kFixedShape = 0.01;  // of a ratio of amplitudes
+
+/// Of each window; nothing where the sensor does not see the decay.
+using SensorPoints = std::vector<std::optional<DecayPoint>>;
+
+double median_error(const DecayTrack& track) {
+  std::vector<double> errors;
+  for (const DecayPoint& point : track.points) errors.push_back(point.loss_std / point.loss);
+  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+  std::ranges::nth_element(errors, middle);
+  return *middle;
+}
+
+double length_of(const DecayTrack& track) {
+  return track.walk.windows.back().centre - track.walk.windows.front().centre;
+}
+
+/// The one that knows the loss best, of those that follow it long.
+std::size_t leader_of(const std::vector<SensorTrack>& tracks) {
+  constexpr double kLong = 0.7;  // of the longest
+  double longest = 0.0;
+  for (const SensorTrack& sensor : tracks) longest = std::max(longest, length_of(sensor.track));
+  std::size_t leader = tracks.size();
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    if (length_of(tracks[i].track) < kLong * longest) continue;
+    if (leader == tracks.size() ||
+        median_error(tracks[i].track) < median_error(tracks[leader].track)) {
+      leader = i;
+    }
+  }
+  return leader;
+}
+
+/// What a sensor sees in the windows of another.
+SensorPoints points_in(const DecayTrack& track, const DecayTrack& leader) {
+  SensorPoints points(leader.walk.windows.size());
+  std::vector<DecayWindow> windows;
+  std::vector<std::size_t> places;
+  const double shift = leader.offset - track.offset;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const DecayWindow& wanted = leader.walk.windows[i];
+    const double centre = wanted.centre + shift;
+    if (centre - wanted.length / 2.0 < 0.0 || centre + wanted.length / 2.0 > track.task.to)
+      continue;
+    const auto found = fit_decay_window(track.task.signal, track.task.rate, centre, wanted.length,
+                                        track.task.lowest, track.task.highest, track.task.others);
+    if (!found) continue;
+    const DecayPoint point = decay_point(*found, track.task.derivatives, track.walk.noise_variance);
+    if (!(point.damping_std < track.task.largest_std * point.damping)) continue;
+    windows.push_back(*found);
+    places.push_back(i);
+  }
+  const std::vector<DecayPoint> found = points_of(track.task, windows, track.walk.noise_variance);
+  for (std::size_t i = 0; i < places.size(); ++i) points[places[i]] = found[i];
+  return points;
+}
+
+/// ln of a sensor's amplitude over the leader's: mean weighted by the variances, and the windows where
+/// both are.
+struct LogRatio {
+  double mean = 0.0;
+  double variance = 0.0;
+  double lowest = 0.0;
+  double highest = 0.0;
+};
+
+double relative_variance(const DecayPoint& point) {
+  const double relative = point.amplitude_std / point.amplitude;
+  return relative * relative;
+}
+
+LogRatio log_ratio_of(const SensorPoints& points, const SensorPoints& leader) {
+  LogRatio ratio{.lowest = 1e300, .highest = -1e300};
+  double weights = 0.0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i] || !leader[i]) continue;
+    const double log = std::log(points[i]->amplitude / leader[i]->amplitude);
+    const double weight =
+        1.0 / (relative_variance(*points[i]) + relative_variance(*leader[i]) + 1e-16);
+    weights += weight;
+    sum += weight * log;
+    ratio.lowest = std::min(ratio.lowest, log);
+    ratio.highest = std::max(ratio.highest, log);
+  }
+  if (weights > 0.0) {
+    ratio.mean = sum / weights;
+    ratio.variance = 1.0 / weights;
+  }
+  return ratio;
+}
+
+class Combination {
+ public:
+  explicit Combination(const std::vector<SensorTrack>& tracks) : tracks_(tracks) {
+    result_.leader = leader_of(tracks);
+    for (const SensorTrack& sensor : tracks) {
+      points_.push_back(&sensor.track == &leader()
+                            ? SensorPoints(leader().points.begin(), leader().points.end())
+                            : points_in(sensor.track, leader()));
+    }
+    for (const SensorPoints& points : points_) {
+      ratios_.push_back(log_ratio_of(points, points_[result_.leader]));
+    }
+    for (const LogRatio& ratio : ratios_) largest_ = std::max(largest_, std::exp(ratio.mean));
+    result_.flags.resize(leader().walk.windows.size());
+  }
+
+  CombinedDecay run() {
+    combine();
+    name_sensors();
+    compare_pairs();
+    compare_ratios();
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] const DecayTrack& leader() const { return tracks_[result_.leader].track; }
+
+  /// The windows whose centres are within half a window, and the place of the wanted one among them.
+  [[nodiscard]] std::vector<std::size_t> windows_about(std::size_t i) const {
+    const std::vector<DecayWindow>& windows = leader().walk.windows;
+    std::vector<std::size_t> about;
+    for (std::size_t j = 0; j < windows.size(); ++j) {
+      if (std::abs(windows[j].centre - windows[i].centre) <= 0.5 * windows[i].length) {
+        about.push_back(j);
+      }
+    }
+    return about;
+  }
+
+  /// @param value  of a sensor's point: SensorValue(sensor, point)
+  template <typename Value>
+  [[nodiscard]] SensorMean mean_at(std::size_t window, const Value& value) const {
+    std::vector<std::vector<SensorValue>> times;
+    std::size_t wanted = 0;
+    for (const std::size_t j : windows_about(window)) {
+      std::vector<SensorValue> values;
+      for (std::size_t s = 0; s < points_.size(); ++s) {
+        if (!points_[s][j]) continue;
+        values.push_back(value(s, *points_[s][j]));
+        values.back().size = std::exp(ratios_[s].mean) / largest_;
+      }
+      if (j == window) wanted = times.size();
+      times.push_back(std::move(values));
+    }
+    return sensor_mean(times, wanted);
+  }
+
+  void combine() {
+    const double to_first = ratios_.front().mean;
+    for (std::size_t i = 0; i < leader().walk.windows.size(); ++i) {
+      const SensorMean damping = mean_at(i, [](std::size_t, const DecayPoint& p) {
+        return SensorValue{p.damping, p.damping_std * p.damping_std};
+      });
+      const SensorMean omega = mean_at(i, [](std::size_t, const DecayPoint& p) {
+        return SensorValue{p.omega, p.omega_std * p.omega_std};
+      });
+      const SensorMean log = mean_at(i, [&](std::size_t s, const DecayPoint& p) {
+        return SensorValue{std::log(p.amplitude) + to_first - ratios_[s].mean,
+                           relative_variance(p)};
+      });
+      add_point(damping, omega, log);
+    }
+  }
+
+  void add_point(const SensorMean& damping, const SensorMean& omega, const SensorMean& log) {
+    DecayPoint point;
+    point.amplitude = std::exp(log.value);
+    point.amplitude_std = point.amplitude * std::sqrt(log.variance);
+    point.omega = omega.value;
+    point.omega_std = std::sqrt(omega.variance);
+    point.damping = damping.value;
+    point.damping_std = std::sqrt(damping.variance);
+    point.loss = 2.0 * std::numbers::pi * damping.value * omega.value * omega.value *
+                 point.amplitude * point.amplitude;
+    point.loss_std = point.loss * std::sqrt(damping.variance / (damping.value * damping.value) +
+                                            4.0 * log.variance);
+    result_.points.push_back(point);
+  }
+
+  void name_sensors() {
+    for (std::size_t s = 0; s < points_.size(); ++s) {
+      const LogRatio& ratio = ratios_[s];
+      const double over_first = std::exp(ratio.mean - ratios_.front().mean);
+      result_.sensors.push_back(
+          {.name = tracks_[s].name,
+           .ratio = over_first,
+           .ratio_std =
+               s == 0 ? 0.0 : over_first * std::sqrt(ratio.variance + ratios_.front().variance),
+           .ratio_range = std::max(0.0, std::exp(ratio.highest - ratio.lowest) - 1.0)});
+    }
+  }
+
+  /// ζ of each pair.
+  void compare_pairs() {
+    for (std::size_t a = 0; a < points_.size(); ++a) {
+      for (std::size_t b = a + 1; b < points_.size(); ++b) compare(a, b);
+    }
+  }
+
+  void compare(std::size_t a, std::size_t b) {
+    std::size_t common = 0;
+    std::size_t apart = 0;
+    double worst = 0.0;
+    double difference = 0.0;
+    for (std::size_t i = 0; i < result_.flags.size(); ++i) {
+      if (!points_[a][i] || !points_[b][i]) continue;
+      ++common;
+      const DecayPoint& one = *points_[a][i];
+      const DecayPoint& other = *points_[b][i];
+      const double off =
+          (one.damping - other.damping) / std::hypot(one.damping_std, other.damping_std);
+      if (std::abs(off) <= kSure) continue;
+      ++apart;
+      flag(i, "sensors_differ");
+      if (std::abs(off) <= worst) continue;
+      worst = std::abs(off);
+      difference = one.damping / other.damping - 1.0;
+    }
+    if (apart == 0) return;
+    result_.warnings.push_back(
+        {"sensors_differ",
+         fmt::format(
+             "{} and {} differ in damping by more than twice its standard deviation in {} of "
+             "{} windows, at worst {:.1f} of them ({:+.2g} %): something beside the mode is in "
+             "one of them. It is in the standard deviations of the levels.",
+             tracks_[a].name, tracks_[b].name, apart, common, worst, 100.0 * difference)});
+  }
+
+  void compare_ratios() {
+    const SensorPoints& lead = points_[result_.leader];
+    for (std::size_t s = 0; s < points_.size(); ++s) {
+      if (s == result_.leader) continue;
+      std::size_t apart = 0;
+      for (std::size_t i = 0; i < result_.flags.size(); ++i) {
+        if (!points_[s][i] || !lead[i]) continue;
+        const double off =
+            std::log(points_[s][i]->amplitude / lead[i]->amplitude) - ratios_[s].mean;
+        const double sure =
+            kSure * std::sqrt(relative_variance(*points_[s][i]) + relative_variance(*lead[i]));
+        if (std::abs(off) <= std::max(sure, kFixedShape)) continue;
+        ++apart;
+        flag(i, "shape_moves");
+      }
+      if (apart > 0) warn_of_shape(s, apart);
+    }
+  }
+
+  void warn_of_shape(std::size_t sensor, std::size_t apart) {
+    const RingDownSensor& moved = result_.sensors[sensor];
+    result_.warnings.push_back(
+        {"shape_moves",
+         fmt::format(
+             "The amplitude of {} over that of {} moves by {:.2g} % over the decay, beyond its "
+             "standard deviation in {} windows: the mode's shape is not fixed there, or {} sees "
+             "something else too.",
+             moved.name, tracks_[result_.leader].name, 100.0 * moved.ratio_range, apart,
+             moved.name)});
+  }
+
+  void flag(std::size_t window, std::string_view code) {
+    std::string& flags = result_.flags[window];
+    if (flags.find(code) == std::string::npos) add_flag(flags, code);
+  }
+
+  const std::vector<SensorTrack>& tracks_;
+  CombinedDecay result_;
+  std::vector<SensorPoints> points_;  ///< a sensor each
+  std::vector<LogRatio> ratios_;      ///< a sensor each, over the leader
+  double largest_ = 0.0;
+};
+
+}  // namespace
+
+CombinedDecay combine_sensors(const std::vector<SensorTrack>& tracks) {
+  return Combination(tracks).run();
+}
+
+}  // namespace microslip
