@@ -29,6 +29,7 @@ constexpr std::array kTableKinds{
     TableKind{kForceControlKind, {"level", "force_before", "force_after"}},
     TableKind{kDissipationKind, {"amplitude", "dissipation", "loss_factor"}},
     TableKind{kLevelsKind, {"amplitude", "dissipation"}},
+    TableKind{kDampingLevelsKind, {"amplitude", "damping_ratio", "decay_time"}},
     TableKind{kDensityKind, {"slip_force", "density"}},
     TableKind{kResponseKind, {"frequency", "displacement", "phase"}},
     TableKind{kBackboneKind, {"frequency", "displacement", "damping_ratio"}},

@@ -7,10 +7,12 @@
 
 namespace microslip {
 
-inline constexpr std::string_view kJointKind = "microslip.joint/1";       ///< joint.json
-inline constexpr std::string_view kRigKind = "microslip.rig/1";           ///< rig.toml
-inline constexpr std::string_view kModelKind = "microslip.model/1";       ///< model.toml
-inline constexpr std::string_view kLevelsKind = "a table of levels";      ///< levels.csv
+inline constexpr std::string_view kJointKind = "microslip.joint/1";   ///< joint.json
+inline constexpr std::string_view kRigKind = "microslip.rig/1";       ///< rig.toml
+inline constexpr std::string_view kModelKind = "microslip.model/1";   ///< model.toml
+inline constexpr std::string_view kLevelsKind = "a table of levels";  ///< levels.csv
+/// of `microslip ringdown` without modal mass
+inline constexpr std::string_view kDampingLevelsKind = "a table of damping ratios";
 inline constexpr std::string_view kDensityKind = "a table of a density";  ///< of parse_density()
 /// of `microslip dissipation`
 inline constexpr std::string_view kDissipationKind = "a table of a dissipation curve";

@@ -44,6 +44,11 @@ LevelsFile parse_levels(std::string text, std::string_view file, const LevelsRea
   const CsvTable table(std::move(text), file);
   Levels levels;
   levels.amplitude = table.numbers("amplitude", kLength);
+  if (table.has("damping_ratio") && !table.has("dissipation")) {
+    throw FormatError({table.file()}, "a column 'dissipation'", "damping ratios alone",
+                      "A damping ratio gives no dissipation without the modal mass: give "
+                      "--modal-mass to ringdown.");
+  }
   levels.dissipation = table.numbers("dissipation", kEnergy);
   for (const OptionalColumn& column : kOptionalColumns) {
     levels.*column.values = table.numbers_if_present(column.name, column.dimension);
