@@ -203,10 +203,9 @@ std::string describe_curve(const HarmonicBalance& balance, const ResponseCurve& 
   return text + describe_ending(curve.summary);
 }
 
-int finish(const Summary& ended, bool found, const ModelArguments& arguments, const Call& call,
-           const std::function<CsvWriter()>& table, const std::function<std::string()>& summary) {
+int tell_ending(const Summary& ended, bool found, const ModelArguments& arguments, const Call& call,
+                const std::function<std::string()>& summary) {
   const bool converged = ended.converged();
-  if (found) write_file(arguments.out, table().str());
   if (found && !call.quiet) {
     fmt::print(arguments.out == "-" ? stderr : stdout, "{}", summary());
   } else if (!converged) {
@@ -214,6 +213,12 @@ int finish(const Summary& ended, bool found, const ModelArguments& arguments, co
                ended.reason, found ? "what was found is written and marked" : "nothing is written");
   }
   return converged ? kDone : kNotConverged;
+}
+
+int finish(const Summary& ended, bool found, const ModelArguments& arguments, const Call& call,
+           const std::function<CsvWriter()>& table, const std::function<std::string()>& summary) {
+  if (found) write_file(arguments.out, table().str());
+  return tell_ending(ended, found, arguments, call, summary);
 }
 
 int finish(const ResponseCurve& curve, const PredictionArguments& arguments, const Call& call,

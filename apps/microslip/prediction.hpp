@@ -91,6 +91,13 @@ void add_model_warnings(const ModelFile& model, ResponseCurve& curve);
 [[nodiscard]] std::string describe_curve(const HarmonicBalance& balance, const ResponseCurve& curve,
                                          const PredictionArguments& arguments);
 
+/// Prints the summary, or says on standard error what nothing else would say.
+/// @param found    whether something was found, and written.
+/// @param summary  composes it; called where there is.
+/// @return the exit status.
+[[nodiscard]] int tell_ending(const Summary& ended, bool found, const ModelArguments& arguments,
+                              const Call& call, const std::function<std::string()>& summary);
+
 /// Writes the table, prints the summary, and says on standard error what nothing else would say.
 /// @param found           whether there is something to write.
 /// @param table, summary  compose them; called where there is.

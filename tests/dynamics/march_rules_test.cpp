@@ -79,6 +79,7 @@ TEST(MarchRules, NameTheOptionThatIsWrong) {
   expect_message(message(push(), {.tolerance = 0.0}), "tolerance = 0");
   expect_message(message(push(), {.max_iterations = 1}), "max_iterations = 1");
   expect_message(message(push(), {.largest_imbalance = 0.0}), "largest_imbalance = 0");
+  expect_message(message(push(), {.largest_error = -1.0}), "largest_error = -1; must be positive");
   expect_message(message(push(), {.points = {"nose"}}), "nose");
   expect_message(message(push(), {.points = {"mass", "mass"}}), "mass; must be given once");
   expect_message(message(push(), {.start = {.displacement = {1.0, 2.0}}}),
@@ -135,24 +136,45 @@ TEST(MarchProgress, IsToldAndMayCancel) {
   EXPECT_THROW((void)march(structure, vibration(3000), {}, stop), Cancelled);
 }
 
-// At rest up to 5 s; two rounds do not find the forces of the next long step to 1e-14.
+// So fast that shortening, which grows with the square of the way, is infinite after a millionth of a
+// step: no piece of it is short enough.
 TEST(MarchFailure, SaysWhereAndKeepsWhatWasFound) {
-  LoadHistory loads = vibration(100);
-  std::fill_n(loads.forces[0].force.begin(), 21, 0.0);
-  const MarchOptions options{
-      .step = 0.25, .points = {"mass"}, .tolerance = 1e-14, .max_iterations = 2};
-  const MarchResult found = march(testing::one_mass(testing::iwan_joint()), loads, options);
+  const JointedStructure rig = testing::friction_rig(3);
+  const std::string point = rig.excitations()[0].point;
+  const LoadHistory loads{{0.5, 0.501, 0.502}, {}};
+  const MarchResult found = march(
+      rig, loads, {.step = 1e-3, .points = {point}, .start = {.velocity = {1e170, 0.0, 0.0}}});
   EXPECT_EQ(found.summary.status, Status::kNotConverged);
   expect_message(found.summary.reason,
-                 "step 21, from 5 s on, did not converge in 2 iterations: the joint forces still");
-  ASSERT_EQ(found.time.size(), 21U);
-  EXPECT_EQ(found.time.back(), 5.0);
-  EXPECT_EQ(found.points[0].acceleration, std::vector<double>(21, 0.0));
-  EXPECT_EQ(found.joints[0].force, std::vector<double>(21, 0.0));
+                 "step 1, from 0.5 s on, did not converge in 50 iterations, nor did pieces of it");
+  ASSERT_EQ(found.time, std::vector<double>{0.5});
+  EXPECT_EQ(found.points[0].displacement, std::vector<double>{0.0});
+  EXPECT_EQ(found.joints[0].force, std::vector<double>{0.0});
+  ASSERT_FALSE(found.error_estimate.has_value());
 }
 
-// Steps beyond the bound of stability: 0.25 N/m on 1e-4 kg of a body without a spring, 50 rad/s.
-TEST(MarchFailure, ShowsInTheEnergy) {
+// Two rounds do not find the forces of a long step to 1e-14: pieces of it are taken.
+TEST(MarchFailure, CutsStepsThatDoNotConverge) {
+  const JointedStructure structure = testing::one_mass(testing::iwan_joint());
+  const LoadHistory loads = vibration(100);
+  const MarchResult whole =
+      march(structure, loads, {.step = 0.25, .points = {"mass"}, .tolerance = 1e-14});
+  const MarchResult cut =
+      march(structure, loads,
+            {.step = 0.25, .points = {"mass"}, .tolerance = 1e-14, .max_iterations = 2});
+  ASSERT_TRUE(cut.summary.converged()) << cut.summary.full();
+  EXPECT_GT(cut.steps, 2 * whole.steps);
+  const auto& expected = whole.points[0].displacement;
+  ASSERT_EQ(cut.points[0].displacement.size(), expected.size());
+  // The whole steps of a twenty-fifth of a period err by some 1e-5.
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_NEAR(cut.points[0].displacement[i], expected[i], 1e-4) << i;
+  }
+}
+
+// Steps beyond the bound of stability, 0.25 N/m on 1e-4 kg of a body without a spring, 50 rad/s, do not
+// converge, and are cut until they do.
+TEST(MarchFailure, CutsUnstableSteps) {
   const JointedStructure structure(ModalModel({{0.0, 0.0}}, {{"body", {100.0}}}),
                                    {{"joint", testing::iwan_joint(), {100.0}}}, {{"body"}});
   LoadHistory loads{{}, {{"body", {}}}};
@@ -160,11 +182,60 @@ TEST(MarchFailure, ShowsInTheEnergy) {
     loads.time.push_back(0.0645 * i);
     loads.forces[0].force.push_back(0.01 * std::sin(5.0 * loads.time.back()));
   }
-  const MarchResult coarse = march(structure, loads, {.step = 0.0645});
-  EXPECT_EQ(coarse.summary.status, Status::kNotConverged) << coarse.summary.full();
-  const MarchResult chosen = march(structure, loads);
+  const MarchResult coarse =
+      march(structure, loads, {.step = 0.0645, .points = {"body"}, .estimate_error = false});
+  const MarchResult chosen = march(structure, loads, {.points = {"body"}});
   EXPECT_TRUE(chosen.summary.converged()) << chosen.summary.full();
   EXPECT_LT(chosen.energy.imbalance(), 1e-4);
+  double difference = 0.0;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < loads.time.size(); ++i) {
+    const double expected = chosen.points[0].displacement[i];
+    difference = std::max(difference, std::abs(coarse.points[0].displacement[i] - expected));
+    largest = std::max(largest, std::abs(expected));
+  }
+  EXPECT_LT(difference, 0.05 * largest);  // a step is half a radian and more of the force
+}
+
+TEST(MarchFailure, ShowsInTheBalanceAndTheEstimate) {
+  const JointedStructure structure = testing::one_mass(testing::iwan_joint());
+  const MarchResult fine = march(structure, vibration());
+  ASSERT_TRUE(fine.summary.converged()) << fine.summary.full();
+  ASSERT_TRUE(fine.error_estimate.has_value());
+  MarchResult found =
+      march(structure, vibration(), {.largest_imbalance = 0.5 * fine.energy.imbalance()});
+  EXPECT_EQ(found.summary.status, Status::kNotConverged);
+  expect_message(found.summary.reason, "the energy balance is off by");
+  found = march(structure, vibration(), {.largest_error = 0.5 * *fine.error_estimate});
+  EXPECT_EQ(found.summary.status, Status::kNotConverged);
+  expect_message(found.summary.reason, "the error of the displacements is estimated at");
+  found = march(structure, vibration(), {.estimate_error = false});
+  EXPECT_FALSE(found.error_estimate.has_value());
+}
+
+// What is given away row by row is what march() keeps.
+TEST(MarchRows, AreThoseOfTheResult) {
+  const JointedStructure structure = testing::one_mass(testing::iwan_joint());
+  const LoadHistory loads = vibration(50);
+  const MarchOptions options{.every = 7, .points = {"mass"}};
+  const MarchResult kept = march(structure, loads, options);
+  std::size_t row = 0;
+  const auto compare = [&](const MarchRow& given) {
+    ASSERT_LT(row, kept.time.size());
+    EXPECT_EQ(loads.time[given.index], given.time);
+    EXPECT_EQ(given.time, kept.time[row]);
+    EXPECT_EQ(given.displacement[0], kept.points[0].displacement[row]);
+    EXPECT_EQ(given.velocity[0], kept.points[0].velocity[row]);
+    EXPECT_EQ(given.acceleration[0], kept.points[0].acceleration[row]);
+    EXPECT_EQ(given.joint_displacement[0], kept.joints[0].displacement[row]);
+    EXPECT_EQ(given.joint_force[0], kept.joints[0].force[row]);
+    ++row;
+  };
+  const MarchResult given = march_rows(structure, loads, options, compare);
+  EXPECT_EQ(row, kept.time.size());
+  EXPECT_TRUE(given.time.empty());
+  EXPECT_EQ(given.energy.input, kept.energy.input);
+  EXPECT_EQ(given.error_estimate, kept.error_estimate);
 }
 
 TEST(March, TakesHystereticDampingAsViscous) {
@@ -176,8 +247,11 @@ TEST(March, TakesHystereticDampingAsViscous) {
   const std::string point = hysteretic.excitations()[0].point;
   loads.forces[0].point = point;
   for (double& time : loads.time) time *= 1e-3;
-  EXPECT_EQ(march(hysteretic, loads, {.points = {point}}).points[0].displacement,
+  const MarchResult found = march(hysteretic, loads, {.points = {point}});
+  EXPECT_EQ(found.points[0].displacement,
             march(viscous, loads, {.points = {point}}).points[0].displacement);
+  ASSERT_EQ(found.warnings.size(), 1U);
+  EXPECT_EQ(found.warnings[0].code, "hysteretic_as_viscous");
 }
 
 }  // namespace

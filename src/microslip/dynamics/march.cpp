@@ -25,8 +25,12 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kStepsPerPeriod = 20.0;
 // Of second order: as many as keep the energy to half of 1e-4.
-constexpr double kStepsWithAtoms = 80.0;
+constexpr double kStepsWithManyAtoms = 80.0;
 constexpr double kStepsWithNormalLoad = 400.0;
+/// The difference of two marches with h and 2h, over the error of that with h: 2ᵖ − 1 with the order p
+/// between 3 and 4, and with that of 2.
+constexpr double kDifferenceOverError = 10.0;
+constexpr double kDifferenceOverErrorOfSecondOrder = 3.0;
 /// Lengths of intervals that differ by no more are the same: rounding of the time axis.
 constexpr double kSameLength = 1e-9;
 /// Steps between two words to the progress, and what is left of the interval.
@@ -104,6 +108,7 @@ void check_options(const MarchOptions& o, const ModalModel& linear) {
           "must be from 1e-14 to 1e-4");
   require(o.max_iterations >= 2, "max_iterations", o.max_iterations, "must be at least 2");
   require(o.largest_imbalance > 0.0, "largest_imbalance", o.largest_imbalance, "must be positive");
+  require(o.largest_error > 0.0, "largest_error", o.largest_error, "must be positive");
   std::set<std::string_view> names;
   for (const std::string& point : o.points) {
     (void)linear.shape(point);
@@ -116,12 +121,16 @@ void check_options(const MarchOptions& o, const ModalModel& linear) {
 
 // ---- The march. ----
 
+bool has_many_atoms(const JointedStructure& structure) {
+  return std::ranges::any_of(structure.joints(), [](const StructuralJoint& joint) {
+    const SlipDensity& density = joint.joint.density();
+    return !density.atoms().slip_force.empty() && corners_of(density).empty();
+  });
+}
+
 double steps_per_period(const JointedStructure& structure, const LoadHistory& loads) {
   if (!loads.normal_loads.empty()) return kStepsWithNormalLoad;
-  const bool atoms = std::ranges::any_of(structure.joints(), [](const StructuralJoint& joint) {
-    return !joint.joint.density().atoms().slip_force.empty();
-  });
-  return atoms ? kStepsWithAtoms : kStepsPerPeriod;
+  return has_many_atoms(structure) ? kStepsWithManyAtoms : kStepsPerPeriod;
 }
 
 double chosen_step(const JointedStructure& structure, const LoadHistory& loads,
@@ -196,30 +205,22 @@ class LoadsOfIntervals {
   std::vector<std::size_t> joints_;          // whose normal load varies
 };
 
-/// Writes the state down at a recorded time.
+/// Makes a row of the state at a recorded time.
 class Recorder {
  public:
-  Recorder(const JointedStructure& structure, const MarchOptions& options, std::size_t times,
-           MarchResult& result)
-      : result_(result) {
-    const std::size_t records = (times - 1) / options.every + 2;
-    result.time.reserve(records);
+  Recorder(const JointedStructure& structure, const MarchOptions& options, const MarchSink& sink)
+      : sink_(sink),
+        joint_displacement_(structure.joints().size()),
+        joint_force_(structure.joints().size()) {
     for (const std::string& point : options.points) {
       shapes_.push_back(structure.linear().shape(point));
-      result.points.push_back({point, {}, {}, {}});
-      result.points.back().displacement.reserve(records);
-      result.points.back().velocity.reserve(records);
-      result.points.back().acceleration.reserve(records);
     }
-    for (const StructuralJoint& joint : structure.joints()) {
-      result.joints.push_back({joint.name, {}, {}});
-      result.joints.back().displacement.reserve(records);
-      result.joints.back().force.reserve(records);
+    for (auto* values : {&displacement_, &velocity_, &acceleration_}) {
+      values->resize(shapes_.size());
     }
   }
 
-  void record(double time, const MarchState& state) {
-    result_.time.push_back(time);
+  void record(std::size_t index, double time, const MarchState& state) {
     for (std::size_t p = 0; p < shapes_.size(); ++p) {
       double w = 0.0;
       double v = 0.0;
@@ -229,19 +230,22 @@ class Recorder {
         v += shapes_[p][i] * state.velocity()[i];
         a += shapes_[p][i] * state.acceleration(i);
       }
-      result_.points[p].displacement.push_back(w);
-      result_.points[p].velocity.push_back(v);
-      result_.points[p].acceleration.push_back(a);
+      displacement_[p] = w;
+      velocity_[p] = v;
+      acceleration_[p] = a;
     }
-    for (std::size_t j = 0; j < result_.joints.size(); ++j) {
-      result_.joints[j].displacement.push_back(state.joint(j).displacement());
-      result_.joints[j].force.push_back(state.joint(j).force());
+    for (std::size_t j = 0; j < joint_displacement_.size(); ++j) {
+      joint_displacement_[j] = state.joint(j).displacement();
+      joint_force_[j] = state.joint(j).force();
     }
+    sink_(
+        {index, time, displacement_, velocity_, acceleration_, joint_displacement_, joint_force_});
   }
 
  private:
+  const MarchSink& sink_;
   std::vector<std::span<const double>> shapes_;
-  MarchResult& result_;
+  std::vector<double> displacement_, velocity_, acceleration_, joint_displacement_, joint_force_;
 };
 
 /// The steps over one interval. @return how many were taken; fewer than wanted where one failed.
@@ -250,34 +254,113 @@ struct Interval {
   std::size_t taken;
 };
 
+/// Steps of equal length over an interval.
 class Steps {
  public:
-  Steps(const JointedStructure& structure, double longest)
-      : weights_(structure.linear().modes()), longest_(longest) {}
+  explicit Steps(const JointedStructure& structure) : weights_(structure.linear().modes()) {}
 
-  Interval take(double length, MarchState& state) {
-    const double count = std::max(1.0, std::ceil(length / longest_ * (1.0 - kSameLength)));
-    const double step = length / count;
+  Interval take(double length, std::size_t count, MarchState& state) {
+    const double step = length / static_cast<double>(count);
     if (std::abs(step - weights_.length()) > kSameLength * step) weights_.set_length(step);
-    const auto wanted = static_cast<std::size_t>(count);
-    for (std::size_t i = 0; i < wanted; ++i) {
-      if (!state.step(weights_)) return {wanted, i};
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!state.step(weights_)) return {count, i};
     }
-    return {wanted, wanted};
+    return {count, count};
   }
 
  private:
   StepWeights weights_;
-  double longest_;
 };
 
-void finish(const MarchState& state, MarchResult& result) {
+/// The least number of steps over an interval, in pairs where that is asked for.
+std::size_t step_count(double length, double longest, bool in_pairs) {
+  const double pieces = in_pairs ? 2.0 : 1.0;
+  return static_cast<std::size_t>(
+      pieces * std::max(1.0, std::ceil(length / (pieces * longest) * (1.0 - kSameLength))));
+}
+
+/// A march with twice the step beside the one whose error it tells.
+class CoarseMarch {
+ public:
+  CoarseMarch(const JointedStructure& structure, const LoadHistory& loads,
+              const MarchOptions& options)
+      : state_(structure, hysteresis(structure, loads, options.elements), options),
+        steps_(structure),
+        second_order_(!loads.normal_loads.empty() || has_many_atoms(structure)) {
+    for (const std::string& point : options.points) {
+      shapes_.push_back(structure.linear().shape(point));
+    }
+    differences_.resize(shapes_.empty() ? structure.joints().size() : shapes_.size());
+  }
+
+  void start(const LoadsOfIntervals& acting, const InitialState& start) {
+    acting.set(0, state_.loads());
+    state_.start(start);
+  }
+
+  /// Over an interval, to be held against where the other came to.
+  void take(const LoadsOfIntervals& acting, std::size_t interval, double length, std::size_t count,
+            const MarchState& fine) {
+    if (failed_) return;
+    acting.set(interval, state_.loads());
+    const Interval done = steps_.take(length, count, state_);
+    failed_ = done.taken < done.wanted;
+    if (!failed_) compare(fine);
+  }
+
+  /// None where it failed, or there was nothing to be held against.
+  [[nodiscard]] std::optional<double> error() const {
+    if (failed_ || !compared_) return std::nullopt;
+    double worst = 0.0;
+    for (const Difference& d : differences_) {
+      if (d.difference > 0.0) worst = std::max(worst, d.difference / d.largest);
+    }
+    return worst / (second_order_ ? kDifferenceOverErrorOfSecondOrder : kDifferenceOverError);
+  }
+
+ private:
+  struct Difference {
+    double difference = 0.0;  ///< largest so far, m
+    double largest = 0.0;     ///< displacement so far, m
+  };
+
+  void compare(const MarchState& fine) {
+    compared_ = true;
+    for (std::size_t p = 0; p < differences_.size(); ++p) {
+      double w = 0.0;
+      double miss = 0.0;
+      if (shapes_.empty()) {
+        w = fine.joint(p).displacement();
+        miss = w - state_.joint(p).displacement();
+      } else {
+        for (std::size_t i = 0; i < shapes_[p].size(); ++i) {
+          w += shapes_[p][i] * fine.displacement()[i];
+          miss += shapes_[p][i] * (fine.displacement()[i] - state_.displacement()[i]);
+        }
+      }
+      Difference& d = differences_[p];
+      d.difference = std::max(d.difference, std::abs(miss));
+      d.largest = std::max(d.largest, std::abs(w));
+    }
+  }
+
+  MarchState state_;
+  Steps steps_;
+  bool second_order_;
+  bool failed_ = false;
+  bool compared_ = false;
+  std::vector<std::span<const double>> shapes_;
+  std::vector<Difference> differences_;
+};
+
+void finish(const JointedStructure& structure, const MarchState& state, MarchResult& result) {
   result.energy = state.energy();
-  for (std::size_t j = 0; j < result.joints.size(); ++j) {
-    result.energy.joints[j].joint = result.joints[j].joint;
+  for (std::size_t j = 0; j < result.energy.joints.size(); ++j) {
+    result.energy.joints[j].joint = structure.joints()[j].name;
   }
   result.steps = state.steps();
   result.reversals = state.reversals();
+  result.kinks = state.kinks();
   result.summary.iterations = static_cast<int>(std::min<std::size_t>(
       state.evaluations(), static_cast<std::size_t>(std::numeric_limits<int>::max())));
   result.summary.residual = result.energy.imbalance();
@@ -286,13 +369,37 @@ void finish(const MarchState& state, MarchResult& result) {
 /// Why the march ended, where all its steps were taken.
 void judge(const MarchOptions& options, double last, MarchResult& result) {
   Summary& s = result.summary;
-  const bool balanced = s.residual <= options.largest_imbalance;
-  s.status = balanced ? Status::kConverged : Status::kNotConverged;
-  s.reason = balanced ? fmt::format("marched to {:.9g} s", last)
-                      : fmt::format(
-                            "the energy balance is off by {:.2g}, above {:.2g}; take "
-                            "shorter steps",
-                            s.residual, options.largest_imbalance);
+  s.status = Status::kNotConverged;
+  if (s.residual > options.largest_imbalance || std::isnan(s.residual)) {
+    s.reason = fmt::format("the energy balance is off by {:.2g}, above {:.2g}; take shorter steps",
+                           s.residual, options.largest_imbalance);
+  } else if (result.error_estimate && !(*result.error_estimate <= options.largest_error)) {
+    s.reason = fmt::format(
+        "the error of the displacements is estimated at {:.2g} of the largest, above {:.2g}; take "
+        "shorter steps",
+        *result.error_estimate, options.largest_error);
+  } else {
+    s.status = Status::kConverged;
+    s.reason = fmt::format("marched to {:.9g} s", last);
+  }
+}
+
+void add_error(const std::optional<CoarseMarch>& coarse, const JointedStructure& structure,
+               MarchResult& result) {
+  if (structure.joints().empty()) result.error_estimate = 0.0;
+  if (!coarse) return;
+  result.error_estimate = coarse->error();
+  if (result.error_estimate) return;
+  result.warnings.push_back({"error_not_estimated",
+                             "the error is not known: the march with twice the step, which tells "
+                             "it, did not get on; take shorter steps."});
+}
+
+void add_damping(const JointedStructure& structure, MarchResult& result) {
+  if (structure.damping() != DampingLaw::kHysteretic) return;
+  result.warnings.push_back({"hysteretic_as_viscous",
+                             "hysteretic damping has no form in time; the damping is viscous with "
+                             "the same loss factor at each natural frequency."});
 }
 
 }  // namespace
@@ -317,57 +424,92 @@ double MarchEnergy::imbalance() const {
   return left == right ? 0.0 : std::abs(left - right) / size;
 }
 
-MarchResult march(const JointedStructure& structure, const LoadHistory& loads,
-                  const MarchOptions& options, const Progress& progress) {
+MarchResult march_rows(const JointedStructure& structure, const LoadHistory& loads,
+                       const MarchOptions& options, const MarchSink& sink,
+                       const Progress& progress) {
   const auto begin = Clock::now();
   check_time(loads.time);
   check_forces(loads, structure.linear());
   check_normal_loads(loads, structure);
   check_options(options, structure.linear());
-  const double step = chosen_step(structure, loads, options);
-  check_step(step, loads.time);
+  const double longest = chosen_step(structure, loads, options);
+  check_step(longest, loads.time);
   MarchResult result;
   result.summary.method = "time march, exponential Hermite";
   MarchState state(structure, hysteresis(structure, loads, options.elements), options);
-  LoadsOfIntervals acting(structure, loads);
-  Steps steps(structure, step);
-  Recorder recorder(structure, options, loads.time.size(), result);
+  const LoadsOfIntervals acting(structure, loads);
+  Steps steps(structure);
+  Recorder recorder(structure, options, sink);
+  std::optional<CoarseMarch> coarse;
+  if (options.estimate_error && !structure.joints().empty()) {
+    coarse.emplace(structure, loads, options);
+    coarse->start(acting, options.start);
+  }
+  acting.set(0, state.loads());
+  state.start(options.start);
+  recorder.record(0, loads.time.front(), state);
   const std::size_t intervals = loads.time.size() - 1;
   std::string failure;
   std::size_t told = 0;  // steps
-  for (std::size_t k = 0; k < intervals && failure.empty(); ++k) {
+  for (std::size_t k = 0; k < intervals; ++k) {
     acting.set(k, state.loads());
-    if (k == 0) {
-      state.start(options.start);
-      recorder.record(loads.time.front(), state);
-    }
     const double length = loads.time[k + 1] - loads.time[k];
-    const Interval interval = steps.take(length, state);
+    const std::size_t count = step_count(length, longest, coarse.has_value());
+    const Interval interval = steps.take(length, count, state);
     if (interval.taken < interval.wanted) {
       const double share =
           static_cast<double>(interval.taken) / static_cast<double>(interval.wanted);
       failure = fmt::format(
-          "step {}, from {:.9g} s on, did not converge in {} iterations: the joint forces still "
-          "change by {:.2g}; take shorter steps",
+          "step {}, from {:.9g} s on, did not converge in {} iterations, nor did pieces of it: the "
+          "joint forces still change by {:.2g}; take shorter steps",
           state.steps() + 1, loads.time[k] + share * length, options.max_iterations,
           state.last_change());
       break;
     }
+    if (coarse) coarse->take(acting, k, length, count / 2, state);
     if ((k + 1) % options.every == 0 || k + 1 == intervals) {
-      recorder.record(loads.time[k + 1], state);
+      recorder.record(k + 1, loads.time[k + 1], state);
     }
     if (progress && (state.steps() - told >= kStepsAWord || k + 1 == intervals)) {
       told = state.steps();
       if (!progress(k + 1, intervals)) throw Cancelled();
     }
   }
-  finish(state, result);
+  finish(structure, state, result);
+  add_error(coarse, structure, result);
+  add_damping(structure, result);
   judge(options, loads.time.back(), result);
   if (!failure.empty()) {
     result.summary.status = Status::kNotConverged;
     result.summary.reason = failure;
   }
   result.summary.wall_seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  return result;
+}
+
+MarchResult march(const JointedStructure& structure, const LoadHistory& loads,
+                  const MarchOptions& options, const Progress& progress) {
+  MarchResult rows;
+  for (const std::string& point : options.points) rows.points.push_back({point, {}, {}, {}});
+  for (const StructuralJoint& joint : structure.joints()) {
+    rows.joints.push_back({joint.name, {}, {}});
+  }
+  const auto keep = [&](const MarchRow& row) {
+    rows.time.push_back(row.time);
+    for (std::size_t p = 0; p < rows.points.size(); ++p) {
+      rows.points[p].displacement.push_back(row.displacement[p]);
+      rows.points[p].velocity.push_back(row.velocity[p]);
+      rows.points[p].acceleration.push_back(row.acceleration[p]);
+    }
+    for (std::size_t j = 0; j < rows.joints.size(); ++j) {
+      rows.joints[j].displacement.push_back(row.joint_displacement[j]);
+      rows.joints[j].force.push_back(row.joint_force[j]);
+    }
+  };
+  MarchResult result = march_rows(structure, loads, options, keep, progress);
+  result.time = std::move(rows.time);
+  result.points = std::move(rows.points);
+  result.joints = std::move(rows.joints);
   return result;
 }
 

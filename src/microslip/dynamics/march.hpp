@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,8 +46,9 @@ struct InitialState {
 /// How march() integrates, and what it records.
 struct MarchOptions {
   /// Longest step, s; ≥ 0, and at least 1e-10 of the time axis. Each interval of the time axis is cut into the least number of equal
-  /// steps that are not longer. 0: a twentieth of the shortest period of the stuck structure, an
-  /// eightieth where a density has atoms, a four-hundredth where a normal load varies.
+  /// steps that are not longer, an even one where the error is estimated. 0: a twentieth of the
+  /// shortest period of the stuck structure, an eightieth where a density has more than 16 atoms, a
+  /// four-hundredth where a normal load varies.
   double step = 0.0;
   /// Every n-th time of the axis is recorded, from the first on, and the last; ≥ 1.
   std::size_t every = 1;
@@ -58,6 +62,12 @@ struct MarchOptions {
   int max_iterations = 50;
   /// The energy imbalance above which the march does not count as converged, 1; > 0.
   double largest_imbalance = 1e-4;
+  /// Whether the error is estimated: each interval of the time axis is then cut into an even number of
+  /// steps, and marched beside it with half as many, for half the time again. Linear structures are
+  /// exact, and need none.
+  bool estimate_error = true;
+  /// The estimated error above which the march does not count as converged, 1; > 0.
+  double largest_error = 1e-2;
   /// Jenkins elements that stand for a joint whose normal load varies; ≥ 1, and more than its
   /// density has atoms.
   std::size_t elements = 1000;
@@ -115,6 +125,20 @@ struct MarchEnergy {
   [[nodiscard]] double imbalance() const;
 };
 
+/// What is recorded at one time. The values hold until the call returns.
+struct MarchRow {
+  std::size_t index;                           ///< of the time in the axis
+  double time;                                 ///< s
+  std::span<const double> displacement;        ///< m; one a point of the options
+  std::span<const double> velocity;            ///< m/s; the same
+  std::span<const double> acceleration;        ///< m/s²; the same
+  std::span<const double> joint_displacement;  ///< u, m; one a joint of the structure
+  std::span<const double> joint_force;         ///< F, N; the same
+};
+
+/// Takes the rows as they come.
+using MarchSink = std::function<void(const MarchRow&)>;
+
 /// Up to where the march got. Where it stopped early the records end at the last recorded time that
 /// was reached.
 struct MarchResult {
@@ -124,8 +148,16 @@ struct MarchResult {
   MarchEnergy energy;               ///< up to the last time that was reached
   std::size_t steps = 0;            ///< taken, those cut at reversals twice
   std::size_t reversals = 0;        ///< of all joints
-  /// Converged: to the last time, and with an energy imbalance, its residual, in bounds. `iterations`
-  /// counts evaluations of the joints.
+  std::size_t kinks = 0;            ///< loops that closed and atoms that began to slip
+  /// The largest error of the displacement of a recorded point (of u of a joint where there is none)
+  /// at the times of the axis, over its largest value, 1: the difference from the march with twice the
+  /// step, over what it is of the error by the order of the scheme. 0 for a linear structure; none
+  /// where it was not asked for, or that march failed.
+  std::optional<double> error_estimate;
+  /// What a user of the result must know: `hysteretic_as_viscous`, `error_not_estimated`.
+  std::vector<Warning> warnings;
+  /// Converged: to the last time, with an energy imbalance, its residual, and an estimated error in
+  /// bounds. `iterations` counts evaluations of the joints.
   Summary summary;
 };
 
@@ -142,14 +174,15 @@ struct MarchResult {
 ///
 /// in closed form, with p_i the cubic of its values and slopes at both ends; ṗ follows from the tangent
 /// stiffness of the joints, u̇ and q̇. A linear structure is exact whatever the step. The joint forces at
-/// the end of the step are found by Newton's method. A step in which u of a joint turns is cut there,
-/// where the cubic of u has its extreme, and the memory turned.
+/// the end of the step are found by Newton's method, on the curve that the step began on. A step in
+/// which u of a joint turns, closes a loop or comes to where an atom begins to slip is cut there, where
+/// the cubic of u has its extreme or passes the kink. A step whose equations do not converge is halved,
+/// again and again down to a millionth.
 ///
-/// The order is 4 where the virgin curve is smooth; where inside of a step an atom begins to slip, or a
-/// loop closes, the force has a kink: order 2, with an error whose mean over the places in the step is
-/// 0. A joint of varying normal load is of order 2. Stable for h below 3 over the highest frequency of
-/// the stuck structure as far as that frequency comes from joints and not from modes; an unstable march
-/// shows in its energy.
+/// The order is 4 where the density is smooth between its atoms, 3 where it jumps inside of a step. A
+/// density of more than 16 atoms, and a joint of varying normal load, are of order 2. Stable for h below
+/// 3 over the highest frequency of the stuck structure as far as that frequency comes from joints and
+/// not from modes; an unstable march shows in its energy.
 ///
 /// On the reference rig, 7 modes, 8 N at 55 Hz, the largest error of w over its largest value is 8.6e-8
 /// with 149 steps a period and 3.3e-10 with 596; docs/validation.md compares it with other schemes.
@@ -162,5 +195,13 @@ struct MarchResult {
 /// @throws Cancelled   where `progress`, told of the times of the axis, returns false.
 [[nodiscard]] MarchResult march(const JointedStructure& structure, const LoadHistory& loads,
                                 const MarchOptions& options = {}, const Progress& progress = {});
+
+/// The same with each row given away as it comes: memory does not grow with their number. `time`,
+/// `points` and `joints` of the result stay empty.
+/// @param sink  told of each row in turn; what it throws ends the march.
+/// @throws as march().
+[[nodiscard]] MarchResult march_rows(const JointedStructure& structure, const LoadHistory& loads,
+                                     const MarchOptions& options, const MarchSink& sink,
+                                     const Progress& progress = {});
 
 }  // namespace microslip

@@ -12,12 +12,20 @@ using Kind = StepWeights::Kind;
 
 /// Turns nearer to an end of a step than this share of it are at that end.
 constexpr double kNear = 1e-9;
+constexpr double kRounding = 1e-12;
 /// Motion over a step below this share of the largest is rounding: no step is cut for it.
 constexpr double kQuiet = 1e-13;
 /// Growth of the contraction that is assumed, from one step to the next.
 constexpr double kMistrust = 1.1;
-/// Cuts of one step; a joint that turns more often in it is at rest but for rounding.
-constexpr int kMostCuts = 100;
+/// The least that is believed without being measured in the step itself.
+constexpr double kLeastContraction = 1e-3;
+/// Turns and kinks in one step; where there are more the joint is at rest but for rounding.
+constexpr int kMostChanges = 100;
+/// Pieces of a step that are shorter than this share of it are not tried.
+constexpr double kLeastPiece = 1e-6;
+/// Rounds of Newton's method after which the tangents stay: the forces are continuous, so that they
+/// converge where tangents jump between two values.
+constexpr int kSettled = 8;
 
 int sign_of(double value) { return value > 0.0 ? 1 : value < 0.0 ? -1 : 0; }
 
@@ -93,7 +101,7 @@ void MarchState::start(const InitialState& start) {
     k.r = k.force - joint.spring * k.slide;
     k.r_dot = k.force_dot - joint.spring * k.slide_dot;
     joint.begin = k;
-    joint.direction = sign_of(k.gap_dot);
+    set_off(joint);
     joint.largest_force = std::abs(k.force);
     joint.largest_gap = std::abs(k.gap);
   }
@@ -160,11 +168,11 @@ bool MarchState::solve(const StepWeights& weights, Couplings& couplings) {
     place(weights, couplings);
     double change = 0.0;
     for (std::size_t j = 0; j < joints_.size(); ++j) {
-      change = std::max(change, update(j, couplings, h));
+      change = std::max(change, update(j, couplings, h, i >= kSettled));
     }
     last_change_ = change;
     if (!std::isfinite(change)) return false;
-    contraction_ = i == 0 ? kMistrust * contraction_ : change / before;
+    contraction_ = i == 0 ? kMistrust * std::max(contraction_, kLeastContraction) : change / before;
     const bool falls = contraction_ < 0.5;
     if (change <= tolerance_ || (falls && change * contraction_ <= 0.5 * tolerance_)) {
       correct(weights);
@@ -218,7 +226,7 @@ void MarchState::place_shortened(const StepWeights& weights) {
 /// One step of Newton's method for R and Ṙ of a joint, what it does to others and by shortening left
 /// to the next round: that is small where the step is.
 /// @return what changed, relative.
-double MarchState::update(std::size_t j, const Couplings& couplings, double length) {
+double MarchState::update(std::size_t j, const Couplings& couplings, double length, bool settled) {
   ++evaluations_;
   Joint& joint = joints_[j];
   Kinematics& k = joint.end;
@@ -226,7 +234,9 @@ double MarchState::update(std::size_t j, const Couplings& couplings, double leng
   const double c = joint.compliance;
   const double load = loads_.normal[j] + length * loads_.normal_slope[j];
   if (!std::isfinite(k.gap - c * k.force)) return HUGE_VAL;
-  const auto [force, tangent] = joint.hysteresis.trial(k.gap - c * k.force, load);
+  const auto [force, new_tangent] = joint.hysteresis.trial(k.gap - c * k.force, load);
+  if (!settled) joint.tangent = new_tangent;
+  const double tangent = joint.tangent;
   const double stiffness = tangent / (1.0 + tangent * c);  // with what is in series
   const double in_series = (force + tangent * c * k.force) / (1.0 + tangent * c);
   const double beyond = stiffness - joint.spring;
@@ -275,23 +285,44 @@ void MarchState::correct(const StepWeights& weights) {
 
 // ---- Steps and their cuts. ----
 
+/// In pieces that end where a joint turns or its tangent jumps. Where the equations of a piece do not
+/// converge, a shorter one is tried.
 bool MarchState::step(const StepWeights& weights) {
   double left = weights.length();
-  if (!solve(weights, couplings_)) return false;
-  for (int cuts = 0; cuts < kMostCuts; ++cuts) {
-    const Turn next = first_turn(left);
-    if (next.share >= 1.0) break;
-    const double part = next.share * left;
-    cut_.set_length(part);
-    if (!solve(cut_, cut_couplings_)) return false;
-    accept(part);
-    turn(joints_[next.joint]);
-    left -= part;
-    cut_.set_length(left);
-    if (!solve(cut_, cut_couplings_)) return false;
+  double piece = left;
+  int changes = 0;
+  for (;;) {
+    if (!solve_piece(piece, weights)) {
+      if (piece <= kLeastPiece * weights.length()) return false;
+      piece *= 0.5;
+      continue;
+    }
+    const Change next = changes < kMostChanges ? first_change(piece) : Change{};
+    if (next.share <= 0.0) {
+      change(next);
+      ++changes;
+      continue;
+    }
+    if (next.share < 1.0) {
+      piece *= next.share;
+      if (!solve_piece(piece, weights)) continue;
+      accept(piece);
+      change(next);
+      ++changes;
+    } else {
+      accept(piece);
+    }
+    pass_kinks();
+    left -= piece;
+    if (left <= kRounding * weights.length()) return true;
+    piece = left;
   }
-  accept(left);
-  return true;
+}
+
+bool MarchState::solve_piece(double length, const StepWeights& whole) {
+  if (length == whole.length()) return solve(whole, couplings_);
+  cut_.set_length(length);
+  return solve(cut_, cut_couplings_);
 }
 
 void MarchState::accept(double length) {
@@ -318,58 +349,128 @@ void MarchState::accept(double length) {
     joint.curvature = {(k.force_dot - joint.begin.force_dot) / length,
                        (k.r_dot - joint.begin.r_dot) / length};
     joint.begin = k;
+    joint.turned_here = false;
     joint.largest_force = std::max(joint.largest_force, std::abs(k.force));
     joint.largest_gap = std::max(joint.largest_gap, std::abs(k.gap));
-    if (joint.direction == 0) joint.direction = sign_of(k.gap_dot);
+    if (joint.direction == 0) set_off(joint);
   }
   ++steps_;
 }
 
+void MarchState::set_off(Joint& joint) {
+  joint.direction = sign_of(joint.begin.gap_dot);
+  if (joint.direction == 0) return;
+  joint.hysteresis.turn(joint.direction);
+  find_kink(joint);
+}
+
+// ---- Where joints turn, and where their tangents jump. ----
+
+void MarchState::change(const Change& change) {
+  contraction_ = 1.0;  // on another curve
+  Joint& joint = joints_[change.joint];
+  if (change.turns) {
+    turn(joint);
+    joint.turned_here = change.share <= 0.0;
+  } else {
+    pass_kink(joint);
+  }
+}
+
 void MarchState::turn(Joint& joint) {
-  joint.hysteresis.turn();
   joint.direction = -joint.direction;
+  joint.hysteresis.turn(joint.direction);
+  find_kink(joint);
   ++reversals_;
 }
 
-MarchState::Turn MarchState::first_turn(double length) {
-  Turn first{1.0, 0};
+/// The tangent jumps here, and with it the slopes of the loads.
+void MarchState::pass_kink(Joint& joint) {
+  joint.hysteresis.pass_kink();
+  find_kink(joint);
+  ++kinks_;
+  Kinematics& k = joint.begin;
+  const double tangent = joint.hysteresis.tangent();
+  const double force_dot = tangent / (1.0 + tangent * joint.compliance) * k.gap_dot;
+  const double jump = force_dot - k.force_dot;
+  k.force_dot = force_dot;
+  k.r_dot += jump;
+  for (std::size_t i = 0; i < load_slope_.size(); ++i) load_slope_[i] -= jump * joint.shape[i];
+  if (joint.gamma.empty()) return;
+  march_loops::shorten(groups_, joint.gamma.data(), q_.data(), v_.data(), joint.g.data(),
+                       joint.g_dot.data());
+  for (std::size_t i = 0; i < load_slope_.size(); ++i) load_slope_[i] += jump * joint.g[i];
+}
+
+/// The kinks that the joints have come to.
+void MarchState::pass_kinks() {
+  for (Joint& joint : joints_) {
+    for (int i = 0; i < kMostChanges && joint.direction * (joint.kink - joint.begin.gap) < 0.0;
+         ++i) {
+      pass_kink(joint);
+    }
+  }
+}
+
+void MarchState::find_kink(Joint& joint) {
+  const MarchedJoint::Kink& kink = joint.hysteresis.next_kink();
+  joint.kink = std::isfinite(kink.displacement) ? kink.displacement + joint.compliance * kink.force
+                                                : joint.direction * HUGE_VAL;
+}
+
+MarchState::Change MarchState::first_change(double length) {
+  Change first;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
-    const double share = turning_share(joints_[j], length);
-    if (share < first.share) first = {share, j};
+    const Joint& joint = joints_[j];
+    const Cubic y(joint.begin.gap, joint.begin.gap_dot, joint.end.gap, joint.end.gap_dot, length);
+    // It turns once at one place: what turns back at once is at rest but for rounding.
+    const double turn = joint.turned_here ? 1.0 : turning_share(joint, y, length);
+    if (turn < first.share) first = {turn, j, true};
+    const double kink = kink_share(joint, y, std::min(turn, 1.0));
+    if (kink < first.share) first = {kink, j, false};
   }
   return first;
 }
 
 /// Where in the step a joint turns, by the cubic through y and ẏ at its ends: ẏ there is of the order
-/// h³ and y off its extreme by h⁶.
-double MarchState::turning_share(Joint& joint, double length) {
-  const double v0 = joint.begin.gap_dot;
-  const double v1 = joint.end.gap_dot;
-  const double mean = (joint.end.gap - joint.begin.gap) / length;
-  const double middle = 1.5 * mean - 0.25 * (v0 + v1);
-  if (joint.direction * v1 >= 0.0 && joint.direction * middle >= 0.0) return 1.0;
-  if (length * std::max(std::abs(v0), std::abs(v1)) <= kQuiet * joint.largest_gap) {
-    if (joint.direction * v1 < 0.0) turn(joint);
-    return 1.0;
+/// h³ and y off its extreme by h⁶. 1 where it does not, 0 where it has turned already.
+double MarchState::turning_share(const Joint& joint, const Cubic& y, double length) {
+  const auto ahead = [&](double share) { return joint.direction * y.slope(share); };
+  if (length * std::max(std::abs(joint.begin.gap_dot), std::abs(joint.end.gap_dot)) <=
+      kQuiet * joint.largest_gap) {
+    return ahead(1.0) < 0.0 ? 0.0 : 1.0;
   }
-  if (joint.direction * v0 <= 0.0 && joint.direction * middle <= 0.0) {  // it has turned just now
-    turn(joint);
-    if (joint.direction * v1 >= 0.0) return 1.0;
-  }
-  const double c = 3.0 * (v0 + v1 - 2.0 * mean);
-  const double b = v1 - v0 - c;
-  const bool before_middle = joint.direction * middle < 0.0;
-  double low = before_middle ? 0.0 : 0.5;
-  double high = before_middle ? 0.5 : 1.0;
+  // The slope is a parabola: it may dip below 0 and come back within the step, or rise above and fall.
+  const double vertex = y.c == 0.0 ? -1.0 : -y.b / (3.0 * y.c);
+  const bool bends = vertex > 0.0 && vertex < 1.0;
+  double low = 0.0;
+  double high = 1.0;
+  if (bends && ahead(vertex) > 0.0) low = vertex;
+  if (ahead(low) <= 0.0) return ahead(0.5) >= 0.0 ? 1.0 : 0.0;
+  if (bends && ahead(vertex) < 0.0) high = vertex;
+  if (ahead(high) >= 0.0) return 1.0;
   for (int i = 0; i < 40; ++i) {
     const double x = 0.5 * (low + high);
-    (joint.direction * (v0 + x * (b + x * c)) > 0.0 ? low : high) = x;
+    (ahead(x) > 0.0 ? low : high) = x;
   }
   const double share = 0.5 * (low + high);
   if (share > 1.0 - kNear) return 1.0;
-  if (share > kNear) return share;
-  turn(joint);
-  return 1.0;
+  return share > kNear ? share : 0.0;
+}
+
+/// Where y comes to the next kink, before the share `until`, up to which it does not turn.
+double MarchState::kink_share(const Joint& joint, const Cubic& y, double until) {
+  const auto ahead = [&](double share) { return joint.direction * (joint.kink - y.value(share)); };
+  if (joint.direction == 0 || !(ahead(until) < 0.0)) return 1.0;
+  double low = 0.0;
+  double high = until;
+  for (int i = 0; i < 40; ++i) {
+    const double x = 0.5 * (low + high);
+    (ahead(x) > 0.0 ? low : high) = x;
+  }
+  const double share = 0.5 * (low + high);
+  if (share > 1.0 - kNear) return 1.0;
+  return share > kNear ? share : 0.0;
 }
 
 // ---- What came out. ----

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -12,7 +13,8 @@
 
 namespace microslip {
 
-/// The state of a structure in a march and its way over one step, cut where a joint turns. Internal to
+/// The state of a structure in a march and its way over one step, cut where a joint turns or
+/// its tangent jumps. Internal to
 /// dynamics.
 class MarchState {
  public:
@@ -44,6 +46,8 @@ class MarchState {
 
   [[nodiscard]] std::size_t steps() const { return steps_; }
   [[nodiscard]] std::size_t reversals() const { return reversals_; }
+  /// Loops that closed and atoms that began to slip, where steps were cut for them.
+  [[nodiscard]] std::size_t kinks() const { return kinks_; }
   [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
   /// Of the last step that did not converge: relative change of the joint forces.
   [[nodiscard]] double last_change() const { return last_change_; }
@@ -78,6 +82,9 @@ class MarchState {
     std::vector<double> g = {};      ///< Γq at the end
     std::vector<double> g_dot = {};  ///< Γq̇
     int direction = 0;               ///< of the motion; 0 before the first
+    bool turned_here = false;        ///< at the present place, without a way to there
+    double kink = HUGE_VAL;          ///< y at which the tangent jumps next, m
+    double tangent = 0.0;            ///< dF/du in the equations of the step, N/m
     double largest_force = 0.0;      ///< |F| so far, N
     double largest_gap = 0.0;        ///< |y| so far, m
   };
@@ -86,9 +93,23 @@ class MarchState {
     double length = 0.0;
     std::vector<double> a, b, c, d;
   };
-  struct Turn {
-    double share;       ///< of the step; 1 where no joint turns
-    std::size_t joint;  ///< that turns first
+  /// What happens first in a step: a joint turns, or its tangent jumps.
+  struct Change {
+    double share = 1.0;     ///< of the step; 1 where nothing does, 0 where it is behind already
+    std::size_t joint = 0;  ///< of which
+    bool turns = false;     ///< or else it comes to a kink
+  };
+  /// y over a step by its values and slopes at the ends, over the share x of the step.
+  struct Cubic {
+    Cubic(double y0, double dy0, double y1, double dy1, double length)
+        : start(y0),
+          v0(length * dy0),
+          v1(length * dy1),
+          c(v0 + v1 - 2.0 * (y1 - y0)),
+          b(y1 - y0 - v0 - c) {}
+    [[nodiscard]] double value(double x) const { return start + x * (v0 + x * (b + x * c)); }
+    [[nodiscard]] double slope(double x) const { return v0 + x * (2.0 * b + 3.0 * x * c); }
+    double start, v0, v1, c, b;
   };
 
   void add_joint(const StructuralJoint& joint, MarchedJoint hysteresis);
@@ -98,13 +119,21 @@ class MarchState {
   [[nodiscard]] bool solve(const StepWeights& weights, Couplings& couplings);
   void place(const StepWeights& weights, const Couplings& couplings);
   void place_shortened(const StepWeights& weights);
-  [[nodiscard]] double update(std::size_t j, const Couplings& couplings, double length);
+  [[nodiscard]] double update(std::size_t j, const Couplings& couplings, double length,
+                              bool settled);
   void load_modes();
   void correct(const StepWeights& weights);
   void accept(double length);
-  [[nodiscard]] Turn first_turn(double length);
-  [[nodiscard]] double turning_share(Joint& joint, double length);
+  [[nodiscard]] bool solve_piece(double length, const StepWeights& whole);
+  [[nodiscard]] Change first_change(double length);
+  [[nodiscard]] static double turning_share(const Joint& joint, const Cubic& y, double length);
+  [[nodiscard]] static double kink_share(const Joint& joint, const Cubic& y, double until);
+  void change(const Change& change);
+  void set_off(Joint& joint);
+  static void find_kink(Joint& joint);
   void turn(Joint& joint);
+  void pass_kink(Joint& joint);
+  void pass_kinks();
 
   double tolerance_;
   int max_iterations_;
@@ -125,6 +154,7 @@ class MarchState {
   double loss_ = 0.0;
   std::size_t steps_ = 0;
   std::size_t reversals_ = 0;
+  std::size_t kinks_ = 0;
   std::size_t evaluations_ = 0;
   double last_change_ = 0.0;
 };

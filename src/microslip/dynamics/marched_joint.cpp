@@ -4,11 +4,55 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
+#include <vector>
 
 namespace microslip {
+namespace {
+
+constexpr double kRounding = 1e-12;
+
+/// Where a part of a density jumps, but for s = 0.
+struct Jumps {
+  std::vector<double>& at;
+
+  void operator()(const UniformPart& part) const { add(part.from, part.to); }
+  void operator()(const PowerLawPart& part) const { add(part.from, part.to); }
+  void operator()(const PiecewiseLinearPart& part) const {
+    add(part.density.front() > 0.0 ? part.slip_force.front() : 0.0,
+        part.density.back() > 0.0 ? part.slip_force.back() : 0.0);
+  }
+  void operator()(const AtomsPart&) const {}
+  void operator()(const FourParameterPart& part) const {
+    if (part.beta == 0.0) add(0.0, part.stiffness * macroslip_displacement(part));
+  }
+
+  void add(double from, double to) const {
+    for (const double s : {from, to}) {
+      if (s > 0.0) at.push_back(s);
+    }
+  }
+};
+
+}  // namespace
+
+std::vector<Corner> corners_of(const SlipDensity& density) {
+  constexpr std::size_t kMostCorners = 16;
+  std::vector<double> jumps;
+  for (const DensityPart& part : density.parts()) std::visit(Jumps{jumps}, part);
+  std::vector<Corner> corners;
+  for (const double s : jumps) corners.push_back({s, false});
+  for (const double s : density.atoms().slip_force) corners.push_back({s, true});
+  std::ranges::sort(corners, {}, &Corner::slip_force);
+  if (corners.size() > kMostCorners) corners.clear();
+  return corners;
+}
 
 MarchedJoint::MarchedJoint(const StructuralJoint& joint)
-    : joint_(&joint), memory_(joint.joint), turned_(joint.joint) {}
+    : joint_(&joint),
+      memory_(joint.joint),
+      turned_(joint.joint),
+      corners_(corners_of(joint.joint.density())) {}
 
 MarchedJoint::MarchedJoint(const StructuralJoint& joint, NormalLoadLaw law, std::size_t elements,
                            double load)
@@ -18,6 +62,7 @@ MarchedJoint::MarchedJoint(const StructuralJoint& joint, NormalLoadLaw law, std:
 }
 
 MarchedJoint::Response MarchedJoint::trial(double u, double load) {
+  if (piece_) return on_piece(u);
   if (!network_) {
     const auto [force, tangent] = memory_.trial(u);
     return {force, tangent};
@@ -41,10 +86,83 @@ double MarchedJoint::advance(double u, double load) {
   return force_ = force;
 }
 
-void MarchedJoint::turn() {
+void MarchedJoint::turn(int direction) {
   if (network_) return;
   dissipation_ += turned_.dissipation(u_);
   turned_ = memory_;
+  follow(direction, u_);
+}
+
+// ---- From kink to kink. ----
+
+/// Goes over to the curve on which the motion is at `from`, or where it stands if that is ahead.
+void MarchedJoint::follow(int direction, double from) {
+  piece_ = Piece{memory_.curve_ahead(direction, from), 0, 0};
+  const double at = direction * std::max(direction * from, direction * u_);
+  const double s = elastic_force(at) * (1.0 + kRounding);
+  while (piece_->passed < corners_.size() && corners_[piece_->passed].slip_force <= s)
+    pass_corner();
+  find_kink();
+}
+
+void MarchedJoint::pass_corner() {
+  piece_->slipping += static_cast<std::size_t>(corners_[piece_->passed].atom);
+  ++piece_->passed;
+}
+
+void MarchedJoint::find_kink() {
+  const Memory::Curve& on = piece_->curve;
+  double end = on.end;  // sign·u
+  if (piece_->passed < corners_.size()) {
+    const double way = corners_[piece_->passed].slip_force / (joint_->joint.stiffness() * on.reach);
+    end = std::min(end, on.sign * on.displacement + way);
+  }
+  kink_ = kNoKink;
+  kink_.displacement = on.sign * end;
+  if (std::isfinite(end)) kink_.force = on_piece(kink_.displacement).force;
+}
+
+void MarchedJoint::pass_kink() {
+  const Memory::Curve& on = piece_->curve;
+  if (on.sign * kink_.displacement < on.end) {
+    pass_corner();
+    find_kink();
+  } else {
+    follow(on.sign < 0.0 ? -1 : 1, kink_.displacement);
+  }
+}
+
+double MarchedJoint::tangent() const { return piece_ ? on_piece(u_).tangent : 0.0; }
+
+/// s of the present curve; below 0 behind its beginning.
+double MarchedJoint::elastic_force(double u) const {
+  const Memory::Curve& on = piece_->curve;
+  return joint_->joint.stiffness() * on.reach * on.sign * (u - on.displacement);
+}
+
+/// The curve goes on behind its beginning as the odd function that F is, and its atoms slip or stick
+/// as they do: each that slips carries its slip force, each other w_a s.
+MarchedJoint::Response MarchedJoint::on_piece(double u) const {
+  const double s = elastic_force(u);
+  double force = std::copysign(joint_->joint.backbone().force(std::abs(s)), s);
+  double slope = joint_->joint.backbone().slope(std::abs(s));
+  const AtomsPart& atoms = joint_->joint.density().atoms();
+  if (!corners_.empty()) {
+    for (std::size_t a = 0; a < atoms.slip_force.size(); ++a) {
+      const double slip = atoms.slip_force[a];
+      const double weight = atoms.weight[a];
+      if (slip <= std::abs(s)) {  // it slips in F
+        force += weight * (s - std::copysign(slip, s));
+        slope += weight;
+      }
+      if (a < piece_->slipping) {  // it slips on this piece
+        force -= weight * (s - slip);
+        slope -= weight;
+      }
+    }
+  }
+  const Memory::Curve& on = piece_->curve;
+  return {on.force + on.scale * force, joint_->joint.stiffness() * std::clamp(slope, 0.0, 1.0)};
 }
 
 void MarchedJoint::begin_energy() {

@@ -87,6 +87,22 @@ std::string on_one_line(std::string_view text) {
   return result;
 }
 
+void append_comment(std::string& text, std::string_view comment) {
+  for (;;) {
+    const std::size_t end = comment.find('\n');
+    const std::string line = on_one_line(comment.substr(0, end));
+    text += line.empty() ? "#\n" : fmt::format("# {}\n", line);
+    if (end == std::string_view::npos) return;
+    comment.remove_prefix(end + 1);
+  }
+}
+
+void check_column_name(std::string_view name) {
+  if (name.empty() || name.find_first_of("[],;\"#\t\r\n") != std::string_view::npos) {
+    throw InputError("column name", in_quotes(name), "must be text without [ ] , ; \" # and tabs");
+  }
+}
+
 void append_text_cell(std::string& text, std::string_view cell) {
   const bool plain = !cell.empty() && cell.find_first_of(",;\"#") == std::string_view::npos &&
                      trimmed(cell).size() == cell.size() && !cell.starts_with(kByteOrderMark);

@@ -55,6 +55,12 @@ struct RawCell {
 /// Control characters, line breaks among them, become blanks.
 [[nodiscard]] std::string on_one_line(std::string_view text);
 
+/// One `#` line per line of the text; control characters become blanks.
+void append_comment(std::string& text, std::string_view comment);
+
+/// The rule on the name of a column that is written. @throws InputError  where it would not read back.
+void check_column_name(std::string_view name);
+
 /// Quoted where it would not read back as it is; empty cells too, which could make a blank line.
 void append_text_cell(std::string& text, std::string_view cell);
 

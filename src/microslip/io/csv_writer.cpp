@@ -14,20 +14,10 @@
 
 namespace microslip {
 
-void CsvWriter::add_comment(std::string_view text) {
-  for (;;) {
-    const std::size_t end = text.find('\n');
-    const std::string line = on_one_line(text.substr(0, end));
-    comments_ += line.empty() ? "#\n" : fmt::format("# {}\n", line);
-    if (end == std::string_view::npos) return;
-    text.remove_prefix(end + 1);
-  }
-}
+void CsvWriter::add_comment(std::string_view text) { append_comment(comments_, text); }
 
 void CsvWriter::check_column(std::string_view name, std::size_t size) const {
-  if (name.empty() || name.find_first_of("[],;\"#\t\r\n") != std::string_view::npos) {
-    throw InputError("column name", in_quotes(name), "must be text without [ ] , ; \" # and tabs");
-  }
+  check_column_name(name);
   if (!columns_.empty() && size != rows_) {
     throw InputError(name, fmt::format("{} values", size),
                      fmt::format("must have {} values like the columns before it", rows_));

@@ -10,6 +10,9 @@
 #include <vector>
 
 #include "microslip/base/units.hpp"
+#include "microslip/io/csv_cells.hpp"
+#include "microslip/io/table_stream.hpp"
+#include "microslip/io/text.hpp"
 
 namespace microslip {
 namespace {
@@ -19,16 +22,33 @@ std::size_t finite_prefix(const std::vector<double>& values) {
   return static_cast<std::size_t>(end - values.begin());
 }
 
-void add_energies(const MarchEnergy& energy, CsvWriter& table) {
-  table.add_comment(
-      fmt::format("energy: input {:.9g} J, linear_dissipation {:.9g} J, initial {:.9g} J, kinetic "
-                  "{:.9g} J, elastic {:.9g} J, imbalance {:.3g}",
-                  energy.input, energy.linear_dissipation, energy.initial, energy.kinetic,
-                  energy.elastic, energy.imbalance()));
-  for (const JointEnergy& joint : energy.joints) {
-    table.add_comment(fmt::format("energy of joint '{}': dissipation {:.9g} J, stored {:.9g} J",
-                                  joint.joint, joint.dissipation, joint.stored));
+/// What is told of a march in comments, without their marks.
+std::vector<std::string> comments_on(const MarchResult& result) {
+  const Summary& s = result.summary;
+  const MarchEnergy& energy = result.energy;
+  std::vector<std::string> lines{
+      fmt::format("{}: {}: {}", s.method, s.converged() ? "converged" : "NOT CONVERGED", s.reason)};
+  if (result.error_estimate) {
+    lines.push_back(fmt::format("estimated error of the displacements: {:.2g} of the largest",
+                                *result.error_estimate));
   }
+  lines.push_back(fmt::format(
+      "energy: input {:.9g} J, linear_dissipation {:.9g} J, initial {:.9g} J, kinetic {:.9g} J, "
+      "elastic {:.9g} J, imbalance {:.3g}",
+      energy.input, energy.linear_dissipation, energy.initial, energy.kinetic, energy.elastic,
+      energy.imbalance()));
+  for (const JointEnergy& joint : energy.joints) {
+    lines.push_back(fmt::format("energy of joint '{}': dissipation {:.9g} J, stored {:.9g} J",
+                                joint.joint, joint.dissipation, joint.stored));
+  }
+  for (const Warning& warning : result.warnings) {
+    lines.push_back(fmt::format("warning: {}", warning.text));
+  }
+  return lines;
+}
+
+std::string force_name(const LoadHistory& loads, const PointForce& at) {
+  return loads.forces.size() == 1 ? "force" : fmt::format("force at {}", at.point);
 }
 
 /// The values at the recorded times.
@@ -66,15 +86,10 @@ CsvWriter march_table(const MarchResult& result, const LoadHistory& loads, std::
     table.add_numbers(name, dimension, std::span(values).first(count));
   };
   if (!heading.empty()) table.add_comment(heading);
-  const Summary& s = result.summary;
-  table.add_comment(
-      fmt::format("{}: {}: {}", s.method, s.converged() ? "converged" : "NOT CONVERGED", s.reason));
-  add_energies(result.energy, table);
+  for (const std::string& line : comments_on(result)) table.add_comment(line);
   add("time", kTime, result.time);
   for (const PointForce& at : loads.forces) {
-    const bool alone = loads.forces.size() == 1;
-    add(alone ? "force" : fmt::format("force at {}", at.point), kForce,
-        recorded(at.force, every, count));
+    add(force_name(loads, at), kForce, recorded(at.force, every, count));
   }
   for (const PointMotion& point : result.points) {
     add("displacement", kLength, point.displacement);
@@ -86,6 +101,67 @@ CsvWriter march_table(const MarchResult& result, const LoadHistory& loads, std::
     add(fmt::format("{} force", joint.joint), kForce, joint.force);
   }
   return table;
+}
+
+namespace {
+
+std::string comment_lines(const std::vector<std::string>& texts) {
+  std::string lines;
+  for (const std::string& text : texts) append_comment(lines, text);
+  return lines;
+}
+
+std::string header_line(const JointedStructure& structure, const LoadHistory& loads) {
+  std::string line;
+  const auto add = [&](std::string_view name, const Dimension& dimension) {
+    check_column_name(name);
+    line += fmt::format("{}{} [{}]", line.empty() ? "" : ",", name, si_unit(dimension));
+  };
+  add("time", kTime);
+  for (const PointForce& at : loads.forces) add(force_name(loads, at), kForce);
+  add("displacement", kLength);
+  add("velocity", kVelocity);
+  add("acceleration", kAcceleration);
+  for (const StructuralJoint& joint : structure.joints()) {
+    add(fmt::format("{} displacement", joint.name), kLength);
+    add(fmt::format("{} force", joint.name), kForce);
+  }
+  return line + '\n';
+}
+
+}  // namespace
+
+MarchTable::MarchTable(const std::string& path, const JointedStructure& structure,
+                       const LoadHistory& loads, std::string_view heading)
+    : loads_(loads),
+      stream_(std::make_unique<TableStream>(
+          path, heading.empty() ? std::string() : comment_lines({std::string(heading)}),
+          header_line(structure, loads))) {}
+
+MarchTable::~MarchTable() = default;
+
+void MarchTable::add(const MarchRow& row) {
+  line_.clear();
+  const auto put = [&](double value) {
+    finite_ = finite_ && std::isfinite(value);
+    if (!line_.empty()) line_ += ',';
+    append_number(line_, value);
+  };
+  put(row.time);
+  for (const PointForce& at : loads_.forces) put(at.force[row.index]);
+  put(row.displacement[0]);
+  put(row.velocity[0]);
+  put(row.acceleration[0]);
+  for (std::size_t j = 0; j < row.joint_displacement.size(); ++j) {
+    put(row.joint_displacement[j]);
+    put(row.joint_force[j]);
+  }
+  line_ += '\n';
+  if (finite_) stream_->add(line_);
+}
+
+void MarchTable::finish(const MarchResult& result) {
+  stream_->finish(comment_lines(comments_on(result)));
 }
 
 }  // namespace microslip

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <string>
 #include <string_view>
 
 #include "microslip/dynamics/march.hpp"
@@ -15,9 +17,12 @@
 ///     displacement [m], velocity [m/s], acceleration [m/s^2]    at the response point
 ///     NAME displacement [m], NAME force [N]                     of each joint
 ///
-/// Its comments tell how the march ended, "NOT CONVERGED" where it did not, and where the energy went.
+/// Its comments tell how the march ended, "NOT CONVERGED" where it did not, the estimated error, where
+/// the energy went, and what warnings there were.
 
 namespace microslip {
+
+class TableStream;
 
 /// Recorded times up to which all is finite: what there is to write.
 [[nodiscard]] std::size_t finite_records(const MarchResult& result);
@@ -30,5 +35,35 @@ namespace microslip {
 /// @throws InputError  where nothing finite was recorded.
 [[nodiscard]] CsvWriter march_table(const MarchResult& result, const LoadHistory& loads,
                                     std::size_t every, std::string_view heading = {});
+
+/// The same table written as the march goes, row by row: memory does not grow with
+/// their number. The file appears whole or not at all.
+class MarchTable {
+ public:
+  /// @param path       of the file; "-" is standard output, where the comments follow the rows.
+  /// @param structure  that is marched.
+  /// @param loads      that are marched; kept by reference.
+  /// @param heading    the first comment; may be empty.
+  /// @throws FileError  as OutputFiles.
+  MarchTable(const std::string& path, const JointedStructure& structure, const LoadHistory& loads,
+             std::string_view heading);
+  MarchTable(const MarchTable&) = delete;
+  MarchTable& operator=(const MarchTable&) = delete;
+  ~MarchTable();
+
+  /// Adds a row with one point. From the first on that is not finite none is written.
+  /// @throws FileError  where it cannot be written.
+  void add(const MarchRow& row);
+
+  /// Writes the comments and gives the file its name. @param result  with all warnings.
+  /// @throws FileError  where it cannot be written or replaced.
+  void finish(const MarchResult& result);
+
+ private:
+  const LoadHistory& loads_;
+  std::unique_ptr<TableStream> stream_;
+  std::string line_;
+  bool finite_ = true;
+};
 
 }  // namespace microslip

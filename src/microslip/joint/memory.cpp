@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/joint/memory.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -46,6 +47,16 @@ Memory::Step Memory::step_to(double x) const {
   for (;;) {  // close the minor loops that the step passes
     const Curve on = curve(branch);
     if (on.sign * x < on.end) return {branch, on};
+    close_loop(branch);
+  }
+}
+
+Memory::Curve Memory::curve_ahead(int direction, double x) const {
+  Branch branch{reversals_.size(), direction_ != 0 && direction != direction_, direction};
+  const double at = std::max(direction * x_, direction * x);
+  for (;;) {
+    const Curve on = curve(branch);
+    if (at < on.end) return on;
     close_loop(branch);
   }
 }

@@ -38,6 +38,17 @@ class Memory {
     double tangent;  ///< df/dx in the direction of the move, N/m
   };
 
+  /// A smooth piece of the hysteresis, f = force + scale·F(k·reach·(x − displacement)·sign), as long as
+  /// sign·x grows and stays below `end`.
+  struct Curve {
+    double displacement;  ///< m; where it begins
+    double force;         ///< N; there
+    double sign;          ///< +1 loading, −1 unloading
+    double scale;         ///< ±1 on the virgin curve, ±2 after a reversal
+    double reach;         ///< 1 on the virgin curve, ½ after a reversal
+    double end;           ///< sign·x at which it joins an older one; infinite on the virgin curve
+  };
+
   /// Virgin, at rest at x = 0. @param joint  kept by reference; must outlive the Memory.
   explicit Memory(const Joint& joint) : joint_(&joint) {}
   explicit Memory(const Joint&&) = delete;
@@ -54,6 +65,11 @@ class Memory {
   /// displacement: the present force and the tangent of going on. @param x  m, finite.
   /// @throws InputError  where x is not finite.
   [[nodiscard]] Response trial(double x) const;
+
+  /// The curve of a motion in this direction from where the joint stands, or from x on where that lies
+  /// ahead: minor loops that close on the way there are behind it.
+  /// @param direction  +1 or −1. @param x  m, finite.
+  [[nodiscard]] Curve curve_ahead(int direction, double x) const;
 
   /// What the sliders would take in a step to x, J: ∫ Φ1(s)|dx| along the branches, s = k|x| on the
   /// virgin curve and ½k|x − x_r| on the others, in closed form. @param x  m, finite.
@@ -86,17 +102,6 @@ class Memory {
     std::size_t depth;
     bool from_present;
     int direction;  ///< +1 loading, −1 unloading
-  };
-
-  /// The curve of a branch and how far it reaches:
-  /// f = force + scale·F(k·reach·|x − displacement|) as long as sign·x grows and stays below `end`.
-  struct Curve {
-    double displacement;
-    double force;
-    double sign;
-    double scale;  ///< ±1 on the virgin curve, ±2 after a reversal
-    double reach;  ///< 1 on the virgin curve, ½ after a reversal
-    double end;    ///< sign·x at which the branch joins an older one; infinite on the virgin curve
   };
 
   struct Step {
