@@ -130,6 +130,33 @@ TEST(march, TakesANormalLoad) {
   EXPECT_NE(a, total.numbers("displacement", kLength));
 }
 
+// What a reader of the file must know is in it, also where nothing is said.
+TEST(march, WritesWarningsAndTheErrorIntoTheFile) {
+  const Sandbox box = one_mass_with_force();
+  std::string model = box.get("model.toml");
+  const std::string viscous = "damping_ratio";
+  model.replace(model.find(viscous), viscous.size(), "loss_factor");  // hysteretic
+  box.put("model.toml", model);
+  const Outcome run = expect_done(box, march_call({"--quiet"}));
+  EXPECT_EQ(run.out, "");
+  expect_parts(box.get("march.csv"), {"# warning: hysteretic damping has no form in time",
+                                      "# estimated error of the displacements: "});
+  expect_done(box, march_call({"--quiet", "--no-error-estimate"}));
+  EXPECT_EQ(box.get("march.csv").find("estimated error"), std::string::npos);
+}
+
+// The rows come as they are found; what is known at the end follows them, and reads back.
+TEST(march, StreamsToStandardOutput) {
+  const Sandbox box = one_mass_with_force();
+  expect_done(box, march_call({"--quiet"}));
+  const Outcome run = expect_done(
+      box, {"march", "model.toml", "--force-file", "force.csv", "--out", "-", "--quiet"});
+  const CsvTable file(box.get("march.csv"), "");
+  const CsvTable stream(run.out, "");
+  EXPECT_EQ(file.numbers("displacement", kLength), stream.numbers("displacement", kLength));
+  EXPECT_GT(run.out.find("# energy: "), run.out.find(kHeader));
+}
+
 // ---- Bad calls and input. ----
 
 TEST(march, RefusesBadCalls) {
