@@ -202,13 +202,16 @@ TEST(identify, HoldsTheJointAgainstMeasuredStiffness) {
     const json found = record(box, "identification");
     const json& codes = found.at("warnings");
     EXPECT_EQ(std::count(codes.begin(), codes.end(), "frequency_rises"), 1);
-    EXPECT_EQ(std::count(codes.begin(), codes.end(), "secant_inconsistent"), 1);
     EXPECT_EQ(codes.size(), found.at("warning_texts").size());
     EXPECT_NEAR(found.at("frequency_rise").get<double>(), 0.0095, 2e-4);
     EXPECT_NEAR(found.at("resonance_uncertainty_Hz").get<double>(), 0.38, 0.02);
     EXPECT_GT(found.at("equivalent_joint_error_Hz").get<double>(), 0.76);
     EXPECT_EQ(found.at("softening_share"), 0.0);
-    EXPECT_LT(found.at("secant_offset_N_per_m").get<double>(), -0.1 * kSampleStiffness);
+    // A fit takes k_eq as it was measured and bends D instead: nothing is left to question.
+    if (more.empty() || more.front() != "--fit") {
+      EXPECT_EQ(std::count(codes.begin(), codes.end(), "secant_inconsistent"), 1);
+      EXPECT_LT(found.at("secant_offset_N_per_m").get<double>(), -0.1 * kSampleStiffness);
+    }
     const std::string table = box.get("density.csv");
     EXPECT_NE(table.find("# warning: frequency_rises: The frequency rises by"), std::string::npos)
         << table;

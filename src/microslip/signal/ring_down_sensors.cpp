@@ -75,7 +75,7 @@ SensorPoints points_in(const DecayTrack& track, const DecayTrack& leader) {
 
 /// ln of a sensor's amplitude over the leader's: mean weighted by the variances, and the windows where
 /// both are.
-struct LogRatio {
+struct RatioOverDecay {
   double mean = 0.0;
   double variance = 0.0;
   double lowest = 0.0;
@@ -87,8 +87,8 @@ double relative_variance(const DecayPoint& point) {
   return relative * relative;
 }
 
-LogRatio log_ratio_of(const SensorPoints& points, const SensorPoints& leader) {
-  LogRatio ratio{.lowest = 1e300, .highest = -1e300};
+RatioOverDecay log_ratio_of(const SensorPoints& points, const SensorPoints& leader) {
+  RatioOverDecay ratio{.lowest = 1e300, .highest = -1e300};
   double weights = 0.0;
   double sum = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -120,7 +120,7 @@ class Combination {
     for (const SensorPoints& points : points_) {
       ratios_.push_back(log_ratio_of(points, points_[result_.leader]));
     }
-    for (const LogRatio& ratio : ratios_) largest_ = std::max(largest_, std::exp(ratio.mean));
+    for (const RatioOverDecay& ratio : ratios_) largest_ = std::max(largest_, std::exp(ratio.mean));
     result_.flags.resize(leader().walk.windows.size());
   }
 
@@ -199,7 +199,7 @@ class Combination {
 
   void name_sensors() {
     for (std::size_t s = 0; s < points_.size(); ++s) {
-      const LogRatio& ratio = ratios_[s];
+      const RatioOverDecay& ratio = ratios_[s];
       const double over_first = std::exp(ratio.mean - ratios_.front().mean);
       result_.sensors.push_back(
           {.name = tracks_[s].name,
@@ -285,7 +285,7 @@ class Combination {
   const std::vector<SensorTrack>& tracks_;
   CombinedDecay result_;
   std::vector<SensorPoints> points_;  ///< a sensor each
-  std::vector<LogRatio> ratios_;      ///< a sensor each, over the leader
+  std::vector<RatioOverDecay> ratios_;      ///< a sensor each, over the leader
   double largest_ = 0.0;
 };
 
