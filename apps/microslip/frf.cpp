@@ -94,14 +94,14 @@ ResponseCurve curve_of(const HarmonicBalance& balance, const FrfOptions& options
 }
 
 /// What a reader of the table must know: the summary says it too.
-void add_warnings(const HarmonicBalance& balance, const ModelFile& model, ResponseCurve& curve) {
+void add_curve_warnings(const HarmonicBalance& balance, const ModelFile& model,
+                        ResponseCurve& curve) {
   add_model_warnings(model, curve);
   if (!curve.summary.converged() || !curve.peaks.empty()) return;
   curve.warnings.push_back(
-      {"no_resonance",
-       fmt::format("no resonance in the range. With all joints stuck the structure "
-                   "is resonant at {}; slip lowers that.",
-                   stuck_frequencies_text(balance.structure()))});
+      {"no_resonance", fmt::format("no resonance in the range. With all joints stuck the structure "
+                                   "is resonant at {}; slip lowers that.",
+                                   stuck_frequencies_text(balance.structure()))});
 }
 
 std::string describe_peaks(const ResponseCurve& curve, bool of_force) {
@@ -157,7 +157,7 @@ int run(const FrfOptions& options, const Call& call) {
   ResponseCurve curve = curve_of(balance, options, range, call.quiet);
   const std::string truncation = add_truncation(
       balance, options.force.empty() ? Quantity::kResponse : Quantity::kForceAmplitude, curve);
-  add_warnings(balance, model, curve);
+  add_curve_warnings(balance, model, curve);
   return finish(
       curve, options.prediction, call,
       [&] { return response_table(curve, heading_of(call, model)); },

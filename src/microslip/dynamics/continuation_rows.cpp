@@ -22,7 +22,7 @@ using Eigen::VectorXd;
 
 constexpr int kMostHalvings = 14;        // of the distance between two points of the steps
 constexpr double kSameFrequency = 1e-9;  // relative: a vertical piece has no height over frequency
-constexpr double kMostBeside = 0.5;      // of a point from the chord, over that
+constexpr double kMostBow = 0.5;         // of a point from the chord, over that
 constexpr double kMostStrayed = 0.2;     // of a harmonic from where it was expected, over it
 constexpr double kLeastHarmonic = 1e-4;  // of the joint's motion: a smaller one counts as so much
 constexpr double kNoEnd = 1e-4;          // of a step: so far from its ends a point is another
@@ -94,7 +94,7 @@ std::optional<Continuation::Row> Continuation::row_between(const Bridge& bridge,
   const VectorXd moved = (z - bridge.from.z).cwiseQuotient(bridge.from.scale);
   const double share = moved.dot(bridge.chord) / (bridge.length * bridge.length);
   if (!(share > 0.0 && share < 1.0)) return std::nullopt;
-  if ((moved - share * bridge.chord).norm() > kMostBeside * bridge.length) return std::nullopt;
+  if ((moved - share * bridge.chord).norm() > kMostBow * bridge.length) return std::nullopt;
   const VectorXd direction = (bridge.to.z - bridge.from.z).cwiseQuotient(scale()).normalized();
   Row row{point_at(z, &direction), equations_.vibration()};
   if (!energy_doubt(row.vibration, options_.newton.tolerance).empty()) return std::nullopt;

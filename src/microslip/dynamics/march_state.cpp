@@ -12,7 +12,7 @@ using Kind = StepWeights::Kind;
 
 /// Turns nearer to an end of a step than this share of it are at that end.
 constexpr double kNear = 1e-9;
-constexpr double kRounding = 1e-12;
+constexpr double kStepRounding = 1e-12;
 /// Motion over a step below this share of the largest is rounding: no step is cut for it.
 constexpr double kQuiet = 1e-13;
 /// Growth of the contraction that is assumed, from one step to the next.
@@ -314,7 +314,7 @@ bool MarchState::step(const StepWeights& weights) {
     }
     pass_kinks();
     left -= piece;
-    if (left <= kRounding * weights.length()) return true;
+    if (left <= kStepRounding * weights.length()) return true;
     piece = left;
   }
 }

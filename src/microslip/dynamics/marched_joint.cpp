@@ -10,7 +10,7 @@
 namespace microslip {
 namespace {
 
-constexpr double kRounding = 1e-12;
+constexpr double kForceRounding = 1e-12;
 
 /// Where a part of a density jumps, but for s = 0.
 struct Jumps {
@@ -99,7 +99,7 @@ void MarchedJoint::turn(int direction) {
 void MarchedJoint::follow(int direction, double from) {
   piece_ = Piece{memory_.curve_ahead(direction, from), 0, 0};
   const double at = direction * std::max(direction * from, direction * u_);
-  const double s = elastic_force(at) * (1.0 + kRounding);
+  const double s = elastic_force(at) * (1.0 + kForceRounding);
   while (piece_->passed < corners_.size() && corners_[piece_->passed].slip_force <= s)
     pass_corner();
   find_kink();

@@ -20,7 +20,7 @@ using Eigen::VectorXd;
 using std::numbers::pi;
 
 constexpr double kHertz = 1.0 / (2.0 * pi);
-constexpr double kAlike = 1e-9;          // responses, relative
+constexpr double kAlikeResponse = 1e-9;  // responses, relative
 constexpr std::size_t kMostInVain = 12;  // responses looked at without finding a resonance
 constexpr double kHalfWidths = 3.0;      // of the mode: so near to it lies its phase resonance
 constexpr double kLeastWidth = 0.01;     // of the frequency
@@ -120,7 +120,7 @@ bool ResonanceCurve::is_resonance(const Place& place, double frequency, double d
 /// At the responses above what was reached, until there is no more.
 void ResonanceCurve::find_more(std::span<const double> responses) {
   const auto next_above = [&] {
-    return std::ranges::upper_bound(responses, reached_ * (1.0 + kAlike));
+    return std::ranges::upper_bound(responses, reached_ * (1.0 + kAlikeResponse));
   };
   const auto all = static_cast<std::size_t>(responses.end() - next_above());
   const std::size_t stride = (all + kMostInVain - 1) / kMostInVain;
@@ -236,8 +236,8 @@ std::optional<ResonanceCurve::Place> ResonanceCurve::sweep(const Mode& mode, dou
 /// The piece, other than one that ends there, that has a response.
 const ResonanceCurve::Piece* ResonanceCurve::piece_with(double response) const {
   for (const Piece& piece : pieces_) {
-    const bool has = lowest_of(piece).response <= response * (1.0 + kAlike) &&
-                     highest_of(piece).response > response * (1.0 + kAlike);
+    const bool has = lowest_of(piece).response <= response * (1.0 + kAlikeResponse) &&
+                     highest_of(piece).response > response * (1.0 + kAlikeResponse);
     if (has) return &piece;
   }
   return nullptr;
@@ -294,8 +294,8 @@ void ResonanceCurve::conclude(std::span<const double> responses, ResponseCurve& 
   for (const SteadyVibration& point : curve.points) found.push_back(point.response);
   std::ranges::sort(found);
   const auto missing = static_cast<std::size_t>(std::ranges::count_if(responses, [&](double r) {
-    const auto next = std::ranges::lower_bound(found, r * (1.0 - kAlike));
-    return next == found.end() || *next > r * (1.0 + kAlike);
+    const auto next = std::ranges::lower_bound(found, r * (1.0 - kAlikeResponse));
+    return next == found.end() || *next > r * (1.0 + kAlikeResponse);
   }));
   const bool whole = !pieces_.empty() && missing == 0;
   s.status = whole ? Status::kConverged : Status::kNotConverged;

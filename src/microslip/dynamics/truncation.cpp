@@ -12,7 +12,7 @@ namespace microslip {
 namespace {
 
 constexpr std::size_t kMostPoints = 5;
-constexpr double kLeastShare = 1e-3;  // of the energy lost: what less means nobody sees
+constexpr double kSeenShare = 1e-3;  // of the energy lost: what less means nobody sees
 
 /// In resonance a lag says better than a frequency where a vibration is, which may move.
 bool in_resonance(const SteadyVibration& point) { return std::sin(point.phase_lag) > 0.5; }
@@ -83,7 +83,7 @@ void compare(const SteadyVibration& coarse, const SteadyVibration& fine, Quantit
   double lost = fine.linear_dissipation;
   for (const JointCycle& joint : fine.joints) lost += joint.dissipation;
   for (std::size_t j = 0; j < fine.joints.size(); ++j) {
-    if (!(fine.joints[j].dissipation > kLeastShare * lost)) continue;
+    if (!(fine.joints[j].dissipation > kSeenShare * lost)) continue;
     const double moved = change(coarse.joints[j].dissipation, fine.joints[j].dissipation);
     if (moved < truncation.dissipation) continue;
     truncation.dissipation = moved;

@@ -284,8 +284,8 @@ class Combination {
 
   const std::vector<SensorTrack>& tracks_;
   CombinedDecay result_;
-  std::vector<SensorPoints> points_;  ///< a sensor each
-  std::vector<RatioOverDecay> ratios_;      ///< a sensor each, over the leader
+  std::vector<SensorPoints> points_;    ///< a sensor each
+  std::vector<RatioOverDecay> ratios_;  ///< a sensor each, over the leader
   double largest_ = 0.0;
 };
 
