@@ -78,8 +78,11 @@ std::string describe_energy(const MarchEnergy& energy) {
   std::string text = line("input", fmt::format("{:.5g} J", energy.input));
   text += line("linear dissipation", fmt::format("{:.5g} J", energy.linear_dissipation));
   for (const JointEnergy& joint : energy.joints) {
-    text += line(joint.joint, fmt::format("{:.5g} J dissipated, {:.5g} J stored at the end",
-                                          joint.dissipation, joint.stored));
+    std::string lost = fmt::format("{:.5g} J dissipated", joint.dissipation);
+    if (joint.linear_dissipation > 0.0) {
+      lost += fmt::format(" by slip, {:.5g} J by linear damping", joint.linear_dissipation);
+    }
+    text += line(joint.joint, fmt::format("{}, {:.5g} J stored at the end", lost, joint.stored));
   }
   text += line("at the end",
                fmt::format("{:.5g} J kinetic, {:.5g} J elastic", energy.kinetic, energy.elastic));

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/dynamics/march_damper.hpp"
 #include "microslip/dynamics/march_state.hpp"
 
 namespace microslip {
@@ -395,7 +396,30 @@ void add_error(const std::optional<CoarseMarch>& coarse, const JointedStructure&
                              "it, did not get on; take shorter steps."});
 }
 
+void add_damping_of_joints(const JointedStructure& structure, MarchResult& result) {
+  for (std::size_t j = 0; j < structure.joints().size(); ++j) {
+    const StructuralJoint& joint = structure.joints()[j];
+    if (joint.linear_damping == 0.0) continue;
+    const double omega = frequency_of_joint(structure, j);
+    result.warnings.push_back(
+        {"damping_as_viscous",
+         omega > 0.0
+             ? fmt::format(
+                   "linear damping of '{}', {:.6g} J/m^2, has no form in time; it is marched "
+                   "as a viscous damper of {:.6g} N s/m, which loses the same at {:.5g} Hz, "
+                   "the lowest natural frequency at which the stuck joint moves, and more "
+                   "above.",
+                   joint.name, joint.linear_damping, damper_of_joint(structure, j),
+                   omega / (2.0 * std::numbers::pi))
+             : fmt::format(
+                   "linear damping of '{}', {:.6g} J/m^2, is not marched: the joint moves at "
+                   "no natural frequency.",
+                   joint.name, joint.linear_damping)});
+  }
+}
+
 void add_damping(const JointedStructure& structure, MarchResult& result) {
+  add_damping_of_joints(structure, result);
   if (structure.damping() != DampingLaw::kHysteretic) return;
   result.warnings.push_back({"hysteretic_as_viscous",
                              "hysteretic damping has no form in time; the damping is viscous with "
@@ -416,10 +440,16 @@ double MarchEnergy::joint_stored() const {
   return sum;
 }
 
+double MarchEnergy::joint_linear_dissipation() const {
+  double sum = 0.0;
+  for (const JointEnergy& joint : joints) sum += joint.linear_dissipation;
+  return sum;
+}
+
 double MarchEnergy::imbalance() const {
   const double left = initial + input;
-  const double right =
-      kinetic + elastic + linear_dissipation + joint_dissipation() + joint_stored();
+  const double right = kinetic + elastic + linear_dissipation + joint_dissipation() +
+                       joint_linear_dissipation() + joint_stored();
   const double size = std::max(std::abs(left), std::abs(right));
   return left == right ? 0.0 : std::abs(left - right) / size;
 }

@@ -96,11 +96,13 @@ struct JointEnergy {
   /// Σ ½κ_i(x − z_i)² of the springs at the end (Memory::stored_energy), and ½cF² of what is in
   /// series.
   double stored = 0.0;
+  /// Of the damper beside F that stands for the linear damping of the joint, ∫ c u̇² dt by quadrature.
+  double linear_dissipation = 0.0;
 };
 
 /// Where the energy went, J, from the first time to the last that was reached:
 ///
-///     initial + input = kinetic + elastic + linear dissipation + Σ_joints (stored + dissipation)
+///     initial + input = kinetic + elastic + linear dissipation + Σ_joints (stored + dissipation + its own linear dissipation)
 ///
 /// Each by itself, never as the rest of the others: the work of the forces ∫ f ẇ dt and Σ η_i ω_i ∫
 /// q̇_i² dt by quadrature of fourth order over the states at the ends of the steps; the joints from
@@ -120,6 +122,8 @@ struct MarchEnergy {
   [[nodiscard]] double joint_dissipation() const;
   /// Of all joints.
   [[nodiscard]] double joint_stored() const;
+  /// Of all joints.
+  [[nodiscard]] double joint_linear_dissipation() const;
 
   /// |left − right|/max(|left|, |right|) of the balance, 1; 0 where nothing moves.
   [[nodiscard]] double imbalance() const;
@@ -154,7 +158,8 @@ struct MarchResult {
   /// step, over what it is of the error by the order of the scheme. 0 for a linear structure; none
   /// where it was not asked for, or that march failed.
   std::optional<double> error_estimate;
-  /// What a user of the result must know: `hysteretic_as_viscous`, `error_not_estimated`.
+  /// What a user of the result must know: `hysteretic_as_viscous`, `damping_as_viscous`,
+  /// `error_not_estimated`.
   std::vector<Warning> warnings;
   /// Converged: to the last time, with an energy imbalance, its residual, and an estimated error in
   /// bounds. `iterations` counts evaluations of the joints.
@@ -188,7 +193,10 @@ struct MarchResult {
 /// with 149 steps a period and 3.3e-10 with 596; docs/validation.md compares it with other schemes.
 ///
 /// A structure with hysteretic damping is marched with the viscous damping of the same η_i, which is
-/// the same at each natural frequency: the hysteretic law has no form in time.
+/// the same at each natural frequency: the hysteretic law has no form in time. So is the linear damping
+/// β of a joint: a viscous damper beside F, c = β/(πω), with the lowest ω of the stuck structure at which
+/// the joint moves; there it loses βA² a cycle. With something in series it is right to the first order
+/// in (series compliance)·β/π. `force` of the joint is F alone.
 ///
 /// @throws InputError  naming what breaks a rule: a time that does not rise, a force or load that is
 ///                     not finite, a wrong length, an unknown point or joint, an option.
@@ -198,8 +206,12 @@ struct MarchResult {
 
 /// The same with each row given away as it comes: memory does not grow with their number. `time`,
 /// `points` and `joints` of the result stay empty.
-/// @param sink  told of each row in turn; what it throws ends the march.
-/// @throws as march().
+/// @param structure  that is marched.
+/// @param loads      what acts on it.
+/// @param options    as of march().
+/// @param sink       told of each row in turn; what it throws ends the march.
+/// @param progress   told of the times of the axis.
+/// @throws InputError, Cancelled  as march().
 [[nodiscard]] MarchResult march_rows(const JointedStructure& structure, const LoadHistory& loads,
                                      const MarchOptions& options, const MarchSink& sink,
                                      const Progress& progress = {});

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "microslip/dynamics/march_damper.hpp"
+
 namespace microslip {
 namespace {
 
@@ -40,8 +42,8 @@ MarchState::MarchState(const JointedStructure& structure, std::vector<MarchedJoi
       cut_(structure.linear().modes()) {
   const std::size_t lanes = groups_ * kLanes;
   for (auto* vector : {&stiffness_, &damping_, &q_, &v_, &load_, &load_slope_, &end_q_, &end_v_,
-                       &end_load_, &end_load_slope_, &end_force_, &predicted_q_, &predicted_v_,
-                       &loads_.force, &loads_.slope}) {
+                       &end_load_, &end_load_slope_, &end_force_, &end_a_, &predicted_q_,
+                       &predicted_v_, &loads_.force, &loads_.slope}) {
     vector->assign(lanes, 0.0);
   }
   for (std::size_t i = 0; i < structure.linear().size(); ++i) {
@@ -50,18 +52,19 @@ MarchState::MarchState(const JointedStructure& structure, std::vector<MarchedJoi
     damping_[i] = mode.loss_factor * mode.angular_frequency;
   }
   for (std::size_t j = 0; j < hysteresis.size(); ++j) {
-    add_joint(structure.joints()[j], std::move(hysteresis[j]));
+    add_joint(structure.joints()[j], damper_of_joint(structure, j), std::move(hysteresis[j]));
   }
   predicted_slide_.resize(joints_.size());
   loads_.normal.assign(joints_.size(), 1.0);
   loads_.normal_slope.assign(joints_.size(), 0.0);
 }
 
-void MarchState::add_joint(const StructuralJoint& joint, MarchedJoint hysteresis) {
+void MarchState::add_joint(const StructuralJoint& joint, double damper, MarchedJoint hysteresis) {
   const std::size_t lanes = groups_ * kLanes;
   const std::size_t modes = joint.shape.size();
-  Joint added{
-      joint.shape, {}, joint.spring_in_modes, joint.series_compliance, std::move(hysteresis)};
+  Joint added{joint.shape,          {}, joint.spring_in_modes, joint.series_compliance, damper,
+              std::move(hysteresis)};
+  damped_ = damped_ || damper > 0.0;
   added.shape.resize(lanes, 0.0);
   added.g.assign(lanes, 0.0);
   added.g_dot.assign(lanes, 0.0);
@@ -98,6 +101,9 @@ void MarchState::start(const InitialState& start) {
     const double tangent = k.gap_dot * k.gap < 0.0 ? load * joint.hysteresis.stuck_stiffness()
                                                    : joint.hysteresis.trial(u, load).tangent;
     k.force_dot = tangent * k.gap_dot / (1.0 + tangent * joint.compliance);
+    joint.tangent = tangent;
+    drive_damper(joint, tangent, k);
+    k.force += joint.damper * k.u_dot;
     k.r = k.force - joint.spring * k.slide;
     k.r_dot = k.force_dot - joint.spring * k.slide_dot;
     joint.begin = k;
@@ -106,6 +112,18 @@ void MarchState::start(const InitialState& start) {
     joint.largest_gap = std::abs(k.gap);
   }
   load_modes();
+  if (damped_) {  // the slopes of their forces take the accelerations
+    accelerate(0.0);
+    for (Joint& joint : joints_) {
+      Kinematics& k = joint.end;
+      drive_damper(joint, joint.tangent, k);
+      const double slope = joint.damper * k.u_ddot;
+      k.force_dot += slope;
+      k.r_dot += slope;
+      joint.begin = k;
+    }
+    load_modes();
+  }
   load_ = end_load_;
   load_slope_ = end_load_slope_;
   q_ = end_q_;
@@ -186,8 +204,9 @@ bool MarchState::solve(const StepWeights& weights, Couplings& couplings) {
 
 /// The joints where the forces that were found put them.
 void MarchState::place(const StepWeights& weights, const Couplings& couplings) {
-  if (shortens_) {
+  if (shortens_ || damped_) {
     place_shortened(weights);
+    if (damped_) accelerate(weights.length());
     return;
   }
   const std::size_t n = joints_.size();
@@ -223,6 +242,31 @@ void MarchState::place_shortened(const StepWeights& weights) {
   }
 }
 
+/// ÿ of the joints at the end of a step, after this length, from what acts on the modes there.
+void MarchState::accelerate(double length) {
+  for (std::size_t i = 0; i < end_a_.size(); ++i) {
+    end_a_[i] = end_load_[i] + loads_.force[i] + length * loads_.slope[i] -
+                damping_[i] * end_v_[i] - stiffness_[i] * end_q_[i];
+  }
+  for (Joint& joint : joints_) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < end_a_.size(); ++i) sum += joint.shape[i] * end_a_[i];
+    if (!joint.gamma.empty()) {
+      for (std::size_t i = 0; i < end_a_.size(); ++i) {
+        sum -= joint.g[i] * end_a_[i] + joint.g_dot[i] * end_v_[i];
+      }
+    }
+    joint.end.gap_ddot = sum;
+  }
+}
+
+/// u̇ and ü at the damper: ẏ = u̇ + c(Ku̇ + dü), with ü = ÿ/(1 + cK).
+void MarchState::drive_damper(const Joint& joint, double tangent, Kinematics& k) {
+  const double soft = 1.0 + joint.compliance * tangent;
+  k.u_ddot = k.gap_ddot / soft;
+  k.u_dot = (k.gap_dot - joint.compliance * joint.damper * k.u_ddot) / soft;
+}
+
 /// One step of Newton's method for R and Ṙ of a joint, what it does to others and by shortening left
 /// to the next round: that is small where the step is.
 /// @return what changed, relative.
@@ -238,14 +282,17 @@ double MarchState::update(std::size_t j, const Couplings& couplings, double leng
   if (!settled) joint.tangent = new_tangent;
   const double tangent = joint.tangent;
   const double stiffness = tangent / (1.0 + tangent * c);  // with what is in series
-  const double in_series = (force + tangent * c * k.force) / (1.0 + tangent * c);
+  drive_damper(joint, tangent, k);
+  const double damped = joint.damper * k.u_dot;
+  const double damped_dot = joint.damper * k.u_ddot;
+  const double in_series = (force + damped + tangent * c * k.force) / (1.0 + tangent * c);
   const double beyond = stiffness - joint.spring;
   const double dr = (in_series - joint.spring * k.slide - k.r) / (1.0 + beyond * couplings.a[own]);
   const double dslide = -couplings.a[own] * dr;
   const double kept_velocity = -couplings.c[own] * dr;
-  const double dr_dot =
-      (stiffness * k.gap_dot - joint.spring * k.slide_dot - k.r_dot + beyond * kept_velocity) /
-      (1.0 + beyond * couplings.d[own]);
+  const double dr_dot = (stiffness * k.gap_dot + damped_dot - joint.spring * k.slide_dot - k.r_dot +
+                         beyond * kept_velocity) /
+                        (1.0 + beyond * couplings.d[own]);
   const double dvelocity = kept_velocity - couplings.d[own] * dr_dot;
   k.r += dr;
   k.r_dot += dr_dot;
@@ -254,7 +301,7 @@ double MarchState::update(std::size_t j, const Couplings& couplings, double leng
   k.slide_dot += dvelocity;
   k.gap_dot += dvelocity;
   k.force = in_series + stiffness * dslide;
-  k.force_dot = stiffness * k.gap_dot;
+  k.force_dot = stiffness * k.gap_dot + damped_dot;
   const double scale = std::max(joint.largest_force, std::abs(force));
   const double change = std::max(std::abs(dr), length * std::abs(dr_dot));
   return change == 0.0 ? 0.0 : change / scale;
@@ -345,7 +392,12 @@ void MarchState::accept(double length) {
     Joint& joint = joints_[j];
     Kinematics& k = joint.end;
     loads_.normal[j] += length * loads_.normal_slope[j];
-    k.force = joint.hysteresis.advance(k.gap - joint.compliance * k.force, loads_.normal[j]);
+    k.force = joint.hysteresis.advance(k.gap - joint.compliance * k.force, loads_.normal[j]) +
+              joint.damper * k.u_dot;
+    const Kinematics& b = joint.begin;
+    joint.damped += joint.damper * length *
+                    (0.5 * (b.u_dot * b.u_dot + k.u_dot * k.u_dot) +
+                     length / 6.0 * (b.u_dot * b.u_ddot - k.u_dot * k.u_ddot));
     joint.curvature = {(k.force_dot - joint.begin.force_dot) / length,
                        (k.r_dot - joint.begin.r_dot) / length};
     joint.begin = k;
@@ -386,14 +438,17 @@ void MarchState::turn(Joint& joint) {
 
 /// The tangent jumps here, and with it the slopes of the loads.
 void MarchState::pass_kink(Joint& joint) {
+  const auto stiffness = [&] {
+    const double tangent = joint.hysteresis.tangent();
+    return tangent / (1.0 + tangent * joint.compliance);
+  };
+  const double before = stiffness();
   joint.hysteresis.pass_kink();
   find_kink(joint);
   ++kinks_;
   Kinematics& k = joint.begin;
-  const double tangent = joint.hysteresis.tangent();
-  const double force_dot = tangent / (1.0 + tangent * joint.compliance) * k.gap_dot;
-  const double jump = force_dot - k.force_dot;
-  k.force_dot = force_dot;
+  const double jump = (stiffness() - before) * k.gap_dot;
+  k.force_dot += jump;
   k.r_dot += jump;
   for (std::size_t i = 0; i < load_slope_.size(); ++i) load_slope_[i] -= jump * joint.shape[i];
   if (joint.gamma.empty()) return;
@@ -460,7 +515,9 @@ double MarchState::turning_share(const Joint& joint, const Cubic& y, double leng
 
 /// Where y comes to the next kink, before the share `until`, up to which it does not turn.
 double MarchState::kink_share(const Joint& joint, const Cubic& y, double until) {
-  const auto ahead = [&](double share) { return joint.direction * (joint.kink - y.value(share)); };
+  // What is in series gives way to the damper, too.
+  const double kink = joint.kink + joint.compliance * joint.damper * joint.begin.u_dot;
+  const auto ahead = [&](double share) { return joint.direction * (kink - y.value(share)); };
   if (joint.direction == 0 || !(ahead(until) < 0.0)) return 1.0;
   double low = 0.0;
   double high = until;
@@ -490,12 +547,13 @@ MarchEnergy MarchState::energy() const {
   }
   for (const Joint& joint : joints_) {
     const double slide = joint.begin.slide;
-    const double force = joint.hysteresis.force();
+    const double force = joint.begin.force;
     energy.elastic -= 0.5 * joint.spring * slide * slide;
     energy.joints.push_back(
         {{},
          joint.hysteresis.dissipation(),
-         joint.hysteresis.stored_energy() + 0.5 * joint.compliance * force * force});
+         joint.hysteresis.stored_energy() + 0.5 * joint.compliance * force * force,
+         joint.damped});
   }
   return energy;
 }

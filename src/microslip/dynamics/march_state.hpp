@@ -60,9 +60,12 @@ class MarchState {
     double slide_dot = 0.0;  ///< m/s
     double gap = 0.0;        ///< y = s − ½ q·Γq = u + cF, m
     double gap_dot = 0.0;    ///< m/s
-    double force = 0.0;      ///< F, N
+    double gap_ddot = 0.0;   ///< m/s²; known where something is damped
+    double force = 0.0;      ///< F and that of the damper, N
     double force_dot = 0.0;  ///< N/s
-    double r = 0.0;          ///< R = F − k_s s, N: what the modes do not hold already
+    double u_dot = 0.0;      ///< u̇ at the damper, m/s
+    double u_ddot = 0.0;     ///< m/s²
+    double r = 0.0;          ///< R = force − k_s s, N: what the modes do not hold already
     double r_dot = 0.0;      ///< N/s
   };
   /// Second derivatives over the last step.
@@ -75,6 +78,7 @@ class MarchState {
     std::vector<double> gamma;  ///< Γ by padded rows; empty where nothing shortens
     double spring;              ///< k_s, N/m
     double compliance;          ///< c, m/N
+    double damper;              ///< beside F, N s/m
     MarchedJoint hysteresis;
     Kinematics begin = {};
     Kinematics end = {};
@@ -85,6 +89,7 @@ class MarchState {
     bool turned_here = false;        ///< at the present place, without a way to there
     double kink = HUGE_VAL;          ///< y at which the tangent jumps next, m
     double tangent = 0.0;            ///< dF/du in the equations of the step, N/m
+    double damped = 0.0;             ///< lost in the damper, J
     double largest_force = 0.0;      ///< |F| so far, N
     double largest_gap = 0.0;        ///< |y| so far, m
   };
@@ -112,13 +117,15 @@ class MarchState {
     double start, v0, v1, c, b;
   };
 
-  void add_joint(const StructuralJoint& joint, MarchedJoint hysteresis);
+  void add_joint(const StructuralJoint& joint, double damper, MarchedJoint hysteresis);
   void couple(const StepWeights& weights, Couplings& couplings) const;
   [[nodiscard]] static Kinematics extrapolated(const Kinematics& from, const Curvature& curvature,
                                                double length);
   [[nodiscard]] bool solve(const StepWeights& weights, Couplings& couplings);
   void place(const StepWeights& weights, const Couplings& couplings);
   void place_shortened(const StepWeights& weights);
+  void accelerate(double length);
+  static void drive_damper(const Joint& joint, double tangent, Kinematics& k);
   [[nodiscard]] double update(std::size_t j, const Couplings& couplings, double length,
                               bool settled);
   void load_modes();
@@ -139,9 +146,10 @@ class MarchState {
   int max_iterations_;
   std::size_t groups_;
   bool shortens_;
+  bool damped_ = false;
   std::vector<double> stiffness_, damping_;        // ω², ηω
   std::vector<double> q_, v_, load_, load_slope_;  // at the beginning of a step
-  std::vector<double> end_q_, end_v_, end_load_, end_load_slope_, end_force_;
+  std::vector<double> end_q_, end_v_, end_load_, end_load_slope_, end_force_, end_a_;
   std::vector<double> predicted_q_, predicted_v_;
   std::vector<march_loops::Pair> predicted_slide_;
   std::vector<Joint> joints_;

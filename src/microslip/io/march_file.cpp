@@ -40,6 +40,8 @@ std::vector<std::string> comments_on(const MarchResult& result) {
   for (const JointEnergy& joint : energy.joints) {
     lines.push_back(fmt::format("energy of joint '{}': dissipation {:.9g} J, stored {:.9g} J",
                                 joint.joint, joint.dissipation, joint.stored));
+    if (joint.linear_dissipation == 0.0) continue;
+    lines.back() += fmt::format(", linear_dissipation {:.9g} J", joint.linear_dissipation);
   }
   for (const Warning& warning : result.warnings) {
     lines.push_back(fmt::format("warning: {}", warning.text));
