@@ -151,11 +151,14 @@ struct Marched {
   double error;
 };
 
-/// The chosen step, and halves of it; the truth has steps of an eighth of the least.
+/// About the chosen step, and halves of it; the truth has steps of an eighth of the least.
 std::vector<Marched> halved(const RandomMarch& one, int halvings) {
   constexpr double kSample = 1e-3;
   const double highest = one.structure.stuck_frequencies().back();
-  const double step = std::min(kSample, 2.0 * pi / (20.0 * highest));
+  // An even number of steps a sample, so that each halving doubles them.
+  const double twentieth = 2.0 * pi / (20.0 * highest);
+  const double step =
+      std::exp2(-std::max(1.0, std::ceil(std::log2(kSample / twentieth)))) * kSample;
   const auto with_step = [&](double length, double tolerance, bool estimate) {
     return march(one.structure, one.loads,
                  {.step = length,
