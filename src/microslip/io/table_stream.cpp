@@ -2,15 +2,13 @@
 #include "microslip/io/table_stream.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
-#include <system_error>
 #include <utility>
 
-#include "microslip/base/error.hpp"
+#include "microslip/io/write_error.hpp"
 
 namespace microslip {
 namespace {
@@ -18,10 +16,7 @@ namespace {
 constexpr std::size_t kBuffer = std::size_t{1} << 18;
 
 [[noreturn]] void refuse_table(std::string_view path, int error) {
-  const bool full = error == ENOSPC || error == EDQUOT;
-  throw FileError(path == "-" ? std::string_view("standard output") : path,
-                  fmt::format("cannot be written: {}", std::generic_category().message(error)),
-                  full ? "Make room, or choose another folder." : "");
+  fail_to_write(path == "-" ? std::string_view("standard output") : path, error);
 }
 
 FileDescriptor opened(const std::string& path, const std::string& name, int flags) {
@@ -49,7 +44,7 @@ void TableStream::add(std::string_view rows) {
 }
 
 void TableStream::flush() {
-  if (on_standard_output()) std::fflush(stdout);
+  if (on_standard_output() && std::fflush(stdout) != 0) refuse_table(path_, errno);
   put(on_standard_output() ? STDOUT_FILENO : rows_->number(), buffer_);
   buffer_.clear();
 }
@@ -66,7 +61,11 @@ void TableStream::put(int file, std::string_view text) const {
 void TableStream::finish(std::string_view comments) {
   if (on_standard_output()) buffer_ += comments;
   flush();
-  if (on_standard_output()) return;
+  if (on_standard_output()) {
+    sync_file(STDOUT_FILENO, "standard output");
+    close_copy(STDOUT_FILENO, "standard output");
+    return;
+  }
   FileDescriptor file = opened(path_, staged_, O_WRONLY);
   put(file.number(), head_);
   put(file.number(), comments);
