@@ -102,8 +102,9 @@ microslip::Figure densities_figure() {
   figure.title = "Density from the return branch, p neglected";
   figure.x = {.label = "slip force f* [N]"};
   figure.y = {.label = "density φ [1/N]"};
-  figure.layers.emplace_back(microslip::LineLayer{{0.0, kLargest, kLargest, kAmplitude},
-                                                  {kDensity, kDensity, 0.0, 0.0},
+  // From right to left: with AVX-512, GCC 12.2 writes constants {a, a, 0, 0} as {a, a, a, a}.
+  figure.layers.emplace_back(microslip::LineLayer{{kAmplitude, kLargest, kLargest, 0.0},
+                                                  {0.0, 0.0, kDensity, kDensity},
                                                   "true density",
                                                   {.colour = microslip::kGrey, .width = 3.0}});
   return figure;

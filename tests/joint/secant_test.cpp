@@ -171,8 +171,9 @@ TEST(SecantStiffness, TakesAStepWrittenAsTwoCloseKnots) {
   const double k = 1e5;
   const Joint step(k, SlipDensity({UniformPart{0.0, 10.0, 0.9}}));
   for (const double width : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
-    const Joint ramp(k, SlipDensity({PiecewiseLinearPart{{0.0, 10.0, 10.0 + width, 20.0},
-                                                         {0.09, 0.09, 0.0, 0.0}}}));
+    // No fourth knot of zero: with AVX-512, GCC 12.2 writes constants {a, a, 0, 0} as {a, a, a, a}.
+    const Joint ramp(
+        k, SlipDensity({PiecewiseLinearPart{{0.0, 10.0, 10.0 + width}, {0.09, 0.09, 0.0}}}));
     for (const double a : {1.01e-4, 3e-4, 1e-3}) {
       EXPECT_NEAR(secant_stiffness(ramp, a), secant_stiffness(step, a), k * (0.09 * width + 1e-14))
           << width << ", " << a;
