@@ -20,8 +20,8 @@ struct ContinuationOptions {
   double largest_change;  ///< of the response and of each joint's motion in a step, relative
   int least_points;
   int max_points;
-  double accuracy;                  ///< of the polygon through the points; 0: as they come
-  std::vector<double> frequencies;  ///< ω of points to be there as well, rad/s
+  double accuracy = 0.0;                 ///< of the polygon through the points; 0: as they come
+  std::vector<double> frequencies = {};  ///< ω of points to be there as well, rad/s
 };
 
 /// Follows the curve on which one target is kept, by pseudo-arclength continuation: a step along the
