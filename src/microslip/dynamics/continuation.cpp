@@ -184,6 +184,7 @@ bool Continuation::add(Point point) {
   const std::string doubt = energy_doubt(vibration, options_.newton.tolerance);
   if (doubt.empty()) {
     rows_.push_back({std::move(point), std::move(vibration)});
+    tell(rows_.back().point.along);
     return true;
   }
   stop(Status::kNotConverged, fmt::format("{}, at {:.9g} Hz, force {:.6g} N", doubt,
@@ -205,19 +206,20 @@ void Continuation::stop(Status status, const std::string& reason) {
 }
 
 /// In thousandths of the range; a curve that turns back does not take any back.
-void Continuation::tell(const Progress& progress, double along) {
+void Continuation::tell(double along) {
   constexpr std::size_t kWhole = 1000;
   farthest_ = std::clamp((along - from_) / (to_ - from_), farthest_, 1.0);
   const auto done = static_cast<std::size_t>(farthest_ * static_cast<double>(kWhole));
-  if (progress && !progress(done, kWhole)) throw Cancelled();
+  if (progress_ && !progress_(done, kWhole)) throw Cancelled();
 }
 
 void Continuation::run(const VectorXd& z, ResponseCurve& curve, const Progress& progress) {
   summary_ = curve.summary;
-  follow(z, progress);
+  progress_ = progress;
+  follow(z);
   if (along_ == Quantity::kAngularFrequency) {
-    if (options_.accuracy > 0.0) draw_closely(progress);
-    if (!options_.frequencies.empty()) add_frequencies(progress);
+    if (options_.accuracy > 0.0) draw_closely();
+    if (!options_.frequencies.empty()) add_frequencies();
   }
   hand_over(curve);
 }
@@ -239,13 +241,12 @@ void Continuation::hand_over(ResponseCurve& curve) {
   curve.warnings = std::move(warnings_);
 }
 
-void Continuation::follow(const VectorXd& z, const Progress& progress) {
+void Continuation::follow(const VectorXd& z) {
   equations_.evaluate(z);
   Point point = point_at(z, nullptr);
   if (!add(point)) return;
   double length = wanted_length(point);
   while (step(point, length)) {
-    tell(progress, point.along);
     if (static_cast<int>(rows_.size()) >= options_.max_points) {
       stop(Status::kNotConverged,
            fmt::format("max_points = {} are used up {}", options_.max_points, place(point)));
@@ -253,7 +254,7 @@ void Continuation::follow(const VectorXd& z, const Progress& progress) {
       return;
     }
   }
-  if (summary_.converged()) tell(progress, to_);
+  if (summary_.converged()) tell(to_);
 }
 
 /// The next point: a corner where one lies as near as that; else the step is halved until Newton's

@@ -95,13 +95,13 @@ class Continuation {
   [[nodiscard]] Eigen::VectorXd scale() const;
   bool find_next(const Point& point, double& length, Point& next);
   [[nodiscard]] bool smooth(const Point& point, double length, const Point& next) const;
-  void follow(const Eigen::VectorXd& z, const Progress& progress);
+  void follow(const Eigen::VectorXd& z);
   bool step(Point& point, double& length);
   bool land(const Point& before, const Point& after, double limit);
   bool add(Point point);
   void stop(Status status, const std::string& reason);
   [[nodiscard]] std::string place(const Point& point) const;
-  void tell(const Progress& progress, double along);
+  void tell(double along);
 
   // Corners.
   void add_neighbours(Point& point) const;
@@ -120,11 +120,11 @@ class Continuation {
 
   // Points between those of the steps.
   struct Bridge;
-  void draw_closely(const Progress& progress);
+  void draw_closely();
   void add_left_out();
   [[nodiscard]] std::vector<Row> walk(const Row& from, const Row& to);
   void refine(const Row& from, const Row& to, double allowed, int depth, std::vector<Row>& rows);
-  void add_frequencies(const Progress& progress);
+  void add_frequencies();
   [[nodiscard]] double strayed(const Bridge& bridge, const Eigen::VectorXd& z,
                                const Eigen::VectorXd& expected) const;
   [[nodiscard]] std::optional<Row> between(const Row& from, const Row& to, double share);
@@ -142,7 +142,8 @@ class Continuation {
   double to_;
   double longest_ = HUGE_VAL;  ///< step that may be taken
   bool quick_ = false;         ///< the last point took few iterations
-  double farthest_ = 0.0;      ///< share of the range that the curve has reached, 1
+  Progress progress_;
+  double farthest_ = 0.0;  ///< share of the range that the curve has reached, 1
   std::vector<Row> rows_;
   Summary summary_;
   std::vector<Warning> warnings_;

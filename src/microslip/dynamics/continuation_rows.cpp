@@ -159,7 +159,7 @@ std::vector<double> Continuation::allowed_deviations() const {
   return allowed;
 }
 
-void Continuation::draw_closely(const Progress& progress) {
+void Continuation::draw_closely() {
   const std::vector<double> allowed = allowed_deviations();
   std::vector<Row> rows;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -167,7 +167,6 @@ void Continuation::draw_closely(const Progress& progress) {
     if (i + 1 == rows_.size()) break;
     if (static_cast<int>(rows.size() + rows_.size() - i) < options_.max_points) {
       refine(rows_[i], rows_[i + 1], allowed[i], kMostHalvings, rows);
-      tell(progress, rows_[i + 1].point.along);
       continue;
     }
     warnings_.push_back(
@@ -198,6 +197,7 @@ void Continuation::add_left_out() {
       equations_.evaluate(point.z);
       SteadyVibration vibration = equations_.vibration();
       rows.push_back({std::move(point), std::move(vibration)});
+      tell(rows.back().point.along);
     }
   }
   rows_ = std::move(rows);
@@ -244,7 +244,9 @@ void Continuation::refine(const Row& from, const Row& to, double allowed, int de
     for (std::size_t i = 0; i <= steps.size() && !steps.empty(); ++i) {
       refine(i == 0 ? from : steps[i - 1], i < steps.size() ? steps[i] : to, allowed,
              std::max(depth - 3, 1), rows);
-      if (i < steps.size()) rows.push_back(steps[i]);
+      if (i == steps.size()) break;
+      rows.push_back(steps[i]);
+      tell(steps[i].point.along);
     }
     if (!steps.empty()) return;
     warnings_.push_back({"not_drawn_closely",
@@ -269,6 +271,7 @@ void Continuation::refine(const Row& from, const Row& to, double allowed, int de
     refine(from, *middle, allowed, depth - 1, rows);
   }
   rows.push_back(*middle);
+  tell(middle->point.along);
   if (deeper && (far || off(middle->point, to.point))) {
     refine(*middle, to, allowed, depth - 1, rows);
   }
@@ -296,7 +299,7 @@ std::optional<Continuation::Row> Continuation::at_frequency(const Row& from, con
   return row_between(bridge, z, result);
 }
 
-void Continuation::add_frequencies(const Progress& progress) {
+void Continuation::add_frequencies() {
   const Index n = equations_.balance_count();
   std::vector<double> wanted = options_.frequencies;
   std::ranges::sort(wanted);
@@ -313,13 +316,13 @@ void Continuation::add_frequencies(const Progress& progress) {
       std::optional<Row> row = at_frequency(rows.back(), rows_[i + 1], frequency);
       if (row) {
         rows.push_back(std::move(*row));
+        tell(rows.back().point.along);
         continue;
       }
       warnings_.push_back(
           {"frequency_not_found", fmt::format("no point was found at the wanted {}",
                                               describe({Quantity::kAngularFrequency, frequency}))});
     }
-    tell(progress, rows_[i + 1].point.along);
   }
   rows_ = std::move(rows);
 }

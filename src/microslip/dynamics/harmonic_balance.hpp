@@ -105,8 +105,9 @@ class HarmonicBalance {
   /// @param along     what changes.
   /// @param from, to  its first and its last value, in its unit; not the same.
   /// @param mode      as in solve().
-  /// @param progress  told after each point, in thousandths of the range, how far the curve has
-  ///                  got.
+  /// @param progress  told once for each point when it is found, in thousandths of the range, how far
+  ///                  the curve has got, never less than before; once more, of the whole, where it
+  ///                  gets to its end, after which only points between others follow.
   /// @throws InputError  for values out of their range, or no range.
   /// @throws Cancelled   where progress says so.
   [[nodiscard]] ResponseCurve follow(const Target& kept, Quantity along, double from, double to,
