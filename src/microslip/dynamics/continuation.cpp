@@ -69,6 +69,14 @@ RowVectorXd Continuation::along_row(const VectorXd& scale) const {
   return RowVectorXd::Unit(n + 2, along_ == Quantity::kForceAmplitude ? n + 1 : n);
 }
 
+/// The sign of a determinant, which itself may be too large or too small for a double.
+int determinant_sign(const Eigen::PartialPivLU<MatrixXd>& factors) {
+  const auto pivots = factors.matrixLU().diagonal();
+  const bool odd = (pivots.array() < 0.0).count() % 2 == 1;
+  const bool swapped = factors.permutationP().determinant() < 0;
+  return odd == swapped ? 1 : -1;
+}
+
 /// The tangent is the null vector of the balance and the kept target on the positive side of
 /// `towards`. The equations must be evaluated at the point, or beside it on the side that counts.
 Continuation::Ray Continuation::ray_at(const VectorXd& scale, const RowVectorXd& towards) const {
@@ -76,6 +84,7 @@ Continuation::Ray Continuation::ray_at(const VectorXd& scale, const RowVectorXd&
   Ray ray;
   const Eigen::PartialPivLU<MatrixXd> solver(matrix(scale, towards));
   ray.tangent = solver.solve(VectorXd::Unit(n + 2, n + 1)).normalized();
+  ray.side = determinant_sign(solver);
   ray.along_slope = along_row(scale) * ray.tangent;
   const RowVectorXd log_response = equations_.log_response_gradient() * scale.asDiagonal();
   ray.gain_slope = log_response * ray.tangent - ray.tangent[n + 1];
@@ -281,7 +290,8 @@ bool Continuation::find_next(const Point& point, double& length, Point& next) {
     const double chord = (z - point.z).cwiseQuotient(point.scale).norm();
     const bool turns =
         direction.dot(next.arrival.tangent) < kLeastCosine || length < kLeastCosine * chord;
-    if (!kink && (turns || !smooth(point, length, next))) continue;
+    const bool other_way = next.arrival.side != point.onward.side;
+    if (!kink && (turns || other_way || !smooth(point, length, next))) continue;
     add_curvature(point, length, next);
     summary_.residual = std::max(summary_.residual, result.residual);
     quick_ = result.iterations <= kQuickIterations;

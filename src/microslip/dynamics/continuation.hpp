@@ -51,6 +51,7 @@ class Continuation {
     double along_slope = 0.0;   ///< d along/ds
     double gain_slope = 0.0;    ///< d ln(response/force)/ds
     double change_rate = 0.0;   ///< relative change per length
+    int side = 0;               ///< sign of det(derivatives; tangent), the same all along a curve
   };
 
   /// An onset next to the motion of a branch.

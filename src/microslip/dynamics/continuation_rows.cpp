@@ -97,6 +97,8 @@ std::optional<Continuation::Row> Continuation::row_between(const Bridge& bridge,
   if ((moved - share * bridge.chord).norm() > kMostBow * bridge.length) return std::nullopt;
   const VectorXd direction = (bridge.to.z - bridge.from.z).cwiseQuotient(scale()).normalized();
   Row row{point_at(z, &direction), equations_.vibration()};
+  const int side = bridge.from.onward.side;
+  if (row.point.arrival.side != side && bridge.to.arrival.side == side) return std::nullopt;
   if (!energy_doubt(row.vibration, options_.newton.tolerance).empty()) return std::nullopt;
   summary_.residual = std::max(summary_.residual, result.residual);
   return row;
