@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -124,7 +125,12 @@ class Continuation {
   void draw_closely();
   void add_left_out();
   [[nodiscard]] std::vector<Row> walk(const Row& from, const Row& to);
+  [[nodiscard]] std::array<double, 2> mark(const Point& point) const;
+  [[nodiscard]] bool strays(const Row& from, const Row& to, const Row& row, double allowed) const;
+  [[nodiscard]] bool is_coarse(const Row& from, const Row& to, double allowed);
   void refine(const Row& from, const Row& to, double allowed, int depth, std::vector<Row>& rows);
+  void refine_steps(const Row& from, const Row& to, double allowed, int depth,
+                    std::vector<Row>& rows);
   void add_frequencies();
   [[nodiscard]] double strayed(const Bridge& bridge, const Eigen::VectorXd& z,
                                const Eigen::VectorXd& expected) const;

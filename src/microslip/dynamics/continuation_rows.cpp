@@ -25,8 +25,9 @@ constexpr double kSameFrequency = 1e-9;  // relative: a vertical piece has no he
 constexpr double kMostBow = 0.5;         // of a point from the chord, over that
 constexpr double kMostStrayed = 0.2;     // of a harmonic from where it was expected, over it
 constexpr double kLeastHarmonic = 1e-4;  // of the joint's motion: a smaller one counts as so much
-constexpr double kNoEnd = 1e-4;          // of a step: so far from its ends a point is another
-constexpr int kWalkSteps = 8;            // between two points without a found one in the middle
+constexpr double kFarApart = 0.01;  // in frequency, relative: more than most resonances are wide
+constexpr double kNoEnd = 1e-4;     // of a step: so far from its ends a point is another
+constexpr int kWalkSteps = 8;       // between two points without a found one in the middle
 constexpr int kMostWalkSteps = 1000;
 
 /// The cubic polynomials of u from 0 to 1 that have one of (value, slope; value, slope) 1, the others 0.
@@ -232,50 +233,75 @@ std::vector<Continuation::Row> Continuation::walk(const Row& from, const Row& to
   return arrived ? rows : std::vector<Row>{};
 }
 
-/// The point in the middle is solved, and kept; where it lies too far beside the chord or from where
-/// the tangents lead, or the curve by its tangents too far beside the new chords, once more in each
-/// half.
+std::array<double, 2> Continuation::mark(const Point& point) const {
+  return {point.z[equations_.balance_count()], point.height};
+}
+
+/// Whether a solved point between two others shows that the polygon through these is too coarse: it
+/// lies too far beside the chord, or away from where the tangents lead.
+bool Continuation::strays(const Row& from, const Row& to, const Row& row, double allowed) const {
+  return beside_chord(mark(from.point), mark(to.point), mark(row.point)) > allowed ||
+         row.strayed > kMostStrayed;
+}
+
+/// Whether more points are needed between two neighbours: the curve by their tangents lies too far
+/// beside the chord, or, where they are far apart, points at the thirds stray. On a narrow
+/// superharmonic resonance that lies between, all else may agree by chance.
+bool Continuation::is_coarse(const Row& from, const Row& to, double allowed) {
+  const Index n = equations_.balance_count();
+  const Bridge bridge(from.point, to.point);
+  const double growth = kept_.quantity == Quantity::kResponse ? -1.0 : 1.0;
+  for (const double u : {0.25, 0.5, 0.75}) {
+    const std::array<double, 2> there = bridge.at(u, n, growth);
+    if (beside_chord(mark(from.point), mark(to.point), there) > allowed) return true;
+  }
+  if (std::abs(to.point.z[n] - from.point.z[n]) <= kFarApart * to.point.z[n]) return false;
+  return std::ranges::any_of(std::array{1.0 / 3.0, 2.0 / 3.0}, [&](double share) {
+    const std::optional<Row> row = between(from, to, share);
+    return !row || strays(from, to, *row, allowed);
+  });
+}
+
+/// The point in the middle is solved, and kept; where it strays, once more in each half, and in that
+/// which is too coarse.
 void Continuation::refine(const Row& from, const Row& to, double allowed, int depth,
                           std::vector<Row>& rows) {
   const Index n = equations_.balance_count();
-  const auto mark = [n](const Point& p) { return std::array{p.z[n], p.height}; };
   if (std::abs(to.point.z[n] - from.point.z[n]) <= kSameFrequency * to.point.z[n]) return;
   const std::optional<Row> middle = between(from, to, 0.5);
   if (!middle) {
-    const std::vector<Row> steps = depth > 1 ? walk(from, to) : std::vector<Row>{};
-    for (std::size_t i = 0; i <= steps.size() && !steps.empty(); ++i) {
-      refine(i == 0 ? from : steps[i - 1], i < steps.size() ? steps[i] : to, allowed,
-             std::max(depth - 3, 1), rows);
-      if (i == steps.size()) break;
-      rows.push_back(steps[i]);
-      tell(steps[i].point.along);
-    }
-    if (!steps.empty()) return;
+    refine_steps(from, to, allowed, depth, rows);
+    return;
+  }
+  const bool deeper = depth > 1;
+  const bool far = deeper && strays(from, to, *middle, allowed);
+  if (far || (deeper && is_coarse(from, *middle, allowed))) {
+    refine(from, *middle, allowed, depth - 1, rows);
+  }
+  rows.push_back(*middle);
+  tell(middle->point.along);
+  if (far || (deeper && is_coarse(*middle, to, allowed))) {
+    refine(*middle, to, allowed, depth - 1, rows);
+  }
+}
+
+/// The same between points of shorter steps, where none was found in the middle.
+void Continuation::refine_steps(const Row& from, const Row& to, double allowed, int depth,
+                                std::vector<Row>& rows) {
+  const std::vector<Row> steps = depth > 1 ? walk(from, to) : std::vector<Row>{};
+  if (steps.empty()) {
     warnings_.push_back({"not_drawn_closely",
                          fmt::format("no point was found between those {} and {}: the polygon may "
                                      "lie beside the curve there",
                                      place(from.point), place(to.point))});
     return;
   }
-  const double growth = kept_.quantity == Quantity::kResponse ? -1.0 : 1.0;
-  const auto off = [&](const Point& a, const Point& b) {
-    const Bridge bridge(a, b);
-    double most = 0.0;
-    for (const double u : {0.25, 0.5, 0.75}) {
-      most = std::max(most, beside_chord(mark(a), mark(b), bridge.at(u, n, growth)));
-    }
-    return most > allowed;
-  };
-  const bool far = beside_chord(mark(from.point), mark(to.point), mark(middle->point)) > allowed ||
-                   middle->strayed > kMostStrayed;
-  const bool deeper = depth > 1;
-  if (deeper && (far || off(from.point, middle->point))) {
-    refine(from, *middle, allowed, depth - 1, rows);
-  }
-  rows.push_back(*middle);
-  tell(middle->point.along);
-  if (deeper && (far || off(middle->point, to.point))) {
-    refine(*middle, to, allowed, depth - 1, rows);
+  for (std::size_t i = 0; i <= steps.size(); ++i) {
+    refine(i == 0 ? from : steps[i - 1], i < steps.size() ? steps[i] : to, allowed,
+           std::max(depth - 3, 1), rows);
+    if (i == steps.size()) break;
+    rows.push_back(steps[i]);
+    tell(steps[i].point.along);
   }
 }
 
