@@ -84,7 +84,8 @@ Continuation::Ray Continuation::ray_at(const VectorXd& scale, const RowVectorXd&
   Ray ray;
   const Eigen::PartialPivLU<MatrixXd> solver(matrix(scale, towards));
   ray.tangent = solver.solve(VectorXd::Unit(n + 2, n + 1)).normalized();
-  ray.side = determinant_sign(solver);
+  // With geometric stiffness the modes that are eliminated have a determinant of either sign.
+  if (!equations_.structure().shortens()) ray.side = determinant_sign(solver);
   ray.along_slope = along_row(scale) * ray.tangent;
   const RowVectorXd log_response = equations_.log_response_gradient() * scale.asDiagonal();
   ray.gain_slope = log_response * ray.tangent - ray.tangent[n + 1];

@@ -52,7 +52,8 @@ class Continuation {
     double along_slope = 0.0;   ///< d along/ds
     double gain_slope = 0.0;    ///< d ln(response/force)/ds
     double change_rate = 0.0;   ///< relative change per length
-    int side = 0;               ///< sign of det(derivatives; tangent), the same all along a curve
+    /// Sign of det(derivatives; tangent), the same all along a curve; 0 where that does not hold.
+    int side = 0;
   };
 
   /// An onset next to the motion of a branch.
