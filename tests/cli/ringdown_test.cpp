@@ -131,7 +131,9 @@ TEST(ringdown, SensorsOfARealBlowAgreeOrAreFlagged) {
     });
     EXPECT_TRUE(flagged || !said) << frequency;
     // acc2 is near a node of the first mode: 4 % of the amplitude of acc1.
-    if (frequency == "80.5") EXPECT_TRUE(flagged);
+    if (frequency == "80.5") {
+      EXPECT_TRUE(flagged);
+    }
   }
 }
 
