@@ -13,7 +13,7 @@
 /// come through the shorter one four times as strong and through the longer ones a quarter and a
 /// seventeenth, and what the model of the envelope cannot follow goes with a high power of the length:
 /// so the differences show both, about as large as the error itself or larger. Noise makes the lengths
-/// differ by a quarter of its variance, which is not taken off. What is known to leak in by
+/// differ by some quarter of its variance, which is taken off. What is known to leak in by
 /// decay_leakage() is the least that counts for damping. A mode too near for any of the lengths makes the
 /// decay beat: what damping scatters about a smooth course beyond its noise is
 /// added, and to the loss the 0.15 % that first harmonics are off by.
@@ -28,7 +28,8 @@ struct DecaySpread {
   double loss = 0.0;
 };
 
-/// Of a fitted window.
+/// Of a fitted window: means over the lengths, less what noise makes them differ by on average. One
+/// window's may therefore be below 0.
 [[nodiscard]] DecaySpread spread_of(const DecayTask& task, const DecayWindow& window,
                                     double noise_variance);
 

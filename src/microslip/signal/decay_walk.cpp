@@ -32,7 +32,9 @@ class LengthRule {
     const double by_fall = task_.largest_fall / decay;
     // Where the noise is not known yet: more than half of what the fall allows.
     const double by_noise = noise_ ? length_for(decay, amplitude) : 0.6 * by_fall;
-    const double by_others = length_for_leakage(window.beside, decay, task_.wanted_std,
+    // Half of it: windows down to 0.8 of the length are taken, through which up to four times as much
+    // comes.
+    const double by_others = length_for_leakage(window.beside, decay, 0.5 * task_.wanted_std,
                                                 task_.shortest, std::max(task_.shortest, by_fall));
     const double least = std::min(task_.least_fall / decay, (task_.to - task_.from) / 8.0);
     return std::clamp(std::max({std::min(by_noise, by_fall), by_others, least}), task_.shortest,
