@@ -66,7 +66,9 @@ DecaySpread excess_scatter(std::span<const DecayWindow> windows, std::span<const
   }
   const auto n = static_cast<Eigen::Index>(near.size());
   if (n < kFewest) return {};
-  const auto noise = [&](std::size_t i) { return square(points[i].damping_std / points[i].damping); };
+  const auto noise = [&](std::size_t i) {
+    return square(points[i].damping_std / points[i].damping);
+  };
   const double own = noise(centre);
   Eigen::MatrixXd powers(n, 3);
   Eigen::VectorXd values(n);
@@ -123,8 +125,7 @@ DecaySpread spread_of(const DecayTask& task, const DecayWindow& window, double n
     const auto beyond = [](double a, double b, double deviation, double share) {
       return square(b / a - 1.0) - share * square(deviation / a);
     };
-    spread.amplitude +=
-        beyond(point.amplitude, there.amplitude, point.amplitude_std, choice.level);
+    spread.amplitude += beyond(point.amplitude, there.amplitude, point.amplitude_std, choice.level);
     spread.omega += beyond(point.omega, there.omega, point.omega_std, choice.frequency);
     spread.damping += beyond(point.damping, there.damping, point.damping_std, choice.decay);
     spread.loss += beyond(point.loss, there.loss, point.loss_std, choice.decay);

@@ -84,8 +84,8 @@ struct RingDownSensor {
 /// The mode over time: one entry a window, each of the last fitted value at its centre. Windows
 /// overlap; two that are half a window apart or more are all but independent (correlation −0.2).
 /// Standard deviations hold the noise and what the choice of the window is worth: each is fitted again with
-/// 0.8, 1.25 and 1.6 times the length, and the mean square of the differences is added, at least what
-/// other modes are known to leak in; so is what the windows scatter about a smooth course beyond noise.
+/// 0.8, 1.25 and 1.6 times the length, and the mean square of the differences is added, less the share of the noise and at least
+/// what other modes are known to leak in; so is what the windows scatter about a smooth course beyond noise.
 struct RingDown {
   std::vector<double> time;               ///< s, on the axis of the recording
   std::vector<double> amplitude;          ///< A, of the displacement at the sensor, m
@@ -100,7 +100,8 @@ struct RingDown {
   /// Codes between blanks: neighbour_leaks, other modes move ζ by more than 2 %; window_matters, the
   /// choice of the window by more than 5 %; of several sensors shape_moves, a ratio of amplitudes is off
   /// its mean by more than 1 % and twice its standard deviation; sensors_differ, ζ of two by more than
-  /// twice its own.
+  /// twice the standard deviation of the difference. Noise alone flags one window in twenty so; the
+  /// warnings of the same codes are given where noise alone explains them in one record of a hundred.
   std::vector<std::string> flags;
 
   double from = 0.0;   ///< s: the range in which the windows lie

@@ -21,6 +21,16 @@ constexpr double kFixedShape = 0.01;  // of a ratio of amplitudes
 /// Of each window; nothing where the sensor does not see the decay.
 using SensorPoints = std::vector<std::optional<DecayPoint>>;
 
+/// Whether windows that are off by more than kSure deviations are more than noise makes of that many:
+/// the worst by Bonferroni's inequality, or as many as noise makes five per cent of. Windows overlap by
+/// three quarters, so a few in a row are one event.
+bool beyond_chance(std::size_t windows, std::size_t apart, double worst) {
+  constexpr double kFalseAlarm = 0.01;
+  constexpr std::size_t kFewest = 4;
+  const double chance = static_cast<double>(windows) * std::erfc(worst / std::numbers::sqrt2);
+  return (apart > 0 && chance < kFalseAlarm) || (apart >= kFewest && 4 * apart > windows);
+}
+
 double median_error(const DecayTrack& track) {
   std::vector<double> errors;
   for (const DecayPoint& point : track.points) errors.push_back(point.loss_std / point.loss);
@@ -236,7 +246,7 @@ class Combination {
       worst = std::abs(off);
       difference = one.damping / other.damping - 1.0;
     }
-    if (apart == 0) return;
+    if (!beyond_chance(common, apart, worst)) return;
     result_.warnings.push_back(
         {"sensors_differ",
          fmt::format(
@@ -250,18 +260,22 @@ class Combination {
     const SensorPoints& lead = points_[result_.leader];
     for (std::size_t s = 0; s < points_.size(); ++s) {
       if (s == result_.leader) continue;
+      std::size_t common = 0;
       std::size_t apart = 0;
+      double worst = 0.0;
       for (std::size_t i = 0; i < result_.flags.size(); ++i) {
         if (!points_[s][i] || !lead[i]) continue;
+        ++common;
         const double off =
-            std::log(points_[s][i]->amplitude / lead[i]->amplitude) - ratios_[s].mean;
-        const double sure =
-            kSure * std::sqrt(relative_variance(*points_[s][i]) + relative_variance(*lead[i]));
-        if (std::abs(off) <= std::max(sure, kFixedShape)) continue;
+            std::abs(std::log(points_[s][i]->amplitude / lead[i]->amplitude) - ratios_[s].mean);
+        const double deviation =
+            std::sqrt(relative_variance(*points_[s][i]) + relative_variance(*lead[i]));
+        if (off <= std::max(kSure * deviation, kFixedShape)) continue;
         ++apart;
+        worst = std::max(worst, off / deviation);
         flag(i, "shape_moves");
       }
-      if (apart > 0) warn_of_shape(s, apart);
+      if (beyond_chance(common, apart, worst)) warn_of_shape(s, apart);
     }
   }
 
