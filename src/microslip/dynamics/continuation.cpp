@@ -334,7 +334,7 @@ bool Continuation::step(Point& point, double& length) {
                             place(next)));
     return false;
   }
-  if (!add(next)) return false;
+  if (!add(next) || retraces()) return false;
   if (quick_) length *= 2.0;
   point = std::move(next);
   return true;

@@ -102,6 +102,8 @@ class Continuation {
   bool step(Point& point, double& length);
   bool land(const Point& before, const Point& after, double limit);
   bool add(Point point);
+  bool retraces();
+  bool lies_on_earlier_piece(const Point& point);
   void stop(Status status, const std::string& reason);
   [[nodiscard]] std::string place(const Point& point) const;
   void tell(double along);
@@ -150,6 +152,7 @@ class Continuation {
   double to_;
   double longest_ = HUGE_VAL;  ///< step that may be taken
   bool quick_ = false;         ///< the last point took few iterations
+  int retraced_ = 0;           ///< points in a row on pieces gone over before
   Progress progress_;
   double farthest_ = 0.0;  ///< share of the range that the curve has reached, 1
   std::vector<Row> rows_;

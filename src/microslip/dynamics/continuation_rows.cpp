@@ -25,9 +25,12 @@ constexpr double kSameFrequency = 1e-9;  // relative: a vertical piece has no he
 constexpr double kMostBow = 0.5;         // of a point from the chord, over that
 constexpr double kMostStrayed = 0.2;     // of a harmonic from where it was expected, over it
 constexpr double kLeastHarmonic = 1e-4;  // of the joint's motion: a smaller one counts as so much
-constexpr double kFarApart = 0.01;  // in frequency, relative: more than most resonances are wide
-constexpr double kNoEnd = 1e-4;     // of a step: so far from its ends a point is another
-constexpr int kWalkSteps = 8;       // between two points without a found one in the middle
+constexpr double kFarApart = 0.01;   // in frequency, relative: more than most resonances are wide
+constexpr double kNoEnd = 1e-4;      // of a step: so far from its ends a point is another
+constexpr int kMostRetraced = 3;     // points in a row: one may be a near miss
+constexpr double kNearPiece = 0.02;  // of a point from a bridge, over its length
+constexpr double kSamePoint = 1e-6;  // relative
+constexpr int kWalkSteps = 8;        // between two points without a found one in the middle
 constexpr int kMostWalkSteps = 1000;
 
 /// The cubic polynomials of u from 0 to 1 that have one of (value, slope; value, slope) 1, the others 0.
@@ -142,6 +145,44 @@ std::optional<Continuation::Row> Continuation::between(const Row& from, const Ro
     return row;
   }
   return std::nullopt;
+}
+
+/// Whether a point lies on a piece between earlier points that was gone over the other way.
+bool Continuation::lies_on_earlier_piece(const Point& point) {
+  for (std::size_t i = 0; i + 3 < rows_.size(); ++i) {
+    const Point& from = rows_[i].point;
+    const Point& to = rows_[i + 1].point;
+    const auto [low, high] = std::minmax(from.along, to.along);
+    if (!(low <= point.along && point.along <= high)) continue;
+    if ((to.along - from.along) * point.arrival.along_slope >= 0.0) continue;
+    const int side = from.onward.side;
+    if (side != 0 && side == point.arrival.side) continue;
+    const Bridge bridge(from, to);
+    const VectorXd moved = (point.z - from.z).cwiseQuotient(from.scale);
+    const double share = moved.dot(bridge.chord) / (bridge.length * bridge.length);
+    if (!(share >= 0.0 && share <= 1.0)) continue;
+    VectorXd z = bridge.mix(hermite(share));
+    const double off = (point.z - z).cwiseQuotient(from.scale).norm();
+    if (!(off <= kNearPiece * bridge.length)) continue;
+    const Place place{point.z, bridge.chord.transpose() * from.scale.cwiseInverse().asDiagonal()};
+    const NewtonResult result = newton(equations_, kept_, place, options_.newton, z);
+    summary_.iterations += result.iterations;
+    if (!result.converged) continue;
+    if ((z - point.z).cwiseQuotient(point.scale).norm() <= kSamePoint) return true;
+  }
+  return false;
+}
+
+/// Ends a curve that was turned round and goes back over itself, without the points that it has
+/// already.
+bool Continuation::retraces() {
+  retraced_ = lies_on_earlier_piece(rows_.back().point) ? retraced_ + 1 : 0;
+  if (retraced_ < kMostRetraced) return false;
+  rows_.erase(rows_.end() - kMostRetraced, rows_.end());
+  stop(Status::kNotConverged,
+       fmt::format("the curve was turned round and goes back over itself, {}",
+                   place(rows_.back().point)));
+  return true;
 }
 
 /// How high the polygon may lie beside the curve between each point and the next: of the response by
