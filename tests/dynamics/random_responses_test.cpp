@@ -183,6 +183,23 @@ INSTANTIATE_TEST_SUITE_P(, RandomResponse,
                                                                         : "Atoms");
                          });
 
+// Draws beyond those few: a superharmonic resonance between points whose middle is on the chord; bumps
+// at which shorter steps once left the wrong way.
+TEST(FrequencyResponse, IsDrawnCloselyAtNarrowBumps) {
+  struct Drawn {
+    Kind kind;
+    std::uint64_t seed;
+  };
+  for (const auto& [kind, seed] :
+       {Drawn{Kind::kSmooth, 167}, Drawn{Kind::kBeta, 45}, Drawn{Kind::kAtoms, 39}}) {
+    const Case it = random_case(kind, seed);
+    const ResponseCurve curve = it.balance.frequency_response(it.force, it.from, it.to);
+    EXPECT_TRUE(curve.summary.converged()) << seed << ": " << curve.summary.reason;
+    for (const Warning& warning : curve.warnings) ADD_FAILURE() << seed << ": " << warning.text;
+    EXPECT_LE(polygon_deviation(it, curve), 0.002) << seed;
+  }
+}
+
 /// One mass on a weak spring and a joint of atoms that holds it.
 JointedStructure held_mass(double frequency, double damping, double shape, double stiffness,
                            AtomsPart atoms) {
