@@ -274,6 +274,25 @@ TEST(RingDown, BeginsWithTheRecordWhereNothingComesBefore) {
               4.0 * decay.damping_ratio_std.front());
 }
 
+TEST(RingDown, SaysThatABandLosesTheMode) {
+  // The softening mode rises from 46.5 to 50.2 Hz: in that band the windows are too long to see where
+  // it begins, and its edge is too near for the end.
+  const JointedMode softening{.joint = Joint::four_parameter(2.0, 4e4, -0.5, 0.5),
+                              .mass = 1.0,
+                              .viscosity = 0.3,
+                              .stiffness = 6e4,
+                              .release = 1e-4};
+  const std::vector<double> signal = softening.sampled(0, kRate, 6.0, 20);
+  const RingDown free = ring_down(signal, kRate, kLength);
+  EXPECT_FALSE(warns_of(free, "band_loses_mode"));
+  const RingDown banded = ring_down(signal, kRate, kLength, {.band = {{42.0, 51.0}}});
+  EXPECT_FALSE(banded.summary.converged());
+  EXPECT_LT(1.5 * banded.time.back(), free.time.back());
+  const auto hint = std::ranges::find(banded.warnings, "band_loses_mode", &Warning::code);
+  ASSERT_NE(hint, banded.warnings.end());
+  EXPECT_NE(hint->text.find("With the band"), std::string::npos) << hint->text;
+}
+
 TEST(RingDown, CountsWhatLeaksInAmongItsDeviations) {
   // A neighbour 8 Hz above, as strong and as lasting, at several phases.
   std::size_t covered = 0;
