@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "microslip/io/csv_cells.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/sha256.hpp"
+#include "microslip/io/warning_comment.hpp"
 #include "prediction.hpp"
 
 namespace microslip::app {
@@ -21,8 +21,7 @@ std::string provenance_of(const Call& call, const std::vector<NamedInput>& input
 std::string warning_lines(const std::vector<Warning>& warnings) {
   std::string text;
   for (const Warning& warning : warnings) {
-    text += fmt::format("{}warning: {}: {}", text.empty() ? "" : "\n", warning.code,
-                        on_one_line(warning.text));
+    text += (text.empty() ? "" : "\n") + warning_comment(warning);
   }
   return text;
 }

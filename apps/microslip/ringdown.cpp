@@ -22,6 +22,7 @@
 #include "microslip/io/output_files.hpp"
 #include "microslip/io/recording_file.hpp"
 #include "microslip/io/text.hpp"
+#include "microslip/io/warning_comment.hpp"
 #include "microslip/signal/ring_down.hpp"
 #include "microslip/signal/ring_down_levels.hpp"
 #include "prediction.hpp"
@@ -196,7 +197,7 @@ std::string comment_of(const RingDown& decay, const std::vector<Warning>& warnin
   text += "\nfree decay from: " + start_text(decay);
   text += "\nband: " + band_text(decay, banded);
   text += "\nended: " + decay.summary.reason;
-  for (const Warning& warning : warnings) text += "\nwarning: " + warning.text;
+  for (const Warning& warning : warnings) text += "\n" + warning_comment(warning);
   return text;
 }
 

@@ -169,8 +169,9 @@ TEST(backbone, WarnsOfTooFewHarmonicsInTheFileToo) {
   const Arguments call = backbone({"--response", "0.5:2:5", "--harmonics", "1"});
   const Outcome run = expect_done(box, call);
   expect_parts(run.out, {"warning: with 3 harmonics the dissipation of 'joint' changes by"});
-  expect_parts(box.get("backbone.csv"), {"# warning: with 3 harmonics the dissipation of 'joint'",
-                                         "take 3 harmonics (--harmonics 3)\n"});
+  expect_parts(box.get("backbone.csv"),
+               {"# warning: truncated: with 3 harmonics the dissipation of 'joint'",
+                "take 3 harmonics (--harmonics 3)\n"});
 }
 
 struct BadCall {

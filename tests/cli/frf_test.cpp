@@ -235,7 +235,8 @@ TEST(frf, WarnsWhereTheRangeHoldsNoResonance) {
 TEST(frf, TellsInTheFileWhatItWarnsOf) {
   const Sandbox box = one_mass();
   expect_done(box, frf({"--force", "0.1", "--frequency", "0.2:0.3", "--quiet"}));
-  expect_parts(box.get("frf.csv"), {"# warning: no resonance in the range", "0.15915 Hz"});
+  expect_parts(box.get("frf.csv"),
+               {"# warning: no_resonance: no resonance in the range", "0.15915 Hz"});
 }
 
 // The row of a peak is that of its comment, with all columns, and none is higher.

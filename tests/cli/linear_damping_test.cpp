@@ -102,7 +102,8 @@ const std::vector<Effect> kEffects{
      {},
      {},
      {"displacement", "force"},
-     "# warning: The joint was identified with a linear damping of 8500 J/m^2 beside slip, which "
+     "# warning: linear_damping_left_out: The joint was identified with a linear damping of 8500 "
+     "J/m^2 beside slip, which "
      "is not in the force"},
     {{"measure", "rig.toml", "--out", "test", "--no-shaker"},
      "test/truth.csv",
@@ -295,7 +296,7 @@ point = "drive"
   EXPECT_NE(run.out.find("  warning: mode 1 has a loss factor of 0.0016, and joint 'joint'"),
             std::string::npos)
       << run.out;
-  EXPECT_NE(box.get("o.csv").find("# warning: mode 1 has a loss factor of 0.0016"),
+  EXPECT_NE(box.get("o.csv").find("# warning: damping_twice: mode 1 has a loss factor of 0.0016"),
             std::string::npos);
 }
 

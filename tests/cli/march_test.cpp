@@ -139,8 +139,9 @@ TEST(march, WritesWarningsAndTheErrorIntoTheFile) {
   box.put("model.toml", model);
   const Outcome run = expect_done(box, march_call({"--quiet"}));
   EXPECT_EQ(run.out, "");
-  expect_parts(box.get("march.csv"), {"# warning: hysteretic damping has no form in time",
-                                      "# estimated error of the displacements: "});
+  expect_parts(box.get("march.csv"),
+               {"# warning: hysteretic_as_viscous: hysteretic damping has no form in time",
+                "# estimated error of the displacements: "});
   expect_done(box, march_call({"--quiet", "--no-error-estimate"}));
   EXPECT_EQ(box.get("march.csv").find("estimated error"), std::string::npos);
 }

@@ -149,7 +149,8 @@ TEST(model, PredictsBeyondTheLevelsWithAWarning) {
       Arguments quiet = call;
       quiet.emplace_back("--quiet");
       expect_done(box, quiet);
-      EXPECT_NE(box.get(call.back()).find("\n# warning: 'contact': the joint moves by"),
+      EXPECT_NE(box.get(call.back())
+                    .find("\n# warning: beyond_identification: 'contact': the joint moves by"),
                 std::string::npos);
     }
     box.put("test/joint.json", covered_to(joint, "5e4"));

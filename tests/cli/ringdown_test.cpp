@@ -124,7 +124,8 @@ TEST(ringdown, SensorsOfARealBlowAgreeOrAreFlagged) {
     for (const double each : f) EXPECT_NEAR(each / std::stod(frequency), 1.0, 0.01);
     // Two sensors that differ beyond their deviations are said to, in the file.
     const bool said =
-        box.get("levels.csv").find("# warning: acc1 and acc2 differ") != std::string::npos;
+        box.get("levels.csv").find("# warning: sensors_differ: acc1 and acc2 differ") !=
+        std::string::npos;
     const std::vector<std::string> flags = table.text("flags");
     const bool flagged = std::ranges::any_of(flags, [](const std::string& all) {
       return all.find("sensors_differ") != std::string::npos;

@@ -59,10 +59,11 @@ TEST(LevelsFile, ReadsFrequencies) {
           .levels;
   EXPECT_EQ(drive.frequency, Numbers{80.0});
   EXPECT_EQ(drive.frequency_std, Numbers{0.1});
-  EXPECT_EQ(
-      fault("amplitude [m],dissipation [J],frequency [Hz]\n1,2,80\n2,3,0\n"),
-      "levels.csv:3:5: expected a number above 0 in 'frequency [Hz]', found '0'. Where it is not "
-      "known at every level, remove the column.");
+  EXPECT_EQ(fault("amplitude [m],dissipation [J],frequency [Hz]\n1,2,80\n2,3,0\n"),
+            "levels.csv:3:5: expected a number above 0 in column 3 'frequency [Hz]', found '0'. "
+            "Where it is "
+            "not "
+            "known at every level, remove the column.");
 }
 
 // As recordings, and as spreadsheets write it; other parentheses belong to the name.

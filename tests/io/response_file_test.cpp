@@ -78,9 +78,9 @@ TEST(ResponseTable, TellsHowItEndedAndWhereThePeaksAre) {
   EXPECT_NE(text.find("\n# turns back: frequency 0.125 Hz, force 0.1 N, displacement "),
             std::string::npos);
   curve.warnings = {{"one", "of one\nthing"}, {"two", "of another"}};
-  EXPECT_NE(
-      response_table(curve).str().find("\n# warning: of one\n# thing\n# warning: of another\n"),
-      std::string::npos);
+  EXPECT_NE(response_table(curve).str().find(
+                "\n# warning: one: of one thing\n# warning: two: of another\n"),
+            std::string::npos);
   curve.summary.status = Status::kNotConverged;
   curve.summary.reason = "a test\nsays so";
   EXPECT_NE(

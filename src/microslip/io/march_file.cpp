@@ -13,6 +13,7 @@
 #include "microslip/io/csv_cells.hpp"
 #include "microslip/io/table_stream.hpp"
 #include "microslip/io/text.hpp"
+#include "microslip/io/warning_comment.hpp"
 
 namespace microslip {
 namespace {
@@ -43,9 +44,7 @@ std::vector<std::string> comments_on(const MarchResult& result) {
     if (joint.linear_dissipation == 0.0) continue;
     lines.back() += fmt::format(", linear_dissipation {:.9g} J", joint.linear_dissipation);
   }
-  for (const Warning& warning : result.warnings) {
-    lines.push_back(fmt::format("warning: {}", warning.text));
-  }
+  for (const Warning& warning : result.warnings) lines.push_back(warning_comment(warning));
   return lines;
 }
 

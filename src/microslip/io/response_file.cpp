@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
+#include "microslip/io/warning_comment.hpp"
 
 namespace microslip {
 namespace {
@@ -156,7 +157,7 @@ CsvWriter begin(const ResponseCurve& curve, std::string_view heading) {
   CsvWriter table;
   if (!heading.empty()) table.add_comment(heading);
   add_ending(curve.summary, table);
-  for (const Warning& warning : curve.warnings) table.add_comment("warning: " + warning.text);
+  for (const Warning& warning : curve.warnings) table.add_comment(warning_comment(warning));
   return table;
 }
 
