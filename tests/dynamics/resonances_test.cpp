@@ -327,7 +327,7 @@ TEST(ModalForcing, IsWhatAFreeDecayGoesThrough) {
     ASSERT_TRUE(mode.summary.converged());
     const double omega = mode.vibration.angular_frequency;
     const double zeta = mode.vibration.damping_ratio();
-    // Amplitude and frequency change together: 2ω ȧ + ω̇ a = −2ζω² a [Krack 2015, slow flow].
+    // Amplitude and frequency change together: 2ω ȧ + ω̇ a = −2ζω² a [Krack 2015].
     const auto above = balance.solve(
         kPhaseResonance, {Quantity::kResponse, 1.02 * mode.vibration.response}, mode.vibration);
     const double slope = std::log(above.vibration.angular_frequency / omega) / std::log(1.02);
