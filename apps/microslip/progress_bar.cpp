@@ -17,6 +17,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kBarWidth = 28;
+constexpr std::size_t kLeastBarWidth = 4;  // a shorter one says nothing
 constexpr std::chrono::milliseconds kInterval{100};
 
 /// So that a line does not break, which \r could not take back. Nothing known: a usual terminal.
@@ -49,7 +50,7 @@ class Bar {
   [[nodiscard]] std::string line(double share, const std::string& figures) const {
     const std::size_t room = terminal_width() - 1;
     const std::size_t text = what_.size() + figures.size() + 4;  // blanks and brackets
-    if (text >= room) return figures.substr(0, room);
+    if (text + kLeastBarWidth > room) return figures.substr(0, room);
     const std::size_t width = std::min(kBarWidth, room - text);
     const auto filled = static_cast<std::size_t>(share * static_cast<double>(width));
     return fmt::format("{} [{}{}] {}", what_, std::string(filled, '#'),

@@ -124,7 +124,7 @@ TEST(backbone, SaysThatPhaseResonanceDoesNotExist) {
       none.err,
       {"phase resonance of mode 2 at 'm2' with this excitation exists only up to", "antiresonance",
        "drive or observe another point", "modal forcing", "nothing is written"});
-  EXPECT_THROW((void)box.get("backbone.csv"), std::exception);
+  EXPECT_FALSE(box.has("backbone.csv"));
   // A part of it: what there is is written, and marked, where it ends too.
   const Outcome some = box.run(backbone({"--mode", "2", "--response", "0.1nm:10nm:21:log"}));
   EXPECT_EQ(some.status, 3);

@@ -77,6 +77,22 @@ std::string full_levels() {
   return text;
 }
 
+/// Levels with a frequency in each of these columns: of the drive, which wanders, and of resonance.
+std::string heard_levels(const std::vector<std::string>& columns) {
+  const Joint joint = sample_joint();
+  std::string text = "amplitude [m],dissipation [J]";
+  for (const std::string& column : columns) text += fmt::format(",{} [Hz]", column);
+  for (int i = 1; i <= 12; ++i) {
+    const double a = 2e-5 * i;
+    text += fmt::format("\n{:.12g},{:.12g}", a, dissipation(joint, a));
+    for (const std::string& column : columns) {
+      const double wander = column == "frequency" ? 0.1 * std::sin(3.0 * i) : 0.0;
+      text += fmt::format(",{:.12g}", 55.0 - 0.02 * i + wander);
+    }
+  }
+  return text + "\n";
+}
+
 /// Levels of a joint whose macro-slip begins at once, at 40 N.
 std::string atom_levels() {
   const Joint joint = parse_joint(R"({"schema": "microslip.joint/1", "stiffness_N_per_m": 1.7e5,
@@ -136,6 +152,8 @@ const Files& inputs() {
   static const Files files = [] {
     Files all = documented_files();
     all["full_levels.csv"] = full_levels();
+    all["driven_levels.csv"] = heard_levels({"frequency"});
+    all["heard_levels.csv"] = heard_levels({"frequency", "resonance_frequency"});
     all["decay.csv"] = sample_decay_text();
     all["noise.csv"] = "time [s], nothing [V]\n0,1\n1,2\n2,3\n";
     all["other_force.csv"] = "time [s],force [N]\n0,0\n0.01,50\n0.02,0\n";

@@ -65,7 +65,9 @@ class HarmonicForce {
   [[nodiscard]] std::size_t reaches() const;
   /// One of them. @param rank  from 0, the farthest, below reaches().
   [[nodiscard]] double reach(std::size_t rank) const;
-  /// Its derivatives. @param gradient  ∂reach/∂displacement_j at j, 1; 2H + 1 values.
+  /// Its derivatives.
+  /// @param rank      as for reach().
+  /// @param gradient  ∂reach/∂displacement_j at j, 1; 2H + 1 values.
   void reach_gradient(std::size_t rank, std::span<double> gradient) const;
 
  private:

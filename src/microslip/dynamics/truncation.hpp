@@ -37,6 +37,7 @@ inline constexpr double kTruncationAllowed = 2e-3;
 /// phase lag are kept, elsewhere what was kept and the frequency. All harmonics up to 2H + 1 cost
 /// some 30 evaluations of equations twice as many as those of the curve.
 /// @param balance  that the curve is of.
+/// @param curve    that was found.
 /// @param kept     what was kept on the curve: the force, the response, or, of a backbone, phase
 ///                 resonance.
 /// @return nothing where the structure has no joint, or the curve no point.

@@ -75,7 +75,10 @@ struct StiffnessEvidence {
 ///   * `softening_unexplained`   it falls by as much more than all of the joint's softening.
 [[nodiscard]] std::vector<Warning> diagnose(const StiffnessEvidence& evidence, const Joint& joint);
 
-/// `secant_inconsistent` alone. @param remainder  elastic remainder of the joint, 1.
+/// `secant_inconsistent` alone.
+/// @param secant     what was measured, against the joint.
+/// @param stiffness  k of the joint, N/m.
+/// @param remainder  elastic remainder of the joint, 1.
 [[nodiscard]] std::optional<Warning> diagnose_offset(const SecantEvidence& secant, double stiffness,
                                                      double remainder);
 

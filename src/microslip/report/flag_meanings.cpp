@@ -8,7 +8,7 @@
 namespace microslip {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 35> kMeanings = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 40> kMeanings = {{
     {"amplitude_drift", "no steady state: the amplitude wanders"},
     {"amplitude_rises", "the decay was left where its amplitude rises"},
     {"beyond_identification", "the joint moves more than in the levels it was identified by"},
@@ -27,6 +27,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 35> kMeaning
      "half-power and predictions for a sine are not"},
     {"force_not_controlled", "the force control did not reach what was asked for"},
     {"force_off", "the predicted force is off by more than 2 % and three times its noise"},
+    {"frequency_moves",
+     "the frequency of the decay moves by more than 2 %: its shape is not fixed"},
     {"implausible_value",
      "a displacement above 1 m, or a loss above 1 MJ a cycle: a unit is wrong"},
     {"inner_reversals", "the joint turns more than twice a cycle: D is not that of one loop"},
@@ -34,6 +36,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 35> kMeaning
     {"macro_slip", "all that can slip does: D tells no more of the density"},
     {"mode_lost", "the decay was left where its mode was lost"},
     {"model_misfit", "the modes of the rig leave more than 5 % of an accelerometer unexplained"},
+    {"neighbour_leaks", "other modes move the damping by more than 2 %"},
     {"order_reduced", "fewer harmonics were fitted than asked for"},
     {"other_peaks", "the spectrum has other peaks near the mode"},
     {"phase_unsteady", "no steady state: samples are missing, or the drive wanders"},
@@ -42,7 +45,10 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 35> kMeaning
      "the predicted resonance is off by more than a tenth of its half-power width"},
     {"secant_above_stuck", "k_eq above 1.1 k"},
     {"secant_not_positive", "k_eq was not above 0, and is left out"},
+    {"sensor_left_out", "the mode cannot be followed at one of the sensors"},
+    {"sensors_differ", "damping of two sensors differs by more than twice its standard deviation"},
     {"several_resonances", "the phase of the sweep passes resonance more than once"},
+    {"shape_moves", "a ratio of amplitudes between sensors is not the same all along"},
     {"signal_constant", "a channel does not move"},
     {"spike", "single samples are far off"},
     {"stiffness_differs", "the stiffness of the joint is not that of the contact of the rig"},

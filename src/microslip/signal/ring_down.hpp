@@ -74,7 +74,7 @@ enum class DecayStart {
 
 /// One of the sensors that saw a decay.
 struct RingDownSensor {
-  std::string name;
+  std::string name;        ///< of the channel
   double ratio = 1.0;      ///< its amplitude over that of the first sensor, 1, above 0
   double ratio_std = 0.0;  ///< its standard deviation
   /// (largest − smallest)/mean of the ratio over the windows, 1: 0 where the mode keeps its shape.
@@ -104,11 +104,11 @@ struct RingDown {
   /// warnings of the same codes are given where noise alone explains them in one record of a hundred.
   std::vector<std::string> flags;
 
-  double from = 0.0;   ///< s: the range in which the windows lie
-  double to = 0.0;     ///< s
-  double start = 0.0;  ///< s: where free decay begins, on the axis
-  DecayStart start_by = DecayStart::kGiven;
-  std::optional<double> blow = {};  ///< s: the onset of the blow that was found
+  double from = 0.0;                         ///< s: the range in which the windows lie
+  double to = 0.0;                           ///< s
+  double start = 0.0;                        ///< s: where free decay begins, on the axis
+  DecayStart start_by = DecayStart::kGiven;  ///< how it was found
+  std::optional<double> blow = {};           ///< s: the onset of the blow that was found
   std::pair<double, double> band = {
       0.0, 0.0};                        ///< Hz: as given, or what the shortest window lets through
   std::vector<RingDownSensor> sensors;  ///< those that were used, in their order
@@ -145,8 +145,10 @@ struct RingDown {
 /// amplitude over the largest, and s what explains that the sensors differ by more than their σ, over
 /// the windows within half a window [R. DerSimonian, N. Laird, Control. Clin. Trials 7 (1986) 177, there
 /// with r = 1]: what is foreign to the mode counts more where its amplitude is small.
-/// @param channels  one at least, no two the same. One that cannot be followed is left out with a
-///                  warning.
+/// @param recording  of the decay.
+/// @param channels   one at least, no two the same. One that cannot be followed is left out with a
+///                   warning.
+/// @param options    which mode, when, and how it is followed.
 /// @throws InputError  as for one; where the first cannot be followed.
 [[nodiscard]] RingDown ring_down(const Recording& recording, std::span<const std::string> channels,
                                  const RingDownOptions& options = {});

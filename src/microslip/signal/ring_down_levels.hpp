@@ -48,6 +48,7 @@ struct RingDownLevels {
 [[nodiscard]] RingDownLevels levels_of(const RingDown& decay, const RingDownLevelsOptions& options);
 
 /// The same without a modal mass: no dissipation and no secant stiffness.
+/// @param decay        of a mode.
 /// @param joint_ratio  as in RingDownLevelsOptions.
 /// @throws InputError  where it is 0 or not finite.
 [[nodiscard]] RingDownLevels damping_levels_of(const RingDown& decay, double joint_ratio = 1.0);
