@@ -31,6 +31,19 @@ constexpr int kSettled = 8;
 
 int sign_of(double value) { return value > 0.0 ? 1 : value < 0.0 ? -1 : 0; }
 
+/// Where `ahead`, above 0 at `low` and below at `high`, changes its sign, as a share of a step; next to
+/// an end of the step, that end.
+template <typename Ahead>
+double share_of_sign_change(const Ahead& ahead, double low, double high) {
+  for (int i = 0; i < 40; ++i) {
+    const double x = 0.5 * (low + high);
+    (ahead(x) > 0.0 ? low : high) = x;
+  }
+  const double share = 0.5 * (low + high);
+  if (share > 1.0 - kNear) return 1.0;
+  return share > kNear ? share : 0.0;
+}
+
 }  // namespace
 
 MarchState::MarchState(const JointedStructure& structure, std::vector<MarchedJoint> hysteresis,
@@ -504,13 +517,7 @@ double MarchState::turning_share(const Joint& joint, const Cubic& y, double leng
   if (ahead(low) <= 0.0) return ahead(0.5) >= 0.0 ? 1.0 : 0.0;
   if (bends && ahead(vertex) < 0.0) high = vertex;
   if (ahead(high) >= 0.0) return 1.0;
-  for (int i = 0; i < 40; ++i) {
-    const double x = 0.5 * (low + high);
-    (ahead(x) > 0.0 ? low : high) = x;
-  }
-  const double share = 0.5 * (low + high);
-  if (share > 1.0 - kNear) return 1.0;
-  return share > kNear ? share : 0.0;
+  return share_of_sign_change(ahead, low, high);
 }
 
 /// Where y comes to the next kink, before the share `until`, up to which it does not turn.
@@ -519,15 +526,7 @@ double MarchState::kink_share(const Joint& joint, const Cubic& y, double until) 
   const double kink = joint.kink + joint.compliance * joint.damper * joint.begin.u_dot;
   const auto ahead = [&](double share) { return joint.direction * (kink - y.value(share)); };
   if (joint.direction == 0 || !(ahead(until) < 0.0)) return 1.0;
-  double low = 0.0;
-  double high = until;
-  for (int i = 0; i < 40; ++i) {
-    const double x = 0.5 * (low + high);
-    (ahead(x) > 0.0 ? low : high) = x;
-  }
-  const double share = 0.5 * (low + high);
-  if (share > 1.0 - kNear) return 1.0;
-  return share > kNear ? share : 0.0;
+  return share_of_sign_change(ahead, 0.0, until);
 }
 
 // ---- What came out. ----
