@@ -226,7 +226,9 @@ void OutputFiles::add(const std::string& path, std::string_view content) {
 
 std::string OutputFiles::stage(const std::string& path) {
   if (path == "-") throw FileError(kStandardOutput, "cannot take this format", "Name a file.");
-  return create(path).first->temporary.path();
+  auto [file, descriptor] = create(path);
+  if (!descriptor.close()) fail_to_write(path, errno);
+  return file->temporary.path();
 }
 
 void OutputFiles::check_all() const {

@@ -71,7 +71,7 @@ void TableStream::finish(std::string_view comments) {
   put(file.number(), comments);
   put(file.number(), header_);
   copy_rows(file.number());
-  if (!file.close()) refuse_table(path_, errno);
+  if (!rows_->close() || !file.close()) refuse_table(path_, errno);
   temporary_.reset();
   output_.commit();
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -16,7 +17,8 @@
 
 /// Every format that is written, where it cannot be written whole: status 1, one message, nothing at
 /// the final name and nothing beside it. A limit of the size of files stands for a full disk, since it
-/// needs no rights: from some byte on the system takes no more.
+/// needs no rights: from some byte on the system takes no more. A disk that reports its error late, when
+/// the file is synced, closed or renamed, is played by failing_calls.
 
 namespace microslip::cli_test {
 namespace {
@@ -30,6 +32,11 @@ struct Writing {
 };
 
 void PrintTo(const Writing& writing, std::ostream* to) { *to << writing.out; }
+
+Arguments with(Arguments call, const Arguments& more) {
+  call.insert(call.end(), more.begin(), more.end());
+  return call;
+}
 
 std::vector<Writing> all_writings() {
   std::vector<Writing> all;
@@ -51,6 +58,16 @@ std::vector<Writing> all_writings() {
                  {"backbone", "model.toml", "--response", "1um:1mm:20:log", "--out", "back.csv"}});
   all.push_back(
       {"march.csv", {"march", "model.toml", "--force-file", "force.csv", "--out", "march.csv"}});
+  all.push_back(
+      {"frf.csv",
+       {"frf", "model.toml", "--force", "0.1", "--frequency", "0.13:0.16", "--out", "frf.csv"}});
+  all.push_back({"made.toml", {"model", "rig.toml", "rig.json", "--out", "made.toml"}});
+  all.push_back({"reduced.csv", {"reduce", "rig.toml", "level_05.csv", "--out", "reduced.csv"}});
+  const Arguments verify{"verify", "rig.toml", "rig.json", "level_05.csv", "--out", "verified.csv"};
+  all.push_back({"verified.csv", verify});
+  all.push_back({"harmonics.csv", with(verify, {"--harmonics-csv", "harmonics.csv"})});
+  all.push_back({"histories.csv", with(verify, {"--histories", "histories.csv"})});
+  all.push_back({"record.svg", with(verify, {"--picture", "record.svg"})});
   for (const char* out : {"levels.svg", "levels.png", "levels.pdf"}) {
     all.push_back({out, {"plot", "levels.csv", "--out", out}});
   }
@@ -78,9 +95,9 @@ std::string force_text() {
   return writer.str();
 }
 
-class FullDisk : public testing::TestWithParam<Writing> {
+class BadDisk : public testing::TestWithParam<Writing> {
  protected:
-  FullDisk() : box_(one_mass()) {
+  BadDisk() : box_(one_mass()) {
     box_.put("decay.csv", sample_decay_text());
     box_.put("levels.csv", sample_levels_text());
     box_.put("force.csv", force_text());
@@ -90,18 +107,23 @@ class FullDisk : public testing::TestWithParam<Writing> {
     box_.put("rig.toml", edited(edited(test::get(rig + "rig.toml"), "count = 90", "count = 2"),
                                 "\"joint.json\"", "\"rig.json\""));
     box_.put("rig.json", test::get(rig + "joint.json"));
+    box_.put("level_05.csv", test::get(rig + "recordings/level_05.csv"));
+    given_ = box_.content();
   }
 
   /// The size of the file that the call makes where nothing hinders it; all that it made is removed.
   std::size_t whole_size() const {
-    const auto before = box_.content();
     expect_made();
     const std::size_t size = fs::file_size(box_.file(GetParam().out));
-    for (const auto& [name, text] : box_.content()) {
-      if (!before.contains(name)) fs::remove_all(name);
-    }
-    EXPECT_TRUE(box_.content() == before);
+    remove_made();
     return size;
+  }
+
+  void remove_made() const {
+    for (const auto& [name, text] : box_.content()) {
+      if (!given_.contains(name)) fs::remove_all(name);
+    }
+    EXPECT_TRUE(box_.content() == given_);
   }
 
   void expect_made() const {
@@ -111,9 +133,10 @@ class FullDisk : public testing::TestWithParam<Writing> {
   }
 
   Sandbox box_;
+  std::map<std::string, std::string> given_;
 };
 
-TEST_P(FullDisk, LeavesNothing) {
+TEST_P(BadDisk, ThatIsFullLeavesNothing) {
   constexpr std::size_t kMessage = 700;  // which goes to a file here, too
   const std::size_t whole = whole_size();
   std::set<std::size_t> sizes;
@@ -128,7 +151,40 @@ TEST_P(FullDisk, LeavesNothing) {
   expect_made();
 }
 
-INSTANTIATE_TEST_SUITE_P(EachFormat, FullDisk, testing::ValuesIn(all_writings()),
+/// Whether the program came to the `number`th such call; it then has to be as if it had not run.
+bool failed(const Sandbox& box, const Arguments& call, const std::string& what, int number) {
+  SCOPED_TRACE(what + " " + std::to_string(number));
+  const Sandbox outside;
+  const std::vector<std::string> environment{
+      "LD_PRELOAD=" MICROSLIP_FAILING_CALLS,
+      "ASAN_OPTIONS=verify_asan_link_order=0",
+      "MICROSLIP_FAILING_FOLDER=" + fs::canonical(box.path()).string(),
+      "MICROSLIP_FAILING_CALL=" + what,
+      "MICROSLIP_FAILING_NUMBER=" + std::to_string(number),
+      "MICROSLIP_FAILED=" + outside.file("failed")};
+  const auto before = box.content();
+  const Outcome run = box.run(call, {.environment = environment});
+  if (!outside.has("failed")) {
+    EXPECT_EQ(run.status, 0) << run.err;
+    return false;
+  }
+  EXPECT_EQ(run.status, 1) << run.err;
+  EXPECT_NE(run.err.find("Input/output error"), std::string::npos) << run.err;
+  EXPECT_TRUE(box.content() == before) << "something was left";
+  return true;
+}
+
+TEST_P(BadDisk, ThatFailsLateLeavesNothing) {
+  for (const char* call : {"close", "fsync", "rename"}) {
+    int number = 1;
+    while (!HasFailure() && failed(box_, GetParam().call, call, number)) ++number;
+    EXPECT_GT(number, 1) << "never called: " << call;
+    if (HasFailure()) return;
+    remove_made();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(EachFormat, BadDisk, testing::ValuesIn(all_writings()),
                          [](const auto& each) {
                            std::string name = each.param.out;
                            std::ranges::replace_if(
