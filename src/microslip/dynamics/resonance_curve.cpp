@@ -178,7 +178,7 @@ std::optional<ResonanceCurve::Place> ResonanceCurve::find(double response, std::
   const std::optional<Mode> mode = mode_at(response);
   if (!mode) {
     judged_ = false;
-    evidence = fmt::format("at the response {:.6g} the mode by itself was not found", response);
+    evidence = at_response(response) + " the mode by itself was not found";
     return std::nullopt;
   }
   if (auto place = from_mode(*mode, response)) return place;
@@ -224,12 +224,12 @@ std::optional<ResonanceCurve::Place> ResonanceCurve::sweep(const Mode& mode, dou
   judged_ = judged_ && curve.summary.converged();
   evidence = curve.summary.converged()
                  ? fmt::format(
-                       "at the response {:.6g}, from {:.6g} to {:.6g} Hz, the lag comes no "
+                       "{}, from {:.6g} to {:.6g} Hz, the lag comes no "
                        "nearer to pi/2 than {:.2g} rad; the mode by itself has {:.6g} Hz and "
                        "a damping ratio of {:.3g} there",
-                       response, kHertz * from, kHertz * to, nearest, kHertz * mode.frequency,
-                       mode.damping)
-                 : fmt::format("at the response {:.6g}: {}", response, curve.summary.reason);
+                       at_response(response), kHertz * from, kHertz * to, nearest,
+                       kHertz * mode.frequency, mode.damping)
+                 : fmt::format("{}: {}", at_response(response), curve.summary.reason);
   return std::nullopt;
 }
 
@@ -243,13 +243,22 @@ const ResonanceCurve::Piece* ResonanceCurve::piece_with(double response) const {
   return nullptr;
 }
 
+/// "5.92e-10 m".
+std::string ResonanceCurve::text_of(double response) const {
+  return fmt::format("{:.6g} {}", response, unit_of(response_.kind));
+}
+
+std::string ResonanceCurve::at_response(double response) const {
+  return "at the response " + text_of(response);
+}
+
 /// Why a piece ends, and what there is where there is none.
 std::string ResonanceCurve::why_not() const {
   std::string text;
   for (const Piece& piece : pieces_) {
     if (piece.complete) continue;
     const Place& end = piece.places.back();
-    text += fmt::format("; at the response {:.6g}, {:.6g} Hz, ", end.response, hertz_of(end));
+    text += fmt::format("; {}, {:.6g} Hz, ", at_response(end.response), hertz_of(end));
     if (!piece.returned) {
       text += "it was lost: " + piece.reason;
     } else if (const Piece* next = piece_with(end.response)) {
@@ -279,9 +288,8 @@ std::string ResonanceCurve::what_there_is() const {
   std::string text = mode + " exists only";
   for (const Piece& piece : pieces_) {
     if (&piece != &pieces_.front()) text += " and";
-    if (!piece.from_rest)
-      text += fmt::format(" from the response {:.6g}", lowest_of(piece).response);
-    text += fmt::format("{} to {:.6g}", piece.from_rest ? " up" : "", highest_of(piece).response);
+    if (!piece.from_rest) text += " from " + text_of(lowest_of(piece).response);
+    text += (piece.from_rest ? " up to " : " to ") + text_of(highest_of(piece).response);
   }
   return text;
 }

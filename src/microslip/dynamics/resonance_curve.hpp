@@ -57,6 +57,8 @@ class ResonanceCurve {
   [[nodiscard]] std::string why_not() const;
   [[nodiscard]] const Piece* piece_with(double response) const;
   [[nodiscard]] std::string what_there_is() const;
+  [[nodiscard]] std::string text_of(double response) const;
+  [[nodiscard]] std::string at_response(double response) const;
   [[nodiscard]] Progress ticking() const;
 
   const JointedStructure& structure_;

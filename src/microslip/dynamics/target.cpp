@@ -35,4 +35,15 @@ std::string describe(const Target& target) {
   return fmt::format("response {:.9g}", target.value);
 }
 
+std::string_view unit_of(ResponseKind kind) {
+  switch (kind) {
+    case ResponseKind::kVelocity:
+      return "m/s";
+    case ResponseKind::kAcceleration:
+      return "m/s^2";
+    default:
+      return "m";
+  }
+}
+
 }  // namespace microslip

@@ -58,6 +58,9 @@ enum class ResponseKind {
 
 #pragma GCC diagnostic pop
 
+/// "m", "m/s", "m/s^2".
+[[nodiscard]] std::string_view unit_of(ResponseKind kind);
+
 /// Where the response is measured.
 struct ResponsePoint {
   std::string point;                                ///< of the modal model

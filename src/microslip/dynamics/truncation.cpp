@@ -102,6 +102,7 @@ std::optional<Truncation> judge_truncation(const HarmonicBalance& balance,
   if (curve.points.empty() || balance.structure().joints().empty()) return std::nullopt;
   Truncation truncation;
   truncation.harmonics = 2 * balance.options().harmonics + 1;
+  truncation.response_unit = unit_of(balance.response().kind);
   const HarmonicBalance fine = finer(balance, truncation.harmonics);
   for (const SteadyVibration* point : telling(curve)) {
     const VibrationResult result = again(fine, *point, kept);
@@ -121,11 +122,11 @@ std::optional<Warning> truncation_warning(const Truncation& truncation) {
         "truncated",
         fmt::format(
             "with {0} harmonics the dissipation of '{1}' changes by {2:.2g} %, the level by "
-            "{3:.2g} % and the frequency by {4:.2g} %, most at the response {5:.4g}, "
+            "{3:.2g} % and the frequency by {4:.2g} %, most at the response {5:.4g} {7}, "
             "{6:.6g} Hz: take {0} harmonics",
             truncation.harmonics, truncation.joint, 100.0 * truncation.dissipation,
             100.0 * truncation.level, 100.0 * truncation.frequency, truncation.worst_response,
-            truncation.worst_frequency)};
+            truncation.worst_frequency, truncation.response_unit)};
   }
   if (truncation.unsolved) {
     return Warning{"truncation_unknown",

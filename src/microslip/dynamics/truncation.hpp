@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "microslip/base/summary.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
@@ -21,9 +22,10 @@ struct Truncation {
   std::string joint;             ///< whose
   double level = 0.0;            ///< of the response, or, where that is kept, of the force
   double frequency = 0.0;        ///< of the vibration
-  double worst_response = 0.0;   ///< where `dissipation` is, in the kind of the response point
+  double worst_response = 0.0;   ///< where `dissipation` is, in `response_unit`
   double worst_frequency = 0.0;  ///< likewise, Hz
-  std::optional<std::string> unsolved;  ///< why a point was not solved again; the last such
+  std::string_view response_unit = "m";  ///< of the response point
+  std::optional<std::string> unsolved;   ///< why a point was not solved again; the last such
 
   /// The largest of the three changes.
   [[nodiscard]] double largest() const;
