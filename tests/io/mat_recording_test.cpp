@@ -183,11 +183,12 @@ TEST_F(MatRecording, TakesTheUnitsOfAList) {
   const std::vector<Case> cases{
       {"ms, N, g, g", 1e-3, kForce, kAcceleration, 9.80665},    // for each array
       {"N, g, g", 1.0, kForce, kAcceleration, 9.80665},         // for each channel
-      {"ms; m/s^2", 1e-3, kAcceleration, kAcceleration, 1.0},   // for the axis and all channels
-      {"mm/s^2", 1.0, kAcceleration, kAcceleration, 1e-3},      // for all channels
       {"g, N", 1.0, kForce, kAcceleration, 9.80665},            // by what the names tell
       {"s, g, N, V, Pa", 1.0, kForce, kAcceleration, 9.80665},  // the same
-      {"N, kN", 1.0, std::nullopt, std::nullopt, 1.0},          // which?
+      {"ms, N, g", 1e-3, kForce, kAcceleration, 9.80665},  // as many as channels, yet with a time
+      {"N, kN", 1.0, std::nullopt, std::nullopt, 1.0},     // which?
+      {"ms, g", 1.0, std::nullopt, std::nullopt, 1.0},     // not for a force
+      {"g", 1.0, std::nullopt, std::nullopt, 1.0},         // likewise
   };
   for (const Case& c : cases) {
     SCOPED_TRACE(c.units);
@@ -206,6 +207,27 @@ TEST_F(MatRecording, TakesTheUnitsOfAList) {
     EXPECT_EQ(recording.channel("acc1").values[0], c.first);
     ASSERT_EQ(read.warnings.size(), c.acc ? 0U : 1U);
     for (const Warning& warning : read.warnings) EXPECT_EQ(warning.code, "units_not_assigned");
+  }
+}
+
+TEST_F(MatRecording, TakesTheUnitsOfAListWhateverTheNumberOfChannels) {
+  const std::vector<const char*> names{"acc1", "acc2", "acc3", "acc4"};
+  for (std::size_t channels = 1; channels <= names.size(); ++channels) {
+    for (const char* units : {"ms, g", "ms; g", "g"}) {
+      SCOPED_TRACE(std::string(units) + " for " + std::to_string(channels));
+      StructFile file;
+      file.add("units", units);
+      file.add("time", {0.0, 1.0, 2.0});
+      for (std::size_t i = 0; i < channels; ++i) file.add(names[i], {1.0, 2.0, 3.0});
+      const Recordings read = file.read(path_);
+      const Recording& recording = read.recordings.at(0);
+      EXPECT_TRUE(read.warnings.empty());
+      EXPECT_DOUBLE_EQ(recording.axis.step, *units == 'm' ? 1e-3 : 1.0);
+      for (const Channel& channel : recording.channels) {
+        EXPECT_EQ(channel.dimension, kAcceleration) << channel.name;
+        EXPECT_EQ(channel.values[0], 9.80665) << channel.name;
+      }
+    }
   }
 }
 

@@ -37,7 +37,19 @@ const std::string* only_of(const Texts& list, const Dimension& dimension) {
   return only;
 }
 
-/// Hands out the units of a list, see the rule in the header.
+/// Whether the file may mean this unit by that of the array. The name of a channel contradicts where it
+/// is a word for another quantity; x may be the direction of an acceleration as well.
+bool fits(const UnitOfArray& array, const std::string& unit) {
+  if (array.channels == 0) return is_of_axis(unit);
+  const std::optional<Unit> found = find_unit(unit);
+  const std::optional<Dimension> named =
+      array.name.size() > 2 ? quantity_of_name(array.name) : std::nullopt;
+  if (found && named) return found->dimension == *named;
+  return !is_of_axis(unit);
+}
+
+/// Hands out the units of a list, see the rule in the header. Each way is taken whole, where every unit
+/// of it fits, or not at all.
 class UnitList {
  public:
   UnitList(const Texts& list, std::vector<UnitOfArray>& arrays) : list_(list), arrays_(arrays) {
@@ -49,58 +61,83 @@ class UnitList {
 
   bool assign() {
     const std::size_t count = list_.size();
-    const bool axis_first = has_axis_ && is_of_axis(list_.front());
-    if (count == 1) return give_all(list_.front()), true;
-    if (count == arrays_.size()) return give_arrays(), true;
-    if (count == channels_) return give_channels(0), true;
-    if (axis_first && count == channels_ + 1) return give_channels(1), true;
-    if (axis_first && count == 2) return give_all(list_[1]), true;
-    return give_by_name();
+    const std::size_t axis = has_axis_ && count > 1 && is_of_axis(list_.front()) ? 1 : 0;
+    if (count == arrays_.size() && give_arrays()) return true;
+    if (count == axis + channels_ && give_channels(axis)) return true;
+    if (count == axis + 1 && give_all(axis)) return true;
+    return give_by_name(axis);
   }
 
  private:
-  static void give(std::string& to, const std::string& unit) {
-    if (to.empty()) to = unit;
-  }
+  /// What an array would get.
+  struct Gift {
+    UnitOfArray* array;
+    Texts units;  ///< one for all of its channels, or one for each
+  };
 
-  void give_axis() {
-    for (UnitOfArray& array : arrays_) {
-      if (array.channels == 0 && list_.size() > 1 && is_of_axis(list_.front())) {
-        give(array.unit, list_.front());
+  /// False where a unit does not fit.
+  static bool give(const std::vector<Gift>& gifts) {
+    for (const auto& [array, units] : gifts) {
+      for (const std::string& unit : units) {
+        if (array->unit.empty() && !fits(*array, unit)) return false;
       }
     }
-  }
-
-  void give_all(const std::string& unit) {
-    give_axis();
-    for (UnitOfArray& array : arrays_) {
-      if (array.channels > 0) give(array.unit, unit);
+    for (const auto& [array, units] : gifts) {
+      if (!array->unit.empty()) continue;
+      if (units.size() == 1) {
+        array->unit = units.front();
+      } else {
+        array->of_channels = units;
+      }
     }
+    return !gifts.empty();
   }
 
-  void give_arrays() {
-    for (std::size_t i = 0; i < arrays_.size(); ++i) give(arrays_[i].unit, list_[i]);
-  }
-
-  void give_channels(std::size_t first) {
-    if (first > 0) give_axis();
+  /// The first unit for the axis, where it is meant to be (`axis` is 1).
+  [[nodiscard]] std::vector<Gift> of_axis(std::size_t axis) {
+    std::vector<Gift> gifts;
     for (UnitOfArray& array : arrays_) {
-      for (std::size_t i = 0; i < array.channels; ++i) array.of_channels.push_back(list_[first++]);
+      if (array.channels == 0 && axis > 0) gifts.push_back({&array, {list_.front()}});
     }
+    return gifts;
   }
 
-  bool give_by_name() {
-    std::vector<std::pair<UnitOfArray*, const std::string*>> found;
+  bool give_arrays() {
+    std::vector<Gift> gifts;
+    for (std::size_t i = 0; i < arrays_.size(); ++i) gifts.push_back({&arrays_[i], {list_[i]}});
+    return give(gifts);
+  }
+
+  bool give_channels(std::size_t axis) {
+    std::vector<Gift> gifts = of_axis(axis);
+    auto next = list_.begin() + static_cast<std::ptrdiff_t>(axis);
+    for (UnitOfArray& array : arrays_) {
+      if (array.channels == 0) continue;
+      const auto end = next + static_cast<std::ptrdiff_t>(array.channels);
+      gifts.push_back({&array, Texts(next, end)});
+      next = end;
+    }
+    return give(gifts);
+  }
+
+  bool give_all(std::size_t axis) {
+    std::vector<Gift> gifts = of_axis(axis);
+    for (UnitOfArray& array : arrays_) {
+      if (array.channels > 0) gifts.push_back({&array, {list_.back()}});
+    }
+    return give(gifts);
+  }
+
+  bool give_by_name(std::size_t axis) {
+    std::vector<Gift> gifts = of_axis(axis);
     for (UnitOfArray& array : arrays_) {
       if (array.channels == 0) continue;
       const std::optional<Dimension> dimension = quantity_of_name(array.name);
       const std::string* unit = dimension ? only_of(list_, *dimension) : nullptr;
       if (unit == nullptr) return false;
-      found.emplace_back(&array, unit);
+      gifts.push_back({&array, {*unit}});
     }
-    give_axis();
-    for (auto& [array, unit] : found) give(array->unit, *unit);
-    return !found.empty();
+    return give(gifts);
   }
 
   const Texts& list_;
