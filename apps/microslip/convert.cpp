@@ -59,12 +59,29 @@ void choose_channels(const ConvertOptions& options, Recording& recording) {
   recording.channels = std::move(chosen);
 }
 
+/// Without the file or the line, before the first colon, that it is about.
+std::string_view matter_of(std::string_view text) {
+  const std::size_t place = text.find(": ");
+  return place == std::string_view::npos ? text : text.substr(place);
+}
+
+/// Whether an earlier conversion has said it, then of another file.
+bool says(const Recording& recording, const Warning& warning) {
+  return std::ranges::any_of(recording.attributes, [&](const auto& attribute) {
+    const std::string_view said = attribute.second;
+    return attribute.first == "warning" && said.starts_with(warning.code + ": ") &&
+           said.ends_with(matter_of(warning.text));
+  });
+}
+
 /// What the reader had to forgive belongs to what is written too. A universal file has no place for it.
 void add_warning_attributes(const std::vector<Warning>& warnings,
                             std::vector<Recording>& recordings) {
   for (Recording& recording : recordings) {
     for (const Warning& warning : warnings) {
-      recording.attributes.emplace_back("warning", warning.text);
+      if (says(recording, warning)) continue;
+      recording.attributes.emplace_back("warning",
+                                        fmt::format("{}: {}", warning.code, warning.text));
     }
   }
 }

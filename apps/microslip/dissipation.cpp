@@ -50,7 +50,7 @@ CsvWriter table_of(const JointFile& file, const std::vector<double>& amplitude) 
   table.add_numbers("dissipation", kEnergy, energy);
   table.add_numbers("secant_stiffness", kStiffness, secant);
   table.add_numbers("loss_factor", kDimensionless, loss);
-  if (beta > 0.0) table.add_numbers("linear_dissipation", kEnergy, linear);
+  if (beta > 0.0) table.add_numbers("joint_linear_dissipation", kEnergy, linear);
   return table;
 }
 
@@ -85,11 +85,12 @@ void add_dissipation(CLI::App& program, Call& call) {
                    "FROM:TO:COUNT[:log], in m or with units; :log for equal ratios")
       ->required();
   command
-      ->add_option("--out", options->out,
-                   "CSV to write: amplitude [m], force [N], dissipation [J], "
-                   "secant_stiffness [N/m], loss_factor [1], and linear_dissipation [J], the part "
-                   "of the dissipation that is no slip, where the joint was identified with linear "
-                   "damping; - is standard output")
+      ->add_option(
+          "--out", options->out,
+          "CSV to write: amplitude [m], force [N], dissipation [J], "
+          "secant_stiffness [N/m], loss_factor [1], and joint_linear_dissipation [J], the part "
+          "of the dissipation that is no slip, where the joint was identified with linear "
+          "damping; - is standard output")
       ->required()
       ->type_name(kCsvValue);
   command->add_flag("--quiet", call.quiet, "No warnings on the screen; the file has them");

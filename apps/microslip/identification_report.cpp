@@ -55,7 +55,7 @@ std::string describe_frequencies(const Identification& found) {
   return line("frequencies",
               fmt::format("explained to ± {:.2g} Hz by a share of {:.2f} of the softening",
                           frequency.uncertainty, frequency.share)) +
-         line("", fmt::format("(to {:.2g} Hz by all of it, as of an equivalent joint)",
+         line("", fmt::format("(to {:.2g} Hz if the joint were all of the stiffness)",
                               frequency.equivalent_joint_error));
 }
 

@@ -167,11 +167,25 @@ TEST(Convert, TakesWhatIsThereOfAFileThatWasCut) {
   expect_refused(box, {"convert", "cut.csv", "new.csv"}, {"cut.csv:4:1", "--allow-truncated"});
   const Outcome run = box.run({"convert", "cut.csv", "-", "--allow-truncated"});
   EXPECT_EQ(run.status, 0);
-  EXPECT_TRUE(run.out.starts_with("# warning: cut.csv:4: the last row")) << run.out;
+  EXPECT_TRUE(run.out.starts_with("# warning: last_row_dropped: cut.csv:4: the last row"))
+      << run.out;
   EXPECT_TRUE(run.out.ends_with("\ntime [s],a [N]\n0,1\n1,2\n")) << run.out;
   EXPECT_NE(run.err.find("microslip: warning: cut.csv:4: the last row"), std::string::npos);
   EXPECT_EQ(expect_done(box, {"convert", "cut.csv", "-", "--allow-truncated", "--quiet"}).out,
             run.out);
+}
+
+TEST(Convert, SaysAWarningOnceHoweverOftenAFileIsConverted) {
+  const Sandbox box{{"a.csv", "time [s],x [m]\n0,1\n1,50\n2,2\n3,-50\n"}};
+  const std::vector<std::string> names{"a.csv", "b.csv", "c.csv", "d.mat", "e.h5", "f.csv"};
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    const Outcome run = box.run({"convert", names[i - 1], names[i], "--quiet"});
+    EXPECT_EQ(run.status, 0) << run.err;
+  }
+  const std::string text = box.get("f.csv");
+  const std::size_t first = text.find("# warning: implausible_value: a.csv: channel 'x'");
+  ASSERT_NE(first, std::string::npos) << text;
+  EXPECT_EQ(text.find("# warning", first + 1), std::string::npos) << text;
 }
 
 TEST(Convert, RefusesCallsThatMeanNothing) {

@@ -180,7 +180,7 @@ TEST(linear_damping, IsAColumnBesideTheDissipation) {
     EXPECT_LT(linear[i], all[i]);
   }
   const std::vector<double> x = curve.numbers("amplitude", kLength);
-  const std::vector<double> part = curve.numbers("linear_dissipation", kEnergy);
+  const std::vector<double> part = curve.numbers("joint_linear_dissipation", kEnergy);
   for (std::size_t i = 0; i < x.size(); ++i) {
     EXPECT_NEAR(part[i], 8500.0 * x[i] * x[i], 1e-12 * part[i]);
   }

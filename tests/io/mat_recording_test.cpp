@@ -231,6 +231,16 @@ TEST_F(MatRecording, TakesTheUnitsOfAListWhateverTheNumberOfChannels) {
   }
 }
 
+TEST_F(MatRecording, NamesTheFileOfABadValueOnce) {
+  StructFile file;
+  file.add("time", {0.0, 1.0, 2.0});
+  file.add("acc1", {1.0, std::nan(""), 3.0});
+  file.add("units", "s, m/s^2");
+  EXPECT_EQ(
+      message_of<InputError>([&] { return file.read(path_); }),
+      path_ + ": channel 'acc1', point 2 = nan; must be finite. Cut the record where it is whole.");
+}
+
 TEST_F(MatRecording, TakesTheUnitBesideAnArray) {
   StructFile file;
   file.add("time", {0.0, 1.0, 2.0});

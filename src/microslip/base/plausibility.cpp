@@ -30,8 +30,8 @@ std::optional<Warning> implausible_value(std::string_view what, const Dimension&
   const auto* bound = std::ranges::find(kBounds, dimension, &Bound::dimension);
   if (bound == kBounds.end() || !(amplitude > bound->largest)) return std::nullopt;
   return Warning{"implausible_value",
-                 fmt::format("{}: a {} of {:.3g} {}; no structure survives more than {:.3g} {}. Is "
-                             "a unit wrong, of the file or of --assume-units?",
+                 fmt::format("{}: {} of {:.3g} {}; no structure survives more than {:.3g} {}. Is "
+                             "the unit wrong?",
                              what, bound->quantity, amplitude, si_unit(dimension), bound->largest,
                              si_unit(dimension))};
 }

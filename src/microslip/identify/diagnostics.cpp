@@ -345,7 +345,7 @@ std::vector<Warning> diagnose(const InversionResult& result, const InversionOpti
              "{} of {} inner solutions did not converge: those that the choice of the "
              "smoothing, the search of an atom and the warnings of a negative density or of "
              "too much area rest on. Do not rely on these; another number of levels or "
-             "--smoothing lambda=X may serve.",
+             "a smoothing parameter of your own may serve.",
              result.inner_not_converged, result.inner_solutions)});
   }
   if (options.atom && !result.atom_slip_force) {
@@ -360,7 +360,7 @@ std::vector<Warning> diagnose(const DensityBands& bands) {
   if (bands.not_converged == 0) return {};
   return {{"bands_not_converged",
            fmt::format("{} of {} samples of the band did not converge; it holds them as they are. "
-                       "Take it as a rough one, and try another --smoothing or number of levels.",
+                       "Take it as a rough one, and try another smoothing or number of levels.",
                        bands.not_converged, bands.samples)}};
 }
 

@@ -138,7 +138,12 @@ void check_read(const Recording& recording, const std::string& place) {
   try {
     check_recording(recording);
   } catch (const InputError& error) {
-    throw error.renamed(fmt::format("{}: {}", place, in_quotes(error.name(), 120)));
+    std::string_view name = error.name();  // begins with the source, which may be any text
+    if (name.starts_with(recording.source)) name.remove_prefix(recording.source.size());
+    if (name.starts_with(": ")) name.remove_prefix(2);
+    constexpr std::size_t kLong = 120;
+    throw error.renamed(fmt::format(
+        "{}: {}", place, name.size() > kLong ? in_quotes(name, kLong) : printable(name)));
   }
 }
 
