@@ -109,6 +109,10 @@ std::string atom_levels() {
   return text;
 }
 
+/// What predictions use of an identification.
+constexpr const char* kIdentification =
+    "],\n\"identification\": {\"linear_damping_J_per_m2\": 2000.0, \"covered_to_N\": 50.0}\n}";
+
 /// The first column of a table and its second, with what is made of it and of that of another.
 template <class F>
 std::string combined(const std::string& table, const std::string& other, const char* header,
@@ -157,6 +161,11 @@ const Files& inputs() {
     all["decay.csv"] = sample_decay_text();
     all["noise.csv"] = "time [s], nothing [V]\n0,1\n1,2\n2,3\n";
     all["other_force.csv"] = "time [s],force [N]\n0,0\n0.01,50\n0.02,0\n";
+    all["damped.json"] =
+        edited(all.at("joint.json"), std::string("]\n}") + " -> " + kIdentification);
+    all["damped_rig.toml"] = edited(all.at("rig.toml"), "joint.json -> damped.json");
+    all["damped_model.toml"] = edited(edited(all.at("model.toml"), "four.json -> damped.json"),
+                                      "linear_damping_J_per_m2 -> # J/m2");
     all["joint400.json"] = edited(all.at("joint.json"), "1.7e5 -> 4e5");
     all["modes400.toml"] = edited(all.at("modes.toml"), "5.08e5 -> 4e5");
     all["atom_levels.csv"] = atom_levels();
@@ -320,6 +329,12 @@ TEST(EffectsTable, HasEveryKeyOfTheDocumentedFiles) {
     for (const std::string& key : keys_in(files.at(name))) {
       EXPECT_TRUE(has_row(name, key)) << name << " " << key << kAddRow;
     }
+  }
+}
+
+TEST(EffectsTable, HasEveryKeyOfAnIdentificationThatIsUsed) {
+  for (const std::string& key : keys_in(std::string(kIdentification).substr(20))) {
+    EXPECT_TRUE(has_row("identification", key)) << key << kAddRow;
   }
 }
 
