@@ -247,8 +247,9 @@ void add_levels_flags(const LevelsFile& file, std::vector<Warning>& warnings) {
                         file.levels.size());
   }
   if (text.empty()) return;
-  warnings.push_back({"levels_flagged",
-                      "levels carry flags: " + text + "; `microslip reduce` says what they mean."});
+  warnings.push_back(
+      {"levels_flagged", "levels carry flags: " + text +
+                             "; the summary of the command that wrote them says what they mean."});
 }
 
 /// The options were checked before: what is left to complain of are the levels.

@@ -14,7 +14,7 @@ TEST(Plausibility, WarnsOfWhatNoStructureSurvives) {
   ASSERT_TRUE(warning);
   EXPECT_EQ(warning->code, "implausible_value");
   EXPECT_EQ(warning->text,
-            "a.csv: channel 'acc1': a displacement of 31 m; no structure survives more than 1 m. "
+            "a.csv: channel 'acc1': displacement of 31 m; no structure survives more than 1 m. "
             "Is the unit wrong?");
   EXPECT_TRUE(implausible_value("x", kEnergy, 4.1e6));
   EXPECT_TRUE(implausible_value("x", kAcceleration, 1.1e6));

@@ -46,6 +46,8 @@ std::vector<Case> known_units() {
       {"in·lbf", 4.4482216152605 * 0.0254, kEnergy},
       {"in*lbf", 4.4482216152605 * 0.0254, kEnergy},
       {"in-lbf", 4.4482216152605 * 0.0254, kEnergy},
+      {"m/s**2", 1.0, kAcceleration},
+      {"m/sec^2", 1.0, kAcceleration},
       {"lbf·in", 4.4482216152605 * 0.0254, kEnergy},
       {"kip", 4448.2216152605, kForce},
       {"klbf", 4448.2216152605, kForce},
@@ -120,7 +122,7 @@ TEST(Units, UnknownOnesAreRefused) {
   for (const char* text :
        {"",     " ",    "furlong", "hz",  "KN",    "kkg",  "mkg", "mmm", "/",
         "1/",   "/s",   "m^",      "m^0", "m^99",  "m--2", "m-",  "-m",  "in--lbf",
-        "kkip", "N//m", "m**2",    "12",  "\xB5m", "\xFF", "Mg",  "kin", "m^9999999999999999999"}) {
+        "kkip", "N//m", "m***2",   "12",  "\xB5m", "\xFF", "Mg",  "kin", "m^9999999999999999999"}) {
     EXPECT_FALSE(find_unit(text)) << text;
   }
   EXPECT_FALSE(find_unit(std::string(100000, 'm')));

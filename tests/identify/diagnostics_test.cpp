@@ -72,6 +72,51 @@ TEST(Diagnostics, OfLevelsAlone) {
   EXPECT_TRUE(has(diagnose(nine), "few_levels"));
 }
 
+/// Each amplitude once in each session.
+Levels sessions(const Joint& joint, const std::vector<double>& factors, double noise) {
+  Levels all;
+  for (std::size_t s = 0; s < factors.size(); ++s) {
+    Levels one = testing::levels_at(joint, testing::equal_steps(40));
+    testing::add_noise(one, noise, 100 + s);
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      all.amplitude.push_back(one.amplitude[i]);
+      all.dissipation.push_back(factors[s] * one.dissipation[i]);
+    }
+  }
+  return all;
+}
+
+// Two sessions 10 % above and below their mean: 10 % of scatter, of which the residual about the means
+// has nothing.
+TEST(Diagnostics, OfSessionsThatDiffer) {
+  const Levels levels = sessions(testing::reference_joint(), {0.9, 1.1}, 1e-3);
+  EXPECT_NE(text_of(diagnose(levels), "repeats_differ").find("differs by 14.1 %"),
+            std::string::npos)
+      << text_of(diagnose(levels), "repeats_differ");
+  const InversionResult result = invert(levels, options_for());
+  // Σ 2·0.1²·40 over as many degrees of freedom as the repeats and the residual have, 40 and 15 to 40.
+  EXPECT_GT(result.scatter, std::sqrt(0.8 / 80.0));
+  EXPECT_LT(result.scatter, std::sqrt(0.8 / 55.0));
+  for (const std::vector<double>& alike : {std::vector<double>{1.0}, {1.0, 1.0}, {1.0, 1.0, 1.0}}) {
+    const Levels repeated = sessions(testing::reference_joint(), alike, 0.02);
+    EXPECT_FALSE(has(diagnose(repeated), "repeats_differ"));
+    // Three deviations of a deviation from 25 degrees of freedom.
+    EXPECT_NEAR(invert(repeated, options_for()).scatter, 0.02, 3.0 / std::sqrt(2.0 * 25.0) * 0.02);
+  }
+}
+
+// A column of k_eq that nobody gave a deviation for: smooth, and half as soft as D says.
+TEST(Diagnostics, OfStiffnessThatContradictsDissipation) {
+  Levels levels = testing::noisy_levels(testing::reference_joint(), 7, 5e-3);
+  testing::add_secant(testing::reference_joint(), 0.0, 7, levels);
+  EXPECT_FALSE(has(warnings_of(levels, options_for()), "secant_contradicts"));
+  for (double& k : levels.secant_stiffness) k = 0.5 * (k + kStiffness);
+  EXPECT_TRUE(has(warnings_of(levels, options_for()), "secant_contradicts"));
+  levels.secant_stiffness.assign(levels.size(), kStiffness);
+  const std::string text = text_of(warnings_of(levels, options_for()), "secant_contradicts");
+  EXPECT_NE(text.find("worse known than 0.10 % of k"), std::string::npos) << text;
+}
+
 // Warnings that cry wolf are not read. 200 clean data sets, as they may come: any of the densities,
 // 20 to 200 levels in equal steps or ratios over 0.7 to 2.5 decades, 0.1 to 5 % of noise with its
 // size told or not, secant stiffness or not. One false alarm in 100 is allowed of the three that

@@ -37,6 +37,7 @@ constexpr std::array kSymbols{
     Symbol{"t", 1.0, 3, kMass, ""},
     Symbol{"lb", 0.45359237, 0, kMass, ""},
     Symbol{"s", 1.0, 0, kTime, "num"},
+    Symbol{"sec", 1.0, 0, kTime, ""},
     Symbol{"Hz", 1.0, 0, kFrequency, "mkMG"},
     Symbol{"rad", 1.0, 0, kAngle, "um"},
     Symbol{"deg", std::numbers::pi / 180.0, 0, kAngle, ""},
@@ -79,7 +80,7 @@ constexpr int kLargestPower = 9;
 
 /// One way to write each thing: both micro signs become u, raised digits become digits.
 std::string plain_ascii(std::string_view text) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kSpellings{{
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 13> kSpellings{{
       {"µ", "u"},  // U+00B5 micro sign
       {"μ", "u"},  // U+03BC Greek mu
       {"°", "deg"},
@@ -92,6 +93,7 @@ std::string plain_ascii(std::string_view text) {
       {"⁴", "4"},
       {"−", "-"},
       {"\t", " "},
+      {"**", "^"},
   }};
   std::string result;
   while (!text.empty()) {

@@ -16,6 +16,8 @@
 #include "microslip/base/percent.hpp"
 #include "microslip/base/plausibility.hpp"
 #include "microslip/identify/check_result.hpp"
+#include "microslip/identify/inversion_model.hpp"
+#include "microslip/identify/noise.hpp"
 #include "microslip/identify/stiffness_evidence.hpp"
 
 namespace microslip {
@@ -28,6 +30,8 @@ constexpr double kMostExtrapolated = 0.25;
 constexpr double kMostDampingShare = 0.5;
 constexpr double kLargeScatter = 0.2;  // relative
 constexpr double kBendScore = -4.0;
+constexpr double kRepeatsDiffer = 4.0;         // times the scatter from amplitude to amplitude
+constexpr double kLeastDifference = 0.01;      // relative to D
 constexpr double kLeastSlip = 0.01;            // area
 constexpr double kNarrowRange = 1.5;           // highest over lowest amplitude
 constexpr double kDampingRange = 2.0;          // the same, from which A² and A³ are told apart
@@ -115,6 +119,49 @@ void diagnose_scatter(const InversionResult& result, std::vector<Warning>& warni
                                     "standard deviation says. The bands follow the scatter found.",
                                     scatter)});
   }
+}
+
+/// Of log D about a smooth curve; nothing where there are too few levels, or some without D.
+std::optional<double> scatter_of_curve(const Levels& levels) {
+  const auto is_positive = [](double d) { return d > 0.0; };
+  if (levels.size() < 5 || !std::ranges::all_of(levels.dissipation, is_positive)) {
+    return std::nullopt;
+  }
+  std::vector<double> x(levels.amplitude);
+  std::vector<double> y(levels.dissipation);
+  for (double& value : x) value = std::log(value);
+  for (double& value : y) value = std::log(value);
+  return scatter_about_neighbours(x, y);
+}
+
+/// Sessions that differ as a whole: each is a smooth curve, and so is their mean.
+void diagnose_repeats(const MergedLevels& merged, std::vector<Warning>& warnings) {
+  const std::optional<double> repeats = merged.repeat_scatter();
+  const std::optional<double> curve = scatter_of_curve(merged.levels);
+  if (!repeats || !curve) return;
+  if (*repeats < std::max(kLeastDifference, kRepeatsDiffer * *curve)) return;
+  warnings.push_back(
+      {"repeats_differ",
+       fmt::format("D of levels repeated at one amplitude differs by {} ({} from amplitude to "
+                   "amplitude): the joint changed between the sessions. The bands count it as "
+                   "independent scatter, which it is not; identify each session by itself and "
+                   "compare.",
+                   percent_text(*repeats), percent_text(*curve))});
+}
+
+/// A density has to serve both; where D by itself is smooth, k_eq is what bends the fit of it.
+void diagnose_contradiction(const InversionResult& result, std::vector<Warning>& warnings) {
+  if (result.fitted_secant_stiffness.empty() || !result.scatter_is_relative) return;
+  const std::optional<double> curve = scatter_of_curve(result.levels);
+  const double missed = result.dissipation_scatter;
+  if (!curve || missed < std::max(kLeastDifference, kRepeatsDiffer * *curve)) return;
+  warnings.push_back(
+      {"secant_contradicts",
+       fmt::format("The density that serves D and the secant stiffnesses misses D by {}, though D "
+                   "scatters by {} only: k_eq does not soften as D says. Give "
+                   "secant_stiffness_std if k_eq is worse known than {} of k, or leave it out.",
+                   percent_text(missed), percent_text(*curve),
+                   percent_text(kLeastSofteningScatter))});
 }
 
 /// An error of k moves all k_eq alike, and the resonances with them.
@@ -302,6 +349,7 @@ std::vector<Warning> diagnose(const Levels& levels) {
   diagnose_exponent(merged.levels, warnings);
   diagnose_zero_std("dissipation_std", levels.dissipation_std, warnings);
   diagnose_zero_std("secant_stiffness_std", levels.secant_stiffness_std, warnings);
+  diagnose_repeats(merged, warnings);
   if (!levels.amplitude_std.empty() && levels.dissipation_std.empty()) {
     warnings.push_back(
         {"std_ignored",
@@ -337,6 +385,7 @@ std::vector<Warning> diagnose(const InversionResult& result, const InversionOpti
   }
   diagnose_stiffness(result, options.stiffness, warnings);
   diagnose_scatter(result, warnings);
+  diagnose_contradiction(result, warnings);
   diagnose_ends(result, options, warnings);
   if (result.inner_not_converged > 0) {
     warnings.push_back(

@@ -14,6 +14,7 @@ namespace microslip {
 ///   * `few_levels`          fewer than 10 different amplitudes;
 ///   * `narrow_range`        the highest amplitude is below 1.5 times the lowest;
 ///   * `amplitudes_merged`   equal amplitudes became one level each;
+///   * `repeats_differ`      D of equal amplitudes differs far more than its mean does from a smooth curve;
 ///   * `exponent_below_two`  D grows less than A² in the lower half of the range and in all of it;
 ///   * `std_ignored`         a standard deviation of zero somewhere, so none of that column is used; or
 ///                           deviations of A without those of D;
@@ -24,6 +25,7 @@ namespace microslip {
 ///   * `density_negative`        without the limit φ would be significantly negative [AR14 Fig. B1];
 ///   * `data_not_convex`         three neighbouring levels bend D the wrong way, beyond their scatter;
 ///   * `stiffness_inconsistent`  the area would exceed 1: more stiffness slips than k has;
+///   * `secant_contradicts`      k_eq, of unknown deviation, bends the fit off a D that is smooth by itself;
 ///   * `secant_inconsistent`     measured secant stiffnesses do not belong to D and k, see
 ///                               stiffness_evidence.hpp;
 ///   * `stiffness_unchecked`     less than 1 % of k slips, and no secant stiffness tells whether k is

@@ -112,7 +112,7 @@ Eigen::VectorXd penalty_weights(const Eigen::VectorXd& theta) {
   return (weight / std::exp(weight.log().mean())).matrix();
 }
 
-/// The scatter, in units of 1/W, that the residual of a solution tells.
+/// The scatter, in units of 1/W, that the residual of a solution and repeated levels tell.
 struct Scatter {
   double value;
   double degrees_of_freedom;
@@ -122,8 +122,9 @@ Scatter estimate_scatter(const InversionModel& model, double residual, double ed
   const double informative =
       std::max(static_cast<double>(model.problem().unpenalised()) + 1.0, model.informative_rows());
   const double rows = static_cast<double>(model.problem().rows());
-  const double freedom = informative - std::min({edf, 0.8 * informative, rows - 1.0});
-  return {std::sqrt(residual / freedom), freedom};
+  const double freedom =
+      informative - std::min({edf, 0.8 * informative, rows - 1.0}) + model.repeat_freedom();
+  return {std::sqrt((residual + model.repeat_residual()) / freedom), freedom};
 }
 
 /// The scatter of D and of k_eq, each over that of both: what one kind of rows leaves, with the
@@ -137,16 +138,17 @@ void tell_kinds_apart(InversionModel& model, const ScaledLevels& levels) {
   const Eigen::VectorXd square = (problem.data() - problem.design() * point.solution.x).cwiseAbs2();
   const Eigen::VectorXd leverage = problem.leverage(point);
   const double both = std::max(model.scatter, 1e-150);  // levels of nothing leave none
-  const auto relative = [&](double residual, double edf, double rows) {
+  const auto relative = [&](double residual, double edf, double rows, double more_freedom) {
     const double informative = std::max(rows, 1.0);
-    const double freedom = informative - std::min(edf, 0.8 * informative);
+    const double freedom = informative - std::min(edf, 0.8 * informative) + more_freedom;
     return std::sqrt(residual / freedom) / both;
   };
   const double softening_rows = static_cast<double>(rest) - 1.0;  // less the offset
-  model.dissipation_scatter = relative(square.head(n).sum(), leverage.head(n).sum(),
-                                       model.informative_rows() - softening_rows);
+  model.dissipation_scatter =
+      relative(square.head(n).sum() + model.repeat_residual(), leverage.head(n).sum(),
+               model.informative_rows() - softening_rows, model.repeat_freedom());
   model.softening_scatter =
-      relative(square.tail(rest).sum(), leverage.tail(rest).sum(), softening_rows);
+      relative(square.tail(rest).sum(), leverage.tail(rest).sum(), softening_rows, 0.0);
   model.least_softening_scatter = levels.softening_std_given ? 1.0 / both : 0.0;
 }
 

@@ -119,7 +119,8 @@ inline constexpr std::size_t kFewestLevels = 4;
 /// θ, weaker where a first pass found little density, so that empty ranges stay empty and peaks are not
 /// flattened. Secant stiffnesses add rows of the same θ,
 /// each less the weighted mean of them all: their change over the amplitude is used, their absolute level
-/// is not, as it stands and falls with k.
+/// is not, as it stands and falls with k. Where no standard deviation of k_eq is given it is estimated,
+/// as 0.1 % of k at least. What levels of equal amplitude differ by counts as scatter.
 ///
 /// @param levels   at least kFewestLevels different amplitudes, in any order; equal ones are
 ///                 merged.

@@ -58,6 +58,7 @@ ScaledLevels::ScaledLevels(const MergedLevels& merged, double k)
   for (Eigen::Index i = 0; i < repeats.size(); ++i) {
     repeats(i) = static_cast<double>(merged.count[static_cast<std::size_t>(i)]);
   }
+  spread = vector_of(merged.dissipation_spread) / (energy * energy);
   if (all_positive(levels.dissipation_std)) {
     const Eigen::VectorXd given = vector_of(levels.dissipation_std) / energy;
     dissipation_std = floored_deviations(given, dissipation, floor);
@@ -75,7 +76,8 @@ ScaledLevels::ScaledLevels(const MergedLevels& merged, double k)
   if (softening_std_given) {
     softening_std = vector_of(levels.secant_stiffness_std) / k;
   } else {
-    softening_std.setConstant(amplitude.size(), scatter(amplitude, softening));
+    softening_std.setConstant(amplitude.size(),
+                              std::max(kLeastSofteningScatter, scatter(amplitude, softening)));
     softening_std.array() /= repeats.array().sqrt();
   }
   if (!deviations_given()) {
@@ -97,6 +99,7 @@ struct InversionModel::Columns {
   Eigen::VectorXd weights;       // D rows, then k_eq rows
   Eigen::VectorXd offset_share;  // of each k_eq row in their weighted mean
   double informative_rows = 0.0;
+  double repeat_residual = 0.0;
 
   Columns(const ScaledLevels& levels, const PassOptions& options, const InversionBasis& basis);
 
@@ -122,6 +125,8 @@ void InversionModel::Columns::set_weights(const ScaledLevels& levels, const Pass
     deviation = levels.relative_std * fit / levels.repeats.array().sqrt();
     informative_rows = (levels.dissipation.array() / fit).square().min(1.0).sum();
   }
+  // A single level has the deviation of their mean times √repeats.
+  repeat_residual = (levels.spread.array() / (deviation.square() * levels.repeats.array())).sum();
   weights.resize(deviation.size() + levels.softening.size());
   weights.head(deviation.size()) = deviation.inverse();
   weights.tail(levels.softening.size()) = levels.softening_std.cwiseInverse();
@@ -206,6 +211,8 @@ InversionModel::InversionModel(const ScaledLevels& levels, const InversionBasis&
       softening_(columns.softening),
       dissipation_weights_(columns.weights.head(columns.dissipation.rows())),
       informative_rows_(columns.informative_rows),
+      repeat_residual_(columns.repeat_residual),
+      repeat_freedom_(levels.repeats.sum() - static_cast<double>(levels.repeats.size())),
       problem_([&] {
         const Eigen::Index d_rows = columns.dissipation.rows();
         Eigen::MatrixXd design(columns.weights.size(), columns.dissipation.cols());

@@ -16,6 +16,10 @@
 
 namespace microslip {
 
+/// Of k, what k_eq is known to at best where nobody says it: a smooth column of k_eq is no proof of
+/// an exact one, and would outweigh all of D.
+inline constexpr double kLeastSofteningScatter = 1e-3;
+
 /// The levels in the variables of InversionBasis.
 struct ScaledLevels {
   /// @param merged     sorted, without equal amplitudes.
@@ -29,6 +33,7 @@ struct ScaledLevels {
   Eigen::VectorXd dissipation;  ///< d
   Eigen::VectorXd floor;        ///< a d below this does not get a larger weight
   Eigen::VectorXd repeats;      ///< levels merged into one
+  Eigen::VectorXd spread;       ///< Σ(d_i − d)² of these
   Eigen::VectorXd softening;    ///< 1 − k_eq/k; empty where not measured
   Eigen::VectorXd softening_std;
   bool softening_std_given = false;
@@ -63,6 +68,11 @@ class InversionModel {
 
   /// Rows that carry information: levels at the floor of the weights do not.
   [[nodiscard]] double informative_rows() const { return informative_rows_; }
+
+  /// Weighted square of what repeated levels differ by, and the degrees of freedom that it tells of
+  /// their scatter: beside the residual, which sees their means alone.
+  [[nodiscard]] double repeat_residual() const { return repeat_residual_; }
+  [[nodiscard]] double repeat_freedom() const { return repeat_freedom_; }
 
   /// d of the levels from coefficients.
   [[nodiscard]] Eigen::VectorXd dissipation(const Eigen::VectorXd& x) const;
@@ -123,6 +133,8 @@ class InversionModel {
   Eigen::MatrixXd softening_;
   Eigen::VectorXd dissipation_weights_;
   double informative_rows_;
+  double repeat_residual_;
+  double repeat_freedom_;
   SmoothingProblem problem_;
 };
 

@@ -58,7 +58,26 @@ void merge_measured(const Column& values, const Column& deviations,
   if (!deviations.empty()) merged_deviations.push_back(std::sqrt(variance_sum) / weight_sum);
 }
 
+double spread_about(double mean, const Column& values, std::span<const std::size_t> group) {
+  double sum = 0.0;
+  for (const std::size_t i : group) sum += (values[i] - mean) * (values[i] - mean);
+  return group.size() > 1 ? sum : 0.0;
+}
+
 }  // namespace
+
+std::optional<double> MergedLevels::repeat_scatter() const {
+  double sum = 0.0;
+  std::size_t freedom = 0;
+  for (std::size_t i = 0; i < count.size(); ++i) {
+    const double mean = levels.dissipation[i];
+    if (count[i] == 1 || mean == 0.0) continue;
+    sum += dissipation_spread[i] / (mean * mean);
+    freedom += count[i] - 1;
+  }
+  if (freedom == 0) return std::nullopt;
+  return std::sqrt(sum / static_cast<double>(freedom));
+}
 
 void check_levels(const Levels& levels) {
   const std::size_t n = levels.size();
@@ -98,6 +117,8 @@ MergedLevels sort_and_merge(const Levels& levels) {
     Column none;
     merge_measured(levels.linear_dissipation, {}, group, out.linear_dissipation, none);
     merged.count.push_back(group.size());
+    merged.dissipation_spread.push_back(
+        spread_about(out.dissipation.back(), levels.dissipation, group));
     begin = end;
   }
   return merged;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace microslip {
@@ -36,6 +37,12 @@ void check_levels(const Levels& levels);
 struct MergedLevels {
   Levels levels;                   ///< sorted, no two of one amplitude
   std::vector<std::size_t> count;  ///< how many levels became this one
+  /// Σ(D_i − D)² of the levels that became this one about their mean D, J²: 0 where it was one.
+  std::vector<double> dissipation_spread;
+
+  /// Standard deviation of repeated levels about their mean over it, 1, from all of them together;
+  /// nothing where no level was repeated.
+  [[nodiscard]] std::optional<double> repeat_scatter() const;
 };
 /// See MergedLevels. @throws InputError  as check_levels().
 [[nodiscard]] MergedLevels sort_and_merge(const Levels& levels);
