@@ -170,11 +170,15 @@ std::string add_truncation(const HarmonicBalance& balance, Quantity kept, Respon
     curve.warnings.push_back(std::move(*warning));
   }
   if (truncation->points == 0) return "";
-  return line("harmonics above",
-              fmt::format("up to {}: {:.2g} % of a dissipation, {:.2g} % of the "
-                          "level, {} looked at",
-                          truncation->harmonics, 100.0 * truncation->dissipation,
-                          100.0 * truncation->level, counted(truncation->points, "point")));
+  const std::string left_out =
+      truncation->peaks_left_out == 0
+          ? ""
+          : fmt::format(", {} not", counted(truncation->peaks_left_out, "peak"));
+  return line("harmonics above", fmt::format("up to {}: {:.2g} % of a dissipation, {:.2g} % of the "
+                                             "level, {} looked at{}",
+                                             truncation->harmonics, 100.0 * truncation->dissipation,
+                                             100.0 * truncation->level,
+                                             counted(truncation->points, "point"), left_out));
 }
 
 std::string describe_warnings(const std::vector<Warning>& warnings) {

@@ -87,6 +87,72 @@ TEST(Truncation, IsNoneWhereNothingSlips) {
                    .has_value());
 }
 
+/// Superharmonic resonances of both modes, those of harmonics above 5 among them.
+HarmonicBalance with_many_peaks(std::size_t harmonics) {
+  constexpr double kHertz = 6.283185307179586;
+  const ModalModel linear({{kHertz * 10.0, 0.002}, {kHertz * 80.0, 0.002}, {kHertz * 400.0, 0.002}},
+                          {{"a", {1.0, -1.0, 1.0}}});
+  const Joint joint(1e5, SlipDensity({UniformPart{0.0, 50.0, 1.0}}));
+  return {JointedStructure(linear, {{"joint", joint, {1.0, 0.8, 0.6}}}, {{"a"}}),
+          {"a"},
+          {.harmonics = harmonics, .samples = 512}};
+}
+
+// Some peak far from the largest is wrong by more than all others: none is left out, none counts twice.
+TEST(Truncation, IsSeenAtEachPeak) {
+  constexpr double kHertz = 6.283185307179586;
+  const HarmonicBalance balance = with_many_peaks(5);
+  const HarmonicBalance fine = with_many_peaks(23);
+  const ResponseCurve curve = balance.frequency_response(20.0, kHertz * 1000.0, kHertz * 5.0);
+  ASSERT_GE(curve.peaks.size(), 6U);
+  double error = 0.0;
+  for (const SteadyVibration& peak : curve.peaks) {
+    SteadyVibration start = peak;
+    for (JointCycle& joint : start.joints) joint.displacement.resize(24);
+    const VibrationResult exact =
+        fine.solve({Quantity::kAngularFrequency, peak.angular_frequency},
+                   {Quantity::kForceAmplitude, peak.force_amplitude}, start);
+    ASSERT_TRUE(exact.summary.converged()) << exact.summary.full();
+    error = std::max(
+        error, std::abs(peak.joints[0].dissipation / exact.vibration.joints[0].dissipation - 1.0));
+  }
+  EXPECT_GT(error, 0.01);
+  const auto found = judge_truncation(balance, curve, Quantity::kForceAmplitude);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_GE(found->points, curve.peaks.size());
+  EXPECT_LE(found->points, curve.peaks.size() + 3);  // largest joint, damping, highest harmonics
+  EXPECT_EQ(found->peaks_left_out, 0U);
+  EXPECT_GE(found->dissipation, 0.8 * error);
+  ASSERT_TRUE(truncation_warning(*found).has_value());
+  EXPECT_EQ(truncation_warning(*found)->code, "truncated");
+}
+
+// What is one point is solved once: the only peak has the largest response and joint motion as well.
+TEST(Truncation, SolvesNoPointTwice) {
+  const HarmonicBalance balance = balance_with(3);
+  ResponseCurve curve = balance.frequency_response(0.1, 0.9, 1.2);
+  ASSERT_EQ(curve.peaks.size(), 1U);
+  curve.points = curve.peaks;
+  curve.peak_points = {0};
+  const auto found = judge_truncation(balance, curve, Quantity::kForceAmplitude);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->points, 1U);
+}
+
+TEST(Truncation, SaysHowManyPeaksWereLeftOut) {
+  const HarmonicBalance balance = balance_with(3);
+  ResponseCurve curve = balance.frequency_response(0.1, 0.9, 1.2);
+  ASSERT_GE(curve.points.size(), 30U);
+  curve.turning_points.clear();
+  curve.peak_points.clear();
+  for (std::size_t i = 0; i < 30; ++i) curve.peak_points.push_back(i);
+  const auto found = judge_truncation(balance, curve, Quantity::kForceAmplitude);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_GE(found->points, 20U);
+  EXPECT_GE(found->peaks_left_out, 30U - found->points);
+  EXPECT_LE(found->peaks_left_out, 10U);
+}
+
 TEST(Truncation, SaysWhereItCouldNotBeSeen) {
   Truncation truncation;
   truncation.harmonics = 11;

@@ -5,43 +5,84 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <numbers>
 #include <vector>
 
 namespace microslip {
 namespace {
 
-constexpr std::size_t kMostPoints = 5;
+constexpr std::size_t kMostPeaks = 20;
 constexpr double kSeenShare = 1e-3;  // of the energy lost: what less means nobody sees
 
 /// In resonance a lag says better than a frequency where a vibration is, which may move.
 bool in_resonance(const SteadyVibration& point) { return std::sin(point.phase_lag) > 0.5; }
 
-/// The most telling points, no two the same. Not those at which the curve turns back: what follows it
-/// does not determine them.
-std::vector<const SteadyVibration*> telling(const ResponseCurve& curve) {
-  std::vector<const SteadyVibration*> points;
-  for (std::size_t i = 0; i < curve.points.size(); ++i) {
-    if (std::ranges::find(curve.turning_points, i) != curve.turning_points.end()) continue;
-    points.push_back(&curve.points[i]);
+/// |F_n|/|F_1| of the two highest harmonics, of which symmetry may leave one out; largest of the joints.
+double top_harmonics(const SteadyVibration& point) {
+  double most = 0.0;
+  for (const JointCycle& joint : point.joints) {
+    const std::size_t count = joint.force.size();
+    for (std::size_t n = count < 4 ? 2 : count - 2; n < count; ++n) {
+      if (joint.force[1] == 0.0) continue;
+      most = std::max(most, std::abs(joint.force[n]) / std::abs(joint.force[1]));
+    }
   }
-  std::vector<const SteadyVibration*> result;
-  const auto add = [&](const SteadyVibration* point) {
-    const bool listed = std::ranges::find(result, point) != result.end();
-    if (!listed && result.size() < kMostPoints) result.push_back(point);
-  };
-  const auto add_largest = [&](const auto& value) {
-    const auto largest = std::ranges::max_element(
-        points, {}, [&](const SteadyVibration* point) { return value(*point); });
-    if (largest != points.end()) add(*largest);
-  };
-  add_largest([](const SteadyVibration& point) { return point.response; });
-  for (const SteadyVibration& peak : curve.peaks) add(&peak);
+  return most;
+}
+
+/// Which points of a curve are solved again.
+struct Telling {
+  std::vector<std::size_t> points;  ///< no two the same
+  std::size_t peaks_left_out = 0;
+};
+
+class Selection {
+ public:
+  explicit Selection(const ResponseCurve& curve) : curve_(curve) {}
+
+  void add(std::size_t i) {
+    if (!holds(i)) points_.push_back(i);
+  }
+
+  /// Not where the curve turns back: what is kept does not determine such a point.
+  template <typename Value>
+  void add_largest(const Value& value) {
+    std::optional<std::size_t> largest;
+    for (std::size_t i = 0; i < curve_.points.size(); ++i) {
+      if (std::ranges::find(curve_.turning_points, i) != curve_.turning_points.end()) continue;
+      if (!largest || value(curve_.points[i]) > value(curve_.points[*largest])) largest = i;
+    }
+    if (largest) add(*largest);
+  }
+
+  [[nodiscard]] bool holds(std::size_t i) const {
+    return std::ranges::find(points_, i) != points_.end();
+  }
+  [[nodiscard]] std::vector<std::size_t> points() const { return points_; }
+
+ private:
+  const ResponseCurve& curve_;
+  std::vector<std::size_t> points_;
+};
+
+Telling telling(const ResponseCurve& curve) {
+  Selection chosen(curve);
+  chosen.add_largest([](const SteadyVibration& point) { return point.response; });
   for (std::size_t j = 0; j < curve.points.front().joints.size(); ++j) {
-    add_largest([j](const SteadyVibration& point) { return point.joints[j].amplitude; });
+    chosen.add_largest([j](const SteadyVibration& point) { return point.joints[j].amplitude; });
   }
-  add_largest([](const SteadyVibration& point) { return point.damping_ratio(); });
-  return result;
+  chosen.add_largest([](const SteadyVibration& point) { return point.damping_ratio(); });
+  chosen.add_largest(top_harmonics);
+  std::vector<std::size_t> peaks;
+  std::ranges::copy_if(curve.peak_points, std::back_inserter(peaks),
+                       [&](std::size_t i) { return !chosen.holds(i); });
+  std::ranges::stable_sort(peaks, std::ranges::greater{},
+                           [&](std::size_t i) { return top_harmonics(curve.points[i]); });
+  const std::size_t count = std::min(peaks.size(), kMostPeaks);
+  for (std::size_t i = 0; i < count; ++i) chosen.add(peaks[i]);
+  return {chosen.points(), peaks.size() - count};
 }
 
 SteadyVibration padded(SteadyVibration vibration, std::size_t harmonics) {
@@ -104,11 +145,14 @@ std::optional<Truncation> judge_truncation(const HarmonicBalance& balance,
   truncation.harmonics = 2 * balance.options().harmonics + 1;
   truncation.response_unit = unit_of(balance.response().kind);
   const HarmonicBalance fine = finer(balance, truncation.harmonics);
-  for (const SteadyVibration* point : telling(curve)) {
-    const VibrationResult result = again(fine, *point, kept);
+  const Telling chosen = telling(curve);
+  truncation.peaks_left_out = chosen.peaks_left_out;
+  for (const std::size_t i : chosen.points) {
+    const SteadyVibration& point = curve.points[i];
+    const VibrationResult result = again(fine, point, kept);
     if (result.summary.converged()) {
       ++truncation.points;
-      compare(*point, result.vibration, kept, truncation);
+      compare(point, result.vibration, kept, truncation);
     } else {
       truncation.unsolved = result.summary.reason;
     }
