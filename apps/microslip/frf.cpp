@@ -55,15 +55,6 @@ double parse_accuracy(const std::string& text) {
                    "0.05% draws twice as many points as 0.2%.");
 }
 
-/// ω that is this frequency again when written in Hz, where rounding has one.
-double angular(double frequency) {
-  const double omega = kTwoPi * frequency;
-  for (const double near : {omega, std::nextafter(omega, HUGE_VAL), std::nextafter(omega, 0.0)}) {
-    if (near / kTwoPi == frequency) return near;
-  }
-  return omega;
-}
-
 std::vector<double> parse_at(const std::string& text, std::pair<double, double> range) {
   std::vector<double> frequencies;
   if (text.empty()) return frequencies;
@@ -74,15 +65,15 @@ std::vector<double> parse_at(const std::string& text, std::pair<double, double> 
                        fmt::format("must lie in --frequency, {:g} to {:g} Hz", low, high),
                        "Widen the range, or leave this frequency out.");
     }
-    frequencies.push_back(angular(frequency));
+    frequencies.push_back(kTwoPi * frequency);
   }
   return frequencies;
 }
 
 ResponseCurve curve_of(const HarmonicBalance& balance, const FrfOptions& options,
                        std::pair<double, double> range, bool quiet) {
-  const double from = angular(range.first);
-  const double to = angular(range.second);
+  const double from = kTwoPi * range.first;
+  const double to = kTwoPi * range.second;
   const Progress progress = progress_bar("frequency", quiet);
   if (!options.force.empty()) {
     const double force = parse_force("--force", options.force);

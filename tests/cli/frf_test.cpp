@@ -269,6 +269,18 @@ double on_polygon(const std::vector<double>& x, const std::vector<double>& y, do
   return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
 }
 
+// The ends of the range, and what --at names, stand in the table as they were written.
+TEST(frf, HasRowsAtTheFrequenciesAsked) {
+  const Sandbox box = one_mass();
+  expect_done(box, frf({"--force", "0.1", "--frequency", "0.248:0.062", "--at",
+                        "0.083,0.107,0.15,0.194,0.238", "--accuracy", "5%"}));
+  const CsvTable table(box.get("frf.csv"), "frf.csv");
+  const std::vector<double> f = table.numbers("frequency", kFrequency);
+  for (const double asked : {0.248, 0.062, 0.083, 0.107, 0.15, 0.194, 0.238}) {
+    EXPECT_NE(std::ranges::find(f, asked), f.end()) << asked;
+  }
+}
+
 // Rows at given frequencies lie on the curve; the polygon through the others is as near to them as it is
 // to be, and is the curve of 50 times that accuracy to that.
 TEST(frf, DrawsItsCurveAsCloselyAsIsAsked) {

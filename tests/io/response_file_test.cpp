@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -12,6 +13,7 @@
 #include "dynamics/structures.hpp"
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
+#include "microslip/base/random.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/io/csv.hpp"
 #include "microslip/io/file_kind.hpp"
@@ -57,13 +59,46 @@ TEST(ResponseTable, HoldsTheCurve) {
   const std::string text = response_table(curve).str();
   EXPECT_EQ(file_kind(text), kResponseKind);
   const CsvTable table(text, "frf.csv");
-  expect_column(table, "frequency", kFrequency, curve,
-                [](const auto& point) { return point.angular_frequency / (2.0 * pi); });
+  const std::vector<double> frequency = table.numbers("frequency", kFrequency);
+  ASSERT_EQ(frequency.size(), curve.points.size());
+  for (std::size_t i = 0; i < frequency.size(); ++i) {  // to 15 digits
+    EXPECT_NEAR(frequency[i] / curve.points[i].frequency(), 1.0, 6e-15) << i;
+  }
   expect_column(table, "force", kForce, curve, [](const auto&) { return 0.1; });
   expect_column(table, "displacement", kLength, curve,
                 [](const auto& point) { return point.response; });
   expect_column(table, "phase", kAngle, curve, [](const auto& p) { return p.phase_lag; });
   expect_energies(table, curve);
+}
+
+// 30 Hz is 30 in the table, not 29.999999999999996: whole numbers, decimal fractions, powers of ten, and
+// numbers of 15 random digits.
+TEST(ResponseTable, HoldsAFrequencyByItsNumber) {
+  ResponseCurve curve = sample_curve();
+  curve.peaks.clear();
+  curve.peak_points.clear();
+  std::vector<double> asked;
+  for (int i = 1; i <= 20000; ++i) {
+    asked.push_back(i);
+    asked.push_back(i / 100.0);
+  }
+  RandomStream random(1, 1);
+  for (int i = 0; i < 20000; ++i) {
+    const auto digits = static_cast<std::int64_t>(1e14 + 9e14 * random.uniform());
+    const auto exponent = static_cast<int>(18.0 * random.uniform()) - 23;  // up to 1e9 Hz
+    asked.push_back(std::stod(std::to_string(digits) + "e" + std::to_string(exponent)));
+  }
+  const SteadyVibration one = curve.points.front();
+  curve.points.assign(asked.size(), one);
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    curve.points[i].angular_frequency = 2.0 * pi * asked[i];
+  }
+  const CsvTable table(response_table(curve).str(), "frf.csv");
+  const std::vector<double> found = table.numbers("frequency", kFrequency);
+  ASSERT_EQ(found.size(), asked.size());
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < asked.size(); ++i) others += found[i] == asked[i] ? 0 : 1;
+  EXPECT_EQ(others, 0U);
 }
 
 TEST(ResponseTable, TellsHowItEndedAndWhereThePeaksAre) {

@@ -28,6 +28,14 @@ constexpr double kLeastCosine = 0.8;       // of the angles between two tangents
 constexpr double kLargestGap = 0.1;        // of a step and the mean of its slopes, relative
 constexpr int kQuickIterations = 5;        // Newton's: the step may grow
 
+/// The sign of a determinant, which itself may be too large or too small for a double.
+int determinant_sign(const Eigen::PartialPivLU<MatrixXd>& factors) {
+  const auto pivots = factors.matrixLU().diagonal();
+  const bool odd = (pivots.array() < 0.0).count() % 2 == 1;
+  const bool swapped = factors.permutationP().determinant() < 0;
+  return odd == swapped ? 1 : -1;
+}
+
 }  // namespace
 
 Continuation::Continuation(BalanceEquations& equations, ContinuationOptions options,
@@ -67,14 +75,6 @@ RowVectorXd Continuation::along_row(const VectorXd& scale) const {
     return equations_.log_response_gradient() * scale.asDiagonal();
   }
   return RowVectorXd::Unit(n + 2, along_ == Quantity::kForceAmplitude ? n + 1 : n);
-}
-
-/// The sign of a determinant, which itself may be too large or too small for a double.
-int determinant_sign(const Eigen::PartialPivLU<MatrixXd>& factors) {
-  const auto pivots = factors.matrixLU().diagonal();
-  const bool odd = (pivots.array() < 0.0).count() % 2 == 1;
-  const bool swapped = factors.permutationP().determinant() < 0;
-  return odd == swapped ? 1 : -1;
 }
 
 /// The tangent is the null vector of the balance and the kept target on the positive side of
@@ -251,8 +251,17 @@ void Continuation::hand_over(ResponseCurve& curve) {
   curve.warnings = std::move(warnings_);
 }
 
-void Continuation::follow(const VectorXd& z) {
+/// What changes along the curve, exactly to where a solution has it but for rounding, and the equations
+/// there. A response is no unknown, and stays.
+void Continuation::put(double along, VectorXd& z) {
+  const Index n = equations_.balance_count();
+  if (along_ == Quantity::kAngularFrequency) z[n] = along;
+  if (along_ == Quantity::kForceAmplitude) z[n + 1] = along;
   equations_.evaluate(z);
+}
+
+void Continuation::follow(VectorXd z) {
+  put(from_, z);
   Point point = point_at(z, nullptr);
   if (!add(point)) return;
   double length = wanted_length(point);
@@ -354,6 +363,7 @@ bool Continuation::land(const Point& before, const Point& after, double limit) {
     summary_.iterations += result.iterations;
     if (!result.converged) continue;
     summary_.residual = std::max(summary_.residual, result.residual);
+    put(limit, z);
     const VectorXd forward = (after.z - before.z).cwiseQuotient(scale());
     return add(point_at(z, &forward));
   }

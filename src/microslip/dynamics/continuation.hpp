@@ -98,7 +98,8 @@ class Continuation {
   [[nodiscard]] Eigen::VectorXd scale() const;
   bool find_next(const Point& point, double& length, Point& next);
   [[nodiscard]] bool smooth(const Point& point, double length, const Point& next) const;
-  void follow(const Eigen::VectorXd& z);
+  void put(double along, Eigen::VectorXd& z);
+  void follow(Eigen::VectorXd z);
   bool step(Point& point, double& length);
   bool land(const Point& before, const Point& after, double limit);
   bool add(Point point);

@@ -363,8 +363,7 @@ std::optional<Continuation::Row> Continuation::at_frequency(const Row& from, con
   NewtonResult result =
       newton(equations_, kept_, Target{Quantity::kAngularFrequency, frequency}, options_.newton, z);
   summary_.iterations += result.iterations;
-  z[n] = frequency;  // but for rounding it is
-  equations_.evaluate(z);
+  put(frequency, z);
   return row_between(bridge, z, result);
 }
 
