@@ -32,7 +32,7 @@ inline constexpr std::string_view kHistoriesKind = "a table of predicted histori
 inline constexpr std::string_view kForceControlKind = "a table of a force control";
 /// of html_report(); another page is "an HTML page"
 inline constexpr std::string_view kReportKind = "a report of microslip";
-inline constexpr std::string_view kMarchKind = "a table of a march";  ///< of march_table()
+inline constexpr std::string_view kMarchKind = "a table of a march";  ///< of MarchTable
 
 class InputStream;
 

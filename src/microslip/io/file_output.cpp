@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 
 #include "microslip/io/write_error.hpp"
 
@@ -28,6 +29,16 @@ void write_all(int descriptor, std::string_view bytes, std::string_view path) {
     if (count <= 0) fail_to_write(path, count < 0 ? errno : EIO);
     bytes.remove_prefix(static_cast<std::size_t>(count));
   }
+}
+
+void write_standard_output(std::string_view bytes) {
+  if (std::fflush(stdout) != 0) fail_to_write(kStandardOutput, errno);
+  write_all(STDOUT_FILENO, bytes, kStandardOutput);
+}
+
+void finish_standard_output() {
+  sync_file(STDOUT_FILENO, kStandardOutput);
+  close_copy(STDOUT_FILENO, kStandardOutput);
 }
 
 }  // namespace microslip

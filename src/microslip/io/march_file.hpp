@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <memory>
 #include <string>
 #include <string_view>
 
 #include "microslip/dynamics/march.hpp"
-#include "microslip/io/csv_writer.hpp"
 
 /// @file
 /// march.csv, a march in time, one row a recorded time:
@@ -24,20 +22,8 @@ namespace microslip {
 
 class TableStream;
 
-/// Recorded times up to which all is finite: what there is to write.
-[[nodiscard]] std::size_t finite_records(const MarchResult& result);
-
-/// The table of what was marched.
-/// @param result   with one recorded point.
-/// @param loads    that were marched.
-/// @param every    the decimation of the records.
-/// @param heading  the first comment; may be empty.
-/// @throws InputError  where nothing finite was recorded.
-[[nodiscard]] CsvWriter march_table(const MarchResult& result, const LoadHistory& loads,
-                                    std::size_t every, std::string_view heading = {});
-
-/// The same table written as the march goes, row by row: memory does not grow with
-/// their number. The file appears whole or not at all.
+/// The table, written as the march goes, row by row: memory does not grow with their number. The file
+/// appears whole or not at all.
 class MarchTable {
  public:
   /// @param path       of the file; "-" is standard output, where the comments follow the rows.

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
-#include <cstdio>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -25,8 +24,6 @@ namespace microslip {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::string_view kStandardOutput = "standard output";
 
 [[noreturn]] void fail_twice(std::string_view path) {
   throw FileError(path, "would be written twice", "Choose different names.");
@@ -154,14 +151,6 @@ void flush_folder(const std::string& path, const std::string& target) {
   if (folder.is_open()) sync_file(folder.number(), path);
 }
 
-/// Some file systems tell only now what they could not keep.
-void write_standard_output(std::string_view content) {
-  if (std::fflush(stdout) != 0) fail_to_write(kStandardOutput, errno);
-  write_all(STDOUT_FILENO, content, kStandardOutput);
-  sync_file(STDOUT_FILENO, kStandardOutput);
-  close_copy(STDOUT_FILENO, kStandardOutput);
-}
-
 /// A file that has got its final name, and how to take that back.
 struct Placed {
   std::string target;
@@ -244,7 +233,10 @@ void OutputFiles::check_all() const {
 
 void OutputFiles::commit() {
   check_all();
-  if (standard_output_) write_standard_output(*standard_output_);
+  if (standard_output_) {
+    write_standard_output(*standard_output_);
+    finish_standard_output();
+  }
   std::vector<Placed> placed;
   placed.reserve(files_.size());
   try {

@@ -33,7 +33,6 @@ class TableStream {
  private:
   [[nodiscard]] bool on_standard_output() const { return path_ == "-"; }
   void flush();
-  void put(int file, std::string_view text) const;
   void copy_rows(int to);
 
   std::string path_;
