@@ -226,6 +226,32 @@ TEST(FrequencyResponse, GoesOnBehindASharpCorner) {
   }
 }
 
+// With a geometric stiffness, though it is next to nothing, the determinant does not tell which way a
+// curve goes. Where the first atom begins to slip it is turned round here: it ends there, and neither
+// goes back all its way nor holds the points gone over again.
+TEST(FrequencyResponse, EndsWhereItGoesBackOverItself) {
+  const std::vector<double> shape{1.0, 0.1356};
+  const SlipDensity density({AtomsPart{{0.65, 1.92, 4.8}, {0.591, 0.014, 0.04}}});
+  const JointedStructure structure(
+      ModalModel({{0.1924, 0.006917}, {3.106, 2.1722e-4}}, {{"a", shape}}),
+      {{.name = "joint",
+        .joint = Joint(2.352, density),
+        .shape = shape,
+        .shortening = {1e-12, 0.0, 0.0, 1e-12}}},
+      {{"a"}});
+  const HarmonicBalance balance(structure, {"a"}, {.harmonics = 9, .accuracy = 0.0});
+  const ResponseCurve curve = balance.frequency_response(1.349, 0.43406, 2.429);
+  EXPECT_FALSE(curve.summary.converged());
+  EXPECT_NE(curve.summary.reason.find("goes back over itself"), std::string::npos)
+      << curve.summary.reason;
+  ASSERT_GE(curve.points.size(), 5U);
+  // From the fold on at most the one step back that could still be another branch.
+  const auto farthest =
+      std::ranges::max_element(curve.points, {}, &SteadyVibration::angular_frequency);
+  EXPECT_GT(farthest->angular_frequency, 0.6);
+  EXPECT_GT(curve.points.back().angular_frequency, 0.9 * farthest->angular_frequency);
+}
+
 // Three atoms, hardly damped, many harmonics: corners close to each other.
 TEST(FrequencyResponse, PassesCornersCloseToEachOther) {
   const HarmonicBalance balance(
