@@ -25,10 +25,13 @@ constexpr double kSameFrequency = 1e-9;  // relative: a vertical piece has no he
 constexpr double kMostBow = 0.5;         // of a point from the chord, over that
 constexpr double kMostStrayed = 0.2;     // of a harmonic from where it was expected, over it
 constexpr double kLeastHarmonic = 1e-4;  // of the joint's motion: a smaller one counts as so much
-constexpr double kFarApart = 0.01;   // in frequency, relative: more than most resonances are wide
-constexpr double kNoEnd = 1e-4;      // of a step: so far from its ends a point is another
-constexpr int kMostRetraced = 3;     // points in a row: one may be a near miss
-constexpr double kNearPiece = 0.02;  // of a point from a bridge, over its length
+constexpr double kFarApart = 0.01;  // in frequency, relative: more than most resonances are wide
+constexpr double kNoEnd = 1e-4;     // of a step: so far from its ends a point is another
+constexpr int kMostRetraced = 3;    // points in a row: one may be a near miss
+/// Of a point from a bridge, over its length: a first sieve, for what passes is held against the curve
+/// itself by Newton's method. An arc whose tangents make acos 0.8 with its chord, as far as a step turns,
+/// lies up to 0.017 of that beside the cubic.
+constexpr double kNearPiece = 0.02;
 constexpr double kSamePoint = 1e-6;  // relative
 constexpr int kWalkSteps = 8;        // between two points without a found one in the middle
 constexpr int kMostWalkSteps = 1000;
