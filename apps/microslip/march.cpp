@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <memory>
@@ -53,27 +52,6 @@ MarchOptions march_options(const MarchArguments& arguments, const ModelFile& mod
   return options;
 }
 
-/// What a summary tells of the rows.
-struct Largest {
-  explicit Largest(std::size_t joints) : reach(joints, 0.0) {}
-
-  void take(const MarchRow& row) {
-    time = row.time;
-    displacement = std::max(displacement, std::abs(row.displacement[0]));
-    velocity = std::max(velocity, std::abs(row.velocity[0]));
-    acceleration = std::max(acceleration, std::abs(row.acceleration[0]));
-    for (std::size_t j = 0; j < reach.size(); ++j) {
-      reach[j] = std::max(reach[j], std::abs(row.joint_displacement[j]));
-    }
-  }
-
-  double time = 0.0;  ///< the last, s
-  double displacement = 0.0;
-  double velocity = 0.0;
-  double acceleration = 0.0;
-  std::vector<double> reach;  ///< of each joint, m
-};
-
 std::string describe_energy(const MarchEnergy& energy) {
   std::string text = line("input", fmt::format("{:.5g} J", energy.input));
   text += line("linear dissipation", fmt::format("{:.5g} J", energy.linear_dissipation));
@@ -90,8 +68,8 @@ std::string describe_energy(const MarchEnergy& energy) {
 }
 
 std::string describe(const MarchArguments& arguments, const ModelFile& model,
-                     const LoadHistory& loads, const MarchResult& result, const Largest& largest) {
-  std::string text = fmt::format("March from {:g} to {:g} s\n", loads.time.front(), largest.time);
+                     const LoadHistory& loads, const MarchResult& result) {
+  std::string text = fmt::format("March from {:g} to {:g} s\n", loads.time.front(), result.reached);
   text += describe_model(arguments.model, model.structure);
   text +=
       line("loads", fmt::format("{}, {} times", input_name(arguments.forces), loads.time.size()));
@@ -99,6 +77,7 @@ std::string describe(const MarchArguments& arguments, const ModelFile& model,
   text += describe_ending(result.summary);
   text += line("steps", fmt::format("{}, {} reversals of joints, {} loops closed or slips begun",
                                     result.steps, result.reversals, result.kinks));
+  const LargestMotion& largest = result.largest.front();
   text += line("largest response",
                fmt::format("{:.5g} m, {:.5g} m/s, {:.5g} m/s^2 at '{}'", largest.displacement,
                            largest.velocity, largest.acceleration, model.response));
@@ -120,18 +99,14 @@ int run(const MarchArguments& arguments, const Call& call) {
       arguments.law == "total" ? NormalLoadLaw::kTotal : NormalLoadLaw::kIncremental;
   const LoadHistory loads = read_loads(arguments.forces, model.structure, law);
   MarchTable table(arguments.out, model.structure, loads, heading_of(call, model));
-  Largest largest(model.structure.joints().size());
-  const auto write = [&](const MarchRow& row) {
-    table.add(row);
-    largest.take(row);
-  };
+  const auto write = [&](const MarchRow& row) { table.add(row); };
   MarchResult result =
       march_rows(model.structure, loads, options, write, progress_bar("time", call.quiet));
   std::ranges::move(damping_twice(model.structure), std::back_inserter(result.warnings));
-  std::ranges::move(reach_warnings(model, largest.reach), std::back_inserter(result.warnings));
+  std::ranges::move(reach_warnings(model, result.reach), std::back_inserter(result.warnings));
   table.finish(result);
   return tell_ending(result.summary, true, arguments, call,
-                     [&] { return describe(arguments, model, loads, result, largest); });
+                     [&] { return describe(arguments, model, loads, result); });
 }
 
 }  // namespace

@@ -112,6 +112,18 @@ TEST(march, WritesEveryNthTimeAndTheLast) {
             (std::vector<double>{force[0], force[150], force[300], force[400]}));
 }
 
+// What a summary says of the motion does not depend on which rows are written.
+TEST(march, TellsTheLargestOfAllTimes) {
+  const Sandbox box = one_mass_with_force();
+  const auto largest = [&](const std::string& every) {
+    const std::string out = expect_done(box, march_call({"--every", every})).out;
+    const std::size_t at = out.find("largest response");
+    EXPECT_NE(at, std::string::npos) << out;
+    return out.substr(at, out.find('\n', at) - at);
+  };
+  EXPECT_EQ(largest("2000"), largest("1"));
+}
+
 TEST(march, TakesANormalLoad) {
   const Sandbox box = one_mass_with_force();
   const LoadHistory loads = vibration();

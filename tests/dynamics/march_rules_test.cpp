@@ -213,6 +213,34 @@ TEST(MarchFailure, ShowsInTheBalanceAndTheEstimate) {
   EXPECT_FALSE(found.error_estimate.has_value());
 }
 
+// The largest values are those at all times of the axis, whichever of them are recorded.
+TEST(MarchRows, DoNotDecideOnTheLargest) {
+  const JointedStructure structure = testing::one_mass(testing::iwan_joint());
+  const LoadHistory loads = vibration(50);
+  const MarchResult all = march(structure, loads, {.points = {"mass"}});
+  const MarchResult few = march(structure, loads, {.every = 1000, .points = {"mass"}});
+  ASSERT_EQ(few.time.size(), 2U);
+  double displacement = 0.0;
+  double velocity = 0.0;
+  double acceleration = 0.0;
+  double reach = 0.0;
+  for (std::size_t k = 0; k < all.time.size(); ++k) {
+    displacement = std::max(displacement, std::abs(all.points[0].displacement[k]));
+    velocity = std::max(velocity, std::abs(all.points[0].velocity[k]));
+    acceleration = std::max(acceleration, std::abs(all.points[0].acceleration[k]));
+    reach = std::max(reach, std::abs(all.joints[0].displacement[k]));
+  }
+  for (const MarchResult* result : {&all, &few}) {
+    EXPECT_EQ(result->reached, loads.time.back());
+    ASSERT_EQ(result->largest.size(), 1U);
+    EXPECT_EQ(result->largest[0].displacement, displacement);
+    EXPECT_EQ(result->largest[0].velocity, velocity);
+    EXPECT_EQ(result->largest[0].acceleration, acceleration);
+    ASSERT_EQ(result->reach.size(), 1U);
+    EXPECT_EQ(result->reach[0], reach);
+  }
+}
+
 // What is given away row by row is what march() keeps.
 TEST(MarchRows, AreThoseOfTheResult) {
   const JointedStructure structure = testing::one_mass(testing::iwan_joint());

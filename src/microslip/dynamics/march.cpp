@@ -8,19 +8,19 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <set>
-#include <string_view>
+#include <string>
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/dynamics/coarse_march.hpp"
+#include "microslip/dynamics/density_corners.hpp"
+#include "microslip/dynamics/march_checks.hpp"
 #include "microslip/dynamics/march_damper.hpp"
+#include "microslip/dynamics/march_loads.hpp"
 #include "microslip/dynamics/march_state.hpp"
 
 namespace microslip {
 namespace {
-
-/// Squares of the motions it makes must stay numbers.
-constexpr double kLargestForce = 1e12;  // N
 
 using Clock = std::chrono::steady_clock;
 
@@ -28,106 +28,10 @@ constexpr double kStepsPerPeriod = 20.0;
 // Of second order: as many as keep the energy to half of 1e-4.
 constexpr double kStepsWithManyAtoms = 80.0;
 constexpr double kStepsWithNormalLoad = 400.0;
-/// The difference of two marches with h and 2h, over the error of that with h: 2ᵖ − 1 with the order p
-/// between 3 and 4, and with that of 2.
-constexpr double kDifferenceOverError = 10.0;
-constexpr double kDifferenceOverErrorOfSecondOrder = 3.0;
-/// Lengths of intervals that differ by no more are the same: rounding of the time axis.
-constexpr double kSameLength = 1e-9;
 /// Steps between two words to the progress, and what is left of the interval.
 constexpr std::size_t kStepsAWord = 4096;
 /// More steps than this, an hour or so of one joint, are a mistake of units.
 constexpr double kMostSteps = 1e10;
-
-void require(bool holds, std::string_view what, double value, std::string_view rule) {
-  if (!holds) throw InputError(what, value, rule);
-}
-
-// ---- Checks. ----
-
-void check_time(const std::vector<double>& time) {
-  require(time.size() >= 2, "number of times", static_cast<double>(time.size()),
-          "must be at least 2");
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    const bool rises = i == 0 || time[i] > time[i - 1];
-    if (std::isfinite(time[i]) && rises) continue;
-    throw InputError(fmt::format("time[{}]", i), time[i],
-                     rises ? "must be finite" : "must be later than the time before it");
-  }
-}
-
-void check_length(const std::string& what, std::size_t found, std::size_t wanted) {
-  if (found == wanted) return;
-  throw InputError(what, fmt::format("{} values", found), fmt::format("must have {}", wanted));
-}
-
-void check_forces(const LoadHistory& loads, const ModalModel& linear) {
-  std::set<std::string_view> names;
-  for (const PointForce& at : loads.forces) {
-    (void)linear.shape(at.point);  // throws where there is none
-    const std::string what = fmt::format("force at '{}'", at.point);
-    if (!names.insert(at.point).second) throw InputError(what, "twice", "must be given once");
-    check_length(what, at.force.size(), loads.time.size());
-    for (std::size_t i = 0; i < at.force.size(); ++i) {
-      if (std::abs(at.force[i]) <= kLargestForce) continue;
-      throw InputError(fmt::format("{}, value {}", what, i), at.force[i],
-                       fmt::format("must be finite, and {} N at most", kLargestForce));
-    }
-  }
-}
-
-void check_normal_loads(const LoadHistory& loads, const JointedStructure& structure) {
-  std::set<std::string_view> names;
-  for (const JointNormalLoad& given : loads.normal_loads) {
-    const std::string what = fmt::format("normal load of joint '{}'", given.joint);
-    if (!names.insert(given.joint).second) throw InputError(what, "twice", "must be given once");
-    if (std::ranges::none_of(structure.joints(),
-                             [&](const auto& joint) { return joint.name == given.joint; })) {
-      throw InputError(what, given.joint, "must be that of a joint of the structure");
-    }
-    check_length(what, given.load.size(), loads.time.size());
-    for (std::size_t i = 0; i < given.load.size(); ++i) {
-      if (std::isfinite(given.load[i]) && given.load[i] >= 0.0) continue;
-      throw InputError(fmt::format("{}, value {}", what, i), given.load[i],
-                       "must be 0 or more, and finite");
-    }
-  }
-}
-
-void check_start(const std::vector<double>& values, const std::string& what, std::size_t modes) {
-  if (!values.empty()) check_length(what, values.size(), modes);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    require(std::isfinite(values[i]), fmt::format("{}[{}]", what, i), values[i], "must be finite");
-  }
-}
-
-void check_options(const MarchOptions& o, const ModalModel& linear) {
-  require(std::isfinite(o.step) && o.step >= 0.0, "step", o.step,
-          "must be positive and finite, or 0 to have it chosen");
-  require(o.every >= 1, "every", static_cast<double>(o.every), "must be at least 1");
-  require(o.tolerance >= 1e-14 && o.tolerance <= 1e-4, "tolerance", o.tolerance,
-          "must be from 1e-14 to 1e-4");
-  require(o.max_iterations >= 2, "max_iterations", o.max_iterations, "must be at least 2");
-  require(o.largest_imbalance > 0.0, "largest_imbalance", o.largest_imbalance, "must be positive");
-  require(o.largest_error > 0.0, "largest_error", o.largest_error, "must be positive");
-  std::set<std::string_view> names;
-  for (const std::string& point : o.points) {
-    (void)linear.shape(point);
-    if (names.insert(point).second) continue;
-    throw InputError("recorded point", point, "must be given once");
-  }
-  check_start(o.start.displacement, "start displacement", linear.size());
-  check_start(o.start.velocity, "start velocity", linear.size());
-}
-
-// ---- The march. ----
-
-bool has_many_atoms(const JointedStructure& structure) {
-  return std::ranges::any_of(structure.joints(), [](const StructuralJoint& joint) {
-    const SlipDensity& density = joint.joint.density();
-    return !density.atoms().slip_force.empty() && corners_of(density).empty();
-  });
-}
 
 double steps_per_period(const JointedStructure& structure, const LoadHistory& loads) {
   if (!loads.normal_loads.empty()) return kStepsWithNormalLoad;
@@ -151,66 +55,14 @@ void check_step(double step, const std::vector<double>& time) {
                    "Take longer steps, or march over less time.");
 }
 
-std::vector<MarchedJoint> hysteresis(const JointedStructure& structure, const LoadHistory& loads,
-                                     std::size_t elements) {
-  std::vector<MarchedJoint> result;
-  for (const StructuralJoint& joint : structure.joints()) {
-    const auto load = std::ranges::find(loads.normal_loads, joint.name, &JointNormalLoad::joint);
-    if (load == loads.normal_loads.end()) {
-      result.emplace_back(joint);
-    } else {
-      result.emplace_back(joint, load->law, elements, load->load.front());
-    }
-  }
-  return result;
-}
-
-/// What acts on the modes and joints over the intervals of the time axis.
-class LoadsOfIntervals {
- public:
-  LoadsOfIntervals(const JointedStructure& structure, const LoadHistory& loads) : history_(loads) {
-    const std::size_t lanes = padded(structure.linear().size());
-    for (const PointForce& at : loads.forces) {
-      const auto shape = structure.linear().shape(at.point);
-      shapes_.emplace_back(shape.begin(), shape.end()).resize(lanes, 0.0);
-    }
-    for (const JointNormalLoad& given : loads.normal_loads) {
-      const auto joint = std::ranges::find(structure.joints(), given.joint, &StructuralJoint::name);
-      joints_.push_back(static_cast<std::size_t>(joint - structure.joints().begin()));
-    }
-  }
-
-  /// Sets all that is not constant.
-  void set(std::size_t interval, MarchState::Loads& loads) const {
-    const double length = history_.time[interval + 1] - history_.time[interval];
-    std::ranges::fill(loads.force, 0.0);
-    std::ranges::fill(loads.slope, 0.0);
-    for (std::size_t p = 0; p < shapes_.size(); ++p) {
-      const double* values = history_.forces[p].force.data() + interval;
-      const double slope = (values[1] - values[0]) / length;
-      for (std::size_t i = 0; i < shapes_[p].size(); ++i) {
-        loads.force[i] += shapes_[p][i] * values[0];
-        loads.slope[i] += shapes_[p][i] * slope;
-      }
-    }
-    for (std::size_t n = 0; n < joints_.size(); ++n) {
-      const double* values = history_.normal_loads[n].load.data() + interval;
-      loads.normal[joints_[n]] = values[0];
-      loads.normal_slope[joints_[n]] = (values[1] - values[0]) / length;
-    }
-  }
-
- private:
-  const LoadHistory& history_;
-  std::vector<std::vector<double>> shapes_;  // of the points with a force, padded
-  std::vector<std::size_t> joints_;          // whose normal load varies
-};
-
-/// Makes a row of the state at a recorded time.
+/// Takes the state at each time of the axis: makes rows, and keeps the largest values.
 class Recorder {
  public:
-  Recorder(const JointedStructure& structure, const MarchOptions& options, const MarchSink& sink)
+  /// @param result  whose largest values are kept.
+  Recorder(const JointedStructure& structure, const MarchOptions& options, const MarchSink& sink,
+           MarchResult& result)
       : sink_(sink),
+        result_(result),
         joint_displacement_(structure.joints().size()),
         joint_force_(structure.joints().size()) {
     for (const std::string& point : options.points) {
@@ -219,9 +71,21 @@ class Recorder {
     for (auto* values : {&displacement_, &velocity_, &acceleration_}) {
       values->resize(shapes_.size());
     }
+    result.largest.resize(shapes_.size());
+    result.reach.resize(joint_force_.size());
   }
 
-  void record(std::size_t index, double time, const MarchState& state) {
+  void take(std::size_t index, double time, const MarchState& state, bool recorded) {
+    move_points(state);
+    move_joints(state);
+    result_.reached = time;
+    if (!recorded) return;
+    sink_(
+        {index, time, displacement_, velocity_, acceleration_, joint_displacement_, joint_force_});
+  }
+
+ private:
+  void move_points(const MarchState& state) {
     for (std::size_t p = 0; p < shapes_.size(); ++p) {
       double w = 0.0;
       double v = 0.0;
@@ -234,124 +98,84 @@ class Recorder {
       displacement_[p] = w;
       velocity_[p] = v;
       acceleration_[p] = a;
+      LargestMotion& largest = result_.largest[p];
+      largest.displacement = std::max(largest.displacement, std::abs(w));
+      largest.velocity = std::max(largest.velocity, std::abs(v));
+      largest.acceleration = std::max(largest.acceleration, std::abs(a));
     }
-    for (std::size_t j = 0; j < joint_displacement_.size(); ++j) {
-      joint_displacement_[j] = state.joint(j).displacement();
-      joint_force_[j] = state.joint(j).force();
-    }
-    sink_(
-        {index, time, displacement_, velocity_, acceleration_, joint_displacement_, joint_force_});
   }
 
- private:
+  void move_joints(const MarchState& state) {
+    for (std::size_t j = 0; j < joint_force_.size(); ++j) {
+      joint_displacement_[j] = state.joint(j).displacement();
+      joint_force_[j] = state.joint(j).force();
+      result_.reach[j] = std::max(result_.reach[j], std::abs(joint_displacement_[j]));
+    }
+  }
+
   const MarchSink& sink_;
+  MarchResult& result_;
   std::vector<std::span<const double>> shapes_;
   std::vector<double> displacement_, velocity_, acceleration_, joint_displacement_, joint_force_;
 };
 
-/// The steps over one interval. @return how many were taken; fewer than wanted where one failed.
-struct Interval {
-  std::size_t wanted;
-  std::size_t taken;
-};
-
-/// Steps of equal length over an interval.
-class Steps {
- public:
-  explicit Steps(const JointedStructure& structure) : weights_(structure.linear().modes()) {}
-
-  Interval take(double length, std::size_t count, MarchState& state) {
-    const double step = length / static_cast<double>(count);
-    if (std::abs(step - weights_.length()) > kSameLength * step) weights_.set_length(step);
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!state.step(weights_)) return {count, i};
+/// What marches over the time axis.
+struct March {
+  March(const JointedStructure& structure, const LoadHistory& of_time, const MarchOptions& given)
+      : loads(of_time),
+        options(given),
+        acting(structure, of_time),
+        state(structure, marched_joints(structure, of_time, given.elements), given),
+        steps(structure) {
+    if (given.estimate_error && !structure.joints().empty()) {
+      coarse.emplace(structure, of_time, given);
+      coarse->start(acting, given.start);
     }
-    return {count, count};
+    acting.set(0, state.loads());
+    state.start(given.start);
   }
 
- private:
-  StepWeights weights_;
-};
-
-/// The least number of steps over an interval, in pairs where that is asked for.
-std::size_t step_count(double length, double longest, bool in_pairs) {
-  const double pieces = in_pairs ? 2.0 : 1.0;
-  return static_cast<std::size_t>(
-      pieces * std::max(1.0, std::ceil(length / (pieces * longest) * (1.0 - kSameLength))));
-}
-
-/// A march with twice the step beside the one whose error it tells.
-class CoarseMarch {
- public:
-  CoarseMarch(const JointedStructure& structure, const LoadHistory& loads,
-              const MarchOptions& options)
-      : state_(structure, hysteresis(structure, loads, options.elements), options),
-        steps_(structure),
-        second_order_(!loads.normal_loads.empty() || has_many_atoms(structure)) {
-    for (const std::string& point : options.points) {
-      shapes_.push_back(structure.linear().shape(point));
-    }
-    differences_.resize(shapes_.empty() ? structure.joints().size() : shapes_.size());
-  }
-
-  void start(const LoadsOfIntervals& acting, const InitialState& start) {
-    acting.set(0, state_.loads());
-    state_.start(start);
-  }
-
-  /// Over an interval, to be held against where the other came to.
-  void take(const LoadsOfIntervals& acting, std::size_t interval, double length, std::size_t count,
-            const MarchState& fine) {
-    if (failed_) return;
-    acting.set(interval, state_.loads());
-    const Interval done = steps_.take(length, count, state_);
-    failed_ = done.taken < done.wanted;
-    if (!failed_) compare(fine);
-  }
-
-  /// None where it failed, or there was nothing to be held against.
-  [[nodiscard]] std::optional<double> error() const {
-    if (failed_ || !compared_) return std::nullopt;
-    double worst = 0.0;
-    for (const Difference& d : differences_) {
-      if (d.difference > 0.0) worst = std::max(worst, d.difference / d.largest);
-    }
-    return worst / (second_order_ ? kDifferenceOverErrorOfSecondOrder : kDifferenceOverError);
-  }
-
- private:
-  struct Difference {
-    double difference = 0.0;  ///< largest so far, m
-    double largest = 0.0;     ///< displacement so far, m
-  };
-
-  void compare(const MarchState& fine) {
-    compared_ = true;
-    for (std::size_t p = 0; p < differences_.size(); ++p) {
-      double w = 0.0;
-      double miss = 0.0;
-      if (shapes_.empty()) {
-        w = fine.joint(p).displacement();
-        miss = w - state_.joint(p).displacement();
-      } else {
-        for (std::size_t i = 0; i < shapes_[p].size(); ++i) {
-          w += shapes_[p][i] * fine.displacement()[i];
-          miss += shapes_[p][i] * (fine.displacement()[i] - state_.displacement()[i]);
-        }
+  /// To the end of the axis, or to where a step fails. @return why it failed; empty where it did not.
+  [[nodiscard]] std::string run(double longest, Recorder& recorder, const Progress& progress) {
+    const std::size_t intervals = loads.time.size() - 1;
+    std::size_t told = 0;  // steps
+    recorder.take(0, loads.time.front(), state, true);
+    for (std::size_t k = 0; k < intervals; ++k) {
+      if (std::string failure = pass(k, longest); !failure.empty()) return failure;
+      const bool last = k + 1 == intervals;
+      recorder.take(k + 1, loads.time[k + 1], state, last || (k + 1) % options.every == 0);
+      if (progress && (last || state.steps() - told >= kStepsAWord)) {
+        told = state.steps();
+        if (!progress(k + 1, intervals)) throw Cancelled();
       }
-      Difference& d = differences_[p];
-      d.difference = std::max(d.difference, std::abs(miss));
-      d.largest = std::max(d.largest, std::abs(w));
     }
+    return "";
   }
 
-  MarchState state_;
-  Steps steps_;
-  bool second_order_;
-  bool failed_ = false;
-  bool compared_ = false;
-  std::vector<std::span<const double>> shapes_;
-  std::vector<Difference> differences_;
+  /// Over one interval. @return as run().
+  [[nodiscard]] std::string pass(std::size_t interval, double longest) {
+    acting.set(interval, state.loads());
+    const double begin = loads.time[interval];
+    const double length = loads.time[interval + 1] - begin;
+    const std::size_t count = EvenSteps::count(length, longest, coarse.has_value());
+    const std::size_t taken = steps.take(length, count, state);
+    if (taken == count) {
+      if (coarse) coarse->take(acting, interval, length, count / 2, state);
+      return "";
+    }
+    const double share = static_cast<double>(taken) / static_cast<double>(count);
+    return fmt::format(
+        "step {}, from {:.9g} s on, did not converge in {} iterations, nor did pieces of it: the "
+        "joint forces still change by {:.2g}; take shorter steps",
+        state.steps() + 1, begin + share * length, options.max_iterations, state.last_change());
+  }
+
+  const LoadHistory& loads;
+  const MarchOptions& options;
+  MarchLoads acting;
+  MarchState state;
+  EvenSteps steps;
+  std::optional<CoarseMarch> coarse;
 };
 
 void finish(const JointedStructure& structure, const MarchState& state, MarchResult& result) {
@@ -458,55 +282,16 @@ MarchResult march_rows(const JointedStructure& structure, const LoadHistory& loa
                        const MarchOptions& options, const MarchSink& sink,
                        const Progress& progress) {
   const auto begin = Clock::now();
-  check_time(loads.time);
-  check_forces(loads, structure.linear());
-  check_normal_loads(loads, structure);
-  check_options(options, structure.linear());
+  check_march(structure, loads, options);
   const double longest = chosen_step(structure, loads, options);
   check_step(longest, loads.time);
   MarchResult result;
   result.summary.method = "time march, exponential Hermite";
-  MarchState state(structure, hysteresis(structure, loads, options.elements), options);
-  const LoadsOfIntervals acting(structure, loads);
-  Steps steps(structure);
-  Recorder recorder(structure, options, sink);
-  std::optional<CoarseMarch> coarse;
-  if (options.estimate_error && !structure.joints().empty()) {
-    coarse.emplace(structure, loads, options);
-    coarse->start(acting, options.start);
-  }
-  acting.set(0, state.loads());
-  state.start(options.start);
-  recorder.record(0, loads.time.front(), state);
-  const std::size_t intervals = loads.time.size() - 1;
-  std::string failure;
-  std::size_t told = 0;  // steps
-  for (std::size_t k = 0; k < intervals; ++k) {
-    acting.set(k, state.loads());
-    const double length = loads.time[k + 1] - loads.time[k];
-    const std::size_t count = step_count(length, longest, coarse.has_value());
-    const Interval interval = steps.take(length, count, state);
-    if (interval.taken < interval.wanted) {
-      const double share =
-          static_cast<double>(interval.taken) / static_cast<double>(interval.wanted);
-      failure = fmt::format(
-          "step {}, from {:.9g} s on, did not converge in {} iterations, nor did pieces of it: the "
-          "joint forces still change by {:.2g}; take shorter steps",
-          state.steps() + 1, loads.time[k] + share * length, options.max_iterations,
-          state.last_change());
-      break;
-    }
-    if (coarse) coarse->take(acting, k, length, count / 2, state);
-    if ((k + 1) % options.every == 0 || k + 1 == intervals) {
-      recorder.record(k + 1, loads.time[k + 1], state);
-    }
-    if (progress && (state.steps() - told >= kStepsAWord || k + 1 == intervals)) {
-      told = state.steps();
-      if (!progress(k + 1, intervals)) throw Cancelled();
-    }
-  }
-  finish(structure, state, result);
-  add_error(coarse, structure, result);
+  Recorder recorder(structure, options, sink, result);
+  March march(structure, loads, options);
+  const std::string failure = march.run(longest, recorder, progress);
+  finish(structure, march.state, result);
+  add_error(march.coarse, structure, result);
   add_damping(structure, result);
   judge(options, loads.time.back(), result);
   if (!failure.empty()) {

@@ -45,10 +45,10 @@ struct InitialState {
 
 /// How march() integrates, and what it records.
 struct MarchOptions {
-  /// Longest step, s; ≥ 0, and at least 1e-10 of the time axis. Each interval of the time axis is cut into the least number of equal
-  /// steps that are not longer, an even one where the error is estimated. 0: a twentieth of the
-  /// shortest period of the stuck structure, an eightieth where a density has more than 16 atoms, a
-  /// four-hundredth where a normal load varies.
+  /// Longest step, s; ≥ 0, and at least 1e-10 of the time axis. Each interval of the time axis is cut
+  /// into the least number of equal steps that are not longer, an even one where the error is
+  /// estimated. 0: a twentieth of the shortest period of the stuck structure, an eightieth where a
+  /// density has more than 16 atoms, a four-hundredth where a normal load varies.
   double step = 0.0;
   /// Every n-th time of the axis is recorded, from the first on, and the last; ≥ 1.
   std::size_t every = 1;
@@ -102,7 +102,8 @@ struct JointEnergy {
 
 /// Where the energy went, J, from the first time to the last that was reached:
 ///
-///     initial + input = kinetic + elastic + linear dissipation + Σ_joints (stored + dissipation + its own linear dissipation)
+///     initial + input = kinetic + elastic + linear dissipation
+///                       + Σ_joints (stored + dissipation + its own linear dissipation)
 ///
 /// Each by itself, never as the rest of the others: the work of the forces ∫ f ẇ dt and Σ η_i ω_i ∫
 /// q̇_i² dt by quadrature of fourth order over the states at the ends of the steps; the joints from
@@ -143,16 +144,27 @@ struct MarchRow {
 /// Takes the rows as they come.
 using MarchSink = std::function<void(const MarchRow&)>;
 
+/// The largest values of the motion of a point.
+struct LargestMotion {
+  double displacement = 0.0;  ///< max |w|, m
+  double velocity = 0.0;      ///< max |ẇ|, m/s
+  double acceleration = 0.0;  ///< max |ẅ|, m/s²
+};
+
 /// Up to where the march got. Where it stopped early the records end at the last recorded time that
 /// was reached.
 struct MarchResult {
   std::vector<double> time;         ///< recorded times, s
   std::vector<PointMotion> points;  ///< in the order of the options
   std::vector<JointMotion> joints;  ///< in the order of the structure
-  MarchEnergy energy;               ///< up to the last time that was reached
-  std::size_t steps = 0;            ///< taken, those cut at reversals twice
-  std::size_t reversals = 0;        ///< of all joints
-  std::size_t kinks = 0;            ///< loops that closed and atoms that began to slip
+  double reached = 0.0;             ///< the last time of the axis that was reached, s
+  /// At all times of the axis up to there, recorded or not; in the order of the options.
+  std::vector<LargestMotion> largest;
+  std::vector<double> reach;  ///< likewise max |u| of each joint, m
+  MarchEnergy energy;         ///< up to the last time that was reached
+  std::size_t steps = 0;      ///< taken, those cut at reversals twice
+  std::size_t reversals = 0;  ///< of all joints
+  std::size_t kinks = 0;      ///< loops that closed and atoms that began to slip
   /// The largest error of the displacement of a recorded point (of u of a joint where there is none)
   /// at the times of the axis, over its largest value, 1: the difference from the march with twice the
   /// step, over what it is of the error by the order of the scheme. 0 for a linear structure; none

@@ -13,9 +13,8 @@
 
 namespace microslip {
 
-/// The state of a structure in a march and its way over one step, cut where a joint turns or
-/// its tangent jumps. Internal to
-/// dynamics.
+/// The state of a structure in a march and its way over one step, cut where a joint turns or its
+/// tangent jumps. Internal to dynamics.
 class MarchState {
  public:
   /// @param hysteresis  one a joint of the structure.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <variant>
 #include <vector>
 
 namespace microslip {
@@ -12,41 +11,7 @@ namespace {
 
 constexpr double kForceRounding = 1e-12;
 
-/// Where a part of a density jumps, but for s = 0.
-struct Jumps {
-  std::vector<double>& at;
-
-  void operator()(const UniformPart& part) const { add(part.from, part.to); }
-  void operator()(const PowerLawPart& part) const { add(part.from, part.to); }
-  void operator()(const PiecewiseLinearPart& part) const {
-    add(part.density.front() > 0.0 ? part.slip_force.front() : 0.0,
-        part.density.back() > 0.0 ? part.slip_force.back() : 0.0);
-  }
-  void operator()(const AtomsPart&) const {}
-  void operator()(const FourParameterPart& part) const {
-    if (part.beta == 0.0) add(0.0, part.stiffness * macroslip_displacement(part));
-  }
-
-  void add(double from, double to) const {
-    for (const double s : {from, to}) {
-      if (s > 0.0) at.push_back(s);
-    }
-  }
-};
-
 }  // namespace
-
-std::vector<Corner> corners_of(const SlipDensity& density) {
-  constexpr std::size_t kMostCorners = 16;
-  std::vector<double> jumps;
-  for (const DensityPart& part : density.parts()) std::visit(Jumps{jumps}, part);
-  std::vector<Corner> corners;
-  for (const double s : jumps) corners.push_back({s, false});
-  for (const double s : density.atoms().slip_force) corners.push_back({s, true});
-  std::ranges::sort(corners, {}, &Corner::slip_force);
-  if (corners.size() > kMostCorners) corners.clear();
-  return corners;
-}
 
 MarchedJoint::MarchedJoint(const StructuralJoint& joint)
     : joint_(&joint),

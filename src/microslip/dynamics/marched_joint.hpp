@@ -7,21 +7,12 @@
 #include <optional>
 #include <vector>
 
+#include "microslip/dynamics/density_corners.hpp"
 #include "microslip/dynamics/jointed_structure.hpp"
 #include "microslip/joint/jenkins_network.hpp"
 #include "microslip/joint/memory.hpp"
 
 namespace microslip {
-
-/// An atom of a density, or a jump.
-struct Corner {
-  double slip_force;  ///< N
-  bool atom;
-};
-
-/// Those of a density by rising slip force. None where there are more than 16: to cut steps at each
-/// would cost more than it gains, and many small kinks are nearly a smooth curve.
-[[nodiscard]] std::vector<Corner> corners_of(const SlipDensity& density);
 
 /// The hysteresis of one joint in a march: its Memory, or where the normal load varies a network of
 /// Jenkins elements. Internal to dynamics.

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "microslip/dynamics/march_loads.hpp"
+#include "microslip/dynamics/march_state.hpp"
+#include "microslip/dynamics/march_weights.hpp"
+
+namespace microslip {
+
+/// Steps of equal length over intervals. Internal to dynamics.
+class EvenSteps {
+ public:
+  explicit EvenSteps(const JointedStructure& structure) : weights_(structure.linear().modes()) {}
+
+  /// The least number of steps over an interval that are not longer, in pairs where that is asked for.
+  [[nodiscard]] static std::size_t count(double length, double longest, bool in_pairs);
+
+  /// Over an interval. @return how many were taken; fewer than `count` where one failed.
+  [[nodiscard]] std::size_t take(double length, std::size_t count, MarchState& state);
+
+ private:
+  StepWeights weights_;
+};
+
+/// A march with twice the step beside the one whose error it tells. Internal to dynamics.
+class CoarseMarch {
+ public:
+  CoarseMarch(const JointedStructure& structure, const LoadHistory& loads,
+              const MarchOptions& options);
+
+  void start(const MarchLoads& acting, const InitialState& start);
+
+  /// Over an interval, to be held against where the other came to.
+  void take(const MarchLoads& acting, std::size_t interval, double length, std::size_t count,
+            const MarchState& fine);
+
+  /// As MarchResult::error_estimate: none where it failed, or there was nothing to be held against.
+  [[nodiscard]] std::optional<double> error() const;
+
+ private:
+  struct Difference {
+    double difference = 0.0;  ///< largest so far, m
+    double largest = 0.0;     ///< displacement so far, m
+  };
+
+  void compare(const MarchState& fine);
+
+  MarchState state_;
+  EvenSteps steps_;
+  bool second_order_;
+  bool failed_ = false;
+  bool compared_ = false;
+  std::vector<std::span<const double>> shapes_;
+  std::vector<Difference> differences_;
+};
+
+}  // namespace microslip

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/dynamics/march_loads.hpp"
+
+#include <algorithm>
+
+namespace microslip {
+
+MarchLoads::MarchLoads(const JointedStructure& structure, const LoadHistory& loads)
+    : history_(loads) {
+  const std::size_t lanes = padded(structure.linear().size());
+  for (const PointForce& at : loads.forces) {
+    const auto shape = structure.linear().shape(at.point);
+    shapes_.emplace_back(shape.begin(), shape.end()).resize(lanes, 0.0);
+  }
+  for (const JointNormalLoad& given : loads.normal_loads) {
+    const auto joint = std::ranges::find(structure.joints(), given.joint, &StructuralJoint::name);
+    joints_.push_back(static_cast<std::size_t>(joint - structure.joints().begin()));
+  }
+}
+
+void MarchLoads::set(std::size_t interval, MarchState::Loads& loads) const {
+  const double length = history_.time[interval + 1] - history_.time[interval];
+  std::ranges::fill(loads.force, 0.0);
+  std::ranges::fill(loads.slope, 0.0);
+  for (std::size_t p = 0; p < shapes_.size(); ++p) {
+    const double* values = history_.forces[p].force.data() + interval;
+    const double slope = (values[1] - values[0]) / length;
+    for (std::size_t i = 0; i < shapes_[p].size(); ++i) {
+      loads.force[i] += shapes_[p][i] * values[0];
+      loads.slope[i] += shapes_[p][i] * slope;
+    }
+  }
+  for (std::size_t n = 0; n < joints_.size(); ++n) {
+    const double* values = history_.normal_loads[n].load.data() + interval;
+    loads.normal[joints_[n]] = values[0];
+    loads.normal_slope[joints_[n]] = (values[1] - values[0]) / length;
+  }
+}
+
+std::vector<MarchedJoint> marched_joints(const JointedStructure& structure,
+                                         const LoadHistory& loads, std::size_t elements) {
+  std::vector<MarchedJoint> result;
+  for (const StructuralJoint& joint : structure.joints()) {
+    const auto load = std::ranges::find(loads.normal_loads, joint.name, &JointNormalLoad::joint);
+    if (load == loads.normal_loads.end()) {
+      result.emplace_back(joint);
+    } else {
+      result.emplace_back(joint, load->law, elements, load->load.front());
+    }
+  }
+  return result;
+}
+
+}  // namespace microslip

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "microslip/dynamics/march.hpp"
+#include "microslip/dynamics/march_state.hpp"
+
+namespace microslip {
+
+/// What acts on the modes and joints over the intervals of the time axis. Internal to dynamics.
+class MarchLoads {
+ public:
+  /// @param loads  kept by reference.
+  MarchLoads(const JointedStructure& structure, const LoadHistory& loads);
+
+  /// Sets all that is not constant.
+  void set(std::size_t interval, MarchState::Loads& loads) const;
+
+ private:
+  const LoadHistory& history_;
+  std::vector<std::vector<double>> shapes_;  // of the points with a force, padded
+  std::vector<std::size_t> joints_;          // whose normal load varies
+};
+
+/// The joints with the hysteresis that they have under these loads.
+/// @param elements  that stand for one whose normal load varies.
+[[nodiscard]] std::vector<MarchedJoint> marched_joints(const JointedStructure& structure,
+                                                       const LoadHistory& loads,
+                                                       std::size_t elements);
+
+}  // namespace microslip
