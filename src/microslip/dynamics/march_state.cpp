@@ -12,37 +12,13 @@ namespace {
 
 using Kind = StepWeights::Kind;
 
-/// Turns nearer to an end of a step than this share of it are at that end.
-constexpr double kNear = 1e-9;
-constexpr double kStepRounding = 1e-12;
-/// Motion over a step below this share of the largest is rounding: no step is cut for it.
-constexpr double kQuiet = 1e-13;
 /// Growth of the contraction that is assumed, from one step to the next.
 constexpr double kMistrust = 1.1;
 /// The least that is believed without being measured in the step itself.
 constexpr double kLeastContraction = 1e-3;
-/// Turns and kinks in one step; where there are more the joint is at rest but for rounding.
-constexpr int kMostChanges = 100;
-/// Pieces of a step that are shorter than this share of it are not tried.
-constexpr double kLeastPiece = 1e-6;
 /// Rounds of Newton's method after which the tangents stay: the forces are continuous, so that they
 /// converge where tangents jump between two values.
 constexpr int kSettled = 8;
-
-int sign_of(double value) { return value > 0.0 ? 1 : value < 0.0 ? -1 : 0; }
-
-/// Where `ahead`, above 0 at `low` and below at `high`, changes its sign, as a share of a step; next to
-/// an end of the step, that end.
-template <typename Ahead>
-double share_of_sign_change(const Ahead& ahead, double low, double high) {
-  for (int i = 0; i < 40; ++i) {
-    const double x = 0.5 * (low + high);
-    (ahead(x) > 0.0 ? low : high) = x;
-  }
-  const double share = 0.5 * (low + high);
-  if (share > 1.0 - kNear) return 1.0;
-  return share > kNear ? share : 0.0;
-}
 
 }  // namespace
 
@@ -92,49 +68,57 @@ void MarchState::add_joint(const StructuralJoint& joint, double damper, MarchedJ
   joints_.push_back(std::move(added));
 }
 
+/// Where a joint begins, by the modes that are set.
+void MarchState::begin(std::size_t j) {
+  Joint& joint = joints_[j];
+  const auto slide =
+      march_loops::project(groups_, joint.shape.data(), end_q_.data(), end_v_.data());
+  Kinematics& k = joint.end;
+  k = {slide.q, slide.v, slide.q, slide.v};
+  if (!joint.gamma.empty()) {
+    const auto g = march_loops::shorten(groups_, joint.gamma.data(), end_q_.data(), end_v_.data(),
+                                        joint.g.data(), joint.g_dot.data());
+    k.gap -= 0.5 * g.q;
+    k.gap_dot -= g.v;
+  }
+  const double load = loads_.normal[j];
+  const double u = joint.hysteresis.displacement_at(k.gap, load);
+  k.force = joint.hysteresis.advance(u, load);
+  joint.hysteresis.begin_energy();
+  const double tangent = k.gap_dot * k.gap < 0.0 ? load * joint.hysteresis.stuck_stiffness()
+                                                 : joint.hysteresis.trial(u, load).tangent;
+  k.force_dot = tangent * k.gap_dot / (1.0 + tangent * joint.compliance);
+  joint.tangent = tangent;
+  drive_damper(joint, tangent, k);
+  k.force += joint.damper * k.u_dot;
+  k.r = k.force - joint.spring * k.slide;
+  k.r_dot = k.force_dot - joint.spring * k.slide_dot;
+  joint.begin = k;
+  set_off(joint);
+  joint.largest_force = std::abs(k.force);
+  joint.largest_gap = std::abs(k.gap);
+}
+
+/// The slopes of the forces of dampers take the accelerations.
+void MarchState::begin_dampers() {
+  accelerate(0.0);
+  for (Joint& joint : joints_) {
+    Kinematics& k = joint.end;
+    drive_damper(joint, joint.tangent, k);
+    const double slope = joint.damper * k.u_ddot;
+    k.force_dot += slope;
+    k.r_dot += slope;
+    joint.begin = k;
+  }
+}
+
 void MarchState::start(const InitialState& start) {
   std::copy(start.displacement.begin(), start.displacement.end(), end_q_.begin());
   std::copy(start.velocity.begin(), start.velocity.end(), end_v_.begin());
-  for (std::size_t j = 0; j < joints_.size(); ++j) {
-    Joint& joint = joints_[j];
-    const auto slide =
-        march_loops::project(groups_, joint.shape.data(), end_q_.data(), end_v_.data());
-    Kinematics& k = joint.end;
-    k = {slide.q, slide.v, slide.q, slide.v};
-    if (!joint.gamma.empty()) {
-      const auto g = march_loops::shorten(groups_, joint.gamma.data(), end_q_.data(), end_v_.data(),
-                                          joint.g.data(), joint.g_dot.data());
-      k.gap -= 0.5 * g.q;
-      k.gap_dot -= g.v;
-    }
-    const double load = loads_.normal[j];
-    const double u = joint.hysteresis.displacement_at(k.gap, load);
-    k.force = joint.hysteresis.advance(u, load);
-    joint.hysteresis.begin_energy();
-    const double tangent = k.gap_dot * k.gap < 0.0 ? load * joint.hysteresis.stuck_stiffness()
-                                                   : joint.hysteresis.trial(u, load).tangent;
-    k.force_dot = tangent * k.gap_dot / (1.0 + tangent * joint.compliance);
-    joint.tangent = tangent;
-    drive_damper(joint, tangent, k);
-    k.force += joint.damper * k.u_dot;
-    k.r = k.force - joint.spring * k.slide;
-    k.r_dot = k.force_dot - joint.spring * k.slide_dot;
-    joint.begin = k;
-    set_off(joint);
-    joint.largest_force = std::abs(k.force);
-    joint.largest_gap = std::abs(k.gap);
-  }
+  for (std::size_t j = 0; j < joints_.size(); ++j) begin(j);
   load_modes();
-  if (damped_) {  // the slopes of their forces take the accelerations
-    accelerate(0.0);
-    for (Joint& joint : joints_) {
-      Kinematics& k = joint.end;
-      drive_damper(joint, joint.tangent, k);
-      const double slope = joint.damper * k.u_ddot;
-      k.force_dot += slope;
-      k.r_dot += slope;
-      joint.begin = k;
-    }
+  if (damped_) {
+    begin_dampers();
     load_modes();
   }
   load_ = end_load_;
@@ -341,192 +325,6 @@ void MarchState::correct(const StepWeights& weights) {
   load_modes();
   march_loops::correct(groups_, weights.data(), predicted_q_.data(), predicted_v_.data(),
                        end_load_.data(), end_load_slope_.data(), end_q_.data(), end_v_.data());
-}
-
-// ---- Steps and their cuts. ----
-
-/// In pieces that end where a joint turns or its tangent jumps. Where the equations of a piece do not
-/// converge, a shorter one is tried.
-bool MarchState::step(const StepWeights& weights) {
-  double left = weights.length();
-  double piece = left;
-  int changes = 0;
-  for (;;) {
-    if (!solve_piece(piece, weights)) {
-      if (piece <= kLeastPiece * weights.length()) return false;
-      piece *= 0.5;
-      continue;
-    }
-    const Change next = changes < kMostChanges ? first_change(piece) : Change{};
-    if (next.share <= 0.0) {
-      change(next);
-      ++changes;
-      continue;
-    }
-    if (next.share < 1.0) {
-      piece *= next.share;
-      if (!solve_piece(piece, weights)) continue;
-      accept(piece);
-      change(next);
-      ++changes;
-    } else {
-      accept(piece);
-    }
-    pass_kinks();
-    left -= piece;
-    if (left <= kStepRounding * weights.length()) return true;
-    piece = left;
-  }
-}
-
-bool MarchState::solve_piece(double length, const StepWeights& whole) {
-  if (length == whole.length()) return solve(whole, couplings_);
-  cut_.set_length(length);
-  return solve(cut_, cut_couplings_);
-}
-
-void MarchState::accept(double length) {
-  for (std::size_t i = 0; i < end_force_.size(); ++i) {
-    end_force_[i] = loads_.force[i] + length * loads_.slope[i];
-  }
-  const auto [input, loss] = march_loops::step_energies(
-      groups_, length, stiffness_.data(), damping_.data(),
-      {q_.data(), v_.data(), load_.data(), load_slope_.data(), loads_.force.data()},
-      {end_q_.data(), end_v_.data(), end_load_.data(), end_load_slope_.data(), end_force_.data()},
-      loads_.slope.data());
-  input_ += input;
-  loss_ += loss;
-  std::swap(q_, end_q_);
-  std::swap(v_, end_v_);
-  std::swap(load_, end_load_);
-  std::swap(load_slope_, end_load_slope_);
-  std::swap(loads_.force, end_force_);
-  for (std::size_t j = 0; j < joints_.size(); ++j) {
-    Joint& joint = joints_[j];
-    Kinematics& k = joint.end;
-    loads_.normal[j] += length * loads_.normal_slope[j];
-    k.force = joint.hysteresis.advance(k.gap - joint.compliance * k.force, loads_.normal[j]) +
-              joint.damper * k.u_dot;
-    const Kinematics& b = joint.begin;
-    joint.damped += joint.damper * length *
-                    (0.5 * (b.u_dot * b.u_dot + k.u_dot * k.u_dot) +
-                     length / 6.0 * (b.u_dot * b.u_ddot - k.u_dot * k.u_ddot));
-    joint.curvature = {(k.force_dot - joint.begin.force_dot) / length,
-                       (k.r_dot - joint.begin.r_dot) / length};
-    joint.begin = k;
-    joint.turned_here = false;
-    joint.largest_force = std::max(joint.largest_force, std::abs(k.force));
-    joint.largest_gap = std::max(joint.largest_gap, std::abs(k.gap));
-    if (joint.direction == 0) set_off(joint);
-  }
-  ++steps_;
-}
-
-void MarchState::set_off(Joint& joint) {
-  joint.direction = sign_of(joint.begin.gap_dot);
-  if (joint.direction == 0) return;
-  joint.hysteresis.turn(joint.direction);
-  find_kink(joint);
-}
-
-// ---- Where joints turn, and where their tangents jump. ----
-
-void MarchState::change(const Change& change) {
-  contraction_ = 1.0;  // on another curve
-  Joint& joint = joints_[change.joint];
-  if (change.turns) {
-    turn(joint);
-    joint.turned_here = change.share <= 0.0;
-  } else {
-    pass_kink(joint);
-  }
-}
-
-void MarchState::turn(Joint& joint) {
-  joint.direction = -joint.direction;
-  joint.hysteresis.turn(joint.direction);
-  find_kink(joint);
-  ++reversals_;
-}
-
-/// The tangent jumps here, and with it the slopes of the loads.
-void MarchState::pass_kink(Joint& joint) {
-  const auto stiffness = [&] {
-    const double tangent = joint.hysteresis.tangent();
-    return tangent / (1.0 + tangent * joint.compliance);
-  };
-  const double before = stiffness();
-  joint.hysteresis.pass_kink();
-  find_kink(joint);
-  ++kinks_;
-  Kinematics& k = joint.begin;
-  const double jump = (stiffness() - before) * k.gap_dot;
-  k.force_dot += jump;
-  k.r_dot += jump;
-  for (std::size_t i = 0; i < load_slope_.size(); ++i) load_slope_[i] -= jump * joint.shape[i];
-  if (joint.gamma.empty()) return;
-  march_loops::shorten(groups_, joint.gamma.data(), q_.data(), v_.data(), joint.g.data(),
-                       joint.g_dot.data());
-  for (std::size_t i = 0; i < load_slope_.size(); ++i) load_slope_[i] += jump * joint.g[i];
-}
-
-/// The kinks that the joints have come to.
-void MarchState::pass_kinks() {
-  for (Joint& joint : joints_) {
-    for (int i = 0; i < kMostChanges && joint.direction * (joint.kink - joint.begin.gap) < 0.0;
-         ++i) {
-      pass_kink(joint);
-    }
-  }
-}
-
-void MarchState::find_kink(Joint& joint) {
-  const MarchedJoint::Kink& kink = joint.hysteresis.next_kink();
-  joint.kink = std::isfinite(kink.displacement) ? kink.displacement + joint.compliance * kink.force
-                                                : joint.direction * HUGE_VAL;
-}
-
-MarchState::Change MarchState::first_change(double length) {
-  Change first;
-  for (std::size_t j = 0; j < joints_.size(); ++j) {
-    const Joint& joint = joints_[j];
-    const Cubic y(joint.begin.gap, joint.begin.gap_dot, joint.end.gap, joint.end.gap_dot, length);
-    // It turns once at one place: what turns back at once is at rest but for rounding.
-    const double turn = joint.turned_here ? 1.0 : turning_share(joint, y, length);
-    if (turn < first.share) first = {turn, j, true};
-    const double kink = kink_share(joint, y, std::min(turn, 1.0));
-    if (kink < first.share) first = {kink, j, false};
-  }
-  return first;
-}
-
-/// Where in the step a joint turns, by the cubic through y and ẏ at its ends: ẏ there is of the order
-/// h³ and y off its extreme by h⁶. 1 where it does not, 0 where it has turned already.
-double MarchState::turning_share(const Joint& joint, const Cubic& y, double length) {
-  const auto ahead = [&](double share) { return joint.direction * y.slope(share); };
-  if (length * std::max(std::abs(joint.begin.gap_dot), std::abs(joint.end.gap_dot)) <=
-      kQuiet * joint.largest_gap) {
-    return ahead(1.0) < 0.0 ? 0.0 : 1.0;
-  }
-  // The slope is a parabola: it may dip below 0 and come back within the step, or rise above and fall.
-  const double vertex = y.c == 0.0 ? -1.0 : -y.b / (3.0 * y.c);
-  const bool bends = vertex > 0.0 && vertex < 1.0;
-  double low = 0.0;
-  double high = 1.0;
-  if (bends && ahead(vertex) > 0.0) low = vertex;
-  if (ahead(low) <= 0.0) return ahead(0.5) >= 0.0 ? 1.0 : 0.0;
-  if (bends && ahead(vertex) < 0.0) high = vertex;
-  if (ahead(high) >= 0.0) return 1.0;
-  return share_of_sign_change(ahead, low, high);
-}
-
-/// Where y comes to the next kink, before the share `until`, up to which it does not turn.
-double MarchState::kink_share(const Joint& joint, const Cubic& y, double until) {
-  // What is in series gives way to the damper, too.
-  const double kink = joint.kink + joint.compliance * joint.damper * joint.begin.u_dot;
-  const auto ahead = [&](double share) { return joint.direction * (kink - y.value(share)); };
-  if (joint.direction == 0 || !(ahead(until) < 0.0)) return 1.0;
-  return share_of_sign_change(ahead, 0.0, until);
 }
 
 // ---- What came out. ----

@@ -117,6 +117,8 @@ class MarchState {
   };
 
   void add_joint(const StructuralJoint& joint, double damper, MarchedJoint hysteresis);
+  void begin(std::size_t j);
+  void begin_dampers();
   void couple(const StepWeights& weights, Couplings& couplings) const;
   [[nodiscard]] static Kinematics extrapolated(const Kinematics& from, const Curvature& curvature,
                                                double length);
