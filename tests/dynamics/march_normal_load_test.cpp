@@ -58,6 +58,18 @@ TEST(MarchNormalLoad, OfOneIsTheMemory) {
   }
 }
 
+// Between loads ≥ 0 there is none below, whatever the last digits of its steps.
+TEST(MarchNormalLoad, MayFallToNothing) {
+  const JointedStructure structure = testing::one_mass(uniform_joint());
+  for (const NormalLoadLaw law : {NormalLoadLaw::kIncremental, NormalLoadLaw::kTotal}) {
+    for (const double end : {0.1, 0.3, 0.7, 1.1}) {
+      const LoadHistory loads{
+          {0.0, end, 2.0 * end}, {{"mass", {0.1, 0.1, 0.1}}}, {{"joint", {1.0, 0.0, 1.0}, law}}};
+      EXPECT_NO_THROW((void)march(structure, loads, {.points = {"mass"}})) << end;
+    }
+  }
+}
+
 // A displaced start under a load that is not 1, with a compliance in series: the first force and
 // displacement of the joint are those of the elements themselves, F(u) = p F₁(u) and u + cF = q. 1e-4 of
 // the force is what 1000 elements leave.

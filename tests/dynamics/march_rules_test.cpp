@@ -213,32 +213,59 @@ TEST(MarchFailure, ShowsInTheBalanceAndTheEstimate) {
   EXPECT_FALSE(found.error_estimate.has_value());
 }
 
-// The largest values are those at all times of the axis, whichever of them are recorded.
+// The largest values are those at the ends of all steps, whichever times are recorded.
 TEST(MarchRows, DoNotDecideOnTheLargest) {
   const JointedStructure structure = testing::one_mass(testing::iwan_joint());
   const LoadHistory loads = vibration(50);
   const MarchResult all = march(structure, loads, {.points = {"mass"}});
   const MarchResult few = march(structure, loads, {.every = 1000, .points = {"mass"}});
   ASSERT_EQ(few.time.size(), 2U);
-  double displacement = 0.0;
-  double velocity = 0.0;
-  double acceleration = 0.0;
+  LargestMotion recorded;
   double reach = 0.0;
   for (std::size_t k = 0; k < all.time.size(); ++k) {
-    displacement = std::max(displacement, std::abs(all.points[0].displacement[k]));
-    velocity = std::max(velocity, std::abs(all.points[0].velocity[k]));
-    acceleration = std::max(acceleration, std::abs(all.points[0].acceleration[k]));
+    const PointMotion& mass = all.points[0];
+    recorded.displacement = std::max(recorded.displacement, std::abs(mass.displacement[k]));
+    recorded.velocity = std::max(recorded.velocity, std::abs(mass.velocity[k]));
+    recorded.acceleration = std::max(recorded.acceleration, std::abs(mass.acceleration[k]));
     reach = std::max(reach, std::abs(all.joints[0].displacement[k]));
   }
+  constexpr double kBetween = 1.01;  // of steps that are a small part of a period
+  const auto is_beyond = [&](double largest, double of_rows) {
+    EXPECT_GE(largest, of_rows);
+    EXPECT_LT(largest, kBetween * of_rows);
+  };
   for (const MarchResult* result : {&all, &few}) {
     EXPECT_EQ(result->reached, loads.time.back());
     ASSERT_EQ(result->largest.size(), 1U);
-    EXPECT_EQ(result->largest[0].displacement, displacement);
-    EXPECT_EQ(result->largest[0].velocity, velocity);
-    EXPECT_EQ(result->largest[0].acceleration, acceleration);
+    is_beyond(result->largest[0].displacement, recorded.displacement);
+    is_beyond(result->largest[0].velocity, recorded.velocity);
+    is_beyond(result->largest[0].acceleration, recorded.acceleration);
     ASSERT_EQ(result->reach.size(), 1U);
-    EXPECT_EQ(result->reach[0], reach);
+    is_beyond(result->reach[0], reach);
   }
+  EXPECT_EQ(all.largest[0].displacement, few.largest[0].displacement);
+  EXPECT_EQ(all.reach, few.reach);
+}
+
+// A push that four times tell, and the same told by four hundred: what happens between them counts for
+// the largest motion and for the estimate of the error.
+TEST(MarchRows, NeedNotBeManyForTheLargestAndTheError) {
+  const JointedStructure structure = testing::one_mass(testing::iwan_joint());
+  const LoadHistory few{{0.0, 1.0, 2.0, 80.0}, {{"mass", {0.0, 1.0, 0.0, 0.0}}}, {}};
+  LoadHistory many{{}, {{"mass", {}}}, {}};
+  for (int i = 0; i <= 400; ++i) {
+    const double t = 0.2 * i;
+    many.time.push_back(t);
+    many.forces[0].force.push_back(std::max(0.0, 1.0 - std::abs(t - 1.0)));
+  }
+  const MarchResult of_few = march(structure, few, {.step = 0.05, .points = {"mass"}});
+  const MarchResult of_many = march(structure, many, {.step = 0.05, .points = {"mass"}});
+  EXPECT_GT(of_few.largest[0].displacement, 2.0 * std::abs(of_few.points[0].displacement[3]));
+  EXPECT_NEAR(of_few.largest[0].displacement, of_many.largest[0].displacement,
+              1e-3 * of_many.largest[0].displacement);
+  EXPECT_NEAR(of_few.reach[0], of_many.reach[0], 1e-3 * of_many.reach[0]);
+  ASSERT_TRUE(of_few.error_estimate && of_many.error_estimate);
+  EXPECT_NEAR(*of_few.error_estimate, *of_many.error_estimate, 0.5 * *of_many.error_estimate);
 }
 
 // What is given away row by row is what march() keeps.
@@ -280,6 +307,13 @@ TEST(March, TakesHystereticDampingAsViscous) {
             march(viscous, loads, {.points = {point}}).points[0].displacement);
   ASSERT_EQ(found.warnings.size(), 1U);
   EXPECT_EQ(found.warnings[0].code, "hysteretic_as_viscous");
+}
+
+TEST(March, SaysNothingOfADampingThatIsNone) {
+  const JointedStructure structure(ModalModel({{1.0, 0.0}}, {{"mass", {1.0}}}), {}, {{"mass"}},
+                                   DampingLaw::kHysteretic);
+  LoadHistory loads = vibration(50);
+  EXPECT_TRUE(march(structure, loads, {.points = {"mass"}}).warnings.empty());
 }
 
 }  // namespace

@@ -26,13 +26,9 @@ std::size_t EvenSteps::count(double length, double longest, bool in_pairs) {
       pieces * std::max(1.0, std::ceil(length / (pieces * longest) * (1.0 - kSameLength))));
 }
 
-std::size_t EvenSteps::take(double length, std::size_t count, MarchState& state) {
+void EvenSteps::set(double length, std::size_t count) {
   const double step = length / static_cast<double>(count);
   if (std::abs(step - weights_.length()) > kSameLength * step) weights_.set_length(step);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!state.step(weights_)) return i;
-  }
-  return count;
 }
 
 CoarseMarch::CoarseMarch(const JointedStructure& structure, const LoadHistory& loads,
@@ -51,11 +47,15 @@ void CoarseMarch::start(const MarchLoads& acting, const InitialState& start) {
   state_.start(start);
 }
 
-void CoarseMarch::take(const MarchLoads& acting, std::size_t interval, double length,
-                       std::size_t count, const MarchState& fine) {
-  if (failed_) return;
+void CoarseMarch::set(const MarchLoads& acting, std::size_t interval, double length,
+                      std::size_t count) {
   acting.set(interval, state_.loads());
-  failed_ = steps_.take(length, count, state_) < count;
+  steps_.set(length, count);
+}
+
+void CoarseMarch::take(const MarchState& fine) {
+  if (failed_) return;
+  failed_ = !steps_.take(state_);
   if (!failed_) compare(fine);
 }
 

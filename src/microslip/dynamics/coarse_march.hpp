@@ -20,8 +20,11 @@ class EvenSteps {
   /// The least number of steps over an interval that are not longer, in pairs where that is asked for.
   [[nodiscard]] static std::size_t count(double length, double longest, bool in_pairs);
 
-  /// Over an interval. @return how many were taken; fewer than `count` where one failed.
-  [[nodiscard]] std::size_t take(double length, std::size_t count, MarchState& state);
+  /// For those that follow: of an interval by its length and their number.
+  void set(double length, std::size_t count);
+
+  /// @return false where it failed.
+  [[nodiscard]] bool take(MarchState& state) const { return state.step(weights_); }
 
  private:
   StepWeights weights_;
@@ -35,9 +38,11 @@ class CoarseMarch {
 
   void start(const MarchLoads& acting, const InitialState& start);
 
-  /// Over an interval, to be held against where the other came to.
-  void take(const MarchLoads& acting, std::size_t interval, double length, std::size_t count,
-            const MarchState& fine);
+  /// For the steps over an interval by their number.
+  void set(const MarchLoads& acting, std::size_t interval, double length, std::size_t count);
+
+  /// A step, to be held against where the other came to by two.
+  void take(const MarchState& fine);
 
   /// As MarchResult::error_estimate: none where it failed, or there was nothing to be held against.
   [[nodiscard]] std::optional<double> error() const;

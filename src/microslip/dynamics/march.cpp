@@ -75,9 +75,14 @@ class Recorder {
     result.reach.resize(joint_force_.size());
   }
 
-  void take(std::size_t index, double time, const MarchState& state, bool recorded) {
+  /// At every step: what is largest need not be at a time of the axis.
+  void watch(const MarchState& state) {
     move_points(state);
     move_joints(state);
+  }
+
+  /// What was watched last, at a time of the axis.
+  void take(std::size_t index, double time, bool recorded) {
     result_.reached = time;
     if (!recorded) return;
     sink_(
@@ -139,11 +144,14 @@ struct March {
   [[nodiscard]] std::string run(double longest, Recorder& recorder, const Progress& progress) {
     const std::size_t intervals = loads.time.size() - 1;
     std::size_t told = 0;  // steps
-    recorder.take(0, loads.time.front(), state, true);
+    recorder.watch(state);
+    recorder.take(0, loads.time.front(), true);
     for (std::size_t k = 0; k < intervals; ++k) {
-      if (std::string failure = pass(k, longest); !failure.empty()) return failure;
+      if (std::string failure = pass(k, longest, recorder); !failure.empty()) {
+        return failure;
+      }
       const bool last = k + 1 == intervals;
-      recorder.take(k + 1, loads.time[k + 1], state, last || (k + 1) % options.every == 0);
+      recorder.take(k + 1, loads.time[k + 1], last || (k + 1) % options.every == 0);
       if (progress && (last || state.steps() - told >= kStepsAWord)) {
         told = state.steps();
         if (!progress(k + 1, intervals)) throw Cancelled();
@@ -153,21 +161,28 @@ struct March {
   }
 
   /// Over one interval. @return as run().
-  [[nodiscard]] std::string pass(std::size_t interval, double longest) {
+  [[nodiscard]] std::string pass(std::size_t interval, double longest, Recorder& recorder) {
     acting.set(interval, state.loads());
     const double begin = loads.time[interval];
     const double length = loads.time[interval + 1] - begin;
     const std::size_t count = EvenSteps::count(length, longest, coarse.has_value());
-    const std::size_t taken = steps.take(length, count, state);
-    if (taken == count) {
-      if (coarse) coarse->take(acting, interval, length, count / 2, state);
-      return "";
+    steps.set(length, count);
+    if (coarse) coarse->set(acting, interval, length, count / 2);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!steps.take(state)) {
+        return failure(begin + length * static_cast<double>(i) / static_cast<double>(count));
+      }
+      recorder.watch(state);
+      if (coarse && i % 2 == 1) coarse->take(state);
     }
-    const double share = static_cast<double>(taken) / static_cast<double>(count);
+    return "";
+  }
+
+  [[nodiscard]] std::string failure(double time) const {
     return fmt::format(
         "step {}, from {:.9g} s on, did not converge in {} iterations, nor did pieces of it: the "
         "joint forces still change by {:.2g}; take shorter steps",
-        state.steps() + 1, begin + share * length, options.max_iterations, state.last_change());
+        state.steps() + 1, time, options.max_iterations, state.last_change());
   }
 
   const LoadHistory& loads;
@@ -244,7 +259,9 @@ void add_damping_of_joints(const JointedStructure& structure, MarchResult& resul
 
 void add_damping(const JointedStructure& structure, MarchResult& result) {
   add_damping_of_joints(structure, result);
-  if (structure.damping() != DampingLaw::kHysteretic) return;
+  const bool damped = std::ranges::any_of(structure.linear().modes(),
+                                          [](const Mode& m) { return m.loss_factor > 0.0; });
+  if (structure.damping() != DampingLaw::kHysteretic || !damped) return;
   result.warnings.push_back({"hysteretic_as_viscous",
                              "hysteretic damping has no form in time; the damping is viscous with "
                              "the same loss factor at each natural frequency."});

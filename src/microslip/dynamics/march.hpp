@@ -158,7 +158,7 @@ struct MarchResult {
   std::vector<PointMotion> points;  ///< in the order of the options
   std::vector<JointMotion> joints;  ///< in the order of the structure
   double reached = 0.0;             ///< the last time of the axis that was reached, s
-  /// At all times of the axis up to there, recorded or not; in the order of the options.
+  /// At the ends of all steps up to there, recorded or not; in the order of the options.
   std::vector<LargestMotion> largest;
   std::vector<double> reach;  ///< likewise max |u| of each joint, m
   MarchEnergy energy;         ///< up to the last time that was reached
@@ -166,7 +166,7 @@ struct MarchResult {
   std::size_t reversals = 0;  ///< of all joints
   std::size_t kinks = 0;      ///< loops that closed and atoms that began to slip
   /// The largest error of the displacement of a recorded point (of u of a joint where there is none)
-  /// at the times of the axis, over its largest value, 1: the difference from the march with twice the
+  /// at every second step, over its largest value, 1: the difference from the march with twice the
   /// step, over what it is of the error by the order of the scheme. 0 for a linear structure; none
   /// where it was not asked for, or that march failed.
   std::optional<double> error_estimate;

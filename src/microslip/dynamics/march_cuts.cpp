@@ -99,7 +99,7 @@ void MarchState::accept(double length) {
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     Joint& joint = joints_[j];
     Kinematics& k = joint.end;
-    loads_.normal[j] += length * loads_.normal_slope[j];
+    loads_.normal[j] = normal_load(j, length);
     k.force = joint.hysteresis.advance(k.gap - joint.compliance * k.force, loads_.normal[j]) +
               joint.damper * k.u_dot;
     const Kinematics& b = joint.begin;

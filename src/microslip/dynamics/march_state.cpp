@@ -273,7 +273,7 @@ double MarchState::update(std::size_t j, const Couplings& couplings, double leng
   Kinematics& k = joint.end;
   const std::size_t own = j * joints_.size() + j;
   const double c = joint.compliance;
-  const double load = loads_.normal[j] + length * loads_.normal_slope[j];
+  const double load = normal_load(j, length);
   if (!std::isfinite(k.gap - c * k.force)) return HUGE_VAL;
   const auto [force, new_tangent] = joint.hysteresis.trial(k.gap - c * k.force, load);
   if (!settled) joint.tangent = new_tangent;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -116,6 +117,10 @@ class MarchState {
     double start, v0, v1, c, b;
   };
 
+  /// In the step, after the length. Rounding makes no load that falls to 0 a negative one.
+  [[nodiscard]] double normal_load(std::size_t j, double length) const {
+    return std::max(0.0, loads_.normal[j] + length * loads_.normal_slope[j]);
+  }
   void add_joint(const StructuralJoint& joint, double damper, MarchedJoint hysteresis);
   void begin(std::size_t j);
   void begin_dampers();
