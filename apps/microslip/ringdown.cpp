@@ -210,7 +210,7 @@ CsvWriter dissipation_table(const RingDownLevels& found) {
                        .secant_stiffness_std = found.secant_stiffness_std});
 }
 
-/// Without modal mass the levels have no dissipation, but the deviations of what they have.
+/// Without modal mass the levels have no dissipation.
 std::string levels_text(const RingDownLevels& found, const Signal& signal,
                         const std::vector<Warning>& warnings, std::string_view comment) {
   const std::size_t n = found.amplitude.size();
@@ -221,11 +221,9 @@ std::string levels_text(const RingDownLevels& found, const Signal& signal,
     table.add_numbers("amplitude_std", kLength, found.amplitude_std);
   }
   table.add_numbers("frequency", kFrequency, found.frequency);
-  if (damping_alone) table.add_numbers("frequency_std", kFrequency, found.frequency_std);
+  table.add_numbers("frequency_std", kFrequency, found.frequency_std);
   table.add_numbers("damping_ratio", kDimensionless, found.damping_ratio);
-  if (damping_alone) {
-    table.add_numbers("damping_ratio_std", kDimensionless, found.damping_ratio_std);
-  }
+  table.add_numbers("damping_ratio_std", kDimensionless, found.damping_ratio_std);
   // A column `time` would make the table a history, which no table of levels may replace.
   table.add_numbers("decay_time", kTime, found.time);
   table.add_text("source", std::vector<std::string>(n, signal.recording->source));
@@ -373,11 +371,9 @@ void add_ringdown(CLI::App& program, Call& call) {
   command
       ->add_option(
           "--out", options->out,
-          "Levels to write as CSV: amplitude [m], dissipation [J], amplitude_std, "
-          "dissipation_std, frequency [Hz], damping_ratio [1], decay_time [s], source, flags; "
-          "without --modal-mass frequency_std and damping_ratio_std in place of the dissipation; - "
-          "is "
-          "standard output")
+          "Levels to write as CSV: amplitude [m], dissipation [J], frequency [Hz], "
+          "damping_ratio [1], each with its standard deviation (_std), decay_time [s], source, "
+          "flags; no dissipation without --modal-mass; - is standard output")
       ->required()
       ->type_name(kCsvValue);
   add_analysis_options(*command, *options);

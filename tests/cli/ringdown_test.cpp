@@ -57,6 +57,9 @@ TEST(ringdown, WritesLevelsOfADecay) {
     EXPECT_NEAR(dissipation[i] / (2.0 * std::numbers::pi * 2.0 * omega * a * a * delta0 / s), 1.0,
                 3e-3);
   }
+  for (const char* column : {"frequency_std", "damping_ratio_std"}) {
+    EXPECT_TRUE(table.has(column)) << column;  // what `identify` weighs measured frequencies by
+  }
   EXPECT_EQ(table.text("source").front(), "decay.csv");
   EXPECT_EQ(table.text("flags").front(), "");
 }
