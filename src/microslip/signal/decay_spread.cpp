@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <numbers>
+#include <numeric>
+#include <vector>
 
 namespace microslip {
 namespace {
@@ -51,44 +54,127 @@ DecaySpread mean_about(std::span<const DecayWindow> windows, std::span<const Dec
           std::max(leaked, mean.damping) / count, std::max(leaked, mean.loss) / count};
 }
 
-/// What ln ζ scatters, beyond its noise, about a parabola over the windows whose centres are within one
-/// window; 0 of fewer than five. (The other quantities run too steep for a parabola.) Windows with more
-/// noise than the one in the middle weigh less: behind it the decay sinks into noise, which would
-/// pass for a scatter of the windows before.
-DecaySpread excess_scatter(std::span<const DecayWindow> windows, std::span<const DecayPoint> points,
-                           std::size_t centre) {
-  constexpr Eigen::Index kFewest = 5;
-  std::vector<std::size_t> near;
-  for (std::size_t i = 0; i < windows.size(); ++i) {
-    if (std::abs(windows[i].centre - windows[centre].centre) <= windows[centre].length) {
-      near.push_back(i);
-    }
+/// One quantity in the windows about another: where they are, over its length, and what they say.
+struct Course {
+  Eigen::VectorXd place;
+  Eigen::VectorXd value;
+  Eigen::VectorXd noise;  ///< variance of each value
+  double own = 0.0;       ///< of the one in the middle
+
+  /// Windows with more noise than the one in the middle weigh less: behind it the decay sinks into
+  /// noise, which would pass for a scatter of the windows before.
+  [[nodiscard]] Eigen::VectorXd weights() const {
+    return noise.unaryExpr([&](double each) { return each > own ? own / each : 1.0; });
   }
-  const auto n = static_cast<Eigen::Index>(near.size());
-  if (n < kFewest) return {};
-  const auto noise = [&](std::size_t i) {
-    return square(points[i].damping_std / points[i].damping);
+
+  /// Σw(value − fit)² with the best of Σ c_k basis_k.
+  [[nodiscard]] double about(const Eigen::MatrixXd& basis) const {
+    const Eigen::VectorXd root = weights().cwiseSqrt();
+    const Eigen::MatrixXd left = root.asDiagonal() * basis;
+    const Eigen::VectorXd right = root.cwiseProduct(value);
+    return (right - left * left.colPivHouseholderQr().solve(right)).squaredNorm();
+  }
+
+  /// Mean square beyond noise, where a course of so many unknowns leaves `squares`.
+  [[nodiscard]] double excess(double squares, int unknowns) const {
+    const Eigen::VectorXd weight = weights();
+    const auto n = static_cast<double>(value.size());
+    const double freedom = (n - static_cast<double>(unknowns)) / n;
+    return std::max(0.0, squares / freedom - weight.dot(noise)) / weight.sum();
+  }
+};
+
+Eigen::MatrixXd powers_of(const Eigen::VectorXd& place, int degree) {
+  Eigen::MatrixXd powers(place.size(), degree + 1);
+  for (int k = 0; k <= degree; ++k) powers.col(k) = place.array().pow(k);
+  return powers;
+}
+
+double about_polynomial(const Course& course, int degree) {
+  return course.excess(course.about(powers_of(course.place, degree)), degree + 1);
+}
+
+/// About the best parabola that does not turn among the windows: with the amplitude a joint's frequency
+/// goes one way, and one that goes back and forth is that of a beat.
+double about_monotone(const Course& course) {
+  const Eigen::MatrixXd powers = powers_of(course.place, 2);
+  const Eigen::Vector3d best = powers.colPivHouseholderQr().solve(course.value);
+  const double first = course.place.minCoeff();
+  const double last = course.place.maxCoeff();
+  const auto slope = [&](double at) { return best[1] + 2.0 * best[2] * at; };
+  if (slope(first) * slope(last) >= 0.0) return course.excess(course.about(powers), 3);
+  double least = course.about(powers_of(course.place, 0));
+  for (const double vertex : {first, last}) {
+    Eigen::MatrixXd half = powers.leftCols(2);
+    half.col(1) = (course.place.array() - vertex).square();
+    least = std::min(least, course.about(half));
+  }
+  // That it is bound is by noise too: of its two unknowns one counts.
+  return course.excess(least, 1);
+}
+
+/// The windows whose centres are within one window of another's, `fewest` of the nearest at least;
+/// nothing where there are not so many.
+std::vector<std::size_t> windows_near(std::span<const DecayWindow> windows, std::size_t centre,
+                                      std::size_t fewest) {
+  const auto apart = [&](std::size_t i) {
+    return std::abs(windows[i].centre - windows[centre].centre);
   };
-  const double own = noise(centre);
-  Eigen::MatrixXd powers(n, 3);
-  Eigen::VectorXd values(n);
-  double weights = 0.0;
-  double by_noise = 0.0;
+  std::vector<std::size_t> near(windows.size());
+  std::iota(near.begin(), near.end(), std::size_t{0});
+  if (near.size() < fewest) return {};
+  std::ranges::stable_sort(near, std::less{}, apart);
+  std::size_t count = fewest;
+  while (count < near.size() && apart(near[count]) <= windows[centre].length) ++count;
+  near.resize(count);
+  return near;
+}
+
+/// @param value, deviation  of a point.
+template <typename Value, typename Deviation>
+Course course_of(std::span<const DecayWindow> windows, std::span<const DecayPoint> points,
+                 std::size_t centre, const std::vector<std::size_t>& near, const Value& value,
+                 const Deviation& deviation) {
+  const auto n = static_cast<Eigen::Index>(near.size());
+  Course course{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n),
+                square(deviation(points[centre]))};
   for (Eigen::Index i = 0; i < n; ++i) {
     const std::size_t window = near[static_cast<std::size_t>(i)];
-    const double s = (windows[window].centre - windows[centre].centre) / windows[centre].length;
-    const double weight = own > 0.0 ? std::min(1.0, own / noise(window)) : 1.0;
-    powers.row(i) << 1.0, s, s * s;
-    powers.row(i) *= std::sqrt(weight);
-    values[i] = std::sqrt(weight) * std::log(std::abs(points[window].damping));
-    weights += weight;
-    by_noise += weight * noise(window);
+    course.place[i] = (windows[window].centre - windows[centre].centre) / windows[centre].length;
+    course.value[i] = value(points[window]);
+    course.noise[i] = square(deviation(points[window]));
   }
-  const Eigen::VectorXd best = powers.colPivHouseholderQr().solve(values);
-  const double freedom = static_cast<double>(n - 3) / static_cast<double>(n);
-  const double all = (values - powers * best).squaredNorm() / freedom;
-  const double excess = std::max(0.0, all - by_noise) / weights;
-  return {0.0, 0.0, excess, excess};
+  return course;
+}
+
+/// What windows scatter beyond their noise about a smooth course: ln ζ about a parabola, ln A, its
+/// integral, about a cubic, and ω about a parabola that keeps its direction. Two windows more than the
+/// unknowns are the fewest that tell, three for A, whose noise would else pass for scatter at the ends.
+DecaySpread excess_scatter(std::span<const DecayWindow> windows, std::span<const DecayPoint> points,
+                           std::size_t centre) {
+  DecaySpread spread;
+  if (const auto near = windows_near(windows, centre, 5); !near.empty()) {
+    const double omega = points[centre].omega;
+    spread.damping =
+        about_polynomial(course_of(
+                             windows, points, centre, near,
+                             [](const DecayPoint& p) { return std::log(std::abs(p.damping)); },
+                             [](const DecayPoint& p) { return p.damping_std / p.damping; }),
+                         2);
+    spread.loss = spread.damping;
+    spread.omega = about_monotone(course_of(
+        windows, points, centre, near, [&](const DecayPoint& p) { return p.omega / omega - 1.0; },
+        [&](const DecayPoint& p) { return p.omega_std / omega; }));
+  }
+  if (const auto near = windows_near(windows, centre, 7); !near.empty()) {
+    spread.amplitude =
+        about_polynomial(course_of(
+                             windows, points, centre, near,
+                             [](const DecayPoint& p) { return std::log(p.amplitude); },
+                             [](const DecayPoint& p) { return p.amplitude_std / p.amplitude; }),
+                         3);
+  }
+  return spread;
 }
 
 void widen(DecayPoint& point, const DecaySpread& spread) {

@@ -14,9 +14,9 @@
 /// seventeenth, and what the model of the envelope cannot follow goes with a high power of the length:
 /// so the differences show both, about as large as the error itself or larger. Noise makes the lengths
 /// differ by some quarter of its variance, which is taken off. What is known to leak in by
-/// decay_leakage() is the least that counts for damping. A mode too near for any of the lengths makes the
-/// decay beat: what damping scatters about a smooth course beyond its noise is
-/// added, and to the loss the 0.15 % that first harmonics are off by.
+/// decay_leakage() is the least that counts for damping. A mode too near for any of the lengths makes
+/// the decay beat: what damping, frequency and amplitude scatter about smooth courses beyond their noise
+/// is added, and to the loss the 0.15 % that first harmonics are off by.
 
 namespace microslip {
 
