@@ -83,9 +83,11 @@ struct RingDownSensor {
 
 /// The mode over time: one entry a window, each of the last fitted value at its centre. Windows
 /// overlap; two that are half a window apart or more are all but independent (correlation −0.2).
-/// Standard deviations hold the noise and what the choice of the window is worth: each is fitted again with
-/// 0.8, 1.25 and 1.6 times the length, and the mean square of the differences is added, less the share of the noise and at least
-/// what other modes are known to leak in; so is what the windows scatter about a smooth course beyond noise.
+/// Standard deviations hold the noise and what the choice of the window is worth: each is fitted again
+/// with 0.8, 1.25 and 1.6 times the length, and the mean square of the differences is added, less the
+/// share of the noise and at least what other modes are known to leak in; so is what the windows
+/// scatter about smooth courses of ζ, ω and A beyond noise. Of several sensors the noise alone falls
+/// with their number.
 struct RingDown {
   std::vector<double> time;               ///< s, on the axis of the recording
   std::vector<double> amplitude;          ///< A, of the displacement at the sensor, m

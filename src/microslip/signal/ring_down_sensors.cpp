@@ -18,8 +18,14 @@ namespace {
 constexpr double kSure = 2.0;         // standard deviations
 constexpr double kFixedShape = 0.01;  // of a ratio of amplitudes
 
+/// What a sensor says in a window: with all that its standard deviations hold, and with noise alone.
+struct SensorPoint {
+  DecayPoint all;
+  DecayPoint noise;
+};
+
 /// Of each window; nothing where the sensor does not see the decay.
-using SensorPoints = std::vector<std::optional<DecayPoint>>;
+using SensorPoints = std::vector<std::optional<SensorPoint>>;
 
 /// Whether windows that are off by more than kSure deviations are more than noise makes of that many:
 /// the worst by Bonferroni's inequality, or as many as noise makes five per cent of. Windows overlap by
@@ -59,11 +65,16 @@ std::size_t leader_of(const std::vector<SensorTrack>& tracks) {
   return leader;
 }
 
+DecayPoint noise_point(const DecayTrack& track, const DecayWindow& window) {
+  return decay_point(window, track.task.derivatives, track.walk.noise_variance);
+}
+
 /// What a sensor sees in the windows of another.
 SensorPoints points_in(const DecayTrack& track, const DecayTrack& leader) {
   SensorPoints points(leader.walk.windows.size());
   std::vector<DecayWindow> windows;
   std::vector<std::size_t> places;
+  std::vector<DecayPoint> noisy;
   const double shift = leader.offset - track.offset;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const DecayWindow& wanted = leader.walk.windows[i];
@@ -73,13 +84,24 @@ SensorPoints points_in(const DecayTrack& track, const DecayTrack& leader) {
     const auto found = fit_decay_window(track.task.signal, track.task.rate, centre, wanted.length,
                                         track.task.lowest, track.task.highest, track.task.others);
     if (!found) continue;
-    const DecayPoint point = decay_point(*found, track.task.derivatives, track.walk.noise_variance);
-    if (!(point.damping_std < track.task.largest_std * point.damping)) continue;
+    const DecayPoint noise = noise_point(track, *found);
+    if (!(noise.damping_std < track.task.largest_std * noise.damping)) continue;
     windows.push_back(*found);
     places.push_back(i);
+    noisy.push_back(noise);
   }
   const std::vector<DecayPoint> found = points_of(track.task, windows, track.walk.noise_variance);
-  for (std::size_t i = 0; i < places.size(); ++i) points[places[i]] = found[i];
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    points[places[i]] = SensorPoint{found[i], noisy[i]};
+  }
+  return points;
+}
+
+SensorPoints points_in_own(const DecayTrack& track) {
+  SensorPoints points;
+  for (std::size_t i = 0; i < track.points.size(); ++i) {
+    points.emplace_back(SensorPoint{track.points[i], noise_point(track, track.walk.windows[i])});
+  }
   return points;
 }
 
@@ -92,9 +114,10 @@ struct RatioOverDecay {
   double highest = 0.0;
 };
 
+double square_of(double x) { return x * x; }
+
 double relative_variance(const DecayPoint& point) {
-  const double relative = point.amplitude_std / point.amplitude;
-  return relative * relative;
+  return square_of(point.amplitude_std / point.amplitude);
 }
 
 RatioOverDecay log_ratio_of(const SensorPoints& points, const SensorPoints& leader) {
@@ -103,9 +126,9 @@ RatioOverDecay log_ratio_of(const SensorPoints& points, const SensorPoints& lead
   double sum = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!points[i] || !leader[i]) continue;
-    const double log = std::log(points[i]->amplitude / leader[i]->amplitude);
+    const double log = std::log(points[i]->all.amplitude / leader[i]->all.amplitude);
     const double weight =
-        1.0 / (relative_variance(*points[i]) + relative_variance(*leader[i]) + 1e-16);
+        1.0 / (relative_variance(points[i]->all) + relative_variance(leader[i]->all) + 1e-16);
     weights += weight;
     sum += weight * log;
     ratio.lowest = std::min(ratio.lowest, log);
@@ -123,9 +146,8 @@ class Combination {
   explicit Combination(const std::vector<SensorTrack>& tracks) : tracks_(tracks) {
     result_.leader = leader_of(tracks);
     for (const SensorTrack& sensor : tracks) {
-      points_.push_back(&sensor.track == &leader()
-                            ? SensorPoints(leader().points.begin(), leader().points.end())
-                            : points_in(sensor.track, leader()));
+      points_.push_back(&sensor.track == &leader() ? points_in_own(leader())
+                                                   : points_in(sensor.track, leader()));
     }
     for (const SensorPoints& points : points_) {
       ratios_.push_back(log_ratio_of(points, points_[result_.leader]));
@@ -178,21 +200,29 @@ class Combination {
   void combine() {
     const double to_first = ratios_.front().mean;
     for (std::size_t i = 0; i < leader().walk.windows.size(); ++i) {
-      const SensorMean damping = mean_at(i, [](std::size_t, const DecayPoint& p) {
-        return SensorValue{p.damping, p.damping_std * p.damping_std};
+      const SensorMean damping = mean_at(i, [](std::size_t, const SensorPoint& p) {
+        return SensorValue{p.all.damping, square_of(p.all.damping_std),
+                           square_of(p.noise.damping_std)};
       });
-      const SensorMean omega = mean_at(i, [](std::size_t, const DecayPoint& p) {
-        return SensorValue{p.omega, p.omega_std * p.omega_std};
+      const SensorMean omega = mean_at(i, [](std::size_t, const SensorPoint& p) {
+        return SensorValue{p.all.omega, square_of(p.all.omega_std), square_of(p.noise.omega_std)};
       });
-      const SensorMean log = mean_at(i, [&](std::size_t s, const DecayPoint& p) {
-        return SensorValue{std::log(p.amplitude) + to_first - ratios_[s].mean,
-                           relative_variance(p)};
+      const SensorMean log = mean_at(i, [&](std::size_t s, const SensorPoint& p) {
+        return SensorValue{std::log(p.all.amplitude) + to_first - ratios_[s].mean,
+                           relative_variance(p.all), relative_variance(p.noise)};
       });
-      add_point(damping, omega, log);
+      const SensorMean loss = mean_at(i, [&](std::size_t s, const SensorPoint& p) {
+        return SensorValue{std::log(p.all.loss) + 2.0 * (to_first - ratios_[s].mean),
+                           square_of(p.all.loss_std / p.all.loss),
+                           square_of(p.noise.loss_std / p.noise.loss)};
+      });
+      add_point(damping, omega, log, loss.variance);
     }
   }
 
-  void add_point(const SensorMean& damping, const SensorMean& omega, const SensorMean& log) {
+  /// @param loss_variance  relative.
+  void add_point(const SensorMean& damping, const SensorMean& omega, const SensorMean& log,
+                 double loss_variance) {
     DecayPoint point;
     point.amplitude = std::exp(log.value);
     point.amplitude_std = point.amplitude * std::sqrt(log.variance);
@@ -202,8 +232,7 @@ class Combination {
     point.damping_std = std::sqrt(damping.variance);
     point.loss = 2.0 * std::numbers::pi * damping.value * omega.value * omega.value *
                  point.amplitude * point.amplitude;
-    point.loss_std = point.loss * std::sqrt(damping.variance / (damping.value * damping.value) +
-                                            4.0 * log.variance);
+    point.loss_std = point.loss * std::sqrt(loss_variance);
     result_.points.push_back(point);
   }
 
@@ -235,8 +264,8 @@ class Combination {
     for (std::size_t i = 0; i < result_.flags.size(); ++i) {
       if (!points_[a][i] || !points_[b][i]) continue;
       ++common;
-      const DecayPoint& one = *points_[a][i];
-      const DecayPoint& other = *points_[b][i];
+      const DecayPoint& one = points_[a][i]->all;
+      const DecayPoint& other = points_[b][i]->all;
       const double off =
           (one.damping - other.damping) / std::hypot(one.damping_std, other.damping_std);
       if (std::abs(off) <= kSure) continue;
@@ -266,10 +295,10 @@ class Combination {
       for (std::size_t i = 0; i < result_.flags.size(); ++i) {
         if (!points_[s][i] || !lead[i]) continue;
         ++common;
-        const double off =
-            std::abs(std::log(points_[s][i]->amplitude / lead[i]->amplitude) - ratios_[s].mean);
+        const double off = std::abs(
+            std::log(points_[s][i]->all.amplitude / lead[i]->all.amplitude) - ratios_[s].mean);
         const double deviation =
-            std::sqrt(relative_variance(*points_[s][i]) + relative_variance(*lead[i]));
+            std::sqrt(relative_variance(points_[s][i]->all) + relative_variance(lead[i]->all));
         if (off <= std::max(kSure * deviation, kFixedShape)) continue;
         ++apart;
         worst = std::max(worst, off / deviation);

@@ -14,12 +14,16 @@ double weight_of(const SensorValue& value, double excess) {
 SensorMean mean_of(std::span<const SensorValue> values, double excess) {
   double weights = 0.0;
   double sum = 0.0;
+  double own = 0.0;
+  double shared = 0.0;
   for (const SensorValue& value : values) {
     const double weight = weight_of(value, excess);
     weights += weight;
     sum += weight * value.value;
+    own += weight * weight * (value.noise + excess / (value.size * value.size));
+    shared += weight * (value.variance - value.noise);
   }
-  return {sum / weights, 1.0 / weights};
+  return {sum / weights, own / (weights * weights) + shared / weights};
 }
 
 /// Σw(x − mean)² less what it should be; falls with s².
