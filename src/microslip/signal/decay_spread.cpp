@@ -205,7 +205,7 @@ DecaySpread spread_of(const DecayTask& task, const DecayWindow& window, double n
       continue;
     if (choice.factor > 1.0 && window.decay * length > kTooFar * task.largest_fall) continue;
     const auto other =
-        fit_decay_window(task.signal, task.rate, window.centre, length, lowest, highest, {});
+        fit_decay_values(task.signal, task.rate, window.centre, length, lowest, highest);
     if (!other) continue;
     const DecayPoint there = decay_point(*other, task.derivatives, noise_variance);
     const auto beyond = [](double a, double b, double deviation, double share) {

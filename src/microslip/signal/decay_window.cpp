@@ -231,44 +231,74 @@ double relative_leakage(const DecayWindow& window) {
   return decay_leakage(window.beside, window.length) / (std::abs(window.decay) * window.length);
 }
 
+namespace {
+
+/// The fitted parameters of a window.
+struct WindowFit {
+  TaperedWindow window;
+  double scale;
+  Parameters p;
+  DecayWindow found;
+};
+
+std::optional<WindowFit> fit_parameters(std::span<const double> signal, double rate, double centre,
+                                        double length, double from, double to) {
+  WindowFit fit{.window = TaperedWindow(signal, rate, centre, length),
+                .scale = 0.0,
+                .p = Parameters::Zero(),
+                .found = {}};
+  fit.scale = fit.window.largest();
+  if (!(fit.scale > 0.0)) return std::nullopt;
+  const double two_pi = 2.0 * std::numbers::pi;
+  Samples samples(fit.window, fit.scale);
+  fit.p = start(fit.window, fit.scale, fit.window.strongest(two_pi * from, two_pi * to));
+  if (!minimise(samples, fit.p)) return std::nullopt;
+  const double h = length / 2.0;
+  fit.found = {.centre = centre,
+               .length = length,
+               .amplitude = std::exp(fit.p[0]) * fit.scale,
+               .decay = fit.p[1] / h,
+               .exponent = fit.p[kExponent],
+               .omega = fit.p[4] / h,
+               .chirp = fit.p[5] / (h * h),
+               .beside = {}};
+  const double line = two_pi / length;
+  const double omega = fit.found.omega;
+  if (!(omega > two_pi * from - line && omega < two_pi * to + line)) return std::nullopt;
+  if (!std::isfinite(fit.found.amplitude)) return std::nullopt;
+  return fit;
+}
+
+}  // namespace
+
+std::optional<DecayWindow> fit_decay_values(std::span<const double> signal, double rate,
+                                            double centre, double length, double from, double to) {
+  std::optional<WindowFit> fit = fit_parameters(signal, rate, centre, length, from, to);
+  if (!fit) return std::nullopt;
+  return std::move(fit->found);
+}
+
 std::optional<DecayWindow> fit_decay_window(std::span<const double> signal, double rate,
                                             double centre, double length, double from, double to,
                                             std::span<const SpectralPeak> others) {
-  const TaperedWindow window(signal, rate, centre, length);
-  const double scale = window.largest();
-  if (!(scale > 0.0)) return std::nullopt;
-  const double two_pi = 2.0 * std::numbers::pi;
-  const double omega = window.strongest(two_pi * from, two_pi * to);
-  Samples samples(window, scale);
-  Parameters p = start(window, scale, omega);
-  if (!minimise(samples, p)) return std::nullopt;
-
+  std::optional<WindowFit> fit = fit_parameters(signal, rate, centre, length, from, to);
+  if (!fit) return std::nullopt;
+  DecayWindow& found = fit->found;
   const double h = length / 2.0;
-  DecayWindow found{.centre = centre,
-                    .length = length,
-                    .amplitude = std::exp(p[0]) * scale,
-                    .decay = p[1] / h,
-                    .exponent = p[kExponent],
-                    .omega = p[4] / h,
-                    .chirp = p[5] / (h * h),
-                    .beside = {}};
-  const double line = two_pi / length;
-  if (!(found.omega > two_pi * from - line && found.omega < two_pi * to + line)) {
-    return std::nullopt;
-  }
+  Samples samples(fit->window, fit->scale);
   const Eigen::Vector4d unit(1.0, 1.0 / h, 1.0 / h, 1.0 / (h * h));
-  const Matrix all = covariance_of(samples, p) / (scale * scale);
+  const Matrix all = covariance_of(samples, fit->p) / (fit->scale * fit->scale);
   constexpr int kKept[] = {0, 1, 4, 5};
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 4; ++j)
       found.covariance(i, j) = unit[i] * all(kKept[i], kKept[j]) * unit[j];
   }
-  const std::vector<double> rest = residual_of(window, p, scale);
-  const TaperedWindow residual = window.with_values(rest);
+  const std::vector<double> rest = residual_of(fit->window, fit->p, fit->scale);
+  const TaperedWindow residual = fit->window.with_values(rest);
   found.noise_variance = noise_beside(residual, rate, found.omega, others);
   found.beside = modes_beside(residual, found, others);
-  if (!found.covariance.allFinite() || !std::isfinite(found.amplitude)) return std::nullopt;
-  return found;
+  if (!found.covariance.allFinite()) return std::nullopt;
+  return std::move(found);
 }
 
 }  // namespace microslip

@@ -64,4 +64,9 @@ struct DecayWindow {
                                                           double from, double to,
                                                           std::span<const SpectralPeak> others);
 
+/// The same without covariance, noise and other modes: the fitted values alone.
+[[nodiscard]] std::optional<DecayWindow> fit_decay_values(std::span<const double> signal,
+                                                          double rate, double centre, double length,
+                                                          double from, double to);
+
 }  // namespace microslip
