@@ -471,6 +471,29 @@ TEST(RingDown, SaysWhereTheShapeMoves) {
   EXPECT_NEAR(both.damping_ratio.front(), mode.damping_ratio, 2.0 * both.damping_ratio_std.front());
 }
 
+TEST(RingDown, RefusesAFrequencyWhereNoPeakIs) {
+  const std::vector<double> signal = with_noise(
+      sampled({ViscousMode{.frequency = 42.0, .damping_ratio = 0.004}}, 0, kRate, 4.0), 1e-5, 1);
+  try {
+    (void)ring_down(signal, kRate, kLength, {.frequency = 46.9});
+    ADD_FAILURE() << "42 Hz passes for what is near 46.9 Hz";
+  } catch (const InputError& error) {
+    for (const char* part : {"42.21 to 51.59 Hz", "peak", "at 42"}) {
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_NEAR(ring_down(signal, kRate, kLength, {.frequency = 45.0}).frequency.front(), 42.0, 0.01);
+}
+
+TEST(RingDown, TakesThePeakThatIsNearest) {
+  // 9 % above the frequency that is given, and higher than the one that is meant.
+  const ViscousMode mode{.damping_ratio = 0.004};
+  const ViscousMode higher{.frequency = 54.5, .damping_ratio = 0.004, .amplitude = 1.5e-4};
+  const RingDown decay = ring_down(with_noise(sampled({mode, higher}, 0, kRate, 6.0), 1e-4, 1),
+                                   kRate, kLength, {.frequency = 50.0});
+  for (const double f : decay.frequency) EXPECT_NEAR(f, 50.0, 0.5);
+}
+
 TEST(RingDown, RefusesSensorsThatAreMissingOrTwice) {
   const Recording recording = two_sensors(sampled({ViscousMode{}}, 2, kRate, 2.0), 0.4, 0.01);
   const auto channels = [&](std::vector<std::string> names) {

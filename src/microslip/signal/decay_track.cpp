@@ -99,12 +99,8 @@ std::vector<double> without_offset(std::span<const double> signal, double rate) 
   return rest;
 }
 
-/// The highest line where the options let the mode be.
-double choose_frequency(std::span<const double> signal, double rate,
-                        const RingDownOptions& options) {
-  constexpr double kFewestPeriods = 8.0;
-  const double duration = static_cast<double>(signal.size()) / rate;
-  const double lowest = kFewestPeriods / duration;
+/// Where the options let the mode be, Hz.
+std::pair<double, double> search_range(double lowest, double rate, const RingDownOptions& options) {
   double from = lowest;
   double to = kHighest * rate;
   if (options.frequency) {
@@ -115,10 +111,50 @@ double choose_frequency(std::span<const double> signal, double rate,
     from = std::max(options.frequency ? from : 0.0, options.band->first);
     to = std::min(to, options.band->second);
   }
-  const double frequency = find_mode(signal, rate, from, to);
+  return {from, to};
+}
+
+/// Of the peaks in a range the nearest to a frequency; those below a third of the highest there are too
+/// small for it to be meant. 0 where there is none.
+double nearest_peak(std::span<const SpectralPeak> peaks, std::pair<double, double> range,
+                    double frequency) {
+  constexpr double kMeant = 1.0 / 3.0;
+  double highest = 0.0;
+  const auto inside = [&](const SpectralPeak& peak) {
+    return peak.frequency >= range.first && peak.frequency <= range.second;
+  };
+  for (const SpectralPeak& peak : peaks) {
+    if (inside(peak)) highest = std::max(highest, peak.height);
+  }
+  double nearest = 0.0;
+  for (const SpectralPeak& peak : peaks) {
+    if (!inside(peak) || peak.height < kMeant * highest) continue;
+    if (std::abs(peak.frequency - frequency) < std::abs(nearest - frequency)) {
+      nearest = peak.frequency;
+    }
+  }
+  return nearest;
+}
+
+std::string highest_peak_text(std::span<const SpectralPeak> peaks) {
+  if (peaks.empty()) return {};
+  return fmt::format("The highest peak of all is at {:.5g} Hz.",
+                     std::ranges::max_element(peaks, {}, &SpectralPeak::height)->frequency);
+}
+
+/// The peak where the options let the mode be; without a frequency the highest line.
+double choose_frequency(std::span<const double> signal, double rate, const RingDownOptions& options,
+                        std::span<const SpectralPeak> peaks) {
+  constexpr double kFewestPeriods = 8.0;
+  const double duration = static_cast<double>(signal.size()) / rate;
+  const double lowest = kFewestPeriods / duration;
+  const auto range = search_range(lowest, rate, options);
+  const double frequency = options.frequency ? nearest_peak(peaks, range, *options.frequency)
+                                             : find_mode(signal, rate, range.first, range.second);
   if (!(frequency > 0.0)) {
-    throw InputError("range of frequencies", fmt::format("{:g} to {:g} Hz", from, to),
-                     "must hold a peak of the spectrum: no decay found");
+    throw InputError("range of frequencies",
+                     fmt::format("{:g} to {:g} Hz", range.first, range.second),
+                     "must hold a peak of the spectrum: no decay found", highest_peak_text(peaks));
   }
   if (frequency < lowest) {
     throw InputError(
@@ -132,6 +168,31 @@ double choose_frequency(std::span<const double> signal, double rate,
                      "must hold the mode's peak inside, not at its edge");
   }
   return frequency;
+}
+
+/// Refuses what is no longer the peak that was chosen: a higher one beside it draws the windows to itself.
+void check_followed(const DecayTrack& track, const RingDownOptions& options,
+                    std::span<const SpectralPeak> peaks) {
+  if (track.walk.windows.empty() || peaks.empty()) return;
+  std::vector<double> followed;
+  for (const DecayWindow& window : track.walk.windows) {
+    followed.push_back(window.omega / (2.0 * std::numbers::pi));
+  }
+  const auto middle = followed.begin() + static_cast<std::ptrdiff_t>(followed.size() / 2);
+  std::ranges::nth_element(followed, middle);
+  const auto from = [](double frequency) {
+    return [=](const SpectralPeak& peak) { return std::abs(peak.frequency - frequency); };
+  };
+  const SpectralPeak own = *std::ranges::min_element(peaks, {}, from(track.frequency));
+  const SpectralPeak there = *std::ranges::min_element(peaks, {}, from(*middle));
+  const bool drawn = there.height > own.height && there.frequency != own.frequency;
+  const bool outside = options.frequency && std::abs(*middle / *options.frequency - 1.0) > kSearch;
+  if (!drawn && !outside) return;
+  throw InputError(
+      fmt::format("oscillation at {:.6g} Hz", track.frequency), InputState{"not followed"},
+      fmt::format("must outlast what is beside it: the windows show {:.6g} Hz{}", *middle,
+                  drawn ? fmt::format(", the higher peak at {:.6g} Hz", there.frequency) : ""),
+      "Choose another sensor or another frequency, or give a band that leaves the other out.");
 }
 
 /// How far the mode is from what is kept out: the edges of the band, or the next tall neighbours.
@@ -242,7 +303,8 @@ DecayTrack follow_decay(std::span<const double> signal, double rate, const Dimen
   track.motion = without_offset(part.signal, rate);
   if (!options.from) track.blow = find_blow(track.motion, rate);
   if (track.blow) *track.blow += track.offset;
-  track.frequency = choose_frequency(from_blow(track, rate), rate, options);
+  const std::vector<SpectralPeak> peaks = parted_peaks(from_blow(track, rate), rate);
+  track.frequency = choose_frequency(from_blow(track, rate), rate, options, peaks);
   set_task(track, rate, derivatives, options);
   if (looks_clipped(behind(track.motion, rate, track.task.from))) {
     throw InputError("signal", "clipped",
@@ -250,6 +312,7 @@ DecayTrack follow_decay(std::span<const double> signal, double rate, const Dimen
                      "Begin later, where the signal is within the range of the instrument.");
   }
   track.walk = walk_along(track.task);
+  check_followed(track, options, peaks);
   track.points = points_of(track.task, track.walk.windows, track.walk.noise_variance);
   return track;
 }

@@ -75,6 +75,7 @@ class PeakFinder {
   [[nodiscard]] std::vector<SpectralPeak> beside(double mode) const {
     constexpr double kOwn = 4.0;      // lines about the mode that are its own
     constexpr double kLeast = 0.002;  // of the mode's height
+    constexpr double kValley = 1.0 / 3.0;
     const double own = highest_near(mode, kNear);
     std::vector<SpectralPeak> peaks;
     if (!(own > 0.0)) return peaks;
@@ -82,10 +83,23 @@ class PeakFinder {
       if (magnitude_[i] < magnitude_[i - 1] || magnitude_[i] <= magnitude_[i + 1]) continue;
       const double frequency = line_ * static_cast<double>(i);
       if (std::abs(frequency - mode) < kOwn * resolution_ * line_) continue;
-      if (magnitude_[i] < kLeast * own || !parted(i) || !above_noise(i)) continue;
+      if (magnitude_[i] < kLeast * own || !parted(i, kValley) || !above_noise(i)) continue;
       peaks.push_back({frequency, magnitude_[i] / own});
     }
     return above_leakage(std::move(peaks), mode);
+  }
+
+  [[nodiscard]] std::vector<SpectralPeak> all() const {
+    // A weak mode stands on the skirts of strong ones: it is one where it has a half-power width.
+    constexpr double kHalfPower = std::numbers::sqrt2 / 2.0;
+    const double highest = *std::ranges::max_element(magnitude_);
+    std::vector<SpectralPeak> peaks;
+    for (std::size_t i = 1; i + 1 < magnitude_.size(); ++i) {
+      if (magnitude_[i] < magnitude_[i - 1] || magnitude_[i] <= magnitude_[i + 1]) continue;
+      if (!parted(i, kHalfPower)) continue;
+      peaks.push_back({line_ * static_cast<double>(i), magnitude_[i] / highest});
+    }
+    return peaks;
   }
 
  private:
@@ -99,16 +113,15 @@ class PeakFinder {
                              magnitude_.begin() + static_cast<std::ptrdiff_t>(to) + 1);
   }
 
-  /// Whether the spectrum falls to a third on both sides before it rises above the peak.
-  [[nodiscard]] bool parted(std::size_t peak) const {
-    constexpr double kValley = 1.0 / 3.0;
+  /// Whether the spectrum falls to a share on both sides before it rises above the peak.
+  [[nodiscard]] bool parted(std::size_t peak, double share) const {
     const double height = magnitude_[peak];
     const auto falls = [&](std::ptrdiff_t direction) {
       for (auto i = static_cast<std::ptrdiff_t>(peak) + direction;
            i >= 0 && i < static_cast<std::ptrdiff_t>(magnitude_.size()); i += direction) {
         const double value = magnitude_[static_cast<std::size_t>(i)];
         if (value > height) return false;
-        if (value < kValley * height) return true;
+        if (value < share * height) return true;
       }
       return direction > 0;  // what lies at 0 Hz is an offset or a drift
     };
@@ -180,6 +193,18 @@ double find_mode(std::span<const double> signal, double rate, double from, doubl
                                         begin + static_cast<std::ptrdiff_t>(end) + 1);
   if (!(*highest > 0.0)) return 0.0;
   return line * static_cast<double>(highest - begin);
+}
+
+std::vector<SpectralPeak> parted_peaks(std::span<const double> signal, double rate) {
+  std::vector<double> values = without_mean(signal);
+  const double step = 0.5 * std::numbers::pi / static_cast<double>(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double cosine = std::cos(step * static_cast<double>(i));
+    values[i] *= cosine * cosine;
+  }
+  std::vector<double> magnitude = magnitudes(std::move(values), std::bit_ceil(2 * signal.size()));
+  const double line = 0.5 * rate / static_cast<double>(magnitude.size() - 1);
+  return PeakFinder(std::move(magnitude), line, 1.0).all();
 }
 
 ModeNeighbours neighbours_of(std::span<const double> signal, double rate, double frequency) {

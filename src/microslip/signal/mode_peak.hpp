@@ -11,7 +11,7 @@ namespace microslip {
 
 struct SpectralPeak {
   double frequency = 0.0;  ///< Hz
-  double height = 0.0;     ///< over that of the mode, 1
+  double height = 0.0;     ///< over that of the mode (or of the highest), 1
 };
 
 /// The highest line of the amplitude spectrum between two frequencies, Hz; 0 where there is none.
@@ -19,6 +19,13 @@ struct SpectralPeak {
 /// @param rate      Hz.
 /// @param from, to  Hz.
 [[nodiscard]] double find_mode(std::span<const double> signal, double rate, double from, double to);
+
+/// The peaks of the spectrum of a decay that falls to 0 under cos², beginning at 1: each is the highest
+/// between two places of half its power. By frequency; heights are those over the highest. The skirt of
+/// a mode has none, nor has the edge of a range.
+/// @param signal  evenly sampled, from where the decay begins.
+/// @param rate    Hz.
+[[nodiscard]] std::vector<SpectralPeak> parted_peaks(std::span<const double> signal, double rate);
 
 /// What else oscillates while a mode decays.
 struct ModeNeighbours {
