@@ -324,7 +324,8 @@ void add_analysis_options(CLI::App& command, RingdownOptions& options) {
           "are those of the first")
       ->allow_extra_args(false);
   command.add_option("--frequency", options.frequency,
-                     "Near which the mode is sought, within 10 % [Hz]; else the highest peak");
+                     "Near which the mode is sought: the nearest peak within 10 % [Hz]; else the "
+                     "highest peak of all");
   command.add_option(
       "--band", options.band,
       "LOW:HIGH [Hz]: the mode is inside, and other modes outside are kept out; else "

@@ -471,6 +471,58 @@ TEST(RingDown, SaysWhereTheShapeMoves) {
   EXPECT_NEAR(both.damping_ratio.front(), mode.damping_ratio, 2.0 * both.damping_ratio_std.front());
 }
 
+/// Two modes at two sensors: `first` and `second` are the shares of the second mode.
+Recording two_modes(double first, double second) {
+  const ViscousMode low{.frequency = 42.0, .damping_ratio = 0.004};
+  const ViscousMode high{.frequency = 50.0, .damping_ratio = 0.004};
+  const auto seen = [&](double share, std::uint64_t seed) {
+    std::vector<double> sum = sampled({low}, 2, kRate, 4.0);
+    const std::vector<double> more = sampled({high}, 2, kRate, 4.0);
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      sum[i] = (1.0 - share) * sum[i] + share * more[i];
+    }
+    return with_noise(sum, 1e-4, seed);
+  };
+  Recording recording = recording_of(seen(first, 1), kAcceleration);
+  recording.channels.push_back({"acc2", kAcceleration, seen(second, 2), {}, {}});
+  return recording;
+}
+
+TEST(RingDown, FollowsOneModeAtSensorsThatShowTwo) {
+  const RingDown both = ring_down(two_modes(0.05, 0.95), kBoth, {.frequency = 50.0});
+  EXPECT_EQ(both.sensors.size(), 2U);
+  for (const double f : both.frequency) EXPECT_NEAR(f, 50.0, 0.05);
+  const RingDown free = ring_down(two_modes(0.05, 0.6), kBoth);
+  EXPECT_EQ(free.sensors.size(), 2U);
+  for (const double f : free.frequency) EXPECT_NEAR(f, 42.0, 0.05);
+}
+
+TEST(RingDown, LeavesOutASensorOfAnotherMode) {
+  const Recording recording = two_modes(0.0, 1.0);
+  const RingDown one = ring_down(recording, kBoth);
+  ASSERT_EQ(one.sensors.size(), 1U);
+  EXPECT_TRUE(warns_of(one, "sensor_left_out"));
+  for (const double f : one.frequency) EXPECT_NEAR(f, 42.0, 0.01);
+}
+
+TEST(RingDown, SaysWhereFrequenciesOfSensorsDiffer) {
+  // 0.4 % apart: one mode by its frequency, but not within what either is known to.
+  const ViscousMode mode{.damping_ratio = 0.008};
+  const ViscousMode off{.frequency = 50.2, .damping_ratio = 0.008};
+  Recording recording =
+      recording_of(with_noise(sampled({mode}, 2, kRate, 2.0), 1e-4, 1), kAcceleration);
+  recording.channels.push_back(
+      {"acc2", kAcceleration, with_noise(sampled({off}, 2, kRate, 2.0), 1e-4, 2), {}, {}});
+  const RingDown both = ring_down(recording, kBoth);
+  const auto differ = std::ranges::find(both.warnings, "sensors_differ", &Warning::code);
+  ASSERT_NE(differ, both.warnings.end());
+  EXPECT_NE(differ->text.find("frequency"), std::string::npos) << differ->text;
+  for (std::size_t i = 0; i < both.size(); ++i) {
+    EXPECT_NEAR(both.frequency[i], 50.1, 0.11);
+    EXPECT_NEAR(both.frequency[i], 50.0, 2.0 * both.frequency_std[i]);
+  }
+}
+
 TEST(RingDown, RefusesAFrequencyWhereNoPeakIs) {
   const std::vector<double> signal = with_noise(
       sampled({ViscousMode{.frequency = 42.0, .damping_ratio = 0.004}}, 0, kRate, 4.0), 1e-5, 1);

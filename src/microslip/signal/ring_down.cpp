@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstddef>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -123,7 +125,48 @@ RingDown result_of_one(const DecayTrack& track, const Dimension& measured,
   return result;
 }
 
-/// Those of the sensors that can be followed; the first must.
+/// Median of the followed frequency of a sensor over that of another at the same time, less 1; nothing
+/// where they are not followed at one time. Beside it its standard deviation.
+struct FrequencyOffset {
+  double off = 0.0;
+  double deviation = 0.0;
+};
+
+std::optional<FrequencyOffset> frequency_offset(const DecayTrack& track, const DecayTrack& first) {
+  std::vector<FrequencyOffset> offsets;
+  const double shift = track.offset - first.offset;
+  for (std::size_t i = 0; i < track.points.size(); ++i) {
+    const double time = track.walk.windows[i].centre + shift;
+    const auto nearest = std::ranges::min_element(
+        first.walk.windows, {}, [=](const DecayWindow& w) { return std::abs(w.centre - time); });
+    if (std::abs(nearest->centre - time) > 0.5 * nearest->length) continue;
+    const DecayPoint& there =
+        first.points[static_cast<std::size_t>(nearest - first.walk.windows.begin())];
+    const DecayPoint& here = track.points[i];
+    offsets.push_back({here.omega / there.omega - 1.0,
+                       std::hypot(here.omega_std, there.omega_std) / there.omega});
+  }
+  if (offsets.empty()) return std::nullopt;
+  const auto middle = offsets.begin() + static_cast<std::ptrdiff_t>(offsets.size() / 2);
+  std::ranges::nth_element(offsets, middle, {}, &FrequencyOffset::off);
+  return *middle;
+}
+
+/// What makes a sensor one of another mode than the first; empty where it is none.
+std::string other_mode_text(const DecayTrack& track, const DecayTrack& first) {
+  // Sensors of one mode have one frequency. The windows of two walks lie up to half a window apart,
+  // over which a softening mode may move by some tenths of a per cent.
+  constexpr double kOtherMode = 0.01;
+  constexpr double kSureOfIt = 2.0;
+  const auto offset = frequency_offset(track, first);
+  if (!offset || std::abs(offset->off) <= std::max(kOtherMode, kSureOfIt * offset->deviation)) {
+    return {};
+  }
+  return fmt::format("{:+.2g} % off the frequency of the first: another mode", 100.0 * offset->off);
+}
+
+/// Those of the sensors that can be followed; the first must. Where it found its peak the others look
+/// for theirs.
 std::vector<SensorTrack> follow_all(const Recording& recording,
                                     std::span<const std::string> channels,
                                     const RingDownOptions& options,
@@ -132,7 +175,19 @@ std::vector<SensorTrack> follow_all(const Recording& recording,
   for (const std::string& channel : channels) {
     (void)motion_of(recording, channel);
     try {
-      tracks.push_back({channel, follow(recording, channel, options, warnings)});
+      RingDownOptions sought = options;
+      if (!tracks.empty()) sought.frequency = tracks.front().track.frequency;
+      DecayTrack track = follow(recording, channel, sought, warnings);
+      const std::string other =
+          tracks.empty() ? std::string() : other_mode_text(track, tracks.front().track);
+      if (other.empty()) {
+        tracks.push_back({channel, std::move(track)});
+      } else {
+        warnings.push_back(
+            {"sensor_left_out",
+             fmt::format("Left out: {}: channel '{}': it shows an oscillation at {:.5g} Hz, {}.",
+                         recording.source, channel, track.frequency, other)});
+      }
     } catch (const InputError& error) {
       if (tracks.empty()) throw;
       warnings.push_back({"sensor_left_out", fmt::format("Left out: {}", error.what())});

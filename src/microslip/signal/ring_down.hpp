@@ -40,7 +40,8 @@ namespace microslip {
 
 /// How ring_down() finds and follows the mode.
 struct RingDownOptions {
-  /// Near which the mode is sought, within 10 %, Hz. Without it: the highest peak of the spectrum.
+  /// Near which the mode is sought, within 10 %, Hz: the nearest peak of the spectrum there that has a
+  /// third of the height of the highest there. Without it: the highest peak of the spectrum.
   std::optional<double> frequency = {};
   /// Hz, low and high: the mode is sought inside and what is outside is kept out. Without it the windows
   /// are so long that the other peaks of the spectrum move ζ by no more than `wanted_std`.
@@ -101,8 +102,8 @@ struct RingDown {
   std::vector<double> window;             ///< length of each, s
   /// Codes between blanks: neighbour_leaks, other modes move ζ by more than 2 %; window_matters, the
   /// choice of the window by more than 5 %; of several sensors shape_moves, a ratio of amplitudes is off
-  /// its mean by more than 1 % and twice its standard deviation; sensors_differ, ζ of two by more than
-  /// twice the standard deviation of the difference. Noise alone flags one window in twenty so; the
+  /// its mean by more than 1 % and twice its standard deviation; sensors_differ, ζ of two (or ω, and by
+  /// more than 0.01 %) by more than twice the standard deviation of the difference. Noise alone flags one window in twenty so; the
   /// warnings of the same codes are given where noise alone explains them in one record of a hundred.
   std::vector<std::string> flags;
 
@@ -132,7 +133,8 @@ struct RingDown {
 /// @param measured  what it is: kLength, kVelocity or kAcceleration.
 /// @param options   which mode, when, and how it is followed.
 /// @throws InputError  for options out of range; where the signal is not finite, too short, clipped, or
-///                     holds no decay above the noise.
+///                     holds no decay above the noise, where no peak is near the frequency, and where
+///                     a higher peak beside the one that was chosen is what the windows follow.
 [[nodiscard]] RingDown ring_down(std::span<const double> signal, double rate,
                                  const Dimension& measured, const RingDownOptions& options = {});
 
@@ -141,15 +143,16 @@ struct RingDown {
 [[nodiscard]] RingDown ring_down(const Recording& recording, std::string_view channel,
                                  const RingDownOptions& options = {});
 
-/// The same of several sensors of one decay. The one that tells ζ best leads: in its windows all are
+/// The same of several sensors of one decay. The first says which mode: the others look for a peak near
+/// its, and one whose frequency is off by more than 1 % is left out. The one that tells ζ best leads: in its windows all are
 /// fitted. ζ, ω and A are weighted means; amplitude and modal mass are those of the first sensor, to which
 /// the mean ratios of amplitudes bring the others. A weight is 1/(σ² + s²/r²): σ the sensor's own, r its
 /// amplitude over the largest, and s what explains that the sensors differ by more than their σ, over
 /// the windows within half a window [R. DerSimonian, N. Laird, Control. Clin. Trials 7 (1986) 177, there
 /// with r = 1]: what is foreign to the mode counts more where its amplitude is small.
 /// @param recording  of the decay.
-/// @param channels   one at least, no two the same. One that cannot be followed is left out with a
-///                   warning.
+/// @param channels   one at least, no two the same. One that cannot be followed, or follows another
+///                   mode than the first, is left out with a warning.
 /// @param options    which mode, when, and how it is followed.
 /// @throws InputError  as for one; where the first cannot be followed.
 [[nodiscard]] RingDown ring_down(const Recording& recording, std::span<const std::string> channels,

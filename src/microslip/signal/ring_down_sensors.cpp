@@ -249,14 +249,21 @@ class Combination {
     }
   }
 
-  /// ζ of each pair.
+  /// ζ and ω of each pair.
   void compare_pairs() {
+    // First harmonics themselves move ω by some 1e−4 where a joint slips.
+    constexpr double kSameFrequency = 1e-4;
     for (std::size_t a = 0; a < points_.size(); ++a) {
-      for (std::size_t b = a + 1; b < points_.size(); ++b) compare(a, b);
+      for (std::size_t b = a + 1; b < points_.size(); ++b) {
+        compare(a, b, "damping", &DecayPoint::damping, &DecayPoint::damping_std, 0.0);
+        compare(a, b, "frequency", &DecayPoint::omega, &DecayPoint::omega_std, kSameFrequency);
+      }
     }
   }
 
-  void compare(std::size_t a, std::size_t b) {
+  /// @param same  a relative difference that counts as none.
+  void compare(std::size_t a, std::size_t b, std::string_view quantity, double DecayPoint::*value,
+               double DecayPoint::*deviation, double same) {
     std::size_t common = 0;
     std::size_t apart = 0;
     double worst = 0.0;
@@ -267,22 +274,24 @@ class Combination {
       const DecayPoint& one = points_[a][i]->all;
       const DecayPoint& other = points_[b][i]->all;
       const double off =
-          (one.damping - other.damping) / std::hypot(one.damping_std, other.damping_std);
-      if (std::abs(off) <= kSure) continue;
+          std::abs(one.*value - other.*value) / std::hypot(one.*deviation, other.*deviation);
+      const double relative = one.*value / other.*value - 1.0;
+      if (off <= kSure || std::abs(relative) <= same) continue;
       ++apart;
       flag(i, "sensors_differ");
-      if (std::abs(off) <= worst) continue;
-      worst = std::abs(off);
-      difference = one.damping / other.damping - 1.0;
+      if (off <= worst) continue;
+      worst = off;
+      difference = relative;
     }
     if (!beyond_chance(common, apart, worst)) return;
     result_.warnings.push_back(
         {"sensors_differ",
          fmt::format(
-             "{} and {} differ in damping by more than twice its standard deviation in {} of "
+             "{} and {} differ in {} by more than twice its standard deviation in {} of "
              "{} windows, at worst {:.1f} of them ({:+.2g} %): something beside the mode is in "
              "one of them. It is in the standard deviations of the levels.",
-             tracks_[a].name, tracks_[b].name, apart, common, worst, 100.0 * difference)});
+             tracks_[a].name, tracks_[b].name, quantity, apart, common, worst,
+             100.0 * difference)});
   }
 
   void compare_ratios() {
