@@ -41,6 +41,18 @@ TEST(RingDownLevels, AreHalfAWindowApart) {
   }
 }
 
+TEST(RingDownLevels, HaveTheFlagsOfTheWindowsBesideThem) {
+  RingDown flagged = decay();
+  flagged.flags.assign(flagged.size(), "");
+  flagged.flags[2] = "shape_moves";
+  flagged.flags[3] =
+      "sensors_differ shape_moves";  // no level, as near to the second as to the third
+  const RingDownLevels levels = damping_levels_of(flagged);
+  ASSERT_EQ(levels.flags.size(), 5U);
+  EXPECT_EQ(levels.flags[0] + levels.flags[3] + levels.flags[4], "");
+  EXPECT_EQ(levels.flags[1] + levels.flags[2], "shape_moves sensors_differ");
+}
+
 TEST(RingDownLevels, ScaleWithMassAndRatio) {
   const RingDown from = decay();
   const RingDownLevels levels = levels_of(from, {.modal_mass = 2.0, .joint_ratio = -0.3});

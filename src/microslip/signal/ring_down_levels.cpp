@@ -7,10 +7,13 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <sstream>
+#include <string>
 #include <string_view>
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/plausibility.hpp"
+#include "microslip/signal/ring_down_result.hpp"
 
 namespace microslip {
 namespace {
@@ -56,6 +59,30 @@ std::vector<std::size_t> independent_windows(const RingDown& decay) {
   return chosen;
 }
 
+/// A window that is chosen as a level.
+struct ChosenWindow {
+  std::size_t index;
+  std::string flags;  ///< its own, and those of the windows beside it that are nearer to no other
+};
+
+std::vector<ChosenWindow> chosen_windows(const RingDown& decay) {
+  std::vector<ChosenWindow> chosen;
+  for (const std::size_t i : independent_windows(decay)) chosen.push_back({i, {}});
+  if (decay.flags.empty()) return chosen;
+  for (std::size_t i = 0; i < decay.size(); ++i) {
+    ChosenWindow& nearest = *std::ranges::min_element(chosen, {}, [&](const ChosenWindow& level) {
+      return std::abs(decay.time[level.index] - decay.time[i]);
+    });
+    std::istringstream codes(decay.flags[i]);
+    for (std::string code; codes >> code;) {
+      if ((" " + nearest.flags + " ").find(" " + code + " ") == std::string::npos) {
+        add_flag(nearest.flags, code);
+      }
+    }
+  }
+  return chosen;
+}
+
 double stick_omega(const RingDown& decay, const RingDownLevelsOptions& options) {
   const double highest = decay.frequency.empty() ? 0.0 : *std::ranges::max_element(decay.frequency);
   return 2.0 * std::numbers::pi * options.stick_frequency.value_or(highest);
@@ -73,7 +100,9 @@ void add_secant(const RingDown& decay, std::size_t i, double omega0,
 }
 
 /// What needs no modal mass.
-void add_motion(const RingDown& decay, std::size_t i, double joint_ratio, RingDownLevels& levels) {
+void add_motion(const RingDown& decay, const ChosenWindow& window, double joint_ratio,
+                RingDownLevels& levels) {
+  const std::size_t i = window.index;
   levels.amplitude.push_back(std::abs(joint_ratio) * decay.amplitude[i]);
   levels.amplitude_std.push_back(std::abs(joint_ratio) * decay.amplitude_std[i]);
   levels.time.push_back(decay.time[i]);
@@ -81,7 +110,7 @@ void add_motion(const RingDown& decay, std::size_t i, double joint_ratio, RingDo
   levels.frequency_std.push_back(decay.frequency_std[i]);
   levels.damping_ratio.push_back(decay.damping_ratio[i]);
   levels.damping_ratio_std.push_back(decay.damping_ratio_std[i]);
-  levels.flags.push_back(decay.flags.empty() ? std::string() : decay.flags[i]);
+  levels.flags.push_back(window.flags);
 }
 
 /// One that is not positive tells that k, ω₀, m or the ratio do not belong together.
@@ -105,14 +134,15 @@ RingDownLevels levels_of(const RingDown& decay, const RingDownLevelsOptions& opt
   const double linear = std::numbers::pi * options.loss_factor * m * omega0 * omega0;
   RingDownLevels levels;
   std::size_t left_out = 0;
-  for (const std::size_t i : independent_windows(decay)) {
+  for (const ChosenWindow& window : chosen_windows(decay)) {
+    const std::size_t i = window.index;
     const double a = decay.amplitude[i];
     const double d = m * decay.loss[i] - linear * a * a;
     if (!(d > 0.0)) {
       ++left_out;
       continue;
     }
-    add_motion(decay, i, options.joint_ratio, levels);
+    add_motion(decay, window, options.joint_ratio, levels);
     levels.dissipation.push_back(d);
     // The loss taken off has little scatter of its own: that of A² against that of ζ.
     levels.dissipation_std.push_back(m * decay.loss_std[i]);
@@ -134,7 +164,9 @@ RingDownLevels levels_of(const RingDown& decay, const RingDownLevelsOptions& opt
 RingDownLevels damping_levels_of(const RingDown& decay, double joint_ratio) {
   check_ratio(joint_ratio);
   RingDownLevels levels;
-  for (const std::size_t i : independent_windows(decay)) add_motion(decay, i, joint_ratio, levels);
+  for (const ChosenWindow& window : chosen_windows(decay)) {
+    add_motion(decay, window, joint_ratio, levels);
+  }
   return levels;
 }
 

@@ -39,7 +39,7 @@ struct RingDownLevels {
   std::vector<double> frequency_std;         ///< its standard deviation, Hz
   std::vector<double> damping_ratio;         ///< of the mode, linear part included, 1
   std::vector<double> damping_ratio_std;     ///< its standard deviation, 1
-  std::vector<std::string> flags;            ///< as RingDown has them
+  std::vector<std::string> flags;            ///< as RingDown has them, with those of windows beside
   std::vector<Warning> warnings;             ///< what was left out, and why
 };
 
