@@ -19,18 +19,6 @@ constexpr double kTheory = 0.0015;
 
 double square(double x) { return x * x; }
 
-/// A length that a window is fitted with again, and what noise alone makes the two differ by: mean
-/// squares over the variance of the one. For estimators b_T of the fit, under cos⁴ and few radians of
-/// decay, Σ(b_T − b_T′)²/Σb_T²; the lengths share samples, and it is less than the variances differ by.
-struct OtherLength {
-  double factor;
-  double level;      ///< of u, with the curvature of the envelope free
-  double frequency;  ///< of ω, with β free
-  double decay;      ///< of δ
-};
-constexpr OtherLength kOtherLengths[] = {
-    {0.8, 0.062, 0.340, 0.284}, {1.25, 0.050, 0.174, 0.145}, {1.6, 0.179, 0.492, 0.430}};
-
 /// Means over neighbouring windows: one difference alone says little of its standard deviation. What
 /// is below the share of the noise says nothing of the windows.
 DecaySpread mean_about(std::span<const DecayWindow> windows, std::span<const DecaySpread> spreads,

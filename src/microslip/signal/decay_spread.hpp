@@ -20,6 +20,18 @@
 
 namespace microslip {
 
+/// A length that a window is fitted with again, and what noise alone makes the two differ by: mean
+/// squares over the variance of the one. For estimators b_T of the fit, under cos⁴ and few radians of
+/// decay, Σ(b_T − b_T′)²/Σb_T²; the lengths share samples, and it is less than the variances differ by.
+struct OtherLength {
+  double factor;
+  double level;      ///< of u, with the curvature of the envelope free
+  double frequency;  ///< of ω, with β free
+  double decay;      ///< of δ
+};
+inline constexpr OtherLength kOtherLengths[] = {
+    {0.8, 0.062, 0.340, 0.284}, {1.25, 0.050, 0.174, 0.145}, {1.6, 0.179, 0.492, 0.430}};
+
 /// Mean squares of relative differences, 1.
 struct DecaySpread {
   double amplitude = 0.0;
