@@ -51,8 +51,8 @@ TEST(ringdown, WritesLevelsOfADecay) {
     const double s = 1.0 + delta0 * time[i];
     const double omega = omega0 * (1.0 + 0.01 * std::log(s));
     const double a = decay.amplitude * omega0 * omega0 / s / (omega * omega);
-    // The rate of decay of the acceleration is all that D needs: D = 2πmωA²δ_acc. Model and decay differ
-    // by ζ² and by the fourth derivative of the phase, 1e−4 each.
+    // The rate of decay of the acceleration is all that D needs: D = 2πmωA²δ_acc. Model and decay
+    // differ by ζ² and by the fourth derivative of the phase, 1e−4 each.
     EXPECT_NEAR(amplitude[i] / (0.25 * a), 1.0, 1e-3);
     EXPECT_NEAR(frequency[i] * 2.0 * std::numbers::pi / omega, 1.0, 1e-4);
     EXPECT_NEAR(damping[i] / (delta0 / s / omega), 1.0, 2e-3);
@@ -173,8 +173,9 @@ void count_pairs(const CsvTable& together, const std::vector<Course>& alone, Pai
   }
 }
 
-/// A hammer blow on a real bolted beam, three accelerometers; see the README beside it. The four modes
-/// are the strongest of its spectrum; acc2 is near a node of the first, with 4 % of the amplitude of acc1.
+/// A hammer blow on a real bolted beam, three accelerometers; see the README beside it. The four
+/// modes are the strongest of its spectrum; acc2 is near a node of the first, with 4 % of the
+/// amplitude of acc1.
 TEST(ringdown, SensorsOfARealBlowAgreeOrAreFlagged) {
   if (std::getenv("MICROSLIP_DATA_DIR") == nullptr) GTEST_SKIP() << "MICROSLIP_DATA_DIR is not set";
   const Sandbox box;

@@ -15,8 +15,8 @@
 namespace microslip {
 namespace {
 
-/// Over |t| < half by the trapezoidal rule: at the ends the integrands vanish with three derivatives,
-/// and 4000 intervals leave less than 1e−10.
+/// Over |t| < half by the trapezoidal rule: at the ends the integrands vanish with three
+/// derivatives, and 4000 intervals leave less than 1e−10.
 double integral(const std::function<double(double)>& f, double half) {
   constexpr int kIntervals = 4000;
   const double h = 2.0 * half / kIntervals;

@@ -108,7 +108,8 @@ TEST(RingDown, KeepsOtherModesOut) {
   EXPECT_TRUE(banded.warnings.empty());
 }
 
-// A fifth of the stiffness is the joint's; released at 1.1 of the displacement where macro-slip begins.
+// A fifth of the stiffness is the joint's; released at 1.1 of the displacement where macro-slip
+// begins.
 JointedMode jointed_mode() {
   const double k = std::pow(kTwoPi * 50.0, 2);
   return {.joint = Joint::four_parameter(0.5 * 0.2 * k * 1e-4, 0.2 * k, -0.5, 0.5),
@@ -133,8 +134,8 @@ TEST(RingDown, GivesTheDissipationOfAJointWithoutNoise) {
     ASSERT_LT(decay.amplitude.back(), 0.1 * decay.amplitude.front());
     for (std::size_t i = 0; i < decay.size(); ++i) {
       const double a = decay.amplitude[i];
-      // Terms of the order ζ = 0.01 cancel in the derivation; what is left is that of the harmonics. With
-      // δ − ω̇/(2ω) in place of δ − 2ω̇/ω it would be 3.5 %.
+      // Terms of the order ζ = 0.01 cancel in the derivation; what is left is that of the
+      // harmonics. With δ − ω̇/(2ω) in place of δ − 2ω̇/ω it would be 3.5 %.
       EXPECT_NEAR(mode.mass * decay.loss[i] / dissipation_of(mode, a, decay.frequency[i]), 1.0,
                   0.003)
           << i;
@@ -245,7 +246,8 @@ Recording recording_of(std::vector<double> values, const Dimension& dimension) {
 }
 
 TEST(RingDown, FindsTheBlowInTheRecordAsItIs) {
-  // A filter for the mode would ring before the blow, a quarter of a second after the record begins.
+  // A filter for the mode would ring before the blow, a quarter of a second after the record
+  // begins.
   const ViscousMode mode{.damping_ratio = 0.01, .start = 0.25};
   const ViscousMode above{
       .frequency = 400.0, .damping_ratio = 0.005, .amplitude = 1e-5, .start = 0.25};
@@ -275,8 +277,8 @@ TEST(RingDown, BeginsWithTheRecordWhereNothingComesBefore) {
 }
 
 TEST(RingDown, SaysThatABandLosesTheMode) {
-  // The softening mode rises from 46.5 to 50.2 Hz: in that band the windows are too long to see where
-  // it begins, and its edge is too near for the end.
+  // The softening mode rises from 46.5 to 50.2 Hz: in that band the windows are too long to see
+  // where it begins, and its edge is too near for the end.
   const JointedMode softening{.joint = Joint::four_parameter(2.0, 4e4, -0.5, 0.5),
                               .mass = 1.0,
                               .viscosity = 0.3,
@@ -326,7 +328,8 @@ TEST(RingDown, SaysWhereTheFrequencyMoves) {
                         "frequency_moves"));
 }
 
-/// A second sensor with `ratio` times the motion; to both a noise of their own, a share of the motion.
+/// A second sensor with `ratio` times the motion; to both a noise of their own, a share of the
+/// motion.
 Recording two_sensors(const std::vector<double>& motion, double ratio, double noise,
                       std::uint64_t seed = 1) {
   Recording recording = recording_of(with_noise(motion, noise, seed), kAcceleration);
@@ -401,8 +404,8 @@ std::vector<double> decay_with_a_kink(double rate, double duration) {
 }
 
 TEST(RingDown, KnowsWhatSensorsShareNoBetterByTheirNumber) {
-  // Where a window rounds D(A) off, it does so at every sensor: six that see the same, with a noise of
-  // 1e−5 each, tell no more than one without noise.
+  // Where a window rounds D(A) off, it does so at every sensor: six that see the same, with a noise
+  // of 1e−5 each, tell no more than one without noise.
   const std::vector<double> motion = decay_with_a_kink(kRate, 6.0);
   const RingDown one = ring_down(with_noise(motion, 1e-9, 1), kRate, kLength, {.from = 0.0});
   Recording recording = recording_of({}, kLength);

@@ -7,8 +7,8 @@
 /// What the taper of a window lets through of other oscillations into the decay of one. Internal to
 /// signal.
 ///
-/// An oscillation of r times the amplitude, d = ΔfT lines away, moves the decay that is fitted under
-/// cos⁴ by at most
+/// An oscillation of r times the amplitude, d = ΔfT lines away, moves the decay that is fitted
+/// under cos⁴ by at most
 ///
 ///     |Δ(δT)| = r ∫|s| … = r·31.8/(d(d² − 1)(d² − 4)),     d > 2
 ///

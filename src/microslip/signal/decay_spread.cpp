@@ -19,8 +19,8 @@ constexpr double kTheory = 0.0015;
 
 double square(double x) { return x * x; }
 
-/// Means over neighbouring windows: one difference alone says little of its standard deviation. What
-/// is below the share of the noise says nothing of the windows.
+/// Means over neighbouring windows: one difference alone says little of its standard deviation.
+/// What is below the share of the noise says nothing of the windows.
 DecaySpread mean_about(std::span<const DecayWindow> windows, std::span<const DecaySpread> spreads,
                        std::size_t centre) {
   DecaySpread mean;
@@ -82,8 +82,8 @@ double about_polynomial(const Course& course, int degree) {
   return course.excess(course.about(powers_of(course.place, degree)), degree + 1);
 }
 
-/// About the best parabola that does not turn among the windows: with the amplitude a joint's frequency
-/// goes one way, and one that goes back and forth is that of a beat.
+/// About the best parabola that does not turn among the windows: with the amplitude a joint's
+/// frequency goes one way, and one that goes back and forth is that of a beat.
 double about_monotone(const Course& course) {
   const Eigen::MatrixXd powers = powers_of(course.place, 2);
   const Eigen::Vector3d best = powers.colPivHouseholderQr().solve(course.value);
@@ -136,8 +136,9 @@ Course course_of(std::span<const DecayWindow> windows, std::span<const DecayPoin
 }
 
 /// What windows scatter beyond their noise about a smooth course: ln ζ about a parabola, ln A, its
-/// integral, about a cubic, and ω about a parabola that keeps its direction. Two windows more than the
-/// unknowns are the fewest that tell, three for A, whose noise would else pass for scatter at the ends.
+/// integral, about a cubic, and ω about a parabola that keeps its direction. Two windows more than
+/// the unknowns are the fewest that tell, three for A, whose noise would else pass for scatter at
+/// the ends.
 DecaySpread excess_scatter(std::span<const DecayWindow> windows, std::span<const DecayPoint> points,
                            std::size_t centre) {
   DecaySpread spread;

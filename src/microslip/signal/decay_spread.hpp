@@ -9,20 +9,21 @@
 /// @file
 /// How far what a decay tells depends on the window. Internal to signal.
 ///
-/// Each window is fitted again with 0.8, 1.25 and 1.6 times its length about the same centre. Other modes
-/// come through the shorter one four times as strong and through the longer ones a quarter and a
-/// seventeenth, and what the model of the envelope cannot follow goes with a high power of the length:
-/// so the differences show both, about as large as the error itself or larger. Noise makes the lengths
-/// differ by some quarter of its variance, which is taken off. What is known to leak in by
-/// decay_leakage() is the least that counts for damping. A mode too near for any of the lengths makes
-/// the decay beat: what damping, frequency and amplitude scatter about smooth courses beyond their noise
-/// is added, and to the loss the 0.15 % that first harmonics are off by.
+/// Each window is fitted again with 0.8, 1.25 and 1.6 times its length about the same centre. Other
+/// modes come through the shorter one four times as strong and through the longer ones a quarter
+/// and a seventeenth, and what the model of the envelope cannot follow goes with a high power of
+/// the length: so the differences show both, about as large as the error itself or larger. Noise
+/// makes the lengths differ by some quarter of its variance, which is taken off. What is known to
+/// leak in by decay_leakage() is the least that counts for damping. A mode too near for any of the
+/// lengths makes the decay beat: what damping, frequency and amplitude scatter about smooth courses
+/// beyond their noise is added, and to the loss the 0.15 % that first harmonics are off by.
 
 namespace microslip {
 
 /// A length that a window is fitted with again, and what noise alone makes the two differ by: mean
-/// squares over the variance of the one. For estimators b_T of the fit, under cos⁴ and few radians of
-/// decay, Σ(b_T − b_T′)²/Σb_T²; the lengths share samples, and it is less than the variances differ by.
+/// squares over the variance of the one. For estimators b_T of the fit, under cos⁴ and few radians
+/// of decay, Σ(b_T − b_T′)²/Σb_T²; the lengths share samples, and it is less than the variances
+/// differ by.
 struct OtherLength {
   double factor;
   double level;      ///< of u, with the curvature of the envelope free
@@ -45,8 +46,8 @@ struct DecaySpread {
 [[nodiscard]] DecaySpread spread_of(const DecayTask& task, const DecayWindow& window,
                                     double noise_variance);
 
-/// The points of windows with standard deviations by noise and by spread, that averaged over the windows
-/// whose centres are within half a window, and by the scatter of damping about a parabola.
+/// The points of windows with standard deviations by noise and by spread, that averaged over the
+/// windows whose centres are within half a window, and by the scatter about smooth courses.
 [[nodiscard]] std::vector<DecayPoint> points_of(const DecayTask& task,
                                                 std::span<const DecayWindow> windows,
                                                 double noise_variance);

@@ -88,8 +88,9 @@ Cut cut(std::span<const double> signal, double rate, const RingDownOptions& opti
 }
 
 /// The signal less its mean over the last half under cos⁴: there the oscillation is small, and the
-/// taper lets next to nothing of it into the mean. An offset would pass for a large amplitude in the
-/// short windows that tell where the decay begins, and its rest for one where little is left of it.
+/// taper lets next to nothing of it into the mean. An offset would pass for a large amplitude in
+/// the short windows that tell where the decay begins, and its rest for one where little is left of
+/// it.
 std::vector<double> without_offset(std::span<const double> signal, double rate) {
   const double duration = static_cast<double>(signal.size() - 1) / rate;
   const TaperedWindow tail(signal, rate, 0.75 * duration, 0.5 * duration);
@@ -114,8 +115,8 @@ std::pair<double, double> search_range(double lowest, double rate, const RingDow
   return {from, to};
 }
 
-/// Of the peaks in a range the nearest to a frequency; those below a third of the highest there are too
-/// small for it to be meant. 0 where there is none.
+/// Of the peaks in a range the nearest to a frequency; those below a third of the highest there are
+/// too small for it to be meant. 0 where there is none.
 double nearest_peak(std::span<const SpectralPeak> peaks, std::pair<double, double> range,
                     double frequency) {
   constexpr double kMeant = 1.0 / 3.0;
@@ -170,7 +171,8 @@ double choose_frequency(std::span<const double> signal, double rate, const RingD
   return frequency;
 }
 
-/// Refuses what is no longer the peak that was chosen: a higher one beside it draws the windows to itself.
+/// Refuses what is no longer the peak that was chosen: a higher one beside it draws the windows to
+/// itself.
 void check_followed(const DecayTrack& track, const RingDownOptions& options,
                     std::span<const SpectralPeak> peaks) {
   if (track.walk.windows.empty() || peaks.empty()) return;
@@ -226,8 +228,8 @@ double begin_of_decay(const DecayTrack& track, double rate, double separation, D
     by = fall > 0.0 ? DecayStart::kFall : DecayStart::kRecord;
     return fall;
   }
-  // A half-sine that excites the mode lasts less than 1.5 of its periods: longer, its spectrum has its
-  // first zero below the mode.
+  // A half-sine that excites the mode lasts less than 1.5 of its periods: longer, its spectrum has
+  // its first zero below the mode.
   constexpr double kContact = 1.5;
   constexpr double kMargin = 0.1;  // what the beat of other modes may add
   const double free = *track.blow - track.offset + kContact / f;

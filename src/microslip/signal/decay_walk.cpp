@@ -32,8 +32,8 @@ class LengthRule {
     const double by_fall = task_.largest_fall / decay;
     // Where the noise is not known yet: more than half of what the fall allows.
     const double by_noise = noise_ ? length_for(decay, amplitude) : 0.6 * by_fall;
-    // Half of it: windows down to 0.8 of the length are taken, through which up to four times as much
-    // comes.
+    // Half of it: windows down to 0.8 of the length are taken, through which up to four times as
+    // much comes.
     const double by_others = length_for_leakage(window.beside, decay, 0.5 * task_.wanted_std,
                                                 task_.shortest, std::max(task_.shortest, by_fall));
     const double least = std::min(task_.least_fall / decay, (task_.to - task_.from) / 8.0);
@@ -170,7 +170,8 @@ DecayPoint decay_point(const DecayWindow& window, int derivatives, double noise_
   point.damping = rate / omega;
   point.loss = 2.0 * std::numbers::pi * rate * omega * point.amplitude * point.amplitude;
 
-  // Slopes by (u, δ, ω, α) of ln A, ω, ζ and the loss; of ln(loss) times the loss, as ζ may be near 0.
+  // Slopes by (u, δ, ω, α) of ln A, ω, ζ and the loss; of ln(loss) times the loss, as ζ may be near
+  // 0.
   const Eigen::Vector4d rate_slope(0.0, 1.0, -c * window.chirp / (omega * omega), c / omega);
   const Eigen::Vector4d omega_slope(0.0, 0.0, 1.0, 0.0);
   const Eigen::Vector4d log_slope(1.0, 0.0, -n / omega, 0.0);

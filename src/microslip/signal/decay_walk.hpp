@@ -42,8 +42,8 @@ struct DecayPoint {
   double loss_std = 0.0;
 };
 
-/// With n = 0, 1, 2 derivatives of displacement measured, A = e^u/ω^n and −Ȧ/A = δ + nω̇/ω, up to terms
-/// of the order ζ² that are kept for a constant ω.
+/// With n = 0, 1, 2 derivatives of displacement measured, A = e^u/ω^n and −Ȧ/A = δ + nω̇/ω, up to
+/// terms of the order ζ² that are kept for a constant ω.
 [[nodiscard]] DecayPoint decay_point(const DecayWindow& window, int derivatives,
                                      double noise_variance);
 

@@ -162,8 +162,8 @@ Parameters start(const TaperedWindow& window, double scale, double omega) {
   const std::complex<double> first = window.half(0).transform(omega);
   const std::complex<double> second = window.half(1).transform(omega);
   const std::complex<double> whole = window.transform(omega);
-  // The halves' centres lie h apart; each transform has its phase at its own centre, so the phase that
-  // ω itself takes up between them is taken out.
+  // The halves' centres lie h apart; each transform has its phase at its own centre, so the phase
+  // that ω itself takes up between them is taken out.
   const double turn = std::arg(second * std::conj(first) * std::polar(1.0, -omega * h));
   const double ratio = std::abs(first) / std::max(std::abs(second), 1e-300);
   Parameters p;

@@ -18,17 +18,17 @@
 ///     u(τ)   = u − ln(1 + pδτ)/p            decay rate −u̇ = δ e^{p(u(τ) − u)}
 ///     φ(τ)   = φ + ωτ + ατ²/2 + βτ³/6
 ///
-/// in least squares weighted by cos⁴(πτ/T). The envelope of a decay that loses D ∝ A^{p+2} per cycle is
-/// exactly this curve, p = 0 the exponential of a viscous mode; so a window may be long against 1/δ
-/// and the fitted δ still be that of its centre. Frequency is known so much better than decay that two
-/// free terms of phase cost nothing. The taper is the filter: what is 6/T away in frequency (other
-/// modes, harmonics, an offset) moves δ by less than half a per cent, and falls by 30 dB an octave,
-/// and nothing outside of the window has a part in the fit.
+/// in least squares weighted by cos⁴(πτ/T). The envelope of a decay that loses D ∝ A^{p+2} per
+/// cycle is exactly this curve, p = 0 the exponential of a viscous mode; so a window may be long
+/// against 1/δ and the fitted δ still be that of its centre. Frequency is known so much better than
+/// decay that two free terms of phase cost nothing. The taper is the filter: what is 6/T away in
+/// frequency (other modes, harmonics, an offset) moves δ by less than half a per cent, and falls by
+/// 30 dB an octave, and nothing outside of the window has a part in the fit.
 
 namespace microslip {
 
-/// Variance of δ for white noise of standard deviation σ, n samples in the window: 2Vσ²/(nA²T²), by the
-/// taper: V = ∫t²cos⁸πt dt / (∫t²cos⁴πt dt)² over |t| < ½.
+/// Variance of δ for white noise of standard deviation σ, n samples in the window: 2Vσ²/(nA²T²), by
+/// the taper: V = ∫t²cos⁸πt dt / (∫t²cos⁴πt dt)² over |t| < ½.
 inline constexpr double kDecayVariance = 54.463;
 
 /// The fitted values at the centre of the window.

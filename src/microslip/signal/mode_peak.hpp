@@ -20,9 +20,9 @@ struct SpectralPeak {
 /// @param from, to  Hz.
 [[nodiscard]] double find_mode(std::span<const double> signal, double rate, double from, double to);
 
-/// The peaks of the spectrum of a decay that falls to 0 under cos², beginning at 1: each is the highest
-/// between two places of half its power. By frequency; heights are those over the highest. The skirt of
-/// a mode has none, nor has the edge of a range.
+/// The peaks of the spectrum of a decay that falls to 0 under cos², beginning at 1: each is the
+/// highest between two places of half its power. By frequency; heights are those over the highest.
+/// The skirt of a mode has none, nor has the edge of a range.
 /// @param signal  evenly sampled, from where the decay begins.
 /// @param rate    Hz.
 [[nodiscard]] std::vector<SpectralPeak> parted_peaks(std::span<const double> signal, double rate);
@@ -34,10 +34,10 @@ struct ModeNeighbours {
 };
 
 /// The peaks of the spectrum of the first stretch of a free decay, tapered by cos⁴ so that what
-/// begins abruptly covers nothing, and as long as the mode keeps 40 % of its amplitude: 24 to 400 of
-/// its periods. Peaks count that a valley of a third of their height parts from higher ones, that are
-/// four lines away from the mode, 0.2 % of it, five times the median about them, and above what the
-/// taper lets through of a higher one.
+/// begins abruptly covers nothing, and as long as the mode keeps 40 % of its amplitude: 24 to 400
+/// of its periods. Peaks count that a valley of a third of their height parts from higher ones,
+/// that are four lines away from the mode, 0.2 % of it, five times the median about them, and above
+/// what the taper lets through of a higher one.
 /// Of many those that come through the taper the most.
 /// @param signal     evenly sampled; the decay alone.
 /// @param rate       Hz.

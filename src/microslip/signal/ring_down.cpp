@@ -125,8 +125,8 @@ RingDown result_of_one(const DecayTrack& track, const Dimension& measured,
   return result;
 }
 
-/// Median of the followed frequency of a sensor over that of another at the same time, less 1; nothing
-/// where they are not followed at one time. Beside it its standard deviation.
+/// Median of the followed frequency of a sensor over that of another at the same time, less 1;
+/// nothing where they are not followed at one time. Beside it its standard deviation.
 struct FrequencyOffset {
   double off = 0.0;
   double deviation = 0.0;
@@ -165,8 +165,8 @@ std::string other_mode_text(const DecayTrack& track, const DecayTrack& first) {
   return fmt::format("{:+.2g} % off the frequency of the first: another mode", 100.0 * offset->off);
 }
 
-/// Those of the sensors that can be followed; the first must. Where it found its peak the others look
-/// for theirs.
+/// Those of the sensors that can be followed; the first must. Where it found its peak the others
+/// look for theirs.
 std::vector<SensorTrack> follow_all(const Recording& recording,
                                     std::span<const std::string> channels,
                                     const RingDownOptions& options,

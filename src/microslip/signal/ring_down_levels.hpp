@@ -13,7 +13,8 @@ namespace microslip {
 struct RingDownLevelsOptions {
   /// m, kg, above 0: the mode's mass at the sensor, 1/φ² with its mass-normalised shape φ there.
   double modal_mass = 0.0;
-  /// Joint displacement over displacement at the sensor, 1; not 0. The mode's shape is taken as fixed.
+  /// Joint displacement over displacement at the sensor, 1; not 0. The mode's shape is taken as
+  /// fixed.
   double joint_ratio = 1.0;
   /// η of the linear part, 1, ≥ 0; its loss πηmω₀²A² a cycle is taken off.
   double loss_factor = 0.0;
@@ -24,8 +25,8 @@ struct RingDownLevelsOptions {
   std::optional<double> joint_stiffness = {};
 };
 
-/// What a decay tells of its joint, one entry a level by falling amplitude. Levels are half a window
-/// apart, so that they are all but independent.
+/// What a decay tells of its joint, one entry a level by falling amplitude. Levels are half a
+/// window apart, so that they are all but independent.
 struct RingDownLevels {
   std::vector<double> amplitude;        ///< of the joint's displacement, |joint_ratio|·A, m
   std::vector<double> amplitude_std;    ///< its standard deviation, m

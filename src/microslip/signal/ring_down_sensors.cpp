@@ -15,10 +15,13 @@
 namespace microslip {
 namespace {
 
-constexpr double kSure = 2.0;         // standard deviations
-constexpr double kFixedShape = 0.01;  // of a ratio of amplitudes
+constexpr double kSure = 2.0;  // standard deviations
+// Of a ratio of amplitudes: D goes with A², so a shape that moves by 1 % makes 2 % of D, as much as
+// counts as a leaking neighbour.
+constexpr double kFixedShape = 0.01;
 
-/// What a sensor says in a window: with all that its standard deviations hold, and with noise alone.
+/// What a sensor says in a window: with all that its standard deviations hold, and with noise
+/// alone.
 struct SensorPoint {
   DecayPoint all;
   DecayPoint noise;
@@ -27,9 +30,9 @@ struct SensorPoint {
 /// Of each window; nothing where the sensor does not see the decay.
 using SensorPoints = std::vector<std::optional<SensorPoint>>;
 
-/// Whether windows that are off by more than kSure deviations are more than noise makes of that many:
-/// the worst by Bonferroni's inequality, or as many as noise makes five per cent of. Windows overlap by
-/// three quarters, so a few in a row are one event.
+/// Whether windows that are off by more than kSure deviations are more than noise makes of that
+/// many: the worst by Bonferroni's inequality, or as many as noise makes five per cent of. Windows
+/// overlap by three quarters, so a few in a row are one event.
 bool beyond_chance(std::size_t windows, std::size_t apart, double worst) {
   constexpr double kFalseAlarm = 0.01;
   constexpr std::size_t kFewest = 4;
@@ -51,7 +54,9 @@ double length_of(const DecayTrack& track) {
 
 /// The one that knows the loss best, of those that follow it long.
 std::size_t leader_of(const std::vector<SensorTrack>& tracks) {
-  constexpr double kLong = 0.7;  // of the longest
+  // Of the longest: amplitudes fall by e³ or more over a decay, so 0.7 of it loses the last factor
+  // e at the least; a sensor that ends at the half would take half of the levels with it.
+  constexpr double kLong = 0.7;
   double longest = 0.0;
   for (const SensorTrack& sensor : tracks) longest = std::max(longest, length_of(sensor.track));
   std::size_t leader = tracks.size();
@@ -105,8 +110,8 @@ SensorPoints points_in_own(const DecayTrack& track) {
   return points;
 }
 
-/// ln of a sensor's amplitude over the leader's: mean weighted by the variances, and the windows where
-/// both are.
+/// ln of a sensor's amplitude over the leader's: mean weighted by the variances, and the windows
+/// where both are.
 struct RatioOverDecay {
   double mean = 0.0;
   double variance = 0.0;
@@ -167,7 +172,8 @@ class Combination {
  private:
   [[nodiscard]] const DecayTrack& leader() const { return tracks_[result_.leader].track; }
 
-  /// The windows whose centres are within half a window, and the place of the wanted one among them.
+  /// The windows whose centres are within half a window, and the place of the wanted one among
+  /// them.
   [[nodiscard]] std::vector<std::size_t> windows_about(std::size_t i) const {
     const std::vector<DecayWindow>& windows = leader().walk.windows;
     std::vector<std::size_t> about;

@@ -23,14 +23,14 @@ struct SensorMean {
   double variance = 0.0;
 };
 
-/// Σwx/Σw with w = 1/(variance + s²/r²): s² is 0 where the values about their means agree with their
-/// variances, else such that Σw(x − mean)² over all times is what it should be, the number of values
-/// less that of the means. The variance is
+/// Σwx/Σw with w = 1/(variance + s²/r²): s² is 0 where the values about their means agree with
+/// their variances, else such that Σw(x − mean)² over all times is what it should be, the number of
+/// values less that of the means. The variance is
 ///
 ///     Σw²(noise + s²/r²)/(Σw)² + Σw(variance − noise)/Σw.
 ///
-/// What is beside the noise, the choice of the window and the theory, the sensors of one decay share: it
-/// does not fall with their number.
+/// What is beside the noise, the choice of the window and the theory, the sensors of one decay
+/// share: it does not fall with their number.
 /// @param times  each the values of one time; the mean is that of the time `wanted`.
 [[nodiscard]] SensorMean sensor_mean(std::span<const std::vector<SensorValue>> times,
                                      std::size_t wanted);
