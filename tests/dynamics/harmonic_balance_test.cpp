@@ -460,6 +460,33 @@ TEST(FrequencyResponse, WithoutLossEndsAtItsResonance) {
 }
 
 // A mode that no joint touches, undamped and at its pole: its response is infinite.
+// Two modes without loss whose motions cancel at the joint at some 70.16 Hz, between and beyond which it
+// moves and slips. Beside a place where it stands still the stuck structure is linear: there the response
+// is the receptance of its modes with the spring k.
+TEST(FrequencyResponse, PassesWhereAJointStandsStill) {
+  const Joint joint(2e4, SlipDensity({UniformPart{0.0, 20.0, 0.8}}));
+  const JointedStructure structure(
+      ModalModel({{2.0 * pi * 20.0, 0.0}, {2.0 * pi * 50.0, 0.0}}, {{"d", {0.7, 0.5}}}),
+      {{.name = "joint", .joint = joint, .shape = {0.8, -0.6}}}, {{"d"}});
+  const HarmonicBalance balance(structure, {"d"});
+  for (const bool upward : {true, false}) {
+    const double from = 2.0 * pi * (upward ? 60.0 : 100.0);
+    const double to = 2.0 * pi * (upward ? 100.0 : 60.0);
+    const ResponseCurve curve = balance.frequency_response(1.0, from, to);
+    ASSERT_TRUE(curve.summary.converged()) << curve.summary.full();
+    EXPECT_NEAR(curve.points.back().angular_frequency, to, 1e-9 * to);
+    const auto still = std::ranges::min_element(
+        curve.points, {}, [](const SteadyVibration& v) { return v.joints[0].amplitude; });
+    // Where u = 0 the joint has no force, and 0.8·0.7/(ω₁² − ω²) = 0.6·0.5/(ω₂² − ω²).
+    const double squares = (0.56 * 2500.0 - 0.3 * 400.0) / (0.56 - 0.3);
+    EXPECT_NEAR(still->frequency(), std::sqrt(squares), 1e-3);
+    const double a = 400.0 - squares;
+    const double b = 2500.0 - squares;
+    EXPECT_NEAR(still->response, std::abs(0.49 / a + 0.25 / b) / (4.0 * pi * pi),
+                1e-3 * still->response);
+  }
+}
+
 TEST(Solve, SaysThatTheEquationsAreNotFinite) {
   const ModalModel linear({{1.0, 0.0}, {2.0, 0.01}}, {{"mass", {1.0, 1.0}}});
   const HarmonicBalance balance(

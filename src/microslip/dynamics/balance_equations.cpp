@@ -297,6 +297,11 @@ VectorXd BalanceEquations::scale() const {
     scale.segment(first, block).setConstant(size);
     largest = std::max(largest, size);
   }
+  // Where the modes cancel at a joint it stands still while the structure moves: its own motion is then no
+  // measure of what rounding leaves.
+  if (std::isfinite(std::abs(values_.response))) {
+    largest = std::max(largest, std::abs(values_.response));
+  }
   const double least = largest > 0.0 ? 1e-6 * largest : 1.0;
   scale.head(count_) = scale.head(count_).cwiseMax(least);
   scale[count_] = z_[count_];
