@@ -99,6 +99,21 @@ void clamp_exponent(Parameters& p) {
   p[kExponent] = std::clamp(p[kExponent], -most, most);
 }
 
+/// The last of the way, which the cost cannot see: it is flat over √ε where the gradient still tells.
+void polish(Samples& samples, const NormalEquations& at, Parameters& p) {
+  constexpr double kFlat = 1e-6;  // in units of radians and of ln A
+  constexpr double kSame = 1e-12;
+  Matrix matrix = at.matrix;
+  matrix.diagonal().array() += 1e-14 * at.matrix(0, 0);
+  Parameters next = p + matrix.ldlt().solve(at.gradient);
+  if (!next.allFinite()) return;
+  clamp_exponent(next);
+  Parameters effect = next - p;
+  effect[kExponent] *= p[1] * p[1];
+  if (effect.lpNorm<Eigen::Infinity>() > kFlat) return;
+  if (normal_equations(samples, next).cost <= at.cost * (1.0 + kSame)) p = next;
+}
+
 /// Levenberg–Marquardt. @return  whether it came to rest.
 bool minimise(Samples& samples, Parameters& p) {
   constexpr int kMostSteps = 60;
@@ -125,8 +140,11 @@ bool minimise(Samples& samples, Parameters& p) {
     } else {
       damping *= 10.0;
     }
-    if (effect.lpNorm<Eigen::Infinity>() < kRest) return true;
-    if (damping > 1e12) return true;  // no lower cost to be had in doubles
+    // Beyond that damping no lower cost is to be had in doubles.
+    if (effect.lpNorm<Eigen::Infinity>() < kRest || damping > 1e12) {
+      polish(samples, now, p);
+      return true;
+    }
   }
   return false;
 }
