@@ -99,49 +99,54 @@ void clamp_exponent(Parameters& p) {
   p[kExponent] = std::clamp(p[kExponent], -most, most);
 }
 
+/// Where a step of Levenberg and Marquardt goes; without damping it is one of Gauss and Newton.
+struct Move {
+  Parameters to;
+  double size = HUGE_VAL;  ///< largest, in units of radians and of ln A
+
+  Move(const NormalEquations& at, const Parameters& from, double damping) {
+    // A decay near 0 leaves the exponent free: the small term keeps the matrix regular.
+    const Parameters diagonal = at.matrix.diagonal();
+    Matrix damped = at.matrix;
+    damped.diagonal() += damping * diagonal + Parameters::Constant(1e-14 * diagonal[0]);
+    to = from + damped.ldlt().solve(at.gradient);
+    if (!to.allFinite()) return;
+    clamp_exponent(to);
+    // Along the exponent the step counts by what it does to the envelope.
+    Parameters effect = to - from;
+    effect[kExponent] *= from[1] * from[1];
+    size = effect.lpNorm<Eigen::Infinity>();
+  }
+};
+
 /// The last of the way, which the cost cannot see: it is flat over √ε where the gradient still tells.
 void polish(Samples& samples, const NormalEquations& at, Parameters& p) {
-  constexpr double kFlat = 1e-6;  // in units of radians and of ln A
+  constexpr double kFlat = 1e-6;  // as Move::size
   constexpr double kSame = 1e-12;
-  Matrix matrix = at.matrix;
-  matrix.diagonal().array() += 1e-14 * at.matrix(0, 0);
-  Parameters next = p + matrix.ldlt().solve(at.gradient);
-  if (!next.allFinite()) return;
-  clamp_exponent(next);
-  Parameters effect = next - p;
-  effect[kExponent] *= p[1] * p[1];
-  if (effect.lpNorm<Eigen::Infinity>() > kFlat) return;
-  if (normal_equations(samples, next).cost <= at.cost * (1.0 + kSame)) p = next;
+  const Move move(at, p, 0.0);
+  if (!move.to.allFinite() || move.size > kFlat) return;
+  if (normal_equations(samples, move.to).cost <= at.cost * (1.0 + kSame)) p = move.to;
 }
 
 /// Levenberg–Marquardt. @return  whether it came to rest.
 bool minimise(Samples& samples, Parameters& p) {
   constexpr int kMostSteps = 60;
-  constexpr double kRest = 1e-8;  // step in units of radians and of ln A: far below any noise
+  constexpr double kRest = 1e-8;  // as Move::size: far below any noise
   double damping = 1e-3;
   NormalEquations now = normal_equations(samples, p);
   for (int i = 0; i < kMostSteps; ++i) {
-    // A decay near 0 leaves the exponent free: the small term keeps the matrix regular.
-    const Parameters diagonal = now.matrix.diagonal();
-    Matrix damped = now.matrix;
-    damped.diagonal() += damping * diagonal + Parameters::Constant(1e-14 * diagonal[0]);
-    const Parameters step = damped.ldlt().solve(now.gradient);
-    if (!step.allFinite()) return false;
-    Parameters next = p + step;
-    clamp_exponent(next);
-    // Along the exponent the step counts by what it does to the envelope.
-    Parameters effect = next - p;
-    effect[kExponent] *= p[1] * p[1];
-    const NormalEquations there = normal_equations(samples, next);
+    const Move move(now, p, damping);
+    if (!move.to.allFinite()) return false;
+    const NormalEquations there = normal_equations(samples, move.to);
     if (there.cost < now.cost) {
-      p = next;
+      p = move.to;
       now = there;
       damping = std::max(damping / 10.0, 1e-12);
     } else {
       damping *= 10.0;
     }
     // Beyond that damping no lower cost is to be had in doubles.
-    if (effect.lpNorm<Eigen::Infinity>() < kRest || damping > 1e12) {
+    if (move.size < kRest || damping > 1e12) {
       polish(samples, now, p);
       return true;
     }
