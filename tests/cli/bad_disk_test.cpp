@@ -33,11 +33,6 @@ struct Writing {
 
 void PrintTo(const Writing& writing, std::ostream* to) { *to << writing.out; }
 
-Arguments with(Arguments call, const Arguments& more) {
-  call.insert(call.end(), more.begin(), more.end());
-  return call;
-}
-
 std::vector<Writing> all_writings() {
   std::vector<Writing> all;
   for (const char* out : {"rec.csv", "rec.uff", "rec.mat", "rec.h5"}) {

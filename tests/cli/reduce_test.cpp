@@ -48,11 +48,6 @@ Arguments all_levels(const std::string& ending = "") {
   return call;
 }
 
-Arguments with(Arguments call, const Arguments& more) {
-  call.insert(call.end(), more.begin(), more.end());
-  return call;
-}
-
 CsvTable table(const Sandbox& box, const std::string& name) {
   return CsvTable(box.get(name), name);
 }

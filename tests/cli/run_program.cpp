@@ -161,6 +161,11 @@ std::map<std::string, std::string> Sandbox::content() const {
   return result;
 }
 
+Arguments with(Arguments call, const Arguments& more) {
+  call.insert(call.end(), more.begin(), more.end());
+  return call;
+}
+
 void expect_interruptible(const Sandbox& box, const Arguments& arguments, int signal) {
   const auto before = box.content();
   Running program(arguments, box.path(), {.columns = 80});

@@ -20,6 +20,9 @@ namespace microslip::cli_test {
 
 using Arguments = std::vector<std::string>;
 
+/// The call with more arguments behind it.
+[[nodiscard]] Arguments with(Arguments call, const Arguments& more);
+
 /// How a run ended.
 struct Outcome {
   int status = 0;  ///< as a shell shows it: 128 + signal where one ended the program

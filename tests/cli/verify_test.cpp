@@ -32,11 +32,6 @@ class RigSandbox : public Sandbox {
 const Arguments kCall{"verify",       "rig.toml",     "joint.json", "level_01.csv",
                       "level_05.csv", "level_12.csv", "--out",      "out.csv"};
 
-Arguments with(Arguments call, const Arguments& more) {
-  call.insert(call.end(), more.begin(), more.end());
-  return call;
-}
-
 CsvTable table(const Sandbox& box, const std::string& name) {
   return CsvTable(box.get(name), name);
 }
