@@ -5,7 +5,8 @@
 //
 //     convergence_study PICTURE.svg > convergence.md
 //
-// Each table stands between marks as in docs/validation.md. scripts/update_validation puts them there.
+// Each table stands between marks as in docs/validation.md. scripts/update_validation puts them
+// there.
 
 #include <fmt/format.h>
 

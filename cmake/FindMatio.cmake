@@ -1,7 +1,9 @@
-# libmatio comes without a package file for CMake. Defines the target Matio::Matio.
+# libmatio comes without a package file for CMake. Defines the target Matio::Matio. The static library where
+# there is one, so that it uses the HDF5 library that the program has already; Hdf5Library must be found
+# before.
 
 find_path(Matio_INCLUDE_DIR matio.h)
-find_library(Matio_LIBRARY matio)
+find_library(Matio_LIBRARY NAMES libmatio.a matio)
 mark_as_advanced(Matio_INCLUDE_DIR Matio_LIBRARY)
 
 include(FindPackageHandleStandardArgs)
@@ -12,5 +14,6 @@ if(Matio_FOUND AND NOT TARGET Matio::Matio)
   set_target_properties(
     Matio::Matio
     PROPERTIES IMPORTED_LOCATION "${Matio_LIBRARY}"
-               INTERFACE_INCLUDE_DIRECTORIES "${Matio_INCLUDE_DIR}")
+               INTERFACE_INCLUDE_DIRECTORIES "${Matio_INCLUDE_DIR}"
+               INTERFACE_LINK_LIBRARIES "Hdf5::Hdf5;z")
 endif()

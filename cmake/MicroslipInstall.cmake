@@ -6,50 +6,53 @@ include(CMakePackageConfigHelpers)
 
 set(microslip_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/microslip")
 
-# The library.
+# The library: each part as an export set of its own, so that who asks for one needs nothing of the others.
 
-install(
-  TARGETS microslip
-  EXPORT microslipTargets
-  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT library
-  LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT library
-  FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT library)
+get_property(microslip_parts GLOBAL PROPERTY MICROSLIP_PARTS)
+foreach(part IN LISTS microslip_parts)
+  install(
+    TARGETS microslip_${part}
+    EXPORT microslip_${part}
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT library
+    LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT library)
+  install(
+    EXPORT microslip_${part}
+    FILE microslip-${part}.cmake
+    NAMESPACE microslip::
+    DESTINATION "${microslip_package_dir}"
+    COMPONENT library)
+endforeach()
+get_property(microslip_folders GLOBAL PROPERTY MICROSLIP_FOLDERS)
+foreach(folder IN LISTS microslip_folders)
+  get_property(headers TARGET microslip_folder_${folder} PROPERTY MICROSLIP_PUBLIC_HEADERS)
+  install(
+    FILES ${headers}
+    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/microslip/${folder}"
+    COMPONENT library)
+endforeach()
 
-install(
-  EXPORT microslipTargets
-  NAMESPACE microslip::
-  DESTINATION "${microslip_package_dir}"
-  COMPONENT library)
-
-# A static library leaves the linking of fmt, TBB, HDF5, matio and zlib to its user; a shared one
+# A static library leaves the linking of fmt, TBB, HDF5 and zlib to its user; a shared one
 # has done it, and no header of microslip includes theirs.
-get_target_property(microslip_type microslip TYPE)
+get_target_property(microslip_type microslip_core TYPE)
 if(microslip_type STREQUAL "STATIC_LIBRARY")
-  string(
-    JOIN "\n  " microslip_find_dependencies
-    "list(APPEND CMAKE_MODULE_PATH \"\${CMAKE_CURRENT_LIST_DIR}\")"
-    "find_dependency(fmt ${fmt_VERSION_MAJOR})"
-    "find_dependency(TBB CONFIG)"
-    "find_dependency(Hdf5Library)"
-    "find_dependency(Matio)"
-    "find_dependency(ZLIB)"
-    "list(REMOVE_ITEM CMAKE_MODULE_PATH \"\${CMAKE_CURRENT_LIST_DIR}\")")
+  set(microslip_is_static TRUE)
   install(
     FILES "${PROJECT_SOURCE_DIR}/cmake/FindHdf5Library.cmake"
-          "${PROJECT_SOURCE_DIR}/cmake/FindMatio.cmake"
     DESTINATION "${microslip_package_dir}"
     COMPONENT library)
   # Debian names the serial HDF5 so beside those of MPI.
   set(microslip_hdf5_module hdf5)
-  if(Hdf5Library_LIBRARY MATCHES "hdf5_serial")
+  if(Hdf5Library_SHARED_LIBRARY MATCHES "hdf5_serial")
     set(microslip_hdf5_module hdf5-serial)
   endif()
-  set(microslip_requires_private "fmt tbb matio ${microslip_hdf5_module} zlib")
+  set(microslip_requires_private "fmt tbb ${microslip_hdf5_module} zlib")
 else()
-  set(microslip_find_dependencies "")
+  set(microslip_is_static FALSE)
   set(microslip_requires_private "")
 endif()
 
+# The calls of fmt in the archive are those of its version when it was compiled.
+math(EXPR microslip_next_fmt "${fmt_VERSION_MAJOR} + 1")
 configure_package_config_file(
   "${PROJECT_SOURCE_DIR}/cmake/microslipConfig.cmake.in"
   "${PROJECT_BINARY_DIR}/microslipConfig.cmake"

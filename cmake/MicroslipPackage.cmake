@@ -75,15 +75,14 @@ simulates the joint.
 It reads recordings in CSV, universal (UFF), MATLAB and HDF5 files.")
 
 # The archive holds calls of these libraries, of the versions whose headers it was compiled with.
-math(EXPR next_fmt "${fmt_VERSION_MAJOR} + 1")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libmicroslip-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS
-    "libfmt-dev (>= ${fmt_VERSION_MAJOR}), libfmt-dev (<< ${next_fmt}), libtbb-dev (>= ${TBB_VERSION_MAJOR}), libhdf5-dev, libmatio-dev, zlib1g-dev"
+    "libfmt-dev (>= ${fmt_VERSION_MAJOR}), libfmt-dev (<< ${microslip_next_fmt}), libtbb-dev (>= ${TBB_VERSION_MAJOR}), libhdf5-dev, zlib1g-dev"
 )
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "microslip, cmake | pkgconf")
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION
-    "Headers and static library of microslip, with the files by which CMake
+    "Headers and static libraries of microslip, with the files by which CMake
 (find_package) and pkg-config find them.")
 
 include(CPack)

@@ -14,13 +14,15 @@
 
 namespace microslip::app {
 
-/// A number, with or without a unit right behind it: "3e-4", "300um", "0.3mm". Without one it is SI.
+/// A number, with or without a unit right behind it: "3e-4", "300um", "0.3mm". Without one it is
+/// SI.
 /// @param option  for messages, for instance "--amplitude".
 /// @throws InputError  where it is neither, or the unit is of another dimension.
 [[nodiscard]] double parse_quantity(std::string_view option, std::string_view text,
                                     const Dimension& dimension);
 
-/// A unit alone. @throws InputError  naming the option, where it is unknown or of another dimension.
+/// A unit alone. @throws InputError  naming the option, where it is unknown or of another
+/// dimension.
 [[nodiscard]] Unit parse_option_unit(std::string_view option, std::string_view text,
                                      const Dimension& dimension);
 
@@ -44,8 +46,8 @@ namespace microslip::app {
                                                const Dimension& dimension);
 
 /// FROM:TO:COUNT[:log]: COUNT values from FROM to TO, equally spaced or in equal ratios.
-/// @throws InputError  where it has another form, FROM is not below TO, COUNT is no whole number from
-///                     2 to 10 million, or `log` comes with FROM = 0 or less.
+/// @throws InputError  where it has another form, FROM is not below TO, COUNT is no whole number
+///                     from 2 to 10 million, or `log` comes with FROM = 0 or less.
 [[nodiscard]] std::vector<double> parse_range(std::string_view option, std::string_view text,
                                               const Dimension& dimension);
 

@@ -35,8 +35,8 @@ inline constexpr std::array<ExitStatusText, 4> kExitStatusTexts = {{
     {kFailed, "anything else, for instance a file that cannot be written"},
 }};
 
-/// What an argument is called in the help (CLI::Option::type_name) where it names a file or a folder.
-/// The completion of the shells offers names with this ending.
+/// What an argument is called in the help (CLI::Option::type_name) where it names a file or a
+/// folder. The completion of the shells offers names with this ending.
 inline constexpr const char* kCsvValue = "FILE.csv";
 inline constexpr const char* kJsonValue = "FILE.json";
 inline constexpr const char* kTomlValue = "FILE.toml";

@@ -74,7 +74,8 @@ bool says(const Recording& recording, const Warning& warning) {
   });
 }
 
-/// What the reader had to forgive belongs to what is written too. A universal file has no place for it.
+/// What the reader had to forgive belongs to what is written too. A universal file has no place for
+/// it.
 void add_warning_attributes(const std::vector<Warning>& warnings,
                             std::vector<Recording>& recordings) {
   for (Recording& recording : recordings) {
@@ -101,8 +102,8 @@ void print_summary(const ConvertOptions& options, const std::vector<Recording>& 
              plural(recordings.size()), channels, plural(channels));
 }
 
-/// Whether mode shapes may be listed: of a universal file, and not of standard input, which may be a
-/// pipe that can be read only once.
+/// Whether mode shapes may be listed: of a universal file, and not of standard input, which may be
+/// a pipe that can be read only once.
 bool may_have_mode_shapes(const ConvertOptions& options) {
   if (options.in == "-" || !options.recording.empty() || !options.channels.empty()) return false;
   const PartOfFile part = part_of_file(options.in);

@@ -17,7 +17,7 @@
 #include "microslip/io/rig_file.hpp"
 #include "microslip/io/rig_writer.hpp"
 #include "microslip/io/verification_file.hpp"
-#include "microslip/io/virtual_test_file.hpp"
+#include "microslip/io/virtual_measurement_file.hpp"
 #include "microslip/rig/virtual_record.hpp"
 #include "nothing_found.hpp"
 #include "progress_bar.hpp"
@@ -33,9 +33,9 @@ Rig without_truth(Rig rig) {
   return rig;
 }
 
-VirtualTest test_rig(const Rig& rig, const Joint& truth, bool quiet) {
-  VirtualTest test =
-      run_virtual_test(rig, truth, {.progress = progress_bar("virtual test", quiet)});
+VirtualMeasurement test_rig(const Rig& rig, const Joint& truth, bool quiet) {
+  VirtualMeasurement test =
+      measure_virtually(rig, truth, {.progress = progress_bar("virtual test", quiet)});
   if (!test.summary.converged()) {
     throw NothingFound(
         fmt::format("the virtual test: {}; nothing is written", test.summary.reason));
@@ -52,7 +52,7 @@ struct Records {
 /// Levels with a record before the force control too.
 constexpr std::array<std::size_t, 4> kCompared = {1, 26, 51, 90};
 
-Records record(const Rig& rig, const VirtualTest& test) {
+Records record(const Rig& rig, const VirtualMeasurement& test) {
   const StickState state = stick_state(rig, rig.test->modes);
   Records records;
   for (const VirtualLevel& level : test.levels) {
@@ -102,9 +102,9 @@ void add_tables(DemoFolder& folder, const RigDemonstration& done, Records record
   folder.add(kFolder + "/truth_joint.json", std::string(kReferenceJoint));
   folder.add(kFolder + "/truth.csv",
              truth_table(done.test.levels, done.truth, records.names).str());
-  folder.add(
-      kFolder + "/force_control.csv",
-      force_control_table(done.test.levels, VirtualTestOptions{}.controlled_harmonics).str());
+  folder.add(kFolder + "/force_control.csv",
+             force_control_table(done.test.levels, VirtualMeasurementOptions{}.controlled_harmonics)
+                 .str());
   const std::string origin = folder.provenance(kFolder, {"rig.toml", "joint.json"});
   const auto add_predicted = [&](const char* name, CsvWriter table) {
     table.add_comment(origin);
@@ -130,7 +130,7 @@ RigDemonstration demonstrate_rig(DemoFolder& folder) {
   const bool quiet = folder.call().quiet;
   const Rig rig = parse_rig(kReferenceRig, "examples/reference_rig/rig.toml");
   const Joint truth = parse_joint(kReferenceJoint, "examples/reference_rig/joint.json").joint;
-  VirtualTest test = test_rig(rig, truth, quiet);
+  VirtualMeasurement test = test_rig(rig, truth, quiet);
   Records records = record(rig, test);
   Reducer reducer(without_truth(rig));
   ReductionBatch reduction = reduce(reducer, records, quiet);

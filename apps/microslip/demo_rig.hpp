@@ -10,7 +10,7 @@
 #include "microslip/rig/reduction_batch.hpp"
 #include "microslip/rig/verification.hpp"
 #include "microslip/rig/verification_batch.hpp"
-#include "microslip/rig/virtual_test.hpp"
+#include "microslip/rig/virtual_measurement.hpp"
 
 namespace microslip::app {
 
@@ -18,7 +18,7 @@ namespace microslip::app {
 struct RigDemonstration {
   Rig rig;
   Joint truth;
-  VirtualTest test;
+  VirtualMeasurement test;
   Reducer reducer;
   ReductionBatch reduction;
   Identification found;
@@ -28,8 +28,8 @@ struct RigDemonstration {
   [[nodiscard]] bool converged() const;
 };
 
-/// Virtual test of the reference rig, its records reduced, the joint identified from the levels, the
-/// records predicted by it; results and pictures go into the folder.
+/// Virtual test of the reference rig, its records reduced, the joint identified from the levels,
+/// the records predicted by it; results and pictures go into the folder.
 /// @throws Cancelled     as the progress bars say.
 /// @throws NothingFound  where the virtual test does not converge.
 RigDemonstration demonstrate_rig(DemoFolder& folder);

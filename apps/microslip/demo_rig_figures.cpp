@@ -63,7 +63,7 @@ void draw_rig(DemoFolder& folder, const std::string& name, const RigDemonstratio
   folder.draw_both(name + "/resonance", resonance_figure("Resonance over level", reduced));
   folder.draw_both(name + "/force_control",
                    force_control_figure("Control of the force", done.test.levels,
-                                        VirtualTestOptions{}.controlled_harmonics),
+                                        VirtualMeasurementOptions{}.controlled_harmonics),
                    {1500, 480});
   folder.draw_both(name + "/energies",
                    FigureGrid{"Where the energy goes",

@@ -47,7 +47,7 @@ std::string describe_level(const RigDemonstration& done, std::size_t i) {
 }
 
 std::string describe_force(const RigDemonstration& done) {
-  const std::size_t harmonics = VirtualTestOptions{}.controlled_harmonics;
+  const std::size_t harmonics = VirtualMeasurementOptions{}.controlled_harmonics;
   double before = 0.0;
   double after = 0.0;
   for (const VirtualLevel& level : done.test.levels) {

@@ -98,7 +98,8 @@ void add_curve_warnings(const HarmonicBalance& balance, const ModelFile& model,
 std::string describe_peaks(const ResponseCurve& curve, bool of_force) {
   std::string text;
   for (const SteadyVibration& peak : curve.peaks) {
-    // Far from a lag of a quarter, as in a superharmonic resonance, the losses are not those of a mode.
+    // Far from a lag of a quarter, as in a superharmonic resonance, the losses are not those of a
+    // mode.
     const bool in_resonance = std::abs(std::sin(peak.phase_lag)) > 0.5;
     const std::string damping = in_resonance ? fmt::format("damping {:.4g}", peak.damping_ratio())
                                              : "not in phase resonance";

@@ -120,7 +120,7 @@ JsonText list_of(const std::vector<Warning>& warnings, std::string Warning::*mem
 }
 
 /// Of the joint that the file holds, whatever found it.
-void add_stiffness(const StiffnessEvidence& evidence, Record& record) {
+void add_stiffness(const StiffnessEvidence& evidence, NamedValues& record) {
   if (evidence.secant) {
     record.emplace_back("secant_offset_N_per_m", evidence.secant->offset);
     record.emplace_back("secant_offset_std_N_per_m", evidence.secant->offset_std);
@@ -135,7 +135,7 @@ void add_stiffness(const StiffnessEvidence& evidence, Record& record) {
   record.emplace_back("equivalent_joint_error_Hz", frequency.equivalent_joint_error);
 }
 
-void add_bands(const Identification& found, Record& record) {
+void add_bands(const Identification& found, NamedValues& record) {
   const DensityBands& bands = *found.bands;
   const auto pair = [](const std::pair<double, double>& ends) {
     return std::vector<double>{ends.first, ends.second};
@@ -155,7 +155,7 @@ void add_bands(const Identification& found, Record& record) {
   record.emplace_back("band_upper_per_N", found.upper);
 }
 
-void add_path(const InversionResult& result, Record& record) {
+void add_path(const InversionResult& result, NamedValues& record) {
   std::vector<double> lambda;
   std::vector<double> edf;
   std::vector<double> residual;
@@ -182,7 +182,7 @@ void add_path(const InversionResult& result, Record& record) {
   record.emplace_back("path_gcv", std::move(gcv));
 }
 
-void add_parameters(const ParametricResult& fit, Record& record) {
+void add_parameters(const ParametricResult& fit, NamedValues& record) {
   for (const FittedParameter& parameter : fit.parameters) {
     record.emplace_back("fitted_" + parameter.name, parameter.value);
     if (std::isfinite(parameter.standard_error)) {
@@ -231,8 +231,8 @@ std::string describe_identification(const Identification& found, std::size_t lev
   return text;
 }
 
-Record record_of(const Identification& found) {
-  Record record;
+NamedValues record_of(const Identification& found) {
+  NamedValues record;
   record.emplace_back("method", std::string(to_string(found.method)));
   if (found.parametric) {
     record.emplace_back("model", std::string(to_string(found.parametric->model)));

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "microslip/identify/identification.hpp"
-#include "microslip/io/record.hpp"
+#include "microslip/io/named_values.hpp"
 
 /// @file
 /// An identification as text for a person and as a record for the joint file.
@@ -18,10 +18,10 @@ namespace microslip::app {
                                                   std::size_t level_count);
 
 /// What joint.json says of the identification under that key.
-[[nodiscard]] Record record_of(const Identification& found);
+[[nodiscard]] NamedValues record_of(const Identification& found);
 
-/// The text of density.csv; negative values of methods that allow them are written as 0, and comments
-/// tell of atoms and warnings, and how the band is to be read.
+/// The text of density.csv; negative values of methods that allow them are written as 0, and
+/// comments tell of atoms and warnings, and how the band is to be read.
 [[nodiscard]] std::string density_csv(const Identification& found);
 
 }  // namespace microslip::app

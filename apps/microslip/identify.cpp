@@ -179,8 +179,8 @@ void check_size(const LevelsFile& file, const std::vector<double>& values, std::
   }
 }
 
-/// Far beyond every joint something else was measured or labelled, and products of such numbers leave
-/// the range of doubles.
+/// Far beyond every joint something else was measured or labelled, and products of such numbers
+/// leave the range of doubles.
 void check_sizes(const LevelsFile& file) {
   constexpr Sizes kEnergies{1e-30, 1e12};
   constexpr Sizes kDeviations{1e-24, 1e6};

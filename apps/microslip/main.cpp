@@ -30,8 +30,8 @@ using namespace microslip::app;
 
 constexpr std::string_view kStandardOutput = "standard output";
 
-// Nothing half-written stays behind: files in the making go, then the signal does what it would have
-// done.
+// Nothing half-written stays behind: files in the making go, then the signal does what it would
+// have done.
 extern "C" void remove_temporaries_and_die(int signal) {
   microslip::remove_temporaries();
   std::signal(signal, SIG_DFL);
@@ -104,7 +104,8 @@ std::string unknown_option(const CLI::App& command, const std::string& argument)
                      nearest.empty() ? "" : fmt::format("; {} is near", nearest));
 }
 
-/// What CLI11 found, but for options and subcommands that do not exist: it says that there are none.
+/// What CLI11 found, but for options and subcommands that do not exist: it says that there are
+/// none.
 std::string fault_of(const CLI::App& program, const CLI::ParseError& error) {
   const std::vector<CLI::App*> chosen = program.get_subcommands();
   if (!chosen.empty()) {
@@ -164,7 +165,8 @@ int parse_and_run(CLI::App& program, Call& call, int argc, char** argv) {
 int main(int argc, char** argv) {
   occupy_closed_streams();
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) remove_temporaries_on(signal);
-  // A pipe that nobody reads and a limit of the size of files are errors of writing, as a full disk.
+  // A pipe that nobody reads and a limit of the size of files are errors of writing, as a full
+  // disk.
   for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
   try {
     Call call;

@@ -31,10 +31,10 @@
 #include "microslip/io/recording_file.hpp"
 #include "microslip/io/rig_file.hpp"
 #include "microslip/io/rig_writer.hpp"
-#include "microslip/io/virtual_test_file.hpp"
+#include "microslip/io/virtual_measurement_file.hpp"
 #include "microslip/rig/rig_structure.hpp"
+#include "microslip/rig/virtual_measurement.hpp"
 #include "microslip/rig/virtual_record.hpp"
-#include "microslip/rig/virtual_test.hpp"
 #include "nothing_found.hpp"
 #include "prediction.hpp"
 #include "progress_bar.hpp"
@@ -181,8 +181,8 @@ bool keeps_rig(const MeasureOptions& options) {
   return fs::equivalent(fs::path(options.out) / "rig.toml", options.rig, error);
 }
 
-/// Recordings of a laboratory have the names and the form of those of a virtual test; what tells the
-/// folder of one is its truth.csv.
+/// Recordings of a laboratory have the names and the form of those of a virtual test; what tells
+/// the folder of one is its truth.csv.
 void check_origin(const MeasureOptions& options, std::vector<std::string> written) {
   const fs::path truth = fs::path(options.out) / "truth.csv";
   std::error_code error;
@@ -224,9 +224,10 @@ void check_folder(const MeasureOptions& options, const Rig& rig, const RecordNam
   check_origin(options, records);
 }
 
-/// After it: something must have been found, and an old record of a level that was not would pass for
-/// one of this test.
-void check_found(const MeasureOptions& options, const RecordNames& names, const VirtualTest& test) {
+/// After it: something must have been found, and an old record of a level that was not would pass
+/// for one of this test.
+void check_found(const MeasureOptions& options, const RecordNames& names,
+                 const VirtualMeasurement& test) {
   const auto is_found = [&](std::size_t i) { return test.levels[i].summary.converged(); };
   const std::vector<std::string> records =
       record_names(options, names, test.levels.size(), is_found);
@@ -237,13 +238,13 @@ void check_found(const MeasureOptions& options, const RecordNames& names, const 
 }
 
 /// Solves the test; names in [test] are those of the file.
-VirtualTest solve(const MeasureOptions& options, const Inputs& inputs, bool quiet) {
-  VirtualTestOptions test;
+VirtualMeasurement solve(const MeasureOptions& options, const Inputs& inputs, bool quiet) {
+  VirtualMeasurementOptions test;
   test.shaker = !options.no_shaker;
   test.linear_damping = inputs.linear_damping;
   test.progress = progress_bar("levels", quiet);
   try {
-    return run_virtual_test(inputs.rig, inputs.joint, test);
+    return measure_virtually(inputs.rig, inputs.joint, test);
   } catch (const InputError& error) {
     throw error.renamed(fmt::format("{}: {}", input_name(options.rig), error.name()));
   }
@@ -273,7 +274,7 @@ class TestWriter {
     folders_.make(options.out, "Choose another folder with --out.");
   }
 
-  void write(const VirtualTest& test, const Progress& progress) {
+  void write(const VirtualMeasurement& test, const Progress& progress) {
     for (const VirtualLevel& level : test.levels) {
       if (level.summary.converged()) write_level(level);
       if (progress && !progress(level.number, test.levels.size())) throw Cancelled();
@@ -312,15 +313,15 @@ class TestWriter {
     files_.add(file(name), table.str());
   }
 
-  void write_tables(const VirtualTest& test) {
+  void write_tables(const VirtualMeasurement& test) {
     add("truth.csv", truth_table(test.levels, inputs_.joint, names_.all(kLevel)));
     if (options_.no_shaker) return;
     add(std::string(kForceControlFile),
-        force_control_table(test.levels, VirtualTestOptions{}.controlled_harmonics));
+        force_control_table(test.levels, VirtualMeasurementOptions{}.controlled_harmonics));
   }
 
-  /// The rig without the joint, which a test does not know; where the rig lies in the folder itself it
-  /// stays.
+  /// The rig without the joint, which a test does not know; where the rig lies in the folder itself
+  /// it stays.
   void write_rig() {
     const std::string path = file("rig.toml");
     if (keeps_rig(options_)) return;
@@ -349,7 +350,7 @@ std::string range(double from, double to, std::string_view unit) {
 }
 
 std::string describe_force(const std::vector<const VirtualLevel*>& levels) {
-  const std::size_t harmonics = VirtualTestOptions{}.controlled_harmonics;
+  const std::size_t harmonics = VirtualMeasurementOptions{}.controlled_harmonics;
   const auto worst = [&](auto state) {
     const VirtualLevel& level = **std::ranges::max_element(
         levels, {},
@@ -364,7 +365,7 @@ std::string describe_force(const std::vector<const VirtualLevel*>& levels) {
 }
 
 std::string describe(const MeasureOptions& options, const Inputs& inputs, const RecordNames& names,
-                     const VirtualTest& test) {
+                     const VirtualMeasurement& test) {
   std::vector<const VirtualLevel*> found;
   for (const VirtualLevel& level : test.levels) {
     if (level.summary.converged()) found.push_back(&level);
@@ -400,7 +401,7 @@ std::string describe(const MeasureOptions& options, const Inputs& inputs, const 
 }
 
 /// Each kind of warning once, of its first level.
-std::vector<Warning> warnings_of(const Inputs& inputs, const VirtualTest& test) {
+std::vector<Warning> warnings_of(const Inputs& inputs, const VirtualMeasurement& test) {
   std::vector<Warning> warnings;
   if (const auto other = stiffness_warning(stick_state(inputs.rig), inputs.joint)) {
     warnings.push_back(*other);
@@ -419,7 +420,7 @@ int run(const MeasureOptions& options, const Call& call) {
   const Inputs inputs = read_inputs(options, call, seed);
   const RecordNames names(options, inputs.rig.test ? inputs.rig.test->count : 0);
   check_folder(options, inputs.rig, names);
-  const VirtualTest test = solve(options, inputs, call.quiet);
+  const VirtualMeasurement test = solve(options, inputs, call.quiet);
   check_found(options, names, test);
   const std::vector<Warning> warnings = warnings_of(inputs, test);
   TestWriter(options, inputs, names, seed, with_warnings(inputs.provenance, warnings))

@@ -5,8 +5,8 @@
 
 namespace microslip::app {
 
-/// A solver found nothing at all, so that nothing is written; ends the program with kNotConverged. Where
-/// something was found, a command writes it and returns that status itself.
+/// A solver found nothing at all, so that nothing is written; ends the program with kNotConverged.
+/// Where something was found, a command writes it and returns that status itself.
 class NothingFound : public Error {
  public:
   using Error::Error;

@@ -26,8 +26,8 @@ struct PlotFigure {
 [[nodiscard]] std::span<const PlotFigure> plot_figures();
 
 /// The one of that name that the input has the data for; of no name, the only one there is.
-/// @throws InputError  naming those it has, where there is no name and not one figure alone, the name is
-///                     unknown, or the input has no data for it; with what that one needs.
+/// @throws InputError  naming those it has, where there is no name and not one figure alone, the
+///                     name is unknown, or the input has no data for it; with what that one needs.
 [[nodiscard]] const PlotFigure& find_figure(const std::string& name, const PlotInput& input);
 
 }  // namespace microslip::app

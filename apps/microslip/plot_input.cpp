@@ -75,8 +75,8 @@ std::vector<HistorySignal> march_of(const CsvTable& table) {
   return signals;
 }
 
-/// Channels of one dimension share an axis, which their unit names; one that is alone, or has no unit, has
-/// its own name.
+/// Channels of one dimension share an axis, which their unit names; one that is alone, or has no
+/// unit, has its own name.
 std::string quantity_of(const Channel& channel, const std::vector<Channel>& channels) {
   const auto same = std::ranges::count(channels, channel.dimension, &Channel::dimension);
   if (!channel.dimension || same == 1) return channel.name;

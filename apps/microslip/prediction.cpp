@@ -33,8 +33,8 @@ std::string counted(std::size_t count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-/// What is used and what was identified, which are not the same where the model says so. Empty where
-/// there is neither.
+/// What is used and what was identified, which are not the same where the model says so. Empty
+/// where there is neither.
 std::string damping_of(const ModelFile& model, std::size_t j) {
   const double used = model.structure.joints()[j].linear_damping;
   double identified = 0.0;

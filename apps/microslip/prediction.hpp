@@ -73,8 +73,8 @@ void add_prediction_arguments(CLI::App& command, PredictionArguments& arguments,
 /// holds them too.
 void add_model_warnings(const ModelFile& model, ResponseCurve& curve);
 
-/// Judges what the harmonics above leave out, by judge_truncation(): a warning of the curve where that
-/// is much, and a line of the summary.
+/// Judges what the harmonics above leave out, by judge_truncation(): a warning of the curve where
+/// that is much, and a line of the summary.
 [[nodiscard]] std::string add_truncation(const HarmonicBalance& balance, Quantity kept,
                                          ResponseCurve& curve);
 

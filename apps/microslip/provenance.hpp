@@ -22,8 +22,8 @@ struct NamedInput {
 /// The lines of a comment: version and call, then "FILE: sha256 …" of each input.
 [[nodiscard]] std::string provenance_of(const Call& call, const std::vector<NamedInput>& inputs);
 
-/// Lines of a comment, "warning: CODE: TEXT" each: what was told, or with --quiet was not, is in the
-/// file too. Empty without warnings.
+/// Lines of a comment, "warning: CODE: TEXT" each: what was told, or with --quiet was not, is in
+/// the file too. Empty without warnings.
 [[nodiscard]] std::string warning_lines(const std::vector<Warning>& warnings);
 
 /// The same behind the lines of another comment.

@@ -6,22 +6,22 @@
 #include <string_view>
 #include <vector>
 
-#include "microslip/io/record.hpp"
+#include "microslip/io/named_values.hpp"
 
 /// @file
-/// What a record of joint.json, its identification or its options, holds under a name. What is of another
-/// kind counts as missing.
+/// What a record of joint.json, its identification or its options, holds under a name. What is of
+/// another kind counts as missing.
 
 namespace microslip::app {
 
-[[nodiscard]] std::optional<double> number_in(const Record& record, std::string_view name);
+[[nodiscard]] std::optional<double> number_in(const NamedValues& record, std::string_view name);
 
-[[nodiscard]] std::optional<std::string> text_in(const Record& record, std::string_view name);
+[[nodiscard]] std::optional<std::string> text_in(const NamedValues& record, std::string_view name);
 
 /// Empty where there is none.
-[[nodiscard]] std::vector<double> numbers_in(const Record& record, std::string_view name);
+[[nodiscard]] std::vector<double> numbers_in(const NamedValues& record, std::string_view name);
 
 /// A JSON list of texts; empty where there is none.
-[[nodiscard]] std::vector<std::string> texts_in(const Record& record, std::string_view name);
+[[nodiscard]] std::vector<std::string> texts_in(const NamedValues& record, std::string_view name);
 
 }  // namespace microslip::app

@@ -10,7 +10,7 @@
 
 namespace microslip::app {
 
-IdentificationOptions recorded_options(const Record& record) {
+IdentificationOptions recorded_options(const NamedValues& record) {
   IdentificationOptions options;
   const std::string method = text_in(record, "method").value_or("");
   for (const auto known : {IdentificationMethod::kInversion, IdentificationMethod::kSpline,
@@ -30,11 +30,11 @@ IdentificationOptions recorded_options(const Record& record) {
   return options;
 }
 
-Record record_of_options(const IdentificationOptions& options, const OptionTexts& texts) {
+NamedValues record_of_options(const IdentificationOptions& options, const OptionTexts& texts) {
   BandOptions none;
   none.samples = 0;
   const BandOptions bands = options.bands.value_or(none);
-  Record record;
+  NamedValues record;
   record.emplace_back("method", std::string(to_string(options.method)));
   record.emplace_back("smoothing", texts.smoothing);
   if (texts.smoothing_unit) record.emplace_back("smoothing_unit", *texts.smoothing_unit);

@@ -5,14 +5,15 @@
 #include <string>
 
 #include "microslip/identify/identification.hpp"
-#include "microslip/io/record.hpp"
+#include "microslip/io/named_values.hpp"
 
 namespace microslip::app {
 
-/// The options of an identification from those that `identify` left in joint.json: method, smoothing,
-/// linear damping, atom. What is not told is as by default; stiffness and bands are not among them.
+/// The options of an identification from those that `identify` left in joint.json: method,
+/// smoothing, linear damping, atom. What is not told is as by default; stiffness and bands are not
+/// among them.
 /// @throws InputError  for a smoothing that is none of the method.
-[[nodiscard]] IdentificationOptions recorded_options(const Record& record);
+[[nodiscard]] IdentificationOptions recorded_options(const NamedValues& record);
 
 /// What the options of the library do not hold.
 struct OptionTexts {
@@ -22,7 +23,7 @@ struct OptionTexts {
 };
 
 /// The same options as joint.json holds them.
-[[nodiscard]] Record record_of_options(const IdentificationOptions& options,
-                                       const OptionTexts& texts = {});
+[[nodiscard]] NamedValues record_of_options(const IdentificationOptions& options,
+                                            const OptionTexts& texts = {});
 
 }  // namespace microslip::app

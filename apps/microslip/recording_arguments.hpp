@@ -39,8 +39,8 @@ void add_recording_arguments(CLI::App& command, RecordingArguments& arguments);
 /// @throws InputError  where it is no frequency above 0.
 [[nodiscard]] std::optional<double> frequency_guess(const std::string& text);
 
-/// What the readers of many recordings had to forgive, in one list, without what is said twice; of very
-/// many the first, and how many there are.
+/// What the readers of many recordings had to forgive, in one list, without what is said twice; of
+/// very many the first, and how many there are.
 [[nodiscard]] std::vector<Warning> joined_warnings(
     const std::vector<std::vector<Warning>>& warnings);
 

@@ -10,8 +10,8 @@
 namespace microslip::app {
 
 /// What a file of recordings holds, on lines of 60 columns at most: of each recording its size and
-/// rate, of each channel quantity, unit, root mean square, least and greatest value (of a complex one
-/// those of its magnitude), and what the file says of them.
+/// rate, of each channel quantity, unit, root mean square, least and greatest value (of a complex
+/// one those of its magnitude), and what the file says of them.
 [[nodiscard]] std::string list_recordings(const Recordings& recordings);
 
 /// What a universal file holds of mode shapes, on lines of 60 columns at most: number, frequency,

@@ -57,8 +57,8 @@ ReductionOptions reduction_options(const ReduceOptions& options) {
 /// More recordings than this share one digest.
 constexpr std::size_t kMostNamed = 4;
 
-/// The call. Of many recordings the first and the last stand for all: one name after the other, they
-/// would make a line that nobody reads.
+/// The call. Of many recordings the first and the last stand for all: one name after the other,
+/// they would make a line that nobody reads.
 std::string short_call(const ReduceOptions& options, const Call& call) {
   const std::string& line = call.command_line;
   const std::vector<std::string>& names = options.recordings;

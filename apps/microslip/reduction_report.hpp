@@ -13,7 +13,8 @@ namespace microslip::app {
 /// A reduction as text for a person: how it was done, a line a level, and what is to be looked at.
 [[nodiscard]] std::string describe_reduction(const Reducer& reducer, const ReductionBatch& batch);
 
-/// What of it is to be looked at, for the file: each kind of flag once, what is not written or left out.
+/// What of it is to be looked at, for the file: each kind of flag once, what is not written or left
+/// out.
 [[nodiscard]] std::vector<Warning> reduction_warnings(const ReductionBatch& batch);
 
 }  // namespace microslip::app

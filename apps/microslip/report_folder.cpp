@@ -155,7 +155,7 @@ class FolderReader {
     }
     for (const InputHash& hash : provenance.inputs) note_input(hash);
     takes_all_levels_ = std::ranges::any_of(provenance.options, [](const auto& option) {
-      return option.first == "inner_reversals" && option.second == RecordValue("use");
+      return option.first == "inner_reversals" && option.second == NamedValue("use");
     });
     try {
       results_.options = recorded_options(provenance.options);

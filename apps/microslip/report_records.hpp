@@ -12,7 +12,8 @@
 
 namespace microslip::app {
 
-/// Of `source, time [s], <channel>_<recorded> [unit], <channel>_<other> [unit]…`, one entry a source.
+/// Of `source, time [s], <channel>_<recorded> [unit], <channel>_<other> [unit]…`, one entry a
+/// source.
 /// @throws FormatError  where a column is missing.
 [[nodiscard]] std::vector<TestRecord> histories_of(const CsvTable& table,
                                                    const std::string& recorded,

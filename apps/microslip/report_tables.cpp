@@ -35,7 +35,7 @@ std::string_view unit_after(std::string_view name) {
 }
 
 /// fitted_NAME with std_NAME, which is 0 where the best value is at the end of its range.
-std::vector<std::pair<std::string, std::string>> parameters_in(const Record& record) {
+std::vector<std::pair<std::string, std::string>> parameters_in(const NamedValues& record) {
   constexpr std::string_view kFitted = "fitted_";
   std::vector<std::pair<std::string, std::string>> parameters;
   for (const auto& [key, value] : record) {
@@ -97,7 +97,7 @@ TestLevels levels_of(const ReportInput& input) {
 }
 
 TestJoint joint_of(const JointFile& file, const std::string& path) {
-  const Record& record = file.identification;
+  const NamedValues& record = file.identification;
   const std::optional<double> of_dissipation = number_in(record, "scatter_dissipation");
   TestJoint joint{.joint = file.joint,
                   .method = text_in(record, "method").value_or(""),

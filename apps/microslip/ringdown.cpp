@@ -142,7 +142,8 @@ Signal choose_signals(const std::vector<Recording>& recordings,
 std::string codes_of(const std::vector<Warning>& warnings) {
   std::string codes;
   for (const Warning& warning : warnings) {
-    constexpr std::string_view kOfLevels[] = {"neighbour_leaks", "sensors_differ", "shape_moves"};
+    constexpr std::string_view kOfLevels[] = {"beats", "neighbour_leaks", "sensors_differ",
+                                              "shape_moves", "steady_tone"};
     if (std::ranges::find(kOfLevels, warning.code) != std::end(kOfLevels)) continue;
     if ((" " + codes + " ").find(" " + warning.code + " ") != std::string::npos) continue;
     codes += (codes.empty() ? "" : " ") + warning.code;

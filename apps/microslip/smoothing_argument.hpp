@@ -12,8 +12,8 @@ namespace microslip::app {
 /// `--smoothing-unit UNIT`.
 ///
 ///   * inversion: gcv, or lambda=X in the scaled variables that joint.json reports; it has no p.
-///   * spline: gcv, lambda=X in UNIT³, or the csaps factor p=X with the amplitude in UNIT. Both mean
-///     nothing without their unit.
+///   * spline: gcv, lambda=X in UNIT³, or the csaps factor p=X with the amplitude in UNIT. Both
+///     mean nothing without their unit.
 ///   * differences: takes neither.
 /// @param unit  nothing where the option was not given.
 /// @throws InputError  where the two do not fit the method or break a rule.

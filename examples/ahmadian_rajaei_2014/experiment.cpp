@@ -62,7 +62,7 @@ std::vector<ReducedLevel> reduce(const microslip::Reducer& reducer,
 
 RecordedTest record_test(const Rig& rig, const microslip::StickState& state,
                          const microslip::Joint& truth, std::uint64_t seed) {
-  RecordedTest made{.test = microslip::run_virtual_test(rig, truth), .recordings = {}};
+  RecordedTest made{.test = microslip::measure_virtually(rig, truth), .recordings = {}};
   if (!made.test.summary.converged()) throw microslip::Error(made.test.summary.full());
   for (const microslip::VirtualLevel& level : made.test.levels) {
     made.recordings.push_back(

@@ -10,7 +10,7 @@
 #include "microslip/joint/joint.hpp"
 #include "microslip/rig/reduction.hpp"
 #include "microslip/rig/stick_state.hpp"
-#include "microslip/rig/virtual_test.hpp"
+#include "microslip/rig/virtual_measurement.hpp"
 #include "microslip/signal/recording.hpp"
 #include "reproduction.hpp"
 
@@ -28,7 +28,7 @@ struct Experiment {
   microslip::Reducer reducer;  ///< with the rig
   microslip::Joint truth;      ///< the joint of the virtual test, which the reduction does not know
   microslip::StickState state;  ///< of the virtual test
-  microslip::VirtualTest test;
+  microslip::VirtualMeasurement test;
   std::vector<microslip::ReducedLevel> levels;  ///< by rising response
   microslip::Levels measured;                   ///< the same, for the identification
   microslip::Levels scattered;                  ///< with kScatter on D, its size told
@@ -36,7 +36,7 @@ struct Experiment {
 };
 
 struct RecordedTest {
-  microslip::VirtualTest test;
+  microslip::VirtualMeasurement test;
   std::vector<microslip::Recording> recordings;  ///< one a level, under control of the force
 };
 

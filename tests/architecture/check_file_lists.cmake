@@ -5,7 +5,11 @@
 cmake_minimum_required(VERSION 3.25)
 
 set(missing 0)
-foreach(folder IN ITEMS src/microslip apps/microslip bench tests)
+file(
+  GLOB folders
+  RELATIVE "${ROOT}"
+  "${ROOT}/src/microslip/*")
+foreach(folder IN LISTS folders ITEMS apps/microslip bench tests)
   if(NOT EXISTS "${ROOT}/${folder}/CMakeLists.txt")
     continue()
   endif()
@@ -18,7 +22,7 @@ foreach(folder IN ITEMS src/microslip apps/microslip bench tests)
     "${ROOT}/${folder}/*.cpp" "${ROOT}/${folder}/*.hpp")
   foreach(file IN LISTS files)
     # Headers are listed where they are installed from.
-    if(file MATCHES "^install/" OR (file MATCHES "\\.hpp$" AND NOT folder STREQUAL "src/microslip"))
+    if(file MATCHES "^install/" OR (file MATCHES "\\.hpp$" AND NOT folder MATCHES "^src/"))
       continue()
     endif()
     if(NOT file IN_LIST list)

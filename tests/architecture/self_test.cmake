@@ -8,8 +8,8 @@ cmake_minimum_required(VERSION 3.25)
 function(expect name script file content pattern)
   set(root "${WORK_DIR}/${name}")
   file(REMOVE_RECURSE "${root}")
-  file(WRITE "${root}/src/microslip/CMakeLists.txt" "listed: base/listed.cpp # base/comment.cpp
-FILE_SET HEADERS joint/installed.hpp)\n")
+  file(WRITE "${root}/src/microslip/base/CMakeLists.txt" "listed: listed.cpp # comment.cpp\n")
+  file(WRITE "${root}/src/microslip/joint/CMakeLists.txt" " PUBLIC installed.hpp\n PRIVATE a.cpp\n")
   file(WRITE "${root}/${file}" "${content}")
   execute_process(
     COMMAND "${CMAKE_COMMAND}" "-DROOT=${root}" -P "${script}"
@@ -32,16 +32,11 @@ set(src src/microslip)
 expect(clean "${CHECK}" ${src}/identify/a.cpp
        "// std::cout, fopen(\n#include \"microslip/joint/joint.hpp\"\nint a[] = {1; 2};\n" "")
 expect(io_writes "${CHECK}" ${src}/io/a.cpp "#include <fstream>\nstd::ofstream out;\n" "")
-expect(upward "${CHECK}" ${src}/joint/a.cpp
-       "int a[3];\n\n// ; ]\n#include \"microslip/identify/levels.hpp\"\n"
-       "src/microslip/joint/a.cpp:4: joint must not include microslip/identify/levels.hpp")
-expect(upward_angle "${CHECK}" ${src}/base/a.hpp "#include <microslip/joint/joint.hpp>\n"
-       "base/a.hpp:1: base must not")
-expect(sideways "${CHECK}" ${src}/identify/a.cpp "#include \"microslip/io/csv.hpp\"\n"
-       "identify/a.cpp:1: identify must not")
 expect(relative "${CHECK}" ${src}/joint/a.cpp "#include \"../io/csv.hpp\"\n" "joint/a.cpp:1: write")
 expect(exposed "${CHECK}" ${src}/joint/installed.hpp "#include <vector>\n#include <Eigen/Core>\n"
        "joint/installed.hpp:2: an installed header includes no other library: Eigen/Core")
+expect(exposed_in_c "${CHECK}" ${src}/joint/installed.hpp "#include <zlib.h>\n"
+       "joint/installed.hpp:1: an installed header includes no other library: zlib.h")
 expect(exposed_by_another "${CHECK}" ${src}/joint/installed.hpp "#include \"microslip/joint/a.hpp\"\n"
        "joint/installed.hpp:1: an installed header includes only such: microslip/joint/a.hpp")
 expect(version "${CHECK}" ${src}/joint/installed.hpp "#include \"microslip/base/version.hpp\"\n" "")
@@ -58,7 +53,9 @@ expect(prints_to_stream "${CHECK}" ${src}/joint/a.cpp "fmt::print(stderr, text);
 expect(aborts "${CHECK}" ${src}/io/a.cpp "std::abort();\n" "io/a.cpp:1: the library never ends")
 expect(ends_its_child "${CHECK}" ${src}/io/reading_process.cpp "_exit(0);\n" "")
 expect(draws "${CHECK}" ${src}/joint/a.cpp "std::mt19937 generator;\n" "joint/a.cpp:1: random numbers")
-expect(new_folder "${CHECK}" ${src}/fresh/a.cpp "\n" "the folder fresh has no line")
+expect(threads "${CHECK}" ${src}/rig/a.cpp "#include <tbb/parallel_for.h>\n"
+       "rig/a.cpp:1: threads come from base/execution alone")
+expect(threads_at_home "${CHECK}" ${src}/base/execution.cpp "#include <tbb/parallel_for.h>\n" "")
 expect(stray "${CHECK}" ${src}/a.cpp "\n" "src/microslip/a.cpp:1: a source lies in")
 expect(empty "${CHECK}" README.md "\n" "No source under")
 

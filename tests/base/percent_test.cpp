@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace microslip {
+namespace microslip::percent_test {
 namespace {
 
 TEST(PercentText, HasTwoDigitsAtLeastAndNoExponentAbove) {
@@ -16,4 +16,4 @@ TEST(PercentText, HasTwoDigitsAtLeastAndNoExponentAbove) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::percent_test

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace microslip {
+namespace microslip::plausibility_test {
 namespace {
 
 // 31 m and 4.1 MJ are what the decay of a bolted beam comes to where m/s^2 are taken for m.
@@ -34,4 +34,4 @@ TEST(Plausibility, IsSilentOfMeasurements) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::plausibility_test

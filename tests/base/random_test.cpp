@@ -9,7 +9,7 @@
 #include <set>
 #include <vector>
 
-namespace microslip {
+namespace microslip::random_test {
 namespace {
 
 std::vector<double> uniforms(std::uint64_t seed, std::uint64_t stream, std::size_t count) {
@@ -150,4 +150,4 @@ INSTANTIATE_TEST_SUITE_P(Seeds, RandomStreamStatistics,
                          ::testing::Values(0U, 1U, 42U, 20140803U, 0xffffffffffffffffULL));
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::random_test

@@ -9,7 +9,7 @@
 
 #include "microslip/base/error.hpp"
 
-namespace microslip {
+namespace microslip::units_test {
 namespace {
 
 struct Case {
@@ -181,4 +181,4 @@ TEST(Units, DimensionsWithoutANameAreSpelt) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::units_test

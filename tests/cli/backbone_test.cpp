@@ -14,7 +14,7 @@
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::backbone_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -36,8 +36,8 @@ void expect_parts(const std::string& text, const std::vector<std::string>& parts
   }
 }
 
-// One harmonic in closed form: ω² = k + k_eq(a), F = a (cω + D(a)/(πa²)), ζ = F/(2ω²a). 4096 samples
-// leave 2e-8 of the joint's force, a hundredth of which is its loss.
+// One harmonic in closed form: ω² = k + k_eq(a), F = a (cω + D(a)/(πa²)), ζ = F/(2ω²a). 4096
+// samples leave 2e-8 of the joint's force, a hundredth of which is its loss.
 TEST(backbone, IsThatOfTheDescribingFunction) {
   const Sandbox box = one_mass();
   const Joint joint = read_joint(box.file("joint.json")).joint;
@@ -237,4 +237,4 @@ TEST(backbone, EndsOnInterrupt) {
 }
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::backbone_test

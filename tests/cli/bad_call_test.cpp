@@ -9,7 +9,7 @@
 
 /// Calls that are at fault, on files that are not.
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::bad_call_test {
 namespace {
 
 using Parts = std::vector<std::string>;
@@ -183,4 +183,4 @@ TEST(BadCall, Loop) {
 }
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::bad_call_test

@@ -15,12 +15,12 @@
 #include "cli/samples.hpp"
 #include "microslip/io/csv_writer.hpp"
 
-/// Every format that is written, where it cannot be written whole: status 1, one message, nothing at
-/// the final name and nothing beside it. A limit of the size of files stands for a full disk, since it
-/// needs no rights: from some byte on the system takes no more. A disk that reports its error late, when
-/// the file is synced, closed or renamed, is played by failing_calls.
+/// Every format that is written, where it cannot be written whole: status 1, one message, nothing
+/// at the final name and nothing beside it. A limit of the size of files stands for a full disk,
+/// since it needs no rights: from some byte on the system takes no more. A disk that reports its
+/// error late, when the file is synced, closed or renamed, is played by failing_calls.
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::bad_disk_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -106,7 +106,8 @@ class BadDisk : public testing::TestWithParam<Writing> {
     given_ = box_.content();
   }
 
-  /// The size of the file that the call makes where nothing hinders it; all that it made is removed.
+  /// The size of the file that the call makes where nothing hinders it; all that it made is
+  /// removed.
   std::size_t whole_size() const {
     expect_made();
     const std::size_t size = fs::file_size(box_.file(GetParam().out));
@@ -188,4 +189,4 @@ INSTANTIATE_TEST_SUITE_P(EachFormat, BadDisk, testing::ValuesIn(all_writings()),
                          });
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::bad_disk_test

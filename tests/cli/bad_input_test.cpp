@@ -7,10 +7,10 @@
 #include "cli/run_program.hpp"
 #include "cli/samples.hpp"
 
-/// Files that are at fault: each is refused with its place, what was found, the rule and, where there
-/// is one, the remedy.
+/// Files that are at fault: each is refused with its place, what was found, the rule and, where
+/// there is one, the remedy.
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::bad_input_test {
 namespace {
 
 using Parts = std::vector<std::string>;
@@ -269,4 +269,4 @@ TEST(BadJoint, WithABadDensity) {
 }
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::bad_input_test

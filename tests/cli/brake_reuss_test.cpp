@@ -13,15 +13,16 @@
 #include "microslip/io/csv.hpp"
 #include "support/figures.hpp"
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::brake_reuss_test {
 namespace {
 
 namespace fs = std::filesystem;
 
 const std::string kExample = MICROSLIP_EXAMPLES "/brake_reuss_beam/";
 
-/// The stepped sines of the Brake–Reuß beam [Chen et al. and Jin et al., Mech. Syst. Signal Process. 166
-/// (2022) 108401, 108402]: identified by those of held response, predicted for those of held force.
+/// The stepped sines of the Brake–Reuß beam [Chen et al. and Jin et al., Mech. Syst. Signal
+/// Process. 166 (2022) 108401, 108402]: identified by those of held response, predicted for those
+/// of held force.
 class BrakeReuss : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -61,8 +62,8 @@ class BrakeReuss : public ::testing::Test {
   Sandbox box_;
 };
 
-// The bound is that of the sessions: at one amplitude their damping differs by 3 to 6 %. The frequency
-// is not expected to agree: the sessions differ by 0.5 Hz, and it is recorded.
+// The bound is that of the sessions: at one amplitude their damping differs by 3 to 6 %. The
+// frequency is not expected to agree: the sessions differ by 0.5 Hz, and it is recorded.
 TEST_F(BrakeReuss, PeaksOfTheOtherSweepsFollowFromLinearDampingAndSlip) {
   const Outcome run = box_.run({"identify", "levels.csv", "--stiffness", "5.08e5",
                                 "--linear-damping", "fit", "--out", "joint.json", "--quiet"});
@@ -82,4 +83,4 @@ TEST_F(BrakeReuss, PeaksOfTheOtherSweepsFollowFromLinearDampingAndSlip) {
 }
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::brake_reuss_test

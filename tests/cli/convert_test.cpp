@@ -9,7 +9,7 @@
 
 #include "cli/run_program.hpp"
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::convert_test {
 namespace {
 
 const std::string kLevel =
@@ -226,4 +226,4 @@ TEST(Convert, ShowsProgressOnATerminal) {
 }
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::convert_test

@@ -18,7 +18,7 @@
 #include "microslip/io/recording_file.hpp"
 #include "microslip/io/rig_file.hpp"
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::demo_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -216,4 +216,4 @@ TEST(demo, NeedsAFolder) {
 }
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::demo_test

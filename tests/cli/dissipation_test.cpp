@@ -12,7 +12,7 @@
 #include "microslip/io/csv.hpp"
 #include "microslip/joint/secant.hpp"
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::dissipation_test {
 namespace {
 
 constexpr const char* kHeader =
@@ -144,4 +144,4 @@ TEST(dissipation, GivesLevelsThatIdentifyTakes) {
 }
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::dissipation_test

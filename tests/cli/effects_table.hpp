@@ -6,8 +6,8 @@
 #include <vector>
 
 /// @file
-/// The table tests/data/effects.txt: each option, key and column, and the outputs that must change with
-/// it. Its format is told at its top.
+/// The table tests/data/effects.txt: each option, key and column, and the outputs that must change
+/// with it. Its format is told at its top.
 
 namespace microslip::cli_test {
 
@@ -27,7 +27,8 @@ struct EffectRow {
 /// The files of docs/file_formats.md that its blocks show, by name.
 [[nodiscard]] std::map<std::string, std::string> documented_files();
 
-/// The columns that docs/file_formats.md says are needed or used in a section, as in "## levels.csv".
+/// The columns that docs/file_formats.md says are needed or used in a section, as in "##
+/// levels.csv".
 [[nodiscard]] std::vector<std::string> documented_columns(const std::string& section);
 
 /// The keys in a file of TOML or JSON, each once.
@@ -39,13 +40,14 @@ struct EffectRow {
 /// The parts between a separator, trimmed.
 [[nodiscard]] std::vector<std::string> parts(const std::string& text, const std::string& separator);
 
-/// The text with the edit of a row: "OLD -> NEW", each place; "COLUMN * FACTOR" or "COLUMN removed" of a
-/// table. Throws std::runtime_error where the text has nothing to be edited.
+/// The text with the edit of a row: "OLD -> NEW", each place; "COLUMN * FACTOR" or "COLUMN removed"
+/// of a table. Throws std::runtime_error where the text has nothing to be edited.
 [[nodiscard]] std::string edited(const std::string& text, const std::string& edit);
 
 /// What is compared of an output. The whole: without comments, which hold the call, and without the
-/// provenance of a joint. A part: the column of a table by its name without unit, a comment with this
-/// beginning ("#peak"), or a pointer into JSON ("/identification/lambda"). Nothing where it is not there.
+/// provenance of a joint. A part: the column of a table by its name without unit, a comment with
+/// this beginning ("#peak"), or a pointer into JSON ("/identification/lambda"). Nothing where it is
+/// not there.
 [[nodiscard]] std::string content_of(const std::string& text, const std::string& part);
 
 }  // namespace microslip::cli_test

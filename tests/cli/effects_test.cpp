@@ -25,7 +25,7 @@
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::effects_test {
 namespace {
 
 using Files = std::map<std::string, std::string>;
@@ -150,8 +150,8 @@ std::string two_modes(const std::string& decay) {
                   [](double x, double y) { return fmt::format("{:.17g}", x + y); });
 }
 
-/// The files from which every call starts: those of docs/file_formats.md, records of their rig, and what
-/// the options are about that only files with a fault need.
+/// The files from which every call starts: those of docs/file_formats.md, records of their rig, and
+/// what the options are about that only files with a fault need.
 const Files& inputs() {
   static const Files files = [] {
     Files all = documented_files();
@@ -351,4 +351,4 @@ TEST(EffectsTable, HasEveryColumnThatIsRead) {
 }
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::effects_test

@@ -13,8 +13,8 @@
 #include <system_error>
 
 /// @file
-/// Loaded before the program (LD_PRELOAD): one system call on a file or folder below a folder fails with EIO,
-/// as on a network disk that is gone. The environment tells which:
+/// Loaded before the program (LD_PRELOAD): one system call on a file or folder below a folder fails
+/// with EIO, as on a network disk that is gone. The environment tells which:
 ///
 ///     MICROSLIP_FAILING_FOLDER  the folder, absolute and without links
 ///     MICROSLIP_FAILING_CALL    close, fsync or rename

@@ -18,7 +18,7 @@
 #include "microslip/joint/secant.hpp"
 #include "support/reference_csv.hpp"
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::frf_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -137,8 +137,8 @@ TEST(frf, KeepsTheOrderOfACurveThatTurnsBack) {
 }
 
 // Two masses, k = 1e4 N/m three times, joints of 2000 N/m: with both stuck ω² is an eigenvalue of
-// [2k + 2k_j, −k − k_j; −k − k_j, 2k + k_j], with both in macro-slip k and 3k. The forces are small and
-// large enough for 1e-4 of the frequency.
+// [2k + 2k_j, −k − k_j; −k − k_j, 2k + k_j], with both in macro-slip k and 3k. The forces are small
+// and large enough for 1e-4 of the frequency.
 TEST(frf, OfTwoJointsGoesFromStuckToSlip) {
   const Sandbox box = example_model("two_joints");
   const double root = std::hypot(1000.0, 12000.0);
@@ -281,8 +281,8 @@ TEST(frf, HasRowsAtTheFrequenciesAsked) {
   }
 }
 
-// Rows at given frequencies lie on the curve; the polygon through the others is as near to them as it is
-// to be, and is the curve of 50 times that accuracy to that.
+// Rows at given frequencies lie on the curve; the polygon through the others is as near to them as
+// it is to be, and is the curve of 50 times that accuracy to that.
 TEST(frf, DrawsItsCurveAsCloselyAsIsAsked) {
   const Sandbox box = one_mass();
   for (const std::string kept : {"--force", "--response"}) {
@@ -421,8 +421,8 @@ TEST(frf, RefusesBadModels) {
   expect_refused(Sandbox{}, call, {"model.toml: cannot be read"});
 }
 
-// An elastic tie that bending shortens, a softening mass: from 0.165 Hz the curve goes up to a fold, and
-// back from there on the branch that no test would see, past where it began.
+// An elastic tie that bending shortens, a softening mass: from 0.165 Hz the curve goes up to a
+// fold, and back from there on the branch that no test would see, past where it began.
 TEST(frf, MarksWhatDoesNotConverge) {
   const Sandbox box{
       {"joint.json", R"({"schema": "microslip.joint/1", "stiffness_N_per_m": 1, "density": []})"},
@@ -464,4 +464,4 @@ TEST(frf, ShowsProgressAndEndsOnInterrupt) {
 }
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::frf_test

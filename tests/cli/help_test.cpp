@@ -12,7 +12,7 @@
 #include "cli/shown_calls.hpp"
 #include "microslip/base/version.hpp"
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::help_test {
 namespace {
 
 /// The calls under "Example:" of a help text.
@@ -177,4 +177,4 @@ TEST(Version, IsPrinted) {
 }
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::help_test

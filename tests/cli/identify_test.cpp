@@ -15,7 +15,7 @@
 #include "microslip/io/sha256.hpp"
 #include "microslip/joint/secant.hpp"
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::identify_test {
 namespace {
 
 using nlohmann::json;
@@ -488,8 +488,8 @@ TEST(identify, ReadsLevelsFromStandardInput) {
             text_of(identify(sample_levels(), library_options()).joint));
 }
 
-// So much smoothing that nothing is left of the equations but rounding: whether what is left is solved
-// is a matter of the last digits, but not for all of 29 amounts.
+// So much smoothing that nothing is left of the equations but rounding: whether what is left is
+// solved is a matter of the last digits, but not for all of 29 amounts.
 TEST(identify, WritesAndMarksWhatDidNotConverge) {
   const Sandbox box = sandbox();
   int marked = 0;
@@ -513,4 +513,4 @@ TEST(identify, TakesATableFromASpreadsheet) {
 }
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::identify_test

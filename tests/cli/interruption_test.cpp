@@ -13,7 +13,7 @@
 
 /// Stopped at any time, the program leaves what was there and nothing of its own.
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::interruption_test {
 namespace {
 
 Sandbox sandbox() {
@@ -131,4 +131,4 @@ TEST(Interruption, IgnoredWhereTheCallerSaysSo) {
 }
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::interruption_test

@@ -16,7 +16,7 @@
 /// @file
 /// The linear damping that an identification found beside a joint reaches every prediction by it.
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::linear_damping_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -274,7 +274,8 @@ TEST(linear_damping, IsRefusedWhereItIsNone) {
   }
 }
 
-// The mode has the loss factor that the joint's damping is: who carries it over by hand has it twice.
+// The mode has the loss factor that the joint's damping is: who carries it over by hand has it
+// twice.
 TEST(linear_damping, IsWarnedOfWhereTheModeHasItToo) {
   const Sandbox box{{"joint.json", joint_text("850")},
                     {"model.toml", R"(schema = "microslip.model/1"
@@ -301,4 +302,4 @@ point = "drive"
 }
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::linear_damping_test

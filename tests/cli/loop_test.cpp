@@ -11,7 +11,7 @@
 #include "microslip/joint/jenkins_network.hpp"
 #include "microslip/joint/memory.hpp"
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::loop_test {
 namespace {
 
 const std::string kVaryingLoad =
@@ -123,4 +123,4 @@ TEST(loop, ReadsThePathFromStandardInput) {
 }
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::loop_test

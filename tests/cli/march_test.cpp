@@ -14,7 +14,7 @@
 #include "microslip/io/csv_writer.hpp"
 #include "microslip/io/model_file.hpp"
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::march_test {
 namespace {
 
 const std::string kHeader =
@@ -233,4 +233,4 @@ TEST(march, ShowsProgressAndEndsOnInterrupt) {
 }
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::march_test

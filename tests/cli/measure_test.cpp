@@ -12,7 +12,7 @@
 #include "cli/run_program.hpp"
 #include "microslip/io/csv.hpp"
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::measure_test {
 namespace {
 
 const std::string kExample = MICROSLIP_EXAMPLES "/reference_rig/";
@@ -260,4 +260,4 @@ TEST(measure, TellsOfLevelsThatAreNotFound) {
 }
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::measure_test

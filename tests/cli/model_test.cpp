@@ -9,7 +9,7 @@
 #include "cli/run_program.hpp"
 #include "microslip/io/csv.hpp"
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::model_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -173,4 +173,4 @@ TEST(model, RefusesWhatItCannotName) {
 }
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::model_test

@@ -12,7 +12,7 @@
 
 /// Where the results go: whole or not at all, and over nothing but their own kind.
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::output_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -169,4 +169,4 @@ TEST(Output, TakesNamesOfAllSorts) {
 }
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::output_test

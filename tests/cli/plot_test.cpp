@@ -13,7 +13,7 @@
 #include "cli/run_program.hpp"
 #include "cli/samples.hpp"
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::plot_test {
 namespace {
 
 const std::string kLevels =
@@ -443,4 +443,4 @@ TEST(plot, InterruptedLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::plot_test

@@ -16,7 +16,7 @@
 #include "microslip/io/sha256.hpp"
 #include "microslip/joint/joint.hpp"
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::reduce_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -68,7 +68,8 @@ std::pair<double, double> errors(const Sandbox& box, const std::string& name) {
   return largest;
 }
 
-// The lines before the table; that of the recordings is as `sha256sum level_*.csv | sha256sum` says.
+// The lines before the table; that of the recordings is as `sha256sum level_*.csv | sha256sum`
+// says.
 TEST(reduce, TellsWhatItWasMadeOf) {
   const RigSandbox box;
   expect_done(box, with(all_levels(), {"--out", "levels.csv"}));
@@ -295,4 +296,4 @@ TEST(reduce, WarningsOfRecordsAreInTheFile) {
 }
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::reduce_test

@@ -9,7 +9,7 @@
 #include "cli/run_program.hpp"
 #include "cli/samples.hpp"
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::report_test {
 namespace {
 
 /// A folder "test" with the levels and the joint of the samples, the joint identified from them.
@@ -302,4 +302,4 @@ TEST(report, Refuses) {
 }
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::report_test

@@ -15,7 +15,7 @@
 #include "microslip/io/csv.hpp"
 #include "support/figures.hpp"
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::ringdown_test {
 namespace {
 
 Sandbox sandbox() { return Sandbox{{"decay.csv", sample_decay_text()}}; }
@@ -275,4 +275,4 @@ TEST(ringdown, SaysWhenTheDecayEndsEarly) {
 }
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::ringdown_test

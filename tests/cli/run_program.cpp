@@ -24,7 +24,8 @@ constexpr const char* kProgram = MICROSLIP_PROGRAM;
 constexpr int kCannotRun = 127;
 constexpr unsigned kNobody = 65534;
 
-/// A file without a name, for what flows into and out of the program: unlike a pipe it is never full.
+/// A file without a name, for what flows into and out of the program: unlike a pipe it is never
+/// full.
 int nameless_file(const std::string& content = {}) {
   std::string name = (fs::temp_directory_path() / "microslip-test-XXXXXX").string();
   const int file = ::mkostemp(name.data(), O_CLOEXEC);

@@ -110,8 +110,8 @@ void expect_unwritten(const Sandbox& box, const Arguments& arguments,
 /// Expects that the call is done, with nothing on standard error.
 Outcome expect_done(const Sandbox& box, const Arguments& arguments, const Circumstances& how = {});
 
-/// Expects that the call, stopped by a signal while its progress bar tells the time left, ends by that
-/// signal and leaves everything as it was.
+/// Expects that the call, stopped by a signal while its progress bar tells the time left, ends by
+/// that signal and leaves everything as it was.
 void expect_interruptible(const Sandbox& box, const Arguments& arguments, int signal = SIGINT);
 
 /// For messages: what was typed.

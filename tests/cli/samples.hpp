@@ -45,7 +45,8 @@ inline Levels sample_levels() {
 
 inline std::string sample_levels_text() { return levels_table(sample_levels()).str(); }
 
-/// A decay as an accelerometer would see it: damping falls with the amplitude and the frequency rises.
+/// A decay as an accelerometer would see it: damping falls with the amplitude and the frequency
+/// rises.
 struct SampleDecay {
   double rate = 2000.0;     ///< Hz
   double duration = 2.0;    ///< s

@@ -11,7 +11,7 @@
 
 /// The progress bar: on a terminal and nowhere else.
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::terminal_test {
 namespace {
 
 constexpr const char* kBack = "\r";
@@ -88,7 +88,8 @@ TEST(Terminal, ShowsAMessageOnce) {
             "path.\r\n");
 }
 
-/// The longest line of the descriptions, in characters; options and examples are as they must be typed.
+/// The longest line of the descriptions, in characters; options and examples are as they must be
+/// typed.
 std::size_t longest_line(const std::string& help) {
   std::size_t longest = 0;
   std::istringstream stream(help.substr(0, help.find("Example")));
@@ -111,4 +112,4 @@ TEST(Terminal, BreaksTheHelpBetweenWords) {
 }
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::terminal_test

@@ -11,7 +11,7 @@
 #include "cli/run_program.hpp"
 #include "microslip/io/csv.hpp"
 
-namespace microslip::cli_test {
+namespace microslip::cli_test::verify_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -69,8 +69,8 @@ TEST(verify, ComparesEachChannelOfEachRecord) {
   const std::vector<double> nrmse = found.numbers("NRMSE", kDimensionless);
   const std::vector<double> noise = found.numbers("noise_share", kDimensionless);
   for (std::size_t i = 0; i < nrmse.size(); ++i) {
-    // The true joint. The fit takes 22 of 512 degrees of freedom from the noise, (0.21 noise)^2; near
-    // resonance the force feels what noise is left in the frequency of 14 cycles.
+    // The true joint. The fit takes 22 of 512 degrees of freedom from the noise, (0.21 noise)^2;
+    // near resonance the force feels what noise is left in the frequency of 14 cycles.
     const double allowed = found.text("channel")[i] == "force" ? 0.01 : 3e-4;
     EXPECT_LE(nrmse[i] * nrmse[i], (1.0 + 0.3 * 0.3) * noise[i] * noise[i] + allowed * allowed);
   }
@@ -218,4 +218,4 @@ TEST(verify, LeavesOutFaultyFilesWhenTold) {
 }
 
 }  // namespace
-}  // namespace microslip::cli_test
+}  // namespace microslip::cli_test::verify_test

@@ -10,10 +10,11 @@
 #include "microslip/dynamics/harmonic_force.hpp"
 
 /// @file
-/// Public functions of dynamics/ with arguments that mean nothing: a documented value or InputError.
-/// Those of the march are in march_rules_test.cpp, those of structures in harmonic_balance_rules_test.cpp.
+/// Public functions of dynamics/ with arguments that mean nothing: a documented value or
+/// InputError. Those of the march are in march_rules_test.cpp, those of structures in
+/// harmonic_balance_rules_test.cpp.
 
-namespace microslip {
+namespace microslip::any_argument_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -85,4 +86,4 @@ TEST(AnyArgument, OfVibrations) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::any_argument_test

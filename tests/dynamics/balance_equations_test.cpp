@@ -16,7 +16,7 @@
 #include "support/densities.hpp"
 #include "support/figures.hpp"
 
-namespace microslip {
+namespace microslip::balance_equations_test {
 namespace {
 
 using Eigen::Index;
@@ -68,8 +68,8 @@ VectorXd random_unknowns(const BalanceEquations& equations, std::uint64_t seed) 
   return z;
 }
 
-/// Central differences along each unknown, extrapolated from two steps (Richardson), once and twice a
-/// share of its scale: 1e-6 leaves 1e-9 of rounding.
+/// Central differences along each unknown, extrapolated from two steps (Richardson), once and twice
+/// a share of its scale: 1e-6 leaves 1e-9 of rounding.
 template <typename Value>
 Eigen::MatrixXd by_differences(BalanceEquations& equations, const VectorXd& z, const Value& value,
                                double share = 1e-6) {
@@ -136,8 +136,8 @@ TEST(BalanceEquations, HaveTheDerivativesOfDifferences) {
   }
 }
 
-// What completes the equations to a square system: both targets and their derivatives. Differences of
-// 1e-7 leave 1e-8.
+// What completes the equations to a square system: both targets and their derivatives. Differences
+// of 1e-7 leave 1e-8.
 TEST(BalanceEquations, HaveTheDerivativesOfTheirTargets) {
   const JointedStructure structure = structure_with_three_joints(false, DampingLaw::kViscous);
   BalanceEquations equations(structure, {"b", ResponseKind::kVelocity}, 3, 1024);
@@ -155,8 +155,8 @@ TEST(BalanceEquations, HaveTheDerivativesOfTheirTargets) {
   }
 }
 
-// An undamped mode exactly at its pole, by its first or its third harmonic. Small steps: the equations
-// are scaled otherwise 1e-6 away from it.
+// An undamped mode exactly at its pole, by its first or its third harmonic. Small steps: the
+// equations are scaled otherwise 1e-6 away from it.
 TEST(BalanceEquations, HaveTheDerivativesOfDifferencesAtAPole) {
   RandomStream random(11, 0);
   const ModalModel linear({{300.0, 0.0}, {410.0, 0.01}}, {{"a", random_values(random, 2)}});
@@ -235,4 +235,4 @@ TEST(MultiplicationMatrix, MultipliesFunctions) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::balance_equations_test

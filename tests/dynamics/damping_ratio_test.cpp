@@ -8,7 +8,7 @@
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/joint/dissipation.hpp"
 
-namespace microslip {
+namespace microslip::damping_ratio_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -30,8 +30,8 @@ TEST(DampingRatio, IsThatOfTheModeOfALinearStructure) {
   }
 }
 
-// In one harmonic an elastic joint adds to the stiffness and nothing else: the damper's ratio is that
-// to the resonance as it is.
+// In one harmonic an elastic joint adds to the stiffness and nothing else: the damper's ratio is
+// that to the resonance as it is.
 TEST(DampingRatio, IsThatOfTheStuckStructure) {
   const HarmonicBalance balance(testing::one_mass(Joint(0.25, SlipDensity())), {"mass"});
   for (const SteadyVibration& point : balance.backbone(kResponses).points) {
@@ -63,4 +63,4 @@ TEST(DampingRatio, IsZeroWhereNothingMoves) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::damping_ratio_test

@@ -12,7 +12,7 @@
 #include "dynamics/structures.hpp"
 #include "microslip/dynamics/march.hpp"
 
-namespace microslip {
+namespace microslip::density_corners_test {
 namespace {
 
 /// Atoms of 0.3 together, and uniform parts of 0.6, which jump at two places each.
@@ -65,8 +65,8 @@ TEST(DensityCorners, CountAtomsForTheOrder) {
   EXPECT_TRUE(many(17, 0));
 }
 
-// An atom is met in a march however many jumps there are: half the step, less than a seventh of the error,
-// which is a quarter where the atom is passed over.
+// An atom is met in a march however many jumps there are: half the step, less than a seventh of the
+// error, which is a quarter where the atom is passed over.
 TEST(DensityCorners, KeepTheOrderOfAMarchWithManyJumps) {
   const JointedStructure structure = testing::one_mass(Joint(0.25, density_of(1, 9)));
   LoadHistory loads{{}, {{"mass", {}}}};
@@ -93,4 +93,4 @@ TEST(DensityCorners, KeepTheOrderOfAMarchWithManyJumps) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::density_corners_test

@@ -12,7 +12,7 @@
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "support/messages.hpp"
 
-namespace microslip {
+namespace microslip::harmonic_balance_rules_test {
 namespace {
 
 constexpr Quantity kFrequency = Quantity::kAngularFrequency;
@@ -132,4 +132,4 @@ TEST(JointedStructure, NamesTheJointThatBreaksARule) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::harmonic_balance_rules_test

@@ -18,7 +18,7 @@
 #include "support/figures.hpp"
 #include "support/reference_csv.hpp"
 
-namespace microslip {
+namespace microslip::harmonic_balance_test {
 namespace {
 
 using std::numbers::pi;
@@ -160,8 +160,8 @@ TEST(Solve, GoesOnFromAVibrationNearby) {
   EXPECT_LE(same.vibration.energy_imbalance, kImbalance);
 }
 
-// The force has jumps of its second derivative at the reversals: its harmonics fall as n^-3 and what
-// they make of the first one faster. Observed: order 4.1. 8192 samples keep their error below.
+// The force has jumps of its second derivative at the reversals: its harmonics fall as n^-3 and
+// what they make of the first one faster. Observed: order 4.1. 8192 samples keep their error below.
 TEST(Solve, ConvergesInTheHarmonics) {
   const auto response = [](std::size_t harmonics) {
     const HarmonicBalance balance(testing::one_mass(testing::iwan_joint()), {"mass"},
@@ -261,8 +261,8 @@ TEST(JointedStructure, MayBeHeldByItsJointAlone) {
   }
 }
 
-// Where the receptance without joint is infinite the mass moves as it does beside that place: with one
-// harmonic by the closed form. 4096 samples leave 1e-11 of the joint's force.
+// Where the receptance without joint is infinite the mass moves as it does beside that place: with
+// one harmonic by the closed form. 4096 samples leave 1e-11 of the joint's force.
 TEST(Solve, AtThePoleOfAnUndampedMode) {
   const Joint joint = testing::iwan_joint();
   const HarmonicBalance balance(testing::one_mass(joint, 1.0, 0.0), {"mass"},
@@ -284,8 +284,8 @@ TEST(Solve, AtThePoleOfAnUndampedMode) {
   EXPECT_NEAR(at.vibration.response, beside.vibration.response, 1e-7 * at.vibration.response);
 }
 
-// The same structure in other units has the same vibration: metres become micrometres or gigametres,
-// newtons giga- or nanonewtons. Rounding, times the quality of the resonance.
+// The same structure in other units has the same vibration: metres become micrometres or
+// gigametres, newtons giga- or nanonewtons. Rounding, times the quality of the resonance.
 TEST(Solve, KnowsNoUnits) {
   const auto response = [](double metre, double newton) {
     const double mass = newton / metre;  // 1 kg in these units, seconds kept
@@ -339,8 +339,8 @@ TEST(Follow, OverForceAndResponseIsWhatSolveFinds) {
 // ---- Turning back. ----
 
 // A joint that never slips on a structure that it only feels by shortening: N = ½kΓq², a Duffing
-// oscillator q̈ + ηω₀q̇ + ω₀²q + βq³ = f with β = ½kΓ². Kept to two harmonics u = −½Γq² is exact for
-// a q of one, and the curve is |ω₀² − ω² + ¾βa² + iηω₀ω| a = A: it turns back twice.
+// oscillator q̈ + ηω₀q̇ + ω₀²q + βq³ = f with β = ½kΓ². Kept to two harmonics u = −½Γq² is exact
+// for a q of one, and the curve is |ω₀² − ω² + ¾βa² + iηω₀ω| a = A: it turns back twice.
 TEST(FrequencyResponse, RetracesACurveThatTurnsBack) {
   const Joint spring(100.0, SlipDensity());
   StructuralJoint tie{.name = "tie", .joint = spring, .shape = {0.0}, .shortening = {0.3}};
@@ -374,8 +374,8 @@ TEST(FrequencyResponse, RetracesACurveThatTurnsBack) {
   }
 }
 
-// Ranges that end on the way to the tip: a step that passes the end may have turned behind it, which is
-// none of the curve's.
+// Ranges that end on the way to the tip: a step that passes the end may have turned behind it,
+// which is none of the curve's.
 TEST(FrequencyResponse, KnowsNoTurningPointBeyondItsRange) {
   StructuralJoint tie{
       .name = "tie", .joint = Joint(100.0, SlipDensity()), .shape = {0.0}, .shortening = {0.3}};
@@ -394,8 +394,8 @@ TEST(FrequencyResponse, KnowsNoTurningPointBeyondItsRange) {
 
 // ---- The friction rig. ----
 
-// The virtual test of [AR14] by another program: Hermite elements, hybrid Newton, samples on a grid;
-// it states an error of 1e-4.
+// The virtual test of [AR14] by another program: Hermite elements, hybrid Newton, samples on a
+// grid; it states an error of 1e-4.
 TEST(Backbone, OfTheFrictionRigIsThatOfAnotherProgram) {
   const auto table = testing::reference_table("reference_rig_levels.csv");
   const HarmonicBalance balance(testing::friction_rig(), {"force", ResponseKind::kAcceleration},
@@ -443,8 +443,8 @@ TEST(FrequencyResponse, OfTheFrictionRigKeepsItsEnergy) {
 
 // ---- What cannot be. ----
 
-// Nothing is lost: each point has a balance to keep all the same, but none can be at the resonance. The
-// range leaves out 0.5 rad/s, where harmonic 2 may vibrate freely.
+// Nothing is lost: each point has a balance to keep all the same, but none can be at the resonance.
+// The range leaves out 0.5 rad/s, where harmonic 2 may vibrate freely.
 TEST(FrequencyResponse, WithoutLossEndsAtItsResonance) {
   const Joint spring(0.25, SlipDensity());
   const HarmonicBalance balance(testing::one_mass(spring, 0.75, 0.0), {"mass"});
@@ -460,9 +460,9 @@ TEST(FrequencyResponse, WithoutLossEndsAtItsResonance) {
 }
 
 // A mode that no joint touches, undamped and at its pole: its response is infinite.
-// Two modes without loss whose motions cancel at the joint at some 70.16 Hz, between and beyond which it
-// moves and slips. Beside a place where it stands still the stuck structure is linear: there the response
-// is the receptance of its modes with the spring k.
+// Two modes without loss whose motions cancel at the joint at some 70.16 Hz, between and beyond
+// which it moves and slips. Beside a place where it stands still the stuck structure is linear:
+// there the response is the receptance of its modes with the spring k.
 TEST(FrequencyResponse, PassesWhereAJointStandsStill) {
   const Joint joint(2e4, SlipDensity({UniformPart{0.0, 20.0, 0.8}}));
   const JointedStructure structure(
@@ -500,7 +500,8 @@ TEST(Solve, SaysThatTheEquationsAreNotFinite) {
   EXPECT_NE(curve.summary.reason.find("the first point"), std::string::npos);
 }
 
-// Far beyond resonance the other mode rules the phase at "a": no resonance of mode 0 has this level.
+// Far beyond resonance the other mode rules the phase at "a": no resonance of mode 0 has this
+// level.
 TEST(Backbone, ThatTurnsBackSaysSo) {
   const ModalModel linear({{1.0, 0.02}, {1.1, 0.02}}, {{"a", {1.0, 1.2}}, {"b", {1.0, -0.4}}});
   const HarmonicBalance balance(
@@ -624,4 +625,4 @@ TEST(FrequencyResponse, ThatStopsSaysWhereAndKeepsWhatItHas) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::harmonic_balance_test

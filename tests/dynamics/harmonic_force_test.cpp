@@ -19,7 +19,7 @@
 #include "support/densities.hpp"
 #include "support/messages.hpp"
 
-namespace microslip {
+namespace microslip::harmonic_force_test {
 namespace {
 
 using std::numbers::pi;
@@ -121,9 +121,9 @@ TEST(HarmonicForce, IsThatOfTwoMarchedCycles) {
   }
 }
 
-// Eight times the samples: of fourth order the error falls by 4096. The jump of a uniform density and
-// the infinite density of the power law at 0 leave a lower order behind, which shows only later; order
-// 3.3 is demanded of all.
+// Eight times the samples: of fourth order the error falls by 4096. The jump of a uniform density
+// and the infinite density of the power law at 0 leave a lower order behind, which shows only
+// later; order 3.3 is demanded of all.
 TEST(HarmonicForce, ConvergesFastInTheSamples) {
   for (const auto& [name, joint] : joints()) {
     double coarse = 0.0;
@@ -160,8 +160,8 @@ TEST(HarmonicForce, OfOneHarmonicIsTheDescribingFunction) {
   }
 }
 
-// A cycle about any mean loses D(A): the virgin start shifts the force, not the loop. Its work by the
-// harmonics, Σ −nπ Im(f_n* x_n), is that of the loop. [AR14 (7)]
+// A cycle about any mean loses D(A): the virgin start shifts the force, not the loop. Its work by
+// the harmonics, Σ −nπ Im(f_n* x_n), is that of the loop. [AR14 (7)]
 TEST(HarmonicForce, LosesTheEnergyOfItsLoopAboutAMean) {
   const Joint joint = testing::reference_joint();
   for (const double mean : {-3e-4, -1e-5, 0.0, 5e-5}) {
@@ -182,9 +182,9 @@ TEST(HarmonicForce, LosesTheEnergyOfItsLoopAboutAMean) {
 
 // ---- Derivatives. ----
 
-// Central differences of 1e-7 of the motion, whose own error is (1e-7)² of the curvature and 1e-16/1e-7
-// of rounding: 1e-8 in all. Of each kink the derivative leaves out a term of the order N^-3, up to
-// 1e-7 of k with 1024 samples.
+// Central differences of 1e-7 of the motion, whose own error is (1e-7)² of the curvature and
+// 1e-16/1e-7 of rounding: 1e-8 in all. Of each kink the derivative leaves out a term of the order
+// N^-3, up to 1e-7 of k with 1024 samples.
 TEST(HarmonicForce, HasTheDerivativesOfDifferences) {
   std::size_t inner = 0;
   for (const auto& [name, joint] : joints()) {
@@ -248,4 +248,4 @@ TEST(HarmonicForce, NamesWhatIsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::harmonic_force_test

@@ -13,7 +13,7 @@
 #include "microslip/joint/dissipation.hpp"
 #include "support/figures.hpp"
 
-namespace microslip {
+namespace microslip::linear_damping_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -61,7 +61,8 @@ TEST(LinearDamping, IsALossFactorOfTheStuckJoint) {
   }
 }
 
-// In one harmonic all is closed: D = slip + βA², ζ = D/(2πω²A²). 4096 samples leave some 1e-7 of slip.
+// In one harmonic all is closed: D = slip + βA², ζ = D/(2πω²A²). 4096 samples leave some 1e-7 of
+// slip.
 TEST(LinearDamping, AddsToSlipByTheSquareOfTheAmplitude) {
   constexpr double kBeta = 0.05;
   for (const Joint& joint : testing::joints_of_each_kind()) {
@@ -143,4 +144,4 @@ TEST(DampingTwice, IsSeenWhereModeAndJointLoseTheSame) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::linear_damping_test

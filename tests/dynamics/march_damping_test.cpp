@@ -10,15 +10,15 @@
 #include "microslip/dynamics/march.hpp"
 #include "support/messages.hpp"
 
-namespace microslip {
+namespace microslip::march_damping_test {
 namespace {
 
 using std::numbers::pi;
 
 constexpr double kBeta = 0.05;  // J/m²
 
-/// 1 kg on 0.75 N/m, and a joint of 0.25 N/m that loses by β: 1 rad/s. A rigid mode in which it does not
-/// move, and one at 0.5 rad/s, are not what the damper is made for.
+/// 1 kg on 0.75 N/m, and a joint of 0.25 N/m that loses by β: 1 rad/s. A rigid mode in which it
+/// does not move, and one at 0.5 rad/s, are not what the damper is made for.
 JointedStructure damped_mass(Joint joint, double spring_in_modes) {
   const double omega = std::sqrt(0.75 + spring_in_modes);
   return JointedStructure(
@@ -116,4 +116,4 @@ TEST(MarchDamping, KeepsTheEnergyBesideSlip) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::march_damping_test

@@ -9,7 +9,7 @@
 #include "dynamics/structures.hpp"
 #include "microslip/dynamics/march.hpp"
 
-namespace microslip {
+namespace microslip::march_normal_load_test {
 namespace {
 
 constexpr double kStep = 0.05;  // s; 120 a period
@@ -39,8 +39,8 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
   return difference / largest;
 }
 
-// At p = 1 the elements are the joint: 1000 of them to 1e-6 of its force. The chosen step must keep the
-// energy to 1e-4.
+// At p = 1 the elements are the joint: 1000 of them to 1e-6 of its force. The chosen step must keep
+// the energy to 1e-4.
 TEST(MarchNormalLoad, OfOneIsTheMemory) {
   const JointedStructure structure = testing::one_mass(uniform_joint());
   for (const NormalLoadLaw law : {NormalLoadLaw::kIncremental, NormalLoadLaw::kTotal}) {
@@ -71,8 +71,8 @@ TEST(MarchNormalLoad, MayFallToNothing) {
 }
 
 // A displaced start under a load that is not 1, with a compliance in series: the first force and
-// displacement of the joint are those of the elements themselves, F(u) = p F₁(u) and u + cF = q. 1e-4 of
-// the force is what 1000 elements leave.
+// displacement of the joint are those of the elements themselves, F(u) = p F₁(u) and u + cF = q.
+// 1e-4 of the force is what 1000 elements leave.
 TEST(MarchNormalLoad, StartsOnTheVirginCurveOfItsLoad) {
   constexpr double kCompliance = 1.5;
   for (const NormalLoadLaw law : {NormalLoadLaw::kIncremental, NormalLoadLaw::kTotal}) {
@@ -122,8 +122,8 @@ std::vector<double> leapfrog(const LoadHistory& loads, int parts) {
   return result;
 }
 
-// Against another scheme with steps of a twentieth, (0.0025 rad)²/12 = 5e-7 of a period's phase in 16
-// periods, on the same network. The march errs by some 1e-5; the laws differ by far more.
+// Against another scheme with steps of a twentieth, (0.0025 rad)²/12 = 5e-7 of a period's phase in
+// 16 periods, on the same network. The march errs by some 1e-5; the laws differ by far more.
 TEST(MarchNormalLoad, FollowsBothLaws) {
   const JointedStructure structure = testing::one_mass(uniform_joint());
   std::vector<std::vector<double>> of_law;
@@ -138,4 +138,4 @@ TEST(MarchNormalLoad, FollowsBothLaws) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::march_normal_load_test

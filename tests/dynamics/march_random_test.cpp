@@ -18,7 +18,7 @@
 /// @file Random structures under random forces. MICROSLIP_MARCH_DRAWS models (20) are marched for
 /// MICROSLIP_MARCH_SECONDS (2).
 
-namespace microslip {
+namespace microslip::march_random_test {
 namespace {
 
 using std::numbers::pi;
@@ -209,4 +209,4 @@ TEST(MarchRandom, EstimatesItsError) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::march_random_test

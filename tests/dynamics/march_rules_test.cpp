@@ -14,7 +14,7 @@
 #include "microslip/dynamics/march.hpp"
 #include "support/messages.hpp"
 
-namespace microslip {
+namespace microslip::march_rules_test {
 namespace {
 
 using test::expect_message;
@@ -136,8 +136,8 @@ TEST(MarchProgress, IsToldAndMayCancel) {
   EXPECT_THROW((void)march(structure, vibration(3000), {}, stop), Cancelled);
 }
 
-// So fast that shortening, which grows with the square of the way, is infinite after a millionth of a
-// step: no piece of it is short enough.
+// So fast that shortening, which grows with the square of the way, is infinite after a millionth of
+// a step: no piece of it is short enough.
 TEST(MarchFailure, SaysWhereAndKeepsWhatWasFound) {
   const JointedStructure rig = testing::friction_rig(3);
   const std::string point = rig.excitations()[0].point;
@@ -172,8 +172,8 @@ TEST(MarchFailure, CutsStepsThatDoNotConverge) {
   }
 }
 
-// Steps beyond the bound of stability, 0.25 N/m on 1e-4 kg of a body without a spring, 50 rad/s, do not
-// converge, and are cut until they do.
+// Steps beyond the bound of stability, 0.25 N/m on 1e-4 kg of a body without a spring, 50 rad/s, do
+// not converge, and are cut until they do.
 TEST(MarchFailure, CutsUnstableSteps) {
   const JointedStructure structure(ModalModel({{0.0, 0.0}}, {{"body", {100.0}}}),
                                    {{"joint", testing::iwan_joint(), {100.0}}}, {{"body"}});
@@ -247,8 +247,8 @@ TEST(MarchRows, DoNotDecideOnTheLargest) {
   EXPECT_EQ(all.reach, few.reach);
 }
 
-// A push that four times tell, and the same told by four hundred: what happens between them counts for
-// the largest motion and for the estimate of the error.
+// A push that four times tell, and the same told by four hundred: what happens between them counts
+// for the largest motion and for the estimate of the error.
 TEST(MarchRows, NeedNotBeManyForTheLargestAndTheError) {
   const JointedStructure structure = testing::one_mass(testing::iwan_joint());
   const LoadHistory few{{0.0, 1.0, 2.0, 80.0}, {{"mass", {0.0, 1.0, 0.0, 0.0}}}, {}};
@@ -317,4 +317,4 @@ TEST(March, SaysNothingOfADampingThatIsNone) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::march_rules_test

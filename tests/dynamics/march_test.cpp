@@ -20,7 +20,7 @@
 #include "microslip/joint/memory.hpp"
 #include "support/figures.hpp"
 
-namespace microslip {
+namespace microslip::march_test {
 namespace {
 
 using std::numbers::pi;
@@ -75,8 +75,8 @@ double ramp_response(double omega, double eta, double t) {
   return ((part(a) - part(b)) / (a - b)).real();
 }
 
-// The force is linear between the samples: the march is exact, however long the steps, here up to 16
-// periods. 1e-12: the roots of the reference cancel where damping is nearly critical.
+// The force is linear between the samples: the march is exact, however long the steps, here up to
+// 16 periods. 1e-12: the roots of the reference cancel where damping is nearly critical.
 TEST(March, IsExactForALinearStructure) {
   const std::vector<Mode> modes{{0.7, 0.01},  {3.0, 0.0},  {3.0, 1.99}, {5.0, 2.01},
                                 {20.0, 0.02}, {20.0, 7.0}, {1e3, 1e-3}, {0.05, 0.1},
@@ -153,8 +153,8 @@ Refinement refine(const JointedStructure& structure, const LoadHistory& loads,
   return result;
 }
 
-// Segalman's joint with β = 0 has no atom and a smooth virgin curve: order 4, from 16 steps a period
-// on, where a single halving may still give a little less.
+// Segalman's joint with β = 0 has no atom and a smooth virgin curve: order 4, from 16 steps a
+// period on, where a single halving may still give a little less.
 TEST(March, IsOfFourthOrderWithASmoothDensity) {
   const JointedStructure structure = testing::one_mass(testing::iwan_joint());
   const LoadHistory loads = sine("mass", 0.05, 0.95, even_times(400, 0.4));
@@ -328,8 +328,9 @@ std::vector<SteadyCase> steady_cases() {
       {"rig", viscous_rig(), viscous_rig().excitations()[0].point, 4.0, 2.0 * pi * 54.9, 400, 9}};
 }
 
-// Two solutions that have nothing in common but the backbone. Of the march with 256 steps a cycle the
-// interpolation of the force leaves (2π/256)²/12 = 5e-5, the balance its harmonics; 1e-3 was asked for.
+// Two solutions that have nothing in common but the backbone. Of the march with 256 steps a cycle
+// the interpolation of the force leaves (2π/256)²/12 = 5e-5, the balance its harmonics; 1e-3 was
+// asked for.
 TEST(March, EndsInTheVibrationOfHarmonicBalance) {
   for (const SteadyCase& one : steady_cases()) {
     const HarmonicBalance balance(one.structure, {one.point},
@@ -356,4 +357,4 @@ TEST(March, EndsInTheVibrationOfHarmonicBalance) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::march_test

@@ -10,14 +10,14 @@
 #include <utility>
 #include <vector>
 
-namespace microslip {
+namespace microslip::march_weights_test {
 namespace {
 
 using Kind = StepWeights::Kind;
 using Exact = boost::multiprecision::number<boost::multiprecision::cpp_dec_float<200>>;
 
-/// The weights of one mode with 200 digits, of which the recursion upwards in the powers of time may
-/// lose a hundred.
+/// The weights of one mode with 200 digits, of which the recursion upwards in the powers of time
+/// may lose a hundred.
 std::array<Exact, StepWeights::kKinds> exact_weights(double omega, double eta, double length) {
   const Exact h(length);
   const Exact theta = Exact(omega) * h;
@@ -54,8 +54,9 @@ std::array<Exact, StepWeights::kKinds> exact_weights(double omega, double eta, d
           h * h * v[3]};
 }
 
-/// Largest error of the weights of the loads, over the larger of those at both ends; of those of the
-/// slopes on the velocity, which all but vanish in a slow motion, over h times that of the load.
+/// Largest error of the weights of the loads, over the larger of those at both ends; of those of
+/// the slopes on the velocity, which all but vanish in a slow motion, over h times that of the
+/// load.
 double largest_error(double eta, double theta) {
   constexpr double kLength = 0.01;
   const Mode mode{theta / kLength, eta};
@@ -82,8 +83,8 @@ double largest_error(double eta, double theta) {
   return largest;
 }
 
-// Up to 2000, the largest loss factor of a mode, over steps from far below to far above the decay times of
-// both roots. 1e-13: some hundred roundings.
+// Up to 2000, the largest loss factor of a mode, over steps from far below to far above the decay
+// times of both roots. 1e-13: some hundred roundings.
 TEST(StepWeights, AreExactHoweverStrongTheDamping) {
   for (const double eta : {50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0}) {
     for (double theta = 1e-5; theta < 200.0; theta *= 1.7) {
@@ -92,8 +93,8 @@ TEST(StepWeights, AreExactHoweverStrongTheDamping) {
   }
 }
 
-// Across all the ways to compute them. Near critical damping, and where a long step holds many periods,
-// the exponent of the decay is rounded: 1e-12.
+// Across all the ways to compute them. Near critical damping, and where a long step holds many
+// periods, the exponent of the decay is rounded: 1e-12.
 TEST(StepWeights, AreExactForAnyDamping) {
   for (const double eta :
        {0.0, 0.01, 0.5, 1.0, 1.9, 1.9999, 2.0001, 2.1, 2.3, 2.4, 3.0, 5.0, 20.0}) {
@@ -124,4 +125,4 @@ TEST(StepWeights, KeepTheSlowDecayOfAStronglyDampedMode) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::march_weights_test

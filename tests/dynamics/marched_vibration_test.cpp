@@ -13,7 +13,7 @@
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/joint/memory.hpp"
 
-namespace microslip {
+namespace microslip::marched_vibration_test {
 namespace {
 
 using std::numbers::pi;
@@ -32,8 +32,8 @@ struct March {
   std::array<double, 2> dissipation{};         ///< of each joint over the last cycle
 };
 
-/// The same in time from rest by the leapfrog scheme with centred damping, of second order, until the
-/// transient is gone (e^-0.05·1.1·τ/… over the cycles: below 1e-8).
+/// The same in time from rest by the leapfrog scheme with centred damping, of second order, until
+/// the transient is gone (e^-0.05·1.1·τ/… over the cycles: below 1e-8).
 March march(const JointedStructure& structure, double omega, double force, int steps) {
   constexpr int kCycles = 80;
   const double h = 2.0 * pi / omega / steps;
@@ -81,8 +81,9 @@ March march(const JointedStructure& structure, double omega, double force, int s
   return result;
 }
 
-// The same equations solved in time. The march errs by (ωh)² = 2e-6 relative and more in harmonic 3,
-// the balance by what harmonics above 15 do: 1e-4 of the largest leaves room for a drift by both.
+// The same equations solved in time. The march errs by (ωh)² = 2e-6 relative and more in harmonic
+// 3, the balance by what harmonics above 15 do: 1e-4 of the largest leaves room for a drift by
+// both.
 TEST(HarmonicBalance, AgreesWithAMarchInTime) {
   const JointedStructure structure = two_modes();
   const HarmonicBalance balance(structure, {"end"}, {.harmonics = 15, .samples = 512});
@@ -112,4 +113,4 @@ TEST(HarmonicBalance, AgreesWithAMarchInTime) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::marched_vibration_test

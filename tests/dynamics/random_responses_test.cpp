@@ -16,10 +16,10 @@
 #include "support/figures.hpp"
 
 /// @file
-/// Frequency responses of random structures with joints of three kinds. MICROSLIP_RANDOM_RESPONSES is
-/// how many of each kind are drawn; without it a few.
+/// Frequency responses of random structures with joints of three kinds. MICROSLIP_RANDOM_RESPONSES
+/// is how many of each kind are drawn; without it a few.
 
-namespace microslip {
+namespace microslip::random_responses_test {
 namespace {
 
 enum class Kind { kSmooth, kBeta, kAtoms };
@@ -80,8 +80,8 @@ struct Case {
   double to;
 };
 
-/// One or two modes and joints, hardly to well damped, forces from stick to macro-slip, ranges about
-/// the resonance, some of them with the superharmonic ones.
+/// One or two modes and joints, hardly to well damped, forces from stick to macro-slip, ranges
+/// about the resonance, some of them with the superharmonic ones.
 Case random_case(Kind kind, std::uint64_t seed) {
   Draw draw(kind, seed);
   const std::size_t count = draw.whole(1, 2);
@@ -183,8 +183,8 @@ INSTANTIATE_TEST_SUITE_P(, RandomResponse,
                                                                         : "Atoms");
                          });
 
-// Draws beyond those few: a superharmonic resonance between points whose middle is on the chord; bumps
-// at which shorter steps once left the wrong way.
+// Draws beyond those few: a superharmonic resonance between points whose middle is on the chord;
+// bumps at which shorter steps once left the wrong way.
 TEST(FrequencyResponse, IsDrawnCloselyAtNarrowBumps) {
   struct Drawn {
     Kind kind;
@@ -211,8 +211,8 @@ JointedStructure held_mass(double frequency, double damping, double shape, doubl
 
 constexpr double kHertz = 6.283185307179586;
 
-// The joint slips first where the third harmonic is near resonance: there the frequency response has a
-// corner of more than a right angle.
+// The joint slips first where the third harmonic is near resonance: there the frequency response
+// has a corner of more than a right angle.
 TEST(FrequencyResponse, GoesOnBehindASharpCorner) {
   const HarmonicBalance balance(held_mass(1.6, 0.002, 1.0, 7500.0, {{30.0}, {0.8}}), {"mass"},
                                 {.harmonics = 7});
@@ -226,9 +226,9 @@ TEST(FrequencyResponse, GoesOnBehindASharpCorner) {
   }
 }
 
-// With a geometric stiffness, though it is next to nothing, the determinant does not tell which way a
-// curve goes. Where the first atom begins to slip it is turned round here: it ends there, and neither
-// goes back all its way nor holds the points gone over again.
+// With a geometric stiffness, though it is next to nothing, the determinant does not tell which way
+// a curve goes. Where the first atom begins to slip it is turned round here: it ends there, and
+// neither goes back all its way nor holds the points gone over again.
 TEST(FrequencyResponse, EndsWhereItGoesBackOverItself) {
   const std::vector<double> shape{1.0, 0.1356};
   const SlipDensity density({AtomsPart{{0.65, 1.92, 4.8}, {0.591, 0.014, 0.04}}});
@@ -264,4 +264,4 @@ TEST(FrequencyResponse, PassesCornersCloseToEachOther) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::random_responses_test

@@ -11,7 +11,7 @@
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "support/figures.hpp"
 
-namespace microslip {
+namespace microslip::random_structures_test {
 namespace {
 
 /// Three damped modes, one to three joints of four kinds, and in every other structure a third
@@ -84,4 +84,4 @@ TEST(FrequencyResponse, GoesRoundTheCornersOfAtoms) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::random_structures_test

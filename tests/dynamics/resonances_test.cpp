@@ -19,7 +19,7 @@
 #include "microslip/dynamics/march.hpp"
 #include "support/figures.hpp"
 
-namespace microslip {
+namespace microslip::resonances_test {
 namespace {
 
 using std::numbers::pi;
@@ -65,8 +65,8 @@ TEST(Resonances, AreTheBackboneWhereNothingFolds) {
   }
 }
 
-/// Two modes of which the second, with the joint stuck, hardly moves the drive point: a fourteenth of
-/// the first.
+/// Two modes of which the second, with the joint stuck, hardly moves the drive point: a fourteenth
+/// of the first.
 JointedStructure weak_mode() {
   const double turn = 2.0 * pi;
   const ModalModel linear(
@@ -78,8 +78,8 @@ JointedStructure weak_mode() {
                           {{"m2"}});
 }
 
-// The curve over the frequency, an other way to see it, passes a lag of a quarter below the response
-// where phase resonance is said to end, and does not above.
+// The curve over the frequency, an other way to see it, passes a lag of a quarter below the
+// response where phase resonance is said to end, and does not above.
 TEST(Resonances, EndWhereTheOtherModesRuleThePhase) {
   const HarmonicBalance balance(weak_mode(), {"m2"});
   const ResponseCurve none = balance.resonances(levels(1e-9, 0.8e-3, 40), 1);
@@ -150,8 +150,8 @@ std::uint64_t draws() {
   return text == nullptr ? 40 : std::strtoull(text, nullptr, 10);
 }
 
-// Each reaches its end or says truly why not: where phase resonance ends it folds, and where there is
-// none curves over the frequency that reached their own end show it.
+// Each reaches its end or says truly why not: where phase resonance ends it folds, and where there
+// is none curves over the frequency that reached their own end show it.
 TEST(Resonances, OfRandomStructuresReachTheirEndOrSayWhyNot) {
   const std::vector<double> responses = levels(1e-4, 10.0, 30);
   std::size_t whole = 0;
@@ -186,8 +186,8 @@ TEST(Resonances, OfRandomStructuresReachTheirEndOrSayWhyNot) {
 
 // ---- Folds. ----
 
-// In the nonlinear mode of this structure the response goes up, back and up again: what lies between
-// the folds is met three times, in the order of the curve.
+// In the nonlinear mode of this structure the response goes up, back and up again: what lies
+// between the folds is met three times, in the order of the curve.
 TEST(Resonances, GoRoundFolds) {
   const HarmonicBalance balance(random_structure(56), {"a"},
                                 {.samples = 128, .forcing = Forcing::kModal});
@@ -287,10 +287,10 @@ Decay decay_of(const std::vector<double>& time, const std::vector<double>& x) {
   return decay;
 }
 
-// Let go from a nonlinear mode the structure decays along it: frequency and damping of each cycle are
-// those of the mode with its peaks. Time marching knows nothing of harmonics and modes of this kind.
-// The cycles of a decay are not closed, and agree with closed ones but for half of what they lose of
-// their amplitude, πζ: from 2 % to 0.5 % here.
+// Let go from a nonlinear mode the structure decays along it: frequency and damping of each cycle
+// are those of the mode with its peaks. Time marching knows nothing of harmonics and modes of this
+// kind. The cycles of a decay are not closed, and agree with closed ones but for half of what they
+// lose of their amplitude, πζ: from 2 % to 0.5 % here.
 TEST(ModalForcing, IsWhatAFreeDecayGoesThrough) {
   const JointedStructure structure = two_joints(0.002);
   const HarmonicBalance balance(structure, {"drive"}, {.harmonics = 9, .forcing = Forcing::kModal});
@@ -342,8 +342,9 @@ TEST(ModalForcing, IsWhatAFreeDecayGoesThrough) {
   }
 }
 
-// Where the joint sticks the mode is that of the linear structure, its damping by the loss factors. The
-// loss factors, of some 1e-3, couple the modes to second order; slip at this level is 1e-7 of macro-slip.
+// Where the joint sticks the mode is that of the linear structure, its damping by the loss factors.
+// The loss factors, of some 1e-3, couple the modes to second order; slip at this level is 1e-7 of
+// macro-slip.
 TEST(ModalForcing, OfTheStuckRigIsItsLinearMode) {
   const JointedStructure rig = testing::friction_rig();
   const std::vector<double> natural = rig.stuck_frequencies();
@@ -420,4 +421,4 @@ TEST(Resonances, RefuseResponsesThatDoNotRise) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::resonances_test

@@ -14,7 +14,7 @@
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "support/figures.hpp"
 
-namespace microslip {
+namespace microslip::truncation_test {
 namespace {
 
 /// The third harmonic of the slipping joint drives the second mode: its motion is far from a sine.
@@ -29,7 +29,8 @@ HarmonicBalance balance_with(std::size_t harmonics) {
 
 const std::vector<double> kResponses{1.0, 1.5, 2.0, 3.0};
 
-// What is said to change is the error, against 41 harmonics, but for a part: it is found with 2H + 1.
+// What is said to change is the error, against 41 harmonics, but for a part: it is found with
+// 2H + 1.
 TEST(Truncation, IsTheErrorOfTheDissipation) {
   const ResponseCurve truth = balance_with(41).resonances(kResponses);
   ASSERT_TRUE(truth.summary.converged());
@@ -98,7 +99,8 @@ HarmonicBalance with_many_peaks(std::size_t harmonics) {
           {.harmonics = harmonics, .samples = 512}};
 }
 
-// Some peak far from the largest is wrong by more than all others: none is left out, none counts twice.
+// Some peak far from the largest is wrong by more than all others: none is left out, none counts
+// twice.
 TEST(Truncation, IsSeenAtEachPeak) {
   constexpr double kHertz = 6.283185307179586;
   const HarmonicBalance balance = with_many_peaks(5);
@@ -127,7 +129,8 @@ TEST(Truncation, IsSeenAtEachPeak) {
   EXPECT_EQ(truncation_warning(*found)->code, "truncated");
 }
 
-// What is one point is solved once: the only peak has the largest response and joint motion as well.
+// What is one point is solved once: the only peak has the largest response and joint motion as
+// well.
 TEST(Truncation, SolvesNoPointTwice) {
   const HarmonicBalance balance = balance_with(3);
   ResponseCurve curve = balance.frequency_response(0.1, 0.9, 1.2);
@@ -164,4 +167,4 @@ TEST(Truncation, SaysWhereItCouldNotBeSeen) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::truncation_test

@@ -18,7 +18,7 @@
 #include "support/figures.hpp"
 #include "support/reference_csv.hpp"
 
-namespace microslip {
+namespace microslip::ahmadian_rajaei_2014_test {
 namespace {
 
 int run_example(const std::string& arguments) {
@@ -175,4 +175,4 @@ TEST(AhmadianRajaeiCall, RefusesUnknownArguments) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::ahmadian_rajaei_2014_test

@@ -21,7 +21,7 @@
 /// Each public function of identify/ with arguments that mean nothing: a documented value or
 /// InputError.
 
-namespace microslip {
+namespace microslip::any_argument_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -187,4 +187,4 @@ TEST(AnyArgument, OfComparisons) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::any_argument_test

@@ -2,7 +2,6 @@
 #include "microslip/identify/bands.hpp"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <atomic>
@@ -23,7 +22,7 @@
 #include "support/densities.hpp"
 #include "support/figures.hpp"
 
-namespace microslip {
+namespace microslip::bands_test {
 namespace {
 
 using testing::kReach;
@@ -101,8 +100,9 @@ TEST(Bands, SameOnAnyNumberOfThreads) {
   const InversionResult result =
       invert(testing::noisy_levels(testing::reference_joint(), 1), options_for());
   const DensityBands many = density_bands(result, band_options(200));
-  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  const DensityBands one = density_bands(result, band_options(200));
+  BandOptions options = band_options(200);
+  options.execution = Execution::serial();
+  const DensityBands one = density_bands(result, options);
   EXPECT_EQ(one.lower, many.lower);
   EXPECT_EQ(one.upper, many.upper);
   EXPECT_EQ(one.area, many.area);
@@ -163,8 +163,8 @@ TEST(Bands, SamplesAreFeasible) {
   }
 }
 
-// A model that was spoilt, so that the equations of its samples overflow: they do not converge, which is
-// counted and not taken for a solution. None of the ordinary ones fails.
+// A model that was spoilt, so that the equations of its samples overflow: they do not converge,
+// which is counted and not taken for a solution. None of the ordinary ones fails.
 TEST(Bands, CountSamplesThatDoNotConverge) {
   InversionResult spoilt =
       invert(testing::noisy_levels(testing::reference_joint(), 3), options_for());
@@ -230,8 +230,8 @@ TEST(Bands, DissipationGainScalesASample) {
   }
 }
 
-/// Exact D of a joint, and W_lin as in the reference rig: 17 times D at the lowest level, 0.15 times at
-/// the highest.
+/// Exact D of a joint, and W_lin as in the reference rig: 17 times D at the lowest level, 0.15
+/// times at the highest.
 Levels levels_with_linear_loss(const Joint& truth) {
   constexpr double kLossPerSquare = 1.5e4;  // J/m²
   Levels levels = testing::exact_levels(truth);
@@ -250,10 +250,10 @@ Levels with_loss_factor_error(Levels levels, double delta) {
   return levels;
 }
 
-// Against the spread of what 200 laboratories find, each with a loss factor of its own, 2 % off: the
-// quarter to three-quarter width of their densities is that of the band that one of them gives with
-// loss_factor_std, and wider than without. D is given to 0.5 %, so noise adds little. 200 draws
-// know a quartile width to 7 %, and the samples are smoothed less than the solutions: 30 %.
+// Against the spread of what 200 laboratories find, each with a loss factor of its own, 2 % off:
+// the quarter to three-quarter width of their densities is that of the band that one of them gives
+// with loss_factor_std, and wider than without. D is given to 0.5 %, so noise adds little. 200
+// draws know a quartile width to 7 %, and the samples are smoothed less than the solutions: 30 %.
 TEST(Bands, LossFactorErrorsWidenThem) {
   constexpr int kLaboratories = 200;
   constexpr double kStd = 0.02;
@@ -294,8 +294,8 @@ TEST(Bands, LossFactorErrorsWidenThem) {
   }
 }
 
-// The true density is in the band of a test whose loss factor is wrong, 3 % or so, where the error is
-// told; without, it is not.
+// The true density is in the band of a test whose loss factor is wrong, 3 % or so, where the error
+// is told; without, it is not.
 TEST(Bands, CoverTheTruthWithAWrongLossFactor) {
   constexpr std::uint64_t kSets = 40;
   constexpr double kStd = 0.03;
@@ -419,4 +419,4 @@ TEST(Bands, OptionErrors) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::bands_test

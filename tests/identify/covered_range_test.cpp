@@ -5,7 +5,7 @@
 
 #include "support/densities.hpp"
 
-namespace microslip {
+namespace microslip::covered_range_test {
 namespace {
 
 // k = 1.7e5 N/m: 100 µm are 17 N.
@@ -25,4 +25,4 @@ TEST(CoveredRange, HasNoEndWhereNothingIsToldOfLevels) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::covered_range_test

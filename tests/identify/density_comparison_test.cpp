@@ -7,7 +7,7 @@
 
 #include "microslip/base/error.hpp"
 
-namespace microslip {
+namespace microslip::density_comparison_test {
 namespace {
 
 /// A uniform density on 0 … 10 N that the levels reach as far as.
@@ -67,4 +67,4 @@ TEST(DensityComparison, RefusesWhatCannotBeCompared) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::density_comparison_test

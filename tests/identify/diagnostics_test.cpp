@@ -19,7 +19,7 @@
 #include "support/densities.hpp"
 #include "support/figures.hpp"
 
-namespace microslip {
+namespace microslip::diagnostics_test {
 namespace {
 
 using testing::kLargestAmplitude;
@@ -86,15 +86,16 @@ Levels sessions(const Joint& joint, const std::vector<double>& factors, double n
   return all;
 }
 
-// Two sessions 10 % above and below their mean: 10 % of scatter, of which the residual about the means
-// has nothing.
+// Two sessions 10 % above and below their mean: 10 % of scatter, of which the residual about the
+// means has nothing.
 TEST(Diagnostics, OfSessionsThatDiffer) {
   const Levels levels = sessions(testing::reference_joint(), {0.9, 1.1}, 1e-3);
   EXPECT_NE(text_of(diagnose(levels), "repeats_differ").find("differs by 14.1 %"),
             std::string::npos)
       << text_of(diagnose(levels), "repeats_differ");
   const InversionResult result = invert(levels, options_for());
-  // Σ 2·0.1²·40 over as many degrees of freedom as the repeats and the residual have, 40 and 15 to 40.
+  // Σ 2·0.1²·40 over as many degrees of freedom as the repeats and the residual have,
+  // 40 and 15 to 40.
   EXPECT_GT(result.scatter, std::sqrt(0.8 / 80.0));
   EXPECT_LT(result.scatter, std::sqrt(0.8 / 55.0));
   for (const std::vector<double>& alike : {std::vector<double>{1.0}, {1.0, 1.0}, {1.0, 1.0, 1.0}}) {
@@ -275,8 +276,8 @@ TEST(Diagnostics, StiffnessInconsistent) {
   EXPECT_FALSE(has(warnings_of(levels, options_for(2.0 * kStiffness)), "stiffness_inconsistent"));
 }
 
-// k_eq that belongs to a k 10 % higher: only its change over the amplitude was used, and it is said.
-// At 0.3 %, better than anyone knows k, nothing is, nor where k_eq is not known that well.
+// k_eq that belongs to a k 10 % higher: only its change over the amplitude was used, and it is
+// said. At 0.3 %, better than anyone knows k, nothing is, nor where k_eq is not known that well.
 TEST(Diagnostics, SecantInconsistent) {
   const Joint truth = testing::reference_joint();
   for (const double offset : {-0.04, 0.003, 0.04, 0.1}) {
@@ -303,9 +304,9 @@ TEST(Diagnostics, StiffnessUnchecked) {
   EXPECT_TRUE(has(warnings_of(levels, options_for(1e3 * kStiffness)), "secant_inconsistent"));
 }
 
-// The standard deviation of D is right, that of k_eq, whose errors are taken as common to all levels,
-// four times its scatter: each is told by itself (90 levels: one over √180 is 7 %, with the fit's
-// freedom 10 %, three of it).
+// The standard deviation of D is right, that of k_eq, whose errors are taken as common to all
+// levels, four times its scatter: each is told by itself (90 levels: one over √180 is 7 %, with the
+// fit's freedom 10 %, three of it).
 TEST(Diagnostics, ScatterOfEachKind) {
   const Joint truth = testing::reference_joint();
   Levels levels = testing::noisy_levels(truth, 11);
@@ -347,8 +348,9 @@ TEST(Diagnostics, DampingAmbiguous) {
   EXPECT_FALSE(has(warnings_of(levels, options), "damping_ambiguous"));
 }
 
-// D = βA² without any slip: neither noise nor its absence hides it. A joint whose φ falls as a power law
-// has D between A² and A³, and is told from it; so is one with secant stiffnesses, which damping leaves.
+// D = βA² without any slip: neither noise nor its absence hides it. A joint whose φ falls as a
+// power law has D between A² and A³, and is told from it; so is one with secant stiffnesses, which
+// damping leaves.
 TEST(Diagnostics, DampingSuspected) {
   Levels levels;
   for (int i = 1; i <= 40; ++i) {
@@ -392,8 +394,8 @@ TEST(Diagnostics, TheExponentOfDIsTold) {
   EXPECT_FALSE(has(diagnose(grown(1.95, 0.0)), "exponent_below_two")) << "as good as 2";
 }
 
-// A joint that is followed far into macro-slip, to six times the largest slip force, begins above A²;
-// nor is any of the others accused.
+// A joint that is followed far into macro-slip, to six times the largest slip force, begins above
+// A²; nor is any of the others accused.
 TEST(Diagnostics, MacroslipIsNoExponentBelowTwo) {
   const Joint uniform = testing::joint_of({UniformPart{0.0, 8.0, 0.9}});
   EXPECT_FALSE(has(diagnose(testing::exact_levels(uniform)), "exponent_below_two"));
@@ -482,4 +484,4 @@ TEST(Diagnostics, MacroslipNotReached) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::diagnostics_test

@@ -13,7 +13,7 @@
 #include "microslip/base/random.hpp"
 #include "microslip/joint/dissipation.hpp"
 
-namespace microslip {
+namespace microslip::differences_test {
 namespace {
 
 constexpr double kStiffness = 2e5;  // N/m
@@ -109,4 +109,4 @@ TEST(Differences, RefusesWhatItCannotUse) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::differences_test

@@ -13,7 +13,7 @@
 #include "microslip/base/error.hpp"
 #include "support/densities.hpp"
 
-namespace microslip {
+namespace microslip::identification_test {
 namespace {
 
 using testing::kStiffness;
@@ -158,8 +158,8 @@ TEST(Identification, BandsNeedTheFreeDensity) {
   }
 }
 
-// k_eq and frequencies judge the joint that is given, whatever the method: here that of a model that
-// has 26 % of k too much.
+// k_eq and frequencies judge the joint that is given, whatever the method: here that of a model
+// that has 26 % of k too much.
 TEST(Identification, StiffnessJudgesTheJointOfEachMethod) {
   const Joint truth = testing::joint_of({UniformPart{0.0, 40.0, 0.5}});
   Levels levels = testing::exact_levels(truth);
@@ -206,4 +206,4 @@ TEST(Identification, InputErrors) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::identification_test

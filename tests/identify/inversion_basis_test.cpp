@@ -15,7 +15,7 @@
 #include "microslip/joint/secant.hpp"
 #include "support/quadrature.hpp"
 
-namespace microslip {
+namespace microslip::inversion_basis_test {
 namespace {
 
 constexpr double kStiffness = 2.5e5;  // N/m
@@ -184,4 +184,4 @@ TEST(InversionBasis, Atom) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::inversion_basis_test

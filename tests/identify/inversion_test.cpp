@@ -22,7 +22,7 @@
 #include "support/densities.hpp"
 #include "support/figures.hpp"
 
-namespace microslip {
+namespace microslip::inversion_test {
 namespace {
 
 using testing::kLargestAmplitude;
@@ -684,4 +684,4 @@ TEST(Inversion, OptionErrors) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::inversion_test

@@ -10,7 +10,7 @@
 
 #include "microslip/base/error.hpp"
 
-namespace microslip {
+namespace microslip::levels_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -110,4 +110,4 @@ TEST(Levels, MergesEqualAmplitudes) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::levels_test

@@ -8,7 +8,7 @@
 
 #include "microslip/joint/dissipation.hpp"
 
-namespace microslip {
+namespace microslip::method_comparison_test {
 namespace {
 
 constexpr double kStiffness = 1.0e5;  // N/m
@@ -61,4 +61,4 @@ TEST(MethodComparison, MoreSmoothingLeavesFewerDegreesOfFreedom) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::method_comparison_test

@@ -10,7 +10,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
 
-namespace microslip {
+namespace microslip::noise_test {
 namespace {
 
 struct Points {
@@ -78,4 +78,4 @@ TEST(Scatter, NeedsThreePoints) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::noise_test

@@ -19,7 +19,7 @@
 #include "support/densities.hpp"
 #include "support/reference_csv.hpp"
 
-namespace microslip {
+namespace microslip::parametric_test {
 namespace {
 
 using enum ParametricModel;
@@ -493,4 +493,4 @@ TEST(Parametric, RefusesWhatItCannotUse) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::parametric_test

@@ -14,7 +14,7 @@
 
 #include "microslip/base/random.hpp"
 
-namespace microslip {
+namespace microslip::quadratic_program_test {
 namespace {
 
 struct Problem {
@@ -284,4 +284,4 @@ TEST(QuadraticProgram, IndefiniteHessianIsReported) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::quadratic_program_test

@@ -9,7 +9,7 @@
 
 #include "microslip/base/random.hpp"
 
-namespace microslip {
+namespace microslip::serial_correlation_test {
 namespace {
 
 // By hand: differences −2, 2, …: v = 4.
@@ -50,4 +50,4 @@ TEST(SerialCorrelation, IsNothingOfFewOrOfNone) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::serial_correlation_test

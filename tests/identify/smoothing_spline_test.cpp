@@ -16,7 +16,7 @@
 #include "support/figures.hpp"
 #include "support/reference_csv.hpp"
 
-namespace microslip {
+namespace microslip::smoothing_spline_test {
 namespace {
 
 using Vector = std::vector<double>;
@@ -460,4 +460,4 @@ TEST(SmoothingSpline, RefusesWhatIsNotInRange) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::smoothing_spline_test

@@ -12,7 +12,7 @@
 #include "microslip/base/random.hpp"
 #include "microslip/joint/dissipation.hpp"
 
-namespace microslip {
+namespace microslip::spline_density_test {
 namespace {
 
 /// The joint of the reference rig.
@@ -145,4 +145,4 @@ TEST(SplineDensity, RefusesWhatItCannotUse) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::spline_density_test

@@ -16,7 +16,7 @@
 #include "microslip/joint/secant.hpp"
 #include "support/densities.hpp"
 
-namespace microslip {
+namespace microslip::stiffness_evidence_test {
 namespace {
 
 using testing::kStiffness;
@@ -53,9 +53,9 @@ TEST(StiffnessEvidence, IsNothingWhereNothingWasMeasured) {
   EXPECT_TRUE(diagnose(none, testing::reference_joint()).empty());
 }
 
-// Whatever the share of the joint in the stiffness of the mode, exact frequencies accuse nothing; where
-// it is all of it, f² ∝ k_eq leaves nothing to rounding. The share itself changes with k_eq for 0 < p < 1,
-// so that what is left is of second order: below a tenth of the softening.
+// Whatever the share of the joint in the stiffness of the mode, exact frequencies accuse nothing;
+// where it is all of it, f² ∝ k_eq leaves nothing to rounding. The share itself changes with k_eq
+// for 0 < p < 1, so that what is left is of second order: below a tenth of the softening.
 TEST(StiffnessEvidence, FrequenciesOfTheJointAreExplained) {
   for (const double share : {0.0, 0.05, 0.3, 1.0}) {
     const Levels levels = levels_with_frequency(share);
@@ -137,8 +137,8 @@ TEST(StiffnessEvidence, SessionsAreToldApart) {
   EXPECT_NEAR(found->uncertainty, 0.5 * 0.006 * 80.0, 0.05);
 }
 
-// k_eq 26 % of k below the joint's: much slips below the lowest level, where D tells only two moments,
-// and the elastic remainder is questioned.
+// k_eq 26 % of k below the joint's: much slips below the lowest level, where D tells only two
+// moments, and the elastic remainder is questioned.
 TEST(StiffnessEvidence, AMeasuredStiffnessQuestionsTheRemainder) {
   const Joint joint(kStiffness, SlipDensity({UniformPart{0.0, 40.0, 0.5}}));
   Levels levels = testing::exact_levels(joint);
@@ -186,4 +186,4 @@ TEST(StiffnessEvidence, RefusesFrequenciesThatAreNone) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::stiffness_evidence_test

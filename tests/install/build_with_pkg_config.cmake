@@ -26,7 +26,7 @@ endif()
 # Who links the shared library needs none of the libraries behind it.
 ask(libraries --libs)
 ask(private --print-requires-private)
-if(libraries MATCHES "hdf5|matio|tbb|fmt" OR (SHARED AND private))
+if(libraries MATCHES "hdf5|tbb|fmt" OR (SHARED AND private))
   message(FATAL_ERROR "Needed in public: ${libraries}; in private: ${private}")
 endif()
 

@@ -9,7 +9,7 @@
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
 
-namespace microslip {
+namespace microslip::assumed_units_test {
 namespace {
 
 using test::message_of;
@@ -107,4 +107,4 @@ TEST(AssumedUnits, RefusesWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::assumed_units_test

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace microslip {
+namespace microslip::character_set_test {
 namespace {
 
 TEST(CharacterSet, LeavesUtf8AsItIs) {
@@ -30,4 +30,4 @@ TEST(CharacterSet, WhatOnlyLooksLikeUtf8IsNone) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::character_set_test

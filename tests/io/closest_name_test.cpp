@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace microslip {
+namespace microslip::closest_name_test {
 namespace {
 
 TEST(ClosestName, FindsSlipsOfThePen) {
@@ -34,4 +34,4 @@ TEST(ClosestName, IsEmptyWhereNothingIsNear) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::closest_name_test

@@ -10,7 +10,7 @@
 
 #include "io/support.hpp"
 
-namespace microslip {
+namespace microslip::csv_test {
 namespace {
 
 using std::literals::operator""s;
@@ -272,4 +272,4 @@ TEST(Csv, DoesNotDependOnTheLocale) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::csv_test

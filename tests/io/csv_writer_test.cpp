@@ -15,7 +15,7 @@
 #include "io/support.hpp"
 #include "microslip/io/csv.hpp"
 
-namespace microslip {
+namespace microslip::csv_writer_test {
 namespace {
 
 using test::message_of;
@@ -110,4 +110,4 @@ TEST(CsvWriter, ControlCharactersBecomeBlanks) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::csv_writer_test

@@ -66,8 +66,8 @@ struct Counts {
   int refused = 0;
 };
 
-/// Hands texts damaged at random to `read`, which checks what it can read of them. What it refuses it
-/// refuses with a clear message that begins with `file`; some are read and many refused.
+/// Hands texts damaged at random to `read`, which checks what it can read of them. What it refuses
+/// it refuses with a clear message that begins with `file`; some are read and many refused.
 template <class Read>
 Counts damage(const std::string& original, std::uint64_t seed, const std::string& file,
               const Read& read) {

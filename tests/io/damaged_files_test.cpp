@@ -17,7 +17,7 @@
 #include "microslip/io/levels_file.hpp"
 #include "microslip/io/rig_file.hpp"
 
-namespace microslip {
+namespace microslip::damaged_files_test {
 namespace {
 
 using test::damage;
@@ -131,4 +131,4 @@ TEST(DamagedFiles, JointCutAtEachByte) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::damaged_files_test

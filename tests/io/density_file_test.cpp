@@ -9,7 +9,7 @@
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
 
-namespace microslip {
+namespace microslip::density_file_test {
 namespace {
 
 using test::message_of;
@@ -61,4 +61,4 @@ TEST(DensityFileFault, ValuesThatBreakARule) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::density_file_test

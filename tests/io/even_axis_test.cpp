@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace microslip {
+namespace microslip::even_axis_test {
 namespace {
 
 constexpr Unit kSecond{.dimension = kTime};
@@ -126,4 +126,4 @@ TEST(EvenAxis, DigitsCountInTheUnitOfTheFile) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::even_axis_test

@@ -7,7 +7,7 @@
 
 #include "io/support.hpp"
 
-namespace microslip {
+namespace microslip::file_kind_test {
 namespace {
 
 using std::literals::operator""s;
@@ -98,4 +98,4 @@ TEST(FileKind, IsEmptyForTheRest) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::file_kind_test

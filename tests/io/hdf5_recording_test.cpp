@@ -14,7 +14,7 @@
 #include "io/sample_recordings.hpp"
 #include "io/support.hpp"
 
-namespace microslip {
+namespace microslip::hdf5_recording_test {
 namespace {
 
 using test::message_of;
@@ -306,8 +306,9 @@ TEST_F(Hdf5Recording, ReadsOrRefusesDamagedFilesOfOthers) {
   test::read_changed(path_, 3, read, test::damaged_files(500));
 }
 
-// A text of any length lies in a heap, which has no checksum in any version of the format: even a file
-// that says to be ours, and has checksums else, can crash the library or keep it busy for ever.
+// A text of any length lies in a heap, which has no checksum in any version of the format: even a
+// file that says to be ours, and has checksums else, can crash the library or keep it busy for
+// ever.
 TEST_F(Hdf5Recording, SurvivesADamagedHeapInAFileOfItsOwnSchema) {
   {
     const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
@@ -339,4 +340,4 @@ TEST_F(Hdf5Recording, SurvivesADamagedHeapInAFileOfItsOwnSchema) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::hdf5_recording_test

@@ -12,7 +12,7 @@
 
 #include "io/support.hpp"
 
-namespace microslip {
+namespace microslip::input_file_test {
 namespace {
 
 using test::message_of;
@@ -96,4 +96,4 @@ TEST(InputFileFault, TooLarge) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::input_file_test

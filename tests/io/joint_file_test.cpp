@@ -16,7 +16,7 @@
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
 
-namespace microslip {
+namespace microslip::joint_file_test {
 namespace {
 
 using test::message_of;
@@ -121,15 +121,15 @@ TEST(JointFile, KeepsWhatOthersSayInProvenanceAndIdentification) {
     "inputs": ["x"], "big": 12345678901234567890},
     "identification": {"mixed": [1, "a"], "none": []}})");
   ASSERT_TRUE(file.provenance);
-  const Record expected{{"created", std::string("today")},
-                        {"nested", JsonText{R"({"a":[1,{"b":null}]})"}},
-                        {"seed", -1.0},
-                        {"inputs", JsonText{R"(["x"])"}},
-                        {"big", JsonText{"12345678901234567890"}}};
+  const NamedValues expected{{"created", std::string("today")},
+                             {"nested", JsonText{R"({"a":[1,{"b":null}]})"}},
+                             {"seed", -1.0},
+                             {"inputs", JsonText{R"(["x"])"}},
+                             {"big", JsonText{"12345678901234567890"}}};
   EXPECT_EQ(file.provenance->other, expected);
   EXPECT_FALSE(file.provenance->seed);
   EXPECT_EQ(file.identification,
-            (Record{{"mixed", JsonText{R"([1,"a"])"}}, {"none", std::vector<double>{}}}));
+            (NamedValues{{"mixed", JsonText{R"([1,"a"])"}}, {"none", std::vector<double>{}}}));
   const JointFile back = read(format_joint(file));
   EXPECT_EQ(back.provenance, file.provenance);
   EXPECT_EQ(back.identification, file.identification);
@@ -181,13 +181,12 @@ TEST(JointFileFault, Empty) {
 
 TEST(JointFileFault, Syntax) {
   EXPECT_EQ(fault("{\n  \"schema\": \"microslip.joint/1\",\n  stiffness: 1\n}"),
-            "joint.json:3:3: expected string literal (JSON), found 'stiffness: 1'. Check quotes, "
-            "commas and brackets.");
+            "joint.json:3:3: expected JSON, found 'stiffness: 1'. Check quotes, commas and "
+            "brackets.");
   EXPECT_EQ(fault("{\"schema\": \"microslip.joint/1\""),
-            "joint.json:1:31: expected '}' (JSON), found the end of the file. Check quotes, commas "
-            "and brackets.");
-  EXPECT_NE(fault("{} {}").find("joint.json:1:4: expected end of input (JSON), found '{}'"),
-            std::string::npos)
+            "joint.json:1:31: expected JSON, found the end of the file. Check quotes, commas and "
+            "brackets.");
+  EXPECT_NE(fault("{} {}").find("joint.json:1:4: expected JSON, found '{}'"), std::string::npos)
       << fault("{} {}");
   EXPECT_NE(fault("{\"a\": NaN}").find("joint.json:1:"), std::string::npos);
   EXPECT_NE(fault("{\"a\": \"\xFF\"}").find("joint.json:1:"), std::string::npos);
@@ -197,6 +196,8 @@ TEST(JointFileFault, Syntax) {
 TEST(JointFileFault, NumberOutOfRange) {
   EXPECT_EQ(fault("{\"schema\": \"microslip.joint/1\",\n \"stiffness_N_per_m\": 1e999}"),
             "joint.json:2:23: expected a number within the range of doubles, found '1e999'");
+  EXPECT_EQ(fault("{\"schema\": \"1e999 \\\"-1e999\", \"a\": [1.0, -2e+999, 1e999]}"),
+            "joint.json:1:41: expected a number within the range of doubles, found '-2e+999'");
 }
 
 TEST(JointFileFault, HugeIntegersAreNumbers) {
@@ -397,4 +398,4 @@ TEST(JointFile, DoesNotDependOnTheLocale) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::joint_file_test

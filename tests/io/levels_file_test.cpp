@@ -11,7 +11,7 @@
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
 
-namespace microslip {
+namespace microslip::levels_file_test {
 namespace {
 
 using test::message_of;
@@ -164,4 +164,4 @@ TEST(LevelsFile, SurvivesTheRoundTrip) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::levels_file_test

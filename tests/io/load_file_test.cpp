@@ -9,7 +9,7 @@
 
 #include "microslip/base/error.hpp"
 
-namespace microslip {
+namespace microslip::load_file_test {
 namespace {
 
 /// Two points, forces at those named.
@@ -51,4 +51,4 @@ TEST(LoadFile, AForceWithoutPlaceIsRefusedWhereThereAreTwo) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::load_file_test

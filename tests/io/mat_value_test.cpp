@@ -13,7 +13,7 @@
 #include "io/support.hpp"
 #include "microslip/io/mat_tree.hpp"
 
-namespace microslip {
+namespace microslip::mat_value_test {
 namespace {
 
 using test::message_of;
@@ -88,14 +88,6 @@ TEST_P(MatValueOfVersion5, NamesWhatExistsWhereAPathFails) {
   EXPECT_NE(message("gone").find("the file has 'fs', 'force'"), std::string::npos);
 }
 
-TEST(MatValue, ReadsVersion4) {
-  const std::string path = sample("level4.mat");
-  EXPECT_EQ(read_mat_numbers(path, "force"), (std::vector{0.5, -1.25, 3e-300}));
-  EXPECT_EQ(read_mat_numbers(path, "counts"), (std::vector{-3.0, 200.0, 7.0}));
-  EXPECT_EQ(read_mat_array(path, "z").imaginary, (std::vector{2.0, 0.0}));
-  EXPECT_EQ(read_mat_text(path, "text"), "abc");
-}
-
 /// matio writes a struct array with a cell in it, in a version of choice.
 void write_by_matio(const std::string& path, mat_ft version, matio_compression compression) {
   mat_t* file = Mat_CreateVer(path.c_str(), nullptr, version);
@@ -144,8 +136,8 @@ TEST(MatValue, RefusesWhatIsNoMatFile) {
   test::put(path, "time [s],force [N]\n1,2\n");
   EXPECT_EQ(message_of<FormatError>([&] { return read_mat_numbers(path, "x"); }),
             path +
-                ": expected a MAT file of MATLAB, version 4, 5 or 7.3, found a file that starts "
-                "'time [s],force [N]\\x0A1…' (23 bytes). In MATLAB: save('name.mat', ...).");
+                ": expected a MAT file of MATLAB, version 5 or 7.3, found a file that starts "
+                "'time [s],force [N]\\x0A1…' (23 bytes). In MATLAB: save('name.mat', ..., '-v7').");
   EXPECT_NE(message_of<FileError>([&] {
               return mat_fields(folder.file("b.mat"), "");
             }).find("No such file"),
@@ -154,8 +146,7 @@ TEST(MatValue, RefusesWhatIsNoMatFile) {
 
 class DamagedMatFile : public testing::TestWithParam<const char*> {};
 
-INSTANTIATE_TEST_SUITE_P(SciPy, DamagedMatFile,
-                         testing::Values("plain5.mat", "compressed5.mat", "level4.mat"),
+INSTANTIATE_TEST_SUITE_P(SciPy, DamagedMatFile, testing::Values("plain5.mat", "compressed5.mat"),
                          [](const auto& test) { return std::string(test.param, 6); });
 
 TEST_P(DamagedMatFile, IsReadOrRefused) {
@@ -169,8 +160,9 @@ TEST_P(DamagedMatFile, IsReadOrRefused) {
   test::read_changed(path, 2, read);
 }
 
-// The checksum of compressed variables: what is read of a changed file is what was written. Only the
-// bits that fill up the last byte of each of the 8 variables, before its checksum, mean nothing.
+// The checksum of compressed variables: what is read of a changed file is what was written. Only
+// the bits that fill up the last byte of each of the 8 variables, before its checksum, mean
+// nothing.
 TEST(MatValue, FindsEveryChangeOfCompressedNumbers) {
   const test::TemporaryFolder folder;
   const std::string path = folder.file("changed.mat");
@@ -212,4 +204,4 @@ TEST(MatValue, ReadsTheBrakeReussBeam) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::mat_value_test

@@ -17,7 +17,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/file_kind.hpp"
 
-namespace microslip {
+namespace microslip::model_file_test {
 namespace {
 
 using test::message_of;
@@ -361,8 +361,10 @@ TEST(ModelFileFault, Joints) {
        "model.toml:19:8: joint[1].file = 'b.json\\x00.toml'; must be the path of a joint file, "
        "without control characters"},
       {"[[joint]]\nname", "[joint]\nname",
-       "model.toml:18:1: expected each key once in a table, found 'joint' again. Remove one of "
-       "them, or write each of several tables as [[table]]."},
+       "model.toml:18:1: expected TOML, found '[[joint]]'. The parser says 'Error while parsing "
+       "table header: cannot redefine existing table 'joint' as array-of-tables'. A text stands in "
+       "quotes, a number has a decimal point and no unit, a key stands once in its table; each of "
+       "several tables is a [[table]]."},
   });
 }
 
@@ -437,4 +439,4 @@ TEST(ModelFileDamage, CutAtEachByte) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::model_file_test

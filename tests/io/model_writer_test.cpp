@@ -15,7 +15,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/joint_file.hpp"
 
-namespace microslip {
+namespace microslip::model_writer_test {
 namespace {
 
 const std::string kJointFile = MICROSLIP_EXAMPLES "/reference_joint/joint.json";
@@ -130,4 +130,4 @@ TEST(ModelWriter, WantsAFileForEachJoint) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::model_writer_test

@@ -16,7 +16,7 @@
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/temporaries.hpp"
 
-namespace microslip {
+namespace microslip::output_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -274,4 +274,4 @@ TEST(OutputFiles, ChecksBeforehand) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::output_files_test

@@ -8,7 +8,7 @@
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
 
-namespace microslip {
+namespace microslip::output_folders_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,4 +52,4 @@ TEST(OutputFolders, RefuseTheNameOfAFile) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::output_folders_test

@@ -9,7 +9,7 @@
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
 
-namespace microslip {
+namespace microslip::path_file_test {
 namespace {
 
 using test::message_of;
@@ -48,4 +48,4 @@ TEST(PathFile, LoopsAddTheForce) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::path_file_test

@@ -16,7 +16,7 @@
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
 
-namespace microslip {
+namespace microslip::recording_csv_test {
 namespace {
 
 using std::literals::operator""s;
@@ -175,8 +175,8 @@ TEST(RecordingCsv, ReadsComplexChannels) {
   EXPECT_EQ(r.channels[3].name, "c.imag") << "of another unit";
 }
 
-/// More than a piece of what is read at once, with comments, line lengths and decimals of all sorts,
-/// against strtod.
+/// More than a piece of what is read at once, with comments, line lengths and decimals of all
+/// sorts, against strtod.
 TEST(RecordingCsv, ReadsLongFilesInPieces) {
   std::mt19937_64 random(1);
   std::string text = "time [s],a [N],b [N]\n";
@@ -511,4 +511,4 @@ TEST(RecordingCsvWriter, SaysWhereItCannotWrite) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::recording_csv_test

@@ -11,7 +11,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/levels_file.hpp"
 
-namespace microslip {
+namespace microslip::reduction_file_test {
 namespace {
 
 using test::message_of;
@@ -103,4 +103,4 @@ TEST(ReductionFile, RefusesWhatIsNoTable) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::reduction_file_test

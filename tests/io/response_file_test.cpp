@@ -18,7 +18,7 @@
 #include "microslip/io/csv.hpp"
 #include "microslip/io/file_kind.hpp"
 
-namespace microslip {
+namespace microslip::response_file_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -71,8 +71,8 @@ TEST(ResponseTable, HoldsTheCurve) {
   expect_energies(table, curve);
 }
 
-// 30 Hz is 30 in the table, not 29.999999999999996: whole numbers, decimal fractions, powers of ten, and
-// numbers of 15 random digits.
+// 30 Hz is 30 in the table, not 29.999999999999996: whole numbers, decimal fractions, powers of
+// ten, and numbers of 15 random digits.
 TEST(ResponseTable, HoldsAFrequencyByItsNumber) {
   ResponseCurve curve = sample_curve();
   curve.peaks.clear();
@@ -166,4 +166,4 @@ TEST(BackboneTable, HoldsTheCurve) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::response_file_test

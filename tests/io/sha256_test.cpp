@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace microslip {
+namespace microslip::sha256_test {
 namespace {
 
 // NIST, Secure Hash Standard: example values of SHA-256 for FIPS 180.
@@ -32,4 +32,4 @@ TEST(Sha256, DoesNotDependOnThePieces) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::sha256_test

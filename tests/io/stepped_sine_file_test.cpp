@@ -19,7 +19,7 @@
 #include "microslip/io/rig_file.hpp"
 #include "microslip/rig/reduction.hpp"
 
-namespace microslip {
+namespace microslip::stepped_sine_file_test {
 namespace {
 
 using test::message_of;
@@ -215,4 +215,4 @@ TEST(SteppedSineFile, BrakeReussBeam) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::stepped_sine_file_test

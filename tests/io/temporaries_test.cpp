@@ -13,7 +13,7 @@
 
 #include "io/support.hpp"
 
-namespace microslip {
+namespace microslip::temporaries_test {
 namespace {
 
 using test::put;
@@ -84,4 +84,4 @@ TEST(Temporary, MayBeUsedByManyThreads) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::temporaries_test

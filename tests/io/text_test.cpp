@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace microslip {
+namespace microslip::text_test {
 namespace {
 
 TEST(Text, QuotesWhatIsPrintable) {
@@ -70,4 +70,4 @@ TEST(Text, TrimsBlanksAndTabs) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::text_test

@@ -9,7 +9,7 @@
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
 
-namespace microslip {
+namespace microslip::toml_input_test {
 namespace {
 
 using std::literals::operator""s;
@@ -139,30 +139,27 @@ TEST(TomlInput, RefusesWhatIsNoTomlAtAll) {
   EXPECT_EQ(syntax_fault("\x89HDF\r\n\x1A\n"),
             "a.toml: expected TOML, found an HDF5 file. Is it the right file?");
   EXPECT_EQ(syntax_fault("\1\2\0\xFF"s),
-            "a.toml:1:3: expected UTF-8 after this place, found '\\x00\\xFF'. Save the file as "
-            "UTF-8.");
+            "a.toml:1:4: expected UTF-8, found '\\xFF'. Save the file as UTF-8.");
 }
 
+// What the parser says, of toml++ 3.3 here, is passed on and not relied on.
 TEST(TomlInput, NamesThePlaceOfASyntaxError) {
-  const std::string remedy = " A text stands in quotes; a number has a decimal point and no unit.";
-  EXPECT_EQ(syntax_fault("a = 1\nb = 0,583\n"),
-            "a.toml:2:6: expected a comment or whitespace (TOML), found ',583'." + remedy);
-  EXPECT_EQ(syntax_fault("a = 5 mm\n"),
-            "a.toml:1:7: expected a comment or whitespace (TOML), found 'mm'." + remedy);
-  EXPECT_EQ(syntax_fault("a = 5.\n"),
-            "a.toml:1:7: expected decimal digit (TOML), found the end of the line." + remedy);
-  EXPECT_EQ(syntax_fault("a = joint.json\n"),
-            "a.toml:1:5: expected value in TOML, found 'joint.json'. The parser says: could not "
-            "determine value type." +
-                remedy);
-  EXPECT_EQ(syntax_fault("[a\nb = 1"),
-            "a.toml:1:3: expected ']' (TOML), found the end of the line. Check quotes, commas and "
-            "brackets.");
-  EXPECT_EQ(syntax_fault("# µ\na = [1, 2"),
-            "a.toml:2:10: expected the rest of the array (TOML), found the end of the file. Check "
-            "quotes, commas and brackets.");
-  EXPECT_LT(syntax_fault("a = \"" + std::string(1'000'000, 'x')).size(), 300U);
-  EXPECT_LT(syntax_fault(std::string(1'000'000, 'x')).size(), 300U);
+  const auto expect = [](const std::string& text, const std::string& start) {
+    const std::string fault = syntax_fault(text);
+    expect_starts(fault, start + ". The parser says 'Error while parsing ");
+    EXPECT_TRUE(fault.ends_with(
+        "'. A text stands in quotes, a number has a decimal point and no unit, a key stands once "
+        "in its table; each of several tables is a [[table]]."))
+        << fault;
+  };
+  expect("a = 1\nb = 0,583\n", "a.toml:2:6: expected TOML, found ',583'");
+  expect("a = 5 mm\n", "a.toml:1:7: expected TOML, found 'mm'");
+  expect("a = 5.\n", "a.toml:1:7: expected TOML, found the end of the line");
+  expect("a = joint.json\n", "a.toml:1:5: expected TOML, found 'joint.json'");
+  expect("[a\nb = 1", "a.toml:1:3: expected TOML, found the end of the line");
+  expect("# µ\na = [1, 2", "a.toml:2:10: expected TOML, found the end of the file");
+  EXPECT_LT(syntax_fault("a = \"" + std::string(1'000'000, 'x')).size(), 500U);
+  EXPECT_LT(syntax_fault(std::string(1'000'000, 'x')).size(), 500U);
 }
 
 TEST(TomlInput, RefusesAHeaderWithoutAKey) {
@@ -177,16 +174,11 @@ TEST(TomlInput, RefusesNumbersBeyondTheirType) {
 }
 
 TEST(TomlInput, RefusesAKeyGivenTwice) {
-  EXPECT_EQ(
-      syntax_fault("a = 1\nb = 2\na = 3\n"),
-      "a.toml:3:5: expected each key once in a table, found 'a' again. Remove one of them, or "
-      "write each of several tables as [[table]].");
-  expect_starts(syntax_fault("[a]\n[a]\n"),
-                "a.toml:2:1: expected each key once in a table, found 'a' again. ");
-  expect_starts(syntax_fault("a = 1\na.b = 3\n"),
-                "a.toml:2:1: expected each key once in a table, found 'a.b = 3' again");
+  expect_starts(syntax_fault("a = 1\nb = 2\na = 3\n"), "a.toml:3:5: expected TOML, found ");
+  expect_starts(syntax_fault("[a]\n[a]\n"), "a.toml:2:1: expected TOML, found ");
+  expect_starts(syntax_fault("a = 1\na.b = 3\n"), "a.toml:2:1: expected TOML, found 'a.b = 3'");
   const std::string name(100'000, 'x');
-  EXPECT_LT(syntax_fault(name + " = 1\n" + name + " = 2\n").size(), 300U);
+  EXPECT_LT(syntax_fault(name + " = 1\n" + name + " = 2\n").size(), 500U);
 }
 
 // ---- Depth: freeing a tree of tables recurses, and so does the parser. ----
@@ -244,4 +236,4 @@ TEST(TomlInput, DotsAndBracketsInTextsAndCommentsAreFree) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::toml_input_test

@@ -9,7 +9,7 @@
 
 #include "io/uff_support.hpp"
 
-namespace microslip {
+namespace microslip::uff55_test {
 namespace {
 
 using test::marker;
@@ -96,4 +96,4 @@ TEST(Uff55, SaysWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::uff55_test

@@ -15,7 +15,7 @@
 #include "microslip/io/uff55.hpp"
 #include "support/figures.hpp"
 
-namespace microslip {
+namespace microslip::uff_damaged_test {
 namespace {
 
 using test::Function58;
@@ -199,4 +199,4 @@ TEST_P(UffDamaged, WhatIsLeftIsRight) {
 INSTANTIATE_TEST_SUITE_P(Files, UffDamaged, testing::Range(0, 4));
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::uff_damaged_test

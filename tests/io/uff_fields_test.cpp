@@ -10,7 +10,7 @@
 
 #include "io/support.hpp"
 
-namespace microslip {
+namespace microslip::uff_fields_test {
 namespace {
 
 using test::message_of;
@@ -121,4 +121,4 @@ TEST(UffText, IsPaddedByCharacters) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::uff_fields_test

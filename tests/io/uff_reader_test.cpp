@@ -10,7 +10,7 @@
 
 #include "io/uff_support.hpp"
 
-namespace microslip {
+namespace microslip::uff_reader_test {
 namespace {
 
 using test::codes;
@@ -324,4 +324,4 @@ TEST(UffReader, ReportsProgressAndStops) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::uff_reader_test

@@ -13,7 +13,7 @@
 
 #include "io/uff_support.hpp"
 
-namespace microslip {
+namespace microslip::uff_round_trip_test {
 namespace {
 
 using test::Function58;
@@ -323,4 +323,4 @@ TEST(UffRoundTrip, RefusesWhatAFileCannotHold) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::uff_round_trip_test

@@ -11,7 +11,7 @@
 #include "io/uff_support.hpp"
 #include "microslip/io/uff55.hpp"
 
-namespace microslip {
+namespace microslip::uff_samples_test {
 namespace {
 
 class UffSamples : public testing::Test {
@@ -122,4 +122,4 @@ TEST_F(UffSamples, ModeShapes) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::uff_samples_test

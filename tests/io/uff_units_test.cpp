@@ -12,7 +12,7 @@
 
 #include "io/uff_support.hpp"
 
-namespace microslip {
+namespace microslip::uff_units_test {
 namespace {
 
 using test::codes;
@@ -261,4 +261,4 @@ TEST(UffUnits, AnAbscissaOfUnknownUnitIsNoTime) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::uff_units_test

@@ -16,7 +16,7 @@
 #include "microslip/io/csv.hpp"
 #include "microslip/io/file_kind.hpp"
 
-namespace microslip {
+namespace microslip::verification_file_test {
 namespace {
 
 using test::message_of;
@@ -31,7 +31,8 @@ FourierSeries series(const std::vector<Complex>& harmonics) {
   return result;
 }
 
-/// A force and an acceleration whose first harmonic is largest a quarter period before the zero of time.
+/// A force and an acceleration whose first harmonic is largest a quarter period before the zero of
+/// time.
 Verification record(const std::string& source) {
   Verification record;
   record.recorded.source = source;
@@ -138,4 +139,4 @@ TEST(VerificationFile, RefusesNothingAndWhatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::verification_file_test

@@ -7,19 +7,19 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/joint/backbone.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/jenkins_network.hpp"
 #include "microslip/joint/joint.hpp"
 #include "microslip/joint/memory.hpp"
 #include "microslip/joint/power_law.hpp"
 #include "microslip/joint/secant.hpp"
+#include "microslip/joint/virgin_curve.hpp"
 
 /// @file
-/// Each public function of joint/ with arguments that mean nothing: a documented value or InputError,
-/// never a place outside of a table. The sanitizers look on.
+/// Each public function of joint/ with arguments that mean nothing: a documented value or
+/// InputError, never a place outside of a table. The sanitizers look on.
 
-namespace microslip {
+namespace microslip::any_argument_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -66,30 +66,30 @@ TEST(AnyArgument, OfTheVirginCurve) {
 
 TEST(AnyArgument, OfTheBackbone) {
   for (const Joint& joint : joints()) {
-    const Backbone& backbone = joint.backbone();
-    EXPECT_TRUE(std::isnan(backbone.force(kNaN)));
-    EXPECT_TRUE(std::isnan(backbone.force(kInfinity)));
-    EXPECT_TRUE(std::isnan(backbone.slope(kNaN)));
+    const VirginCurve& curve = joint.virgin_curve();
+    EXPECT_TRUE(std::isnan(curve.force(kNaN)));
+    EXPECT_TRUE(std::isnan(curve.force(kInfinity)));
+    EXPECT_TRUE(std::isnan(curve.slope(kNaN)));
     for (const double s : {-kTiny, -1.0, -1e9, -kHuge, -kInfinity}) {
-      EXPECT_EQ(backbone.force(s), backbone.force(0.0)) << s;
-      EXPECT_EQ(backbone.slope(s), backbone.slope(0.0)) << s;
+      EXPECT_EQ(curve.force(s), curve.force(0.0)) << s;
+      EXPECT_EQ(curve.slope(s), curve.slope(0.0)) << s;
     }
     const std::array<double, 7> x{0.0, kNaN, kInfinity, -kInfinity, kHuge, -kHuge, 1e-5};
     std::array<double, 7> force{};
     for (const double scale : {1e5, -1e5, kNaN, kInfinity, 0.0}) {
-      backbone.branch_forces({0.0, 1.0, scale, 2.0}, x, force);
+      curve.branch_forces({0.0, 1.0, scale, 2.0}, x, force);
       if (scale == 1e5) {
         EXPECT_EQ(force[0], 1.0);
         EXPECT_TRUE(std::isnan(force[1]));
         EXPECT_TRUE(std::isnan(force[2]));
-        EXPECT_EQ(force[6], 1.0 + 2.0 * backbone.force(1.0));
+        EXPECT_EQ(force[6], 1.0 + 2.0 * curve.force(1.0));
       }
       if (scale == -1e5) {
         EXPECT_EQ(force[6], 1.0) << "below 0 as at 0";
       }
     }
-    EXPECT_THROW(backbone.branch_forces({}, x, std::span(force).first(6)), InputError);
-    EXPECT_NO_THROW(backbone.branch_forces({}, {}, {}));
+    EXPECT_THROW(curve.branch_forces({}, x, std::span(force).first(6)), InputError);
+    EXPECT_NO_THROW(curve.branch_forces({}, {}, {}));
   }
 }
 
@@ -233,4 +233,4 @@ TEST(AnyArgument, OfPowerLaws) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::any_argument_test

@@ -12,7 +12,7 @@
 #include "microslip/joint/joint.hpp"
 #include "support/exact_density.hpp"
 
-namespace microslip {
+namespace microslip::density_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -256,4 +256,4 @@ TEST(SlipDensity, AcceptsWhatIsJustAllowed) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::density_test

@@ -12,7 +12,7 @@
 #include "support/exact_density.hpp"
 #include "support/exact_power_law.hpp"
 
-namespace microslip {
+namespace microslip::dissipation_test {
 namespace {
 
 constexpr double kStiffness = 0x1p14;  // N/m; a power of two, so that kA has no rounding
@@ -220,4 +220,4 @@ TEST(Dissipation, RejectsAnAmplitudeThatIsNone) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::dissipation_test

@@ -13,7 +13,7 @@
 #include "support/figures.hpp"
 #include "support/reference_csv.hpp"
 
-namespace microslip {
+namespace microslip::external_history_test {
 namespace {
 
 // A shear stress history under earthquake-like shaking that MASTODON computed with its nested
@@ -86,4 +86,4 @@ TEST_F(ExternalHistory, MemoryReproducesIt) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::external_history_test

@@ -16,7 +16,7 @@
 #include "support/messages.hpp"
 #include "support/random_path.hpp"
 
-namespace microslip {
+namespace microslip::jenkins_network_test {
 namespace {
 
 using testing::random_path;
@@ -356,4 +356,4 @@ TEST(NetworkMemory, RejectsBadPathsBeforeAnyStep) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::jenkins_network_test

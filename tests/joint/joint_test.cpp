@@ -16,7 +16,7 @@
 #include "support/quadrature.hpp"
 #include "support/reference_csv.hpp"
 
-namespace microslip {
+namespace microslip::joint_test {
 namespace {
 
 /// The joint [AR14] Fig. 3 is drawn for: φ = 0.1 f*^-0.5 on 0..25 N.
@@ -225,4 +225,4 @@ TEST(Joint, NamesTheRuleThatAStiffnessBreaks) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::joint_test

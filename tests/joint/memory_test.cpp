@@ -20,7 +20,7 @@
 #include "support/random_path.hpp"
 #include "support/reference_csv.hpp"
 
-namespace microslip {
+namespace microslip::memory_test {
 namespace {
 
 using testing::random_path;
@@ -492,8 +492,8 @@ TEST(Memory, RejectsForcesOfAnotherLength) {
 
 // ---- Energies. ----
 
-// Of the same sliders, one by one: each has a stretch e and loses f|dx| while it slips. Energies are of
-// order 1e-3 J, the sum of 2e4 losses 1 J.
+// Of the same sliders, one by one: each has a stretch e and loses f|dx| while it slips. Energies
+// are of order 1e-3 J, the sum of 2e4 losses 1 J.
 TEST(Memory, HasTheEnergiesOfTheSlidersOneByOne) {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const Joint joint = atoms_joint();
@@ -521,8 +521,8 @@ TEST(Memory, HasTheEnergiesOfTheSlidersOneByOne) {
   }
 }
 
-// The work of the force, by Simpson's rule over 64 parts of a step, is what was lost and stored. Where an
-// atom begins to slip inside of a part it errs by 64^−2 of a part of the work.
+// The work of the force, by Simpson's rule over 64 parts of a step, is what was lost and stored.
+// Where an atom begins to slip inside of a part it errs by 64^−2 of a part of the work.
 TEST(Memory, LosesAndStoresTheWorkOfItsForce) {
   for (const Joint& joint : all_kinds()) {
     Memory memory(joint);
@@ -545,4 +545,4 @@ TEST(Memory, LosesAndStoresTheWorkOfItsForce) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::memory_test

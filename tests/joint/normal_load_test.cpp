@@ -14,7 +14,7 @@
 #include "support/random_path.hpp"
 #include "support/reference_csv.hpp"
 
-namespace microslip {
+namespace microslip::normal_load_test {
 namespace {
 
 // The case of [AR14 App. B]: φ = 0.2 on [0, 5] N, k = 1 N/m, as 200 elements of κ = 1/200 that slip
@@ -247,4 +247,4 @@ TEST(NormalLoad, NeglectingItGivesANegativeDensity) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::normal_load_test

@@ -8,7 +8,7 @@
 
 #include "support/exact_power_law.hpp"
 
-namespace microslip {
+namespace microslip::power_law_test {
 namespace {
 
 using testing::Exact;
@@ -93,4 +93,4 @@ TEST(PowerLaw, MomentsAtInfinityAreThoseAtItsEnd) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::power_law_test

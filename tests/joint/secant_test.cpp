@@ -15,7 +15,7 @@
 #include "support/exact_density.hpp"
 #include "support/quadrature.hpp"
 
-namespace microslip {
+namespace microslip::secant_test {
 namespace {
 
 using std::numbers::pi;
@@ -243,4 +243,4 @@ TEST(SecantStiffness, RejectsAnAmplitudeThatIsNone) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::secant_test

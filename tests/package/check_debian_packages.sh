@@ -25,11 +25,11 @@ library="$folder/libmicroslip-dev_${version}_$architecture.deb"
 # What they say.
 field() { dpkg-deb --field "$@"; }
 [[ "$(field "$program" Version)" == "$version" ]] || complain "version $(field "$program" Version)"
-for need in libc6 libfmt libhdf5 libmatio libstdc++ libtbb zlib1g; do
+for need in libc6 libfmt libstdc++ libtbb zlib1g; do
   [[ "$(field "$program" Depends)" == *"$need"* ]] || complain "microslip does not depend on $need"
 done
 [[ "$(field "$program" Recommends)" == *gnuplot* ]] || complain "microslip does not recommend gnuplot"
-for need in libfmt-dev libhdf5-dev libmatio-dev libtbb-dev zlib1g-dev; do
+for need in libfmt-dev libhdf5-dev libtbb-dev zlib1g-dev; do
   [[ "$(field "$library" Depends)" == *"$need"* ]] || complain "libmicroslip-dev does not depend on $need"
 done
 for package in "$program" "$library"; do
@@ -57,7 +57,7 @@ for file in usr/bin/microslip usr/share/man/man1/microslip.1.gz \
   usr/share/zsh/vendor-completions/_microslip usr/share/doc/microslip/docs/commands.md; do
   [[ -s $tree/microslip/$file ]] || complain "microslip has no $file"
 done
-for file in usr/lib/libmicroslip.a usr/lib/cmake/microslip/microslipConfig.cmake \
+for file in usr/lib/libmicroslip_{core,measurement,files,report}.a usr/lib/cmake/microslip/microslipConfig.cmake \
   usr/lib/pkgconfig/microslip.pc usr/include/microslip/joint/joint.hpp; do
   [[ -s $tree/libmicroslip-dev/$file ]] || complain "libmicroslip-dev has no $file"
 done

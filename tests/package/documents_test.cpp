@@ -6,7 +6,7 @@
 
 #include "documents/documents.hpp"
 
-namespace microslip::app {
+namespace microslip::app::documents_test {
 namespace {
 
 /// A program whose help has each sign that means something to roff, Markdown or a shell.
@@ -57,4 +57,4 @@ TEST(Documents, CompletionsKnowTheCommandAndItsFiles) {
 }
 
 }  // namespace
-}  // namespace microslip::app
+}  // namespace microslip::app::documents_test

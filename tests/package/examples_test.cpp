@@ -12,7 +12,7 @@
 #include "command.hpp"
 #include "documents/description.hpp"
 
-namespace microslip::app {
+namespace microslip::app::examples_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -96,4 +96,4 @@ TEST(Examples, NameFilesOnlyWhereShellsCompleteThem) {
 }
 
 }  // namespace
-}  // namespace microslip::app
+}  // namespace microslip::app::examples_test

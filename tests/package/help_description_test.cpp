@@ -7,7 +7,7 @@
 
 #include "documents/description.hpp"
 
-namespace microslip::app {
+namespace microslip::app::help_description_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -121,4 +121,4 @@ TEST(HelpDescription, TakesTheEndOfTheHelpApart) {
 }
 
 }  // namespace
-}  // namespace microslip::app
+}  // namespace microslip::app::help_description_test

@@ -9,7 +9,7 @@
 
 #include "report/support.hpp"
 
-namespace microslip {
+namespace microslip::axis_ranges_test {
 namespace {
 
 Figure line(std::vector<double> x, std::vector<double> y) {
@@ -85,4 +85,4 @@ TEST(AxisFraction, IsZeroAtTheStartAndOneAtTheEnd) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::axis_ranges_test

@@ -8,7 +8,7 @@
 
 #include "microslip/report/axis_ranges.hpp"
 
-namespace microslip {
+namespace microslip::axis_ticks_test {
 namespace {
 
 constexpr Font kFont{.size = 13.0};
@@ -104,4 +104,4 @@ TEST(AxisTicks, OfDegreesArePartsOfARightAngle) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::axis_ticks_test

@@ -13,7 +13,7 @@
 
 #include "microslip/base/error.hpp"
 
-namespace microslip {
+namespace microslip::child_process_test {
 namespace {
 
 ChildResult run(std::vector<std::string> command, std::string_view input = {}) {
@@ -97,4 +97,4 @@ TEST(ChildProcess, WorksWithClosedStandardStreams) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::child_process_test

@@ -11,7 +11,7 @@
 #include "microslip/report/drawn.hpp"
 #include "report/support.hpp"
 
-namespace microslip {
+namespace microslip::figure_test {
 namespace {
 
 using test::density_figure;
@@ -112,4 +112,4 @@ TEST(DrawnPieces, ABandStaysWhereOnlyItsLowerEdgeIsZero) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::figure_test

@@ -10,7 +10,7 @@
 
 #include "io/support.hpp"
 
-namespace microslip {
+namespace microslip::flag_meanings_test {
 namespace {
 
 const std::filesystem::path kRoot = std::filesystem::path(MICROSLIP_EXAMPLES).parent_path();
@@ -59,4 +59,4 @@ TEST(FlagMeanings, EveryFlagOfTheSourceIsExplainedInReportAndDocumentation) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::flag_meanings_test

@@ -14,7 +14,7 @@
 #include "microslip/report/child_process.hpp"
 #include "report/support.hpp"
 
-namespace microslip {
+namespace microslip::gnuplot_test {
 namespace {
 
 using test::contains;
@@ -364,4 +364,4 @@ TEST(RunGnuplotFault, NotInstalled) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::gnuplot_test

@@ -14,7 +14,7 @@
 #include "microslip/io/sha256.hpp"
 #include "microslip/report/html_text.hpp"
 
-namespace microslip {
+namespace microslip::html_report_test {
 namespace {
 
 const std::string kHostile = "</title></script><script>harm()</script>";
@@ -174,4 +174,4 @@ TEST(HtmlReport, LicencesAreInIt) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::html_report_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace microslip {
+namespace microslip::html_text_test {
 namespace {
 
 TEST(HtmlText, MarkupBecomesReferences) {
@@ -53,4 +53,4 @@ TEST(BytesOfHex, TwoDigitsAByte) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::html_text_test

@@ -8,7 +8,7 @@
 
 #include "report/support.hpp"
 
-namespace microslip {
+namespace microslip::panel_layout_test {
 namespace {
 
 using test::contains;
@@ -184,4 +184,4 @@ TEST(PanelLayout, NumbersOfALowAxisAreAsDenseAsTheyFit) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::panel_layout_test

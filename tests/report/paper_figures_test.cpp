@@ -15,7 +15,7 @@
 #include "microslip/base/error.hpp"
 #include "report/support.hpp"
 
-namespace microslip {
+namespace microslip::paper_figures_test {
 namespace {
 
 using test::contains;
@@ -278,4 +278,4 @@ TEST(PaperFigures, SayWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::paper_figures_test

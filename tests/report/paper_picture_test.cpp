@@ -11,7 +11,7 @@
 #include "microslip/base/error.hpp"
 #include "report/support.hpp"
 
-namespace microslip {
+namespace microslip::paper_picture_test {
 namespace {
 
 using test::contains;
@@ -147,4 +147,4 @@ TEST(PaperPicture, RefusesAWidthThatIsNone) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::paper_picture_test

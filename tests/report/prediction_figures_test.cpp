@@ -13,7 +13,7 @@
 #include "microslip/base/error.hpp"
 #include "report/support.hpp"
 
-namespace microslip {
+namespace microslip::prediction_figures_test {
 namespace {
 
 using test::contains;
@@ -140,4 +140,4 @@ TEST(PredictionFigures, RefuseWhatIsEmptyOrUneven) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::prediction_figures_test

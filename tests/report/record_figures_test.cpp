@@ -8,7 +8,7 @@
 
 #include "report/support.hpp"
 
-namespace microslip {
+namespace microslip::record_figures_test {
 namespace {
 
 TestResults record_of(int accelerations) {
@@ -53,4 +53,4 @@ TEST(RecordFigures, AllOfFewChannels) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::record_figures_test

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace microslip {
+namespace microslip::report_data_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -112,4 +112,4 @@ TEST(ReportData, NothingInItEndsAScriptElement) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::report_data_test

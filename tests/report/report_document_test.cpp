@@ -9,7 +9,7 @@
 
 #include "report/support.hpp"
 
-namespace microslip {
+namespace microslip::report_document_test {
 namespace {
 
 using test::input_fault;
@@ -77,4 +77,4 @@ TEST(ReportDocumentFault, TablesAndSections) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::report_document_test

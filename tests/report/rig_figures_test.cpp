@@ -13,7 +13,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/joint/dissipation.hpp"
 
-namespace microslip {
+namespace microslip::rig_figures_test {
 namespace {
 
 using Numbers = std::vector<double>;
@@ -189,4 +189,4 @@ TEST(ForceControlFigure, OfFilesShowsTheHighestLevelAndAll) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::rig_figures_test

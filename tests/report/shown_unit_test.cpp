@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-namespace microslip {
+namespace microslip::shown_unit_test {
 namespace {
 
 TEST(ShownUnit, BringsTheLargestToOneOrMore) {
@@ -87,4 +87,4 @@ TEST(ShowY, ScalesBandsAndBarsAndLeavesMarkers) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::shown_unit_test

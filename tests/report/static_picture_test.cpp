@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-namespace microslip {
+namespace microslip::static_picture_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -108,4 +108,4 @@ TEST(PictureText, SaysWhatIsShown) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::static_picture_test

@@ -17,7 +17,7 @@
 #include "microslip/report/test_results.hpp"
 #include "report/support.hpp"
 
-namespace microslip {
+namespace microslip::test_report_test {
 namespace {
 
 using test::contains;
@@ -204,7 +204,8 @@ TEST(TestReport, DensityAndSlopeOfAUniformJoint) {
   EXPECT_FALSE(trace(density, "differences").shown);
   const ReportFigure& slope = figure(document, "Slope of the dissipation");
   EXPECT_NEAR(trace(slope, "identified joint").y.back(), 2.0 * 30.0 * 30.0 / 40.0, 1e-9);
-  // Between levels h = 15 µm apart the slope of the quadratic D′ is right to k²h²/(6·40) N = 9e-3 N.
+  // Between levels h = 15 µm apart the slope of the quadratic D′ is right to k²h²/(6·40) N = 9e-3
+  // N.
   const ReportTrace& differences = trace(slope, "differences");
   const double middle = 1e-6 * differences.x.back() * kStiffness;
   EXPECT_NEAR(differences.y.back(), 2.0 * middle * middle / 40.0, 1e-2);
@@ -700,4 +701,4 @@ TEST(TestReport, ResponsesWithoutTheirAmplitudesInTheLevels) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::test_report_test

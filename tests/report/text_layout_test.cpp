@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace microslip {
+namespace microslip::text_layout_test {
 namespace {
 
 using Strings = std::vector<std::string>;
@@ -49,4 +49,4 @@ TEST(Wrapped, BreaksALongWordAnywhere) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::text_layout_test

@@ -13,7 +13,7 @@
 #include "microslip/base/error.hpp"
 #include "report/support.hpp"
 
-namespace microslip {
+namespace microslip::verification_figure_test {
 namespace {
 
 constexpr double kOmega = 2.0 * std::numbers::pi * 50.0;  // rad/s
@@ -170,4 +170,4 @@ TEST(VerificationFigureOfFiles, NeedsNeitherComparisonsNorHarmonics) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::verification_figure_test

@@ -17,7 +17,7 @@
 ///
 ///     A (1 − 4b)²/(8b).
 
-namespace microslip {
+namespace microslip::inner_reversals_test {
 namespace {
 
 using testing::Sampling;
@@ -35,8 +35,8 @@ double second_harmonic(double depth) {
   return 0.25 + 0.25 * (d + std::sqrt(2.0 * d + d * d));  // 16b² − (8 + 8d)b + 1 = 0
 }
 
-/// Least depth that counts: 4√2 standard deviations of the fitted series, whose 2H coefficients have
-/// the variance 2σ²/N each.
+/// Least depth that counts: 4√2 standard deviations of the fitted series, whose 2H coefficients
+/// have the variance 2σ²/N each.
 double threshold() {
   const double points = static_cast<double>(kSampling.points);
   return 4.0 * std::numbers::sqrt2 * kSampling.vibrometer_noise *
@@ -100,4 +100,4 @@ TEST(InnerReversals, AreNotSoughtInAVibrometerThatIsNotUsed) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::inner_reversals_test

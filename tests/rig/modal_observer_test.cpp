@@ -15,7 +15,7 @@
 #include "microslip/base/random.hpp"
 #include "support/rigs.hpp"
 
-namespace microslip {
+namespace microslip::modal_observer_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -76,8 +76,8 @@ StickState state_without_shortening(std::size_t modes) {
   return state;
 }
 
-/// What rounding leaves: motion and joint force cancel to some 1e-3 close to the resonance, and in the
-/// higher harmonics the modes do at the accelerometers, to 4 %.
+/// What rounding leaves: motion and joint force cancel to some 1e-3 close to the resonance, and in
+/// the higher harmonics the modes do at the accelerometers, to 4 %.
 constexpr double kTolerance = 1e-10;
 
 TEST(ModalObserver, FindsTheMotionOfAllModes) {
@@ -183,4 +183,4 @@ TEST(ModalObserver, RefusesWhatDoesNotBelongTogether) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::modal_observer_test

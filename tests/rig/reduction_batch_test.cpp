@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <cstddef>
 #include <string>
@@ -13,7 +12,7 @@
 #include "microslip/base/error.hpp"
 #include "support/rigs.hpp"
 
-namespace microslip {
+namespace microslip::reduction_batch_test {
 namespace {
 
 using test::message_of;
@@ -56,14 +55,14 @@ std::vector<std::string> sources(const ReductionBatch& batch) {
 constexpr std::size_t kFiles = 12;
 
 TEST(ReductionBatch, IsTheSameOnOneThreadAndMore) {
-  const std::vector<double> expected = [] {
-    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    return figures(reduce_batch(reducer(), kFiles, read));
-  }();
+  const std::vector<double> expected =
+      figures(reduce_batch(reducer(), kFiles, read, {.execution = Execution::serial()}));
   EXPECT_EQ(expected.size(), 7 * kFiles);
   for (const std::size_t threads : {2, 3, 8}) {
-    const tbb::global_control several(tbb::global_control::max_allowed_parallelism, threads);
-    EXPECT_EQ(figures(reduce_batch(reducer(), kFiles, read)), expected) << threads;
+    EXPECT_EQ(
+        figures(reduce_batch(reducer(), kFiles, read, {.execution = Execution::threads(threads)})),
+        expected)
+        << threads;
   }
 }
 
@@ -163,4 +162,4 @@ TEST(ReductionBatch, StopsWhenToldTo) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::reduction_batch_test

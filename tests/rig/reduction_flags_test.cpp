@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-// What may go wrong with a record, and what the level says of it. Level 4 of the reference recordings,
-// 55.3 Hz, spoilt in one way each.
+// What may go wrong with a record, and what the level says of it. Level 4 of the reference
+// recordings, 55.3 Hz, spoilt in one way each.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@
 #include "microslip/rig/reduction.hpp"
 #include "support/rigs.hpp"
 
-namespace microslip {
+namespace microslip::reduction_flags_test {
 namespace {
 
 using testing::reference_recording;
@@ -144,4 +144,4 @@ TEST(ReductionFlags, OneAccelerometerAnywhereIsEnough) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::reduction_flags_test

@@ -18,7 +18,7 @@
 #include "support/reference_csv.hpp"
 #include "support/rigs.hpp"
 
-namespace microslip {
+namespace microslip::reduction_test {
 namespace {
 
 using testing::reference_rig;
@@ -208,4 +208,4 @@ TEST(Reduction, UnseenRigWithoutVibrometer) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::reduction_test

@@ -17,11 +17,11 @@
 #include "support/reference_csv.hpp"
 #include "support/rigs.hpp"
 
-namespace microslip {
+namespace microslip::rig_structure_test {
 namespace {
 
-// reference_rig_levels.csv is a SciPy program's; its header says: relative error about 1e-4. The bounds
-// are what a drive frequency and a level need.
+// reference_rig_levels.csv is a SciPy program's; its header says: relative error about 1e-4. The
+// bounds are what a drive frequency and a level need.
 TEST(RigStructure, VibratesAsAnotherProgramFound) {
   const testing::ReferenceTable table(std::string(MICROSLIP_TEST_DATA) +
                                       "/reference_rig_levels.csv");
@@ -122,4 +122,4 @@ TEST(RigStructure, WarnsOfAnotherStiffness) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::rig_structure_test

@@ -10,7 +10,7 @@
 
 #include "microslip/base/error.hpp"
 
-namespace microslip {
+namespace microslip::rig_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -240,4 +240,4 @@ TEST(Rig, ARecordFitsIntoMemory) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::rig_test

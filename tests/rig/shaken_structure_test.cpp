@@ -9,14 +9,14 @@
 #include "support/densities.hpp"
 #include "support/rigs.hpp"
 
-namespace microslip {
+namespace microslip::shaken_structure_test {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXcd;
 
-// At 1 mm/s² next to nothing slips: what a small voltage changes is the transfer function of the linear
-// structure with the shaker, to the slip and the shortening that are left.
+// At 1 mm/s² next to nothing slips: what a small voltage changes is the transfer function of the
+// linear structure with the shaker, to the slip and the shortening that are left.
 TEST(ShakenStructure, AnswersSmallVoltagesAsTheLinearStructure) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   constexpr double kResponse = 1e-3;
@@ -45,4 +45,4 @@ TEST(ShakenStructure, AnswersSmallVoltagesAsTheLinearStructure) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::shaken_structure_test

@@ -9,7 +9,7 @@
 
 #include "microslip/base/random.hpp"
 
-namespace microslip {
+namespace microslip::shaker_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -86,4 +86,4 @@ TEST(Shaker, LosesNoEnergyBesideCoilAndSuspension) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::shaker_test

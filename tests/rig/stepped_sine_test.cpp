@@ -10,13 +10,13 @@
 
 #include "microslip/base/error.hpp"
 
-namespace microslip {
+namespace microslip::stepped_sine_test {
 namespace {
 
 using Complex = std::complex<double>;
 
-// One mode with a joint across which it moves by twice the coordinate; at the level of the sweep the
-// joint acts as the complex stiffness kJoint.
+// One mode with a joint across which it moves by twice the coordinate; at the level of the sweep
+// the joint acts as the complex stiffness kJoint.
 constexpr double kFrequency = 80.0;      // Hz, stuck
 constexpr double kShape = 0.7;           // kg^-1/2
 constexpr double kJointShape = 1.4;      // kg^-1/2
@@ -107,4 +107,4 @@ TEST(SteppedSine, SeveralPassagesAreFlagged) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::stepped_sine_test

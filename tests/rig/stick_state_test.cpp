@@ -13,7 +13,7 @@
 #include "microslip/base/error.hpp"
 #include "support/rigs.hpp"
 
-namespace microslip {
+namespace microslip::stick_state_test {
 namespace {
 
 using test::message_of;
@@ -29,7 +29,8 @@ Rig bare_rig(double stiffness) {
   return rig;
 }
 
-// βL of a beam that is clamped at 0 and pinned or clamped at L: tan x = tanh x and cos x cosh x = 1.
+// βL of a beam that is clamped at 0 and pinned or clamped at L: tan x = tanh x and
+// cos x cosh x = 1.
 constexpr double kPinned = 3.9266023120479185;
 constexpr double kClamped = 4.7300407448627038;
 
@@ -187,4 +188,4 @@ TEST(NaturalFrequency, OfTheBeamWithoutJointIsThatOfThePinnedEnd) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::stick_state_test

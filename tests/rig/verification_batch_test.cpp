@@ -2,7 +2,6 @@
 #include "microslip/rig/verification_batch.hpp"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <cstddef>
 #include <string>
@@ -12,7 +11,7 @@
 #include "support/densities.hpp"
 #include "support/rigs.hpp"
 
-namespace microslip {
+namespace microslip::verification_batch_test {
 namespace {
 
 using testing::reference_joint;
@@ -42,14 +41,14 @@ std::vector<double> figures(const VerificationBatch& batch) {
 }
 
 TEST(VerificationBatch, IsTheSameOnOneThreadAndMore) {
-  const std::vector<double> expected = [] {
-    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    return figures(verify_batch(verifier(), kFiles, read));
-  }();
+  const std::vector<double> expected =
+      figures(verify_batch(verifier(), kFiles, read, {.execution = Execution::serial()}));
   EXPECT_EQ(expected.size(), 6 * kFiles);
   for (const std::size_t threads : {2, 5}) {
-    const tbb::global_control several(tbb::global_control::max_allowed_parallelism, threads);
-    EXPECT_EQ(figures(verify_batch(verifier(), kFiles, read)), expected) << threads;
+    EXPECT_EQ(
+        figures(verify_batch(verifier(), kFiles, read, {.execution = Execution::threads(threads)})),
+        expected)
+        << threads;
   }
 }
 
@@ -96,4 +95,4 @@ TEST(VerificationBatch, StopsWhenToldTo) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::verification_batch_test

@@ -21,7 +21,7 @@
 #include "support/densities.hpp"
 #include "support/rigs.hpp"
 
-namespace microslip {
+namespace microslip::verification_test {
 namespace {
 
 using test::message_of;
@@ -49,9 +49,10 @@ Verification verified(const Joint& joint, int level, VerificationOptions options
   return Verifier(reference_rig(), joint, std::move(options)).verify(reference_recording(level));
 }
 
-// The recordings are of another program, so the true joint leaves their noise, but for what the noise
-// does to the frequency and the level that are given to the model: the standard error of a harmonic
-// over 28 to 70 cycles is 1/30 of the noise of a sample, and the force, near resonance, amplifies it.
+// The recordings are of another program, so the true joint leaves their noise, but for what the
+// noise does to the frequency and the level that are given to the model: the standard error of a
+// harmonic over 28 to 70 cycles is 1/30 of the noise of a sample, and the force, near resonance,
+// amplifies it.
 TEST(Verification, TheTrueJointLeavesTheNoise) {
   for (int level = 1; level <= kRecordings; ++level) {
     SCOPED_TRACE(level);
@@ -83,7 +84,8 @@ TEST(Verification, TheLevelOfTheTrueJointIsThatOfTheRecord) {
   }
 }
 
-// What verification is asked for: a joint from 90 levels with 1 % noise, none of them from the records.
+// What verification is asked for: a joint from 90 levels with 1 % noise, none of them from the
+// records.
 TEST(Verification, AnIdentifiedJointPredictsWithinTwoPercent) {
   IdentificationOptions options;
   options.inversion.stiffness = testing::kStiffness;
@@ -117,7 +119,8 @@ TEST(Verification, AWrongJointIsSeenAndItsErrorNamed) {
     EXPECT_EQ(record.worst().name, "force");
     EXPECT_GE(record.worst().nrmse, 0.5);
     EXPECT_GE(model_error(channel(record, "acc3")), 10.0 * model_error(channel(right, "acc3")));
-    // The resonance of the softer joint is lower, by what natural_frequency() says of the stuck one.
+    // The resonance of the softer joint is lower, by what natural_frequency() says of the stuck
+    // one.
     const StickState state = stick_state(reference_rig(), 7);
     const double stuck =
         natural_frequency(state, 0.1 * truth.stiffness()) - natural_frequency(state, 0.0);
@@ -146,8 +149,8 @@ TEST(Verification, AScaledDensityIsSeenInTheEnergy) {
   EXPECT_GE(channel(record, "force").nrmse, 0.1);
 }
 
-// Solved by another program with 9 harmonics, for a rig that nothing was tuned to. The noise, a hundredth of
-// that of a test, is left in the frequency and the level, and the force amplifies it.
+// Solved by another program with 9 harmonics, for a rig that nothing was tuned to. The noise, a
+// hundredth of that of a test, is left in the frequency and the level, and the force amplifies it.
 TEST(Verification, OfAnUnseenRig) {
   const SolvedRig solved(MICROSLIP_TEST_DATA "/unseen_rig.csv");
   VerificationOptions options;
@@ -176,8 +179,8 @@ TEST(Verification, FrequencyLevelAndPhaseAreThoseOfTheRecord) {
   EXPECT_EQ(drive_point.predicted.order(), 10U);
 }
 
-// One mode and a joint that never slips: a/f = −ω² φ²/(ω_0²(1 + iη) − ω²) in closed form, and half of η
-// more damping is half of the force more at resonance.
+// One mode and a joint that never slips: a/f = −ω² φ²/(ω_0²(1 + iη) − ω²) in closed form, and half
+// of η more damping is half of the force more at resonance.
 TEST(Verification, OfARigGivenByModes) {
   constexpr double kShape = 0.7;
   constexpr double kLoss = 0.01;
@@ -223,7 +226,8 @@ TEST(Verification, WithoutAnAccelerometerAtTheExciter) {
     SCOPED_TRACE(level);
     const Verification record = verifier.verify(reference_recording(level));
     ASSERT_EQ(record.channels.size(), 4U);
-    // The level comes from the observed motion, which the noise of two accelerometers and the force moves.
+    // The level comes from the observed motion, which the noise of two accelerometers and the force
+    // moves.
     for (const ChannelComparison& channel : record.channels) {
       SCOPED_TRACE(channel.name);
       EXPECT_LE(model_error(channel), channel.name == "force" ? 0.01 : 1e-3);
@@ -231,8 +235,8 @@ TEST(Verification, WithoutAnAccelerometerAtTheExciter) {
   }
 }
 
-// Without the rotation, u is what the axial compliance c leaves: −c F_joint and, in the even harmonics,
-// the shortening.
+// Without the rotation, u is what the axial compliance c leaves: −c F_joint and, in the even
+// harmonics, the shortening.
 TEST(Verification, AnAxialVibrometerSeesTheCompliance) {
   Rig rig = reference_rig();
   rig.vibrometer->measures = RigVibrometer::Measures::kAxial;
@@ -284,7 +288,8 @@ TEST(Verification, KeepsAFewCycles) {
   const ChannelComparison& drive_point = channel(record, "acc1");
   EXPECT_EQ(drive_point.recorded_history.front(), recording.channel("acc1").values[first]);
   EXPECT_LT(record.history.front(), 1.01 / record.recorded.frequency);
-  // The first sample after the largest value of the first harmonic, 0.085 rad at most; the third has 0.1 m/s².
+  // The first sample after the largest value of the first harmonic, 0.085 rad at most; the third
+  // has 0.1 m/s².
   EXPECT_GE(drive_point.predicted_history.front(), 14.0 * std::cos(0.085) - 0.1);
   options.history_cycles = 0.0;
   EXPECT_LE(verified(reference_joint(), kNearOneAndHalfG, options).history.size(), 1U);
@@ -333,4 +338,4 @@ TEST(Verification, RefusesOptionsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::verification_test

@@ -17,7 +17,7 @@
 #include "support/densities.hpp"
 #include "support/rigs.hpp"
 
-namespace microslip {
+namespace microslip::virtual_record_test {
 namespace {
 
 using testing::reference_joint;
@@ -38,8 +38,8 @@ Rig quiet_rig() {
   return rig;
 }
 
-const VirtualTest& reference_test() {
-  static const VirtualTest kTest = run_virtual_test(noisy_rig(), reference_joint());
+const VirtualMeasurement& reference_test() {
+  static const VirtualMeasurement kTest = measure_virtually(noisy_rig(), reference_joint());
   return kTest;
 }
 
@@ -74,8 +74,8 @@ TEST(VirtualRecord, HasTheChannelsAndTheSamplingOfTheRig) {
   EXPECT_EQ(recording.sampling_rate(), 8192.0);
 }
 
-// Without noise the Fourier series of the samples is that of the vibration, but for the phase at which
-// the record begins; in rounding of 8192 samples.
+// Without noise the Fourier series of the samples is that of the vibration, but for the phase at
+// which the record begins; in rounding of 8192 samples.
 TEST(VirtualRecord, HoldsTheHarmonicsOfTheVibration) {
   const VirtualLevel& level = reference_test().levels[60];
   const Recording recording = record_of(quiet_rig(), 60);
@@ -154,8 +154,8 @@ void expect_reduced(const Rig& rig, const ReductionOptions& options, double ampl
   }
 }
 
-// Ten harmonics of the record, as the fit has them, and a modal model that is that of the test: what is
-// left is the shortening, whose mean tension no sensor sees, 0.05 % of the energy.
+// Ten harmonics of the record, as the fit has them, and a modal model that is that of the test:
+// what is left is the shortening, whose mean tension no sensor sees, 0.05 % of the energy.
 TEST(VirtualRecord, ReducesToItsTruthWithoutNoise) { expect_reduced(quiet_rig(), {}, 1e-6, 5e-4); }
 
 // The axial motion of the beam and r w′(L), found from the accelerometers, make u again.
@@ -175,8 +175,8 @@ TEST(VirtualRecord, ReducesWithoutVibrometer) {
   expect_reduced(rig, {}, 1e-3, 5e-4);
 }
 
-// The noise of the published experiment's sensors: D stands out of it where it is known to 0.1 %; five
-// standard deviations, of 90 levels, elsewhere.
+// The noise of the published experiment's sensors: D stands out of it where it is known to 0.1 %;
+// five standard deviations, of 90 levels, elsewhere.
 TEST(VirtualRecord, ReducesToItsTruthWithNoise) {
   const Rig rig = noisy_rig();
   const Reducer reducer(rig);
@@ -227,4 +227,4 @@ TEST(VirtualRecord, NeedsATest) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::virtual_record_test

@@ -14,17 +14,18 @@
 #include "microslip/identify/identification.hpp"
 #include "microslip/rig/reduction_batch.hpp"
 #include "microslip/rig/verification.hpp"
+#include "microslip/rig/virtual_measurement.hpp"
 #include "microslip/rig/virtual_record.hpp"
-#include "microslip/rig/virtual_test.hpp"
 #include "support/densities.hpp"
 #include "support/figures.hpp"
 #include "support/rigs.hpp"
 
 /// @file
-/// The published experiment from end to end, on a rig whose joint is known: virtual test with shaker,
-/// force control and noise, reduction, identification with what levels.csv holds, verification.
+/// The published experiment from end to end, on a rig whose joint is known: virtual test with
+/// shaker, force control and noise, reduction, identification with what levels.csv holds,
+/// verification.
 
-namespace microslip {
+namespace microslip::whole_chain_test {
 namespace {
 
 Rig noisy_rig() {
@@ -37,7 +38,7 @@ Rig noisy_rig() {
 /// One draw of the noise.
 class Draw {
  public:
-  Draw(const Rig& rig, const VirtualTest& test, std::uint64_t seed) {
+  Draw(const Rig& rig, const VirtualMeasurement& test, std::uint64_t seed) {
     const StickState state = stick_state(rig);
     for (const VirtualLevel& level : test.levels) {
       recordings_.push_back(virtual_record(rig, state, level.controlled, seed, level.number));
@@ -61,7 +62,7 @@ class Draw {
   }
 
   /// The record of the level nearest to one of the test.
-  [[nodiscard]] const Recording& nearest(const VirtualTest& test, double response) const {
+  [[nodiscard]] const Recording& nearest(const VirtualMeasurement& test, double response) const {
     const auto level = std::ranges::min_element(test.levels, {}, [&](const VirtualLevel& each) {
       return std::abs(each.response - response);
     });
@@ -91,14 +92,14 @@ void expect_predicted(const Rig& rig, const Identification& found, const Recordi
   }
 }
 
-// The bounds are what a certification would ask of the chain: density to 5 %, a band that is neither
-// too narrow nor so wide that it says nothing, accelerations to 2 %. The share that one draw covers
-// scatters by some 0.05, for its errors along the range hang together, so the mean of the draws is
-// held to 0.90 to 0.99.
+// The bounds are what a certification would ask of the chain: density to 5 %, a band that is
+// neither too narrow nor so wide that it says nothing, accelerations to 2 %. The share that one
+// draw covers scatters by some 0.05, for its errors along the range hang together, so the mean of
+// the draws is held to 0.90 to 0.99.
 TEST(WholeChain, FindsTheJointAndPredictsTheRig) {
   const Rig rig = noisy_rig();
   const Joint truth = testing::reference_joint();
-  const VirtualTest test = run_virtual_test(rig, truth);
+  const VirtualMeasurement test = measure_virtually(rig, truth);
   ASSERT_TRUE(test.summary.converged()) << test.summary.full();
   const Reducer reducer(rig);
   constexpr int kDraws = 8;
@@ -122,4 +123,4 @@ TEST(WholeChain, FindsTheJointAndPredictsTheRig) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::whole_chain_test

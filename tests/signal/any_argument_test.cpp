@@ -19,7 +19,7 @@
 /// @file
 /// Public functions of signal/ with arguments that mean nothing: a documented value or InputError.
 
-namespace microslip {
+namespace microslip::any_argument_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -190,4 +190,4 @@ TEST(AnyArgument, OfRingDowns) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::any_argument_test

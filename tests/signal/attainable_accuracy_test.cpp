@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Records whose noise is so small that rounding decides the last steps: simulated ones, and those of
-// converters. Whatever the last digits are, the search for the frequency ends.
+// Records whose noise is so small that rounding decides the last steps: simulated ones, and those
+// of converters. Whatever the last digits are, the search for the frequency ends.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "microslip/signal/fourier_fit.hpp"
 #include "signal/synthetic.hpp"
 
-namespace microslip {
+namespace microslip::attainable_accuracy_test {
 namespace {
 
 using test::kTwoPi;
@@ -68,8 +68,8 @@ FourierFit fit(const Drawn& record, bool guessed = true) {
   return fit_fourier(record.axis, test::spans(record.signals), options);
 }
 
-/// Within five of its standard errors or, where these are smaller, what rounding of the phases leaves:
-/// 1e−13, at which the search ends, and 450 roundings of a double.
+/// Within five of its standard errors or, where these are smaller, what rounding of the phases
+/// leaves: 1e−13, at which the search ends, and 450 roundings of a double.
 void expect_found(const Drawn& record, bool guessed) {
   const FourierFit found = fit(record, guessed);
   ASSERT_TRUE(found.summary.converged()) << found.summary.reason;
@@ -103,7 +103,8 @@ TEST(AttainableAccuracyTest, OfRoundedRecords) {
   }
 }
 
-/// Other last digits move the frequency by as little as the search for it leaves: 1e−4 standard errors.
+/// Other last digits move the frequency by as little as the search for it leaves: 1e−4 standard
+/// errors.
 void expect_same(const FourierFit& found, const FourierFit& other) {
   ASSERT_TRUE(other.summary.converged()) << other.summary.reason;
   EXPECT_NEAR(other.omega, found.omega, 2e-4 * found.omega_std + 2e-13 * found.omega);
@@ -133,4 +134,4 @@ TEST(AttainableAccuracyTest, OtherLastDigitsChangeNothing) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::attainable_accuracy_test

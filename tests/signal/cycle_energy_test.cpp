@@ -9,7 +9,7 @@
 #include "microslip/base/error.hpp"
 #include "signal/synthetic.hpp"
 
-namespace microslip {
+namespace microslip::cycle_energy_test {
 namespace {
 
 using test::Signals;
@@ -173,4 +173,4 @@ TEST(CycleEnergyTest, InputIsChecked) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::cycle_energy_test

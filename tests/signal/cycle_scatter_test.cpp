@@ -10,7 +10,7 @@
 #include "microslip/base/error.hpp"
 #include "signal/synthetic.hpp"
 
-namespace microslip {
+namespace microslip::cycle_scatter_test {
 namespace {
 
 using test::Signals;
@@ -143,4 +143,4 @@ TEST(CycleSeriesTest, InputIsChecked) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::cycle_scatter_test

@@ -12,7 +12,7 @@
 
 /// Closed forms and figures of the fit under cos⁴(πt), |t| < ½, against quadrature.
 
-namespace microslip {
+namespace microslip::decay_closed_forms_test {
 namespace {
 
 /// Over |t| < half by the trapezoidal rule: at the ends the integrands vanish with three
@@ -78,4 +78,4 @@ TEST(DecayClosedForms, NoiseMakesTheLengthsDifferByTheirShares) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::decay_closed_forms_test

@@ -68,8 +68,9 @@ struct JointedMode {
   double stiffness = 0.0;  ///< k, N/m
   double release = 1e-4;   ///< x0, m
 
-  /// By the velocity Verlet scheme, `steps` to a sample: its error in frequency is (ωh)²/24 relative, in
-  /// dissipation that of peaks met to half a step, (ωh)²/8: with 2000 steps a cycle about 1e−6.
+  /// By the velocity Verlet scheme, `steps` to a sample: its error in frequency is (ωh)²/24
+  /// relative, in dissipation that of peaks met to half a step, (ωh)²/8: with 2000 steps a cycle
+  /// about 1e−6.
   [[nodiscard]] std::vector<double> sampled(int derivatives, double rate, double duration,
                                             int steps) const {
     const double h = 1.0 / (rate * steps);

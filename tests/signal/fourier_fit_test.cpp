@@ -12,7 +12,7 @@
 #include "signal/synthetic.hpp"
 #include "support/figures.hpp"
 
-namespace microslip {
+namespace microslip::fourier_fit_test {
 namespace {
 
 using test::kTwoPi;
@@ -231,4 +231,4 @@ TEST(FourierFitTest, InputIsChecked) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::fourier_fit_test

@@ -12,7 +12,7 @@
 #include "microslip/signal/turning_points.hpp"
 #include "signal/synthetic.hpp"
 
-namespace microslip {
+namespace microslip::fourier_series_test {
 namespace {
 
 using test::kTwoPi;
@@ -113,4 +113,4 @@ TEST(TurningPointsTest, OfACosineOneLiesAtTheStart) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::fourier_series_test

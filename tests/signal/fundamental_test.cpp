@@ -9,7 +9,7 @@
 #include "microslip/signal/fourier_fit.hpp"
 #include "signal/synthetic.hpp"
 
-namespace microslip {
+namespace microslip::fundamental_test {
 namespace {
 
 using test::kTwoPi;
@@ -139,4 +139,4 @@ TEST(FundamentalTest, GivenFrequencyIsHeld) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::fundamental_test

@@ -9,7 +9,7 @@
 #include "microslip/signal/recording.hpp"
 #include "support/messages.hpp"
 
-namespace microslip {
+namespace microslip::quantity_name_test {
 namespace {
 
 TEST(QuantityName, IsAWordOfIt) {
@@ -51,4 +51,4 @@ TEST(QuantityName, DecidesWhichUnitIsProposed) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::quantity_name_test

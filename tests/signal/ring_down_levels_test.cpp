@@ -9,7 +9,7 @@
 
 #include "microslip/base/error.hpp"
 
-namespace microslip {
+namespace microslip::ring_down_levels_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -119,4 +119,4 @@ TEST(RingDownLevels, RefuseOptionsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::ring_down_levels_test

@@ -18,7 +18,7 @@
 #include "signal/decays.hpp"
 #include "support/figures.hpp"
 
-namespace microslip {
+namespace microslip::ring_down_test {
 namespace {
 
 using testing::JointedMode;
@@ -459,6 +459,110 @@ TEST(RingDown, CountsABeatAmongTheDeviationsOfFrequency) {
   EXPECT_GE(static_cast<double>(amplitudes), 0.8 * static_cast<double>(all)) << all;
 }
 
+/// Of the stronger of two modes: the worst error over the standard deviation.
+double worst_off(const RingDown& decay, const ViscousMode& mode) {
+  const double f = mode.damped_omega() / kTwoPi;
+  const double z = mode.decay() / mode.damped_omega();
+  double worst = 0.0;
+  for (std::size_t i = 0; i < decay.size(); ++i) {
+    const double a = mode.amplitude * std::exp(-mode.decay() * decay.time[i]);
+    worst = std::max({worst, std::abs(decay.damping_ratio[i] - z) / decay.damping_ratio_std[i],
+                      std::abs(decay.frequency[i] - f) / decay.frequency_std[i],
+                      std::abs(decay.amplitude[i] - a) / decay.amplitude_std[i]});
+  }
+  return worst;
+}
+
+std::size_t count_flagged(const RingDown& decay, const std::string& code) {
+  return static_cast<std::size_t>(std::ranges::count_if(decay.flags, [&](const std::string& flags) {
+    return (" " + flags + " ").find(" " + code + " ") != std::string::npos;
+  }));
+}
+
+TEST(RingDown, TellsOfAModeThatBeatsWithIt) {
+  struct Case {
+    double damping, apart, share, damping_of_other;
+  };
+  for (const Case& c : {Case{0.002, 0.002, 0.2, 0.0014}, Case{0.005, 0.005, 0.2, 0.005},
+                        Case{0.005, 0.01, 0.05, 0.0075}, Case{0.005, 0.02, 0.5, 0.0035},
+                        Case{0.01, 0.04, 0.2, 0.01}}) {
+    for (const double noise : {1e-4, 3e-3}) {
+      const ViscousMode mode{.damping_ratio = c.damping};
+      const ViscousMode other{.frequency = 50.0 * (1.0 + c.apart),
+                              .damping_ratio = c.damping_of_other,
+                              .amplitude = c.share * 1e-4,
+                              .phase = 1.1};
+      const std::vector<double> signal =
+          with_noise(sampled({mode, other}, 2, kRate, 6.0 / mode.decay()), noise, 3);
+      const RingDown decay = ring_down(signal, kRate, kAcceleration);
+      const auto beats = std::ranges::find(decay.warnings, "beats", &Warning::code);
+      ASSERT_NE(beats, decay.warnings.end()) << c.damping << ", " << c.apart << ", " << noise;
+      EXPECT_GT(3 * count_flagged(decay, "beats"), decay.size()) << c.apart << ", " << noise;
+      EXPECT_LT(worst_off(decay, mode), 3.0) << c.apart << ", " << noise;
+    }
+  }
+}
+
+TEST(RingDown, TellsOfASteadyTone) {
+  for (const double apart : {0.0, 0.003, 0.01}) {
+    for (const double share : {0.003, 0.03}) {
+      const ViscousMode mode{.damping_ratio = 0.005};
+      const ViscousMode tone{.frequency = 50.0 * (1.0 + apart),
+                             .damping_ratio = 0.0,
+                             .amplitude = share * 1e-4,
+                             .phase = 1.1};
+      const RingDown decay =
+          ring_down(with_noise(sampled({mode, tone}, 2, kRate, 8.0 / mode.decay()), 1e-3, 3), kRate,
+                    kAcceleration);
+      const auto found = std::ranges::find(decay.warnings, "steady_tone", &Warning::code);
+      ASSERT_NE(found, decay.warnings.end()) << apart << ", " << share;
+      EXPECT_GE(count_flagged(decay, "steady_tone"), 1U);
+      EXPECT_LT(worst_off(decay, mode), 3.0) << apart << ", " << share;
+    }
+  }
+}
+
+TEST(RingDown, TellsOfAModeThatHardlyDecaysFromATone) {
+  // Both are over the whole decay the same; before the blow the tone alone is there.
+  for (const bool steady : {true, false}) {
+    const ViscousMode mode{.damping_ratio = 0.006, .start = 0.4};
+    const ViscousMode other{.frequency = 50.3,
+                            .damping_ratio = 0.0,
+                            .amplitude = 1e-6,
+                            .start = steady ? 0.0 : mode.start};
+    const RingDown decay =
+        ring_down(with_noise(sampled({mode, other}, 2, kRate, 4.5), 1e-4, 3), kRate, kAcceleration);
+    EXPECT_EQ(decay.start_by, DecayStart::kBlow);
+    EXPECT_TRUE(warns_of(decay, steady ? "steady_tone" : "beats")) << steady;
+    EXPECT_FALSE(warns_of(decay, steady ? "beats" : "steady_tone")) << steady;
+  }
+}
+
+TEST(RingDown, TakesNoJointForTwoModes) {
+  for (const double release : {0.3e-4, 1e-4, 3e-4}) {
+    JointedMode mode = jointed_mode();
+    mode.release = release;
+    const std::vector<double> clean = mode.sampled(2, kRate, 3.0, 5);
+    for (const double noise : {0.0, 1e-4, 3e-3, 1e-2}) {
+      const RingDown decay = ring_down(with_noise(clean, noise, 7), kRate, kAcceleration);
+      EXPECT_FALSE(warns_of(decay, "beats")) << release << ", " << noise;
+      EXPECT_FALSE(warns_of(decay, "steady_tone")) << release << ", " << noise;
+    }
+  }
+}
+
+TEST(RingDown, TakesNoNoiseForAnotherMode) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    for (const double noise : {1e-3, 2e-2}) {
+      const ViscousMode mode{.damping_ratio = 0.006};
+      const RingDown decay =
+          ring_down(with_noise(sampled({mode}, 2, kRate, 3.0), noise, seed), kRate, kAcceleration);
+      EXPECT_FALSE(warns_of(decay, "beats")) << noise << ", seed " << seed;
+      EXPECT_FALSE(warns_of(decay, "steady_tone")) << noise << ", seed " << seed;
+    }
+  }
+}
+
 TEST(RingDown, SaysWhereTheShapeMoves) {
   const ViscousMode mode{.damping_ratio = 0.008};
   Recording recording = two_sensors(sampled({mode}, 2, kRate, 2.0), 0.4, 1e-4);
@@ -686,4 +790,4 @@ TEST(RingDown, NamesTheChannelAtFault) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::ring_down_test

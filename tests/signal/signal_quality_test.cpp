@@ -11,7 +11,7 @@
 #include "microslip/base/error.hpp"
 #include "signal/synthetic.hpp"
 
-namespace microslip {
+namespace microslip::signal_quality_test {
 namespace {
 
 using test::Signals;
@@ -149,4 +149,4 @@ TEST(SignalQualityTest, InputIsChecked) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::signal_quality_test

@@ -13,7 +13,7 @@
 /// Each public function of structure/ with arguments that mean nothing: a documented value or
 /// InputError.
 
-namespace microslip {
+namespace microslip::any_argument_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -76,4 +76,4 @@ TEST(AnyArgument, OfModalModels) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::any_argument_test

@@ -20,7 +20,7 @@
 #include "support/figures.hpp"
 #include "support/reference_csv.hpp"
 
-namespace microslip {
+namespace microslip::beam_modes_test {
 namespace {
 
 using std::numbers::pi;
@@ -93,8 +93,8 @@ double orthonormality_error(const Beam& beam, const BeamModes& modes) {
 
 // 583 Hermite elements in double precision. The elements are fine enough for 1e-7, but rounding
 // leaves the frequencies 3.2e-5, and useless ones with the stiffest spring: 77.65 Hz, by the closed
-// form of the clamped beam, are 79.38 Hz there. The frequencies are tested to 1e-13 below; shapes and
-// integrals suffer less. Shapes are compared on the scale of the largest one, 2 kg^−½.
+// form of the clamped beam, are 79.38 Hz there. The frequencies are tested to 1e-13 below; shapes
+// and integrals suffer less. Shapes are compared on the scale of the largest one, 2 kg^−½.
 TEST(BeamModes, AgreeWithFiniteElements) {
   const auto table = testing::reference_table("beam_modes.csv");
   ASSERT_EQ(table.rows(), 56U);
@@ -217,8 +217,9 @@ TEST(BeamModes, HaveTheShapesOfTheTextbook) {
 
 // ---- None is missed. ----
 
-// Hermite elements see all modes of a random beam, from above. Masses are moved to nodes. Tolerance:
-// the elements' own error, (λh)⁴/720 for λ of the eighth mode up to 27, and their rounding.
+// Hermite elements see all modes of a random beam, from above. Masses are moved to nodes.
+// Tolerance: the elements' own error, (λh)⁴/720 for λ of the eighth mode up to 27, and their
+// rounding.
 TEST(BeamModes, AreThoseOfHermiteElementsToTheLastOne) {
   constexpr int kElements = 100;
   for (std::uint64_t seed = 0; seed < kBeams; ++seed) {
@@ -474,4 +475,4 @@ TEST(NaturalFrequenciesBelow, RejectsAFrequencyThatIsNone) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::beam_modes_test

@@ -11,7 +11,7 @@
 #include "microslip/structure/beam_modes.hpp"
 #include "structure/beams.hpp"
 
-namespace microslip {
+namespace microslip::beam_spring_test {
 namespace {
 
 using testing::kInfinity;
@@ -83,4 +83,4 @@ TEST(SpringForFirstFrequency, ChecksTheBeam) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::beam_spring_test

@@ -11,10 +11,10 @@
 
 namespace microslip::testing {
 
-/// The beam by the textbook: the solutions w″ and w‴ at the clamp are carried to L with circular and
-/// hyperbolic functions, and the determinant of the conditions there is zero at a natural frequency.
-/// The determinant cancels by e^{2λ}, and by the square of a heavy mass: 50 digits are enough for
-/// ten modes of a beam with masses up to 1000 times its own.
+/// The beam by the textbook: the solutions w″ and w‴ at the clamp are carried to L with circular
+/// and hyperbolic functions, and the determinant of the conditions there is zero at a natural
+/// frequency. The determinant cancels by e^{2λ}, and by the square of a heavy mass: 50 digits are
+/// enough for ten modes of a beam with masses up to 1000 times its own.
 template <unsigned kDigits>
 class ExactBeamIn {
  public:

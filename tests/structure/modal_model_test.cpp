@@ -15,7 +15,7 @@
 #include "microslip/structure/beam_modes.hpp"
 #include "structure/beams.hpp"
 
-namespace microslip {
+namespace microslip::modal_model_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -59,9 +59,9 @@ TEST(ModalModel, ReceptanceIsReciprocal) {
   }
 }
 
-// At rest and undamped, the modes of a beam add up to its static flexibility: a load at a on a clamped
-// and pinned beam deflects it there by a³(L − a)²(4L − a)/(12 EI L³) = 6.9e-3. The modes from the
-// n-th on have φ² ≤ 2.1 and ω > (nπ)², so that they lack at most 2.1/(3π⁴n³).
+// At rest and undamped, the modes of a beam add up to its static flexibility: a load at a on a
+// clamped and pinned beam deflects it there by a³(L − a)²(4L − a)/(12 EI L³) = 6.9e-3. The modes
+// from the n-th on have φ² ≤ 2.1 and ω > (nπ)², so that they lack at most 2.1/(3π⁴n³).
 TEST(ModalModel, StaticReceptanceOfABeam) {
   const double a = 0.4;
   const BeamModes beam(testing::unit_beam(0.0), 200);
@@ -122,4 +122,4 @@ TEST(ModalModel, RejectsAFrequencyThatIsNone) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::modal_model_test

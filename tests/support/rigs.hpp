@@ -80,8 +80,8 @@ struct Sampling {
   double vibrometer_noise = 2e-8;     // m
 };
 
-/// A noisy recording of the reference rig by another program, tests/data/reference_recordings; level 1
-/// to 6.
+/// A noisy recording of the reference rig by another program, tests/data/reference_recordings;
+/// level 1 to 6.
 inline Recording reference_recording(int level) {
   const std::string name = "level_" + std::to_string(level) + ".csv";
   const ReferenceTable table(std::string(MICROSLIP_TEST_DATA) + "/reference_recordings/" + name);

@@ -14,8 +14,8 @@ namespace microslip::validation {
 class Measurements {
  public:
   /// Takes `test_FOLDER.json`, written by GoogleTest; `bench.json`, written by Google Benchmark, of
-  /// repeated benchmarks the median; `ctest.json`, whether each test of CTest that was run has passed;
-  /// or another `NAME.json`: its numbers, by their paths `a/b`, are figures of NAME.
+  /// repeated benchmarks the median; `ctest.json`, whether each test of CTest that was run has
+  /// passed; or another `NAME.json`: its numbers, by their paths `a/b`, are figures of NAME.
   /// @throws std::runtime_error  not such a file.
   void add_file(const std::string& path);
 

@@ -20,8 +20,8 @@ using Blocks = std::map<std::string, std::string>;
 /// What was measured for the lines of a topic.
 using Figures = std::vector<std::optional<double>>;
 
-/// The blocks of a text, without their marks. @throws std::runtime_error  a mark has no partner, or a
-/// name stands twice.
+/// The blocks of a text, without their marks. @throws std::runtime_error  a mark has no partner, or
+/// a name stands twice.
 Blocks blocks_of(const std::string& text);
 
 /// The text with the content of each of its blocks replaced. @throws std::runtime_error  there is
@@ -32,7 +32,8 @@ std::string with_blocks(const std::string& text, const Blocks& blocks);
 /// are missing.
 std::string table_of(const std::vector<FigureLine>& lines, const Figures& figures);
 
-/// The tables of all topics by their names, and `summary`, a short one of the lines that are marked so.
+/// The tables of all topics by their names, and `summary`, a short one of the lines that are marked
+/// so.
 Blocks tables_of(const std::vector<FigureTopic>& topics, const std::vector<Figures>& figures);
 
 /// What table_of() shows as measured. @throws std::runtime_error  not such a table.

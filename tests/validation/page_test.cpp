@@ -13,7 +13,7 @@
 #include "io/support.hpp"
 #include "validation/measurements.hpp"
 
-namespace microslip::validation {
+namespace microslip::validation::page_test {
 namespace {
 
 const std::string kRoot = MICROSLIP_ROOT;
@@ -30,9 +30,9 @@ std::string message_of(const Call& call) {
 
 // ---- What is committed. ----
 
-// The figures as they are shown, back into the tables of the list: the same tables. So every line is
-// there with the words and bounds of the list, in order, and keeps its bounds. scripts/update_validation
-// makes them so.
+// The figures as they are shown, back into the tables of the list: the same tables. So every line
+// is there with the words and bounds of the list, in order, and keeps its bounds.
+// scripts/update_validation makes them so.
 TEST(ValidationPage, IsInStepWithItsList) {
   const std::vector<FigureTopic> topics =
       read_figure_list(kRoot + "/tests/validation/figures.toml");
@@ -234,4 +234,4 @@ TEST(Measurements, NameWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace microslip::validation
+}  // namespace microslip::validation::page_test

@@ -2,8 +2,9 @@
 //
 // The generated parts of docs/validation.md and README.md, for scripts/update_validation:
 //
-//     validation_report runs LIST           lines `PROGRAM FILTER`: which tests and benchmarks to run;
-//                                           the filters of microslip_bench and ctest are expressions
+//     validation_report runs LIST           lines `PROGRAM FILTER`: which tests and benchmarks to
+//                                           run; the filters of microslip_bench and ctest are
+//                                           expressions
 //     validation_report update ROOT FOLDER  writes what FOLDER holds: *.json as they write it, *.md
 //
 // LIST is tests/validation/figures.toml. Writes nothing and fails where a figure was not measured,
@@ -32,7 +33,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A regular expression that finds the name and no longer one, or all that begin with what stands before a *.
+/// A regular expression that finds the name and no longer one, or all that begin with what stands
+/// before a *.
 std::string expression(const std::string& name) {
   return name.ends_with('*') ? "^" + name.substr(0, name.size() - 1) : "^" + name + "$";
 }

@@ -6,8 +6,8 @@
 #include <vector>
 
 /// @file
-/// What the help says of a program, as plain values: the manual pages, the command reference and the
-/// completions of the shells are written from it and from nothing else.
+/// What the help says of a program, as plain values: the manual pages, the command reference and
+/// the completions of the shells are written from it and from nothing else.
 
 namespace microslip::app {
 
@@ -68,8 +68,8 @@ struct ProgramDescription {
 /// With a full stop at its end.
 [[nodiscard]] std::string sentence(std::string text);
 
-/// What follows the text of an argument, in sentences: choices, rule, default, other options that it
-/// needs or excludes. Empty where there is nothing.
+/// What follows the text of an argument, in sentences: choices, rule, default, other options that
+/// it needs or excludes. Empty where there is nothing.
 [[nodiscard]] std::string conditions(const ArgumentDescription& argument);
 
 }  // namespace microslip::app

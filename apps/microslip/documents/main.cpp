@@ -15,8 +15,8 @@
 #include "microslip/base/version.hpp"
 
 /// @file
-/// Runs when the program is built: microslip_documents FOLDER makes the texts that come from its help
-/// anew in FOLDER.
+/// Runs when the program is built: microslip_documents FOLDER makes the texts that come from its
+/// help anew in FOLDER.
 
 namespace {
 

@@ -7,9 +7,9 @@
 #include <string_view>
 
 /// @file
-/// The errors of microslip. A message is one line that names the place, the value found, the rule it
-/// breaks and, where there is one, the remedy. The library throws these and never prints or aborts.
-/// Not converging is no error: a numerical method reports that in its Result.
+/// The errors of microslip. A message is one line that names the place, the value found, the rule
+/// it breaks and, where there is one, the remedy. The library throws these and never prints or
+/// aborts. Not converging is no error: a numerical method reports that in its Result.
 
 namespace microslip {
 

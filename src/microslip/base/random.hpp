@@ -5,8 +5,8 @@
 
 namespace microslip {
 
-/// Counter-based random numbers (Philox 4x64 of Random123, Salmon et al., SC'11): a pure function of
-/// (seed, stream, index), so that sample i of seed s is the same on one thread or a thousand.
+/// Counter-based random numbers (Philox 4x64 of Random123, Salmon et al., SC'11): a pure function
+/// of (seed, stream, index), so that sample i of seed s is the same on one thread or a thousand.
 class RandomStream {
  public:
   /// @param seed    chosen by the user.

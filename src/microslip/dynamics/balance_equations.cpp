@@ -297,8 +297,8 @@ VectorXd BalanceEquations::scale() const {
     scale.segment(first, block).setConstant(size);
     largest = std::max(largest, size);
   }
-  // Where the modes cancel at a joint it stands still while the structure moves: its own motion is then no
-  // measure of what rounding leaves.
+  // Where the modes cancel at a joint it stands still while the structure moves: its own motion is
+  // then no measure of what rounding leaves.
   if (std::isfinite(std::abs(values_.response))) {
     largest = std::max(largest, std::abs(values_.response));
   }

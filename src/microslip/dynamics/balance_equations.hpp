@@ -17,8 +17,8 @@
 
 namespace microslip {
 
-/// Where an atom starts to slip on a branch of a joint's motion: the equations bend there. Internal to
-/// dynamics.
+/// Where an atom starts to slip on a branch of a joint's motion: the equations bend there. Internal
+/// to dynamics.
 struct Onset {
   std::size_t joint;
   std::size_t rank;     ///< of the branch among the joint's, from the one that goes farthest
@@ -42,8 +42,8 @@ class BalanceEquations {
   /// n + 2.
   [[nodiscard]] Eigen::Index unknown_count() const { return count_ + 2; }
 
-  /// Goes to z: all below is there. Derivatives, which are half of the work, are computed when they are
-  /// first asked for.
+  /// Goes to z: all below is there. Derivatives, which are half of the work, are computed when they
+  /// are first asked for.
   void evaluate(const Eigen::VectorXd& z);
 
   /// What is to be zero, m, and its derivatives, n × (n + 2).
@@ -79,16 +79,17 @@ class BalanceEquations {
   /// each atom slips, by rising slip force.
   [[nodiscard]] std::vector<std::size_t> slipping() const;
   /// Whether an atom starts or ceases to slip from one such state to the other. Inner loops that
-  /// appear or vanish change a joint's numbers too, but not the derivatives: such joints do not count.
+  /// appear or vanish change a joint's numbers too, but not the derivatives: such joints do not
+  /// count.
   [[nodiscard]] bool slips_otherwise(const std::vector<std::size_t>& one,
                                      const std::vector<std::size_t>& other) const;
 
   /// A quantity at z.
   [[nodiscard]] double value(Quantity quantity) const;
 
-  /// The size of the motion about the mean of the joint of each unknown, m, then ω and A: what makes
-  /// z relative. A joint that hardly moves counts as moving 1e-6 of the one that moves most, or of the
-  /// response point.
+  /// The size of the motion about the mean of the joint of each unknown, m, then ω and A: what
+  /// makes z relative. A joint that hardly moves counts as moving 1e-6 of the one that moves most,
+  /// or of the response point.
   [[nodiscard]] Eigen::VectorXd scale() const;
 
   /// z of a vibration that is n times as large, as far as it is linear.
@@ -97,8 +98,8 @@ class BalanceEquations {
   /// z of a vibration of the structure in these harmonics.
   [[nodiscard]] Eigen::VectorXd unknowns(const SteadyVibration& vibration) const;
 
-  /// d lag/d ln ω of the response at constant response amplitude, rad: positive where the phase passes
-  /// as it does through a resonance, negative where it goes back, as at an antiresonance.
+  /// d lag/d ln ω of the response at constant response amplitude, rad: positive where the phase
+  /// passes as it does through a resonance, negative where it goes back, as at an antiresonance.
   [[nodiscard]] double lag_rise();
 
   /// The solution at z, with its energies.

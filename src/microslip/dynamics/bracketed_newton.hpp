@@ -11,8 +11,8 @@ struct Growing {
   double slope;
 };
 
-/// Where a function that grows from below 0 at `low` to above 0 at `high` is 0: Newton's method, with
-/// a bisection wherever it would leave the interval left. Internal to dynamics.
+/// Where a function that grows from below 0 at `low` to above 0 at `high` is 0: Newton's method,
+/// with a bisection wherever it would leave the interval left. Internal to dynamics.
 /// @param function  angle → Growing.
 template <typename Function>
 [[nodiscard]] double growing_zero(const Function& function, double low, double high) {

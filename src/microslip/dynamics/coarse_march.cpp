@@ -9,10 +9,10 @@
 namespace microslip {
 namespace {
 
-/// The difference of two marches with h and 2h over the error of that with h is 2ᵖ − 1 for the order p:
-/// 15 where the density is smooth between its atoms, 7 where it jumps inside of a step or is nearly as
-/// steep as 1/f* after reversals. Which of them rules depends on the motion: their geometric mean, 10.2,
-/// rounded, is off by a factor of 1.5 at most.
+/// The difference of two marches with h and 2h over the error of that with h is 2ᵖ − 1 for the
+/// order p: 15 where the density is smooth between its atoms, 7 where it jumps inside of a step or
+/// is nearly as steep as 1/f* after reversals. Which of them rules depends on the motion: their
+/// geometric mean, 10.2, rounded, is off by a factor of 1.5 at most.
 constexpr double kDifferenceOverError = 10.0;
 constexpr double kDifferenceOverErrorOfSecondOrder = 3.0;  // p = 2
 /// Lengths of intervals that differ by no more are the same: rounding of the time axis.

@@ -17,7 +17,8 @@ class EvenSteps {
  public:
   explicit EvenSteps(const JointedStructure& structure) : weights_(structure.linear().modes()) {}
 
-  /// The least number of steps over an interval that are not longer, in pairs where that is asked for.
+  /// The least number of steps over an interval that are not longer, in pairs where that is asked
+  /// for.
   [[nodiscard]] static std::size_t count(double length, double longest, bool in_pairs);
 
   /// For those that follow: of an interval by its length and their number.

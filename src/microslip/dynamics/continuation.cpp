@@ -67,8 +67,8 @@ MatrixXd Continuation::matrix(const VectorXd& scale, const RowVectorXd& last) co
   return matrix;
 }
 
-/// The derivative of what changes along the curve by relative z: of ln of the response, of the others
-/// over their scale.
+/// The derivative of what changes along the curve by relative z: of ln of the response, of the
+/// others over their scale.
 RowVectorXd Continuation::along_row(const VectorXd& scale) const {
   const Index n = equations_.balance_count();
   if (along_ == Quantity::kResponse) {
@@ -251,8 +251,8 @@ void Continuation::hand_over(ResponseCurve& curve) {
   curve.warnings = std::move(warnings_);
 }
 
-/// What changes along the curve, exactly to where a solution has it but for rounding, and the equations
-/// there. A response is no unknown, and stays.
+/// What changes along the curve, exactly to where a solution has it but for rounding, and the
+/// equations there. A response is no unknown, and stays.
 void Continuation::put(double along, VectorXd& z) {
   const Index n = equations_.balance_count();
   if (along_ == Quantity::kAngularFrequency) z[n] = along;
@@ -277,8 +277,8 @@ void Continuation::follow(VectorXd z) {
 }
 
 /// The next point: a corner where one lies as near as that; else the step is halved until Newton's
-/// method converges, nothing changes by too much, no atom starts or ceases to slip on the way, and the
-/// tangent turns by so little that it cannot be the other way round.
+/// method converges, nothing changes by too much, no atom starts or ceases to slip on the way, and
+/// the tangent turns by so little that it cannot be the other way round.
 bool Continuation::find_next(const Point& point, double& length, Point& next) {
   const double longest = wanted_length(point);
   length = std::min(length, longest);
@@ -314,8 +314,8 @@ bool Continuation::find_next(const Point& point, double& length, Point& next) {
   return false;
 }
 
-/// Whether `along` went as its slopes at both ends say. Both flanks of a narrow resonance look the same
-/// in all but that: a step from one to the other would turn the curve round.
+/// Whether `along` went as its slopes at both ends say. Both flanks of a narrow resonance look the
+/// same in all but that: a step from one to the other would turn the curve round.
 bool Continuation::smooth(const Point& point, double length, const Point& next) const {
   const double slope = point.onward.along_slope;
   const double slope_there = next.arrival.along_slope;
@@ -349,8 +349,8 @@ bool Continuation::step(Point& point, double& length) {
   return true;
 }
 
-/// The last point, exactly at the limit: from the chord, or, where the curve turns behind it, from the
-/// tangent.
+/// The last point, exactly at the limit: from the chord, or, where the curve turns behind it, from
+/// the tangent.
 bool Continuation::land(const Point& before, const Point& after, double limit) {
   const double left = limit - before.along;
   const VectorXd chord = (after.z - before.z) / (after.along - before.along);
@@ -408,8 +408,8 @@ std::map<double, Continuation::Point> Continuation::located(const Point& from, d
   return found;
 }
 
-/// Where a slope that is positive at `from` passes 0, by false position over the length of the step;
-/// that of an end that is kept twice in a row is halved (Illinois).
+/// Where a slope that is positive at `from` passes 0, by false position over the length of the
+/// step; that of an end that is kept twice in a row is halved (Illinois).
 std::optional<double> Continuation::vanishing(const Point& from, double length, double there,
                                               const Slope& slope_of, Point& found,
                                               std::string& reason) {

@@ -25,22 +25,23 @@ struct ContinuationOptions {
   std::vector<double> frequencies = {};  ///< ω of points to be there as well, rad/s
 };
 
-/// Follows the curve on which one target is kept, by pseudo-arclength continuation: a step along the
-/// tangent, bent as it was last, then Newton's method on the plane across the tangent. The length is
-/// measured in z over its scale at the present point, ω over the range where that is what changes.
+/// Follows the curve on which one target is kept, by pseudo-arclength continuation: a step along
+/// the tangent, bent as it was last, then Newton's method on the plane across the tangent. The
+/// length is measured in z over its scale at the present point, ω over the range where that is what
+/// changes.
 ///
-/// Where an atom starts or ceases to slip on a branch the derivatives jump and the curve has a corner:
-/// such a point is found by that condition, and has a tangent for each side. Corners, peaks and folds
-/// become points, so that the curve is smooth between two of them; then points are added between until
-/// the polygon through them is as close to the curve as is wanted.
+/// Where an atom starts or ceases to slip on a branch the derivatives jump and the curve has a
+/// corner: such a point is found by that condition, and has a tangent for each side. Corners, peaks
+/// and folds become points, so that the curve is smooth between two of them; then points are added
+/// between until the polygon through them is as close to the curve as is wanted.
 /// Internal to dynamics.
 class Continuation {
  public:
   Continuation(BalanceEquations& equations, ContinuationOptions options, const Target& kept,
                Quantity along, double from, double to);
 
-  /// From the solution z at `from` to `to`, or to where it ends. Fills all of the curve but the time;
-  /// what was not found is named in the reason.
+  /// From the solution z at `from` to `to`, or to where it ends. Fills all of the curve but the
+  /// time; what was not found is named in the reason.
   /// @throws Cancelled  where progress says so.
   void run(const Eigen::VectorXd& z, ResponseCurve& curve, const Progress& progress);
 

@@ -6,11 +6,12 @@
 #include "microslip/dynamics/continuation.hpp"
 
 /// @file
-/// The corners of a curve, where an atom starts or ceases to slip on a branch of a joint's motion. The
-/// equations are continuous there and their derivatives jump, by a matrix of rank one: v gᵀ with g the
-/// gradient of how far the branch goes. The curve arrives by the null vector of the derivatives on the
-/// one side and leaves by that on the other side, with the sign that leads there: g grows along both,
-/// or falls along both. It may turn by any angle that way, also back in frequency.
+/// The corners of a curve, where an atom starts or ceases to slip on a branch of a joint's motion.
+/// The equations are continuous there and their derivatives jump, by a matrix of rank one: v gᵀ
+/// with g the gradient of how far the branch goes. The curve arrives by the null vector of the
+/// derivatives on the one side and leaves by that on the other side, with the sign that leads
+/// there: g grows along both, or falls along both. It may turn by any angle that way, also back in
+/// frequency.
 /// [Allgower & Georg, Numerical Continuation Methods, Springer 1990, ch. 12-14]
 
 namespace microslip {
@@ -29,8 +30,8 @@ constexpr int kMostOnsetsAtOnce = 4;  // that one corner may hold
 
 }  // namespace
 
-/// For each branch the atom that slips next and the one that slips last, those with a distance first.
-/// By the slipping behind the point, which at a corner rounding would hide.
+/// For each branch the atom that slips next and the one that slips last, those with a distance
+/// first. By the slipping behind the point, which at a corner rounding would hide.
 void Continuation::add_neighbours(Point& point) const {
   const auto joints = equations_.structure().joints();
   const VectorXd rate = point.scale.cwiseProduct(point.onward.tangent);
@@ -77,8 +78,8 @@ bool Continuation::corner_between(const Point& point, double& length, Point& nex
   return turn(point, first->second, predicted(point, first->first * length), length, next);
 }
 
-/// The corner at an onset, from near it: on the curve ahead, with nothing between. The length becomes
-/// that up to it.
+/// The corner at an onset, from near it: on the curve ahead, with nothing between. The length
+/// becomes that up to it.
 bool Continuation::turn(const Point& point, const Onset& onset, VectorXd z, double& length,
                         Point& next) {
   const Index n = equations_.balance_count();
@@ -114,8 +115,8 @@ bool Continuation::turn(const Point& point, const Onset& onset, VectorXd z, doub
   return true;
 }
 
-/// The tangent behind a corner. Onsets that it holds beside the one may be passed along it alone: then
-/// once more with the derivatives there.
+/// The tangent behind a corner. Onsets that it holds beside the one may be passed along it alone:
+/// then once more with the derivatives there.
 bool Continuation::leave(const Onset& onset, double sign, double aside, Point& corner) {
   VectorXd tangent = corner.arrival.tangent;
   std::vector<std::size_t> side;

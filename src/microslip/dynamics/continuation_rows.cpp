@@ -28,15 +28,16 @@ constexpr double kLeastHarmonic = 1e-4;  // of the joint's motion: a smaller one
 constexpr double kFarApart = 0.01;  // in frequency, relative: more than most resonances are wide
 constexpr double kNoEnd = 1e-4;     // of a step: so far from its ends a point is another
 constexpr int kMostRetraced = 3;    // points in a row: one may be a near miss
-/// Of a point from a bridge, over its length: a first sieve, for what passes is held against the curve
-/// itself by Newton's method. An arc whose tangents make acos 0.8 with its chord, as far as a step turns,
-/// lies up to 0.017 of that beside the cubic.
+/// Of a point from a bridge, over its length: a first sieve, for what passes is held against the
+/// curve itself by Newton's method. An arc whose tangents make acos 0.8 with its chord, as far as a
+/// step turns, lies up to 0.017 of that beside the cubic.
 constexpr double kNearPiece = 0.02;
 constexpr double kSamePoint = 1e-6;  // relative
 constexpr int kWalkSteps = 8;        // between two points without a found one in the middle
 constexpr int kMostWalkSteps = 1000;
 
-/// The cubic polynomials of u from 0 to 1 that have one of (value, slope; value, slope) 1, the others 0.
+/// The cubic polynomials of u from 0 to 1 that have one of (value, slope; value, slope) 1, the
+/// others 0.
 std::array<double, 4> hermite(double u) {
   const double v = 1.0 - u;
   return {v * v * (1.0 + 2.0 * u), u * v * v, u * u * (3.0 - 2.0 * u), -u * u * v};
@@ -111,8 +112,8 @@ std::optional<Continuation::Row> Continuation::row_between(const Bridge& bridge,
   return row;
 }
 
-/// How far a harmonic of a joint's motion is from where it was expected, relative to the harmonic: on
-/// the way over a narrow superharmonic resonance by all of it, when little else shows that.
+/// How far a harmonic of a joint's motion is from where it was expected, relative to the harmonic:
+/// on the way over a narrow superharmonic resonance by all of it, when little else shows that.
 double Continuation::strayed(const Bridge& bridge, const VectorXd& z,
                              const VectorXd& expected) const {
   const auto joints = static_cast<Index>(equations_.structure().joints().size());
@@ -188,8 +189,8 @@ bool Continuation::retraces() {
   return true;
 }
 
-/// How high the polygon may lie beside the curve between each point and the next: of the response by
-/// the top of the hill between two valleys, of the force by itself.
+/// How high the polygon may lie beside the curve between each point and the next: of the response
+/// by the top of the hill between two valleys, of the force by itself.
 std::vector<double> Continuation::allowed_deviations() const {
   std::vector<double> allowed;
   const auto height = [&](std::size_t i) { return rows_[i].point.height; };
@@ -250,8 +251,8 @@ void Continuation::add_left_out() {
   rows_ = std::move(rows);
 }
 
-/// Shorter steps from a point to the next, where a narrow resonance may lie between; none where they
-/// do not lead there.
+/// Shorter steps from a point to the next, where a narrow resonance may lie between; none where
+/// they do not lead there.
 std::vector<Continuation::Row> Continuation::walk(const Row& from, const Row& to) {
   const VectorXd chord = (to.point.z - from.point.z).cwiseQuotient(from.point.scale);
   const Summary before = summary_;
@@ -306,8 +307,8 @@ bool Continuation::is_coarse(const Row& from, const Row& to, double allowed) {
   });
 }
 
-/// The point in the middle is solved, and kept; where it strays, once more in each half, and in that
-/// which is too coarse.
+/// The point in the middle is solved, and kept; where it strays, once more in each half, and in
+/// that which is too coarse.
 void Continuation::refine(const Row& from, const Row& to, double allowed, int depth,
                           std::vector<Row>& rows) {
   const Index n = equations_.balance_count();

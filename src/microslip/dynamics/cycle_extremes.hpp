@@ -18,8 +18,9 @@ class CycleExtremes {
     Eigen::Index next;    ///< the first sample behind it
   };
 
-  /// An extreme lies beside each sample that is above (below) both of its neighbours, and the sign of
-  /// the velocity at the sample tells on which side; Newton's method, kept in the interval, finds it.
+  /// An extreme lies beside each sample that is above (below) both of its neighbours, and the sign
+  /// of the velocity at the sample tells on which side; Newton's method, kept in the interval,
+  /// finds it.
   /// @param x             the samples, equally spaced over the period.
   /// @param coefficients  as in trigonometric_basis.hpp.
   void find(std::span<const double> x, std::span<const double> coefficients);

@@ -22,8 +22,8 @@ struct HarmonicBalanceOptions {
   /// where the density jumps (see HarmonicForce): some 1e-8 of the force with 256.
   std::size_t samples = 256;
   /// Largest residual, relative, 1: of the balance to the motion of the joint, of a target to its
-  /// value (a phase: in rad); from 1e-14 to 1e-4. Where rounding does not let it fall so far, 1e-10 is
-  /// enough. The energy balance multiplies it by the energy stored over that lost.
+  /// value (a phase: in rad); from 1e-14 to 1e-4. Where rounding does not let it fall so far, 1e-10
+  /// is enough. The energy balance multiplies it by the energy stored over that lost.
   double tolerance = 1e-12;
   /// Evaluations of the equations that one solution may take; ≥ 2.
   int max_iterations = 40;
@@ -35,15 +35,15 @@ struct HarmonicBalanceOptions {
   /// Points of a curve at most; ≥ 2.
   int max_points = 5000;
   /// Of a curve over the frequency: how far the polygon through its points may lie beside it at a
-  /// frequency, relative to the peak of the hill that it is on, 1: of the response, or, where that is
-  /// kept, of the force, relative to the force there. Points are added until those between them
+  /// frequency, relative to the peak of the hill that it is on, 1: of the response, or, where that
+  /// is kept, of the force, relative to the force there. Points are added until those between them
   /// agree; 0: none are added.
   double accuracy = 0.002;
   /// Where a curve over the frequency is to have points as well, ω, rad/s; on each of its branches
   /// there.
   std::vector<double> frequencies = {};
-  /// What keeps the vibration up. Modal forcing has nonlinear modes alone: of solve() it takes phase
-  /// resonance, which then only says when the time begins, with a response or a frequency.
+  /// What keeps the vibration up. Modal forcing has nonlinear modes alone: of solve() it takes
+  /// phase resonance, which then only says when the time begins, with a response or a frequency.
   Forcing forcing = Forcing::kExcitation;
 };
 
@@ -55,8 +55,8 @@ struct HarmonicBalanceOptions {
 ///
 /// u and N the displacement and tension of a joint, H_jl and E_j the receptances of the linear
 /// structure to the joints and to the excitation. Newton's method with the exact derivative solves
-/// it; curves are followed by pseudo-arclength continuation [Keller, in: Applications of Bifurcation
-/// Theory, Academic Press 1977], past points where they turn back.
+/// it; curves are followed by pseudo-arclength continuation [Keller, in: Applications of
+/// Bifurcation Theory, Academic Press 1977], past points where they turn back.
 ///
 /// Immutable: one object serves any number of threads.
 class HarmonicBalance {
@@ -80,8 +80,8 @@ class HarmonicBalance {
   /// @param second  the other.
   /// @param mode    where no frequency is given: that of the stuck structure (see
   ///                JointedStructure::stuck_frequencies) at whose resonance to look, from 0.
-  /// @throws InputError  for targets out of their range or twice the same; force and response without
-  ///                     a start, which leave two frequencies to choose from.
+  /// @throws InputError  for targets out of their range or twice the same; force and response
+  ///                     without a start, which leave two frequencies to choose from.
   [[nodiscard]] VibrationResult solve(const Target& first, const Target& second,
                                       std::size_t mode = 0) const;
 
@@ -93,21 +93,21 @@ class HarmonicBalance {
   /// The curve of vibrations that keep one target while another quantity, not the phase, goes from
   /// one value to another, either way round, with both ends on it.
   ///
-  /// The length of a step is such that neither the response nor the motion of a joint changes by more
-  /// than `largest_change`; it is halved where Newton's method does not converge or where the curve
-  /// bends too sharply for it, as at a narrow superharmonic resonance. Where an atom of a density
-  /// starts to slip the curve has a corner, which becomes a point; so do peaks and points where it
-  /// turns back, and over the frequency so many others as `accuracy` wants. The summary tells why the
-  /// curve ended and where; a curve that did not reach its end, or on which the energy balance got
-  /// lost in rounding (an undamped mode at its pole), is not converged, and holds the points up to
-  /// there.
+  /// The length of a step is such that neither the response nor the motion of a joint changes by
+  /// more than `largest_change`; it is halved where Newton's method does not converge or where the
+  /// curve bends too sharply for it, as at a narrow superharmonic resonance. Where an atom of a
+  /// density starts to slip the curve has a corner, which becomes a point; so do peaks and points
+  /// where it turns back, and over the frequency so many others as `accuracy` wants. The summary
+  /// tells why the curve ended and where; a curve that did not reach its end, or on which the
+  /// energy balance got lost in rounding (an undamped mode at its pole), is not converged, and
+  /// holds the points up to there.
   /// @param kept      the target, with its value.
   /// @param along     what changes.
   /// @param from, to  its first and its last value, in its unit; not the same.
   /// @param mode      as in solve().
-  /// @param progress  told once for each point when it is found, in thousandths of the range, how far
-  ///                  the curve has got, never less than before; once more, of the whole, where it
-  ///                  gets to its end, after which only points between others follow.
+  /// @param progress  told once for each point when it is found, in thousandths of the range, how
+  ///                  far the curve has got, never less than before; once more, of the whole, where
+  ///                  it gets to its end, after which only points between others follow.
   /// @throws InputError  for values out of their range, or no range.
   /// @throws Cancelled   where progress says so.
   [[nodiscard]] ResponseCurve follow(const Target& kept, Quantity along, double from, double to,
@@ -134,18 +134,19 @@ class HarmonicBalance {
   [[nodiscard]] ResponseCurve backbone(std::span<const double> responses, std::size_t mode = 0,
                                        const Progress& progress = {}) const;
 
-  /// The curve of phase resonance over the response, followed from where all joints stick, round the
-  /// folds where it turns back: then a response is met more than once, and the rows are those of
-  /// the curve in its order, folds among them (turning_points). With Forcing::kModal the nonlinear
-  /// mode, which exists whatever is driven.
+  /// The curve of phase resonance over the response, followed from where all joints stick, round
+  /// the folds where it turns back: then a response is met more than once, and the rows are those
+  /// of the curve in its order, folds among them (turning_points). With Forcing::kModal the
+  /// nonlinear mode, which exists whatever is driven.
   ///
-  /// With a force at a point phase resonance may begin or end: the summary is not converged then and
-  /// says from where to where it exists and why no further, and the curve holds all that there is.
+  /// With a force at a point phase resonance may begin or end: the summary is not converged then
+  /// and says from where to where it exists and why no further, and the curve holds all that there
+  /// is.
   /// @param responses  > 0, rising, at least one, in the kind of the response point.
   /// @param mode       as in solve().
   /// @param progress   told after each; may cancel (Cancelled).
-  /// @throws InputError  also where modal forcing is asked of a mode that no joint takes part in, or
-  ///                     that does not move the response point: it is linear, or not to be seen.
+  /// @throws InputError  also where modal forcing is asked of a mode that no joint takes part in,
+  ///                     or that does not move the response point: it is linear, or not to be seen.
   [[nodiscard]] ResponseCurve resonances(std::span<const double> responses, std::size_t mode = 0,
                                          const Progress& progress = {}) const;
 

@@ -12,20 +12,21 @@ namespace microslip {
 class SteadyCycle;
 
 /// The harmonics of the force of a joint in steady periodic motion, with their derivatives: the
-/// alternating frequency/time method [Cameron & Griffin, J. Appl. Mech. 56 (1989) 149] with the exact
-/// memory of the Iwan joint.
+/// alternating frequency/time method [Cameron & Griffin, J. Appl. Mech. 56 (1989) 149] with the
+/// exact memory of the Iwan joint.
 ///
 ///     x(τ) = Re Σ_{n=0}^{H} x_n e^{inτ}   →   f(τ) ≈ Re Σ_{n=0}^{H} f_n e^{inτ}
 ///
 /// Real numbers in this order: (x_0, Re x_1, Im x_1, …, Re x_H, Im x_H), m, and so for f, N.
 ///
-/// The joint was at rest and virgin at x = 0 before. In steady motion all it remembers at the extreme
-/// of largest |x| is the virgin curve; from there one cycle with Madelung's rules (see Memory), inner
-/// loops included, is the steady one. The extremes are those of the trigonometric polynomial itself,
-/// found by Newton's method between the samples, so that the force at each of the N samples is exact.
-/// The sum over samples that stands for the integral is corrected for the kinks of the force at
-/// reversals, closing loops and atoms. What N leaves is of the order N^−4, where the density jumps
-/// N^−3 (observed). Motion that turns twice between two samples is not seen.
+/// The joint was at rest and virgin at x = 0 before. In steady motion all it remembers at the
+/// extreme of largest |x| is the virgin curve; from there one cycle with Madelung's rules (see
+/// Memory), inner loops included, is the steady one. The extremes are those of the trigonometric
+/// polynomial itself, found by Newton's method between the samples, so that the force at each of
+/// the N samples is exact. The sum over samples that stands for the integral is corrected for the
+/// kinks of the force at reversals, closing loops and atoms. What N leaves is of the order N^−4,
+/// where the density jumps N^−3 (observed). Motion that turns twice between two samples is not
+/// seen.
 ///
 /// On each branch df = f_r′ + F′(|x − x_r|/2)(dx − dx_r) with f_r′ the change of the force at its
 /// reversal r: the derivatives follow the reversals through the cycle. They are those of the f_n
@@ -59,9 +60,10 @@ class HarmonicForce {
   Cycle evaluate(const Joint& joint, std::span<const double> displacement, std::span<double> force,
                  std::span<double> jacobian);
 
-  /// How far the branches of the motion evaluated last go, m: |x| at the extreme of the largest |x|,
-  /// from virgin rest, and half of the way from each reversal to the next on its branch, inner loops
-  /// included. An atom slips on a branch that goes farther than its slip force over k: there f bends.
+  /// How far the branches of the motion evaluated last go, m: |x| at the extreme of the largest
+  /// |x|, from virgin rest, and half of the way from each reversal to the next on its branch, inner
+  /// loops included. An atom slips on a branch that goes farther than its slip force over k: there
+  /// f bends.
   [[nodiscard]] std::size_t reaches() const;
   /// One of them. @param rank  from 0, the farthest, below reaches().
   [[nodiscard]] double reach(std::size_t rank) const;

@@ -12,25 +12,27 @@
 
 namespace microslip {
 
-/// A joint and how it sits in a structure of modes q_i. With N = −F(u) the tension in it [AR14 (13)],
+/// A joint and how it sits in a structure of modes q_i. With N = −F(u) the tension in it [AR14
+/// (13)],
 ///
 ///     u = Σ_i ψ_i q_i − ½ Σ_ij Γ_ij q_i q_j + cN,     on mode i:  [ψ_i − Σ_r Γ_ir q_r] N
 ///
 /// The terms with Γ are those of a joint that a bending beam shortens, and that tensions the beam
 /// in turn [AR14 (12)]; both come from one potential, so that they lose no energy.
 ///
-/// Beside F a joint may lose energy with the square of its amplitude, D = … + βA², as the fit of levels
-/// tells it that hold a loss other than slip. To harmonic n ≥ 1 of its force that adds i(β/π) u_n: the
-/// same loss at every frequency, nβ|u_n|² of that harmonic a period. It is no part of the stiffness.
+/// Beside F a joint may lose energy with the square of its amplitude, D = … + βA², as the fit of
+/// levels tells it that hold a loss other than slip. To harmonic n ≥ 1 of its force that adds
+/// i(β/π) u_n: the same loss at every frequency, nβ|u_n|² of that harmonic a period. It is no part
+/// of the stiffness.
 struct StructuralJoint {
   std::string name;           ///< not empty, no two the same
   Joint joint;                ///< F(u)
   std::vector<double> shape;  ///< ψ_i, relative displacement over q_i, kg^−½; one a mode
 
-  /// Stiffness k_s between its ends that the modes were computed with, N/m; ≥ 0, e.g. k for the modes
-  /// of the stuck structure. It is taken out again: k_s ψ_i Σ_r ψ_r q_r is added to the force on mode
-  /// i. On a shape r φ_i′(L) this is the torsional spring k_θ = k_s r². Without the springs of all
-  /// joints diag(ω_i²) − Σ k_s ψψᵀ must not have a negative eigenvalue.
+  /// Stiffness k_s between its ends that the modes were computed with, N/m; ≥ 0, e.g. k for the
+  /// modes of the stuck structure. It is taken out again: k_s ψ_i Σ_r ψ_r q_r is added to the force
+  /// on mode i. On a shape r φ_i′(L) this is the torsional spring k_θ = k_s r². Without the springs
+  /// of all joints diag(ω_i²) − Σ k_s ψψᵀ must not have a negative eigenvalue.
   double spring_in_modes = 0.0;
 
   /// c, m/N; ≥ 0: of what lies in series with the joint, L/(EA) for a beam.
@@ -42,11 +44,12 @@ struct StructuralJoint {
   double linear_damping = 0.0;  ///< β, J/m²: loses βA² a cycle of amplitude A beside F; ≥ 0, finite
 };
 
-/// A periodic force at a point, f(t) = A Re Σ_n s_n e^{inωt}. The force amplitude A, N, is common to
-/// all excitations of a structure.
+/// A periodic force at a point, f(t) = A Re Σ_n s_n e^{inωt}. The force amplitude A, N, is common
+/// to all excitations of a structure.
 struct Excitation {
   std::string point;  ///< of the modal model
-  /// s_1, s_2, …, 1: harmonic n is entry n − 1. Those above the harmonics of the balance are an error.
+  /// s_1, s_2, …, 1: harmonic n is entry n − 1. Those above the harmonics of the balance are an
+  /// error.
   std::vector<std::complex<double>> harmonics = {1.0};
 };
 

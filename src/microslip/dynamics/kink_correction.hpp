@@ -9,15 +9,16 @@ namespace microslip {
 
 /// What the sums over samples of a force with kinks miss of its harmonics. Internal to dynamics.
 ///
-/// The harmonics are ∮ fT dτ, for which h Σ fT errs by the order h² where f has kinks. They are known: where the derivatives of g = fT jump by [g′], [g″]
-/// at the share θ of an interval, Euler and Maclaurin's formula with Bernoulli's polynomials gives
+/// The harmonics are ∮ fT dτ, for which h Σ fT errs by the order h² where f has kinks. They are
+/// known: where the derivatives of g = fT jump by [g′], [g″] at the share θ of an interval, Euler
+/// and Maclaurin's formula with Bernoulli's polynomials gives
 ///
 ///     ∮ g dτ = h Σ g + h² [g′] B_2(θ)/2 − h³ [g″] B_3(θ)/6 + …
 ///
 /// A tangent that jumps by Δ makes [f′] = Δẋ and, but for a jump of F″, [f″] = Δẍ. Both terms are
 /// needed: where slip sets in just before a reversal, its kink and the reversal cancel, and their
-/// sum is smooth in the motion. In the derivatives by the motion, with the place following it, terms
-/// to the order of h in h Σ g are kept.
+/// sum is smooth in the motion. In the derivatives by the motion, with the place following it,
+/// terms to the order of h in h Σ g are kept.
 class KinkCorrection {
  public:
   KinkCorrection(std::size_t harmonics, std::size_t samples);

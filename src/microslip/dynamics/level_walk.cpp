@@ -43,8 +43,8 @@ double stuck_share(const JointedStructure& structure, const VectorXd& motion) {
   return share;
 }
 
-/// The mode v of the stuck structure there, so small that it stays stuck, with the ξ that keeps it up:
-/// Σ v_i² η_i ω_i and a little loss of the joints.
+/// The mode v of the stuck structure there, so small that it stays stuck, with the ξ that keeps it
+/// up: Σ v_i² η_i ω_i and a little loss of the joints.
 VectorXd stuck_mode(const BalanceEquations& equations, double angular_frequency) {
   const JointedStructure& structure = equations.structure();
   const auto joints = structure.joints();

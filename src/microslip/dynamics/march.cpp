@@ -140,7 +140,8 @@ struct March {
     state.start(given.start);
   }
 
-  /// To the end of the axis, or to where a step fails. @return why it failed; empty where it did not.
+  /// To the end of the axis, or to where a step fails. @return why it failed; empty where it did
+  /// not.
   [[nodiscard]] std::string run(double longest, Recorder& recorder, const Progress& progress) {
     const std::size_t intervals = loads.time.size() - 1;
     std::size_t told = 0;  // steps

@@ -45,8 +45,8 @@ struct InitialState {
 
 /// How march() integrates, and what it records.
 struct MarchOptions {
-  /// Longest step, s; ≥ 0, and at least 1e-10 of the time axis. Each interval of the time axis is cut
-  /// into the least number of equal steps that are not longer, an even one where the error is
+  /// Longest step, s; ≥ 0, and at least 1e-10 of the time axis. Each interval of the time axis is
+  /// cut into the least number of equal steps that are not longer, an even one where the error is
   /// estimated. 0: a twentieth of the shortest period of the stuck structure, an eightieth where a
   /// density has more than 16 atoms, a four-hundredth where a normal load varies.
   double step = 0.0;
@@ -62,9 +62,9 @@ struct MarchOptions {
   int max_iterations = 50;
   /// The energy imbalance above which the march does not count as converged, 1; > 0.
   double largest_imbalance = 1e-4;
-  /// Whether the error is estimated: each interval of the time axis is then cut into an even number of
-  /// steps, and marched beside it with half as many, for half the time again. Linear structures are
-  /// exact, and need none.
+  /// Whether the error is estimated: each interval of the time axis is then cut into an even number
+  /// of steps, and marched beside it with half as many, for half the time again. Linear structures
+  /// are exact, and need none.
   bool estimate_error = true;
   /// The estimated error above which the march does not count as converged, 1; > 0.
   double largest_error = 1e-2;
@@ -96,7 +96,8 @@ struct JointEnergy {
   /// Σ ½κ_i(x − z_i)² of the springs at the end (Memory::stored_energy), and ½cF² of what is in
   /// series.
   double stored = 0.0;
-  /// Of the damper beside F that stands for the linear damping of the joint, ∫ c u̇² dt by quadrature.
+  /// Of the damper beside F that stands for the linear damping of the joint, ∫ c u̇² dt by
+  /// quadrature.
   double linear_dissipation = 0.0;
 };
 
@@ -109,8 +110,8 @@ struct JointEnergy {
 /// q̇_i² dt by quadrature of fourth order over the states at the ends of the steps; the joints from
 /// the displacements at which they turned. So the imbalance measures the error of the integration.
 ///
-/// For a joint whose normal load varies stored and lost energy cannot be told apart from the work of
-/// the load; its `dissipation` then holds ∫ F du, `stored` ½cF² alone.
+/// For a joint whose normal load varies stored and lost energy cannot be told apart from the work
+/// of the load; its `dissipation` then holds ∫ F du, `stored` ½cF² alone.
 struct MarchEnergy {
   double initial = 0.0;             ///< of the initial state
   double input = 0.0;               ///< ∫ Σ f ẇ dt
@@ -165,10 +166,10 @@ struct MarchResult {
   std::size_t steps = 0;      ///< taken, those cut at reversals twice
   std::size_t reversals = 0;  ///< of all joints
   std::size_t kinks = 0;      ///< loops that closed and atoms that began to slip
-  /// The largest error of the displacement of a recorded point (of u of a joint where there is none)
-  /// at every second step, over its largest value, 1: the difference from the march with twice the
-  /// step, over what it is of the error by the order of the scheme. 0 for a linear structure; none
-  /// where it was not asked for, or that march failed.
+  /// The largest error of the displacement of a recorded point (of u of a joint where there is
+  /// none) at every second step, over its largest value, 1: the difference from the march with
+  /// twice the step, over what it is of the error by the order of the scheme. 0 for a linear
+  /// structure; none where it was not asked for, or that march failed.
   std::optional<double> error_estimate;
   /// What a user of the result must know: `hysteretic_as_viscous`, `damping_as_viscous`,
   /// `error_not_estimated`.
@@ -184,34 +185,36 @@ struct MarchResult {
 ///     q̈_i + η_i ω_i q̇_i + ω_i² q_i = p_i(t),
 ///     p_i = Σ_d φ_i(d) f_d + Σ_j [k_s,j ψ_ij Σ_r ψ_rj q_r − (ψ_ij − Σ_r Γ_ir q_r) F_j(u_j)]
 ///
-/// Scheme: an exponential integrator [Hochbruck & Ostermann, Acta Numerica 19 (2010) 209]. Each mode
-/// goes over a step by the Duhamel integral of its load [Chopra, Dynamics of Structures, ch. 4–5],
+/// Scheme: an exponential integrator [Hochbruck & Ostermann, Acta Numerica 19 (2010) 209]. Each
+/// mode goes over a step by the Duhamel integral of its load [Chopra, Dynamics of Structures, ch.
+/// 4–5],
 ///
 ///     q_i(h) = free vibration + ∫₀ʰ g_i(h − t) p_i(t) dt,   g_i the impulse response,
 ///
-/// in closed form, with p_i the cubic of its values and slopes at both ends; ṗ follows from the tangent
-/// stiffness of the joints, u̇ and q̇. A linear structure is exact whatever the step. The joint forces at
-/// the end of the step are found by Newton's method, on the curve that the step began on. A step in
-/// which u of a joint turns, closes a loop or comes to where an atom begins to slip is cut there, where
-/// the cubic of u has its extreme or passes the kink. A step whose equations do not converge is halved,
-/// again and again down to a millionth.
+/// in closed form, with p_i the cubic of its values and slopes at both ends; ṗ follows from the
+/// tangent stiffness of the joints, u̇ and q̇. A linear structure is exact whatever the step. The
+/// joint forces at the end of the step are found by Newton's method, on the curve that the step
+/// began on. A step in which u of a joint turns, closes a loop or comes to where an atom begins to
+/// slip is cut there, where the cubic of u has its extreme or passes the kink. A step whose
+/// equations do not converge is halved, again and again down to a millionth.
 ///
-/// The order is 4 where the density is smooth between its atoms, 3 where it jumps inside of a step. A
-/// density of more than 16 atoms, and a joint of varying normal load, are of order 2. Stable for h below
-/// 3 over the highest frequency of the stuck structure as far as that frequency comes from joints and
-/// not from modes; an unstable march shows in its energy.
+/// The order is 4 where the density is smooth between its atoms, 3 where it jumps inside of a step.
+/// A density of more than 16 atoms, and a joint of varying normal load, are of order 2. Stable for
+/// h below 3 over the highest frequency of the stuck structure as far as that frequency comes from
+/// joints and not from modes; an unstable march shows in its energy.
 ///
-/// On the reference rig, 7 modes, 8 N at 55 Hz, the largest error of w over its largest value is 8.6e-8
-/// with 149 steps a period and 3.3e-10 with 596; docs/validation.md compares it with other schemes.
+/// On the reference rig, 7 modes, 8 N at 55 Hz, the largest error of w over its largest value is
+/// 8.6e-8 with 149 steps a period and 3.3e-10 with 596; docs/validation.md compares it with other
+/// schemes.
 ///
-/// A structure with hysteretic damping is marched with the viscous damping of the same η_i, which is
-/// the same at each natural frequency: the hysteretic law has no form in time. So is the linear damping
-/// β of a joint: a viscous damper beside F, c = β/(πω), with the lowest ω of the stuck structure at which
-/// the joint moves; there it loses βA² a cycle. With something in series it is right to the first order
-/// in (series compliance)·β/π. `force` of the joint is F alone.
+/// A structure with hysteretic damping is marched with the viscous damping of the same η_i, which
+/// is the same at each natural frequency: the hysteretic law has no form in time. So is the linear
+/// damping β of a joint: a viscous damper beside F, c = β/(πω), with the lowest ω of the stuck
+/// structure at which the joint moves; there it loses βA² a cycle. With something in series it is
+/// right to the first order in (series compliance)·β/π. `force` of the joint is F alone.
 ///
-/// @throws InputError  naming what breaks a rule: a time that does not rise, a force or load that is
-///                     not finite, a wrong length, an unknown point or joint, an option.
+/// @throws InputError  naming what breaks a rule: a time that does not rise, a force or load that
+///                     is not finite, a wrong length, an unknown point or joint, an option.
 /// @throws Cancelled   where `progress`, told of the times of the axis, returns false.
 [[nodiscard]] MarchResult march(const JointedStructure& structure, const LoadHistory& loads,
                                 const MarchOptions& options = {}, const Progress& progress = {});

@@ -23,8 +23,8 @@ constexpr double kLeastPiece = 1e-6;
 
 int sign_of(double value) { return value > 0.0 ? 1 : value < 0.0 ? -1 : 0; }
 
-/// Where `ahead`, above 0 at `low` and below at `high`, changes its sign, as a share of a step; next to
-/// an end of the step, that end.
+/// Where `ahead`, above 0 at `low` and below at `high`, changes its sign, as a share of a step;
+/// next to an end of the step, that end.
 template <typename Ahead>
 double share_of_sign_change(const Ahead& ahead, double low, double high) {
   for (int i = 0; i < 40; ++i) {
@@ -40,8 +40,8 @@ double share_of_sign_change(const Ahead& ahead, double low, double high) {
 
 // ---- Steps and their cuts. ----
 
-/// In pieces that end where a joint turns or its tangent jumps. Where the equations of a piece do not
-/// converge, a shorter one is tried.
+/// In pieces that end where a joint turns or its tangent jumps. Where the equations of a piece do
+/// not converge, a shorter one is tried.
 bool MarchState::step(const StepWeights& weights) {
   double left = weights.length();
   double piece = left;
@@ -195,15 +195,16 @@ MarchState::Change MarchState::first_change(double length) {
   return first;
 }
 
-/// Where in the step a joint turns, by the cubic through y and ẏ at its ends: ẏ there is of the order
-/// h³ and y off its extreme by h⁶. 1 where it does not, 0 where it has turned already.
+/// Where in the step a joint turns, by the cubic through y and ẏ at its ends: ẏ there is of the
+/// order h³ and y off its extreme by h⁶. 1 where it does not, 0 where it has turned already.
 double MarchState::turning_share(const Joint& joint, const Cubic& y, double length) {
   const auto ahead = [&](double share) { return joint.direction * y.slope(share); };
   if (length * std::max(std::abs(joint.begin.gap_dot), std::abs(joint.end.gap_dot)) <=
       kQuiet * joint.largest_gap) {
     return ahead(1.0) < 0.0 ? 0.0 : 1.0;
   }
-  // The slope is a parabola: it may dip below 0 and come back within the step, or rise above and fall.
+  // The slope is a parabola: it may dip below 0 and come back within the step, or rise above and
+  // fall.
   const double vertex = y.c == 0.0 ? -1.0 : -y.b / (3.0 * y.c);
   const bool bends = vertex > 0.0 && vertex < 1.0;
   double low = 0.0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/dynamics/march_loops.hpp"
 
+#include "microslip/base/vector_clones.hpp"
 #include "microslip/dynamics/march_weights.hpp"
-#include "microslip/joint/vector_clones.hpp"
 
 namespace microslip::march_loops {
 namespace {

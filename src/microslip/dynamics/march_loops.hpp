@@ -4,8 +4,9 @@
 #include <cstddef>
 
 /// @file
-/// The loops over the modes of a march, in groups of kLanes (march_weights.hpp). Each lane has sums of
-/// its own, so that they are the same whatever the vectors of the processor. Internal to dynamics.
+/// The loops over the modes of a march, in groups of kLanes (march_weights.hpp). Each lane has sums
+/// of its own, so that they are the same whatever the vectors of the processor. Internal to
+/// dynamics.
 
 namespace microslip::march_loops {
 

@@ -264,8 +264,8 @@ void MarchState::drive_damper(const Joint& joint, double tangent, Kinematics& k)
   k.u_dot = (k.gap_dot - joint.compliance * joint.damper * k.u_ddot) / soft;
 }
 
-/// One step of Newton's method for R and Ṙ of a joint, what it does to others and by shortening left
-/// to the next round: that is small where the step is.
+/// One step of Newton's method for R and Ṙ of a joint, what it does to others and by shortening
+/// left to the next round: that is small where the step is.
 /// @return what changed, relative.
 double MarchState::update(std::size_t j, const Couplings& couplings, double length, bool settled) {
   ++evaluations_;

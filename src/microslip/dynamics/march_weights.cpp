@@ -8,8 +8,8 @@
 namespace microslip {
 namespace {
 
-/// Of q″ + 2δq′ + θ²q = τᵐ over τ from 0 to 1, from rest: q(1) for m = 0 … 3, and the impulse response
-/// g(1), its slope g′(1) and g′ + 2δg, the response to q(0) = 1. δ = ½ηωh, θ = ωh.
+/// Of q″ + 2δq′ + θ²q = τᵐ over τ from 0 to 1, from rest: q(1) for m = 0 … 3, and the impulse
+/// response g(1), its slope g′(1) and g′ + 2δg, the response to q(0) = 1. δ = ½ηωh, θ = ωh.
 struct Responses {
   std::array<double, 4> power;
   double impulse;
@@ -33,8 +33,8 @@ double power_series(double m, double delta, double theta_squared) {
   return sum;
 }
 
-// Both take τᵐ from one to the next by θ²q_m = 1 − 2δ q_m′ − q_m″, with q_m′ = m q_{m−1}: stable down
-// for a small θ, where the other way divides by it, and up for a large one.
+// Both take τᵐ from one to the next by θ²q_m = 1 − 2δ q_m′ − q_m″, with q_m′ = m q_{m−1}: stable
+// down for a small θ, where the other way divides by it, and up for a large one.
 Responses by_series(double delta, double theta_squared) {
   Responses r;
   r.power[3] = power_series(3.0, delta, theta_squared);
@@ -73,8 +73,8 @@ Responses in_closed_form(double delta, double theta_squared) {
   return r;
 }
 
-/// ∫₀¹ e^{(1−τ)z} τᵐ dτ for m = 0 … 3, z ≤ 0. For moderate z by Kummer's transformation of the power
-/// series, all terms positive [DLMF 13.2.39]; where z is large by parts, which divides by it.
+/// ∫₀¹ e^{(1−τ)z} τᵐ dτ for m = 0 … 3, z ≤ 0. For moderate z by Kummer's transformation of the
+/// power series, all terms positive [DLMF 13.2.39]; where z is large by parts, which divides by it.
 std::array<double, 4> decayed_powers(double z) {
   constexpr double kLarge = 30.0;
   std::array<double, 4> result{};
@@ -100,8 +100,8 @@ std::array<double, 4> decayed_powers(double z) {
   return result;
 }
 
-/// As differences between a slow and a fast decay, which must be apart: nothing is divided by θ², so
-/// that the slow one may be as slow as it likes.
+/// As differences between a slow and a fast decay, which must be apart: nothing is divided by θ²,
+/// so that the slow one may be as slow as it likes.
 Responses by_real_roots(double delta, double theta_squared) {
   const double root = std::sqrt(delta * delta - theta_squared);
   const double fast = -(delta + root);

@@ -9,8 +9,8 @@
 
 namespace microslip {
 
-/// Modes come in groups of this many, each a lane of the loops over modes; the last is filled up with
-/// modes of no weight. Internal to dynamics.
+/// Modes come in groups of this many, each a lane of the loops over modes; the last is filled up
+/// with modes of no weight. Internal to dynamics.
 inline constexpr std::size_t kLanes = 8;
 
 /// The least number of lanes for so many modes.
@@ -18,14 +18,14 @@ inline constexpr std::size_t kLanes = 8;
   return (modes + kLanes - 1) / kLanes * kLanes;
 }
 
-/// What a step of length h makes of the state (q, q̇) and the load p of a mode, p cubic over the step
-/// with the values and slopes at its ends given (Hermite): with τ = t/h
+/// What a step of length h makes of the state (q, q̇) and the load p of a mode, p cubic over the
+/// step with the values and slopes at its ends given (Hermite): with τ = t/h
 ///
 ///     q₁ = e₁₁q₀ + e₁₂q̇₀ + a₀p₀ + b₀ṗ₀ + a₁p₁ + b₁ṗ₁
 ///     q̇₁ = e₂₁q₀ + e₂₂q̇₀ + c₀p₀ + d₀ṗ₀ + c₁p₁ + d₁ṗ₁
 ///
-/// The Duhamel integrals ∫₀ʰ g(h − t) τᵐ dt of the impulse response g, in closed form: exact for any
-/// ω_i, η_i and h.
+/// The Duhamel integrals ∫₀ʰ g(h − t) τᵐ dt of the impulse response g, in closed form: exact for
+/// any ω_i, η_i and h.
 class StepWeights {
  public:
   /// The order in which weights of a group stand, kLanes each.

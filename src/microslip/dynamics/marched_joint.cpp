@@ -105,12 +105,12 @@ double MarchedJoint::elastic_force(double u) const {
   return joint_->joint.stiffness() * on.reach * on.sign * (u - on.displacement);
 }
 
-/// The curve goes on behind its beginning as the odd function that F is, and its atoms slip or stick
-/// as they do: each that slips carries its slip force, each other w_a s.
+/// The curve goes on behind its beginning as the odd function that F is, and its atoms slip or
+/// stick as they do: each that slips carries its slip force, each other w_a s.
 MarchedJoint::Response MarchedJoint::on_piece(double u) const {
   const double s = elastic_force(u);
-  double force = std::copysign(joint_->joint.backbone().force(std::abs(s)), s);
-  double slope = joint_->joint.backbone().slope(std::abs(s));
+  double force = std::copysign(joint_->joint.virgin_curve().force(std::abs(s)), s);
+  double slope = joint_->joint.virgin_curve().slope(std::abs(s));
   const AtomsPart& atoms = joint_->joint.density().atoms();
   if (!corners_.empty()) {
     for (std::size_t a = 0; a < atoms.slip_force.size(); ++a) {
@@ -142,8 +142,8 @@ double MarchedJoint::dissipation() const {
 
 double MarchedJoint::stored_energy() const { return network_ ? 0.0 : memory_.stored_energy(); }
 
-// Newton's method from 0: u + cF(u) is concave in |u|, so that it comes from below. At a constant load
-// both laws scale the virgin force by it. Three terms of up to |y| round to half an ε each.
+// Newton's method from 0: u + cF(u) is concave in |u|, so that it comes from below. At a constant
+// load both laws scale the virgin force by it. Three terms of up to |y| round to half an ε each.
 double MarchedJoint::displacement_at(double y, double load) const {
   const double rounding = 2.0 * std::numeric_limits<double>::epsilon() * std::abs(y);
   const double c = load * joint_->series_compliance;

@@ -17,9 +17,10 @@ namespace microslip {
 /// The hysteresis of one joint in a march: its Memory, or where the normal load varies a network of
 /// Jenkins elements. Internal to dynamics.
 ///
-/// Between two kinks the Memory moves on one smooth curve. A step is tried on that curve as if it had
-/// no end: with the kink inside of the step the tangent would jump there, and the equations of the
-/// step may have no solution at all. Where the kink lies is found afterwards, and the step cut there.
+/// Between two kinks the Memory moves on one smooth curve. A step is tried on that curve as if it
+/// had no end: with the kink inside of the step the tangent would jump there, and the equations of
+/// the step may have no solution at all. Where the kink lies is found afterwards, and the step cut
+/// there.
 class MarchedJoint {
  public:
   /// @param joint  kept by reference.
@@ -36,11 +37,12 @@ class MarchedJoint {
   [[nodiscard]] Response trial(double u, double load);
   /// Takes it. @return F, N.
   double advance(double u, double load);
-  /// Says that the motion turns here, or that it begins: from here on it goes in this direction, +1 or
-  /// −1. What the way to here dissipated is counted.
+  /// Says that the motion turns here, or that it begins: from here on it goes in this direction, +1
+  /// or −1. What the way to here dissipated is counted.
   void turn(int direction);
 
-  /// Where the tangent jumps next, or its slope: a loop closes, an atom begins to slip, the density jumps.
+  /// Where the tangent jumps next, or its slope: a loop closes, an atom begins to slip, the density
+  /// jumps.
   struct Kink {
     double displacement;  ///< u, m; ±infinite where there is none
     double force;         ///< F there, N

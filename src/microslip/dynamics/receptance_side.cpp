@@ -34,11 +34,11 @@ void put(VectorXd& vector, Index at, Complex z) {
 ///
 ///     v_j = Σ_l H_jl(nω) s_l + A E_j,     H = ψᵀK⁻¹ψ,   E = ψᵀK⁻¹L,   K = diag(Z_i)
 ///
-/// For the mean κ also holds the stuck stiffness of the joint, with a spring of that stiffness added
-/// to the modes: a body that only its joints hold has a receptance then too. What not even those
-/// hold has no mean motion. So it is done, with a complex spring, for a harmonic at which some Z_i
-/// nearly vanishes beside what the joints give to the mode: H would be infinite at the pole of an
-/// undamped mode, at which the joints move as everywhere.
+/// For the mean κ also holds the stuck stiffness of the joint, with a spring of that stiffness
+/// added to the modes: a body that only its joints hold has a receptance then too. What not even
+/// those hold has no mean motion. So it is done, with a complex spring, for a harmonic at which
+/// some Z_i nearly vanishes beside what the joints give to the mode: H would be infinite at the
+/// pole of an undamped mode, at which the joints move as everywhere.
 class ReceptanceSide final : public StructureSide {
  public:
   ReceptanceSide(const JointedStructure& structure, std::string_view response_point,

@@ -14,8 +14,8 @@ namespace microslip {
 /// HarmonicBalance::resonances(): the pieces of the curve of phase resonance of a mode. Internal to
 /// dynamics.
 ///
-/// The curve begins where all joints stick. With a force at a point it may end: where the other modes
-/// move the response point more than this one, the lag does not reach π/2, and resonance and
+/// The curve begins where all joints stick. With a force at a point it may end: where the other
+/// modes move the response point more than this one, the lag does not reach π/2, and resonance and
 /// antiresonance meet in a fold. Then, and where it does not even begin, the nonlinear mode (modal
 /// forcing), which has no such end, leads to where phase resonance would be: Newton's method and a
 /// curve over the frequency at constant response decide whether there is one.

@@ -46,8 +46,8 @@ class ResonanceTracer {
     std::vector<double> missed;  ///< responses that the piece has, but Newton's method did not find
   };
 
-  /// At a level at which the joints hardly slip, but not above `most`; nothing where Newton's method
-  /// does not get there.
+  /// At a level at which the joints hardly slip, but not above `most`; nothing where Newton's
+  /// method does not get there.
   [[nodiscard]] std::optional<Place> at_rest(double stuck_frequency, double most);
 
   /// From z, near it, exactly to this response.

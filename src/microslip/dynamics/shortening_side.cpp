@@ -20,9 +20,9 @@ using Eigen::VectorXd;
 ///     A q = A_f L + Σ_j ψ_j N_j,      A = diag(Z_i) − Σ_j k_s,j ψ_j ψ_jᵀ + Σ_j Γ^j C(N_j)
 ///     u_j = Σ_i ψ_ij q_i − ½ Σ_i C(g_i^j) q_i + c_j N_j,     g^j = Γ^j q
 ///
-/// The derivative of u by N has the form BᵀA⁻¹B with B_ij = ψ_ij − C(g_i^j), as every receptance has.
-/// Truncated in this way the equations come from one potential, as the exact ones do: the energy
-/// balance of the harmonics kept is exact.
+/// The derivative of u by N has the form BᵀA⁻¹B with B_ij = ψ_ij − C(g_i^j), as every receptance
+/// has. Truncated in this way the equations come from one potential, as the exact ones do: the
+/// energy balance of the harmonics kept is exact.
 class ShorteningSide final : public StructureSide {
  public:
   ShorteningSide(const JointedStructure& structure, std::string_view response_point,
@@ -155,7 +155,8 @@ class ShorteningSide final : public StructureSide {
     return u;
   }
 
-  /// The coefficients of a load that depends on the motion: a function of mode, harmonic, and q there.
+  /// The coefficients of a load that depends on the motion: a function of mode, harmonic, and q
+  /// there.
   template <typename Load>
   [[nodiscard]] VectorXd load_of(const Load& load) const {
     VectorXd result = VectorXd::Zero(load_.size());

@@ -237,10 +237,10 @@ void SteadyCycle::block(const Joint& joint, const Reversal& origin, double sign,
   const auto size = static_cast<std::size_t>(samples);
   const double turned_at = extremes_[origin.at].displacement;
   const double k = joint.stiffness();
-  joint.backbone().branch_forces({turned_at, origin.force, 0.5 * k, 2.0 * sign},
-                                 {x_.data() + first, size}, {force_.data() + first, size});
+  joint.virgin_curve().branch_forces({turned_at, origin.force, 0.5 * k, 2.0 * sign},
+                                     {x_.data() + first, size}, {force_.data() + first, size});
   for (Index i = first; i < first + samples; ++i) {
-    tangent_[i] = k * joint.backbone().slope(0.5 * k * std::abs(x_[i] - turned_at));
+    tangent_[i] = k * joint.virgin_curve().slope(0.5 * k * std::abs(x_[i] - turned_at));
   }
   part_.noalias() =
       basis_.rows().middleRows(first, samples).transpose() * tangent_.segment(first, samples);

@@ -17,8 +17,8 @@ namespace microslip {
 /// them. Internal to dynamics.
 ///
 /// With F′ the tangent and T the row of a sample, that of a branch adds to the Jacobian
-/// Σ T F′ Tᵀ + Σ T (f_r′ − F′ T_r)ᵀ: the first sum over all branches is a matrix of multiplication by
-/// F′(τ), and the second is of rank 1 on each branch.
+/// Σ T F′ Tᵀ + Σ T (f_r′ − F′ T_r)ᵀ: the first sum over all branches is a matrix of multiplication
+/// by F′(τ), and the second is of rank 1 on each branch.
 class SteadyCycle {
  public:
   SteadyCycle(std::size_t harmonics, std::size_t samples);

@@ -11,8 +11,8 @@
 
 namespace microslip {
 
-/// The cycle of one joint. Harmonics are factors of e^{inωt}, entry n that of harmonic n; entry 0 is
-/// the mean.
+/// The cycle of one joint. Harmonics are factors of e^{inωt}, entry n that of harmonic n; entry 0
+/// is the mean.
 struct JointCycle {
   std::string name;                                ///< of the joint
   std::vector<std::complex<double>> displacement;  ///< u_n, m

@@ -14,10 +14,11 @@
 namespace microslip {
 
 /// The structure as its joints feel it: given the harmonics of the tensions N in them it says what
-/// displacement u of each joint that makes. The modes are eliminated, so that the harmonic balance has
-/// J(2H + 1) unknowns, whatever the number of modes. Internal to dynamics.
+/// displacement u of each joint that makes. The modes are eliminated, so that the harmonic balance
+/// has J(2H + 1) unknowns, whatever the number of modes. Internal to dynamics.
 ///
-/// Vectors over the joints hold the coefficients (trigonometric_basis.hpp) of joint 0, then joint 1, …
+/// Vectors over the joints hold the coefficients (trigonometric_basis.hpp) of joint 0, then
+/// joint 1, …
 class StructureSide {
  public:
   struct Input {

@@ -16,8 +16,8 @@ enum class Quantity {
   kAngularFrequency,  ///< ω, rad/s; > 0
   kForceAmplitude,    ///< A, N; > 0
   kResponse,          ///< amplitude of the first harmonic at the response point; > 0
-  /// Of the displacement there behind the force, rad; in (0, π), modulo π: a point that moves against
-  /// the excitation has it too.
+  /// Of the displacement there behind the force, rad; in (0, π), modulo π: a point that moves
+  /// against the excitation has it too.
   kPhaseLag,
 };
 
@@ -40,11 +40,11 @@ inline constexpr Target kPhaseResonance{Quantity::kPhaseLag, 1.57079632679489661
 /// What keeps a vibration up.
 enum class Forcing {
   kExcitation,  ///< the excitations of the structure
-  /// A force ξ M q̇ on every mode: it replaces at each place what the motion loses there, as a shaker
-  /// at each mass would. What remains is a nonlinear mode, whatever the drive point: the extended
-  /// periodic motion q̈ + … − 2ζω q̇ = 0 with ξ = 2ζω. [Krack 2015] The excitations of the structure
-  /// are left out. The force amplitude is that of a force at the response point, in phase with its
-  /// velocity, that would feed the same energy: A = W_ext/(π|w_1|).
+  /// A force ξ M q̇ on every mode: it replaces at each place what the motion loses there, as a
+  /// shaker at each mass would. What remains is a nonlinear mode, whatever the drive point: the
+  /// extended periodic motion q̈ + … − 2ζω q̇ = 0 with ξ = 2ζω. [Krack 2015] The excitations of the
+  /// structure are left out. The force amplitude is that of a force at the response point, in phase
+  /// with its velocity, that would feed the same energy: A = W_ext/(π|w_1|).
   kModal,
 };
 

@@ -61,7 +61,8 @@ void derivative_of_basis(const Eigen::Ref<const VectorXd>& row, Eigen::Ref<Vecto
 }
 
 // Row a and column b: (w_a/2π) ∮ t T_a T_b dτ by the product formulas of sine and cosine, from the
-// moments of t: ∮ t cos mτ dτ/π = Re t_m and −∮ t sin mτ dτ/π = Im t_m for m ≥ 1, with 2t_0 at m = 0.
+// moments of t: ∮ t cos mτ dτ/π = Re t_m and −∮ t sin mτ dτ/π = Im t_m for m ≥ 1,
+// with 2t_0 at m = 0.
 Eigen::MatrixXd multiplication_matrix(const Eigen::Ref<const VectorXd>& t, std::size_t harmonics) {
   const auto order = static_cast<Index>(harmonics);
   const auto moment = [&](Index m) {  // of |m|; the sine part is odd in m
@@ -94,8 +95,8 @@ TrigonometricBasis::TrigonometricBasis(std::size_t harmonics, std::size_t sample
       weights_(
           VectorXd::Constant(coefficient_count(harmonics), 2.0 / static_cast<double>(samples))) {
   weights_[0] = 1.0 / static_cast<double>(samples);
-  // The angle of each product n k is reduced to one period in integers: no digits are lost to a large
-  // one, and one turn of sines serves all.
+  // The angle of each product n k is reduced to one period in integers: no digits are lost to a
+  // large one, and one turn of sines serves all.
   const Index count = rows_.rows();
   VectorXd cosine(count);
   VectorXd sine(count);

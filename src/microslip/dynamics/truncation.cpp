@@ -19,7 +19,8 @@ constexpr double kSeenShare = 1e-3;  // of the energy lost: what less means nobo
 /// In resonance a lag says better than a frequency where a vibration is, which may move.
 bool in_resonance(const SteadyVibration& point) { return std::sin(point.phase_lag) > 0.5; }
 
-/// |F_n|/|F_1| of the two highest harmonics, of which symmetry may leave one out; largest of the joints.
+/// |F_n|/|F_1| of the two highest harmonics, of which symmetry may leave one out; largest of the
+/// joints.
 double top_harmonics(const SteadyVibration& point) {
   double most = 0.0;
   for (const JointCycle& joint : point.joints) {

@@ -35,11 +35,12 @@ struct Truncation {
 /// The error that truncation may make unsaid, 1.
 inline constexpr double kTruncationAllowed = 2e-3;
 
-/// Solves telling points of a curve again, from themselves, each once: those with the largest response,
-/// the largest motion of each joint, the highest damping, and the largest share of harmonics H − 1 and H
-/// in the force of a joint; then its peaks, up to 20 of them by that share. In resonance what was kept
-/// and the phase lag are kept, elsewhere what was kept and the frequency. All harmonics up to 2H + 1 cost
-/// some 6 evaluations a point of equations twice as many as those of the curve.
+/// Solves telling points of a curve again, from themselves, each once: those with the largest
+/// response, the largest motion of each joint, the highest damping, and the largest share of
+/// harmonics H − 1 and H in the force of a joint; then its peaks, up to 20 of them by that share.
+/// In resonance what was kept and the phase lag are kept, elsewhere what was kept and the
+/// frequency. All harmonics up to 2H + 1 cost some 6 evaluations a point of equations twice as many
+/// as those of the curve.
 /// @param balance  that the curve is of.
 /// @param curve    that was found.
 /// @param kept     what was kept on the curve: the force, the response, or, of a backbone, phase
@@ -48,8 +49,8 @@ inline constexpr double kTruncationAllowed = 2e-3;
 [[nodiscard]] std::optional<Truncation> judge_truncation(const HarmonicBalance& balance,
                                                          const ResponseCurve& curve, Quantity kept);
 
-/// The warning `truncated`, with figures and remedy, where more than kTruncationAllowed changes or where
-/// that could not be seen.
+/// The warning `truncated`, with figures and remedy, where more than kTruncationAllowed changes or
+/// where that could not be seen.
 [[nodiscard]] std::optional<Warning> truncation_warning(const Truncation& truncation);
 
 }  // namespace microslip

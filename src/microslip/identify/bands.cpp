@@ -2,19 +2,16 @@
 #include "microslip/identify/bands.hpp"
 
 #include <fmt/format.h>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
-#include <mutex>
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/interpolation.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/identify/check_result.hpp"
-#include "microslip/identify/interpolation.hpp"
 #include "microslip/identify/inversion_model.hpp"
 
 namespace microslip {
@@ -109,26 +106,6 @@ std::pair<double, double> quantiles(std::vector<double>& values, double confiden
   return {at(0.5 * (1.0 - confidence)), at(0.5 * (1.0 + confidence))};
 }
 
-/// Counts finished samples for the progress callback, one caller at a time.
-class SharedProgress {
- public:
-  SharedProgress(const Progress& progress, std::size_t total)
-      : progress_(progress), total_(total) {}
-
-  void add(std::size_t count) {
-    if (!progress_) return;
-    const std::scoped_lock lock(mutex_);
-    done_ += count;
-    if (!progress_(done_, total_)) throw Cancelled();
-  }
-
- private:
-  const Progress& progress_;
-  std::size_t total_;
-  std::size_t done_ = 0;
-  std::mutex mutex_;
-};
-
 /// Of the data of a sample, in units of W: the scatter of each kind of rows, and what a loss factor
 /// wrong by the share δ does to D.
 Eigen::VectorXd data_noise(const InversionResult& result, double scatter, double delta,
@@ -195,14 +172,9 @@ DensityBands density_bands(const InversionResult& result, const BandOptions& opt
   check_options(options);
   check_errors(result, options);
   std::vector<DensitySample> samples(options.samples);
-  SharedProgress progress(options.progress, options.samples);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, options.samples, 16),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                        samples[i] = sample_density(result, options, i);
-                      }
-                      progress.add(range.size());
-                    });
+  options.execution.for_each(
+      options.samples, [&](std::size_t i) { samples[i] = sample_density(result, options, i); },
+      options.progress);
 
   DensityBands bands;
   bands.confidence = options.confidence;

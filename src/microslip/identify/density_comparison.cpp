@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/identify/interpolation.hpp"
+#include "microslip/base/interpolation.hpp"
 
 namespace microslip {
 namespace {

@@ -182,8 +182,8 @@ void diagnose_stiffness(const InversionResult& result, double stiffness,
   if (offset) warnings.push_back(std::move(*offset));
 }
 
-/// The p of D ∝ A^p by the lines of least squares through ln D over ln A, with its standard deviation;
-/// nothing where the levels are too few or too close.
+/// The p of D ∝ A^p by the lines of least squares through ln D over ln A, with its standard
+/// deviation; nothing where the levels are too few or too close.
 struct Exponent {
   double value;
   double std;
@@ -221,8 +221,8 @@ double exponent_margin(const Exponent& exponent) {
   return std::max(kExponentMargin, kExponentScore * exponent.std);
 }
 
-/// Below A², which is the least that micro-slip and linear damping make. A joint that the levels follow
-/// into macro-slip is no such case: its D begins above A².
+/// Below A², which is the least that micro-slip and linear damping make. A joint that the levels
+/// follow into macro-slip is no such case: its D begins above A².
 void diagnose_exponent(const Levels& merged, std::vector<Warning>& warnings) {
   const std::vector<double>& a = merged.amplitude;
   if (a.back() < kDampingRange * a.front()) return;

@@ -14,29 +14,36 @@ namespace microslip {
 ///   * `few_levels`          fewer than 10 different amplitudes;
 ///   * `narrow_range`        the highest amplitude is below 1.5 times the lowest;
 ///   * `amplitudes_merged`   equal amplitudes became one level each;
-///   * `repeats_differ`      D of equal amplitudes differs far more than its mean does from a smooth curve;
+///   * `repeats_differ`      D of equal amplitudes differs far more than its mean does from a
+///                           smooth curve;
 ///   * `exponent_below_two`  D grows less than A² in the lower half of the range and in all of it;
-///   * `std_ignored`         a standard deviation of zero somewhere, so none of that column is used; or
-///                           deviations of A without those of D;
-///   * `implausible_value`   a displacement or a loss that no structure survives, see plausibility.hpp.
+///   * `std_ignored`         a standard deviation of zero somewhere, so none of that column is
+///                           used; or deviations of A without those of D;
+///   * `implausible_value`   a displacement or a loss that no structure survives, see
+///                           plausibility.hpp.
 [[nodiscard]] std::vector<Warning> diagnose(const Levels& levels);
 
 /// What an inversion gives reason to say:
-///   * `density_negative`        without the limit φ would be significantly negative [AR14 Fig. B1];
-///   * `data_not_convex`         three neighbouring levels bend D the wrong way, beyond their scatter;
+///   * `density_negative`        without the limit φ would be significantly negative
+///                               [AR14 Fig. B1];
+///   * `data_not_convex`         three neighbouring levels bend D the wrong way, beyond their
+///                               scatter;
 ///   * `stiffness_inconsistent`  the area would exceed 1: more stiffness slips than k has;
-///   * `secant_contradicts`      k_eq, of unknown deviation, bends the fit off a D that is smooth by itself;
+///   * `secant_contradicts`      k_eq, of unknown deviation, bends the fit off a D that is smooth
+///                               by itself;
 ///   * `secant_inconsistent`     measured secant stiffnesses do not belong to D and k, see
 ///                               stiffness_evidence.hpp;
-///   * `stiffness_unchecked`     less than 1 % of k slips, and no secant stiffness tells whether k is
-///                               right;
+///   * `stiffness_unchecked`     less than 1 % of k slips, and no secant stiffness tells whether k
+///                               is right;
 ///   * `extrapolation`           much of the area lies below the lowest amplitude;
 ///   * `damping_suspected`       βA² alone fits D as well, and D grows as A²: it may be no slip
 ///                               at all;
 ///   * `damping_ambiguous`       linear damping takes most of D at the lowest level;
-///   * `scatter_large`           the levels scatter more than a usable measurement, or than was said;
+///   * `scatter_large`           the levels scatter more than a usable measurement, or than was
+///                               said;
 ///   * `scatter_small`           they scatter much less than was said;
-///   * `inner_not_converged`     solutions that λ, the atom or these warnings rest on did not converge;
+///   * `inner_not_converged`     solutions that λ, the atom or these warnings rest on did not
+///                               converge;
 ///   * `macroslip_not_reached`   no atom was found.
 /// @throws InputError  where the result is none of invert().
 [[nodiscard]] std::vector<Warning> diagnose(const InversionResult& result,

@@ -120,7 +120,8 @@ Identification by_differences(const Levels& levels, const IdentificationOptions&
   return found;
 }
 
-/// The band is of the free density of the inversion: beside another joint it would pass for its own.
+/// The band is of the free density of the inversion: beside another joint it would pass for its
+/// own.
 void check_bands(const IdentificationOptions& options) {
   if (!options.bands) return;
   if (options.method != IdentificationMethod::kInversion) {

@@ -73,9 +73,10 @@ struct Identification {
 
 /// Levels to joint by the chosen method, judged: see diagnose() in diagnostics.hpp and
 /// stiffness_evidence.hpp for the warnings.
-/// Methods whose density may be negative give a joint with max(φ, 0), scaled to an area of 1 where it
-/// is above; both are said in a warning.
-/// @throws InputError  where an option or a level breaks a rule. @throws Cancelled  as density_bands().
+/// Methods whose density may be negative give a joint with max(φ, 0), scaled to an area of 1 where
+/// it is above; both are said in a warning.
+/// @throws InputError  where an option or a level breaks a rule.
+/// @throws Cancelled   as density_bands().
 [[nodiscard]] Identification identify(const Levels& levels, const IdentificationOptions& options);
 
 }  // namespace microslip

@@ -4,7 +4,8 @@
 #include <limits>
 
 /// @file
-/// No limit of a parameter, or the score of a fit that leaves nothing to judge it by. Internal to identify.
+/// No limit of a parameter, or the score of a fit that leaves nothing to judge it by. Internal to
+/// identify.
 
 namespace microslip {
 

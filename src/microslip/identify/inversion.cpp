@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/median.hpp"
 #include "microslip/identify/inversion_model.hpp"
-#include "microslip/identify/median.hpp"
 #include "microslip/identify/signed_density.hpp"
 
 namespace microslip {
@@ -213,8 +213,8 @@ InversionModel two_passes(const ScaledLevels& levels, const InversionOptions& op
   return second;
 }
 
-/// Schwarz's criterion of a model: m ln rss + edf ln m, with residuals relative to the same d for all
-/// models, whatever weights each of them took.
+/// Schwarz's criterion of a model: m ln rss + edf ln m, with residuals relative to the same d for
+/// all models, whatever weights each of them took.
 double schwarz_criterion(const ScaledLevels& levels, const InversionModel& model) {
   const SmoothingPoint& point = model.solution();
   const Eigen::ArrayXd typical = typical_dissipation(levels).cwiseMax(levels.floor).array();
@@ -224,9 +224,9 @@ double schwarz_criterion(const ScaledLevels& levels, const InversionModel& model
   return m * std::log(residual) + point.edf * std::log(m);
 }
 
-/// The slip force of an atom at macro-slip, as a share of kA_max: it ends the density, and above it D
-/// grows in a straight line. Nothing where the density goes on to the end of the data, or the levels
-/// are too few to tell.
+/// The slip force of an atom at macro-slip, as a share of kA_max: it ends the density, and above it
+/// D grows in a straight line. Nothing where the density goes on to the end of the data, or the
+/// levels are too few to tell.
 std::optional<double> find_atom(const ScaledLevels& levels, const InversionOptions& options,
                                 InnerSolutions& inner) {
   const Eigen::Index count = levels.amplitude.size();

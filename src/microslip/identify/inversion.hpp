@@ -25,8 +25,8 @@ struct InversionOptions {
   /// λ in the scaled variables of the inversion, as the path reports it; > 0.
   std::optional<double> lambda = {};
 
-  /// Adds βA² with β ≥ 0 to D: linear (material, air, shaker) damping that was not subtracted. Where
-  /// the density goes on below the lowest amplitude the two can hardly be told apart.
+  /// Adds βA² with β ≥ 0 to D: linear (material, air, shaker) damping that was not subtracted.
+  /// Where the density goes on below the lowest amplitude the two can hardly be told apart.
   bool linear_damping = false;
 
   /// Adds an atom where the density ends: the slip force at which the joint passes into macro-slip,
@@ -64,13 +64,13 @@ struct InversionResult {
   std::size_t chosen = 0;       ///< index into the path
   double edf = 0.0;             ///< effective degrees of freedom of the solution
 
-  /// Estimated scatter of the levels: relative to D where no standard deviation was given; relative to
-  /// that deviation (1 where it is right) where it was.
+  /// Estimated scatter of the levels: relative to D where no standard deviation was given; relative
+  /// to that deviation (1 where it is right) where it was.
   double scatter = 0.0;
   bool scatter_is_relative = true;  ///< to D
 
-  /// The same of D alone; `scatter` is of D and k_eq together. Degrees of freedom are those that the
-  /// rows of each kind leave.
+  /// The same of D alone; `scatter` is of D and k_eq together. Degrees of freedom are those that
+  /// the rows of each kind leave.
   double dissipation_scatter = 0.0;
   /// Of k_eq alone, relative to its standard deviation; nothing where that was not given. Below 1
   /// where the standard deviation holds an error common to neighbouring levels, as that of Reducer
@@ -85,9 +85,9 @@ struct InversionResult {
   /// errors were common to all levels; otherwise that of a mean of independent ones.
   double secant_offset_std = 0.0;
 
-  /// By how much D asks for a negative density, in standard deviations (smoothing included): what the
-  /// residual of a flexible density ≥ 0 still tells, smoothed as without limits, where it makes the
-  /// density negative. Below −3.5 or so the data contradict φ ≥ 0. ≤ 0.
+  /// By how much D asks for a negative density, in standard deviations (smoothing included): what
+  /// the residual of a flexible density ≥ 0 still tells, smoothed as without limits, where it makes
+  /// the density negative. Below −3.5 or so the data contradict φ ≥ 0. ≤ 0.
   double lowest_score = 0.0;
   double lowest_at = 0.0;  ///< slip force there, N
 
@@ -96,8 +96,8 @@ struct InversionResult {
   double area_cost = 0.0;
   double unlimited_area = 0.0;  ///< Φ0 without the limit, 1
 
-  /// Solutions beside the result itself: those of the path and of its first pass, of the search of an
-  /// atom, and those behind lowest_score and area_cost; and how many did not converge.
+  /// Solutions beside the result itself: those of the path and of its first pass, of the search of
+  /// an atom, and those behind lowest_score and area_cost; and how many did not converge.
   std::size_t inner_solutions = 0;
   std::size_t inner_not_converged = 0;  ///< of them
 
@@ -115,12 +115,12 @@ inline constexpr std::size_t kFewestLevels = 4;
 ///     minimise ½‖W(Kθ + βA² − D)‖² + ½λ‖Lθ‖²  subject to  θ ≥ 0, β ≥ 0, ∫φ df* ≤ 1,
 ///
 /// φ = Σθ_jN_j on knots that follow the data (InversionBasis). W is 1/σ where σ is given and 1/D
-/// otherwise, D from a first fit and not from the noisy value. The penalty is on second differences of
-/// θ, weaker where a first pass found little density, so that empty ranges stay empty and peaks are not
-/// flattened. Secant stiffnesses add rows of the same θ,
-/// each less the weighted mean of them all: their change over the amplitude is used, their absolute level
-/// is not, as it stands and falls with k. Where no standard deviation of k_eq is given it is estimated,
-/// as 0.1 % of k at least. What levels of equal amplitude differ by counts as scatter.
+/// otherwise, D from a first fit and not from the noisy value. The penalty is on second differences
+/// of θ, weaker where a first pass found little density, so that empty ranges stay empty and peaks
+/// are not flattened. Secant stiffnesses add rows of the same θ,
+/// each less the weighted mean of them all: their change over the amplitude is used, their absolute
+/// level is not, as it stands and falls with k. Where no standard deviation of k_eq is given it is
+/// estimated, as 0.1 % of k at least. What levels of equal amplitude differ by counts as scatter.
 ///
 /// @param levels   at least kFewestLevels different amplitudes, in any order; equal ones are
 ///                 merged.

@@ -8,16 +8,16 @@
 /// The unknowns of the inversion and what they do to D and k_eq. Internal: Eigen stays out of the
 /// installed headers.
 ///
-/// All in scaled variables: amplitude a = A/A_max, slip force s = f*/(kA_max), density p = kA_max φ,
-/// dissipation d = D/(kA_max²), softening 1 − k_eq/k.
+/// All in scaled variables: amplitude a = A/A_max, slip force s = f*/(kA_max), density p = kA_max
+/// φ, dissipation d = D/(kA_max²), softening 1 − k_eq/k.
 
 namespace microslip {
 
-/// The density is continuous and linear between knots, and constant below the first; so the result is
-/// written without loss as a piecewise-linear part. The coefficients θ are what the roughness penalty
-/// sees: p at knot j is reference_j θ_j. With the reference s^χ₀ (χ₀ from the log–log slope of D) a
-/// power law is a constant θ and costs nothing. The first coefficient carries the knots below the
-/// lowest amplitude along: D tells only two moments of the density there.
+/// The density is continuous and linear between knots, and constant below the first; so the result
+/// is written without loss as a piecewise-linear part. The coefficients θ are what the roughness
+/// penalty sees: p at knot j is reference_j θ_j. With the reference s^χ₀ (χ₀ from the log–log slope
+/// of D) a power law is a constant θ and costs nothing. The first coefficient carries the knots
+/// below the lowest amplitude along: D tells only two moments of the density there.
 class InversionBasis {
  public:
   /// @param lowest        lowest scaled amplitude, in (0, 1).
@@ -43,8 +43,8 @@ class InversionBasis {
   /// Area ∫p ds from θ.
   [[nodiscard]] Eigen::VectorXd area() const;
 
-  /// Second differences of θ over the coordinate in which the knots are equally spaced, with its range
-  /// as the unit: rows (size − 2) × size.
+  /// Second differences of θ over the coordinate in which the knots are equally spaced, with its
+  /// range as the unit: rows (size − 2) × size.
   [[nodiscard]] Eigen::MatrixXd second_differences() const;
 
  private:

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "microslip/identify/median.hpp"
+#include "microslip/base/median.hpp"
 #include "microslip/identify/noise.hpp"
 
 namespace microslip {

@@ -12,7 +12,8 @@
 #include "microslip/identify/smoothing_path.hpp"
 
 /// @file
-/// One pass of the inversion, in scaled variables. Internal: Eigen stays out of the installed headers.
+/// One pass of the inversion, in scaled variables. Internal: Eigen stays out of the installed
+/// headers.
 
 namespace microslip {
 
@@ -109,8 +110,8 @@ class InversionModel {
   double scatter = 0.0;              ///< σ̂, in units of 1/W
   double dissipation_scatter = 1.0;  ///< of the rows of D, over σ̂
   double softening_scatter = 1.0;    ///< of those of k_eq, over σ̂
-  /// What samples perturb the rows of k_eq by at least, over σ̂: an error common to neighbouring levels
-  /// does not show in their scatter.
+  /// What samples perturb the rows of k_eq by at least, over σ̂: an error common to neighbouring
+  /// levels does not show in their scatter.
   double least_softening_scatter = 0.0;
   double degrees_of_freedom = 0.0;  ///< ν of σ̂²
 

@@ -28,12 +28,14 @@ struct Levels {
   [[nodiscard]] std::size_t size() const { return amplitude.size(); }
 };
 
-/// Checks what every method needs: lengths agree, A > 0, all finite, D ≥ 0, k_eq > 0, W_lin ≥ 0, f > 0,
-/// standard deviations ≥ 0. Order and repetition are free. @throws InputError  naming the level (1-based) and the value.
+/// Checks what every method needs: lengths agree, A > 0, all finite, D ≥ 0, k_eq > 0, W_lin ≥ 0,
+/// f > 0, standard deviations ≥ 0. Order and repetition are free.
+/// @throws InputError  naming the level (1-based) and the value.
 void check_levels(const Levels& levels);
 
 /// The levels by rising amplitude; levels of equal amplitude become one: the mean of D, k_eq and
-/// f weighted by 1/σ² where σ is given (equally otherwise), with its standard deviation; that of W_lin.
+/// f weighted by 1/σ² where σ is given (equally otherwise), with its standard deviation; that of
+/// W_lin.
 struct MergedLevels {
   Levels levels;                   ///< sorted, no two of one amplitude
   std::vector<std::size_t> count;  ///< how many levels became this one

@@ -10,7 +10,8 @@
 #include "microslip/identify/spline_density.hpp"
 
 /// @file
-/// The same levels by all methods, so that a density can be seen beside the others. [AR14 Fig. 9, 10]
+/// The same levels by all methods, so that a density can be seen beside the others. [AR14 Fig. 9,
+/// 10]
 
 namespace microslip {
 

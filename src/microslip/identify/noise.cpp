@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/identify/median.hpp"
+#include "microslip/base/median.hpp"
 
 namespace microslip {
 

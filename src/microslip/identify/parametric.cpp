@@ -52,8 +52,9 @@ class Measured {
   }
 
   /// What deviations of the amplitude make of a known σ.
-  /// @param through_slope  of the joint, one a level. @param weight  that it has in the mean of squares
-  ///                       with what was set before. @return  the largest change of ln σ.
+  /// @param through_slope  of the joint, one a level.
+  /// @param weight         that it has in the mean of squares with what was set before.
+  /// @return  the largest change of ln σ.
   double set_through_slope(Vector through_slope, double weight) {
     for (std::size_t i = 0; i < through_slope_.size(); ++i) {
       through_slope[i] = std::hypot(std::sqrt(weight) * through_slope[i],
@@ -247,9 +248,10 @@ class Fit {
     loss_.set_through_slope(std::move(loss), 1.0);
   }
 
-  /// What ± σ_A makes of D and k_eq of the best joint so far. Not their slopes at A, which jump where
-  /// an atom slips: the turns would go round in circles. Where two minima are
-  /// nearly as good they still may: later turns count less and less. @return  the largest change of ln σ.
+  /// What ± σ_A makes of D and k_eq of the best joint so far. Not their slopes at A, which jump
+  /// where an atom slips: the turns would go round in circles. Where two minima are
+  /// nearly as good they still may: later turns count less and less.
+  /// @return  the largest change of ln σ.
   double update_slopes(const Minimum& best, int turn) {
     if (!weighs_amplitude()) return 0.0;
     constexpr int kFullTurns = 4;
@@ -275,9 +277,9 @@ class Fit {
     return change;
   }
 
-  /// Fit and unknown noise in turns, and weights by slopes of the fit. A single unknown noise of all
-  /// rows changes no weight against another: then the first turn is the last. Otherwise the turns
-  /// follow the best start, and when the noise has settled all starts are tried again.
+  /// Fit and unknown noise in turns, and weights by slopes of the fit. A single unknown noise of
+  /// all rows changes no weight against another: then the first turn is the last. Otherwise the
+  /// turns follow the best start, and when the noise has settled all starts are tried again.
   Minimum search() {
     constexpr int kMostTurns = 60;
     constexpr double kStill = 1.0;  // see update_weights()
@@ -302,8 +304,8 @@ class Fit {
     return best;
   }
 
-  /// @return  the largest change of a noise or a σ, over what changes the result far less than its own
-  ///          error: σ weighs the levels against each other only.
+  /// @return  the largest change of a noise or a σ, over what changes the result far less than its
+  ///          own error: σ weighs the levels against each other only.
   double update_weights(const Minimum& best, int turn) {
     constexpr double kStillNoise = 1e-3;
     constexpr double kStillSlopes = 1e-2;

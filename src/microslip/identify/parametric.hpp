@@ -80,12 +80,13 @@ struct ParametricResult {
 ///
 /// σ is `dissipation_std` where that is given and positive at every level; otherwise σ_i = s D_i
 /// with s estimated from the misfit (this needs D > 0); `secant_stiffness_std` likewise. Where both
-/// kinds of row are there and an s is unknown, fit and s are found in turns. `amplitude_std` adds to
-/// a σ that was given what it makes through the slope of the fit, also in turns:
+/// kinds of row are there and an s is unknown, fit and s are found in turns. `amplitude_std` adds
+/// to a σ that was given what it makes through the slope of the fit, also in turns:
 ///
 ///     σ_i² = σ_D,i² + ¼[D(A_i + σ_A,i) − D(A_i − σ_A,i)]²,  D = D_model + βl A²;  k_eq likewise
 ///
-/// (effective variance, with D′σ_A as a difference that an atom leaves continuous; Orear, Am. J. Phys. 50 (1982) 912); an estimated s holds it already.
+/// (effective variance, with D′σ_A as a difference that an atom leaves continuous; Orear, Am. J.
+/// Phys. 50 (1982) 912); an estimated s holds it already.
 ///
 /// Method: each parameter moves inside of its range by a smooth one-to-one transformation
 /// (logarithm or logit), in which MINPACK's Levenberg–Marquardt [J. J. Moré, Lect. Notes Math. 630
@@ -96,7 +97,8 @@ struct ParametricResult {
 ///
 /// Warnings: parameter_at_bound; macroslip_not_reached (four_parameter: with all levels below
 /// macro-slip F_S and beta cannot be told apart); not_identifiable; noise_not_given;
-/// systematic_misfit (the residuals of neighbouring levels are correlated, see serial_correlation()).
+/// systematic_misfit (the residuals of neighbouring levels are correlated, see
+/// serial_correlation()).
 /// @param levels     any order and repetition; more distinct amplitudes than parameters.
 /// @param stiffness  k, N/m; positive and finite.
 /// @param model      whose parameters are sought.

@@ -111,10 +111,10 @@ bool QuadraticProgram::pivot_blocks(const Eigen::MatrixXd& hessian, const Eigen:
   return false;
 }
 
-// The method of [Lawson & Hanson, Solving Least Squares Problems, 1974, ch. 23] with the budget inside
-// of the problem on the free variables: from a feasible x towards the minimiser on its free variables
-// as far as all stay positive, until there; then the variable that promises most is freed. Each
-// such minimiser lies below the one before, so no set of free variables returns.
+// The method of [Lawson & Hanson, Solving Least Squares Problems, 1974, ch. 23] with the budget
+// inside of the problem on the free variables: from a feasible x towards the minimiser on its free
+// variables as far as all stay positive, until there; then the variable that promises most is
+// freed. Each such minimiser lies below the one before, so no set of free variables returns.
 bool QuadraticProgram::go_downhill(const Eigen::MatrixXd& hessian, const Eigen::VectorXd& linear,
                                    Solution& solution) {
   const Eigen::Index n = linear.size();

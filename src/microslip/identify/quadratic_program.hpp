@@ -5,7 +5,8 @@
 #include <vector>
 
 /// @file
-/// The convex quadratic program of the inversion. Internal: the installed headers do not include it.
+/// The convex quadratic program of the inversion. Internal: the installed headers do not include
+/// it.
 
 namespace microslip {
 
@@ -37,15 +38,15 @@ class QuadraticProgram {
   /// @param budget_weights  m, one a variable.
   QuadraticProgram(Eigen::VectorXd budget_weights, double budget);
 
-  /// Block principal pivoting (Portugal, Júdice & Vicente, Math. Comp. 63 (1994) 625), the multiplier
-  /// eliminated on each set of free variables. With the budget it may go round in circles: where a
-  /// few exchanges make no progress, an active-set method that only goes downhill ends it. It stops
-  /// when all signs are right to 1e−12 of the largest x and 1e−10 of the largest |g|, but for what
-  /// rounding alone makes of Hx.
+  /// Block principal pivoting (Portugal, Júdice & Vicente, Math. Comp. 63 (1994) 625), the
+  /// multiplier eliminated on each set of free variables. With the budget it may go round in
+  /// circles: where a few exchanges make no progress, an active-set method that only goes downhill
+  /// ends it. It stops when all signs are right to 1e−12 of the largest x and 1e−10 of the largest
+  /// |g|, but for what rounding alone makes of Hx.
   ///
   /// The residual is the largest of |s_i| over the free and −s_i over the others relative to ‖g‖∞,
-  /// −x_i relative to ‖x‖∞ and mᵀx − budget relative to the budget; infinite where H is not positive
-  /// definite to rounding.
+  /// −x_i relative to ‖x‖∞ and mᵀx − budget relative to the budget; infinite where H is not
+  /// positive definite to rounding.
   ///
   /// @param start  variables free at first: those of a similar problem make one exchange enough.
   [[nodiscard]] Solution solve(const Eigen::MatrixXd& hessian, const Eigen::VectorXd& linear,

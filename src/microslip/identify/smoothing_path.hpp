@@ -9,8 +9,8 @@
 #include "microslip/identify/smoothing_rule.hpp"
 
 /// @file
-/// The constrained smoothing problem over the smoothing parameter λ. Internal: Eigen stays out of the
-/// installed headers.
+/// The constrained smoothing problem over the smoothing parameter λ. Internal: Eigen stays out of
+/// the installed headers.
 
 namespace microslip {
 
@@ -48,8 +48,9 @@ class SmoothingProblem {
   /// WKᵀWK + λLᵀL.
   [[nodiscard]] Eigen::MatrixXd hessian(double lambda) const;
 
-  /// λ in equal ratios, from almost only the null space of L to as many degrees of freedom as 0.85 of
-  /// the rows or coefficients, or as almost all that the data tell; both without the constraints.
+  /// λ in equal ratios, from almost only the null space of L to as many degrees of freedom as 0.85
+  /// of the rows or coefficients, or as almost all that the data tell; both without the
+  /// constraints.
   [[nodiscard]] std::vector<double> lambda_grid(std::size_t count) const;
 
   /// @param start  free coefficients of a neighbour's solution, or all.

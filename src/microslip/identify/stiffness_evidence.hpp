@@ -15,8 +15,8 @@
 ///
 ///     d ln f = ½ p d ln k_eq,   0 ≤ p ≤ 1                  (Rayleigh's quotient is stationary)
 ///
-/// so that from one amplitude to a higher one a mode neither rises nor falls by more than √k_eq. p is 1
-/// for an equivalent joint between a drive point and the ground.
+/// so that from one amplitude to a higher one a mode neither rises nor falls by more than √k_eq. p
+/// is 1 for an equivalent joint between a drive point and the ground.
 
 namespace microslip {
 
@@ -24,8 +24,9 @@ namespace microslip {
 struct SecantEvidence {
   /// Mean of k_eq as measured less that of the joint, weighted by 1/σ², N/m.
   double offset = 0.0;
-  /// Of that mean, N/m: the weighted mean of the σ given, as if the errors were common to all levels;
-  /// where none was given that of a mean of independent errors as large as the measured scatter.
+  /// Of that mean, N/m: the weighted mean of the σ given, as if the errors were common to all
+  /// levels; where none was given that of a mean of independent errors as large as the measured
+  /// scatter.
   double offset_std = 0.0;
   /// What is left without the offset, rms over σ, 1; nothing where σ was not given.
   std::optional<double> scatter;
@@ -62,16 +63,18 @@ struct StiffnessEvidence {
       frequency;  ///< where frequencies are there, of two levels or more
 };
 
-/// @param levels  in any order. @param joint  identified from them. @throws InputError  as check_levels().
+/// @param levels  in any order.
+/// @param joint   identified from them.
+/// @throws InputError  as check_levels().
 [[nodiscard]] StiffnessEvidence stiffness_evidence(const Levels& levels, const Joint& joint);
 
 /// What it gives reason to say:
-///   * `secant_inconsistent`     the mean of k_eq is off that of the joint by more than 1 % of k, and by
-///                               more than three standard deviations;
-///   * `secant_misfit`           k_eq changes otherwise than that of the joint: by more than twice the
-///                               standard deviations given;
-///   * `frequency_rises`         by more than 0.3 % between two levels, or more than 0.1 % and three
-///                               standard deviations of each where they are given;
+///   * `secant_inconsistent`     the mean of k_eq is off that of the joint by more than 1 % of k,
+///                               and by more than three standard deviations;
+///   * `secant_misfit`           k_eq changes otherwise than that of the joint: by more than twice
+///                               the standard deviations given;
+///   * `frequency_rises`         by more than 0.3 % between two levels, or more than 0.1 % and
+///                               three standard deviations of each where they are given;
 ///   * `softening_unexplained`   it falls by as much more than all of the joint's softening.
 [[nodiscard]] std::vector<Warning> diagnose(const StiffnessEvidence& evidence, const Joint& joint);
 

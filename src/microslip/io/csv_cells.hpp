@@ -58,7 +58,8 @@ struct RawCell {
 /// One `#` line per line of the text; control characters become blanks.
 void append_comment(std::string& text, std::string_view comment);
 
-/// The rule on the name of a column that is written. @throws InputError  where it would not read back.
+/// The rule on the name of a column that is written. @throws InputError  where it would not read
+/// back.
 void check_column_name(std::string_view name);
 
 /// Quoted where it would not read back as it is; empty cells too, which could make a blank line.

@@ -10,9 +10,9 @@
 #include "microslip/signal/recording.hpp"
 
 /// @file
-/// Accelerations that are labelled g beside the factor 1/9.80665. Some analysers store m/s² and write
-/// label and factor for those who want to show g; others store g. Nothing in the file tells which,
-/// and the wrong guess is off by a factor of ten: the user is asked.
+/// Accelerations that are labelled g beside the factor 1/9.80665. Some analysers store m/s² and
+/// write label and factor for those who want to show g; others store g. Nothing in the file tells
+/// which, and the wrong guess is off by a factor of ten: the user is asked.
 
 namespace microslip {
 
@@ -25,8 +25,8 @@ namespace microslip {
 /// Whether the value of one of them does.
 [[nodiscard]] bool says_per_gravity(const Attributes& attributes);
 
-/// Of such a channel, which is taken as without unit: what its largest value is either way, and how to
-/// say which holds.
+/// Of such a channel, which is taken as without unit: what its largest value is either way, and how
+/// to say which holds.
 /// @param place   of the channel, for the message.
 /// @param name    of the channel.
 /// @param values  as the file has them.

@@ -79,8 +79,8 @@ Line through_ends(std::span<const double> values) {
           (values.back() - values.front()) / static_cast<double>(values.size() - 1)};
 }
 
-/// step = Σ(i − m)(t_i − t_0)/Σ(i − m)², m the mean of i: rounding errors average out, as they do not
-/// between the ends.
+/// step = Σ(i − m)(t_i − t_0)/Σ(i − m)², m the mean of i: rounding errors average out, as they do
+/// not between the ends.
 Line least_squares(std::span<const double> values) {
   const auto n = static_cast<double>(values.size());
   const double middle = 0.5 * (n - 1.0);

@@ -26,8 +26,8 @@ struct PrintedDigits {
 ///   |t_i − (start + i·step)| ≤ max(½ ulp(t_i) + ½ ulp(t_end), 1e-6 step),
 ///   at most 0.24 step, or 0.01 step where there are less than 20 points;
 /// otherwise the values themselves. The step comes from the first and last value or from a
-/// least-squares line; of times it is 1/n s with a whole number n where it comes within 1e-5 of that
-/// and 1/n explains them as well.
+/// least-squares line; of times it is 1/n s with a whole number n where it comes within 1e-5 of
+/// that and 1/n explains them as well.
 /// @param values  in SI, rising, two at least.
 /// @param digits  of the numbers that were printed, in `unit`.
 [[nodiscard]] Axis axis_from_printed(std::vector<double> values, const Unit& unit,

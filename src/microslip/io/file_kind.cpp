@@ -43,8 +43,8 @@ bool is_histories(const std::vector<std::string>& names) {
          names[2].ends_with("_recorded") && names[3].ends_with("_predicted");
 }
 
-/// time, forces, displacement, velocity, acceleration, and a joint's displacement and force at the end: no
-/// recording is like that.
+/// time, forces, displacement, velocity, acceleration, and a joint's displacement and force at the
+/// end: no recording is like that.
 bool is_march(const std::vector<std::string>& names) {
   constexpr std::array<std::string_view, 3> kMotion{"displacement", "velocity", "acceleration"};
   const auto motion = std::search(names.begin(), names.end(), kMotion.begin(), kMotion.end());
@@ -94,7 +94,8 @@ std::string_view toml_schema(std::string_view head) {
   return {};
 }
 
-/// Whether a line ends that is neither empty nor a comment: that of a table's header, or of a schema.
+/// Whether a line ends that is neither empty nor a comment: that of a table's header, or of a
+/// schema.
 bool has_line(std::string_view head) {
   if (head.starts_with(kByteOrderMark)) head.remove_prefix(kByteOrderMark.size());
   for (;;) {

@@ -39,8 +39,8 @@ class InputStream;
 /// So much of a file tells its kind, unless comments or a very long header fill it.
 inline constexpr std::size_t kKindHeadSize = 65536;
 
-/// Of a file: what tells its kind, its first kKindHeadSize bytes or, where no line of them ends that
-/// is neither empty nor a comment, so many more. @throws FileError  as InputStream::peek().
+/// Of a file: what tells its kind, its first kKindHeadSize bytes or, where no line of them ends
+/// that is neither empty nor a comment, so many more. @throws FileError  as InputStream::peek().
 [[nodiscard]] std::string_view peek_kind_head(InputStream& file);
 /// The same by a path, "-" being standard input. @throws FileError  as read_file().
 [[nodiscard]] std::string read_kind_head(const std::string& path);

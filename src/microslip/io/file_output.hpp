@@ -36,7 +36,8 @@ void write_all(int descriptor, std::string_view bytes, std::string_view path);
 /// The same on standard output, behind what stdio holds for it.
 void write_standard_output(std::string_view bytes);
 
-/// Brings standard output to the disk, for some file systems tell only then what they could not keep.
+/// Brings standard output to the disk, for some file systems tell only then what they could not
+/// keep.
 /// @throws WriteError  where something got lost.
 void finish_standard_output();
 

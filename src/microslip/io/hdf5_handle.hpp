@@ -15,8 +15,8 @@
 
 namespace microslip {
 
-/// While it lives, nobody else of microslip is inside the HDF5 library, which keeps global state, and
-/// the library prints nothing.
+/// While it lives, nobody else of microslip is inside the HDF5 library, which keeps global state,
+/// and the library prints nothing.
 class Hdf5Session {
  public:
   Hdf5Session();

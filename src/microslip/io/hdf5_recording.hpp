@@ -20,10 +20,11 @@
 ///     /recording_2 …
 ///
 /// Names to the right are attributes, texts in UTF-8 or doubles, all in SI. Values are doubles;
-/// complex ones are compounds {r, i}, as h5py and PyTables have them. The attributes of the recording
-/// and of its channels stand beside these, one whose name cannot as `attribute_<i>:<name>`. Datasets
-/// are cut into chunks of 1 MiB with a checksum each (fletcher32), and what surrounds them is
-/// checksummed by the format itself (HDF5 1.10 and later): a changed byte is found when it is read.
+/// complex ones are compounds {r, i}, as h5py and PyTables have them. The attributes of the
+/// recording and of its channels stand beside these, one whose name cannot as
+/// `attribute_<i>:<name>`. Datasets are cut into chunks of 1 MiB with a checksum each (fletcher32),
+/// and what surrounds them is checksummed by the format itself (HDF5 1.10 and later): a changed
+/// byte is found when it is read.
 ///
 /// What is read of others: each group that holds numbers is a recording of the datasets that share
 /// an axis. A dataset is a channel; one of two dimensions is as many as its shorter side has. The

@@ -46,8 +46,8 @@ std::size_t check_hdf5_storage(hid_t dataset, const std::string& place);
 [[nodiscard]] std::optional<double> hdf5_number(hid_t object, const char* name,
                                                 const std::string& place);
 
-/// All attributes that are one text or one number, in the order in which they were written where the
-/// file knows it, else by name; numbers as text.
+/// All attributes that are one text or one number, in the order in which they were written where
+/// the file knows it, else by name; numbers as text.
 [[nodiscard]] Attributes hdf5_attributes(hid_t object, const std::string& place);
 
 /// @throws FileError  where the value cannot be written.

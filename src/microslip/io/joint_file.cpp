@@ -13,7 +13,7 @@
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/json_input.hpp"
-#include "microslip/io/record_json.hpp"
+#include "microslip/io/named_values_json.hpp"
 #include "microslip/io/structured_input.hpp"
 #include "microslip/io/text.hpp"
 
@@ -183,9 +183,9 @@ void check_damping(const JsonObject& identification) {
                    fmt::format("must be from 0 to {:g} J/m^2", kLargestLinearDamping));
 }
 
-void append_object(std::string& text, std::string_view key, const Record& record) {
+void append_object(std::string& text, std::string_view key, const NamedValues& record) {
   text += fmt::format(",\n  \"{}\": ", key);
-  append_record(text, record, "  ");
+  append_named_values(text, record, "  ");
 }
 
 }  // namespace
@@ -218,7 +218,7 @@ JointFile parse_joint(std::string_view text, std::string_view file) {
   if (top.has("provenance")) result.provenance = read_provenance(top.at("provenance"));
   if (top.has("identification")) {
     check_damping(JsonObject(top.at("identification"), file, "identification"));
-    result.identification = read_record(top.at("identification"));
+    result.identification = read_named_values(top.at("identification"));
   }
   return result;
 }
@@ -247,7 +247,7 @@ std::string format_joint(const JointFile& file) {
   append_number(text, file.joint.stiffness());
   text += ",\n  \"density\": ";
   append_density(text, file.joint.density().parts());
-  if (file.provenance) append_object(text, "provenance", provenance_record(*file.provenance));
+  if (file.provenance) append_object(text, "provenance", provenance_values(*file.provenance));
   if (!file.identification.empty()) append_object(text, "identification", file.identification);
   return text + "\n}\n";
 }

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "microslip/io/record.hpp"
+#include "microslip/io/named_values.hpp"
 #include "microslip/joint/joint.hpp"
 
 /// @file
@@ -19,10 +19,11 @@ namespace microslip {
 struct JointFile {
   Joint joint;                           ///< the joint itself
   std::optional<Provenance> provenance;  ///< how the file came to be; nothing where it does not say
-  Record identification;  ///< range covered, remainder, bands…; empty where the file has none
+  NamedValues identification;  ///< range covered, remainder, bands…; empty where the file has none
 };
 
-/// kA of the highest level that the joint was identified by, N; nothing where the file does not say.
+/// kA of the highest level that the joint was identified by, N; nothing where the file does not
+/// say.
 [[nodiscard]] std::optional<double> covered_to(const JointFile& file);
 
 /// The key of β in an identification.
@@ -30,8 +31,9 @@ inline constexpr std::string_view kLinearDampingKey = "linear_damping_J_per_m2";
 /// The largest β that is read, J/m²: beyond all that joins.
 inline constexpr double kLargestLinearDamping = 1e15;
 
-/// β of D = … + βA², J/m²: the loss beside slip that the identification found with the joint; nothing
-/// where the file does not say. A prediction by the joint adds it (StructuralJoint::linear_damping).
+/// β of D = … + βA², J/m²: the loss beside slip that the identification found with the joint;
+/// nothing where the file does not say. A prediction by the joint adds it
+/// (StructuralJoint::linear_damping).
 [[nodiscard]] std::optional<double> identified_damping(const JointFile& file);
 
 /// A joint from the text of a joint.json.

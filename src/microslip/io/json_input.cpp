@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <set>
 
 #include "microslip/base/error.hpp"
@@ -50,27 +52,35 @@ class StructureCheck {
   std::vector<std::set<std::string>> keys_;
 };
 
-/// The parser's words are "… while parsing object key - invalid literal; last read: '{n'; expected
-/// string literal", where each piece may be missing.
 [[noreturn]] void fail_syntax(std::string_view text, std::string_view file,
                               const Json::parse_error& error) {
-  const std::string_view words = error.what();
-  constexpr std::string_view kExpected = "; expected ";
-  const std::size_t expected = words.rfind(kExpected);
   const std::size_t offset = error.byte == 0 ? 0 : error.byte - 1;
-  throw FormatError(place_at(text, offset, file),
-                    expected == std::string_view::npos
-                        ? "JSON"
-                        : fmt::format("{} (JSON)", words.substr(expected + kExpected.size())),
-                    found_at(text, offset), "Check quotes, commas and brackets.");
+  throw FormatError(place_at(text, offset, file), "JSON", found_at(text, offset),
+                    "Check quotes, commas and brackets.");
 }
 
-[[noreturn]] void fail_overflow(std::string_view text, std::string_view file,
-                                const Json::out_of_range& error) {
-  std::string_view number = error.what();
-  number.remove_prefix(std::min(number.find('\'') + 1, number.size()));
-  number = number.substr(0, number.rfind('\''));
-  throw FormatError(place_at(text, std::min(text.find(number), text.size()), file),
+/// The first number that is no double, outside of texts; the end of the text where there is none.
+/// The parser refuses it, but does not say where it stands.
+std::string_view first_overflow(std::string_view text) {
+  constexpr std::string_view kOfNumbers = "+-.0123456789eE";
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '"') {
+      while (++at < text.size() && text[at] != '"') {
+        if (text[at] == '\\') ++at;
+      }
+    } else if (text[at] == '-' || (text[at] >= '0' && text[at] <= '9')) {
+      const std::size_t end = std::min(text.find_first_not_of(kOfNumbers, at), text.size());
+      const std::string number(text.substr(at, end - at));
+      if (std::isinf(std::strtod(number.c_str(), nullptr))) return text.substr(at, end - at);
+      at = end - 1;
+    }
+  }
+  return text.substr(text.size());
+}
+
+[[noreturn]] void fail_overflow(std::string_view text, std::string_view file) {
+  const std::string_view number = first_overflow(text);
+  throw FormatError(place_at(text, static_cast<std::size_t>(number.data() - text.data()), file),
                     "a number within the range of doubles", in_quotes(number));
 }
 
@@ -82,8 +92,8 @@ Json parse_json(std::string_view text, std::string_view file) {
     return Json::parse(text.begin(), text.end(), StructureCheck(file));
   } catch (const Json::parse_error& error) {
     fail_syntax(text, file, error);
-  } catch (const Json::out_of_range& error) {
-    fail_overflow(text, file, error);
+  } catch (const Json::out_of_range&) {
+    fail_overflow(text, file);
   }
 }
 

@@ -25,7 +25,8 @@ constexpr OptionalColumn kOptionalColumns[] = {
     {"secant_stiffness_std", kStiffness, &Levels::secant_stiffness_std},
 };
 
-/// That of the resonance where the file has it, else that of the drive, with the deviation of the same.
+/// That of the resonance where the file has it, else that of the drive, with the deviation of the
+/// same.
 void read_frequency(const CsvTable& table, Levels& levels) {
   for (const std::string name : {"resonance_frequency", "frequency"}) {
     if (!table.has(name)) continue;

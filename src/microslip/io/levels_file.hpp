@@ -44,8 +44,8 @@ struct LevelsReadOptions {
 };
 
 /// Levels from the text of a levels.csv.
-/// @throws FormatError  at the cell that breaks a rule: A > 0, D ≥ 0, k_eq > 0, W_lin ≥ 0, f > 0, σ ≥ 0,
-///                      all finite.
+/// @throws FormatError  at the cell that breaks a rule: A > 0, D ≥ 0, k_eq > 0, W_lin ≥ 0, f > 0,
+///                      σ ≥ 0, all finite.
 [[nodiscard]] LevelsFile parse_levels(std::string text, std::string_view file,
                                       const LevelsReadOptions& options = {});
 

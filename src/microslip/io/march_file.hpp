@@ -15,15 +15,15 @@
 ///     displacement [m], velocity [m/s], acceleration [m/s^2]    at the response point
 ///     NAME displacement [m], NAME force [N]                     of each joint
 ///
-/// Its comments tell how the march ended, "NOT CONVERGED" where it did not, the estimated error, where
-/// the energy went, and what warnings there were.
+/// Its comments tell how the march ended, "NOT CONVERGED" where it did not, the estimated error,
+/// where the energy went, and what warnings there were.
 
 namespace microslip {
 
 class TableStream;
 
-/// The table, written as the march goes, row by row: memory does not grow with their number. The file
-/// appears whole or not at all.
+/// The table, written as the march goes, row by row: memory does not grow with their number. The
+/// file appears whole or not at all.
 class MarchTable {
  public:
   /// @param path       of the file; "-" is standard output, where the comments follow the rows.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -10,67 +11,32 @@
 #include <string>
 #include <utility>
 
+#include "microslip/io/mat5_format.hpp"
 #include "microslip/io/mat_numbers.hpp"
 #include "microslip/io/mat_text.hpp"
-#include "microslip/io/mat_variables.hpp"
 #include "microslip/io/text.hpp"
 
 namespace microslip {
 namespace {
 
-constexpr std::size_t kHeaderSize = 128;
-
-enum Type : std::uint32_t {
-  kInt8 = 1,
-  kUint8 = 2,
-  kInt16 = 3,
-  kUint16 = 4,
-  kInt32 = 5,
-  kUint32 = 6,
-  kSingleNumbers = 7,
-  kDoubleNumbers = 9,
-  kInt64 = 12,
-  kUint64 = 13,
-  kMatrix = 14,
-  kCompressed = 15,
-  kUtf8 = 16,
-  kUtf16 = 17,
-  kUtf32 = 18,
-};
-
-enum Class : std::uint32_t {
-  kCellClass = 1,
-  kStructClass = 2,
-  kObjectClass = 3,
-  kCharClass = 4,
-  kSparseClass = 5,
-  kDoubleClass = 6,
-  kSingleClass = 7,
-  kUint64Class = 15,
-  kFunctionClass = 16,
-  kOpaqueClass = 17,
-};
-
-constexpr std::uint32_t kComplexFlag = 0x800;
-
 std::size_t bytes_of_type(std::uint32_t type) {
   switch (type) {
-    case kInt8:
-    case kUint8:
-    case kUtf8:
+    case mat5::kInt8:
+    case mat5::kUint8:
+    case mat5::kUtf8:
       return 1;
-    case kInt16:
-    case kUint16:
-    case kUtf16:
+    case mat5::kInt16:
+    case mat5::kUint16:
+    case mat5::kUtf16:
       return 2;
-    case kInt32:
-    case kUint32:
-    case kUtf32:
-    case kSingleNumbers:
+    case mat5::kInt32:
+    case mat5::kUint32:
+    case mat5::kUtf32:
+    case mat5::kSingleNumbers:
       return 4;
-    case kDoubleNumbers:
-    case kInt64:
-    case kUint64:
+    case mat5::kDoubleNumbers:
+    case mat5::kInt64:
+    case mat5::kUint64:
       return 8;
     default:
       return 0;
@@ -152,26 +118,26 @@ class VariableReader {
     }
     const std::size_t count = tag.size / size;
     switch (tag.type) {
-      case kInt8:
+      case mat5::kInt8:
         return read_values<std::int8_t>(stream_, count, swap_, to), go_to(tag.end);
-      case kUint8:
-      case kUtf8:
+      case mat5::kUint8:
+      case mat5::kUtf8:
         return read_values<std::uint8_t>(stream_, count, swap_, to), go_to(tag.end);
-      case kInt16:
+      case mat5::kInt16:
         return read_values<std::int16_t>(stream_, count, swap_, to), go_to(tag.end);
-      case kUint16:
-      case kUtf16:
+      case mat5::kUint16:
+      case mat5::kUtf16:
         return read_values<std::uint16_t>(stream_, count, swap_, to), go_to(tag.end);
-      case kInt32:
+      case mat5::kInt32:
         return read_values<std::int32_t>(stream_, count, swap_, to), go_to(tag.end);
-      case kUint32:
-      case kUtf32:
+      case mat5::kUint32:
+      case mat5::kUtf32:
         return read_values<std::uint32_t>(stream_, count, swap_, to), go_to(tag.end);
-      case kSingleNumbers:
+      case mat5::kSingleNumbers:
         return read_values<float>(stream_, count, swap_, to), go_to(tag.end);
-      case kInt64:
+      case mat5::kInt64:
         return read_values<std::int64_t>(stream_, count, swap_, to), go_to(tag.end);
-      case kUint64:
+      case mat5::kUint64:
         return read_values<std::uint64_t>(stream_, count, swap_, to), go_to(tag.end);
       default:
         return read_values<double>(stream_, count, swap_, to), go_to(tag.end);
@@ -183,8 +149,8 @@ class VariableReader {
     MatValue value;
     const std::uint32_t flags = read_flags(end);
     const std::uint32_t type = flags & 0xFFU;
-    if (type != kOpaqueClass) value.sizes = read_sizes(end);
-    const Tag name_tag = read_tag_of(kInt8, "a name", end);
+    if (type != mat5::kOpaqueClass) value.sizes = read_sizes(end);
+    const Tag name_tag = read_tag_of(mat5::kInt8, "a name", end);
     const std::string own_name = read_bytes(name_tag);
     if (!is_plain_name(own_name)) stream_.fail("a name", in_quotes(own_name));
     if (name != nullptr) *name = own_name;
@@ -192,7 +158,7 @@ class VariableReader {
       go_to(end);
       return value;
     }
-    read_content(value, type, (flags & kComplexFlag) != 0, end, depth);
+    read_content(value, type, (flags & mat5::kComplexFlag) != 0, end, depth);
     if (stream_.offset() != end) {
       stream_.fail("the end of the variable", fmt::format("{} more bytes", end - stream_.offset()));
     }
@@ -200,7 +166,7 @@ class VariableReader {
   }
 
   std::uint32_t read_flags(std::size_t end) {
-    const Tag tag = read_tag_of(kUint32, "the flags of an array", end);
+    const Tag tag = read_tag_of(mat5::kUint32, "the flags of an array", end);
     if (tag.size != 8) stream_.fail("flags of 8 bytes", number(tag.size));
     const auto flags = read_value<std::uint32_t>(stream_, swap_);
     stream_.skip(4);
@@ -208,7 +174,7 @@ class VariableReader {
   }
 
   std::vector<std::size_t> read_sizes(std::size_t end) {
-    const Tag tag = read_tag_of(kInt32, "the sizes of an array", end);
+    const Tag tag = read_tag_of(mat5::kInt32, "the sizes of an array", end);
     if (tag.size < 8 || tag.size > 128) stream_.fail("2 to 32 sizes", number(tag.size / 4));
     std::vector<std::int32_t> sizes;
     read_numbers(tag, sizes);
@@ -223,27 +189,31 @@ class VariableReader {
   }
 
   void read_content(MatValue& value, std::uint32_t type, bool complex, std::size_t end, int depth) {
-    if (type >= kDoubleClass && type <= kUint64Class) {
+    if (type >= mat5::kDoubleClass && type <= mat5::kUint64Class) {
       value.kind = MatValue::Kind::kNumbers;
       read_part(value, value.real, type, end);
       if (complex) read_part(value, value.imaginary, type, end);
-    } else if (type == kCharClass) {
+    } else if (type == mat5::kCharClass) {
       value.kind = MatValue::Kind::kText;
       read_text(value, end);
-    } else if (type == kCellClass) {
+    } else if (type == mat5::kCellClass) {
       value.kind = MatValue::Kind::kCell;
       read_children(value, value.count(), end, depth);
-    } else if (type == kStructClass) {
+    } else if (type == mat5::kStructClass) {
       value.kind = MatValue::Kind::kStruct;
       read_field_names(value, end);
+      // Without fields it has no children either, whatever it says of its size.
+      if (value.count() > kMostMatValues / std::max<std::size_t>(1, value.fields.size())) {
+        fail_too_many();
+      }
       read_children(value, value.count() * value.fields.size(), end, depth);
     } else {
       value.kind = MatValue::Kind::kOther;
-      value.other = type == kSparseClass     ? "a sparse matrix"
-                    : type == kObjectClass   ? "an object of a class"
-                    : type == kFunctionClass ? "a function handle"
-                    : type == kOpaqueClass   ? "an object of a class"
-                                             : "";
+      value.other = type == mat5::kSparseClass     ? "a sparse matrix"
+                    : type == mat5::kObjectClass   ? "an object of a class"
+                    : type == mat5::kFunctionClass ? "a function handle"
+                    : type == mat5::kOpaqueClass   ? "an object of a class"
+                                                   : "";
       if (value.other.empty()) stream_.fail("an array of a known class", fmt::format("{}", type));
       go_to(end);
     }
@@ -253,12 +223,13 @@ class VariableReader {
                  std::size_t end) {
     const Tag tag = read_tag(end);
     const std::size_t size = bytes_of_type(tag.type);
-    if (size == 0 || tag.type >= kUtf8 || tag.size != size * value.count()) {
+    if (size == 0 || tag.type >= mat5::kUtf8 || tag.size != size * value.count()) {
       stream_.fail(fmt::format("{} numbers", value.count()),
                    fmt::format("{} bytes of type {}", tag.size, tag.type));
     }
     // Integers may be stored in fewer bytes than their class has, never as fractions.
-    if (type > kSingleClass && (tag.type == kSingleNumbers || tag.type == kDoubleNumbers)) {
+    if (type > mat5::kSingleClass &&
+        (tag.type == mat5::kSingleNumbers || tag.type == mat5::kDoubleNumbers)) {
       stream_.fail("integers", "fractions");
     }
     read_numbers(tag, part);
@@ -269,9 +240,9 @@ class VariableReader {
     const Tag tag = read_tag(end);
     const std::size_t rows = value.sizes.front();
     std::u16string units;
-    if (tag.type == kUtf8 || tag.type == kInt8 || tag.type == kUint8) {
+    if (tag.type == mat5::kUtf8 || tag.type == mat5::kInt8 || tag.type == mat5::kUint8) {
       units = units_of_bytes(read_bytes(tag));
-    } else if (tag.type == kUint16 || tag.type == kUtf16) {
+    } else if (tag.type == mat5::kUint16 || tag.type == mat5::kUtf16) {
       std::vector<std::uint16_t> numbers;
       read_numbers(tag, numbers);
       units.assign(numbers.begin(), numbers.end());
@@ -279,7 +250,7 @@ class VariableReader {
       stream_.fail("text", fmt::format("an element of type {}", tag.type));
     }
     // For UTF-8 some count bytes, some characters.
-    const bool fits = rows == 1 ? tag.type == kUtf8 || units.size() <= value.count()
+    const bool fits = rows == 1 ? tag.type == mat5::kUtf8 || units.size() <= value.count()
                                 : units.size() == value.count();
     if (!fits) {
       stream_.fail(fmt::format("{} characters", value.count()), number(units.size()));
@@ -288,11 +259,11 @@ class VariableReader {
   }
 
   void read_field_names(MatValue& value, std::size_t end) {
-    const Tag length_tag = read_tag_of(kInt32, "the length of the names of fields", end);
+    const Tag length_tag = read_tag_of(mat5::kInt32, "the length of the names of fields", end);
     if (length_tag.size != 4) stream_.fail("one length", number(length_tag.size / 4));
     const auto length = read_value<std::int32_t>(stream_, swap_);
     go_to(length_tag.end);
-    const std::string names = read_bytes(read_tag_of(kInt8, "the names of fields", end));
+    const std::string names = read_bytes(read_tag_of(mat5::kInt8, "the names of fields", end));
     if (names.empty()) return;
     const auto step = static_cast<std::size_t>(length);
     if (length <= 0 || names.size() % step != 0) {
@@ -318,7 +289,7 @@ class VariableReader {
     if (count > kMostMatValues) fail_too_many();
     value.children.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
-      const Tag tag = read_tag_of(kMatrix, "an array", end);
+      const Tag tag = read_tag_of(mat5::kMatrix, "an array", end);
       value.children.push_back(
           tag.size == 0 ? empty() : read_matrix(stream_.offset() + tag.size, depth + 1, nullptr));
       go_to(tag.end);
@@ -340,7 +311,7 @@ class VariableReader {
 };
 
 bool read_header(MatFileStream& file) {
-  std::array<char, kHeaderSize> header{};
+  std::array<char, mat5::kHeaderSize> header{};
   file.read(header.data(), header.size());
   const std::string_view mark(header.data() + 126, 2);
   if (mark != "IM" && mark != "MI") {
@@ -355,7 +326,16 @@ class Mat5FileReader {
       : file_(file), options_(options), swap_(read_header(file)) {}
 
   MatTree read() {
-    return read_variables(file_, options_, [this](MatValue& root) { read_variable(root); });
+    MatTree tree;
+    tree.root.kind = MatValue::Kind::kStruct;
+    tree.root.sizes = {1, 1};
+    try {
+      while (!file_.at_end()) read_variable(tree.root);
+    } catch (const MatStream::Ended&) {
+      if (!options_.allow_truncated) throw;
+      tree.truncated = true;
+    }
+    return tree;
   }
 
  private:
@@ -363,13 +343,17 @@ class Mat5FileReader {
     if (file_.at_most() < 8) file_.fail_ended("a variable");
     const auto type = read_value<std::uint32_t>(file_, swap_);
     const auto size = read_value<std::uint32_t>(file_, swap_);
-    if (type != kMatrix && type != kCompressed) {
+    if (type != mat5::kMatrix && type != mat5::kCompressed) {
       file_.fail("a variable", fmt::format("an element of type {}", type));
     }
     if (size > file_.at_most()) file_.fail_ended(fmt::format("{} bytes of a variable", size));
     std::string name;
-    MatValue value = type == kMatrix ? read_plain(size, name) : read_compressed(size, name);
+    MatValue value = type == mat5::kMatrix ? read_plain(size, name) : read_compressed(size, name);
     if (name.empty()) return;  // what MATLAB keeps for itself on objects
+    // No program writes a name twice, and values are taken out of the tree by name.
+    if (!names_.insert(name).second) {
+      file_.fail("each variable once", fmt::format("{} twice", in_quotes(name)));
+    }
     root.fields.push_back(std::move(name));
     root.children.push_back(std::move(value));
   }
@@ -383,7 +367,8 @@ class Mat5FileReader {
     MatInflateStream stream(file_, size);
     const auto type = read_value<std::uint32_t>(stream, swap_);
     const auto inflated = read_value<std::uint32_t>(stream, swap_);
-    if (type != kMatrix) stream.fail("a variable", fmt::format("an element of type {}", type));
+    if (type != mat5::kMatrix)
+      stream.fail("a variable", fmt::format("an element of type {}", type));
     if (inflated > stream.at_most()) {
       stream.fail(fmt::format("{} bytes of a variable", inflated), "room for fewer");
     }
@@ -397,6 +382,7 @@ class Mat5FileReader {
   const MatReadOptions& options_;
   bool swap_;
   std::size_t values_ = 0;
+  std::set<std::string> names_;
 };
 
 }  // namespace

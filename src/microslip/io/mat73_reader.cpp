@@ -66,6 +66,7 @@ class Mat73Reader {
     if (empty) value.sizes = {0, 0};
     if (name == "struct" || (name.empty() && empty)) {
       value.kind = MatValue::Kind::kStruct;
+      if (value.count() > kMostMatValues) count_value(place, kDeepestMatValue + 1);
     } else if (name == "cell") {
       value.kind = MatValue::Kind::kCell;
       if (!empty) value.children = read_references(object.id(), value.count(), place, depth);

@@ -24,11 +24,11 @@
 ///     channels    a 1 × n struct: name, unit (SI; '' where it is not known), quantity, values
 ///                 (a column, complex or real), attributes
 ///
-/// all in SI; version 5 without compression, which MATLAB, SciPy and Octave read, or 7.3 where a
-/// recording is too large for it, 2 GB.
+/// all in SI; version 5 without compression, which MATLAB, SciPy and Octave read. It holds
+/// recordings below 2 GiB.
 ///
-/// What is read of others (version 4, 5 and 7.3): a struct, or the variables at the top, with
-/// vectors and
+/// What is read of others (version 5 and 7.3): a struct, or the variables at the top,
+/// with vectors and
 ///   the points `time` or `t` [s], `frequency`, `freq` or `f` [Hz] (`t` and `f` only where the
 ///   values rise: else they are a channel, a force perhaps),
 ///   or the sampling rate `fs`, `Fs`, `sampling_rate` [Hz] or interval `dt` [s], and `t0` or
@@ -37,11 +37,11 @@
 /// with the names in the cell `names`, `channel_names` or `labels`; so is a struct with `values` or
 /// `data`, `name` and `unit`. Other structs are looked into, each element of an array by itself.
 /// `units` (`unit`, `unit_str`) has a text for all channels; a cell, or a list between commas or
-/// semicolons, of one for each array of its struct, one for each channel (behind that of the axis or
-/// without it), one for the axis and one for all channels, or one for each quantity that the names
-/// tell; or a struct of one for each array. NAME_unit is that of the array NAME. A list that fits in
-/// none of these ways is told in a warning. Without unit, values are as the file has them. Version
-/// 7.3 is read in a process of its own, see hdf5_recording.hpp.
+/// semicolons, of one for each array of its struct, one for each channel (behind that of the axis
+/// or without it), one for the axis and one for all channels, or one for each quantity that the
+/// names tell; or a struct of one for each array. NAME_unit is that of the array NAME. A list that
+/// fits in none of these ways is told in a warning. Without unit, values are as the file has them.
+/// Version 7.3 is read in a process of its own, see hdf5_recording.hpp.
 
 namespace microslip {
 
@@ -61,7 +61,8 @@ namespace microslip {
 /// Writes recordings to a file.
 /// @param path        a staged name, see OutputFiles::stage(): it is written over.
 /// @param recordings  written in their order.
-/// @throws InputError  where check_recording() finds fault, or a text is not UTF-8.
+/// @throws InputError  where check_recording() finds fault, a text is not UTF-8, or a recording is
+///                     too large.
 /// @throws FileError   where the file cannot be written.
 void write_recordings_mat(const std::string& path, std::span<const Recording> recordings);
 

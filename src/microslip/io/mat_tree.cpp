@@ -10,7 +10,6 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/input_file.hpp"
-#include "microslip/io/mat4_reader.hpp"
 #include "microslip/io/mat5_reader.hpp"
 #include "microslip/io/mat73_reader.hpp"
 #include "microslip/io/text.hpp"
@@ -33,10 +32,9 @@ MatTree read_any_version(const std::string& path, const MatReadOptions& options)
       (head.size() >= 128 && (head.substr(126, 2) == "IM" || head.substr(126, 2) == "MI"))) {
     return read_mat5(file, options);
   }
-  if (is_mat4(head)) return read_mat4(file, options);
-  throw FormatError({.file = path}, "a MAT file of MATLAB, version 4, 5 or 7.3",
+  throw FormatError({.file = path}, "a MAT file of MATLAB, version 5 or 7.3",
                     head.empty() ? "nothing" : "a file that starts " + in_quotes(head, 20),
-                    "In MATLAB: save('name.mat', ...).");
+                    "In MATLAB: save('name.mat', ..., '-v7').");
 }
 
 }  // namespace

@@ -53,13 +53,13 @@ struct MatReadOptions {
   Progress progress = {};
 };
 
-/// Reads a file of version 4, 5 (compressed or not) or 7.3.
+/// Reads a file of version 5 (compressed or not) or 7.3.
 /// @throws FileError    where it cannot be read.
 /// @throws FormatError  where it is no such file or is damaged.
 [[nodiscard]] MatTree read_mat_tree(const std::string& path, const MatReadOptions& options = {});
 
-/// Values of one file may not be more than these, nor nested deeper: no measurement is, and a damaged
-/// file must not exhaust the memory.
+/// Values of one file may not be more than these, nor nested deeper: no measurement is, and a
+/// damaged file must not exhaust the memory.
 inline constexpr std::size_t kMostMatValues = 1'000'000;
 inline constexpr int kDeepestMatValue = 64;
 

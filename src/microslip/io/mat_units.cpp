@@ -37,8 +37,8 @@ const std::string* only_of(const Texts& list, const Dimension& dimension) {
   return only;
 }
 
-/// Whether the file may mean this unit by that of the array. The name of a channel contradicts where it
-/// is a word for another quantity; x may be the direction of an acceleration as well.
+/// Whether the file may mean this unit by that of the array. The name of a channel contradicts
+/// where it is a word for another quantity; x may be the direction of an acceleration as well.
 bool fits(const UnitOfArray& array, const std::string& unit) {
   if (array.channels == 0) return is_of_axis(unit);
   const std::optional<Unit> found = find_unit(unit);
@@ -48,8 +48,8 @@ bool fits(const UnitOfArray& array, const std::string& unit) {
   return !is_of_axis(unit);
 }
 
-/// Hands out the units of a list, see the rule in the header. Each way is taken whole, where every unit
-/// of it fits, or not at all.
+/// Hands out the units of a list, see the rule in the header. Each way is taken whole, where every
+/// unit of it fits, or not at all.
 class UnitList {
  public:
   UnitList(const Texts& list, std::vector<UnitOfArray>& arrays) : list_(list), arrays_(arrays) {

@@ -7,11 +7,11 @@
 #include <vector>
 
 /// @file
-/// Single values out of MAT files of MATLAB, version 4, 5 (compressed or not) and 7.3.
+/// Single values out of MAT files of MATLAB, version 5 (compressed or not) and 7.3.
 ///
-/// `variable` is a path as in MATLAB: `FRdata.ResponseControl(3).force`; `{3}` takes the third element
-/// of a cell. Indices in ( ) and { } count from 1 and run through arrays column by column; those in
-/// [ ] count from 0, as in Python: `FRdata.ResponseControl[2].force` is the same place.
+/// `variable` is a path as in MATLAB: `FRdata.ResponseControl(3).force`; `{3}` takes the third
+/// element of a cell. Indices in ( ) and { } count from 1 and run through arrays column by column;
+/// those in [ ] count from 0, as in Python: `FRdata.ResponseControl[2].force` is the same place.
 ///
 /// All of these throw
 ///   FileError    where the file cannot be read,

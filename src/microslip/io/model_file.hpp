@@ -14,11 +14,12 @@
 /// value a mode.
 ///
 ///     schema = "microslip.model/1"
-///     [structure]       frequency_Hz = […], of the linear part; damping_ratio = […] (viscous damping,
-///                       ζ = η/2) or loss_factor = […] (hysteretic, η), one a mode or one for all
+///     [structure]       frequency_Hz = […], of the linear part; damping_ratio = […] (viscous
+///                       damping, ζ = η/2) or loss_factor = […] (hysteretic, η), one a mode or one
+///                       for all
 ///     [[structure.point]] name, shape = […]; one at least
-///     [[joint]]         file, shape = […]: of the relative displacement across the joint; optional:
-///                       name, spring_in_modes_N_per_m, series_compliance_m_per_N,
+///     [[joint]]         file, shape = […]: of the relative displacement across the joint;
+///                       optional: name, spring_in_modes_N_per_m, series_compliance_m_per_N,
 ///                       shortening_per_kg_m = […] (Γ by rows), linear_damping_J_per_m2 (β; without
 ///                       the key that of the joint file's identification); any number of them, also
 ///                       none
@@ -40,8 +41,8 @@ struct ModelFile {
   std::vector<std::string> joint_files;  ///< one a joint, as they were opened
   /// covered_to() of each joint's file, N; fewer where they are not known.
   std::vector<std::optional<double>> covered_to = {};
-  /// identified_damping() of each joint's file, J/m²; fewer where they are not known. What the model
-  /// uses is linear_damping of its joints.
+  /// identified_damping() of each joint's file, J/m²; fewer where they are not known. What the
+  /// model uses is linear_damping of its joints.
   std::vector<std::optional<double>> identified_damping = {};
 };
 

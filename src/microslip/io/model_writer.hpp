@@ -8,9 +8,10 @@
 
 namespace microslip {
 
-/// The text of a model.toml that parse_model() reads back as the same model, but for the rounding of
-/// ω/2π. The joint files are named as in `model.joint_files`; they are not written. Linear damping of
-/// a joint is left out only where it is 0 and `identified_damping` tells that its file has none.
+/// The text of a model.toml that parse_model() reads back as the same model, but for the rounding
+/// of ω/2π. The joint files are named as in `model.joint_files`; they are not written. Linear
+/// damping of a joint is left out only where it is 0 and `identified_damping` tells that its file
+/// has none.
 /// @param model    its joint files are told one a joint.
 /// @param comment  the first lines; may be empty.
 /// @throws InputError  where the number of joint files is not that of the joints.

@@ -29,7 +29,8 @@ struct PlannedOutput {
 };
 
 /// The same of all files that OutputFiles is to write.
-/// @throws FileError  as check_output(), and where two of them have one path or are standard output.
+/// @throws FileError  as check_output(), and where two of them have one path or are standard
+///                    output.
 void check_outputs(std::span<const PlannedOutput> outputs);
 
 /// Files that are written all or none. Each is written under a temporary name in its folder first;

@@ -20,17 +20,17 @@ struct ReadingProcess {
 
 /// Lets a copy of this process read the file and takes over what it has read.
 ///
-/// The HDF5 library (1.10 at least) follows some numbers of a file unchecked, such as the index into
-/// a heap of texts or the size of an object. A changed byte can make it crash or run for ever, before
-/// anything of the file could say that it is whole; checksums do not guard all of them. So nothing of
-/// a file is read but in a process of its own, which contains all that.
+/// The HDF5 library (1.10 at least) follows some numbers of a file unchecked, such as the index
+/// into a heap of texts or the size of an object. A changed byte can make it crash or run for ever,
+/// before anything of the file could say that it is whole; checksums do not guard all of them. So
+/// nothing of a file is read but in a process of its own, which contains all that.
 ///
-/// Other threads may run meanwhile. The copy has none of them, so what one of them held locked stays
-/// locked in it: `read` must take no lock, and the session, which it must not open again, keeps the
-/// others out of the HDF5 library. The copy prints nothing, leaves no core file, and may
-/// work for 1 s + 1 s per 4 MiB of the file + 1 s per 32 MiB that it is found to hold (60 s with its
-/// waits, + 1 s per MiB), and take 512 MiB of memory + 16 times the size of the file + twice what it
-/// is found to hold.
+/// Other threads may run meanwhile. The copy has none of them, so what one of them held locked
+/// stays locked in it: `read` must take no lock, and the session, which it must not open again,
+/// keeps the others out of the HDF5 library. The copy prints nothing, leaves no core file, and may
+/// work for 1 s + 1 s per 4 MiB of the file + 1 s per 32 MiB that it is found to hold (60 s with
+/// its waits, + 1 s per MiB), and take 512 MiB of memory + 16 times the size of the file + twice
+/// what it is found to hold.
 /// @param progress  asked now and then whether to go on.
 /// @throws FormatError  where the copy crashes or does not come to an end.
 /// @throws FileError    where the system starts no process.

@@ -9,20 +9,20 @@
 /// @file
 /// A recording as comma-separated text: a column of times and one a channel.
 ///
-/// Form: UTF-8 with or without byte order mark, or CP1252; lines end in LF or CRLF. Lines that begin
-/// with `#`, `%` or `//` are comments and may stand anywhere, blank lines too. The first other line
-/// is the header: a cell a column, `name [unit]` or `name (unit)`. Units may stand on a line of their
-/// own below it instead, with or without brackets. A column without unit, or with empty brackets, is
-/// a channel without dimension. The separator is the first of `;` `,` tab that the header has.
-/// Below, each row has a finite number a column, with a decimal point, or, between `;` or tabs, a
-/// decimal comma throughout; cells may be quoted and one separator may end a line.
+/// Form: UTF-8 with or without byte order mark, or CP1252; lines end in LF or CRLF. Lines that
+/// begin with `#`, `%` or `//` are comments and may stand anywhere, blank lines too. The first
+/// other line is the header: a cell a column, `name [unit]` or `name (unit)`. Units may stand on a
+/// line of their own below it instead, with or without brackets. A column without unit, or with
+/// empty brackets, is a channel without dimension. The separator is the first of `;` `,` tab that
+/// the header has. Below, each row has a finite number a column, with a decimal point, or, between
+/// `;` or tabs, a decimal comma throughout; cells may be quoted and one separator may end a line.
 ///
 /// The axis is the first column with a unit of time or frequency, or called time, t, frequency or
 /// freq (in capitals or not); one without unit is refused unless its unit is assumed. Its values
-/// rise. It is even where equal steps explain them to the digits printed (even_axis.hpp). Where there
-/// is no such column, a comment may give the rate: `# sampling_rate: 8192 Hz`, or = for the colon,
-/// or `fs`, `sampling rate`, `sample rate`, `sampling frequency` for the name, in capitals or not;
-/// without unit it is in Hz. The first point then lies at 0.
+/// rise. It is even where equal steps explain them to the digits printed (even_axis.hpp). Where
+/// there is no such column, a comment may give the rate: `# sampling_rate: 8192 Hz`, or = for the
+/// colon, or `fs`, `sampling rate`, `sample rate`, `sampling frequency` for the name, in capitals
+/// or not; without unit it is in Hz. The first point then lies at 0.
 ///
 /// A comment `name: value` or `name = value` is an attribute, of a channel where it reads
 /// `channel / name: value`; others are attributes of the name "comment". Two neighbouring columns
@@ -32,8 +32,8 @@ namespace microslip {
 
 class InputStream;
 
-/// Reads the file from front to end, in pieces: beside the values there is no more than a few MiB in
-/// memory.
+/// Reads the file from front to end, in pieces: beside the values there is no more than a few MiB
+/// in memory.
 /// @param path     "-" is standard input.
 /// @param options  see RecordingReadOptions.
 /// @throws FileError    where the file cannot be read.
@@ -51,9 +51,9 @@ class InputStream;
 [[nodiscard]] Recordings read_recordings_csv(InputStream& file,
                                              const RecordingReadOptions& options);
 
-/// Writes text that read_recordings_csv() reads back as the same recording, but for its source: each
-/// number is the shortest that reads back as the same double. Times that are evenly spaced read back
-/// as such, their start and step to rounding.
+/// Writes text that read_recordings_csv() reads back as the same recording, but for its source:
+/// each number is the shortest that reads back as the same double. Times that are evenly spaced
+/// read back as such, their start and step to rounding.
 /// @param path       it is overwritten, if it is there; see OutputFiles::stage().
 /// @param recording  over time or frequency.
 /// @throws InputError  where check_recording() does, or the axis is neither time nor frequency.

@@ -45,8 +45,8 @@ class RecordingCsvHeader {
   bool read_units(std::string_view line, std::size_t number);
 
   /// When both lines have been read, if the second is there.
-  /// @throws FormatError  where a unit is unknown, the axis has none, or there is no axis or nothing
-  ///                      beside it.
+  /// @throws FormatError  where a unit is unknown, the axis has none, or there is no axis or
+  ///                      nothing beside it.
   void resolve(const AssumedUnits& assumed);
 
   [[nodiscard]] bool has_names() const { return !cells_.empty(); }

@@ -52,29 +52,6 @@ constexpr std::array kEndings{
     Ending{".hdf5", RecordingFormat::kHdf5},
 };
 
-/// A whole number of four bytes, the low one first or last.
-std::uint32_t whole_number(std::string_view bytes, bool low_first) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    value = value << 8U | static_cast<unsigned char>(bytes[low_first ? 3 - i : i]);
-  }
-  return value;
-}
-
-/// MATLAB's format of level 4 has no signature. Its header is five numbers: type (MOPT in decimal
-/// digits), rows, columns, 0 or 1 for complex, length of the name with the 0 that ends it.
-bool is_mat4(std::string_view head, bool low_first) {
-  constexpr std::size_t kHeader = 20;
-  constexpr std::uint32_t kLongestName = 64;
-  if (head.size() < kHeader) return false;
-  const std::uint32_t type = whole_number(head, low_first);
-  const std::uint32_t complex = whole_number(head.substr(12), low_first);
-  const std::uint32_t name = whole_number(head.substr(16), low_first);
-  if (type >= 5000 || type % 1000 >= 100 || type % 100 / 10 > 5 || type % 10 > 2) return false;
-  return complex <= 1 && name > 1 && name <= kLongestName && head.size() >= kHeader + name &&
-         head.substr(kHeader, name).find('\0') == name - 1;
-}
-
 /// HDF5 may begin after 512 bytes, 1024, and so on.
 bool is_hdf5_after_other(std::string_view head) {
   for (std::size_t start = 512; start < head.size(); start *= 2) {
@@ -93,9 +70,7 @@ RecordingFormat format_of(std::string_view head, const std::string& name) {
   if (found == "a universal file") {
     return has_binary_dataset(head) ? RecordingFormat::kUffBinary : RecordingFormat::kUff;
   }
-  if (found == "a MATLAB file" || is_mat4(head, true) || is_mat4(head, false)) {
-    return RecordingFormat::kMat;
-  }
+  if (found == "a MATLAB file") return RecordingFormat::kMat;
   if (found == "an HDF5 file" || (found.empty() && is_hdf5_after_other(head))) {
     return RecordingFormat::kHdf5;
   }

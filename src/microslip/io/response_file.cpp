@@ -59,8 +59,8 @@ double joint_dissipation(const SteadyVibration& point) {
 }
 
 /// ω/(2π), Hz, to 15 digits: 2π times a frequency over 2π is off it by up to two of the last binary
-/// digits, some 4e-16, so that a row at a frequency that was asked for, of 15 digits at most, would not
-/// be found by its number.
+/// digits, some 4e-16, so that a row at a frequency that was asked for, of 15 digits at most, would
+/// not be found by its number.
 double frequency_as_asked(const SteadyVibration& point) {
   const double frequency = point.frequency();
   const std::string text = fmt::format("{:.14e}", frequency);

@@ -23,10 +23,10 @@ namespace microslip {
 [[nodiscard]] bool has_rows(const ResponseCurve& curve);
 
 /// frf.csv: `frequency [Hz], force [N], displacement [m], phase [rad]`, the columns above and
-/// `peak [1]`, 1 in the row of a peak, else 0. displacement is the amplitude of the first harmonic at
-/// the response point, phase its lag behind the force. Where the curve turns back frequencies are not
-/// sorted; its peaks and turning points stand in the comments too, the first 100 of each. Frequencies
-/// have 15 digits, so that one that was asked for is the number that was given.
+/// `peak [1]`, 1 in the row of a peak, else 0. displacement is the amplitude of the first harmonic
+/// at the response point, phase its lag behind the force. Where the curve turns back frequencies
+/// are not sorted; its peaks and turning points stand in the comments too, the first 100 of each.
+/// Frequencies have 15 digits, so that one that was asked for is the number that was given.
 /// @param curve    of a response point of the kind displacement; its warnings become comments.
 /// @param heading  the first comment; may be empty.
 /// What is not finite, as it may be where nothing converged, is left out.

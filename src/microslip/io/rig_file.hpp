@@ -7,8 +7,8 @@
 #include "microslip/rig/rig.hpp"
 
 /// @file
-/// rig.toml, schema microslip.rig/1: a frictional-support test. Values are SI, their keys end in the
-/// unit.
+/// rig.toml, schema microslip.rig/1: a frictional-support test. Values are SI, their keys end in
+/// the unit.
 ///
 ///     schema = "microslip.rig/1"
 ///     [beam]            length_m, width_m, thickness_m, youngs_modulus_Pa, mass_density_kg_per_m3

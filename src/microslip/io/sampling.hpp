@@ -13,8 +13,8 @@
 #include "microslip/signal/recording.hpp"
 
 /// @file
-/// How files of others say over what their values are given, and in which units: what the readers of
-/// HDF5 and of MAT files have in common.
+/// How files of others say over what their values are given, and in which units: what the readers
+/// of HDF5 and of MAT files have in common.
 
 namespace microslip {
 
@@ -31,8 +31,8 @@ template <class Names>
   return std::ranges::find(names, name) != names.end();
 }
 
-/// Whether values of such a name are the points. A single letter may stand for a force or a torque as
-/// well: it does unless the values rise.
+/// Whether values of such a name are the points. A single letter may stand for a force or a torque
+/// as well: it does unless the values rise.
 [[nodiscard]] bool may_be_points(std::string_view name, std::span<const double> values);
 
 /// What is known of the points before the values are read.
@@ -54,8 +54,8 @@ struct PointsAxis {
 [[nodiscard]] double step_of_rate(double rate, const std::string& place);
 
 /// Points that rise in even steps but for rounding become start and step, others stay as they are.
-/// Even means: off by at most 1e-6 steps; where the step is stated elsewhere, by at most 0.01 of it,
-/// as points in single precision are.
+/// Even means: off by at most 1e-6 steps; where the step is stated elsewhere, by at most 0.01 of
+/// it, as points in single precision are.
 [[nodiscard]] PointsAxis axis_of_points(std::vector<double> points, const Dimension& dimension,
                                         std::optional<double> stated_step);
 

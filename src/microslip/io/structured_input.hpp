@@ -14,7 +14,8 @@
 
 namespace microslip {
 
-/// Nothing that is written here comes near it; it bounds the recursion that a broken file can cause.
+/// Nothing that is written here comes near it; it bounds the recursion that a broken file can
+/// cause.
 inline constexpr int kDeepestNesting = 64;
 
 /// @param format  "JSON" or "TOML". @throws FormatError  where there is nothing but blanks.

@@ -12,9 +12,10 @@
 
 namespace microslip {
 
-/// A table that goes to disk row by row, whole or not at all, while what its comments say is known only
-/// at the end. Rows gather in a temporary file; finish() puts the comments and the header before them.
-/// On standard output the comments follow the rows. Memory does not grow with the rows. Internal to io.
+/// A table that goes to disk row by row, whole or not at all, while what its comments say is known
+/// only at the end. Rows gather in a temporary file; finish() puts the comments and the header
+/// before them. On standard output the comments follow the rows. Memory does not grow with the
+/// rows. Internal to io.
 class TableStream {
  public:
   /// @param path    "-" is standard output, which gets heading and header at once.

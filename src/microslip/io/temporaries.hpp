@@ -32,8 +32,8 @@ class Temporary {
   Entry* entry_;
 };
 
-/// Removes the files and empty folders of all Temporary objects of the process. It allocates nothing and takes no
-/// lock, so that a handler of a signal may call it before it ends the process.
+/// Removes the files and empty folders of all Temporary objects of the process. It allocates
+/// nothing and takes no lock, so that a handler of a signal may call it before it ends the process.
 void remove_temporaries() noexcept;
 
 }  // namespace microslip

@@ -21,8 +21,8 @@ inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 /// printable() in single quotes: cut after `limit` bytes with its length in all.
 [[nodiscard]] std::string in_quotes(std::string_view text, std::size_t limit = 40);
 
-/// Bytes of the printable character of UTF-8 that the text, not empty, starts with; 0 where there is
-/// none.
+/// Bytes of the printable character of UTF-8 that the text, not empty, starts with; 0 where there
+/// is none.
 [[nodiscard]] std::size_t printable_length(std::string_view text);
 
 /// Line and column, both from 1, of the byte at `offset`; the column counts characters of UTF-8.

@@ -4,13 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 
 #include "microslip/io/signature.hpp"
 #include "microslip/io/structured_input.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/io/toml_nesting.hpp"
+#include "microslip/io/unicode.hpp"
 
 namespace microslip {
 namespace {
@@ -23,72 +22,28 @@ std::string name_of(const toml::node& node, std::string_view file, std::string_v
   return fmt::format("{}: {}", place_text(place_of(node.source().begin, file)), path);
 }
 
-// ---- The words of the parser: "Error while parsing floating-point: expected decimal digit, saw
-// 'm'", "Error while parsing key-value pair: cannot redefine existing integer 'count'"… ----
-
-struct ParserWords {
-  std::string_view scope;  ///< "key-value pair"; may be empty
-  std::string_view reason;
-};
-
-ParserWords split(std::string_view words) {
-  constexpr std::string_view kScope = "Error while parsing ";
-  const std::size_t colon = words.find(": ");
-  if (!words.starts_with(kScope) || colon == std::string_view::npos) return {{}, words};
-  return {words.substr(kScope.size(), colon - kScope.size()), words.substr(colon + 2)};
-}
-
-/// The text between the first quote of the reason and the last.
-std::string_view quoted_in(std::string_view reason) {
-  const std::size_t first = reason.find('\'');
-  if (first == std::string_view::npos) return {};
-  const std::size_t last = reason.rfind('\'');
-  return last == first ? reason.substr(first + 1) : reason.substr(first + 1, last - first - 1);
-}
-
-std::string remedy_for(const ParserWords& words) {
-  constexpr std::array<std::string_view, 5> kOfValues{"value", "key-value pair", "floating-point",
-                                                      "boolean", "decimal integer"};
-  if (std::find(kOfValues.begin(), kOfValues.end(), words.scope) == kOfValues.end()) {
-    return "Check quotes, commas and brackets.";
-  }
-  return "A text stands in quotes; a number has a decimal point and no unit.";
-}
-
+/// What the parser says is passed on as it stands.
 [[noreturn]] void fail_syntax(std::string_view text, std::string_view file,
                               const toml::parse_error& error) {
+  constexpr std::size_t kLongest = 120;  // it may hold a whole key
   const TextPlace place = place_of(error.source().begin, file);
-  const ParserWords words = split(error.description());
-  const std::string found = found_at(text, offset_of(text, place));
-  if (words.reason.find("utf-8") != std::string_view::npos) {
-    throw FormatError(place, "UTF-8 after this place", found, "Save the file as UTF-8.");
-  }
-  const std::string remedy = remedy_for(words);
-  if (words.reason.starts_with("cannot redefine") || words.reason.starts_with("cannot insert")) {
-    const std::string_view key = quoted_in(words.reason);
-    throw FormatError(place, "each key once in a table",
-                      fmt::format("{} again", key.empty() ? found : in_quotes(key)),
-                      "Remove one of them, or write each of several tables as [[table]].");
-  }
-  constexpr std::string_view kExpected = "expected ";
-  const std::size_t saw = words.reason.rfind(", saw ");
-  if (words.reason.starts_with(kExpected) && saw != std::string_view::npos) {
-    const auto expected = words.reason.substr(kExpected.size(), saw - kExpected.size());
-    throw FormatError(place, fmt::format("{} (TOML)", expected), found, remedy);
-  }
-  if (words.reason == "encountered end-of-file") {
-    throw FormatError(place, fmt::format("the rest of the {} (TOML)", words.scope),
-                      "the end of the file", remedy);
-  }
-  throw FormatError(place, fmt::format("{} in TOML", words.scope.empty() ? "text" : words.scope),
-                    found, fmt::format("The parser says: {}. {}", words.reason, remedy));
+  throw FormatError(
+      place, "TOML", found_at(text, offset_of(text, place)),
+      fmt::format("The parser says {}. A text stands in quotes, a number has a decimal point and "
+                  "no unit, a key stands once in its table; each of several tables is a [[table]].",
+                  in_quotes(error.description(), kLongest)));
 }
 
 void require_toml(std::string_view text, std::string_view file) {
   require_content(text, "TOML", file);
   const std::string_view other = signature(text);
-  if (other.empty()) return;
-  throw FormatError({std::string(file), 0, 0}, "TOML", other, "Is it the right file?");
+  if (!other.empty()) {
+    throw FormatError({std::string(file), 0, 0}, "TOML", other, "Is it the right file?");
+  }
+  const std::size_t valid = valid_utf8(text);
+  if (valid == text.size()) return;
+  throw FormatError(place_at(text, valid, file), "UTF-8", found_at(text, valid),
+                    "Save the file as UTF-8.");
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 
 #include "microslip/base/error.hpp"
 
-// Without it a debug build of the parser aborts for "[=", which is a syntax error like any other: the
-// same condition is tested and reported after the assertion.
+// Without it a debug build of the parser aborts for "[=", which is a syntax error like any other:
+// the same condition is tested and reported after the assertion.
 #define TOML_ASSERT(expr) static_assert(true)
 #include <toml++/toml.h>
 

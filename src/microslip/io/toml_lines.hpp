@@ -9,7 +9,8 @@
 
 namespace microslip {
 
-/// Composes a TOML file line by line. Numbers are the shortest text that reads back as the same double.
+/// Composes a TOML file line by line. Numbers are the shortest text that reads back as the same
+/// double.
 class TomlLines {
  public:
   void table(std::string_view name);    ///< [name]

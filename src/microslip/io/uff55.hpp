@@ -11,8 +11,8 @@
 #include "microslip/base/summary.hpp"
 
 /// @file
-/// Mode shapes from universal files: dataset 55, "data at nodes", of the Structural Dynamics Research
-/// Laboratory, University of Cincinnati.
+/// Mode shapes from universal files: dataset 55, "data at nodes", of the Structural Dynamics
+/// Research Laboratory, University of Cincinnati.
 
 namespace microslip {
 

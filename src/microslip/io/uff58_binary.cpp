@@ -125,9 +125,7 @@ UffFloat float_of(UffEnvelope& envelope, const BinaryForm& form, std::size_t siz
                                                      "IBM"};
   const bool known = form.float_format > 0 && form.float_format < 4;
   throw FormatError(
-      envelope.input().place(),
-      "binary values in IEEE 754 or IBM format of byte order 1 or 2, or in DEC VMS F_floating of "
-      "byte order 1",
+      envelope.input().place(), "binary values in IEEE 754 (format 2) of byte order 1 or 2",
       fmt::format("format {} ({}), byte order {}, {} bytes a value, in {}", form.float_format,
                   kFormats[known ? static_cast<std::size_t>(form.float_format) : 0],
                   form.byte_order, size, envelope.dataset_name()),

@@ -21,8 +21,8 @@ struct Uff58Values {
 /// The format E13.5, of x and of the numbers in the header.
 [[nodiscard]] std::string uff_e13(double value);
 
-/// The whole dataset, in double precision. As text a value has 13 significant digits, x has 6; 58b is
-/// exact: little-endian IEEE, 8 bytes for x too.
+/// The whole dataset, in double precision. As text a value has 13 significant digits, x has 6; 58b
+/// is exact: little-endian IEEE, 8 bytes for x too.
 void write_uff58(FileOutput& output, const Uff58Header& header, const Uff58Values& values,
                  bool binary);
 

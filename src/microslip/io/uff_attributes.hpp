@@ -10,12 +10,13 @@
 #include "microslip/signal/recording.hpp"
 
 /// @file
-/// The header of a dataset 58 as the name and the attributes of a channel, and back. Internal to io.
+/// The header of a dataset 58 as the name and the attributes of a channel, and back. Internal to
+/// io.
 
 namespace microslip {
 
-/// The header of a channel of which nothing more is known. Its fields are no attributes of a channel
-/// that is read; all others are, by name: "id line 1", "function type", "response node", …
+/// The header of a channel of which nothing more is known. Its fields are no attributes of a
+/// channel that is read; all others are, by name: "id line 1", "function type", "response node", …
 [[nodiscard]] Uff58Header usual_uff58_header(const Dimension& axis,
                                              const std::optional<Dimension>& values,
                                              bool is_complex);

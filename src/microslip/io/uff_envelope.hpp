@@ -51,7 +51,8 @@ class UffEnvelope {
   /// The same, as fields.
   UffFields fields(std::string_view what);
 
-  /// The next line of values, or nothing where the dataset is closed or the file ends; see closed().
+  /// The next line of values, or nothing where the dataset is closed or the file ends; see
+  /// closed().
   std::optional<std::string_view> value_line();
 
   /// What skipping the rest of a dataset came upon.

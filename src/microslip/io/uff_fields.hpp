@@ -75,10 +75,10 @@ class UffFields {
   std::size_t next_column_ = 1;
 };
 
-/// Appends the numbers of a line of values. The widths are those of its fields, over and over. Where
-/// the line does not fit them, its numbers are taken to stand between blanks.
-/// @param whole  the line has its line break. A file that ends in a line may have cut a number: then
-///               the last one counts only where it fills its field.
+/// Appends the numbers of a line of values. The widths are those of its fields, over and over.
+/// Where the line does not fit them, its numbers are taken to stand between blanks.
+/// @param whole  the line has its line break. A file that ends in a line may have cut a number:
+///               then the last one counts only where it fills its field.
 /// @throws FormatError  where something else than numbers stands there.
 void append_uff_numbers(std::string_view line, std::span<const std::size_t> widths, bool whole,
                         const TextPlace& place, std::vector<double>& numbers);

@@ -16,19 +16,13 @@ enum class UffFloat {
   kIeee4Big,
   kIeee8Little,
   kIeee8Big,
-  kIbm4Little,
-  kIbm4Big,
-  kIbm8Little,
-  kIbm8Big,
-  kVaxF,  ///< F_floating of DEC, two words with the bytes of each swapped, as a VAX has them
 };
 
 /// By the codes of the header of 58b.
 /// @param byte_order  1 little-endian, 2 big-endian.
 /// @param format      1 DEC VMS, 2 IEEE 754, 3 IBM System/370 (base 16).
 /// @param size        4 or 8 bytes.
-/// @return  nothing where that is not known here: 8 bytes of DEC can be D_floating or G_floating,
-///          and nothing in the file tells which; in big-endian order nothing is defined for it.
+/// @return  nothing for what is not IEEE 754: no file of the last decades has another.
 [[nodiscard]] std::optional<UffFloat> uff_float(long long byte_order, long long format,
                                                 std::size_t size);
 

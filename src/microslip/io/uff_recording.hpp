@@ -15,13 +15,13 @@
 
 namespace microslip {
 
-/// Reads all functions of a file, text or binary, single or double precision, real or complex, evenly
-/// spaced or not; datasets of other numbers are skipped.
+/// Reads all functions of a file, text or binary, single or double precision, real or complex,
+/// evenly spaced or not; datasets of other numbers are skipped.
 ///
 /// Functions that follow each other over the same axis are a recording; dataset 151 begins another
-/// one. A channel has the name of its ID line 1, or that of its point: "point 3 +Z". Its unit is that
-/// of the labels, or else of the data type by dataset 164; where there is neither, the channel has
-/// none. The other fields of the header are attributes, as far as they are not what
+/// one. A channel has the name of its ID line 1, or that of its point: "point 3 +Z". Its unit is
+/// that of the labels, or else of the data type by dataset 164; where there is neither, the channel
+/// has none. The other fields of the header are attributes, as far as they are not what
 /// write_recordings_uff() writes anyway.
 ///
 /// A sampling interval has six digits in such a file. Where 1/interval is within 1e-5 of an integer
@@ -48,18 +48,18 @@ struct UffContents {
 
 /// Writes datasets 151 and 164 (SI), then one dataset 58 a channel, for each recording.
 ///
-/// Binary files (58b) read back as the same double for each value and axis, with the attributes that
-/// are fields of the header. Where the six digits of start and step do not suffice, each point is
-/// written with its abscissa. As text (58), values have 13 significant digits and the axis six: a
-/// step that these do not hold is rounded. Attributes that are no field are left out, text longer
+/// Binary files (58b) read back as the same double for each value and axis, with the attributes
+/// that are fields of the header. Where the six digits of start and step do not suffice, each point
+/// is written with its abscissa. As text (58), values have 13 significant digits and the axis six:
+/// a step that these do not hold is rounded. Attributes that are no field are left out, text longer
 /// than its field is cut off.
 ///
 /// @param path        is overwritten as it goes: a temporary name of OutputFiles::stage().
 /// @param recordings  written in their order.
 /// @param binary      datasets 58b; otherwise 58.
-/// @throws InputError  where a recording is not whole (check_recording()), the name of a channel has
-///                     more than 80 characters or such as do not read back, a unit needs more than
-///                     20, or the abscissae fall together in six digits.
+/// @throws InputError  where a recording is not whole (check_recording()), the name of a channel
+///                     has more than 80 characters or such as do not read back, a unit needs more
+///                     than 20, or the abscissae fall together in six digits.
 /// @throws FileError   where the file cannot be written.
 void write_recordings_uff(const std::string& path, std::span<const Recording> recordings,
                           bool binary);

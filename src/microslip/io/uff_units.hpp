@@ -28,7 +28,8 @@ namespace microslip {
 [[nodiscard]] std::optional<Unit> uff_denominator_unit(const Uff58Header& header,
                                                        const std::optional<Uff164>& units);
 
-/// The SI unit in the 20 characters of a label, as find_unit() reads it; nothing where it needs more.
+/// The SI unit in the 20 characters of a label, as find_unit() reads it; nothing where it needs
+/// more.
 [[nodiscard]] std::optional<std::string> find_uff_unit_label(const Dimension& dimension);
 
 /// Type, exponents and unit label for values of this dimension in SI; all blank for an unknown one.

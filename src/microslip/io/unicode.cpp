@@ -67,6 +67,13 @@ std::string utf8_of(std::u16string_view text) {
   return result;
 }
 
+std::size_t valid_utf8(std::string_view text) {
+  std::string_view rest = text;
+  while (!rest.empty() && take_character(rest)) {
+  }
+  return text.size() - rest.size();
+}
+
 std::optional<std::u16string> utf16_of(std::string_view text) {
   std::u16string result;
   while (!text.empty()) {

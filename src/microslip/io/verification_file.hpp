@@ -11,18 +11,18 @@
 
 namespace microslip {
 
-/// One row a record and channel: `source, channel, status, frequency [Hz], response_amplitude [m/s^2],
-/// NRMSE [1], noise_share [1], amplitude_ratio [1], phase_error [rad]`, of the first harmonic, predicted
-/// over recorded; then, the same in all rows of a record, `joint_amplitude [m],
-/// predicted_joint_amplitude [m], input_energy [J], predicted_input_energy [J], frequency_offset [Hz]`,
-/// a column where all records have one, and `flags`, with blanks between them.
+/// One row a record and channel: `source, channel, status, frequency [Hz], response_amplitude
+/// [m/s^2], NRMSE [1], noise_share [1], amplitude_ratio [1], phase_error [rad]`, of the first
+/// harmonic, predicted over recorded; then, the same in all rows of a record, `joint_amplitude [m],
+/// predicted_joint_amplitude [m], input_energy [J], predicted_input_energy [J], frequency_offset
+/// [Hz]`, a column where all records have one, and `flags`, with blanks between them.
 /// @throws InputError  where there is no record, or a value is not finite.
 [[nodiscard]] CsvWriter verification_table(std::span<const Verification> records);
 
 /// One row a record and harmonic: `source, harmonic [1], frequency [Hz]`, and for each channel, in
 /// its unit, `<channel>_recorded, <channel>_recorded_phase [rad], <channel>_recorded_std,
-/// <channel>_predicted, <channel>_predicted_phase [rad]`: of |c_n| cos(nωt + phase), with t = 0 where the
-/// first harmonic of the acceleration at the exciter is largest.
+/// <channel>_predicted, <channel>_predicted_phase [rad]`: of |c_n| cos(nωt + phase), with t = 0
+/// where the first harmonic of the acceleration at the exciter is largest.
 /// @param records  of one rig.
 /// @throws InputError  as above.
 [[nodiscard]] CsvWriter harmonics_table(std::span<const Verification> records);

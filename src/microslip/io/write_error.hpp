@@ -8,8 +8,8 @@
 
 namespace microslip {
 
-/// Something could not be written whole: the disk is full or fails, a limit is reached, nobody reads
-/// the pipe. Unlike with other errors of files, neither the call nor the input is at fault.
+/// Something could not be written whole: the disk is full or fails, a limit is reached, nobody
+/// reads the pipe. Unlike with other errors of files, neither the call nor the input is at fault.
 class WriteError : public FileError {
  public:
   /// As FileError.
@@ -36,8 +36,8 @@ class WriteError : public FileError {
 /// nothing to bring. @throws WriteError  naming `path`, where something got lost.
 void sync_file(int descriptor, std::string_view path);
 
-/// Closes a copy of the descriptor, upon which some file systems (NFS) tell what got lost; itself it
-/// stays open. @throws WriteError  naming `path`, where something did.
+/// Closes a copy of the descriptor, upon which some file systems (NFS) tell what got lost; itself
+/// it stays open. @throws WriteError  naming `path`, where something did.
 void close_copy(int descriptor, std::string_view path);
 
 }  // namespace microslip

@@ -7,8 +7,8 @@
 #include "microslip/signal/recording.hpp"
 
 /// @file
-/// Libraries that write files let some errors of a disk pass, one that is full above all: a file that
-/// has just been written is read again and compared.
+/// Libraries that write files let some errors of a disk pass, one that is full above all: a file
+/// that has just been written is read again and compared.
 
 namespace microslip {
 

@@ -35,7 +35,8 @@ struct AtomsPart {
 };
 
 /// Segalman's four-parameter model: over the slip displacement ψ, Rψ^χ on [0, ψ_max] plus an atom S
-/// at ψ_max. Its area is 1, so it stands alone in a density. [Segalman, J. Appl. Mech. 72 (2005) 752]
+/// at ψ_max. Its area is 1, so it stands alone in a density. [Segalman, J. Appl. Mech. 72 (2005)
+/// 752]
 struct FourParameterPart {
   double macroslip_force;  ///< F_S, N; > 0
   double stiffness;        ///< K_T, N/m; > 0; the stiffness of the joint that uses it
@@ -54,16 +55,17 @@ struct PartialMoments {
   double second = 0.0;  ///< Φ2, N²
 };
 
-/// The Iwan distribution density φ(f*) of a frictional contact: the sliders with a critical slip force
-/// between f* and f* + df* carry the share φ df* of the joint's stiffness. A sum of parts; immutable.
-/// With Φn the partial moments, 1 − Φ0(∞) is the elastic remainder: stiffness that has not slipped.
+/// The Iwan distribution density φ(f*) of a frictional contact: the sliders with a critical slip
+/// force between f* and f* + df* carry the share φ df* of the joint's stiffness. A sum of parts;
+/// immutable. With Φn the partial moments, 1 − Φ0(∞) is the elastic remainder: stiffness that has
+/// not slipped.
 ///
 /// All parts but the power laws are merged once into segments on which φ is linear, so that every
 /// closed form costs one search and a polynomial, whatever the number of parts.
 class SlipDensity {
  public:
-  /// φ = p + q·t, t = s − start, from `start` to the start of the next segment; the moments are those
-  /// at `start`, the atoms there included.
+  /// φ = p + q·t, t = s − start, from `start` to the start of the next segment; the moments are
+  /// those at `start`, the atoms there included.
   struct LinearSegment {
     double start;            ///< N
     double p;                ///< 1/N
@@ -92,7 +94,8 @@ class SlipDensity {
   [[nodiscard]] PartialMoments moments(double s) const;
 
   /// E(s) = ∫₀ˢ f*(s − f*) φ df* = sΦ1(s) − Φ2(s), N², without the cancellation of that difference:
-  /// the dissipation (7) is 4E(kA)/k. 0 for s ≤ 0, infinite for s = ∞ unless nothing slips, NaN for NaN.
+  /// the dissipation (7) is 4E(kA)/k. 0 for s ≤ 0, infinite for s = ∞ unless nothing slips, NaN for
+  /// NaN.
   [[nodiscard]] double slip_energy(double s) const;
 
   /// Φn(∞).
@@ -110,8 +113,8 @@ class SlipDensity {
   /// The power laws, that of a four-parameter part included.
   [[nodiscard]] std::span<const PowerLawPart> power_laws() const { return power_laws_; }
 
-  /// All atoms with a weight, that of a four-parameter part included, by rising slip force; equal ones
-  /// are merged.
+  /// All atoms with a weight, that of a four-parameter part included, by rising slip force; equal
+  /// ones are merged.
   [[nodiscard]] const AtomsPart& atoms() const { return atoms_; }
 
  private:

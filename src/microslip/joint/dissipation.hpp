@@ -11,8 +11,8 @@
 ///     D′(A) = 4Φ1(kA)                                                    [AR14 (8)]
 ///     D″(A) = 4Ak²φ(kA)                                                  [AR14 (9)]
 ///
-/// The inverse of (9), from measured D to φ, is in identify/. Amplitudes are in m, ≥ 0 and finite; the
-/// functions throw InputError otherwise.
+/// The inverse of (9), from measured D to φ, is in identify/. Amplitudes are in m, ≥ 0 and finite;
+/// the functions throw InputError otherwise.
 
 namespace microslip {
 

@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/vector_clones.hpp"
 #include "microslip/joint/path.hpp"
-#include "microslip/joint/vector_clones.hpp"
 
 namespace microslip {
 namespace {
@@ -64,9 +64,10 @@ class ContinuousPart {
   PartialMoments total_;
 };
 
-/// Two elements with the three moments of the weight between two slip forces. Of equal weight at mean
-/// ± standard deviation where both lie in the bin; else one at the upper edge (Gauss–Radau), which
-/// always does. In a bin as narrow as rounding the moments contradict its edges: the edges hold.
+/// Two elements with the three moments of the weight between two slip forces. Of equal weight at
+/// mean ± standard deviation where both lie in the bin; else one at the upper edge (Gauss–Radau),
+/// which always does. In a bin as narrow as rounding the moments contradict its edges: the edges
+/// hold.
 void add_pair(const PartialMoments& moments, double upper, double lower, double k,
               std::vector<JenkinsElement>& elements) {
   const double mean = std::clamp(moments.first / moments.zeroth, lower, upper);
@@ -110,7 +111,8 @@ void add_bins(const ContinuousPart& part, std::size_t count, double k,
 
 // ---- Marching: the loops over the elements. ----
 
-// Each lane has a sum of its own, so that the additions come in one order whatever the vector width.
+// Each lane has a sum of its own, so that the additions come in one order whatever the vector
+// width.
 constexpr std::size_t kLanes = 8;
 
 double sum_of(const double (&lanes)[kLanes]) {

@@ -30,7 +30,8 @@ class JenkinsNetwork {
   /// macro-slip force is exact. With an odd number left for the rest, one bin has a single element,
   /// which keeps Φ0 and Φ1.
   /// @param joint  any.
-  /// @param n      from 1 to 1e8, and above the number of atoms where the density has more than atoms.
+  /// @param n      from 1 to 1e8, and above the number of atoms where the density has more than
+  ///               atoms.
   /// @throws InputError  for another n.
   static JenkinsNetwork discretise(const Joint& joint, std::size_t n);
 
@@ -59,11 +60,12 @@ class JenkinsNetwork {
   double elastic_stiffness_;
 };
 
-/// How an element answers a normal load p(t) = P_N(t)/P_0 that varies [AR14 App. B]. Its stiffness and
-/// its slip force both scale with p; the laws differ in what a stuck element does when p changes. At
-/// constant p = 1 they are the same.
+/// How an element answers a normal load p(t) = P_N(t)/P_0 that varies [AR14 App. B]. Its stiffness
+/// and its slip force both scale with p; the laws differ in what a stuck element does when p
+/// changes. At constant p = 1 they are the same.
 enum class NormalLoadLaw {
-  /// ḟ = κ p ẋ while stuck, |f| ≤ f_i p: a change of load alone leaves the force of a stuck element.
+  /// ḟ = κ p ẋ while stuck, |f| ≤ f_i p: a change of load alone leaves the force of a stuck
+  /// element.
   kIncremental,
   /// f = κ p (x − z) with the slider at z: the force is p times that under constant load.
   kTotal,
@@ -84,8 +86,11 @@ class NetworkMemory {
   double advance(double x);
 
   /// Moves to x while the load goes to p, both along a straight line. Within a step the incremental
-  /// law takes the mean load for the stiffness and the load at its end for the slip force: of second
-  /// order in the step. The total law is exact. @param x  m. @param p  1; ≥ 0. @return force, N.
+  /// law takes the mean load for the stiffness and the load at its end for the slip force: of
+  /// second order in the step. The total law is exact.
+  /// @param x  m.
+  /// @param p  1; ≥ 0.
+  /// @return force, N.
   /// @throws InputError  where x or p is not finite or p < 0; then no step is taken.
   double advance(double x, double p);
 

@@ -32,7 +32,7 @@ double checked_stiffness(double stiffness, const SlipDensity& density) {
 Joint::Joint(double stiffness, SlipDensity density)
     : stiffness_(checked_stiffness(stiffness, density)),
       density_(std::move(density)),
-      backbone_(density_) {}
+      virgin_curve_(density_) {}
 
 Joint Joint::four_parameter(double macroslip_force, double stiffness, double chi, double beta) {
   return Joint(stiffness, SlipDensity({FourParameterPart{macroslip_force, stiffness, chi, beta}}));
@@ -41,14 +41,14 @@ Joint Joint::four_parameter(double macroslip_force, double stiffness, double chi
 double Joint::virgin_force(double x) const {
   const double s = stiffness_ * std::abs(x);
   if (!std::isinf(s)) [[likely]]
-    return std::copysign(backbone_.force(s), x);
+    return std::copysign(virgin_curve_.force(s), x);
   return std::copysign(density_.elastic_remainder() > 0.0 ? s : macroslip_force(), x);
 }
 
 double Joint::tangent_stiffness(double x) const {
   const double s = stiffness_ * std::abs(x);
   if (!std::isinf(s)) [[likely]]
-    return stiffness_ * backbone_.slope(s);
+    return stiffness_ * virgin_curve_.slope(s);
   return stiffness_ * density_.elastic_remainder();
 }
 

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "microslip/joint/backbone.hpp"
 #include "microslip/joint/density.hpp"
+#include "microslip/joint/virgin_curve.hpp"
 
 namespace microslip {
 
-/// A frictional contact as a parallel-series Iwan model: infinitely many Jenkins elements (a spring in
-/// series with a Coulomb slider) in parallel. Immutable, so one Joint serves any number of threads and
-/// simulations; what a simulation remembers lives in its Memory.
+/// A frictional contact as a parallel-series Iwan model: infinitely many Jenkins elements (a spring
+/// in series with a Coulomb slider) in parallel. Immutable, so one Joint serves any number of
+/// threads and simulations; what a simulation remembers lives in its Memory.
 ///
 ///     x    relative displacement across the joint, m
 ///     k    stiffness of the fully stuck joint, N/m
 ///     φ    distribution density of the slip forces, 1/N
-///     F    virgin force, N (see Backbone)
+///     F    virgin force, N (see VirginCurve)
 class Joint {
  public:
   /// @param stiffness  k, N/m; positive and finite.
@@ -33,10 +33,10 @@ class Joint {
   /// φ.
   [[nodiscard]] const SlipDensity& density() const { return density_; }
   /// F over the elastic force kx.
-  [[nodiscard]] const Backbone& backbone() const { return backbone_; }
+  [[nodiscard]] const VirginCurve& virgin_curve() const { return virgin_curve_; }
 
-  /// F(x), N, odd in x: the force on first loading. [AR14 (2)] At x = ±∞ the limit, which is ±f_y or,
-  /// with an elastic remainder, infinite; NaN where x is NaN.
+  /// F(x), N, odd in x: the force on first loading. [AR14 (2)] At x = ±∞ the limit, which is ±f_y
+  /// or, with an elastic remainder, infinite; NaN where x is NaN.
   [[nodiscard]] double virgin_force(double x) const;
 
   /// F′(x) = k[1 − Φ0(k|x|)], N/m. At an atom the value beyond it. [AR14 (4)] At
@@ -53,7 +53,7 @@ class Joint {
  private:
   double stiffness_;
   SlipDensity density_;
-  Backbone backbone_;
+  VirginCurve virgin_curve_;
 };
 
 }  // namespace microslip

@@ -14,8 +14,8 @@ Memory::Curve Memory::curve(const Branch& branch) const {
   if (!branch.from_present && branch.depth == 0) {
     return {0.0, 0.0, sign, sign, 1.0, std::numeric_limits<double>::infinity()};
   }
-  // A branch ends where the one before it turned, the first one at the mirror image of its own start,
-  // where the virgin curve takes over.
+  // A branch ends where the one before it turned, the first one at the mirror image of its own
+  // start, where the virgin curve takes over.
   const std::size_t older = branch.from_present ? branch.depth : branch.depth - 1;
   const ReversalPoint origin =
       branch.from_present ? ReversalPoint{x_, force_} : reversals_[branch.depth - 1];
@@ -109,7 +109,7 @@ double Memory::stored_energy() const {
 
 double Memory::force_on(const Curve& on, double x) const {
   const double s = joint_->stiffness() * on.reach * std::abs(x - on.displacement);
-  return on.force + on.scale * joint_->backbone().force(s);
+  return on.force + on.scale * joint_->virgin_curve().force(s);
 }
 
 Memory::Response Memory::trial(double x) const {
@@ -151,7 +151,7 @@ std::size_t Memory::run_length(const Curve& on, std::span<const double> x) const
 // without branches of which the processor overlaps several rounds.
 void Memory::march(std::span<const double> x, std::span<double> force) {
   check_path(x, force);
-  const Backbone& backbone = joint_->backbone();
+  const VirginCurve& curve = joint_->virgin_curve();
   while (!x.empty()) {
     const Curve on = move_to(x.front());
     force_ = force_on(on, x_);
@@ -161,8 +161,8 @@ void Memory::march(std::span<const double> x, std::span<double> force) {
     const std::size_t run = direction_ == 0 ? 0 : run_length(on, x);
     if (run == 0) continue;
     x_ = x[run - 1];
-    backbone.branch_forces({on.displacement, on.force, joint_->stiffness() * on.reach, on.scale},
-                           x.first(run), force.first(run));
+    curve.branch_forces({on.displacement, on.force, joint_->stiffness() * on.reach, on.scale},
+                        x.first(run), force.first(run));
     force_ = force[run - 1];
     x = x.subspan(run);
     force = force.subspan(run);

@@ -14,16 +14,16 @@ namespace microslip {
 /// Prandtl–Ishlinskii model):
 ///
 ///   * first loading follows the virgin curve F;
-///   * after a reversal at (x_r, f_r):  f = f_r ± 2F(|x − x_r|/2)                          [AR14 (3)]
-///   * where the path passes the previous extreme of the loop it is on, that minor loop is closed and
-///     forgotten, and the path continues on the curve it was on before;
+///   * after a reversal at (x_r, f_r):  f = f_r ± 2F(|x − x_r|/2)                     [AR14 (3)]
+///   * where the path passes the previous extreme of the loop it is on, that minor loop is closed
+///     and forgotten, and the path continues on the curve it was on before;
 ///   * where |x| exceeds the largest |x| ever reached, the virgin curve continues.
 ///
 /// The state is a stack of reversal points: O(1) amortised a step, whatever the number of sliders.
 ///
-/// A step is a straight move of x from where the joint stands. trial() evaluates a step without taking
-/// it, so an implicit integrator tries as many as it likes and then takes one by advance(). A Memory is
-/// a value: a copy is a snapshot of several steps to return to.
+/// A step is a straight move of x from where the joint stands. trial() evaluates a step without
+/// taking it, so an implicit integrator tries as many as it likes and then takes one by advance().
+/// A Memory is a value: a copy is a snapshot of several steps to return to.
 class Memory {
  public:
   /// Where the path turned.
@@ -38,8 +38,8 @@ class Memory {
     double tangent;  ///< df/dx in the direction of the move, N/m
   };
 
-  /// A smooth piece of the hysteresis, f = force + scale·F(k·reach·(x − displacement)·sign), as long as
-  /// sign·x grows and stays below `end`.
+  /// A smooth piece of the hysteresis, f = force + scale·F(k·reach·(x − displacement)·sign), as
+  /// long as sign·x grows and stays below `end`.
   struct Curve {
     double displacement;  ///< m; where it begins
     double force;         ///< N; there
@@ -66,8 +66,8 @@ class Memory {
   /// @throws InputError  where x is not finite.
   [[nodiscard]] Response trial(double x) const;
 
-  /// The curve of a motion in this direction from where the joint stands, or from x on where that lies
-  /// ahead: minor loops that close on the way there are behind it.
+  /// The curve of a motion in this direction from where the joint stands, or from x on where that
+  /// lies ahead: minor loops that close on the way there are behind it.
   /// @param direction  +1 or −1. @param x  m, finite.
   [[nodiscard]] Curve curve_ahead(int direction, double x) const;
 
@@ -88,8 +88,8 @@ class Memory {
   /// Takes a step to each x in turn and writes the forces.
   /// @param x      displacements, m; finite.
   /// @param force  N; of the length of x; may be x itself.
-  /// @throws InputError  for another length, or naming the first x (0-based) that is not finite; then
-  ///                     no step is taken.
+  /// @throws InputError  for another length, or naming the first x (0-based) that is not finite;
+  ///                     then no step is taken.
   void march(std::span<const double> x, std::span<double> force);
 
   /// Back to the virgin state at x = 0.

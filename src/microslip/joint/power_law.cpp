@@ -18,9 +18,9 @@ double power_integral(double p, double a, double b) {
 }
 
 /// ∫ f^n (s − f) φ df, n = 0 or 1. The difference of two moments loses digits where the interval is
-/// short against its distance from 0. There f^(p−1) is so smooth that 15 Gauss points integrate it to
-/// rounding: the nearest singularity, f = 0, bounds the error by (3 + √8)^−30 ≈ 1e−23. A steep power
-/// is that smooth on a shorter interval only.
+/// short against its distance from 0. There f^(p−1) is so smooth that 15 Gauss points integrate it
+/// to rounding: the nearest singularity, f = 0, bounds the error by (3 + √8)^−30 ≈ 1e−23. A steep
+/// power is that smooth on a shorter interval only.
 double weighted_deficit(const PowerLawPart& part, double s, int n) {
   const double upper = std::min(part.to, s);
   if (!(upper > part.from)) return 0.0;

@@ -27,9 +27,10 @@ double secant_at_angle(double alpha) {
   return (y - std::sin(y)) / (2.0 * pi);
 }
 
-/// ∫ φ g(f*/s) df* over [0, s] of the linear segments, over the angle α with f* = s sin²α: there the
-/// integrand is entire, of frequencies up to 8, and 15 Gauss points integrate any of [0, π/2] to
-/// rounding. Differences of an antiderivative would lose the digits of steep and of low segments.
+/// ∫ φ g(f*/s) df* over [0, s] of the linear segments, over the angle α with f* = s sin²α: there
+/// the integrand is entire, of frequencies up to 8, and 15 Gauss points integrate any of [0, π/2]
+/// to rounding. Differences of an antiderivative would lose the digits of steep and of low
+/// segments.
 double linear_part(const SlipDensity& density, double s) {
   double sum = 0.0;
   const auto segments = density.segments();

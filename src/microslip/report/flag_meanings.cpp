@@ -8,9 +8,10 @@
 namespace microslip {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 40> kMeanings = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 42> kMeanings = {{
     {"amplitude_drift", "no steady state: the amplitude wanders"},
     {"amplitude_rises", "the decay was left where its amplitude rises"},
+    {"beats", "a second oscillation near the mode moves the damping by more than 2 %"},
     {"beyond_identification", "the joint moves more than in the levels it was identified by"},
     {"clipped", "a channel is cut off at its extremes"},
     {"decay_within_window", "the decay is too fast for the frequency resolution of its windows"},
@@ -52,6 +53,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 40> kMeaning
     {"shape_moves", "a ratio of amplitudes between sensors is not the same all along"},
     {"signal_constant", "a channel does not move"},
     {"spike", "single samples are far off"},
+    {"steady_tone", "a tone that does not decay moves the damping by more than 2 %"},
     {"stiffness_differs", "the stiffness of the joint is not that of the contact of the rig"},
     {"transfer_not_measured", "the force control did not learn what the shaker answers"},
     {"uneven_sampling", "the samples are not at even times"},

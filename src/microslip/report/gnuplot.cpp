@@ -36,8 +36,8 @@ void check_number(std::string_view name, double value, double from, double to) {
   }
 }
 
-/// Sizes of fonts are px everywhere else, but cairo takes points, 3/4 of a px, and its unit of lines
-/// in a PDF is half a point.
+/// Sizes of fonts are px everywhere else, but cairo takes points, 3/4 of a px, and its unit of
+/// lines in a PDF is half a point.
 std::string terminal(PictureFormat format, PictureSize size, const PictureStyle& style) {
   const std::string look =
       fmt::format("font '{},{}' rounded background '#ffffff'", kFontName, kLabelFont.size);
@@ -112,8 +112,8 @@ PanelSpace panel_space(const FigureGrid& grid, const PanelSpace& picture, std::s
   return space;
 }
 
-/// Gives the panels of a column the same margins at the sides and those of a row the same ones below and
-/// above, so that their axes line up.
+/// Gives the panels of a column the same margins at the sides and those of a row the same ones
+/// below and above, so that their axes line up.
 void line_up(const FigureGrid& grid, std::vector<PanelSpace>& spaces) {
   std::vector<Margins> own;
   for (std::size_t i = 0; i < spaces.size(); ++i) {

@@ -22,8 +22,8 @@ constexpr std::array<const char*, kColours> kPalette = {"#0072b2", "#d55e00", "#
 // Neighbours differ by 0x30 or more. Black stays black and grey grey.
 constexpr std::array<const char*, kColours> kShades = {"#202020", "#787878", "#484848", "#a0a0a0",
                                                        "#606060", "#b8b8b8", "#000000", "#707070"};
-// Circle, square, triangle, diamond, triangle, pentagon, circle, square: gnuplot's filled shapes; the
-// number before is the outline of each.
+// Circle, square, triangle, diamond, triangle, pentagon, circle, square: gnuplot's filled shapes;
+// the number before is the outline of each.
 constexpr std::array<int, kColours> kShapes = {7, 5, 9, 13, 11, 15, 7, 5};
 constexpr double kPointSize = 0.5;  // of gnuplot's
 constexpr double kBandOpacity = 0.22;
@@ -139,7 +139,8 @@ class PanelWriter {
       line("set grid back linecolor rgb '#e4e4e4' linewidth 0.8 linetype 1");
     }
     line("set errorbars small");
-    // gnuplot clears a place under each mark that has bars, of this size; 0 would mean the usual one.
+    // gnuplot clears a place under each mark that has bars, of this size; 0 would mean the usual
+    // one.
     line("set pointintervalbox 0.001");
     line("unset key");
   }

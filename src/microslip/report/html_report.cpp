@@ -24,7 +24,8 @@ std::string source_hash(std::string_view hexadecimal) {
 
 /// Nothing is loaded, no script runs but these three, no style but these applies.
 std::string security_policy() {
-  // plotly.js makes an empty style element and fills it rule by rule, which the policy does not concern.
+  // plotly.js makes an empty style element and fills it rule by rule, which the policy does not
+  // concern.
   constexpr std::string_view kEmpty =
       "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855";
   std::string policy = "default-src 'none'; script-src";

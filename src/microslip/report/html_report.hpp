@@ -13,8 +13,9 @@ namespace microslip {
 
 /// How html_report() draws.
 struct HtmlReportOptions {
-  /// Draws the SVG pictures for paper and for browsers without scripts. By default draw() by gnuplot;
-  /// empty for a file without such pictures: the browser then makes those that are printed.
+  /// Draws the SVG pictures for paper and for browsers without scripts. By default draw() by
+  /// gnuplot; empty for a file without such pictures: the browser then makes those that are
+  /// printed.
   std::function<std::string(const Figure&, int width, int height)> picture = default_picture();
 
   /// What draws them by gnuplot.
@@ -24,8 +25,8 @@ struct HtmlReportOptions {
 /// The file. Charts are drawn by plotly.js and uPlot, which are part of it with their licences. Its
 /// content security policy lets the browser run these scripts alone, by their SHA-256, and load
 /// nothing; all texts of the document are escaped. The same document gives the same bytes.
-/// A figure for which the picture throws InputError has none, nor have those whose pictures would make the
-/// file larger than 4 MB; for these the browser makes one once the page is read.
+/// A figure for which the picture throws InputError has none, nor have those whose pictures would
+/// make the file larger than 4 MB; for these the browser makes one once the page is read.
 /// @throws InputError  as check_report(). @throws Error  as the picture does.
 [[nodiscard]] std::string html_report(const ReportDocument& document,
                                       const HtmlReportOptions& options = {});

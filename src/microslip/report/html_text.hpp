@@ -19,8 +19,8 @@ namespace microslip {
 /// [RFC 4648, section 4]
 [[nodiscard]] std::string base64(std::string_view bytes);
 
-/// An SVG picture as an address between double quotes [RFC 2397]: a quarter shorter than in base64. Runs
-/// of blanks and line breaks become one blank; groups that hold nothing are left out.
+/// An SVG picture as an address between double quotes [RFC 2397]: a quarter shorter than in base64.
+/// Runs of blanks and line breaks become one blank; groups that hold nothing are left out.
 [[nodiscard]] std::string svg_address(std::string_view svg);
 
 /// Hexadecimal digits as the bytes that they stand for. @param digits  an even number of them.

@@ -119,8 +119,8 @@ class LayoutMaker {
   }
 
   PanelLayout make() {
-    // How dense the numbers of y can stand follows from the height of the axes, and how wide these are
-    // from the numbers: the first round guesses the height.
+    // How dense the numbers of y can stand follows from the height of the axes, and how wide these
+    // are from the numbers: the first round guesses the height.
     double height = inner_.height() - 100.0;
     for (int round = 0; round < 2; ++round) {
       layout_.axes = inner_;

@@ -47,7 +47,8 @@ struct PanelLayout {
 
 /// @param figure  must keep the rules of check_figure().
 /// @param space   all that the figure may cover.
-/// @param least   the axes keep at least so far from its edges; what belongs to an edge moves along.
+/// @param least   the axes keep at least so far from its edges; what belongs to an edge moves
+///                along.
 /// @throws InputError  where the texts leave no room for the axes.
 [[nodiscard]] PanelLayout panel_layout(const Figure& figure, const Box& space,
                                        const Margins& least = {});

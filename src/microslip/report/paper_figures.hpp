@@ -10,8 +10,8 @@
 #include "microslip/report/test_results.hpp"
 
 /// @file
-/// What a test left behind, as figures for papers (report/paper_picture): without titles, which are in
-/// the caption there; units have the prefix that suits the values.
+/// What a test left behind, as figures for papers (report/paper_picture): without titles, which are
+/// in the caption there; units have the prefix that suits the values.
 
 namespace microslip {
 
@@ -24,8 +24,8 @@ struct PaperOptions {
   std::vector<NamedJoint> others = {};              ///< drawn beside the joint of the results
 };
 
-/// Input energy, linear loss and dissipation of the joint over its amplitude, with bars of one standard
-/// deviation; what the joints make of it. [AR14 Fig. 8]
+/// Input energy, linear loss and dissipation of the joint over its amplitude, with bars of one
+/// standard deviation; what the joints make of it. [AR14 Fig. 8]
 /// @throws InputError  without levels.
 [[nodiscard]] Figure paper_energies(const TestResults& results, const PaperOptions& options = {});
 
@@ -41,16 +41,16 @@ struct PaperOptions {
 /// @throws InputError  without a joint.
 [[nodiscard]] Figure paper_loops(const TestResults& results, const PaperOptions& options = {});
 
-/// The frequency of the drive and of the resonance over the response at the exciter or, where that is
-/// not known, over the amplitude of the joint. [AR14 Fig. 6]
+/// The frequency of the drive and of the resonance over the response at the exciter or, where that
+/// is not known, over the amplitude of the joint. [AR14 Fig. 6]
 /// @throws InputError  without levels that have frequencies.
 [[nodiscard]] Figure paper_resonance(const TestResults& results, const PaperOptions& options = {});
 
 /// k_eq over the amplitude. @throws InputError  with neither a joint nor levels that have it.
 [[nodiscard]] Figure paper_stiffness(const TestResults& results, const PaperOptions& options = {});
 
-/// The loss factor D/(π k_eq A²) of the joint over its amplitude; of levels that have a damping ratio
-/// but no k_eq, that ratio.
+/// The loss factor D/(π k_eq A²) of the joint over its amplitude; of levels that have a damping
+/// ratio but no k_eq, that ratio.
 /// @throws InputError  with neither a joint nor such levels.
 [[nodiscard]] Figure paper_damping(const TestResults& results, const PaperOptions& options = {});
 
@@ -63,7 +63,8 @@ struct PaperOptions {
 /// @throws InputError  without responses.
 [[nodiscard]] Figure paper_constant_response(const TestResults& results);
 
-/// NRMSE and noise of each channel, a panel each, over the response. @throws InputError  without comparisons.
+/// NRMSE and noise of each channel, a panel each, over the response. @throws InputError  without
+/// comparisons.
 [[nodiscard]] FigureGrid paper_deviations(const TestResults& results,
                                           const PaperOptions& options = {});
 

@@ -21,8 +21,8 @@ struct PredictedResponse {
   std::vector<double> phase;         ///< lag behind the force, rad
 };
 
-/// Displacement, or displacement over force where the force varies, and phase over the frequency, one
-/// below the other. @throws InputError  without points, or where lengths differ.
+/// Displacement, or displacement over force where the force varies, and phase over the frequency,
+/// one below the other. @throws InputError  without points, or where lengths differ.
 [[nodiscard]] FigureGrid paper_response(const PredictedResponse& response);
 
 /// Vibrations in phase resonance; one length.
@@ -59,13 +59,14 @@ struct HistorySignal {
   std::vector<double> values;  ///< one a time, in that unit
 };
 
-/// The signals over time, those of one quantity and unit on one pair of axes, below each other; in two columns
-/// where there are four quantities or more. A line of more points than paper can show is drawn by the
-/// lowest and highest of each 1/2000 of its length.
+/// The signals over time, those of one quantity and unit on one pair of axes, below each other; in
+/// two columns where there are four quantities or more. A line of more points than paper can show
+/// is drawn by the lowest and highest of each 1/2000 of its length.
 /// @throws InputError  without signals, or where lengths differ.
 [[nodiscard]] FigureGrid paper_history(std::span<const HistorySignal> signals);
 
-/// Force over displacement along a path. @throws InputError  without points, or where lengths differ.
+/// Force over displacement along a path. @throws InputError  without points, or where lengths
+/// differ.
 [[nodiscard]] Figure paper_path(const std::vector<double>& displacement,
                                 const std::vector<double>& force);
 

@@ -59,7 +59,8 @@ Json as_json(const ReportAxis& axis) {
   return json;
 }
 
-/// Curves of one figure often have the same x, which is half of their data: the number of the first.
+/// Curves of one figure often have the same x, which is half of their data: the number of the
+/// first.
 Json x_of(const std::vector<ReportTrace>& traces, std::size_t index) {
   for (std::size_t i = 0; i < index; ++i) {
     if (traces[i].x.size() > 1 && traces[i].x == traces[index].x) return {{"of", i}};

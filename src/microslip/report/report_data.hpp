@@ -10,9 +10,10 @@
 
 namespace microslip {
 
-/// JSON that may stand in a script element: ASCII without <, > and &. An array of figures in the order
-/// of the document; what is not finite is null, numbers have 7 digits.
-/// A long even axis is {from, step, count}; x that an earlier trace of the choice has is {of: number}.
+/// JSON that may stand in a script element: ASCII without <, > and &. An array of figures in the
+/// order of the document; what is not finite is null, numbers have 7 digits.
+/// A long even axis is {from, step, count}; x that an earlier trace of the choice has is {of:
+/// number}.
 [[nodiscard]] std::string report_data(const ReportDocument& document);
 
 }  // namespace microslip

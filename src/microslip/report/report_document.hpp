@@ -12,8 +12,8 @@
 
 /// @file
 /// What a report says, apart from how it looks (report/html_report). Texts are UTF-8 and shown as
-/// they are, without markup: names out of files can do no harm. Values are drawn as they are given: a
-/// caller who wants µm on an axis scales the data and names µm as its unit.
+/// they are, without markup: names out of files can do no harm. Values are drawn as they are given:
+/// a caller who wants µm on an axis scales the data and names µm as its unit.
 
 namespace microslip {
 
@@ -68,8 +68,8 @@ enum class ChartKind {
   kTimeHistory,  ///< lines over time, many points; those of a section share their cursor
 };
 
-/// Axes and what is drawn on them. With several choices the reader picks one; figures of a section with
-/// the same `choose` change together, where they have a choice of that name.
+/// Axes and what is drawn on them. With several choices the reader picks one; figures of a section
+/// with the same `choose` change together, where they have a choice of that name.
 struct ReportFigure {
   std::string title;                       ///< above the figure
   std::string caption = {};                ///< what is to be seen, a sentence or two

@@ -36,8 +36,8 @@ std::string rounded(double number, int digits) {
   return fmt::format("{:.{}f}", number, std::max(digits - 1 - exponent, 0));
 }
 
-/// Those over the width of the page: two that follow each other stand side by side, and one that is left
-/// has the width for itself.
+/// Those over the width of the page: two that follow each other stand side by side, and one that is
+/// left has the width for itself.
 std::set<const ReportFigure*> wide_figures(const ReportSection& section) {
   std::set<const ReportFigure*> wide;
   const ReportFigure* alone = nullptr;
@@ -188,9 +188,9 @@ class Page {
     ++figures_;
   }
 
-  /// As an image of its own, so that nothing in it can meet the page. Empty where none is wanted, or
-  /// nothing of the figure can be drawn: all below zero on a logarithmic axis, for instance; or where there
-  /// is no room for it.
+  /// As an image of its own, so that nothing in it can meet the page. Empty where none is wanted,
+  /// or nothing of the figure can be drawn: all below zero on a logarithmic axis, for instance; or
+  /// where there is no room for it.
   [[nodiscard]] std::string picture_of(const ReportFigure& figure, bool wide,
                                        const std::string& alternative) {
     if (!options_.picture) return {};

@@ -11,7 +11,7 @@
 #include "microslip/report/figure.hpp"
 #include "microslip/report/test_results.hpp"
 #include "microslip/rig/reduction.hpp"
-#include "microslip/rig/virtual_test.hpp"
+#include "microslip/rig/virtual_measurement.hpp"
 
 /// @file
 /// The pictures of a frictional-support test.

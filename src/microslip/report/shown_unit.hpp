@@ -17,9 +17,10 @@ struct ShownUnit {
   double size = 1.0;
 };
 
-/// The SI unit with the decimal prefix from n to G that brings the largest of the values to 1 or more,
-/// below 1000; without one where it is 0.1 to 10000 already. For "m", "N", "J", "s", "N/m", "m/N"
-/// and, with the prefix below the line, "1/N". "m/s^2" gets a raised 2; "%" are of 1, "°" of rad; others stay.
+/// The SI unit with the decimal prefix from n to G that brings the largest of the values to 1 or
+/// more, below 1000; without one where it is 0.1 to 10000 already. For "m", "N", "J", "s", "N/m",
+/// "m/N" and, with the prefix below the line, "1/N". "m/s^2" gets a raised 2; "%" are of 1, "°" of
+/// rad; others stay.
 [[nodiscard]] ShownUnit shown_unit(std::string_view si_unit, double largest);
 
 /// What has the SI unit, as the reader calls it: "force" of "N"; "signal" of others.
@@ -28,8 +29,8 @@ struct ShownUnit {
 /// "label [unit]".
 [[nodiscard]] std::string axis_label(std::string_view label, const ShownUnit& unit);
 
-/// Turns the x of all layers, with their bars and the range of the axis, from SI to the unit that suits
-/// the largest of them, and labels the axis. The same of y.
+/// Turns the x of all layers, with their bars and the range of the axis, from SI to the unit that
+/// suits the largest of them, and labels the axis. The same of y.
 void show_x(Figure& figure, std::string_view label, std::string_view si_unit);
 void show_y(Figure& figure, std::string_view label, std::string_view si_unit);
 

@@ -4,7 +4,8 @@
 #include "microslip/report/report_document.hpp"
 
 /// @file
-/// A figure of a report as a picture for paper and for browsers without scripts. Internal to report.
+/// A figure of a report as a picture for paper and for browsers without scripts. Internal to
+/// report.
 
 namespace microslip {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "microslip/identify/interpolation.hpp"
+#include "microslip/base/interpolation.hpp"
 #include "microslip/joint/secant.hpp"
 #include "microslip/report/test_sections.hpp"
 
@@ -59,8 +59,9 @@ ReportFigure resonance_figure(const TestResults& results) {
   return figure;
 }
 
-/// ζ = W/(4πE) with the measured W and the E of the prediction, which is that of the response and the
-/// mode and hardly depends on the joint. Empty where the levels or the prediction tell too little.
+/// ζ = W/(4πE) with the measured W and the E of the prediction, which is that of the response and
+/// the mode and hardly depends on the joint. Empty where the levels or the prediction tell too
+/// little.
 ReportTrace measured_damping(const TestResults& results) {
   ReportTrace trace{.name = "measured", .kind = TraceKind::kPoints, .stroke = {.colour = kBlack}};
   const TestBackbone& backbone = *results.backbone;

@@ -222,8 +222,8 @@ std::optional<ReportWarning> foreign_misfit(const TestResults& results,
                                           : "is not that of these levels")};
 }
 
-/// The stiffness of the levels held against the joint, as its identification does it. The resonance where
-/// it was measured, else the drive.
+/// The stiffness of the levels held against the joint, as its identification does it. The resonance
+/// where it was measured, else the drive.
 std::vector<Warning> judge_stiffness(const TestResults& results) {
   const TestLevels& test = *results.levels;
   Levels levels = test.levels;

@@ -13,12 +13,13 @@
 
 namespace microslip {
 
-/// The real channels of a steady vibration: their harmonics, from a Fourier series fitted to the whole
-/// record, and two cycles of each over time, from where the fundamental of the first channel rises
-/// through 0.
+/// The real channels of a steady vibration: their harmonics, from a Fourier series fitted to the
+/// whole record, and two cycles of each over time, from where the fundamental of the first channel
+/// rises through 0.
 /// @param recording    over time.
 /// @param name         of the record in the report.
-/// @param most_points  of all channels together; a channel has 200 to 4000. 0 leaves the histories out.
+/// @param most_points  of all channels together; a channel has 200 to 4000. 0 leaves the histories
+///                     out.
 /// @throws InputError  where it has no channel with a unit or holds no steady vibration.
 [[nodiscard]] TestRecord test_record(const Recording& recording, const std::string& name,
                                      std::size_t most_points);
@@ -32,8 +33,8 @@ void add_other(const TestRecord& other, TestRecord& record);
 [[nodiscard]] std::vector<std::string> spread(const std::vector<std::string>& names,
                                               std::size_t count);
 
-/// Up to `count` of the records, the first and the last among them, each n-th point of their signals so
-/// that these have at most `most_points`.
+/// Up to `count` of the records, the first and the last among them, each n-th point of their
+/// signals so that these have at most `most_points`.
 [[nodiscard]] std::vector<TestRecord> some_records(std::vector<TestRecord> records,
                                                    std::size_t count, std::size_t most_points);
 

@@ -86,8 +86,8 @@ void check_lengths(const TestResults& results) {
   }
 }
 
-/// What sections lack goes into a list of its own before the last section; those that lack everything
-/// are left out. The summary keeps what it lacks.
+/// What sections lack goes into a list of its own before the last section; those that lack
+/// everything are left out. The summary keeps what it lacks.
 std::vector<ReportSection> with_list_of_missing(std::vector<ReportSection> all) {
   const auto is_missing = [](const ReportBlock& block) {
     return std::holds_alternative<ReportMissing>(block);

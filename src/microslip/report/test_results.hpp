@@ -142,7 +142,8 @@ struct TestResults {
   std::optional<Rig> rig = {};            ///< that was tested
   std::optional<TestLevels> levels = {};  ///< as measured
   std::optional<TestJoint> joint = {};    ///< as identified
-  /// What the joint was identified with, as far as its file tells; stiffness and bands are not used.
+  /// What the joint was identified with, as far as its file tells; stiffness and bands are not
+  /// used.
   IdentificationOptions options = {};
   std::optional<Joint> truth = {};             ///< of a virtual test
   double true_linear_damping = 0.0;            ///< β of the truth, J/m²
@@ -164,11 +165,11 @@ struct TestResults {
   std::vector<ReportWarning> warnings = {};  ///< of reading the files
 };
 
-/// The report: summary, levels, signals, energies, density, loops, stiffness, responses, predictions,
-/// rig, provenance. Densities by the other methods, the path of the smoothing parameter and loops for
-/// several smoothing factors are computed from the levels. A part without data is named in a list of
-/// what is not there, with the command that makes it; levels that the methods refuse are shown without
-/// them, and the summary says so.
+/// The report: summary, levels, signals, energies, density, loops, stiffness, responses,
+/// predictions, rig, provenance. Densities by the other methods, the path of the smoothing
+/// parameter and loops for several smoothing factors are computed from the levels. A part without
+/// data is named in a list of what is not there, with the command that makes it; levels that the
+/// methods refuse are shown without them, and the summary says so.
 /// @throws InputError  where vectors that belong together differ in length.
 [[nodiscard]] ReportDocument test_report(TestResults results);
 

@@ -17,8 +17,8 @@
 
 namespace microslip {
 
-/// The levels by all methods, for comparison with the joint of the results. Nothing where there are too
-/// few levels or no stiffness.
+/// The levels by all methods, for comparison with the joint of the results. Nothing where there are
+/// too few levels or no stiffness.
 [[nodiscard]] std::optional<MethodComparison> compare_methods(const TestResults& results);
 
 [[nodiscard]] ReportSection summary_section(const TestResults& results,
@@ -61,8 +61,8 @@ struct MeasuredPoints {
   std::vector<double> std;  ///< empty where it is not known
 };
 
-/// η = D/(π k_eq A²) of the levels, with D less the linear damping beside the joint; its relative variance
-/// is that of D and of k_eq and four times that of A. Empty where k_eq was not measured.
+/// η = D/(π k_eq A²) of the levels, with D less the linear damping beside the joint; its relative
+/// variance is that of D and of k_eq and four times that of A. Empty where k_eq was not measured.
 [[nodiscard]] MeasuredPoints measured_loss_factor(const TestResults& results);
 
 /// D of the levels less that of the joint of the results.
@@ -72,7 +72,8 @@ struct Misfit {
 };
 [[nodiscard]] Misfit misfit_of_levels(const TestResults& results);
 
-/// D of the levels less that of the joint and its linear damping, J, over a scale that each level has.
+/// D of the levels less that of the joint and its linear damping, J, over a scale that each level
+/// has.
 [[nodiscard]] std::vector<double> residuals_over(const TestResults& results,
                                                  const std::vector<double>& scale);
 

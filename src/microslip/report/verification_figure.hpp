@@ -21,8 +21,9 @@ namespace microslip {
 [[nodiscard]] FigureGrid verification_figure(std::span<const Verification> records,
                                              const std::string& unit = "m/s²");
 
-/// The same of what files hold: force and the first acceleration over the histories and, where they are
-/// known, the harmonics of the latter. Titles tell the level, subtitles the NRMSE, where it is known.
+/// The same of what files hold: force and the first acceleration over the histories and, where they
+/// are known, the harmonics of the latter. Titles tell the level, subtitles the NRMSE, where it is
+/// known.
 /// @throws InputError  where there are no histories.
 [[nodiscard]] FigureGrid verification_figure(const TestResults& results);
 

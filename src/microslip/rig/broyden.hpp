@@ -5,8 +5,8 @@
 
 namespace microslip {
 
-/// Broyden's method for r(x) = 0 of complex vectors, x and r scaled so that dr/dx is about 1: each pair
-/// of points corrects an estimate of the inverse derivative,
+/// Broyden's method for r(x) = 0 of complex vectors, x and r scaled so that dr/dx is about 1: each
+/// pair of points corrects an estimate of the inverse derivative,
 ///
 ///     J⁻¹ ← J⁻¹ + (Δx − J⁻¹Δr)(Δxᵀ J⁻¹)/(Δxᵀ J⁻¹ Δr)       [Broyden, Math. Comp. 19 (1965) 577]
 ///

@@ -21,12 +21,13 @@ bool is_at_exciter(const Rig& rig, const RigSensor& sensor) {
 }
 
 /// k_eq of the loop that force and displacement draw, as if the displacement had been harmonic: the
-/// joint is rate-independent, so the loop does not change when it is passed through at another pace,
+/// joint is rate-independent, so the loop does not change when it is passed through at another
+/// pace,
 ///
 ///     k_eq = (1/πA) ∮ f cos θ dθ,     u = middle + A cos θ,     |dθ| = |u̇| dt/(A |sin θ|),
 ///
-/// and its harmonics, 2 % in the reference rig at its highest level, do not matter. At a turning point
-/// |u̇|/(A |sin θ|) tends to √(|ü|/A).
+/// and its harmonics, 2 % in the reference rig at its highest level, do not matter. At a turning
+/// point |u̇|/(A |sin θ|) tends to √(|ü|/A).
 double loop_stiffness(const FourierSeries& force, const FourierSeries& displacement) {
   constexpr int kPoints = 256;
   constexpr double kTurning = 1e-4;  // sin θ below which u̇/sin θ would lose its digits

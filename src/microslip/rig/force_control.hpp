@@ -7,8 +7,9 @@
 
 namespace microslip {
 
-/// Brings harmonics of a force to zero by those of the voltage, V ← V − H⁻¹F. It sees measured forces
-/// alone: H begins as measured elsewhere and is corrected by what each step did. Internal to rig.
+/// Brings harmonics of a force to zero by those of the voltage, V ← V − H⁻¹F. It sees measured
+/// forces alone: H begins as measured elsewhere and is corrected by what each step did. Internal to
+/// rig.
 class ForceController {
  public:
   /// @param transfer  H_n, N/V: change of each harmonic of the force over that of the voltage.

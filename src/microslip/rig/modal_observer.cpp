@@ -16,12 +16,12 @@ using RowVector = Eigen::RowVectorXd;
 
 /// Where the accelerometers hardly see the joint in a harmonic, noise would become a large g: it is
 /// held back below this share of what they would see if nothing cancelled. Above it g is that of
-/// least squares without a bias, for close to a resonance ψ g all but cancels φ(S) F: a millionth of
-/// it would be much of the motion.
+/// least squares without a bias, for close to a resonance ψ g all but cancels φ(S) F: a millionth
+/// of it would be much of the motion.
 constexpr double kLeastVisible = 1e-3;
 
-/// Without loss, a mode at its own frequency would move without a bound. So close to it, as a share of
-/// ω_i², the frequency counts as this far off: what that changes in the force is taken by g.
+/// Without loss, a mode at its own frequency would move without a bound. So close to it, as a share
+/// of ω_i², the frequency counts as this far off: what that changes in the force is taken by g.
 constexpr double kLeastDetuning = 1e-10;
 
 /// The shortening is a small correction; each pass gains some two digits.

@@ -41,8 +41,8 @@ class ModalObserver {
   /// @param state      is copied.
   /// @param omega      ω of the cycle, rad/s; above 0.
   /// @param harmonics  H; 1 or more.
-  /// @throws InputError  where they are out of range, or the joint moves no accelerometer: φ_i(x_j) ψ_i
-  ///                     is 0 throughout.
+  /// @throws InputError  where they are out of range, or the joint moves no accelerometer: φ_i(x_j)
+  ///                     ψ_i is 0 throughout.
   ModalObserver(const StickState& state, double omega, std::size_t harmonics);
   ~ModalObserver();
   /// The other may only be destroyed or assigned to afterwards.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <exception>
@@ -11,7 +9,6 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/rig/progress_count.hpp"
 #include "microslip/rig/record_batch.hpp"
 
 /// @file
@@ -54,9 +51,9 @@ FileOutcome<Result> work_on_file(std::size_t index, const RecordReader& read, co
   return outcome;
 }
 
-/// Reads `count` files and puts what `work` makes of their records into `results`, in the order of the
-/// files and of the records in each, whatever the number of threads. Each record is forgotten when it is
-/// done.
+/// Reads `count` files and puts what `work` makes of their records into `results`, in the order of
+/// the files and of the records in each, whatever the number of threads. Each record is forgotten
+/// when it is done.
 /// @return what was left out.
 /// @throws Error  as `read` and `work`. @throws Cancelled  as progress or `read` says
 template <typename Result, typename Work>
@@ -64,15 +61,11 @@ std::vector<RejectedRecord> work_on_records(std::size_t count, const RecordReade
                                             const Work& work, const RecordBatchOptions& options,
                                             std::vector<Result>& results) {
   std::vector<FileOutcome<Result>> outcomes(count);
-  ProgressCount progress(options.progress, count);
   // A fault is kept with its file, so that of several the first in order is told, whatever thread
   // met it first.
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-    if (progress.stopped()) return;
-    outcomes[i] = work_on_file<Result>(i, read, work);
-    progress.add_one();
-  });
-  if (progress.stopped()) throw Cancelled();
+  options.execution.for_each(
+      count, [&](std::size_t i) { outcomes[i] = work_on_file<Result>(i, read, work); },
+      options.progress);
 
   std::vector<RejectedRecord> rejected;
   for (std::size_t i = 0; i < count; ++i) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "microslip/base/execution.hpp"
 #include "microslip/base/progress.hpp"
 #include "microslip/signal/recording.hpp"
 
@@ -25,10 +26,11 @@ struct RejectedRecord {
 
 /// How the files of a batch are worked on.
 struct RecordBatchOptions {
-  /// Leave out files that cannot be read and records that cannot be worked on, and say so. Otherwise
-  /// the first of them, in the order of the files, ends the batch.
+  /// Leave out files that cannot be read and records that cannot be worked on, and say so.
+  /// Otherwise the first of them, in the order of the files, ends the batch.
   bool skip_faulty = false;
-  Progress progress = {};  ///< files done of all files
+  Progress progress = {};                      ///< files done of all files
+  Execution execution = Execution::threads();  ///< of the files
 };
 
 }  // namespace microslip

@@ -16,12 +16,13 @@
 namespace microslip {
 namespace {
 
-/// Of the share of the shortening in the amplitude, what the mean tension that goes with it, and that
-/// no sensor sees, can do to k_eq: 0.045 in the reference rig at its highest level, less below.
+/// Of the share of the shortening in the amplitude, what the mean tension that goes with it, and
+/// that no sensor sees, can do to k_eq: 0.045 in the reference rig at its highest level, less
+/// below.
 constexpr double kShorteningInStiffness = 0.05;
 
-/// Standard deviation of a mean by the scatter over the cycles; where they are too few for that, what
-/// the noise of the whole record makes of it.
+/// Standard deviation of a mean by the scatter over the cycles; where they are too few for that,
+/// what the noise of the whole record makes of it.
 template <typename Quantity>
 double std_of(const std::vector<CycleResult>& cycles, Quantity quantity, double otherwise) {
   std::vector<double> values;
@@ -40,7 +41,8 @@ double distortion_of(const FourierSeries& force, std::span<const double> harmoni
   return std::sqrt(std::max(square, 0.0)) / std::abs(force.c(1));
 }
 
-/// Noise of u: that of the vibrometer, or of the accelerometer that sees the joint most, integrated.
+/// Noise of u: that of the vibrometer, or of the accelerometer that sees the joint most,
+/// integrated.
 std::vector<double> displacement_std(const RecordAnalysis& record) {
   const FourierFit& fit = record.fit;
   const SignalLayout& layout = record.layout;

@@ -42,7 +42,8 @@ struct ReducedLevel {
   std::optional<Measured> input_energy_by_sum = {};
   double linear_dissipation = 0.0;  ///< W_lin, J [AR14 (18), harmonic n counted n times]
   std::optional<Measured> secant_stiffness = {};  ///< k_eq, N/m; nothing where k is not known
-  /// Harmonics 2 … H of the force over the first, 1; less what the noise of the channel alone shows.
+  /// Harmonics 2 … H of the force over the first, 1; less what the noise of the channel alone
+  /// shows.
   double force_distortion = 0.0;
   std::size_t reversals = 2;  ///< of the joint displacement in a cycle
   double cycles = 0.0;        ///< in the record
@@ -70,26 +71,26 @@ struct ReductionOptions {
 ///
 /// A record is fitted by Fourier series with a common fundamental; modal coordinates follow from
 /// force and accelerations (ModalObserver), W_lin from them in the stick-state modes with their own
-/// ω_i: the linear damping was identified there and does not change with amplitude. W_ext is the work
-/// of the force on the accelerometer at the exciter, or on the observed motion where there is none.
-/// u is what the vibrometer shows, or the kinematics with the axial compliance [AR14 (13)].
-/// Standard deviations come from the scatter over the cycles. The secant stiffness is that of the loop
-/// that the joint's force and displacement draw, as if u were harmonic,
+/// ω_i: the linear damping was identified there and does not change with amplitude. W_ext is the
+/// work of the force on the accelerometer at the exciter, or on the observed motion where there is
+/// none. u is what the vibrometer shows, or the kinematics with the axial compliance [AR14 (13)].
+/// Standard deviations come from the scatter over the cycles. The secant stiffness is that of the
+/// loop that the joint's force and displacement draw, as if u were harmonic,
 ///
 ///     k_eq = (1/πA) ∮ F_joint cos θ dθ,     u = A cos θ about its middle;
 ///
-/// the force follows from the balance of the structure at the measured phase, not from the setting of
-/// the drive. An error of the rig's first frequency moves it as a whole, which its standard deviation
-/// does not contain. To its standard deviation is added what the mean tension by the shortening may do, which
-/// no sensor sees.
+/// the force follows from the balance of the structure at the measured phase, not from the setting
+/// of the drive. An error of the rig's first frequency moves it as a whole, which its standard
+/// deviation does not contain. To its standard deviation is added what the mean tension by the
+/// shortening may do, which no sensor sees.
 ///
-/// Flags of D and k_eq: `inner_reversals`, `dissipation_negative`, `dissipation_in_noise` (D below three
-/// standard deviations), `dissipation_above_bound` (D > kA², which no Iwan joint reaches),
-/// `secant_above_stuck` (k_eq > 1.1 k), `secant_not_positive` (then it is left out), `energies_differ`
-/// (W_ext by coefficients and by samples, by more than three standard errors). Of the rig:
-/// `model_misfit`, `vibrometer_mismatch`, `far_from_first_mode`. Of the record: `force_distortion`,
-/// `phase_unsteady`, `spike`, `few_cycles` (below 10), `uneven_sampling`, and those of signal_quality() and
-/// fit_fourier().
+/// Flags of D and k_eq: `inner_reversals`, `dissipation_negative`, `dissipation_in_noise` (D below
+/// three standard deviations), `dissipation_above_bound` (D > kA², which no Iwan joint reaches),
+/// `secant_above_stuck` (k_eq > 1.1 k), `secant_not_positive` (then it is left out),
+/// `energies_differ` (W_ext by coefficients and by samples, by more than three standard errors). Of
+/// the rig: `model_misfit`, `vibrometer_mismatch`, `far_from_first_mode`. Of the record:
+/// `force_distortion`, `phase_unsteady`, `spike`, `few_cycles` (below 10), `uneven_sampling`, and
+/// those of signal_quality() and fit_fourier().
 class Reducer {
  public:
   /// @throws InputError  as check_rig() and stick_state(), and naming an option out of range.

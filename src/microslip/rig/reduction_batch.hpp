@@ -15,8 +15,8 @@ struct ReductionBatch {
   std::vector<RejectedRecord> rejected;  ///< with `skip_faulty`: what was left out
 };
 
-/// Reads and reduces `count` files, several at once; each is forgotten when it is reduced. The result
-/// does not depend on the number of threads.
+/// Reads and reduces `count` files, several at once; each is forgotten when it is reduced. The
+/// result does not depend on the number of threads.
 /// @throws Error  as `read` and Reducer::reduce(). @throws Cancelled  as progress or `read` says
 [[nodiscard]] ReductionBatch reduce_batch(const Reducer& reducer, std::size_t count,
                                           const RecordReader& read,

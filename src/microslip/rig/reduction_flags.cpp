@@ -144,8 +144,8 @@ void flag_vibrometer(ReducedLevel& level, const Rig& rig, const CycleResult& cyc
 
 // ---- Of the record. ----
 
-/// A jump of the phase, lost samples, a drive whose frequency wanders: some cycle is out of step with
-/// the whole record.
+/// A jump of the phase, lost samples, a drive whose frequency wanders: some cycle is out of step
+/// with the whole record.
 void flag_phase(ReducedLevel& level, const RecordAnalysis& record, std::size_t signal,
                 double most) {
   const std::complex<double> whole = record.fit.series[signal].c(1);

@@ -8,8 +8,8 @@
 #include <vector>
 
 /// @file
-/// The description of a frictional-support test, as rig.toml states it. All values are SI. The names
-/// of the checks are the keys of that file, so that a message leads to its line.
+/// The description of a frictional-support test, as rig.toml states it. All values are SI. The
+/// names of the checks are the keys of that file, so that a message leads to its line.
 
 namespace microslip {
 
@@ -92,9 +92,9 @@ struct RigNoise {
   double vibrometer = 0.0;    ///< m; 0 or more
 };
 
-/// The electrodynamic shaker of the virtual test, see shaker.hpp. The defaults are a modal shaker of
-/// some 50 N: a coil of 2 Ω, 80 g that move, its free resonance at 48 Hz, and a steel wire 100 mm long
-/// and 1.5 mm thick as stinger.
+/// The electrodynamic shaker of the virtual test, see shaker.hpp. The defaults are a modal shaker
+/// of some 50 N: a coil of 2 Ω, 80 g that move, its free resonance at 48 Hz, and a steel wire 100
+/// mm long and 1.5 mm thick as stinger.
 struct RigShaker {
   double resistance = 2.0;              ///< R of the coil, Ω; above 0
   double inductance = 2e-4;             ///< L of the coil, H; 0 or more

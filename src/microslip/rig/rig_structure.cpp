@@ -27,8 +27,8 @@ ModalModel rig_modes(const Rig& rig, const StickState& state) {
 
 namespace {
 
-/// Modes that were typed in hold what their rounding left: without the joint no mode may have less than
-/// no stiffness, which is kΣψ_i²/ω_i² ≤ 1.
+/// Modes that were typed in hold what their rounding left: without the joint no mode may have less
+/// than no stiffness, which is kΣψ_i²/ω_i² ≤ 1.
 void check_modes_hold(const Rig& rig, const StickState& state, double spring) {
   if (!rig.modes()) return;
   double flexibility = 0.0;

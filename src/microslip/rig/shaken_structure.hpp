@@ -13,7 +13,7 @@
 #include "microslip/rig/rig.hpp"
 #include "microslip/rig/rig_structure.hpp"
 #include "microslip/rig/stick_state.hpp"
-#include "microslip/rig/virtual_test.hpp"
+#include "microslip/rig/virtual_measurement.hpp"
 
 namespace microslip {
 
@@ -70,15 +70,15 @@ class ShakenStructure {
     Summary summary;
   };
 
-  /// The steady state, from the last one. Unknown are the harmonics of the force; each trial of them
-  /// is a harmonic balance, and F_n = a_n V_n − b_n w_n is to hold. With the receptance R_n of the stuck
-  /// structure that is r_n = [a_n (V_n − v_n e^{inθ})]/(1 + b_n R_n) = 0 for Broyden's method, V_n
-  /// being the voltage that F_n and w_n need; it is this that is returned, so that the equations of
-  /// the shaker hold to rounding, and the generator's voltage to the residual.
+  /// The steady state, from the last one. Unknown are the harmonics of the force; each trial of
+  /// them is a harmonic balance, and F_n = a_n V_n − b_n w_n is to hold. With the receptance R_n of
+  /// the stuck structure that is r_n = [a_n (V_n − v_n e^{inθ})]/(1 + b_n R_n) = 0 for Broyden's
+  /// method, V_n being the voltage that F_n and w_n need; it is this that is returned, so that the
+  /// equations of the shaker hold to rounding, and the generator's voltage to the residual.
   [[nodiscard]] Outcome settle(const Eigen::VectorXcd& generator);
 
-  /// H_n = a_n/(1 + b_n R_n), n = 2 … H, N/V: of Outcome::force times F_1 over v_n, where the joint is
-  /// the linear one of R_n.
+  /// H_n = a_n/(1 + b_n R_n), n = 2 … H, N/V: of Outcome::force times F_1 over v_n, where the joint
+  /// is the linear one of R_n.
   [[nodiscard]] Eigen::VectorXcd linear_transfer() const;
 
  private:

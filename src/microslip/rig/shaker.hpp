@@ -9,20 +9,21 @@
 /// @file
 /// An electrodynamic shaker that drives a structure through a stinger, by its harmonics of e^{iΩt}.
 /// With V the voltage at the coil, I its current, x the displacement of the armature, w that of the
-/// structure at the drive point and F the force in the stinger, which the force transducer measures,
+/// structure at the drive point and F the force in the stinger, which the force transducer
+/// measures,
 ///
 ///     V = (R + iΩL) I + iΩ Bl x                          coil
 ///     (k − Ω²m + iΩc) x = Bl I − F                       armature
 ///     F = k_s (x − w)                                    stinger
 ///
-/// [Lang, Sound and Vibration 31 (1997), 4; McConnell & Varoto, Vibration Testing, 2nd ed. 2008, ch. 6].
-/// Without I and x, with D = k − Ω²m + iΩc + iΩ(Bl)²/(R + iΩL),
+/// [Lang, Sound and Vibration 31 (1997), 4; McConnell & Varoto, Vibration Testing, 2nd ed. 2008,
+/// ch. 6]. Without I and x, with D = k − Ω²m + iΩc + iΩ(Bl)²/(R + iΩL),
 ///
 ///     F = a V − b w,     a = Bl/[(R + iΩL)(1 + D/k_s)],     b = D/(1 + D/k_s).
 ///
-/// b is what the structure feels of the shaker: its motion makes a force of its own. That is why the
-/// force of a sinusoidal voltage is distorted where the motion is, and most at a resonance, where the
-/// fundamental of the force is small.
+/// b is what the structure feels of the shaker: its motion makes a force of its own. That is why
+/// the force of a sinusoidal voltage is distorted where the motion is, and most at a resonance,
+/// where the fundamental of the force is small.
 
 namespace microslip {
 

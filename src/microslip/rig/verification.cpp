@@ -132,7 +132,8 @@ ChannelComparison compare(const RecordAnalysis& record, std::size_t signal,
   return channel;
 }
 
-/// From the first of the points where the drive-point acceleration is largest, as to its first harmonic.
+/// From the first of the points where the drive-point acceleration is largest, as to its first
+/// harmonic.
 void add_histories(Verification& result, const RecordAnalysis& record, double cycles) {
   const Axis& axis = record.recording.axis;
   const double period = record.whole.exciter_acceleration.period();

@@ -33,9 +33,9 @@ struct ChannelComparison {
 
   /// rms(x − predicted)/rms(x − mean − trend) over the samples x of the whole record, 1.
   double nrmse = 0.0;
-  /// The same of the recorded series in place of the prediction: what is left to every prediction with so many
-  /// harmonics, the noise, 1. NRMSE² − this² is the share of wrong harmonics, but for what is left
-  /// of an incomplete last cycle.
+  /// The same of the recorded series in place of the prediction: what is left to every prediction
+  /// with so many harmonics, the noise, 1. NRMSE² − this² is the share of wrong harmonics, but for
+  /// what is left of an incomplete last cycle.
   double noise_share = 0.0;
 
   // Of a few cycles, at the times of Verification::history.
@@ -67,12 +67,13 @@ struct Verification {
   /// The phase of the drive-point acceleration's first harmonic at the zero of that axis, rad:
   /// c_n e^{−in·phase} are the harmonics with the zero of time where it is largest.
   double phase = 0.0;
-  /// Of the harmonic balance. Not converged: `predicted` and `channels` are the best that was found.
+  /// Of the harmonic balance. Not converged: `predicted` and `channels` are the best that was
+  /// found.
   Summary summary;
   /// `beyond_identification`: the joint moves more than the levels that it was identified by.
   /// `stiffness_differs`: see stiffness_warning(). `resonance_off`: the frequency offset is above a
-  /// tenth of the half-power width. `force_off`: the NRMSE of the force is above 2 % and above three
-  /// times its noise.
+  /// tenth of the half-power width. `force_off`: the NRMSE of the force is above 2 % and above
+  /// three times its noise.
   std::vector<Warning> warnings = {};
 
   /// The channel with the largest NRMSE.
@@ -84,9 +85,9 @@ struct VerificationOptions {
   /// The fit of the records, of whose harmonics all are compared. `modes`, of a beam, are those of
   /// the model too.
   ReductionOptions reduction = {.modes = 7};
-  /// Of the prediction. It has as many harmonics as the fit at least. A harmonic that meets a lightly
-  /// damped mode (the 11th of 55.3 Hz and the fourth mode of the reference rig) shows only where it is
-  /// among them.
+  /// Of the prediction. It has as many harmonics as the fit at least. A harmonic that meets a
+  /// lightly damped mode (the 11th of 55.3 Hz and the fourth mode of the reference rig) shows only
+  /// where it is among them.
   HarmonicBalanceOptions balance = {.harmonics = 9};
   /// Drives the model by the first harmonic of the force alone. Otherwise by the recorded
   /// harmonics too, those above four standard errors, in the recorded proportion to the first.
@@ -98,19 +99,20 @@ struct VerificationOptions {
   double linear_damping = 0.0;
 };
 
-/// Compares records of a rig with what a joint predicts for it, in the manner of [AR14 Fig. 11]: the
-/// structure of rig_structure() vibrates at the frequency of the record with the recorded first
-/// harmonic of the acceleration at the exciter (HarmonicBalance); what force that takes, and how all
-/// else moves, is the prediction.
+/// Compares records of a rig with what a joint predicts for it, in the manner of [AR14 Fig. 11]:
+/// the structure of rig_structure() vibrates at the frequency of the record with the recorded first
+/// harmonic of the acceleration at the exciter (HarmonicBalance); what force that takes, and how
+/// all else moves, is the prediction.
 ///
-/// The record tells the phase as well: the prediction is shifted in time until the first harmonic of
-/// that acceleration has the recorded phase. So three numbers of a record are given to the model, all of the
-/// drive point's acceleration: of it only the harmonics from the second are predicted, and its NRMSE is
-/// small for every joint. The force is predicted altogether, and there the joint shows: its part in phase
-/// with the velocity is the energy dissipated, its part in phase with the displacement the stiffness. Near
-/// resonance the second is a small difference of large numbers: with δf the error of the resonance
-/// frequency and η the loss factor, the force is wrong by 2 δf/(η f), a third for δf/f = 0.2 % and
-/// η = 1.2 %. The frequency offset tells this error apart from one of the energies.
+/// The record tells the phase as well: the prediction is shifted in time until the first harmonic
+/// of that acceleration has the recorded phase. So three numbers of a record are given to the
+/// model, all of the drive point's acceleration: of it only the harmonics from the second are
+/// predicted, and its NRMSE is small for every joint. The force is predicted altogether, and there
+/// the joint shows: its part in phase with the velocity is the energy dissipated, its part in phase
+/// with the displacement the stiffness. Near resonance the second is a small difference of large
+/// numbers: with δf the error of the resonance frequency and η the loss factor, the force is wrong
+/// by 2 δf/(η f), a third for δf/f = 0.2 % and η = 1.2 %. The frequency offset tells this error
+/// apart from one of the energies.
 ///
 /// Where no accelerometer is at the exciter, its acceleration is that of the observed motion
 /// (ModalObserver), as in the reduction.

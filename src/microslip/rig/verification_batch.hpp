@@ -17,9 +17,9 @@ struct VerificationBatch {
   [[nodiscard]] bool converged() const;  ///< all of them
 };
 
-/// Reads and verifies `count` files, several at once; of each only its comparison is kept. The result
-/// does not depend on the number of threads. A record whose prediction does not converge is kept with
-/// that status.
+/// Reads and verifies `count` files, several at once; of each only its comparison is kept. The
+/// result does not depend on the number of threads. A record whose prediction does not converge is
+/// kept with that status.
 /// @throws Error  as `read` and Verifier::verify(). @throws Cancelled  as progress or `read` says
 [[nodiscard]] VerificationBatch verify_batch(const Verifier& verifier, std::size_t count,
                                              const RecordReader& read,

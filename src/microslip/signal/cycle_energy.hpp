@@ -51,9 +51,9 @@ struct SampledEnergy {
 };
 
 /// W from the samples [AR14 (17)]: ∫ f ẇ dt over each whole cycle after the first sample. For even
-/// steps by h/24 (−y_{i−1} + 13 y_i + 13 y_{i+1} − y_{i+2}) a step, for others by the trapezoid, the
-/// ends of a cycle interpolated by cubics. For whole numbers of samples a cycle that is exact as
-/// long as the product has no content at the sampling rate; else the error is of order (ωh)⁴.
+/// steps by h/24 (−y_{i−1} + 13 y_i + 13 y_{i+1} − y_{i+2}) a step, for others by the trapezoid,
+/// the ends of a cycle interpolated by cubics. For whole numbers of samples a cycle that is exact
+/// as long as the product has no content at the sampling rate; else the error is of order (ωh)⁴.
 ///
 /// Mean and trend that were fitted are subtracted from both signals. The velocity is that of the
 /// series, or the running integral of the samples, less its mean over the cycle; the latter is

@@ -29,8 +29,8 @@ struct CycleSeriesOptions {
 /// Fits mean and harmonics to each whole cycle of the record by linear least squares, after the
 /// trend of the whole record is subtracted. The first cycle begins with the record; what is left at
 /// the end is not used. Where a cycle has fewer than 2(2H + 1) points, a block of several cycles
-/// that has as many stands for it. Blocks with a gap of uneven times as long as half a period of the highest
-/// harmonic are left out: they do not determine it.
+/// that has as many stands for it. Blocks with a gap of uneven times as long as half a period of
+/// the highest harmonic are left out: they do not determine it.
 /// @param axis     over time.
 /// @param signals  each with one value a point of the axis.
 /// @param fit      of the same axis and signals, converged.
@@ -59,9 +59,9 @@ struct Scatter {
 ///     standard_error² = s²/N · (1 + ρ)/(1 − ρ)
 ///
 /// ρ is the correlation of lag 1, its bias 1/N added and its standard error 1/√N taken off: what
-/// chance makes of independent values is no correlation. Negative counts as 0, and 0.9 is the largest
-/// [AR(1); G. E. P. Box, G. M. Jenkins, Time Series Analysis, 1970]. The same factor, from the
-/// residuals of the straight line, enters slope_std. Standard errors are NaN for fewer than 4
+/// chance makes of independent values is no correlation. Negative counts as 0, and 0.9 is the
+/// largest [AR(1); G. E. P. Box, G. M. Jenkins, Time Series Analysis, 1970]. The same factor, from
+/// the residuals of the straight line, enters slope_std. Standard errors are NaN for fewer than 4
 /// values: so few tell nothing.
 /// @param values  1 at least.
 [[nodiscard]] Scatter scatter(std::span<const double> values);

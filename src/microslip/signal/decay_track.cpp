@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/median.hpp"
 #include "microslip/base/units.hpp"
 #include "microslip/signal/decay_range.hpp"
 #include "microslip/signal/mode_peak.hpp"
@@ -176,23 +177,22 @@ double choose_frequency(std::span<const double> signal, double rate, const RingD
 void check_followed(const DecayTrack& track, const RingDownOptions& options,
                     std::span<const SpectralPeak> peaks) {
   if (track.walk.windows.empty() || peaks.empty()) return;
-  std::vector<double> followed;
+  std::vector<double> all;
   for (const DecayWindow& window : track.walk.windows) {
-    followed.push_back(window.omega / (2.0 * std::numbers::pi));
+    all.push_back(window.omega / (2.0 * std::numbers::pi));
   }
-  const auto middle = followed.begin() + static_cast<std::ptrdiff_t>(followed.size() / 2);
-  std::ranges::nth_element(followed, middle);
+  const double followed = median(std::move(all));
   const auto from = [](double frequency) {
     return [=](const SpectralPeak& peak) { return std::abs(peak.frequency - frequency); };
   };
   const SpectralPeak own = *std::ranges::min_element(peaks, {}, from(track.frequency));
-  const SpectralPeak there = *std::ranges::min_element(peaks, {}, from(*middle));
+  const SpectralPeak there = *std::ranges::min_element(peaks, {}, from(followed));
   const bool drawn = there.height > own.height && there.frequency != own.frequency;
-  const bool outside = options.frequency && std::abs(*middle / *options.frequency - 1.0) > kSearch;
+  const bool outside = options.frequency && std::abs(followed / *options.frequency - 1.0) > kSearch;
   if (!drawn && !outside) return;
   throw InputError(
       fmt::format("oscillation at {:.6g} Hz", track.frequency), InputState{"not followed"},
-      fmt::format("must outlast what is beside it: the windows show {:.6g} Hz{}", *middle,
+      fmt::format("must outlast what is beside it: the windows show {:.6g} Hz{}", followed,
                   drawn ? fmt::format(", the higher peak at {:.6g} Hz", there.frequency) : ""),
       "Choose another sensor or another frequency, or give a band that leaves the other out.");
 }
@@ -316,6 +316,14 @@ DecayTrack follow_decay(std::span<const double> signal, double rate, const Dimen
   track.walk = walk_along(track.task);
   check_followed(track, options, peaks);
   track.points = points_of(track.task, track.walk.windows, track.walk.noise_variance);
+  const double onset = track.blow ? *track.blow - track.offset : 0.0;
+  const auto before = track.task.signal.first(
+      std::min(static_cast<std::size_t>(onset * rate), track.task.signal.size()));
+  track.second =
+      find_second_oscillation(track.task, track.walk.windows, track.walk.noise_variance, before);
+  if (track.second) {
+    add_shifts(*track.second, track.walk.windows, derivatives, track.points);
+  }
   return track;
 }
 

@@ -10,6 +10,7 @@
 #include "microslip/signal/decay_spread.hpp"
 #include "microslip/signal/decay_walk.hpp"
 #include "microslip/signal/ring_down.hpp"
+#include "microslip/signal/second_oscillation.hpp"
 
 /// @file
 /// One signal from its samples to the windows of a decay. Internal to signal.
@@ -29,7 +30,8 @@ struct DecayTrack {
   DecayTask task;              ///< its `others` are the mode's neighbours
   DecayWalk walk;
   std::vector<DecayPoint> points;  ///< one a window; standard deviations with those of the choices
-  double frequency = 0.0;          ///< Hz, of the highest line
+  std::optional<SecondOscillation> second = {};  ///< what beats with the mode
+  double frequency = 0.0;                        ///< Hz, of the highest line
   double offset = 0.0;  ///< s on the axis of the recording, of the first sample of `motion`
   DecayStart start_by = DecayStart::kGiven;
   std::optional<double> blow = {};  ///< s on the axis

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <optional>
 
+#include "microslip/base/median.hpp"
+
 namespace microslip {
 namespace {
 
@@ -83,9 +85,7 @@ double median_noise(const std::vector<DecayWindow>& windows) {
   std::vector<double> all;
   for (const DecayWindow& window : windows) all.push_back(window.noise_variance);
   if (all.empty()) return 0.0;
-  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
-  std::ranges::nth_element(all, middle);
-  return *middle;
+  return median(std::move(all));
 }
 
 bool rises(const DecayWindow& before, const DecayWindow& now, double noise) {

@@ -119,7 +119,8 @@ struct Move {
   }
 };
 
-/// The last of the way, which the cost cannot see: it is flat over √ε where the gradient still tells.
+/// The last of the way, which the cost cannot see: it is flat over √ε where the gradient still
+/// tells.
 void polish(Samples& samples, const NormalEquations& at, Parameters& p) {
   constexpr double kFlat = 1e-6;  // as Move::size
   constexpr double kSame = 1e-12;

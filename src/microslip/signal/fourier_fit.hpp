@@ -26,10 +26,10 @@
 ///
 /// *Which line is the fundamental.* With a guess: the frequency within `guess_tolerance` of it
 /// whose multiples hold most of the power, each signal divided by its variance; so a large second
-/// harmonic, or a fundamental missing in one signal, leads nowhere else. A guess at a fraction of the
-/// fundamental is told by the harmonics that are missing. Without one: the strongest line f of the
-/// summed spectrum, or f/m, m = 2 … 10, where that period is needed: the multiples of f/m that are
-/// none of f hold, in some signal, more than 1e−4 of its power and ten times what noise would;
+/// harmonic, or a fundamental missing in one signal, leads nowhere else. A guess at a fraction of
+/// the fundamental is told by the harmonics that are missing. Without one: the strongest line f of
+/// the summed spectrum, or f/m, m = 2 … 10, where that period is needed: the multiples of f/m that
+/// are none of f hold, in some signal, more than 1e−4 of its power and ten times what noise would;
 /// of several the one with the best information criterion (of 2 and 4 first 2); and so on from
 /// there. A second harmonic larger than the first is thus not taken for the fundamental, nor a half
 /// of the fundamental. A foreign line at just f/2 is; a guess helps.

@@ -45,7 +45,8 @@ struct FourierSeries {
 [[nodiscard]] FourierSeries derivative(const FourierSeries& series);
 
 /// The integral of the periodic part that has no mean: c_n/(inω). Mean and trend are dropped: those
-/// of an accelerometer tell nothing of the motion, and the integral of a mean is no periodic signal.
+/// of an accelerometer tell nothing of the motion, and the integral of a mean is no periodic
+/// signal.
 /// @throws InputError  where ω is not above 0.
 [[nodiscard]] FourierSeries integral(const FourierSeries& series);
 

@@ -194,8 +194,8 @@ double Search::information_criterion(const HarmonicFit& fit) const {
 }
 
 /// The fundamental to which the strongest line belongs: it, or its fraction that has lines of its
-/// own and explains the signals best; and so on from that. A multiple of a divisor that holds is left
-/// to the next round, where it must have lines that the divisor does not have.
+/// own and explains the signals best; and so on from that. A multiple of a divisor that holds is
+/// left to the next round, where it must have lines that the divisor does not have.
 double Search::longest_period(double cycles) {
   std::vector<Index> held;
   std::pair<double, double> best{INFINITY, cycles};

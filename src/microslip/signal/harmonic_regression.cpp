@@ -169,8 +169,8 @@ HarmonicFit HarmonicRegression::fit(double big_omega, Index order) const {
   const Eigen::VectorXd square_of_slope = dots(turned, squared);  // |x′|²
   const Eigen::MatrixXd g = fit.gram.solve(fit.slope);
   fit.curvature = square_of_slope - dots(fit.slope, g);
-  // Each sum over the record is off by some √points roundings of terms as large as its factors: those
-  // with x′ directly, those of Aᵀy and AᵀA by what they move a.
+  // Each sum over the record is off by some √points roundings of terms as large as its factors:
+  // those with x′ directly, those of Aᵀy and AᵀA by what they move a.
   const double root = std::sqrt(static_cast<double>(times_.points()));
   const Eigen::ArrayXd size = square_.cwiseSqrt().array();
   fit.rounding = kEpsilon * root *

@@ -49,7 +49,8 @@ class HarmonicRegression {
   /// Σ y² per signal.
   [[nodiscard]] const Eigen::VectorXd& square() const { return square_; }
   /// RSS, but not less than (ε points)² Σ y²: the phase of a harmonic at half of the sampling rate,
-  /// π/2 points rad at the ends of the record, is not known better, and below differences are rounding.
+  /// π/2 points rad at the ends of the record, is not known better, and below differences are
+  /// rounding.
   [[nodiscard]] Eigen::VectorXd floored(const Eigen::VectorXd& squares) const;
   /// P_0(s) … P_K(s) at the points of the range.
   [[nodiscard]] Eigen::MatrixXd polynomials(PointRange range) const;

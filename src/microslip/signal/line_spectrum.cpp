@@ -10,6 +10,8 @@
 
 #include <unsupported/Eigen/FFT>
 
+#include "microslip/base/median.hpp"
+
 namespace microslip {
 namespace {
 
@@ -50,12 +52,6 @@ Eigen::VectorXd hann_window(Index points) {
   });
 }
 
-double median(Eigen::VectorXd values) {
-  const auto middle = values.begin() + values.size() / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 }  // namespace
 
 LineSpectrum::LineSpectrum(const RecordTimes& times, const Eigen::MatrixXd& signals,
@@ -81,7 +77,9 @@ LineSpectrum::LineSpectrum(const RecordTimes& times, const Eigen::MatrixXd& sign
     for (Index k = 0; k < power_.rows(); ++k) {
       power_(k, j) = scale * std::norm(output[static_cast<std::size_t>(k)]);
     }
-    noise_(j) = median(power_.col(j)) / std::numbers::ln2;  // of an exponential distribution
+    const auto power = power_.col(j);
+    noise_(j) =
+        median({power.begin(), power.end()}) / std::numbers::ln2;  // of an exponential distribution
   }
   total_ = power_.rowwise().sum();
 }

@@ -14,15 +14,15 @@ namespace microslip {
 class LineSpectrum {
  public:
   /// @param signals  points × signals; without mean and trend, of mean square 1.
-  /// @param highest  frequencies up to which lines are looked for, as well as the rate of the points
-  ///                 allows: where it is far higher, means of neighbours are transformed.
+  /// @param highest  frequencies up to which lines are looked for, as well as the rate of the
+  ///                 points allows: where it is far higher, means of neighbours are transformed.
   LineSpectrum(const RecordTimes& times, const Eigen::MatrixXd& signals, double highest);
 
   /// Mean square of a line at this frequency, as a share of the signal's: at its peak and for a
   /// sine wave 1. Interpolated; 0 off the spectrum.
   [[nodiscard]] double power(double cycles, Eigen::Index signal) const;
-  /// The largest share of a line's power that shows at a distance from it, in cycles a record: that of
-  /// the window, (1/(π d (d² − 1)))². 1 within its main lobe, |d| < 2.
+  /// The largest share of a line's power that shows at a distance from it, in cycles a record: that
+  /// of the window, (1/(π d (d² − 1)))². 1 within its main lobe, |d| < 2.
   [[nodiscard]] static double leakage(double distance);
   /// Its mean over the spectrum of noise: from the median, which lines do not move.
   [[nodiscard]] double noise(Eigen::Index signal) const { return noise_(signal); }

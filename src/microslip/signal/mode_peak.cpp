@@ -10,6 +10,7 @@
 #include <numeric>
 #include <unsupported/Eigen/FFT>
 
+#include "microslip/base/median.hpp"
 #include "microslip/signal/decay_leakage.hpp"
 #include "microslip/signal/tapered_transform.hpp"
 
@@ -135,11 +136,9 @@ class PeakFinder {
     const auto reach = static_cast<std::size_t>(kLines * resolution_);
     const std::size_t from = peak - std::min(peak, reach);
     const std::size_t to = std::min(peak + reach, magnitude_.size());
-    std::vector<double> about(magnitude_.begin() + static_cast<std::ptrdiff_t>(from),
-                              magnitude_.begin() + static_cast<std::ptrdiff_t>(to));
-    const auto middle = about.begin() + static_cast<std::ptrdiff_t>(about.size() / 2);
-    std::ranges::nth_element(about, middle);
-    return magnitude_[peak] > kAbove * *middle;
+    const auto first = magnitude_.begin();
+    return magnitude_[peak] > kAbove * median({first + static_cast<std::ptrdiff_t>(from),
+                                               first + static_cast<std::ptrdiff_t>(to)});
   }
 
   /// A side lobe of the taper is no oscillation.
@@ -152,8 +151,7 @@ class PeakFinder {
       return std::ranges::any_of(all, [&](const SpectralPeak& other) {
         const double d = std::abs(other.frequency - peak.frequency) / (resolution_ * line_);
         if (other.height <= peak.height || d < 1.0) return false;
-        // The taper's transform over that at its middle.
-        const double lobe = d < 3.0 ? 0.02 : 1.28 / (d * (d * d - 1.0) * (d * d - 4.0));
+        const double lobe = d < 3.0 ? 0.02 : side_lobe(d);
         return peak.height < kSure * lobe * other.height;
       });
     });

@@ -14,8 +14,8 @@
 
 namespace microslip {
 
-/// What the values of a recording are given over: time as a rule, frequency for what an analyser has
-/// transformed. Point i lies at start + i·step, or at values[i] where the points are not evenly
+/// What the values of a recording are given over: time as a rule, frequency for what an analyser
+/// has transformed. Point i lies at start + i·step, or at values[i] where the points are not evenly
 /// spaced.
 struct Axis {
   Dimension dimension = kTime;  ///< of the points

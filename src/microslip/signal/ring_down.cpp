@@ -244,6 +244,13 @@ RingDown ring_down(const Recording& recording, std::span<const std::string> chan
                           options.band.has_value());
     if (options.band) result.band = *options.band;
     result.sensors = std::move(all.sensors);
+    for (const SensorTrack& sensor : tracks) {
+      if (&sensor == &tracks[all.leader]) continue;
+      auto warning = warning_of_second(sensor.track);
+      if (!warning) continue;
+      warning->text = sensor.name + ": " + warning->text;
+      result.warnings.push_back(std::move(*warning));
+    }
     for (const auto* more : {&warnings, &all.warnings}) {
       result.warnings.insert(result.warnings.end(), more->begin(), more->end());
     }

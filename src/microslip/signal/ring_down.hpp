@@ -88,7 +88,8 @@ struct RingDownSensor {
 /// Standard deviations hold the noise and what the choice of the window is worth: each is fitted
 /// again with 0.8, 1.25 and 1.6 times the length, and the mean square of the differences is added,
 /// less the share of the noise and at least what other modes are known to leak in; so is what the
-/// windows scatter about smooth courses of ζ, ω and A beyond noise. Of several sensors the noise
+/// windows scatter about smooth courses of ζ, ω and A beyond noise, and what a second oscillation
+/// near the mode moves them by, see second_oscillation.hpp. Of several sensors the noise
 /// alone falls with their number.
 struct RingDown {
   std::vector<double> time;               ///< s, on the axis of the recording
@@ -102,11 +103,12 @@ struct RingDown {
   std::vector<double> loss_std;           ///< with the correlation of ζ and A
   std::vector<double> window;             ///< length of each, s
   /// Codes between blanks: neighbour_leaks, other modes move ζ by more than 2 %; window_matters,
-  /// the choice of the window by more than 5 %; of several sensors shape_moves, a ratio of
-  /// amplitudes is off its mean by more than 1 % and twice its standard deviation; sensors_differ,
-  /// ζ of two (or ω, and by more than 0.01 %) by more than twice the standard deviation of the
-  /// difference. Noise alone flags one window in twenty so; the warnings of the same codes are
-  /// given where noise alone explains them in one record of a hundred.
+  /// the choice of the window by more than 5 %; beats, a second oscillation too near to be parted,
+  /// or steady_tone, one that does not decay, by more than 2 %; of several sensors shape_moves, a
+  /// ratio of amplitudes is off its mean by more than 1 % and twice its standard deviation;
+  /// sensors_differ, ζ of two (or ω, and by more than 0.01 %) by more than twice the standard
+  /// deviation of the difference. Noise alone flags one window in twenty so; the warnings of the
+  /// same codes are given where noise alone explains them in one record of a hundred.
   std::vector<std::string> flags;
 
   double from = 0.0;                         ///< s: the range in which the windows lie

@@ -30,16 +30,37 @@ void add_point(const DecayWindow& window, const DecayPoint& point, double offset
   result.window.push_back(window.length);
 }
 
+std::string_view second_code(const DecayTrack& track) {
+  return track.second->steady ? "steady_tone" : "beats";
+}
+
+/// By what a second oscillation moves ζ of a window, relative; 0 where this is no more than what may
+/// leak in, or than noise.
+double shift_that_counts(const DecayTrack& track, std::size_t i) {
+  constexpr double kSure = 2.0;
+  if (!track.second) return 0.0;
+  const DecayWindow& window = track.walk.windows[i];
+  const DecayPoint noise = decay_point(window, track.task.derivatives, track.walk.noise_variance);
+  const double moved = std::abs(relative_shift(*track.second, window, track.task.derivatives));
+  return moved > std::max(kLeaks, kSure * noise.damping_std / noise.damping) ? moved : 0.0;
+}
+
 void flag_windows(const DecayTrack& track, std::vector<std::string>& flags) {
   for (std::size_t i = 0; i < flags.size(); ++i) {
     if (relative_leakage(track.walk.windows[i]) > kLeaks) add_flag(flags[i], "neighbour_leaks");
     const DecayPoint& own = track.points[i];
     const DecayPoint noise =
         decay_point(track.walk.windows[i], track.task.derivatives, track.walk.noise_variance);
+    if (shift_that_counts(track, i) > 0.0) add_flag(flags[i], second_code(track));
     const double spread = std::sqrt(
         std::max(0.0, own.damping_std * own.damping_std - noise.damping_std * noise.damping_std));
     if (spread > kMatters * own.damping) add_flag(flags[i], "window_matters");
   }
+}
+
+std::string_view unit_of(int derivatives) {
+  constexpr std::string_view kUnits[] = {"m", "m/s", "m/s²"};
+  return kUnits[derivatives];
 }
 
 std::string names_of(const std::vector<SpectralPeak>& peaks) {
@@ -84,6 +105,28 @@ void warn_of_neighbours(const DecayTrack& track, bool banded, RingDown& result) 
                    "The standard deviations hold it; another sensor may see less of them.",
                    nearest.frequency, track.frequency, 100.0 * worst, leaking,
                    track.walk.windows.size())});
+}
+
+std::string second_text(const DecayTrack& track, std::size_t moved, double worst) {
+  const SecondOscillation& second = *track.second;
+  const double frequency = second.omega / (2.0 * std::numbers::pi);
+  const std::string what =
+      second.steady
+          ? fmt::format(
+                "A steady tone of {:.5g} Hz, {:.3g} {} at this sensor ({:.2g} of the first "
+                "amplitude),",
+                frequency, second.amplitude, unit_of(track.task.derivatives), second.ratio)
+          : fmt::format(
+                "A second oscillation at {:.6g} Hz, {:.2g} of the first amplitude and with "
+                "a damping ratio of {:.2g},",
+                frequency, second.ratio, second.decay / second.omega);
+  return fmt::format(
+      "{} moves the damping of {:.6g} Hz by up to {:.2g} % in {} of {} windows: no window is "
+      "long enough to separate them. The standard deviations hold it; alone the mode would have a "
+      "damping ratio of {:.4g}.",
+      what, track.frequency, 100.0 * worst, moved, track.walk.windows.size(),
+      decay_point(second.mode_at(track.walk.windows.front().centre), track.task.derivatives, 0.0)
+          .damping);
 }
 
 void warn_of_fall(const DecayTrack& track, RingDown& result) {
@@ -148,6 +191,19 @@ Summary summary_of(const DecayTrack& track) {
 
 }  // namespace
 
+std::optional<Warning> warning_of_second(const DecayTrack& track) {
+  std::size_t moved = 0;
+  double worst = 0.0;
+  for (std::size_t i = 0; i < track.walk.windows.size(); ++i) {
+    const double shift = shift_that_counts(track, i);
+    if (shift == 0.0) continue;
+    ++moved;
+    worst = std::max(worst, shift);
+  }
+  if (moved == 0) return std::nullopt;
+  return Warning{std::string(second_code(track)), second_text(track, moved, worst)};
+}
+
 void add_flag(std::string& flags, std::string_view code) {
   if (!flags.empty()) flags += ' ';
   flags += code;
@@ -171,6 +227,7 @@ RingDown ring_down_of(const DecayTrack& track, const std::vector<DecayPoint>& po
   result.measured = measured;
   result.summary = summary_of(track);
   warn_of_neighbours(track, banded, result);
+  if (const auto warning = warning_of_second(track)) result.warnings.push_back(*warning);
   warn_of_fall(track, result);
   warn_of_end(track, result);
   warn_of_frequency(result);

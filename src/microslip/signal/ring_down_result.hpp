@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ namespace microslip {
 [[nodiscard]] RingDown ring_down_of(const DecayTrack& track, const std::vector<DecayPoint>& points,
                                     std::vector<std::string> flags, const Dimension& measured,
                                     bool banded);
+
+/// Of a second oscillation near the mode; nothing where there is none that counts.
+[[nodiscard]] std::optional<Warning> warning_of_second(const DecayTrack& track);
 
 /// Adds a code to the flags of a window.
 void add_flag(std::string& flags, std::string_view code);

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <optional>
 
+#include "microslip/base/median.hpp"
 #include "microslip/signal/ring_down_result.hpp"
 #include "microslip/signal/sensor_means.hpp"
 
@@ -43,9 +44,7 @@ bool beyond_chance(std::size_t windows, std::size_t apart, double worst) {
 double median_error(const DecayTrack& track) {
   std::vector<double> errors;
   for (const DecayPoint& point : track.points) errors.push_back(point.loss_std / point.loss);
-  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
-  std::ranges::nth_element(errors, middle);
-  return *middle;
+  return median(std::move(errors));
 }
 
 double length_of(const DecayTrack& track) {
@@ -95,7 +94,8 @@ SensorPoints points_in(const DecayTrack& track, const DecayTrack& leader) {
     places.push_back(i);
     noisy.push_back(noise);
   }
-  const std::vector<DecayPoint> found = points_of(track.task, windows, track.walk.noise_variance);
+  std::vector<DecayPoint> found = points_of(track.task, windows, track.walk.noise_variance);
+  if (track.second) add_shifts(*track.second, windows, track.task.derivatives, found);
   for (std::size_t i = 0; i < places.size(); ++i) {
     points[places[i]] = SensorPoint{found[i], noisy[i]};
   }

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/median.hpp"
 #include "microslip/base/percent.hpp"
 
 namespace microslip {
@@ -199,11 +200,9 @@ Dropouts find_dropouts(const Axis& axis, std::span<const double> signal,
     }
     steps.push_back(axis.values[i] - axis.values[i - 1]);
   }
-  std::vector<double> sorted = steps;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::ranges::nth_element(sorted, middle);
+  const double usual = median(steps);
   for (const double step : steps) {
-    if (step <= options.gap_factor * *middle) continue;
+    if (step <= options.gap_factor * usual) continue;
     ++result.gaps;
     result.longest_gap = std::max(result.longest_gap, step);
   }

@@ -34,7 +34,8 @@ struct ReversalOptions {
 };
 
 /// Turning points of the series that differ from their neighbours by more than noise makes them
-/// differ: pairs of neighbours are removed, smallest difference first, until all differ by more than
+/// differ: pairs of neighbours are removed, smallest difference first, until all differ by more
+/// than
 ///
 ///     k √2 σ,    σ² = Σ σ_n², the variance of the fitted series at any one time.
 ///
@@ -58,8 +59,8 @@ struct ClippingOptions {
   /// Share of all points in flat tops above which the signal counts as clipped; ≥ 0. One quantised
   /// sine wave has a few.
   double least_share = 1e-3;
-  /// A flat top of a clipped signal meets the slope at an angle; that of a coarsely quantised one is
-  /// one step above its neighbours. A run counts where the larger of the steps beside it is
+  /// A flat top of a clipped signal meets the slope at an angle; that of a coarsely quantised one
+  /// is one step above its neighbours. A run counts where the larger of the steps beside it is
   /// above this many of the smallest steps that the signal makes; ≥ 0.
   double least_step = 1.5;
 };
@@ -96,8 +97,8 @@ struct Dropouts {
   /// Whether there is a run or a gap.
   [[nodiscard]] bool found() const { return runs + gaps > 0; }
 };
-/// Runs of one value and gaps, see Dropouts. @throws InputError  for an option out of range, or times
-/// that do not rise.
+/// Runs of one value and gaps, see Dropouts. @throws InputError  for an option out of range, or
+/// times that do not rise.
 [[nodiscard]] Dropouts find_dropouts(const Axis& axis, std::span<const double> signal,
                                      const DropoutOptions& options = {});
 

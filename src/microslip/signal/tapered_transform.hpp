@@ -3,14 +3,22 @@
 
 #include <complex>
 #include <cstddef>
+#include <numbers>
 #include <span>
 #include <vector>
 
 /// @file
-/// A stretch of a signal under the taper cos⁴(πτ/T), τ from −T/2 to T/2, and its Fourier transform at
-/// any frequency. Internal to signal.
+/// A stretch of a signal under the taper cos⁴(πτ/T), τ from −T/2 to T/2, and its Fourier transform
+/// at any frequency. Internal to signal.
 
 namespace microslip {
+
+/// The envelope of the taper's transform over that at its middle, d lines of 1/T beside it: without
+/// the sine of (4/π) sin(πd)/(d(d² − 1)(d² − 4)); d > 2.
+[[nodiscard]] inline double side_lobe(double d) {
+  constexpr double kHeight = 4.0 / std::numbers::pi;
+  return kHeight / (d * (d * d - 1.0) * (d * d - 4.0));
+}
 
 class TaperedWindow {
  public:

@@ -14,8 +14,8 @@ struct TurningPoint {
 };
 
 /// The maxima and minima of the periodic part over the period that begins at t = 0, by rising time:
-/// the changes of sign of Σ Re(c_n inω e^{inωt}), 2H at the most, bracketed on a grid of 32 points a
-/// period of the highest harmonic and then found to rounding. A maximum and a minimum that lie
+/// the changes of sign of Σ Re(c_n inω e^{inωt}), 2H at the most, bracketed on a grid of 32 points
+/// a period of the highest harmonic and then found to rounding. A maximum and a minimum that lie
 /// closer than the grid are not seen: their difference is below 1e−3 of the highest harmonics.
 /// Their number is even; it is 0 where all c_n are 0.
 [[nodiscard]] std::vector<TurningPoint> turning_points(const FourierSeries& series);

@@ -18,7 +18,8 @@ namespace {
 
 /// Above it an argument is a mistake rather than a beam; the work grows with λ.
 constexpr double kLargestWavenumber = 1e4;
-/// λ of the first mode is below this for every tip spring: 4.7300 of the clamped beam without masses.
+/// λ of the first mode is below this for every tip spring: 4.7300 of the clamped beam without
+/// masses.
 constexpr double kLargestFirstWavenumber = 4.74;
 /// Rounding of the spring of a pinned beam, over EI/L; its static value is 4.
 constexpr double kNoSpring = 1e-12;

@@ -14,7 +14,8 @@ struct PointMass {
 
 /// A uniform, slender beam in bending (Euler–Bernoulli), with point masses m_j at x_j:
 ///
-///     EI w⁗ + [ρA + Σ_j m_j δ(x − x_j)] ẅ = 0,   w(0) = w′(0) = 0,   w(L) = 0,   EI w″(L) = −k_θ w′(L)
+///     EI w⁗ + [ρA + Σ_j m_j δ(x − x_j)] ẅ = 0,   w(0) = w′(0) = 0,   w(L) = 0,
+///     EI w″(L) = −k_θ w′(L)
 ///
 /// clamped at 0; at L held against transverse motion and, by a torsional spring, against rotation:
 /// the beam of the friction rig of [AR14 (10)], with k_θ = k r² for a stuck contact of stiffness k

@@ -24,8 +24,8 @@ using Eigen::MatrixXd;
 
 constexpr std::size_t kMostModes = 1000;
 
-/// Of two modes with wavenumbers this close, relative, each holds some of the other: rounding over the
-/// distance.
+/// Of two modes with wavenumbers this close, relative, each holds some of the other: rounding over
+/// the distance.
 constexpr double kClose = 1e-3;
 
 /// λ_i of the clamped–clamped beam without masses, from above: masses and a softer spring lower it.

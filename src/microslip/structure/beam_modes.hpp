@@ -16,8 +16,8 @@ namespace microslip {
 ///     ∫₀ᴸ ρA φ_i φ_j dx + Σ_k m_k φ_i(x_k) φ_j(x_k) = δ_ij,
 ///
 /// with the sign that φ_i′(L) < 0, or that a spring would make it so where the end is clamped: the
-/// first mode is positive inside the span. All are exact to rounding: solutions of the beam equation
-/// between the masses, none missed however close two frequencies are (the count of
+/// first mode is positive inside the span. All are exact to rounding: solutions of the beam
+/// equation between the masses, none missed however close two frequencies are (the count of
 /// natural_frequencies_below() encloses each). Immutable.
 ///
 /// The spring acts on the frequencies by ∂ω_i²/∂k_θ = φ_i′(L)².

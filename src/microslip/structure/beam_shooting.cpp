@@ -43,8 +43,8 @@ BeamState combined(double c, const BeamState& a, double s, const BeamState& b) {
 /// The determinant of the displacements and rotations of the two solutions.
 double displacement_determinant(const Pair& p) { return p.a[0] * p.b[1] - p.b[0] * p.a[1]; }
 
-/// The diagonal of XᵀT⁻¹X̂ for one solution, up to a positive factor: X its displacement and rotation
-/// before an element, X̂ behind it, T the flexibility of the element clamped behind.
+/// The diagonal of XᵀT⁻¹X̂ for one solution, up to a positive factor: X its displacement and
+/// rotation before an element, X̂ behind it, T the flexibility of the element clamped behind.
 double pivot_diagonal(const DuncanFunctions& k, const BeamState& before, const BeamState& behind) {
   return k[1] * before[0] * behind[0] - k[2] * (before[0] * behind[1] - before[1] * behind[0]) -
          k[3] * before[1] * behind[1];
@@ -68,8 +68,9 @@ struct Turn {
   double sin = 0.0;
 };
 
-/// Adds the shear force of a mass to the two solutions. They are first turned so that the second one
-/// does not move the mass: a heavy mass makes the first one large and leaves the second its digits.
+/// Adds the shear force of a mass to the two solutions. They are first turned so that the second
+/// one does not move the mass: a heavy mass makes the first one large and leaves the second its
+/// digits.
 Turn pass_mass(double shear_per_displacement, Pair& p) {
   const double r = std::hypot(p.a[0], p.b[0]);
   if (r == 0.0) return {};
@@ -219,8 +220,8 @@ void BeamShooting::solution(BeamState* states) const {
     c = {m[0] * c[0] + m[1] * c[1], m[2] * c[0] + m[3] * c[1]};
   }
 
-  // The smaller of moment and rotation from the larger one: a stiff spring leaves a rotation of a few
-  // digits, which the tuning of that spring needs.
+  // The smaller of moment and rotation from the larger one: a stiff spring leaves a rotation of a
+  // few digits, which the tuning of that spring needs.
   BeamState& end = states[nodes_.size() - 1];
   end[0] = 0.0;
   if (spring > bending) {

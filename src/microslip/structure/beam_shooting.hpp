@@ -11,13 +11,13 @@
 /// The exact solutions of the beam equation at a frequency, from the clamp to the spring. Lengths
 /// are over L, so that with λ⁴ = ω² ρA L⁴/EI the equation is w⁗ = λ⁴w between the masses.
 ///
-/// Why exact and by marching: the roots of the textbook determinant are lost where two are close, and
-/// its hyperbolic functions overflow; a dynamic stiffness matrix has poles, and cancels between two
-/// masses at almost one place; finite elements are dear where ten digits are wanted. Here the beam is
-/// cut into elements of λh ≤ 2, over which nothing grows by more than a factor e² and which have no
-/// natural frequency of their own below λ when clamped (λh = 4.73). The two solutions that the clamp
-/// leaves are carried from element to element and made orthonormal at each [Conte]: every number
-/// stays near 1, for any mode, mass and spacing.
+/// Why exact and by marching: the roots of the textbook determinant are lost where two are close,
+/// and its hyperbolic functions overflow; a dynamic stiffness matrix has poles, and cancels between
+/// two masses at almost one place; finite elements are dear where ten digits are wanted. Here the
+/// beam is cut into elements of λh ≤ 2, over which nothing grows by more than a factor e² and which
+/// have no natural frequency of their own below λ when clamped (λh = 4.73). The two solutions that
+/// the clamp leaves are carried from element to element and made orthonormal at each [Conte]: every
+/// number stays near 1, for any mode, mass and spacing.
 
 namespace microslip {
 
@@ -67,8 +67,8 @@ class BeamShooting {
 
   /// The number of natural frequencies below λ.
   [[nodiscard]] std::size_t below() const { return below_; }
-  /// How far the solutions are from meeting the conditions at L: smooth in λ, of the order 1, zero at
-  /// the natural frequencies alone, its sign (−1)^below().
+  /// How far the solutions are from meeting the conditions at L: smooth in λ, of the order 1, zero
+  /// at the natural frequencies alone, its sign (−1)^below().
   [[nodiscard]] double defect() const;
   /// k_θ L/EI of the spring with which λ is a natural frequency.
   [[nodiscard]] double matching_spring() const;

@@ -71,7 +71,8 @@ class ModalModel {
   std::vector<ModalPoint> points_;
 };
 
-/// ω_i² − ω² + i η_i ω_i ω, or i η_i ω_i² for kHysteretic, rad²/s²: the dynamic stiffness of one mode.
+/// ω_i² − ω² + i η_i ω_i ω, or i η_i ω_i² for kHysteretic, rad²/s²: the dynamic stiffness of one
+/// mode.
 /// @param mode               one of a ModalModel.
 /// @param angular_frequency  ω, rad/s; ≥ 0, not checked.
 /// @param law                of the damping.

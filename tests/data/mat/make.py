@@ -1,4 +1,4 @@
-# Made the .mat files of this folder, with SciPy 1.10.1: small variables of each kind in each version.
+# Made the .mat files of this folder, with SciPy 1.10.1: small variables of each kind plain and compressed.
 import numpy as np
 import scipy.io
 
@@ -17,6 +17,3 @@ variables = {
 }
 scipy.io.savemat("plain5.mat", variables)
 scipy.io.savemat("compressed5.mat", variables, do_compression=True)
-scipy.io.savemat("level4.mat", {"fs": 512.0, "force": variables["force"],
-                                "z": np.array([1.0 + 2.0j, -3.0]), "text": "abc",
-                                "counts": variables["counts"]}, format="4")

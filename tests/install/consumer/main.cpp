@@ -8,7 +8,7 @@
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/joint.hpp"
 
-/// Uses parts that need fmt, TBB, HDF5, matio and zlib, so that all of them must be found.
+/// Uses parts that need fmt, TBB, HDF5 and zlib, so that all of them must be found.
 int main() {
   const auto joint = microslip::Joint::four_parameter(400.0, 1.7e5, -0.5, 1.0);
   microslip::Levels levels;

@@ -7,8 +7,9 @@
 
 namespace microslip {
 
-/// The median; of an even number of values the upper of the two in the middle. @param values  not
-/// empty. Internal to identify.
+/// The median; of an even number of values the upper of the two in the middle. Internal to the
+/// library.
+/// @param values  not empty.
 [[nodiscard]] inline double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::ranges::nth_element(values, middle);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/virtual_test_file.hpp"
+#include "microslip/io/virtual_measurement_file.hpp"
 
 #include <fmt/format.h>
 

@@ -18,11 +18,11 @@ struct JsonText {
   friend bool operator==(const JsonText&, const JsonText&) = default;
 };
 
-/// A value of a Record.
-using RecordValue = std::variant<double, std::string, std::vector<double>, JsonText>;
+/// One of NamedValues.
+using NamedValue = std::variant<double, std::string, std::vector<double>, JsonText>;
 
 /// Named values in their order. Names of quantities end in their unit, as in `covered_to_N`.
-using Record = std::vector<std::pair<std::string, RecordValue>>;
+using NamedValues = std::vector<std::pair<std::string, NamedValue>>;
 
 /// An input of a computation.
 struct InputHash {
@@ -39,9 +39,9 @@ struct Provenance {
   std::string version;                ///< that wrote the file
   std::string command;                ///< the call as it was typed
   std::vector<InputHash> inputs;      ///< the files that were read
-  Record options;                     ///< what was in force, the defaults included
+  NamedValues options;                ///< what was in force, the defaults included
   std::optional<std::uint64_t> seed;  ///< of the random numbers; nothing where there are none
-  Record other;                       ///< what else a file says
+  NamedValues other;                  ///< what else a file says
 
   /// Member by member.
   friend bool operator==(const Provenance&, const Provenance&) = default;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/rig/virtual_test.hpp"
+#include "microslip/rig/virtual_measurement.hpp"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <chrono>
@@ -15,7 +14,6 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/percent.hpp"
 #include "microslip/rig/force_control.hpp"
-#include "microslip/rig/progress_count.hpp"
 #include "microslip/rig/shaken_structure.hpp"
 
 namespace microslip {
@@ -38,7 +36,7 @@ const RigTest& test_of(const Rig& rig) {
                    "Add [test] with response_acceleration, sampling_rate_Hz and duration_s.");
 }
 
-void check_options(const VirtualTestOptions& options) {
+void check_options(const VirtualMeasurementOptions& options) {
   const auto require = [](bool holds, std::string_view name, double value, std::string_view rule) {
     if (!holds) throw InputError(name, value, rule);
   };
@@ -98,7 +96,7 @@ double to_resolution(double frequency, double resolution) {
 
 /// What all levels share.
 struct Setup {
-  const VirtualTestOptions& options;
+  const VirtualMeasurementOptions& options;
   const RigInMotion& motion;
   RigShaker shaker;
   double stuck_frequency;  // Hz
@@ -122,8 +120,8 @@ ShakenStructure shaken(const Setup& setup, const VirtualLevel& level) {
           level.controlled.vibration};
 }
 
-/// H by small voltages in all harmonics at once: the structure is next to linear at the lowest level.
-/// Nothing where a vibration is not found, or a harmonic does not answer.
+/// H by small voltages in all harmonics at once: the structure is next to linear at the lowest
+/// level. Nothing where a vibration is not found, or a harmonic does not answer.
 std::optional<VectorXcd> measured_transfer(const Setup& setup, ShakenStructure& structure) {
   const auto count = static_cast<Index>(setup.options.controlled_harmonics) - 1;
   const ShakenStructure::Outcome at_rest =
@@ -310,16 +308,12 @@ void check_drives(const RigTest& test, std::size_t harmonics,
 
 /// Levels in parallel, each told when it is done.
 void solve_levels(const Setup& setup, const Joint& joint, std::vector<VirtualLevel>& levels) {
-  ProgressCount progress(setup.options.progress, levels.size());
-  tbb::parallel_for(std::size_t{0}, levels.size(), [&](std::size_t i) {
-    if (progress.stopped()) return;
-    solve_level(setup, joint, levels[i]);
-    progress.add_one();
-  });
-  if (progress.stopped()) throw Cancelled();
+  setup.options.execution.for_each(
+      levels.size(), [&](std::size_t i) { solve_level(setup, joint, levels[i]); },
+      setup.options.progress);
 }
 
-void summarise(VirtualTest& test) {
+void summarise(VirtualMeasurement& test) {
   Summary& s = test.summary;
   std::size_t found = 0;
   const VirtualLevel* missing = nullptr;
@@ -370,8 +364,8 @@ std::vector<double> response_levels(const RigTest& test) {
   return responses;
 }
 
-VirtualTest run_virtual_test(const Rig& rig, const Joint& joint,
-                             const VirtualTestOptions& options) {
+VirtualMeasurement measure_virtually(const Rig& rig, const Joint& joint,
+                                     const VirtualMeasurementOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const RigTest& test = test_of(rig);
   check_options(options);
@@ -385,7 +379,7 @@ VirtualTest run_virtual_test(const Rig& rig, const Joint& joint,
                            options.linear_damping);
   Setup setup{options, motion, rig.shaker.value_or(RigShaker{}), stuck_frequency, {}};
 
-  VirtualTest result;
+  VirtualMeasurement result;
   result.levels = levels_to_find(test);
   find_resonances(setup, test, result.levels);
   check_drives(test, harmonics, result.levels);

@@ -6,17 +6,17 @@
 
 #include "microslip/io/csv_writer.hpp"
 #include "microslip/joint/joint.hpp"
-#include "microslip/rig/virtual_test.hpp"
+#include "microslip/rig/virtual_measurement.hpp"
 
 /// @file
 /// The tables of a virtual test, one row a level that was found; those that were not are comments.
 
 namespace microslip {
 
-/// What the reduction of the records should find: the columns of reduction_table(), without standard
-/// deviations, and `mean_displacement [m]` of the joint. The secant stiffness is k_eq(A) of the joint
-/// (joint/secant.hpp), the resonance that of phase resonance under a pure force, the flags are the
-/// warnings of the level.
+/// What the reduction of the records should find: the columns of reduction_table(), without
+/// standard deviations, and `mean_displacement [m]` of the joint. The secant stiffness is k_eq(A)
+/// of the joint (joint/secant.hpp), the resonance that of phase resonance under a pure force, the
+/// flags are the warnings of the level.
 /// @param levels   of the test, all of them.
 /// @param joint    of the test.
 /// @param sources  the name of each level's record.
@@ -25,9 +25,9 @@ namespace microslip {
                                     std::span<const std::string> sources);
 
 /// What the force control did: `level, response_amplitude [m/s^2], frequency [Hz],
-/// control_iterations [1], force_before [N], force_after [N]` of the fundamental, and `before_n [1],
-/// after_n [1]`, n = 2 … N, the harmonics of the force over the fundamental. "Before" is under a
-/// sinusoidal voltage. [AR14 Fig. 7]
+/// control_iterations [1], force_before [N], force_after [N]` of the fundamental, and `before_n
+/// [1], after_n [1]`, n = 2 … N, the harmonics of the force over the fundamental. "Before" is under
+/// a sinusoidal voltage. [AR14 Fig. 7]
 /// @param levels     of the test, all of them.
 /// @param harmonics  N.
 /// @throws InputError  where no level was found, or the levels have no shaker.

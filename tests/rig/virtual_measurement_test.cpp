@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/rig/virtual_test.hpp"
+#include "microslip/rig/virtual_measurement.hpp"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
 #include <complex>
@@ -20,7 +19,7 @@
 #include "support/reference_csv.hpp"
 #include "support/rigs.hpp"
 
-namespace microslip {
+namespace microslip::virtual_measurement_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -43,8 +42,8 @@ Rig rig_of_levels(double from, double to, std::size_t count) {
 }
 
 /// All 90 levels, solved once.
-const VirtualTest& reference_test() {
-  static const VirtualTest kTest = run_virtual_test(tested_rig(), reference_joint());
+const VirtualMeasurement& reference_test() {
+  static const VirtualMeasurement kTest = measure_virtually(tested_rig(), reference_joint());
   return kTest;
 }
 
@@ -68,16 +67,16 @@ std::vector<Complex> exciter_displacement(const Rig& rig, const DrivenVibration&
   return result;
 }
 
-// reference_rig_levels.csv is a SciPy program's under a pure force at phase resonance; its header says:
-// relative error about 1e-4. The small second harmonic is next to its error.
-TEST(VirtualTest, MeasuresWhatAnotherProgramFound) {
+// reference_rig_levels.csv is a SciPy program's under a pure force at phase resonance; its header
+// says: relative error about 1e-4. The small second harmonic is next to its error.
+TEST(VirtualMeasurement, MeasuresWhatAnotherProgramFound) {
   const testing::ReferenceTable table(std::string(MICROSLIP_TEST_DATA) +
                                       "/reference_rig_levels.csv");
   const std::vector<double>& response = table["response_amplitude [m/s^2]"];
   for (std::size_t i = 0; i < response.size(); ++i) {
     Rig rig = rig_of_levels(response[i], response[i], 1);
     rig.test->frequency_resolution = 0.0;
-    const VirtualTest test = run_virtual_test(rig, reference_joint(), {.shaker = false});
+    const VirtualMeasurement test = measure_virtually(rig, reference_joint(), {.shaker = false});
     ASSERT_TRUE(test.summary.converged()) << test.summary.full();
     ASSERT_EQ(test.levels.size(), 1U);
     const VirtualLevel& level = test.levels[0];
@@ -98,8 +97,8 @@ TEST(VirtualTest, MeasuresWhatAnotherProgramFound) {
   }
 }
 
-TEST(VirtualTest, HoldsResponseFrequencyAndForceAtAll90Levels) {
-  const VirtualTest& test = reference_test();
+TEST(VirtualMeasurement, HoldsResponseFrequencyAndForceAtAll90Levels) {
+  const VirtualMeasurement& test = reference_test();
   ASSERT_TRUE(test.summary.converged()) << test.summary.full();
   ASSERT_EQ(test.levels.size(), 90U);
   for (const VirtualLevel& level : test.levels) {
@@ -118,9 +117,9 @@ TEST(VirtualTest, HoldsResponseFrequencyAndForceAtAll90Levels) {
   EXPECT_NEAR(test.levels.back().frequency, 54.6, 0.11);
 }
 
-// Fig. 7 of the paper: the force without control is clearly distorted, above all by its third harmonic,
-// as the force of the joint is odd.
-TEST(VirtualTest, IsDistortedWithoutControl) {
+// Fig. 7 of the paper: the force without control is clearly distorted, above all by its third
+// harmonic, as the force of the joint is odd.
+TEST(VirtualMeasurement, IsDistortedWithoutControl) {
   const VirtualLevel& level = reference_test().levels.back();
   EXPECT_GT(force_distortion(level.uncontrolled, 10), 0.03);
   EXPECT_EQ(force_distortion(level.uncontrolled, 10),
@@ -130,7 +129,7 @@ TEST(VirtualTest, IsDistortedWithoutControl) {
 
 // F_n = a_n V_n − b_n w_n in rounding, for the voltages that are returned; those are a sine to the
 // tolerance of the iteration, 1e-9 of the force.
-TEST(VirtualTest, SatisfiesTheEquationsOfShakerAndStructureTogether) {
+TEST(VirtualMeasurement, SatisfiesTheEquationsOfShakerAndStructureTogether) {
   const Rig rig = tested_rig();
   const RigShaker shaker;
   for (const VirtualLevel& level : reference_test().levels) {
@@ -154,9 +153,9 @@ TEST(VirtualTest, SatisfiesTheEquationsOfShakerAndStructureTogether) {
   }
 }
 
-// [AR14 (15)]; and D of the harmonics is D(A) of the joint, whose cycles here have two reversals: the
-// harmonics above H make the difference.
-TEST(VirtualTest, TruthKeepsTheEnergyBalance) {
+// [AR14 (15)]; and D of the harmonics is D(A) of the joint, whose cycles here have two reversals:
+// the harmonics above H make the difference.
+TEST(VirtualMeasurement, TruthKeepsTheEnergyBalance) {
   const Joint joint = reference_joint();
   for (const VirtualLevel& level : reference_test().levels) {
     const SteadyVibration& truth = level.controlled.vibration;
@@ -167,11 +166,11 @@ TEST(VirtualTest, TruthKeepsTheEnergyBalance) {
   }
 }
 
-TEST(VirtualTest, IsTheSameOnOneThread) {
+TEST(VirtualMeasurement, IsTheSameOnOneThread) {
   const Rig rig = rig_of_levels(5.0, 39.24, 6);
-  const VirtualTest many = run_virtual_test(rig, reference_joint());
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  const VirtualTest alone = run_virtual_test(rig, reference_joint());
+  const VirtualMeasurement many = measure_virtually(rig, reference_joint());
+  const VirtualMeasurement alone =
+      measure_virtually(rig, reference_joint(), {.execution = Execution::serial()});
   for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_EQ(many.levels[i].controlled.force, alone.levels[i].controlled.force);
     EXPECT_EQ(many.levels[i].controlled.voltage, alone.levels[i].controlled.voltage);
@@ -180,7 +179,7 @@ TEST(VirtualTest, IsTheSameOnOneThread) {
   }
 }
 
-TEST(VirtualTest, SpacesItsLevels) {
+TEST(VirtualMeasurement, SpacesItsLevels) {
   RigTest test;
   test.response_from = 1.0;
   test.response_to = 100.0;
@@ -208,12 +207,13 @@ Rig modes_rig() {
   return rig;
 }
 
-// Modes have no shortening, whose second harmonic then is missing, and no axial compliance, which for
-// the beam is 1.4e-8 m/N, 0.2 % of that of the joint.
-TEST(VirtualTest, TakesModesForTheBeam) {
-  const VirtualTest test = run_virtual_test(modes_rig(), reference_joint());
+// Modes have no shortening, whose second harmonic then is missing, and no axial compliance, which
+// for the beam is 1.4e-8 m/N, 0.2 % of that of the joint.
+TEST(VirtualMeasurement, TakesModesForTheBeam) {
+  const VirtualMeasurement test = measure_virtually(modes_rig(), reference_joint());
   ASSERT_TRUE(test.summary.converged()) << test.summary.full();
-  const VirtualTest beam = run_virtual_test(rig_of_levels(5.0, 39.24, 4), reference_joint());
+  const VirtualMeasurement beam =
+      measure_virtually(rig_of_levels(5.0, 39.24, 4), reference_joint());
   for (std::size_t i = 0; i < 4; ++i) {
     const SteadyVibration& found = test.levels[i].controlled.vibration;
     const SteadyVibration& expected = beam.levels[i].controlled.vibration;
@@ -225,8 +225,9 @@ TEST(VirtualTest, TakesModesForTheBeam) {
   }
 }
 
-TEST(VirtualTest, TellsOfMacroSlip) {
-  const VirtualTest test = run_virtual_test(rig_of_levels(39.24, 80.0, 3), reference_joint());
+TEST(VirtualMeasurement, TellsOfMacroSlip) {
+  const VirtualMeasurement test =
+      measure_virtually(rig_of_levels(39.24, 80.0, 3), reference_joint());
   ASSERT_TRUE(test.summary.converged()) << test.summary.full();
   EXPECT_TRUE(test.levels[0].warnings.empty());
   ASSERT_EQ(test.levels[2].warnings.size(), 1U);
@@ -235,10 +236,10 @@ TEST(VirtualTest, TellsOfMacroSlip) {
 
 // Where the shortening has taken over, 5 mm and more at the joint, phase resonance is that of an
 // antiresonance. The levels below it are as ever.
-TEST(VirtualTest, TellsOfLevelsWithoutResonanceAndGoesOn) {
+TEST(VirtualMeasurement, TellsOfLevelsWithoutResonanceAndGoesOn) {
   Rig rig = rig_of_levels(30.0, 1e4, 8);
   rig.test->logarithmic = true;
-  const VirtualTest test = run_virtual_test(rig, reference_joint(), {.shaker = false});
+  const VirtualMeasurement test = measure_virtually(rig, reference_joint(), {.shaker = false});
   EXPECT_EQ(test.summary.status, Status::kNotConverged);
   EXPECT_NE(test.summary.reason.find("of 8 levels found; level "), std::string::npos)
       << test.summary.reason;
@@ -253,18 +254,18 @@ TEST(VirtualTest, TellsOfLevelsWithoutResonanceAndGoesOn) {
   }
 }
 
-TEST(VirtualTest, TellsOfAForceThatIsNotControlled) {
-  const VirtualTest test = run_virtual_test(rig_of_levels(39.24, 39.24, 1), reference_joint(),
-                                            {.max_control_iterations = 0});
+TEST(VirtualMeasurement, TellsOfAForceThatIsNotControlled) {
+  const VirtualMeasurement test = measure_virtually(
+      rig_of_levels(39.24, 39.24, 1), reference_joint(), {.max_control_iterations = 0});
   ASSERT_TRUE(test.summary.converged());
   ASSERT_EQ(test.levels[0].warnings.size(), 1U);
   EXPECT_EQ(test.levels[0].warnings[0].code, kForceNotControlled);
   EXPECT_EQ(test.levels[0].controlled.force, test.levels[0].uncontrolled.force);
 }
 
-std::string message(const Rig& rig, const VirtualTestOptions& options = {}) {
+std::string message(const Rig& rig, const VirtualMeasurementOptions& options = {}) {
   try {
-    (void)run_virtual_test(rig, reference_joint(), options);
+    (void)measure_virtually(rig, reference_joint(), options);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -272,13 +273,13 @@ std::string message(const Rig& rig, const VirtualTestOptions& options = {}) {
 }
 
 // A node of all modes: no force moves the exciter.
-TEST(VirtualTest, RefusesAnExciterThatMovesNothing) {
+TEST(VirtualMeasurement, RefusesAnExciterThatMovesNothing) {
   Rig rig = modes_rig();
   std::get<RigModes>(rig.structure).excitation.assign(7, 0.0);
   EXPECT_EQ(message(rig).substr(0, 20), "modes.excitation = 0");
 }
 
-TEST(VirtualTest, RefusesATestThatCannotBe) {
+TEST(VirtualMeasurement, RefusesATestThatCannotBe) {
   Rig rig = reference_rig();
   rig.test.reset();
   EXPECT_EQ(message(rig).substr(0, 12), "test = none;");
@@ -305,7 +306,7 @@ TEST(VirtualTest, RefusesATestThatCannotBe) {
 }
 
 // The stuck resonance of 55.79 Hz needs 1115.8 Hz; the drive is at 56 Hz.
-TEST(VirtualTest, SamplesFastEnoughForItsDrives) {
+TEST(VirtualMeasurement, SamplesFastEnoughForItsDrives) {
   Rig rig = rig_of_levels(0.1, 0.2, 2);
   rig.test->frequency_resolution = 0.5;
   rig.test->sampling_rate = 1119.0;
@@ -314,12 +315,12 @@ TEST(VirtualTest, SamplesFastEnoughForItsDrives) {
             "level 1, 56.0 Hz. Slower samples would show the high harmonics as low ones.");
 }
 
-TEST(VirtualTest, CanBeCancelled) {
-  VirtualTestOptions options;
+TEST(VirtualMeasurement, CanBeCancelled) {
+  VirtualMeasurementOptions options;
   options.progress = [](std::size_t done, std::size_t) { return done < 2; };
-  EXPECT_THROW((void)run_virtual_test(rig_of_levels(1.0, 5.0, 5), reference_joint(), options),
+  EXPECT_THROW((void)measure_virtually(rig_of_levels(1.0, 5.0, 5), reference_joint(), options),
                Cancelled);
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::virtual_measurement_test

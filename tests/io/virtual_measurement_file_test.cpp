@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/virtual_test_file.hpp"
+#include "microslip/io/virtual_measurement_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "microslip/joint/secant.hpp"
 #include "support/densities.hpp"
 
-namespace microslip {
+namespace microslip::virtual_measurement_file_test {
 namespace {
 
 VirtualLevel level_of(std::size_t number) {
@@ -49,7 +49,7 @@ std::vector<VirtualLevel> levels() {
 
 const std::vector<std::string> kSources{"a.csv", "b.csv", "c.csv"};
 
-TEST(VirtualTestFile, TruthIsATableOfLevels) {
+TEST(VirtualMeasurementFile, TruthIsATableOfLevels) {
   const Joint joint = testing::reference_joint();
   const std::string text = truth_table(levels(), joint, kSources).str();
   const LevelsFile file = parse_levels(text, "truth.csv");
@@ -68,7 +68,7 @@ TEST(VirtualTestFile, TruthIsATableOfLevels) {
   EXPECT_NE(text.find("macro_slip"), std::string::npos);
 }
 
-TEST(VirtualTestFile, TellsWhatTheControlDid) {
+TEST(VirtualMeasurementFile, TellsWhatTheControlDid) {
   const CsvTable table(force_control_table(levels(), 5).str(), "force_control.csv");
   EXPECT_EQ(table.numbers("level", kDimensionless), (std::vector<double>{1.0, 3.0}));
   for (const CsvColumn& column : table.columns()) {  // volts have no unit here
@@ -79,7 +79,7 @@ TEST(VirtualTestFile, TellsWhatTheControlDid) {
   EXPECT_EQ(table.numbers("after_5", kDimensionless)[0], 0.0);
 }
 
-TEST(VirtualTestFile, RefusesWhatItCannotWrite) {
+TEST(VirtualMeasurementFile, RefusesWhatItCannotWrite) {
   const Joint joint = testing::reference_joint();
   const std::vector<std::string> two{"a.csv", "b.csv"};
   EXPECT_THROW((void)truth_table(levels(), joint, two), InputError);
@@ -93,4 +93,4 @@ TEST(VirtualTestFile, RefusesWhatItCannotWrite) {
 }
 
 }  // namespace
-}  // namespace microslip
+}  // namespace microslip::virtual_measurement_file_test

@@ -4,14 +4,14 @@
 #include <string>
 
 #include "microslip/io/json_input.hpp"
-#include "microslip/io/record.hpp"
+#include "microslip/io/named_values.hpp"
 
 /// @file
 /// Records as JSON. Internal to io: no public header includes it.
 
 namespace microslip {
 
-[[nodiscard]] Record read_record(const Json& object);
+[[nodiscard]] NamedValues read_named_values(const Json& object);
 
 /// Values that are not of the form of Provenance go to its `other`.
 [[nodiscard]] Provenance read_provenance(const Json& object);
@@ -24,9 +24,9 @@ void append_numbers(std::string& text, const std::vector<double>& values);
 
 /// Appends a JSON object, one entry a line.
 /// @throws InputError  where a number is not finite, a JsonText is no JSON, or a name comes twice.
-void append_record(std::string& text, const Record& record, std::string_view indent);
+void append_named_values(std::string& text, const NamedValues& record, std::string_view indent);
 
 /// The entries of a provenance in their order, `other` last.
-[[nodiscard]] Record provenance_record(const Provenance& provenance);
+[[nodiscard]] NamedValues provenance_values(const Provenance& provenance);
 
 }  // namespace microslip

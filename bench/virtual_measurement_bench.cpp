@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <benchmark/benchmark.h>
 
+#include "microslip/rig/virtual_measurement.hpp"
 #include "microslip/rig/virtual_record.hpp"
-#include "microslip/rig/virtual_test.hpp"
 #include "support/densities.hpp"
 #include "support/rigs.hpp"
 
@@ -18,11 +18,11 @@ Rig noisy_rig() {
   return rig;
 }
 
-void run(benchmark::State& state, const VirtualTestOptions& options) {
+void run(benchmark::State& state, const VirtualMeasurementOptions& options) {
   const Rig rig = noisy_rig();
   const Joint joint = testing::reference_joint();
-  VirtualTest test;
-  for (auto _ : state) test = run_virtual_test(rig, joint, options);
+  VirtualMeasurement test;
+  for (auto _ : state) test = measure_virtually(rig, joint, options);
   if (!test.summary.converged()) state.SkipWithError(test.summary.reason.c_str());
   state.counters["balances"] = test.summary.iterations;
 }
@@ -40,7 +40,7 @@ void virtual_record_8192(benchmark::State& state) {
   Rig rig = noisy_rig();
   rig.test->count = 1;
   const StickState stick = stick_state(rig);
-  const VirtualTest test = run_virtual_test(rig, testing::reference_joint());
+  const VirtualMeasurement test = measure_virtually(rig, testing::reference_joint());
   for (auto _ : state) {
     benchmark::DoNotOptimize(virtual_record(rig, stick, test.levels[0].controlled, 1, 0));
   }

@@ -11,19 +11,20 @@
 
 namespace microslip {
 
-/// The virgin curve (backbone) of a density over the elastic force s = kx, N:
+/// The virgin curve of a density over the elastic force s = kx, N:
 ///
 ///     F(s) = Φ1(s) + s[1 − Φ0(s)],    dF/ds = 1 − Φ0(s),    s ≥ 0       [AR14 (2) (4)]
 ///
-/// On a piecewise-linear density F is a cubic spline: its coefficients are tabulated, and a table of
-/// equal buckets, fine enough to hold one knot each where the knots are not wildly uneven, finds the
-/// segment without a search. Power laws add their closed form.
-class Backbone {
+/// On a piecewise-linear density F is a cubic spline: its coefficients are tabulated, and a table
+/// of equal buckets, fine enough to hold one knot each where the knots are not wildly uneven, finds
+/// the segment without a search. Power laws add their closed form.
+class VirginCurve {
  public:
   /// Tabulates the curve; the density is not needed any more afterwards.
-  explicit Backbone(const SlipDensity& density);
+  explicit VirginCurve(const SlipDensity& density);
 
-  /// F(s), N. @param s  kx, N; ≥ 0, finite. Below 0 it is that of 0; NaN where s is NaN or infinite.
+  /// F(s), N. @param s  kx, N; ≥ 0, finite. Below 0 it is that of 0; NaN where s is NaN or
+  /// infinite.
   [[nodiscard]] double force(double s) const {
     const Lookup find = lookup();
     s = std::max(s, 0.0);  // in this order NaN stays
@@ -73,8 +74,8 @@ class Backbone {
       return static_cast<std::int32_t>(std::min(last_bucket, s * buckets_per_newton));
     }
 
-    /// The last cubic with start ≤ s. Inline and without a branch in the common case: it runs once a
-    /// sample of every simulation.
+    /// The last cubic with start ≤ s. Inline and without a branch in the common case: it runs once
+    /// a sample of every simulation.
     [[nodiscard]] const Cubic& cubic(double s, std::int32_t bucket_of_s) const {
       std::size_t j = buckets[bucket_of_s];
       j += static_cast<std::size_t>(cubics[j + 1].start <= s);  // a sum: no branch to mispredict

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/record_json.hpp"
+#include "microslip/io/named_values_json.hpp"
 
 #include <fmt/format.h>
 
@@ -27,7 +27,7 @@ bool is_number_array(const Json& value) {
   return value.is_array() && std::all_of(value.begin(), value.end(), is_exact_double);
 }
 
-RecordValue read_value(const Json& value) {
+NamedValue read_value(const Json& value) {
   if (is_exact_double(value)) return value.get<double>();
   if (value.is_string()) return value.get<std::string>();
   if (is_number_array(value)) return value.get<std::vector<double>>();
@@ -52,7 +52,7 @@ bool read_known(const std::string& key, const Json& value, Provenance& provenanc
   } else if (key == "seed" && value.is_number_unsigned()) {
     provenance.seed = value.get<std::uint64_t>();
   } else if (key == "options" && value.is_object()) {
-    provenance.options = read_record(value);
+    provenance.options = read_named_values(value);
   } else if (key == "inputs" && value.is_array() &&
              std::all_of(value.begin(), value.end(), is_input_hash)) {
     for (const Json& input : value) {
@@ -104,8 +104,8 @@ std::string hashes_json(const std::vector<InputHash>& inputs) {
 
 }  // namespace
 
-Record read_record(const Json& object) {
-  Record record;
+NamedValues read_named_values(const Json& object) {
+  NamedValues record;
   for (const auto& [key, value] : object.items()) record.emplace_back(key, read_value(value));
   return record;
 }
@@ -133,7 +133,7 @@ void append_numbers(std::string& text, const std::vector<double>& values) {
   text += ']';
 }
 
-void append_record(std::string& text, const Record& record, std::string_view indent) {
+void append_named_values(std::string& text, const NamedValues& record, std::string_view indent) {
   std::set<std::string_view> names;
   text += '{';
   for (const auto& [name, value] : record) {
@@ -148,8 +148,8 @@ void append_record(std::string& text, const Record& record, std::string_view ind
   text += names.empty() ? "}" : fmt::format("\n{}}}", indent);
 }
 
-Record provenance_record(const Provenance& provenance) {
-  Record record;
+NamedValues provenance_values(const Provenance& provenance) {
+  NamedValues record;
   const auto add_text = [&](const char* name, const std::string& value) {
     if (!value.empty()) record.emplace_back(name, value);
   };
@@ -161,7 +161,7 @@ Record provenance_record(const Provenance& provenance) {
   }
   if (!provenance.options.empty()) {
     std::string options;
-    append_record(options, provenance.options, "    ");
+    append_named_values(options, provenance.options, "    ");
     record.emplace_back("options", JsonText{options});
   }
   if (provenance.seed) record.emplace_back("seed", JsonText{fmt::format("{}", *provenance.seed)});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/joint/backbone.hpp"
+#include "microslip/joint/virgin_curve.hpp"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 #include <limits>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/vector_clones.hpp"
 #include "microslip/joint/power_law.hpp"
-#include "microslip/joint/vector_clones.hpp"
 
 namespace microslip {
 namespace {
@@ -21,7 +21,7 @@ constexpr std::size_t kBlock = 64;  // samples
 
 }  // namespace
 
-Backbone::Backbone(const SlipDensity& density)
+VirginCurve::VirginCurve(const SlipDensity& density)
     : power_laws_(density.power_laws().begin(), density.power_laws().end()) {
   double force = 0.0;
   for (const SlipDensity::LinearSegment& segment : density.segments()) {
@@ -38,9 +38,9 @@ Backbone::Backbone(const SlipDensity& density)
   cubics_.push_back({std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0, 0.0, 0.0});
 }
 
-// The table grows until no bucket holds two knots, or until its size stops being worth it; a crowded
-// bucket is searched.
-void Backbone::fill_buckets() {
+// The table grows until no bucket holds two knots, or until its size stops being worth it; a
+// crowded bucket is searched.
+void VirginCurve::fill_buckets() {
   const std::size_t knots = cubics_.size();
   const double end = cubics_.back().start;
   double narrowest = end;
@@ -63,10 +63,10 @@ void Backbone::fill_buckets() {
   }
 }
 
-// A block at a time, in three loops: what has the same form for all samples runs on vectors, the search
-// of the segment and its cubic does not.
-void Backbone::branch_forces(const Branch& branch, std::span<const double> x,
-                             std::span<double> force) const {
+// A block at a time, in three loops: what has the same form for all samples runs on vectors, the
+// search of the segment and its cubic does not.
+void VirginCurve::branch_forces(const Branch& branch, std::span<const double> x,
+                                std::span<double> force) const {
   if (force.size() != x.size()) {
     throw InputError("length of force", static_cast<double>(force.size()),
                      fmt::format("must be that of the displacements, {}", x.size()));
@@ -90,7 +90,7 @@ void Backbone::branch_forces(const Branch& branch, std::span<const double> x,
 }
 
 MICROSLIP_VECTOR_CLONES
-void Backbone::elastic_forces(std::size_t n, const double* x, const Branch& branch, double* s) {
+void VirginCurve::elastic_forces(std::size_t n, const double* x, const Branch& branch, double* s) {
   const double displacement = branch.displacement;
   const double newtons_per_metre = branch.newtons_per_metre;
   for (std::size_t i = 0; i < n; ++i) {
@@ -100,8 +100,8 @@ void Backbone::elastic_forces(std::size_t n, const double* x, const Branch& bran
 }
 
 MICROSLIP_VECTOR_CLONES
-void Backbone::find_buckets(std::size_t n, const double* s, const Lookup& find,
-                            std::int32_t* bucket) {
+void VirginCurve::find_buckets(std::size_t n, const double* s, const Lookup& find,
+                               std::int32_t* bucket) {
   const double per_newton = find.buckets_per_newton;
   const double last = find.last_bucket;
   for (std::size_t i = 0; i < n; ++i) {
@@ -110,13 +110,13 @@ void Backbone::find_buckets(std::size_t n, const double* s, const Lookup& find,
   }
 }
 
-double Backbone::power_law_deficit(double s) const {
+double VirginCurve::power_law_deficit(double s) const {
   double sum = 0.0;
   for (const PowerLawPart& part : power_laws_) sum += power_law_force_deficit(part, s);
   return sum;
 }
 
-double Backbone::slope(double s) const {
+double VirginCurve::slope(double s) const {
   const Lookup find = lookup();
   s = std::max(s, 0.0);
   const Cubic& c = find.cubic(s, find.bucket(s));

@@ -1,0 +1,100 @@
+# The house, kept by the compiler and the linker. Each folder of src/microslip is a target whose include
+# paths lead to its own headers and to the public ones of the folders that it uses, so that an arrow
+# against the order, or another folder's private header, is a file that the compiler does not find. Parts
+# are what is linked: one library of one or more folders.
+#
+# What lies on the include paths are files of one line in the build tree, each of which includes the header
+# of its name: the headers themselves lie beside their sources, public and private in one folder.
+
+# microslip_add_folder(<name>
+#   [USES <folder>...]      whose public headers this one may include
+#   [LINKS <target>...]     libraries outside of this project, for the folder alone
+#   PUBLIC <header>...      installed, and seen by who uses the folder
+#   [INTERNAL <header>...]  seen by other folders, but not installed
+#   PRIVATE <file>...)      sources, and headers for the folder alone
+function(microslip_add_folder name)
+  cmake_parse_arguments(PARSE_ARGV 1 folder "" "" "USES;LINKS;PUBLIC;INTERNAL;PRIVATE")
+  set(tree "${PROJECT_BINARY_DIR}/include/${name}")
+
+  set(private_headers ${folder_PRIVATE})
+  list(FILTER private_headers INCLUDE REGEX "\\.hpp$")
+  _microslip_make_absolute(private_headers)
+  set(public_headers ${folder_PUBLIC})
+  _microslip_make_absolute(public_headers)
+  set(internal_headers ${folder_INTERNAL})
+  _microslip_make_absolute(internal_headers)
+  _microslip_forward_headers("${tree}/public/microslip/${name}" ${public_headers} ${internal_headers})
+  _microslip_forward_headers("${tree}/private/microslip/${name}" ${private_headers})
+
+  add_library(microslip_headers_${name} INTERFACE)
+  target_compile_features(microslip_headers_${name} INTERFACE cxx_std_20)
+  target_include_directories(microslip_headers_${name} INTERFACE "${tree}/public")
+  list(TRANSFORM folder_USES PREPEND microslip_headers_)
+  target_link_libraries(microslip_headers_${name} INTERFACE ${folder_USES})
+
+  add_library(microslip_folder_${name} OBJECT ${folder_PRIVATE} ${folder_PUBLIC} ${folder_INTERNAL})
+  target_include_directories(microslip_folder_${name} PRIVATE "${tree}/private")
+  target_link_libraries(microslip_folder_${name} PRIVATE microslip_headers_${name} ${folder_LINKS})
+  set_target_properties(
+    microslip_folder_${name}
+    PROPERTIES POSITION_INDEPENDENT_CODE ON
+               UNITY_BUILD_BATCH_SIZE 0 # with CMAKE_UNITY_BUILD the folder is compiled as one
+               MICROSLIP_PUBLIC_HEADERS "${public_headers}")
+  set_property(GLOBAL APPEND PROPERTY MICROSLIP_FOLDERS ${name})
+endfunction()
+
+# microslip_add_part(<name>
+#   FOLDERS <folder>...
+#   [USES <part>...]        linked by who links this part
+#   [LINKS <target>...])    libraries outside of this project that have to be linked
+# The library microslip_<name>, as microslip::<name> here and where it is installed.
+function(microslip_add_part name)
+  cmake_parse_arguments(PARSE_ARGV 1 part "" "" "FOLDERS;USES;LINKS")
+  set(library microslip_${name})
+  list(TRANSFORM part_FOLDERS REPLACE "(.+)" "$<TARGET_OBJECTS:microslip_folder_\\1>"
+                              OUTPUT_VARIABLE objects)
+  add_library(${library} ${objects})
+  add_library(microslip::${name} ALIAS ${library})
+  target_compile_features(${library} INTERFACE cxx_std_20)
+  list(TRANSFORM part_USES PREPEND microslip_)
+  target_link_libraries(${library} PUBLIC ${part_USES} PRIVATE ${part_LINKS})
+  target_include_directories(${library} INTERFACE "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
+  set_target_properties(
+    ${library}
+    PROPERTIES EXPORT_NAME ${name}
+               LINKER_LANGUAGE CXX
+               VERSION "${PROJECT_VERSION}"
+               SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
+  foreach(folder IN LISTS part_FOLDERS)
+    target_include_directories(
+      ${library} INTERFACE "$<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include/${folder}/public>")
+  endforeach()
+  if(BUILD_SHARED_LIBS)
+    set_target_properties(${library} PROPERTIES INSTALL_RPATH "$ORIGIN") # the other parts lie beside it
+    target_link_options(${library} PRIVATE -Wl,--no-undefined)
+  endif()
+  set_property(GLOBAL APPEND PROPERTY MICROSLIP_PARTS ${name})
+endfunction()
+
+# Writes the files of one line for `headers` into a folder and removes those of headers that are no more.
+function(_microslip_forward_headers into)
+  file(GLOB stale RELATIVE "${into}" "${into}/*")
+  foreach(header IN LISTS ARGN)
+    cmake_path(GET header FILENAME file)
+    file(CONFIGURE OUTPUT "${into}/${file}" CONTENT "#include \"${header}\"\n")
+    list(REMOVE_ITEM stale "${file}")
+  endforeach()
+  list(TRANSFORM stale PREPEND "${into}/")
+  if(stale)
+    file(REMOVE ${stale})
+  endif()
+endfunction()
+
+function(_microslip_make_absolute list)
+  set(paths "")
+  foreach(path IN LISTS ${list})
+    cmake_path(ABSOLUTE_PATH path BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}")
+    list(APPEND paths "${path}")
+  endforeach()
+  set(${list} "${paths}" PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+namespace microslip {
+
+/// The value of the function that is linear between knots and constant beyond them.
+/// @param knots   rising, one at least.
+/// @param values  one a knot.
+/// @param x       where; NaN where it is not a number.
+/// @throws InputError  without knots, or where the values are not as many.
+[[nodiscard]] double interpolate(const std::vector<double>& knots,
+                                 const std::vector<double>& values, double x);
+
+}  // namespace microslip

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <complex>
+#include <vector>
+
+/// @file
+/// Least squares of one or two damped oscillations on the transforms of short windows along a
+/// decay. Internal to signal.
+
+namespace microslip {
+
+/// Z at times one hop apart: the transform of tapered windows at ω₀, without the turning of ω₀.
+struct Baseband {
+  double begin = 0.0;   ///< s, centre of the first window
+  double hop = 0.0;     ///< s
+  double length = 0.0;  ///< T of the windows, s
+  double omega = 0.0;   ///< ω₀, rad/s
+  double fall = 1.0;    ///< of ln A over the decay; above 0
+  double decay = 0.0;   ///< 1/s: of the mode on average, the unit of all rates
+  Eigen::VectorXcd value;
+  Eigen::VectorXd root;  ///< 1/σ of each value
+
+  /// Degrees of freedom of the values, which overlap.
+  [[nodiscard]] double independent() const;
+};
+
+/// What is fitted: δ and ω − ω₀ of the mode as polynomials of so many coefficients over the share
+/// of the fall of ln A, 0 to 1, and beside it a second oscillation, damped or steady.
+struct OscillationModel {
+  int decays = 1;
+  int omegas = 1;
+  bool second = false;
+  bool steady = false;  ///< the second does not decay
+};
+
+/// A model on values. Parameters: coefficients of δ, those of ω − ω₀, then Δ and δ₂ of the second
+/// oscillation, all over the mean decay rate. The complex amplitudes c₁ and c₂ are the best for
+/// these.
+class OscillationFit {
+ public:
+  OscillationFit(const Baseband& band, const OscillationModel& model)
+      : band_(band), model_(model) {}
+
+  [[nodiscard]] std::vector<double> decays(const Eigen::VectorXd& p) const;
+  [[nodiscard]] std::vector<double> omegas(const Eigen::VectorXd& p) const;
+  [[nodiscard]] double second_omega(const Eigen::VectorXd& p) const;  ///< Δ, rad/s
+  [[nodiscard]] double second_decay(const Eigen::VectorXd& p) const;  ///< δ₂, 1/s
+
+  /// e^{x + iθ} of the mode at each value.
+  [[nodiscard]] Eigen::VectorXcd mode(const Eigen::VectorXd& p) const;
+
+  /// e^{(−δ₂ + iΔ)t} at each value.
+  [[nodiscard]] Eigen::VectorXcd second(double omega, double decay) const;
+
+  /// Weighted, real parts and then imaginary ones; sets the amplitudes.
+  Eigen::VectorXd residual(const Eigen::VectorXd& p);
+
+  /// The same for given time histories of the two. @param beside  empty for the mode alone.
+  Eigen::VectorXd residual_of(const Eigen::VectorXcd& mode, const Eigen::VectorXcd& beside);
+
+  /// Levenberg–Marquardt. @return  whether it came to rest.
+  bool minimise(Eigen::VectorXd& p);
+
+  /// χ² of the last residual by the degrees of freedom of the values.
+  [[nodiscard]] double chi_square() const { return chi_square_; }
+  [[nodiscard]] std::complex<double> first_amplitude() const { return first_; }
+  [[nodiscard]] std::complex<double> second_amplitude() const { return second_; }
+
+ private:
+  [[nodiscard]] std::vector<double> scaled(const Eigen::VectorXd& p, int from, int count) const;
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& p, const Eigen::VectorXd& now);
+
+  const Baseband& band_;
+  OscillationModel model_;
+  std::complex<double> first_ = 0.0;
+  std::complex<double> second_ = 0.0;
+  double chi_square_ = HUGE_VAL;
+};
+
+}  // namespace microslip
