@@ -13,17 +13,11 @@ namespace {
 /// density with a dip and a peak. The same in each run.
 Levels reference_levels() { return testing::noisy_levels(testing::reference_joint(), 2); }
 
-InversionOptions options() {
-  InversionOptions options;
-  options.stiffness = testing::kStiffness;
-  return options;
-}
-
 /// Both passes, the whole λ path and all that the result holds.
 void identify_90_levels(benchmark::State& state) {
   const Levels levels = reference_levels();
   for (auto _ : state) {
-    const InversionResult result = invert(levels, options());
+    const InversionResult result = invert(levels, testing::kStiffness);
     benchmark::DoNotOptimize(result.density.data());
   }
 }
@@ -31,7 +25,7 @@ BENCHMARK(identify_90_levels)->Unit(benchmark::kMillisecond);
 
 /// 1000 samples of the band on all processors.
 void bands_1000(benchmark::State& state) {
-  const InversionResult result = invert(reference_levels(), options());
+  const InversionResult result = invert(reference_levels(), testing::kStiffness);
   for (auto _ : state) {
     const DensityBands bands = density_bands(result, {.samples = 1000});
     benchmark::DoNotOptimize(bands.lower.data());

@@ -53,9 +53,10 @@ int run(const DemoOptions& options, const Call& call) {
   const std::vector<std::string> pictures = folder.commit();
   if (!call.quiet) {
     fmt::print("{}{}\n", kBeamHeading,
-               describe_identification(beam, beam.inversion->levels.size()));
+               describe_identification(beam, beam.inversion()->fitted_dissipation.size()));
     fmt::print(kRigHeading, rig.test.levels.size());
-    fmt::print("{}\n{}\n", describe_identification(rig.found, rig.found.inversion->levels.size()),
+    fmt::print("{}\n{}\n",
+               describe_identification(rig.found, rig.found.inversion()->fitted_dissipation.size()),
                describe_rig(rig));
     fmt::print(
         "Written to {}: recordings, levels, truth, verification and densities (csv), joints "

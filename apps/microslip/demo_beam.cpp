@@ -22,11 +22,10 @@ Identification demonstrate_beam(DemoFolder& folder) {
   const LevelsFile file =
       parse_levels(std::string(kBrakeReussLevels), "examples/brake_reuss_beam/levels.csv");
   IdentificationOptions options;
-  options.inversion.stiffness = kBeamStiffness;
   options.inversion.linear_damping = true;
   options.bands =
       BandOptions{.seed = kDemoSeed, .progress = progress_bar("bands", folder.call().quiet)};
-  Identification found = identify(file.levels, options);
+  Identification found = identify(file.levels, kBeamStiffness, options);
   folder.add(kFolder + "/levels.csv", std::string(kBrakeReussLevels));
   folder.add_identification(kFolder, found, options, file.file, kBrakeReussLevels);
   folder.draw_both(kFolder + "/dissipation",

@@ -89,10 +89,9 @@ Identification identify_joint(DemoFolder& folder, const ReductionBatch& reductio
   std::string text;
   file = identified_levels(folder, reduction, text);
   IdentificationOptions options;
-  options.inversion.stiffness = stiffness;
   options.bands =
       BandOptions{.seed = kDemoSeed, .progress = progress_bar("bands", folder.call().quiet)};
-  Identification found = identify(file.levels, options);
+  Identification found = identify(file.levels, stiffness, options);
   folder.add_identification(kFolder, found, options, file.file, text);
   return found;
 }

@@ -26,9 +26,9 @@ std::vector<NamedJoint> regenerated_joints(const Levels& levels, double stiffnes
   for (const double p : {0.1, 0.5, 0.965}) {
     IdentificationOptions options;
     options.method = IdentificationMethod::kSpline;
-    options.inversion.stiffness = stiffness;
-    options.spline_smoothing = MatlabP{p, kMicrometre};
-    joints.push_back({fmt::format("spline, p = {}", p), identify(levels, options).joint});
+    options.spline.smoothing = MatlabP{p, kMicrometre};
+    joints.push_back(
+        {fmt::format("spline, p = {}", p), identify(levels, stiffness, options).joint});
   }
   joints.push_back({"inversion", by_inversion});
   return joints;

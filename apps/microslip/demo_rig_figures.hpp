@@ -4,7 +4,7 @@
 #include <string>
 
 #include "demo_rig.hpp"
-#include "microslip/identify/levels.hpp"
+#include "microslip/observe/levels.hpp"
 
 namespace microslip::app {
 

@@ -60,7 +60,7 @@ std::string describe_frequencies(const Identification& found) {
 }
 
 std::string describe_inversion(const Identification& found) {
-  const InversionResult& result = *found.inversion;
+  const InversionResult& result = *found.inversion();
   const PathPoint& point = result.path[result.chosen];
   std::string text = describe_scatter(result);
   text += line("smoothing",
@@ -70,10 +70,10 @@ std::string describe_inversion(const Identification& found) {
     text += line("macro-slip at", fmt::format("{:.4g} N, by an atom of weight {:.3f}",
                                               *result.atom_slip_force, result.atom_weight));
   }
-  if (found.bands) {
+  if (found.bands()) {
     text += line("area Φ0", fmt::format("{:.3f}, {:.0f} % band {:.3f} to {:.3f}", result.area,
-                                        100.0 * found.bands->confidence, found.bands->area.first,
-                                        found.bands->area.second));
+                                        100.0 * found.bands()->confidence,
+                                        found.bands()->area.first, found.bands()->area.second));
   }
   return text;
 }
@@ -136,7 +136,7 @@ void add_stiffness(const StiffnessEvidence& evidence, NamedValues& record) {
 }
 
 void add_bands(const Identification& found, NamedValues& record) {
-  const DensityBands& bands = *found.bands;
+  const DensityBands& bands = *found.bands();
   const auto pair = [](const std::pair<double, double>& ends) {
     return std::vector<double>{ends.first, ends.second};
   };
@@ -147,7 +147,7 @@ void add_bands(const Identification& found, NamedValues& record) {
   if (found.linear_damping) {
     record.emplace_back("band_linear_damping_J_per_m2", pair(bands.linear_damping));
   }
-  if (found.inversion->atom_slip_force) {
+  if (found.inversion()->atom_slip_force) {
     record.emplace_back("band_atom_weight", pair(bands.atom_weight));
   }
   record.emplace_back("band_slip_force_N", found.slip_force);
@@ -207,7 +207,7 @@ std::string describe_identification(const Identification& found, std::size_t lev
   text += line("stiffness k", fmt::format("{:.6g} N/m", joint.stiffness()));
   text += line("slip forces covered",
                fmt::format("{:.4g} to {:.4g} N", found.covered_from, found.covered_to));
-  if (found.inversion && !found.parametric) {
+  if (found.inversion() && !found.parametric) {
     text += describe_inversion(found);
   } else {
     if (found.parametric) text += describe_parameters(*found.parametric);
@@ -244,10 +244,10 @@ NamedValues record_of(const Identification& found) {
   if (found.linear_damping) {
     record.emplace_back("linear_damping_J_per_m2", *found.linear_damping);
   }
-  if (found.inversion) add_path(*found.inversion, record);
-  if (found.spline) {
-    record.emplace_back("lambda_m3", found.spline->fit.lambda);
-    record.emplace_back("degrees_of_freedom", found.spline->fit.edf);
+  if (found.inversion()) add_path(*found.inversion(), record);
+  if (found.spline()) {
+    record.emplace_back("lambda_m3", found.spline()->fit.lambda);
+    record.emplace_back("degrees_of_freedom", found.spline()->fit.edf);
   }
   if (found.parametric) add_parameters(*found.parametric, record);
   add_stiffness(found.stiffness, record);

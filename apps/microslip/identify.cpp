@@ -97,15 +97,21 @@ double relative_std(std::string_view option, const std::string& text) {
 }
 
 /// What only a band shows is refused without one, not ignored.
-void check_unused(const IdentifyOptions& options, const BandOptions& bands) {
+void check_unused(const IdentifyOptions& options, const CommonErrors& errors) {
   const auto refuse = [](std::string_view option, const std::string& text) {
     throw InputError(option, in_quotes(text), "belongs to a band, and --bands is 0",
                      "Ask for samples, for instance --bands 1000, or leave it out.");
   };
   if (options.seed) refuse("--seed", *options.seed);
-  if (bands.dissipation_gain_std > 0.0) refuse("--dissipation-gain-std", options.dissipation_gain);
-  if (bands.amplitude_gain_std > 0.0) refuse("--amplitude-gain-std", options.amplitude_gain);
-  if (bands.loss_factor_std > 0.0) refuse("--loss-factor-std", options.loss_factor);
+  if (errors.dissipation_gain_std > 0.0) refuse("--dissipation-gain-std", options.dissipation_gain);
+  if (errors.amplitude_gain_std > 0.0) refuse("--amplitude-gain-std", options.amplitude_gain);
+  if (errors.loss_factor_std > 0.0) refuse("--loss-factor-std", options.loss_factor);
+}
+
+CommonErrors errors_of(const IdentifyOptions& options) {
+  return {.dissipation_gain_std = relative_std("--dissipation-gain-std", options.dissipation_gain),
+          .amplitude_gain_std = relative_std("--amplitude-gain-std", options.amplitude_gain),
+          .loss_factor_std = relative_std("--loss-factor-std", options.loss_factor)};
 }
 
 /// What belongs to the band of the free density; nothing where none was asked for.
@@ -115,13 +121,7 @@ std::optional<BandOptions> bands_of(const IdentifyOptions& options, bool quiet) 
   BandOptions bands;
   bands.seed = parse_whole_number("--seed", options.seed.value_or("1"), 0,
                                   std::numeric_limits<std::uint64_t>::max());
-  bands.dissipation_gain_std = relative_std("--dissipation-gain-std", options.dissipation_gain);
-  bands.amplitude_gain_std = relative_std("--amplitude-gain-std", options.amplitude_gain);
-  bands.loss_factor_std = relative_std("--loss-factor-std", options.loss_factor);
-  if (options.bands == "0") {
-    check_unused(options, bands);
-    return std::nullopt;
-  }
+  if (options.bands == "0") return std::nullopt;
   bands.samples = parse_whole_number("--bands", options.bands, kFewest, kMost,
                                      "1000 give a smooth band, 0 gives none.");
   bands.progress = progress_bar("bands", quiet);
@@ -151,7 +151,6 @@ IdentificationOptions library_options(const IdentifyOptions& options, bool quiet
   all.bands = bands_of(options, quiet);
   check_method(options);
   all.method = kMethods.at(options.method);
-  all.inversion.stiffness = stiffness_of(options);
   all.inversion.linear_damping = options.linear_damping == "fit";
   all.inversion.atom = options.atom;
   if (options.fit != "none") all.fit = kModels.at(options.fit);
@@ -253,10 +252,11 @@ void add_levels_flags(const LevelsFile& file, std::vector<Warning>& warnings) {
 }
 
 /// The options were checked before: what is left to complain of are the levels.
-Identification identify_file(const LevelsFile& file, const IdentificationOptions& options) {
+Identification identify_file(const LevelsFile& file, const CommonErrors& errors, double stiffness,
+                             const IdentificationOptions& options) {
   check_sizes(file);
   try {
-    return identify(file.levels, options);
+    return identify(LevelEvidence(file.levels, errors), stiffness, options);
   } catch (const InputError& error) {
     throw error.renamed(fmt::format("{}: {}", file.file, error.name()));
   }
@@ -265,13 +265,15 @@ Identification identify_file(const LevelsFile& file, const IdentificationOptions
 int run(const IdentifyOptions& options, const Call& call) {
   check_output(options.out, kJointKind);
   if (!options.density_csv.empty()) check_output(options.density_csv, kDensityKind);
+  const CommonErrors errors = errors_of(options);
+  if (options.bands == "0") check_unused(options, errors);
   const IdentificationOptions library = library_options(options, call.quiet);
+  const double stiffness = stiffness_of(options);
   const std::string text = read_file(options.levels);
-  const bool linear_loss = library.bands && library.bands->loss_factor_std > 0.0;
-  const LevelsFile all =
-      parse_levels(text, input_name(options.levels), {.linear_dissipation = linear_loss});
+  const LevelsFile all = parse_levels(text, input_name(options.levels),
+                                      {.linear_dissipation = errors.loss_factor_std > 0.0});
   const LevelsFile file = usable_levels(all, options);
-  Identification found = identify_file(file, library);
+  Identification found = identify_file(file, errors, stiffness, library);
   add_levels_flags(file, found.warnings);
   const std::string summary =
       describe_identification(found, file.levels.size()) + describe_left_out(all, options);
@@ -282,7 +284,7 @@ int run(const IdentifyOptions& options, const Call& call) {
   provenance.command = call.command_line;
   provenance.inputs.push_back({options.levels, sha256(text)});
   provenance.options = record_of_options(
-      library, {options.smoothing, options.smoothing_unit, options.inner_reversals});
+      library, {options.smoothing, options.smoothing_unit, options.inner_reversals, errors});
   if (library.bands) provenance.seed = library.bands->seed;
   OutputFiles outputs;
   outputs.add(options.out, format_joint({found.joint, provenance, record_of(found)}));

@@ -20,6 +20,7 @@ struct OptionTexts {
   std::string smoothing = "gcv";              ///< as on the command line
   std::optional<std::string> smoothing_unit;  ///< as on the command line
   std::string inner_reversals = "leave-out";  ///< what was done with such levels
+  CommonErrors common_errors = {};            ///< that the levels were said to have
 };
 
 /// The same options as joint.json holds them.

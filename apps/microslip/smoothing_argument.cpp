@@ -59,9 +59,9 @@ void set_for_spline(const Choice& choice, const std::optional<std::string>& unit
   }
   const double metres = unit_in_metres(choice, unit);
   if (choice.name == "p") {
-    options.spline_smoothing = MatlabP{choice.value, metres};
+    options.spline.smoothing = MatlabP{choice.value, metres};
   } else {
-    options.spline_smoothing = FixedLambda{choice.value * metres * metres * metres};
+    options.spline.smoothing = FixedLambda{choice.value * metres * metres * metres};
   }
 }
 

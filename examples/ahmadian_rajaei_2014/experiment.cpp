@@ -85,9 +85,9 @@ Experiment run_experiment(const Grid& grid, const std::string& examples) {
   Levels measured = measured_of(levels);
   Levels scattered = scattered_of(measured);
   microslip::IdentificationOptions options;
-  options.inversion.stiffness = reducer.state().stiffness;
   options.bands = microslip::BandOptions{.samples = grid.pick<std::size_t>(1000, 100)};
-  microslip::Identification found = microslip::identify(scattered, options);
+  microslip::Identification found =
+      microslip::identify(scattered, reducer.state().stiffness, options);
   return {.reducer = std::move(reducer),
           .truth = std::move(truth),
           .state = std::move(state),

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "microslip/identify/identification.hpp"
-#include "microslip/identify/levels.hpp"
 #include "microslip/joint/joint.hpp"
+#include "microslip/observe/levels.hpp"
 #include "microslip/rig/reduction.hpp"
 #include "microslip/rig/stick_state.hpp"
 #include "microslip/rig/virtual_measurement.hpp"

@@ -192,9 +192,9 @@ std::vector<Finding> findings_of(const Grid& grid, const Experiment& experiment,
   return {
       // Our rig ends at 51 N, where the true area is 0.83. Its band held it in 10 of 12 draws.
       {fmt::format("area of the density, by inversion, up to f* = {:.0f} N [1]", reach),
-       "0.8 up to f* = 55 N", found.inversion->area, 0.75, 0.9},
+       "0.8 up to f* = 55 N", found.inversion()->area, 0.75, 0.9},
       {"the true area up to there, in the 95 % band of the inversion [1]", "not in the paper",
-       truth.moments(reach).zeroth, found.bands->area.first, found.bands->area.second},
+       truth.moments(reach).zeroth, found.bands()->area.first, found.bands()->area.second},
       {"relative error of the density by differences [1]", "the unsmoothed result (no number)",
        by_differences, grid.pick(3.0, 0.15), infinite},
       // Asked to be smooth, which it is not: λ = (1 − p)/p is 0.04 µm³, a thousandth of the cube of

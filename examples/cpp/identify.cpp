@@ -12,8 +12,6 @@ int main() {
     levels.amplitude.push_back(amplitude);
     levels.dissipation.push_back(dissipation(truth, amplitude));  // J per cycle
   }
-  InversionOptions options;
-  options.stiffness = truth.stiffness();
-  const InversionResult found = invert(levels, options);
+  const InversionResult found = invert(levels, truth.stiffness());
   std::printf("%s\n%.3f of the stiffness slips\n", found.summary.brief().c_str(), found.area);
 }

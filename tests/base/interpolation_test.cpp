@@ -23,7 +23,13 @@ TEST(Interpolation, IsLinearBetweenKnotsAndConstantBeyond) {
   EXPECT_TRUE(std::isnan(interpolate(knots, values, std::nan(""))));
 }
 
+TEST(Interpolation, IntegralIsThatOfTrapezoids) {
+  EXPECT_EQ(integral({1.0, 2.0, 4.0}, {10.0, 20.0, -20.0}), 15.0);
+  EXPECT_EQ(integral({1.0}, {10.0}), 0.0);
+}
+
 TEST(Interpolation, RefusesWhatIsNoFunction) {
+  EXPECT_THROW((void)integral({}, {}), InputError);
   EXPECT_THROW((void)interpolate({}, {}, 1.0), InputError);
   EXPECT_THROW((void)interpolate({1.0, 2.0}, {1.0}, 1.0), InputError);
 }

@@ -29,12 +29,6 @@ Arguments identify_with(const Arguments& more) {
   return all;
 }
 
-IdentificationOptions library_options() {
-  IdentificationOptions options;
-  options.inversion.stiffness = kSampleStiffness;
-  return options;
-}
-
 /// Stiffness and density as the file has them: to the last digit.
 std::string text_of(const Joint& joint) { return format_joint({joint, {}, {}}); }
 
@@ -43,7 +37,8 @@ void expect_as_library(const Arguments& more, const IdentificationOptions& optio
   const Sandbox box = sandbox();
   expect_done(box, identify_with(more));
   const JointFile file = read_joint(box.file("joint.json"));
-  EXPECT_EQ(text_of(file.joint), text_of(identify(sample_levels(), options).joint));
+  EXPECT_EQ(text_of(file.joint),
+            text_of(identify(sample_levels(), kSampleStiffness, options).joint));
 }
 
 json record(const Sandbox& box, const std::string& key) {
@@ -52,30 +47,30 @@ json record(const Sandbox& box, const std::string& key) {
 
 std::vector<double> numbers(const json& value) { return value.get<std::vector<double>>(); }
 
-TEST(identify, FindsWhatTheLibraryFinds) { expect_as_library({}, library_options()); }
+TEST(identify, FindsWhatTheLibraryFinds) { expect_as_library({}, {}); }
 
 TEST(identify, TakesAUnitOfTheStiffness) {
   const Sandbox box = sandbox();
   expect_done(box, {"identify", "levels.csv", "--stiffness", "170kN/m", "--out", "a.json"});
   expect_done(box, {"identify", "levels.csv", "--stiffness", "0.17 N/um", "--out", "b.json"});
-  const std::string expected = text_of(identify(sample_levels(), library_options()).joint);
+  const std::string expected = text_of(identify(sample_levels(), kSampleStiffness).joint);
   EXPECT_EQ(text_of(read_joint(box.file("a.json")).joint), expected);
   EXPECT_DOUBLE_EQ(read_joint(box.file("b.json")).joint.stiffness(), 1.7e5);
 }
 
 TEST(identify, FitsLinearDamping) {
-  IdentificationOptions options = library_options();
+  IdentificationOptions options;
   options.inversion.linear_damping = true;
   expect_as_library({"--linear-damping", "fit"}, options);
   const Sandbox box = sandbox();
   const Outcome run = expect_done(box, identify_with({"--linear-damping", "fit"}));
   EXPECT_NE(run.out.find("linear damping"), std::string::npos) << run.out;
   EXPECT_EQ(record(box, "identification").at("linear_damping_J_per_m2"),
-            *identify(sample_levels(), options).linear_damping);
+            *identify(sample_levels(), kSampleStiffness, options).linear_damping);
 }
 
 TEST(identify, SeeksAnAtom) {
-  IdentificationOptions options = library_options();
+  IdentificationOptions options;
   options.inversion.atom = true;
   expect_as_library({"--atom"}, options);
 }
@@ -95,25 +90,25 @@ TEST(identify, TellsOfAnAtomBesideTheDensity) {
 }
 
 TEST(identify, SmoothsTheInversionAsTold) {
-  IdentificationOptions options = library_options();
+  IdentificationOptions options;
   options.inversion.lambda = 1e-3;
   expect_as_library({"--smoothing", "lambda=1e-3"}, options);
 }
 
 TEST(identify, BySplineWithEachSmoothing) {
-  IdentificationOptions options = library_options();
+  IdentificationOptions options;
   options.method = IdentificationMethod::kSpline;
   expect_as_library({"--method", "spline"}, options);
-  options.spline_smoothing = MatlabP{0.9, 1e-6};
+  options.spline.smoothing = MatlabP{0.9, 1e-6};
   expect_as_library({"--method", "spline", "--smoothing", "p=0.9", "--smoothing-unit", "um"},
                     options);
-  options.spline_smoothing = FixedLambda{0.2 * 1e-3 * 1e-3 * 1e-3};
+  options.spline.smoothing = FixedLambda{0.2 * 1e-3 * 1e-3 * 1e-3};
   expect_as_library({"--method", "spline", "--smoothing", "lambda=0.2", "--smoothing-unit", "mm"},
                     options);
 }
 
 TEST(identify, ByDifferences) {
-  IdentificationOptions options = library_options();
+  IdentificationOptions options;
   options.method = IdentificationMethod::kDifferences;
   expect_as_library({"--method", "differences"}, options);
 }
@@ -122,7 +117,7 @@ TEST(identify, FitsEachModel) {
   for (const auto& [name, model] : {std::pair{"four_parameter", ParametricModel::kFourParameter},
                                     std::pair{"power_law", ParametricModel::kPowerLaw},
                                     std::pair{"uniform", ParametricModel::kUniform}}) {
-    IdentificationOptions options = library_options();
+    IdentificationOptions options;
     options.fit = model;
     expect_as_library({"--fit", name}, options);
     const Sandbox box = sandbox();
@@ -138,7 +133,7 @@ TEST(identify, WritesTheDensity) {
   expect_done(box, identify_with({"--density-csv", "density.csv"}));
   EXPECT_TRUE(box.get("density.csv").starts_with("slip_force [N],density [1/N]\n"));
   const DensityTable table = read_density(box.file("density.csv"));
-  const Identification expected = identify(sample_levels(), library_options());
+  const Identification expected = identify(sample_levels(), kSampleStiffness);
   EXPECT_EQ(table.slip_force, expected.slip_force);
   EXPECT_EQ(table.density, expected.density);
 }
@@ -152,13 +147,11 @@ TEST(identify, WritesTheBand) {
                   .starts_with("# lower and upper are pointwise: the lower edge as a whole is no "
                                "joint, nor is the upper one\nslip_force [N],density [1/N],lower "
                                "[1/N],upper [1/N]\n"));
-  IdentificationOptions options = library_options();
-  options.bands = BandOptions{.samples = 40,
-                              .seed = 7,
-                              .dissipation_gain_std = 0.02,
-                              .amplitude_gain_std = 0.01,
-                              .progress = {}};
-  const Identification expected = identify(sample_levels(), options);
+  IdentificationOptions options;
+  options.bands = BandOptions{.samples = 40, .seed = 7, .progress = {}};
+  const LevelEvidence evidence(sample_levels(),
+                               {.dissipation_gain_std = 0.02, .amplitude_gain_std = 0.01});
+  const Identification expected = identify(evidence, kSampleStiffness, options);
   const DensityTable table = read_density(box.file("density.csv"));
   EXPECT_EQ(table.lower, expected.lower);
   EXPECT_EQ(table.upper, expected.upper);
@@ -167,7 +160,7 @@ TEST(identify, WritesTheBand) {
   EXPECT_EQ(found.at("band_samples"), 40);
   EXPECT_EQ(found.at("band_samples_not_converged"), 0);
   EXPECT_EQ(numbers(found.at("band_area")),
-            (std::vector<double>{expected.bands->area.first, expected.bands->area.second}));
+            (std::vector<double>{expected.bands()->area.first, expected.bands()->area.second}));
   EXPECT_EQ(numbers(found.at("band_slip_force_N")), expected.slip_force);
   EXPECT_EQ(numbers(found.at("band_lower_per_N")), expected.lower);
   EXPECT_EQ(numbers(found.at("band_upper_per_N")), expected.upper);
@@ -485,7 +478,7 @@ TEST(identify, ReadsLevelsFromStandardInput) {
       expect_done(box, {"identify", "-", "--stiffness", "1.7e5", "--out", "-", "--quiet"},
                   {.in = sample_levels_text()});
   EXPECT_EQ(text_of(parse_joint(run.out, "out").joint),
-            text_of(identify(sample_levels(), library_options()).joint));
+            text_of(identify(sample_levels(), kSampleStiffness).joint));
 }
 
 // So much smoothing that nothing is left of the equations but rounding: whether what is left is
@@ -509,7 +502,7 @@ TEST(identify, TakesATableFromASpreadsheet) {
   box.put("levels.csv", "\xEF\xBB\xBF" + sample_levels_text());  // with a byte order mark
   expect_done(box, identify_with({}));
   EXPECT_EQ(text_of(read_joint(box.file("joint.json")).joint),
-            text_of(identify(sample_levels(), library_options()).joint));
+            text_of(identify(sample_levels(), kSampleStiffness).joint));
 }
 
 }  // namespace

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "microslip/base/units.hpp"
-#include "microslip/identify/levels.hpp"
 #include "microslip/io/csv_writer.hpp"
 #include "microslip/io/joint_file.hpp"
 #include "microslip/io/levels_file.hpp"
 #include "microslip/joint/dissipation.hpp"
+#include "microslip/observe/levels.hpp"
 
 /// @file
 /// Inputs that the program takes.

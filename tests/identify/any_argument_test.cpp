@@ -61,54 +61,62 @@ TEST(AnyArgument, OfLevels) {
     EXPECT_THROW(check_levels(levels), InputError);
     EXPECT_THROW((void)sort_and_merge(levels), InputError);
     EXPECT_THROW((void)diagnose(levels), InputError);
-    EXPECT_THROW((void)invert(levels, {.stiffness = kStiffness}), InputError);
+    EXPECT_THROW((void)invert(levels, kStiffness), InputError);
     EXPECT_THROW((void)density_by_spline(levels, kStiffness), InputError);
     EXPECT_THROW((void)density_by_differences(levels, kStiffness), InputError);
     EXPECT_THROW((void)fit_parametric(levels, kStiffness, ParametricModel::kUniform), InputError);
   }
   for (const double bad : {kNaN, kInfinity, -1.0, 0.0}) {
-    EXPECT_THROW((void)invert(good_levels(), {.stiffness = bad}), InputError);
+    EXPECT_THROW((void)invert(good_levels(), bad), InputError);
     EXPECT_THROW((void)density_by_spline(good_levels(), bad), InputError);
     EXPECT_THROW((void)density_by_differences(good_levels(), bad), InputError);
     EXPECT_THROW((void)fit_parametric(good_levels(), bad, ParametricModel::kUniform), InputError);
   }
 }
 
-// A loss factor without the losses of the levels, or with too few; an empty result.
+// A posterior that was changed by hand; an empty one.
 TEST(AnyArgument, OfSamplesOfTheDensity) {
-  const InversionResult good = invert(good_levels(), {.stiffness = kStiffness});
-  const BandOptions of_loss{.loss_factor_std = 0.1};
-  EXPECT_NO_THROW((void)sample_density(good, {}, 0));
-  EXPECT_NO_THROW((void)sample_density(good, {}, static_cast<std::size_t>(-1)));
-  EXPECT_THROW((void)sample_density(good, of_loss, 0), InputError);
-  EXPECT_THROW((void)density_bands(good, of_loss), InputError);
-  InversionResult bad = good;
-  bad.levels.linear_dissipation.assign(good.levels.size(), 1e-6);
-  EXPECT_NO_THROW((void)sample_density(bad, of_loss, 0));
-  bad.levels.linear_dissipation.pop_back();
-  EXPECT_THROW((void)sample_density(bad, of_loss, 0), InputError);
-  EXPECT_THROW((void)density_bands(bad, of_loss), InputError);
+  const InversionResult good = invert(good_levels(), kStiffness);
+  EXPECT_NO_THROW((void)good.posterior.sample(1, 0));
+  EXPECT_NO_THROW((void)good.posterior.sample(1, static_cast<std::size_t>(-1)));
   for (const double std : {kNaN, kInfinity, -0.1, 0.5}) {
-    EXPECT_THROW((void)sample_density(good, {.dissipation_gain_std = std}, 0), InputError);
-    EXPECT_THROW((void)sample_density(good, {.amplitude_gain_std = std}, 0), InputError);
-    EXPECT_THROW((void)sample_density(good, {.loss_factor_std = std}, 0), InputError);
     EXPECT_THROW((void)density_bands(good, {.confidence = std - 0.5}), InputError);
+    DensityPosterior posterior = good.posterior;
+    posterior.common_errors.dissipation_gain_std = std;
+    EXPECT_THROW((void)posterior.sample(1, 0), InputError);
   }
   EXPECT_THROW((void)density_bands(good, {.samples = 0}), InputError);
 
+  const std::vector<DensityPosterior> bad = [&] {
+    std::vector<DensityPosterior> all(10, good.posterior);
+    all[0] = DensityPosterior{};
+    all[1].smoothing.clear();
+    all[2].density.values.pop_back();
+    all[3].information.columns = 0;
+    all[4].data.pop_back();
+    all[5].penalty.columns = 7;
+    all[6].common_errors.loss_factor_std = 0.1;  // without the losses of the levels
+    all[7].degrees_of_freedom = kNaN;
+    all[8].smoothing.front().coefficients.clear();
+    all[9].slip_force.clear();
+    return all;
+  }();
+  for (const DensityPosterior& posterior : bad) {
+    EXPECT_THROW((void)posterior.sample(1, 0), InputError);
+    InversionResult result = good;
+    result.posterior = posterior;
+    EXPECT_THROW((void)density_bands(result, {}), InputError);
+  }
   const std::vector<InversionResult> empty = [&] {
-    std::vector<InversionResult> all(5, good);
+    std::vector<InversionResult> all(3, good);
     all[0] = InversionResult{};
-    all[1].model.reset();
-    all[2].density.pop_back();
-    all[3].levels = Levels{};
-    all[4].fitted_dissipation.clear();
+    all[1].density.pop_back();
+    all[2].fitted_dissipation.clear();
     return all;
   }();
   for (const InversionResult& result : empty) {
-    EXPECT_THROW((void)sample_density(result, {}, 0), InputError);
     EXPECT_THROW((void)density_bands(result, {}), InputError);
-    EXPECT_THROW((void)diagnose(result, {.stiffness = kStiffness}), InputError);
+    EXPECT_THROW((void)diagnose(result, good_levels(), kStiffness, {}), InputError);
   }
 }
 
@@ -160,24 +168,22 @@ TEST(AnyArgument, OfComparisons) {
   EXPECT_THROW((void)density_error(std::vector<double>{}, {}, 10.0, truth), InputError);
   EXPECT_THROW((void)density_error(truth, 10.0, SlipDensity()), InputError);
 
-  IdentificationOptions options;
-  options.inversion.stiffness = kStiffness;
-  options.bands = BandOptions{.samples = 20};
-  Identification found = identify(good_levels(), options);
+  const IdentificationOptions options{.bands = BandOptions{.samples = 20}};
+  Identification found = identify(good_levels(), kStiffness, options);
   EXPECT_NO_THROW((void)band_coverage(found, truth));
   found.upper.pop_back();
   EXPECT_THROW((void)band_coverage(found, truth), InputError);
   found.lower.clear();
   EXPECT_THROW((void)band_coverage(found, truth), InputError);
 
-  MethodComparison methods = compare_methods(good_levels(), options);
+  MethodComparison methods = compare_methods(good_levels(), kStiffness, options);
   for (const double bad : {kNaN, kInfinity, -1.0, 0.0}) {
     EXPECT_THROW((void)inversion_with(methods, bad), InputError);
   }
   EXPECT_THROW((void)spline_with(methods, kNaN), InputError);
-  methods.inversion.inversion.reset();
+  methods.inversion.free = {};
   EXPECT_THROW((void)inversion_with(methods, 1.0), InputError);
-  EXPECT_THROW((void)compare_methods(Levels{}, options), InputError);
+  EXPECT_THROW((void)compare_methods(Levels{}, kStiffness, options), InputError);
 
   const Joint joint(kStiffness, truth);
   EXPECT_FALSE(beyond_identification(joint, kNaN, 10.0));

@@ -28,18 +28,13 @@ using testing::kStiffness;
 
 constexpr int kDraws = 20;
 
-InversionOptions options_for(double stiffness = kStiffness) {
-  InversionOptions options;
-  options.stiffness = stiffness;
-  return options;
-}
-
 bool has(const std::vector<Warning>& warnings, std::string_view code) {
   return std::ranges::any_of(warnings, [&](const Warning& w) { return w.code == code; });
 }
 
-std::vector<Warning> warnings_of(const Levels& levels, const InversionOptions& options) {
-  return diagnose(invert(levels, options), options);
+std::vector<Warning> warnings_of(const Levels& levels, double stiffness = kStiffness,
+                                 const InversionOptions& options = {}) {
+  return diagnose(invert(levels, stiffness, options), levels, stiffness, options);
 }
 
 std::string text_of(const std::vector<Warning>& warnings, std::string_view code) {
@@ -93,7 +88,7 @@ TEST(Diagnostics, OfSessionsThatDiffer) {
   EXPECT_NE(text_of(diagnose(levels), "repeats_differ").find("differs by 14.1 %"),
             std::string::npos)
       << text_of(diagnose(levels), "repeats_differ");
-  const InversionResult result = invert(levels, options_for());
+  const InversionResult result = invert(levels, kStiffness);
   // Σ 2·0.1²·40 over as many degrees of freedom as the repeats and the residual have,
   // 40 and 15 to 40.
   EXPECT_GT(result.scatter, std::sqrt(0.8 / 80.0));
@@ -102,7 +97,7 @@ TEST(Diagnostics, OfSessionsThatDiffer) {
     const Levels repeated = sessions(testing::reference_joint(), alike, 0.02);
     EXPECT_FALSE(has(diagnose(repeated), "repeats_differ"));
     // Three deviations of a deviation from 25 degrees of freedom.
-    EXPECT_NEAR(invert(repeated, options_for()).scatter, 0.02, 3.0 / std::sqrt(2.0 * 25.0) * 0.02);
+    EXPECT_NEAR(invert(repeated, kStiffness).scatter, 0.02, 3.0 / std::sqrt(2.0 * 25.0) * 0.02);
   }
 }
 
@@ -110,11 +105,11 @@ TEST(Diagnostics, OfSessionsThatDiffer) {
 TEST(Diagnostics, OfStiffnessThatContradictsDissipation) {
   Levels levels = testing::noisy_levels(testing::reference_joint(), 7, 5e-3);
   testing::add_secant(testing::reference_joint(), 0.0, 7, levels);
-  EXPECT_FALSE(has(warnings_of(levels, options_for()), "secant_contradicts"));
+  EXPECT_FALSE(has(warnings_of(levels), "secant_contradicts"));
   for (double& k : levels.secant_stiffness) k = 0.5 * (k + kStiffness);
-  EXPECT_TRUE(has(warnings_of(levels, options_for()), "secant_contradicts"));
+  EXPECT_TRUE(has(warnings_of(levels), "secant_contradicts"));
   levels.secant_stiffness.assign(levels.size(), kStiffness);
-  const std::string text = text_of(warnings_of(levels, options_for()), "secant_contradicts");
+  const std::string text = text_of(warnings_of(levels), "secant_contradicts");
   EXPECT_NE(text.find("worse known than 0.10 % of k"), std::string::npos) << text;
 }
 
@@ -140,7 +135,7 @@ TEST(Diagnostics, NoFalseAlarms) {
     }
     testing::add_noise(levels, noise, 1000 + i);
     if (random.uniform() < 0.3) testing::add_secant(truth, 1e-3, 1000 + i, levels);
-    for (const Warning& warning : warnings_of(levels, options_for())) ++alarms[warning.code];
+    for (const Warning& warning : warnings_of(levels)) ++alarms[warning.code];
   }
   for (const char* code : {"density_negative", "data_not_convex", "stiffness_inconsistent"}) {
     EXPECT_LE(alarms[code], static_cast<int>(kSets / 100)) << code;
@@ -155,7 +150,7 @@ TEST(Diagnostics, NoFalseAlarms) {
 // a sharp edge, beside which a smoother rings below zero.
 TEST(Diagnostics, NoFalseAlarmsOnExactOrEdgedData) {
   for (const auto& [name, truth] : testing::all_truths()) {
-    const auto warnings = warnings_of(testing::exact_levels(truth), options_for());
+    const auto warnings = warnings_of(testing::exact_levels(truth));
     EXPECT_FALSE(has(warnings, "density_negative")) << name;
     EXPECT_FALSE(has(warnings, "data_not_convex")) << name;
     EXPECT_FALSE(has(warnings, "stiffness_inconsistent")) << name;
@@ -168,7 +163,7 @@ TEST(Diagnostics, NoFalseAlarmsOnExactOrEdgedData) {
   for (const Joint& truth : edged) {
     int alarms = 0;
     for (std::uint64_t draw = 0; draw < kDraws; ++draw) {
-      const auto warnings = warnings_of(testing::noisy_levels(truth, draw), options_for());
+      const auto warnings = warnings_of(testing::noisy_levels(truth, draw));
       alarms += has(warnings, "density_negative") ? 1 : 0;
     }
     EXPECT_EQ(alarms, 0);
@@ -211,7 +206,7 @@ TEST(Diagnostics, DensityNegativeUnderVaryingNormalLoad) {
     for (std::uint64_t draw = 0; draw < kDraws; ++draw) {
       Levels levels = exact;
       testing::add_noise(levels, 0.01, draw);
-      const auto warnings = warnings_of(levels, options_for());
+      const auto warnings = warnings_of(levels);
       found += has(warnings, "density_negative") ? 1 : 0;
     }
     EXPECT_EQ(found, loss == 0.0 ? 0 : kDraws);
@@ -235,8 +230,8 @@ TEST(Diagnostics, DensityNegativeWhereDIsDented) {
         levels.dissipation[i] *= 1.0 + 0.2 * testing::bell(kStiffness * levels.amplitude[i], 28, 3);
       }
       testing::add_noise(levels, 0.01, draw);
-      const InversionResult result = invert(levels, options_for());
-      if (!has(diagnose(result, options_for()), "density_negative")) continue;
+      const InversionResult result = invert(levels, kStiffness);
+      if (!has(diagnose(result, levels, kStiffness, {}), "density_negative")) continue;
       ++found;
       at = result.lowest_at;
       EXPECT_NEAR(at, 29.0, 3.0) << name;
@@ -255,7 +250,7 @@ TEST(Diagnostics, DataNotConvex) {
       for (const double d : levels.dissipation) levels.dissipation_std.push_back(0.01 * d);
     }
     levels.dissipation[50] *= 1.15;
-    const auto warnings = warnings_of(levels, options_for());
+    const auto warnings = warnings_of(levels);
     EXPECT_TRUE(has(warnings, "data_not_convex"));
     EXPECT_NE(text_of(warnings, "data_not_convex").find("0.0001695 m"), std::string::npos)
         << text_of(warnings, "data_not_convex");
@@ -267,13 +262,13 @@ TEST(Diagnostics, DataNotConvex) {
 // 0.85 below kA_max then ask for 3.4.
 TEST(Diagnostics, StiffnessInconsistent) {
   const Levels levels = testing::noisy_levels(testing::reference_joint(), 2);
-  const InversionOptions low = options_for(kStiffness / 4.0);
+  const double low = kStiffness / 4.0;
   const InversionResult result = invert(levels, low);
-  EXPECT_TRUE(has(diagnose(result, low), "stiffness_inconsistent"));
+  EXPECT_TRUE(has(diagnose(result, levels, low, {}), "stiffness_inconsistent"));
   EXPECT_NEAR(result.unlimited_area, 4.0 * 0.855, 0.05);
   EXPECT_LE(result.area, 1.0 + 1e-9);
-  EXPECT_FALSE(has(warnings_of(levels, options_for()), "stiffness_inconsistent"));
-  EXPECT_FALSE(has(warnings_of(levels, options_for(2.0 * kStiffness)), "stiffness_inconsistent"));
+  EXPECT_FALSE(has(warnings_of(levels), "stiffness_inconsistent"));
+  EXPECT_FALSE(has(warnings_of(levels, 2.0 * kStiffness), "stiffness_inconsistent"));
 }
 
 // k_eq that belongs to a k 10 % higher: only its change over the amplitude was used, and it is
@@ -284,12 +279,11 @@ TEST(Diagnostics, SecantInconsistent) {
     Levels levels = testing::noisy_levels(truth, 7);
     testing::add_secant(truth, 1e-3, 7, levels);
     for (double& k : levels.secant_stiffness) k += offset * kStiffness;
-    EXPECT_EQ(has(warnings_of(levels, options_for()), "secant_inconsistent"),
-              std::abs(offset) > 0.01);
-    const InversionResult result = invert(levels, options_for());
+    EXPECT_EQ(has(warnings_of(levels), "secant_inconsistent"), std::abs(offset) > 0.01);
+    const InversionResult result = invert(levels, kStiffness);
     EXPECT_NEAR(result.secant_offset / kStiffness, offset, 0.005) << offset;
     levels.secant_stiffness_std.assign(levels.size(), 0.05 * kStiffness);
-    EXPECT_FALSE(has(warnings_of(levels, options_for()), "secant_inconsistent")) << offset;
+    EXPECT_FALSE(has(warnings_of(levels), "secant_inconsistent")) << offset;
   }
 }
 
@@ -297,11 +291,11 @@ TEST(Diagnostics, SecantInconsistent) {
 TEST(Diagnostics, StiffnessUnchecked) {
   const Joint truth = testing::reference_joint();
   Levels levels = testing::noisy_levels(truth, 7);
-  EXPECT_FALSE(has(warnings_of(levels, options_for()), "stiffness_unchecked"));
-  EXPECT_TRUE(has(warnings_of(levels, options_for(1e3 * kStiffness)), "stiffness_unchecked"));
+  EXPECT_FALSE(has(warnings_of(levels), "stiffness_unchecked"));
+  EXPECT_TRUE(has(warnings_of(levels, 1e3 * kStiffness), "stiffness_unchecked"));
   testing::add_secant(truth, 1e-3, 7, levels);
-  EXPECT_FALSE(has(warnings_of(levels, options_for(1e3 * kStiffness)), "stiffness_unchecked"));
-  EXPECT_TRUE(has(warnings_of(levels, options_for(1e3 * kStiffness)), "secant_inconsistent"));
+  EXPECT_FALSE(has(warnings_of(levels, 1e3 * kStiffness), "stiffness_unchecked"));
+  EXPECT_TRUE(has(warnings_of(levels, 1e3 * kStiffness), "secant_inconsistent"));
 }
 
 // The standard deviation of D is right, that of k_eq, whose errors are taken as common to all
@@ -314,12 +308,12 @@ TEST(Diagnostics, ScatterOfEachKind) {
     levels.dissipation_std.push_back(0.01 * d);
   }
   testing::add_secant(truth, 1e-3, 11, levels);
-  InversionResult result = invert(levels, options_for());
+  InversionResult result = invert(levels, kStiffness);
   EXPECT_NEAR(result.dissipation_scatter, 1.0, 0.3);
   EXPECT_FALSE(result.secant_scatter.has_value());
   levels.secant_stiffness_std.clear();
   for (const double k : levels.secant_stiffness) levels.secant_stiffness_std.push_back(4e-3 * k);
-  result = invert(levels, options_for());
+  result = invert(levels, kStiffness);
   EXPECT_NEAR(result.dissipation_scatter, 1.0, 0.3);
   ASSERT_TRUE(result.secant_scatter.has_value());
   EXPECT_NEAR(*result.secant_scatter, 0.25, 0.075);
@@ -330,22 +324,22 @@ TEST(Diagnostics, Extrapolation) {
   Levels levels =
       testing::levels_at(testing::power_law(), testing::equal_steps(60, 1e-4, kLargestAmplitude));
   testing::add_noise(levels, 0.01, 3);
-  EXPECT_TRUE(has(warnings_of(levels, options_for()), "extrapolation"));
-  EXPECT_FALSE(has(warnings_of(testing::noisy_levels(testing::reference_joint(), 3), options_for()),
-                   "extrapolation"));
+  EXPECT_TRUE(has(warnings_of(levels), "extrapolation"));
+  EXPECT_FALSE(
+      has(warnings_of(testing::noisy_levels(testing::reference_joint(), 3)), "extrapolation"));
 }
 
 TEST(Diagnostics, DampingAmbiguous) {
-  InversionOptions options = options_for();
+  InversionOptions options;
   options.linear_damping = true;
   Levels levels = testing::exact_levels(testing::two_gaussians());
   for (std::size_t i = 0; i < levels.size(); ++i) {
     levels.dissipation[i] += 1e4 * levels.amplitude[i] * levels.amplitude[i];
   }
   testing::add_noise(levels, 0.01, 4);
-  EXPECT_TRUE(has(warnings_of(levels, options), "damping_ambiguous"));
+  EXPECT_TRUE(has(warnings_of(levels, kStiffness, options), "damping_ambiguous"));
   options.linear_damping = false;
-  EXPECT_FALSE(has(warnings_of(levels, options), "damping_ambiguous"));
+  EXPECT_FALSE(has(warnings_of(levels, kStiffness, options), "damping_ambiguous"));
 }
 
 // D = βA² without any slip: neither noise nor its absence hides it. A joint whose φ falls as a
@@ -357,14 +351,13 @@ TEST(Diagnostics, DampingSuspected) {
     levels.amplitude.push_back(3e-6 * i);
     levels.dissipation.push_back(1e4 * std::pow(levels.amplitude.back(), 2));
   }
-  EXPECT_TRUE(has(warnings_of(levels, options_for()), "damping_suspected"));
+  EXPECT_TRUE(has(warnings_of(levels), "damping_suspected"));
   testing::add_noise(levels, 0.02, 5);
-  EXPECT_TRUE(has(warnings_of(levels, options_for()), "damping_suspected"));
+  EXPECT_TRUE(has(warnings_of(levels), "damping_suspected"));
   levels.secant_stiffness.assign(levels.size(), kStiffness);
-  EXPECT_FALSE(has(warnings_of(levels, options_for()), "damping_suspected"));
+  EXPECT_FALSE(has(warnings_of(levels), "damping_suspected"));
   for (const Joint& joint : {testing::power_law(), testing::reference_joint()}) {
-    EXPECT_FALSE(
-        has(warnings_of(testing::noisy_levels(joint, 5), options_for()), "damping_suspected"));
+    EXPECT_FALSE(has(warnings_of(testing::noisy_levels(joint, 5)), "damping_suspected"));
   }
 }
 
@@ -380,12 +373,11 @@ TEST(Diagnostics, TheExponentOfDIsTold) {
     return levels;
   };
   const Levels linear = grown(2.0, 0.02);
-  EXPECT_NE(text_of(warnings_of(linear, options_for()), "damping_suspected").find("A^2.0"),
-            std::string::npos);
+  EXPECT_NE(text_of(warnings_of(linear), "damping_suspected").find("A^2.0"), std::string::npos);
   EXPECT_FALSE(has(diagnose(linear), "exponent_below_two"));
   for (const double noise : {0.0, 0.02, 0.3}) {
     const Levels lower = grown(1.3, noise);
-    EXPECT_FALSE(has(warnings_of(lower, options_for()), "damping_suspected")) << noise;
+    EXPECT_FALSE(has(warnings_of(lower), "damping_suspected")) << noise;
     const std::string text = text_of(diagnose(lower), "exponent_below_two");
     EXPECT_NE(text.find("D grows as A^1."), std::string::npos) << noise << ": " << text;
   }
@@ -407,12 +399,12 @@ TEST(Diagnostics, MacroslipIsNoExponentBelowTwo) {
 // Solutions beside the result: all of the path, its first pass and two judgements; they converge.
 TEST(Diagnostics, InnerSolutionsAreCounted) {
   const Levels levels = testing::noisy_levels(testing::reference_joint(), 7);
-  InversionResult result = invert(levels, options_for());
+  InversionResult result = invert(levels, kStiffness);
   EXPECT_EQ(result.inner_solutions, 25U + 50U + 2U - 1U);
   EXPECT_EQ(result.inner_not_converged, 0U);
-  EXPECT_FALSE(has(diagnose(result, options_for()), "inner_not_converged"));
+  EXPECT_FALSE(has(diagnose(result, levels, kStiffness, {}), "inner_not_converged"));
   result.inner_not_converged = 3;
-  EXPECT_NE(text_of(diagnose(result, options_for()), "inner_not_converged")
+  EXPECT_NE(text_of(diagnose(result, levels, kStiffness, {}), "inner_not_converged")
                 .find("3 of 76 inner solutions did not converge"),
             std::string::npos);
   DensityBands bands;
@@ -437,16 +429,16 @@ TEST(Diagnostics, NarrowRange) {
 
 TEST(Diagnostics, Scatter) {
   Levels levels = testing::noisy_levels(testing::reference_joint(), 5, 0.3);
-  EXPECT_TRUE(has(warnings_of(levels, options_for()), "scatter_large"));
+  EXPECT_TRUE(has(warnings_of(levels), "scatter_large"));
   const Levels good = testing::noisy_levels(testing::reference_joint(), 5, 0.05);
-  EXPECT_FALSE(has(warnings_of(good, options_for()), "scatter_large"));
+  EXPECT_FALSE(has(warnings_of(good), "scatter_large"));
 
   const std::vector<double> d = testing::exact_levels(testing::reference_joint()).dissipation;
   const auto told = [&](double share) {
     Levels with = good;
     with.dissipation_std.clear();
     for (const double value : d) with.dissipation_std.push_back(share * value);
-    return warnings_of(with, options_for());
+    return warnings_of(with);
   };
   EXPECT_TRUE(has(told(0.015), "scatter_large"));  // 3.3 times what was said
   EXPECT_TRUE(has(told(0.25), "scatter_small"));   // a fifth of it
@@ -467,7 +459,7 @@ TEST(Diagnostics, ScatterOfAWrongLossFactor) {
       levels.secant_stiffness_std.push_back(1e-4 * levels.secant_stiffness[i]);
       levels.dissipation[i] = std::max(0.0, levels.dissipation[i] - error * 1.5e4 * a * a);
     }
-    const std::vector<Warning> warnings = warnings_of(levels, options_for());
+    const std::vector<Warning> warnings = warnings_of(levels);
     EXPECT_EQ(has(warnings, "scatter_large"), error > 0.0);
     if (error > 0.0) {
       EXPECT_NE(text_of(warnings, "scatter_large").find("loss factor"), std::string::npos);
@@ -476,11 +468,11 @@ TEST(Diagnostics, ScatterOfAWrongLossFactor) {
 }
 
 TEST(Diagnostics, MacroslipNotReached) {
-  InversionOptions options = options_for();
+  InversionOptions options;
   const Levels levels = testing::noisy_levels(testing::reference_joint(), 6);
-  EXPECT_FALSE(has(warnings_of(levels, options), "macroslip_not_reached"));
+  EXPECT_FALSE(has(warnings_of(levels, kStiffness, options), "macroslip_not_reached"));
   options.atom = true;
-  EXPECT_TRUE(has(warnings_of(levels, options), "macroslip_not_reached"));
+  EXPECT_TRUE(has(warnings_of(levels, kStiffness, options), "macroslip_not_reached"));
 }
 
 }  // namespace

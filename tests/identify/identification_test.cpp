@@ -21,7 +21,6 @@ using testing::kStiffness;
 IdentificationOptions options_for(IdentificationMethod method = IdentificationMethod::kInversion) {
   IdentificationOptions options;
   options.method = method;
-  options.inversion.stiffness = kStiffness;
   return options;
 }
 
@@ -47,30 +46,30 @@ TEST(Identification, JointOfAnInversion) {
   options.bands->samples = 50;
   options.bands->confidence = 0.9;
   options.bands->seed = 3;
-  const Identification found = identify(levels, options);
+  const Identification found = identify(levels, kStiffness, options);
   EXPECT_EQ(found.method, IdentificationMethod::kInversion);
   EXPECT_TRUE(found.summary.converged());
   EXPECT_TRUE(found.warnings.empty()) << found.warnings.front().text;
   EXPECT_EQ(found.joint.stiffness(), kStiffness);
   EXPECT_DOUBLE_EQ(found.covered_from, kStiffness * testing::kLowestAmplitude);
   EXPECT_DOUBLE_EQ(found.covered_to, testing::kReach);
-  ASSERT_TRUE(found.inversion.has_value());
-  EXPECT_EQ(found.slip_force, found.inversion->slip_force);
-  EXPECT_EQ(found.density, found.inversion->density);
+  ASSERT_TRUE(found.inversion() != nullptr);
+  EXPECT_EQ(found.slip_force, found.inversion()->slip_force);
+  EXPECT_EQ(found.density, found.inversion()->density);
   for (const double f : {1.0, 7.7, 33.0, 50.0}) {
     EXPECT_NEAR(found.joint.density().density(f),
                 testing::density_at(found.slip_force, found.density, f), 1e-14);
   }
-  EXPECT_NEAR(found.joint.density().total().zeroth, found.inversion->area, 1e-12);
+  EXPECT_NEAR(found.joint.density().total().zeroth, found.inversion()->area, 1e-12);
   for (const double a : {3e-5, 1e-4, 3e-4}) {
     EXPECT_NEAR(dissipation(found.joint, a) / dissipation(truth, a), 1.0, 0.01);
   }
-  ASSERT_TRUE(found.bands.has_value());
-  EXPECT_EQ(found.lower, found.bands->lower);
-  EXPECT_EQ(found.upper, found.bands->upper);
-  EXPECT_EQ(found.bands->confidence, 0.9);
+  ASSERT_TRUE(found.bands() != nullptr);
+  EXPECT_EQ(found.lower, found.bands()->lower);
+  EXPECT_EQ(found.upper, found.bands()->upper);
+  EXPECT_EQ(found.bands()->confidence, 0.9);
   EXPECT_FALSE(found.linear_damping.has_value());
-  EXPECT_FALSE(found.spline || found.differences || found.parametric);
+  EXPECT_FALSE(found.spline() || found.differences() || found.parametric);
 }
 
 TEST(Identification, AtomAndDamping) {
@@ -78,12 +77,12 @@ TEST(Identification, AtomAndDamping) {
   IdentificationOptions options = options_for();
   options.inversion.atom = true;
   options.inversion.linear_damping = true;
-  const Identification found = identify(testing::noisy_levels(truth, 2), options);
+  const Identification found = identify(testing::noisy_levels(truth, 2), kStiffness, options);
   ASSERT_EQ(found.joint.density().atoms().slip_force.size(), 1U);
   EXPECT_NEAR(found.joint.density().atoms().slip_force[0], 35.0,
               0.7);  // 2 %, see the inversion's test
   EXPECT_NEAR(found.joint.density().atoms().weight[0], 0.25, 0.05);
-  EXPECT_NEAR(found.joint.density().total().zeroth, found.inversion->area, 1e-9);
+  EXPECT_NEAR(found.joint.density().total().zeroth, found.inversion()->area, 1e-9);
   ASSERT_TRUE(found.linear_damping.has_value());
   EXPECT_GE(*found.linear_damping, 0.0);
 }
@@ -91,26 +90,28 @@ TEST(Identification, AtomAndDamping) {
 // Differences of noisy data are mostly noise: the joint is what is left when the negative half is
 // clipped and the area brought to 1, and both are said.
 TEST(Identification, DifferencesAreMadeFeasible) {
-  const Identification found = identify(testing::noisy_levels(testing::reference_joint(), 3),
-                                        options_for(IdentificationMethod::kDifferences));
+  const Identification found =
+      identify(testing::noisy_levels(testing::reference_joint(), 3), kStiffness,
+               options_for(IdentificationMethod::kDifferences));
   EXPECT_TRUE(has(found, "density_clipped"));
   EXPECT_TRUE(has(found, "density_scaled"));
   EXPECT_NEAR(found.joint.density().total().zeroth, 1.0, 1e-9);
   EXPECT_GE(*std::ranges::min_element(found.density), 0.0);  // the density is that of the joint …
-  ASSERT_TRUE(found.differences.has_value());  // … and what was found is kept as it was
-  EXPECT_LT(*std::ranges::min_element(found.differences->density), 0.0);
+  ASSERT_TRUE(found.differences() != nullptr);  // … and what was found is kept as it was
+  EXPECT_LT(*std::ranges::min_element(found.differences()->density), 0.0);
   EXPECT_TRUE(found.summary.converged());
   const Levels three = testing::levels_at(testing::reference_joint(), {1e-5, 1e-4, 3e-4});
-  EXPECT_THROW((void)identify(three, options_for(IdentificationMethod::kDifferences)), InputError);
+  EXPECT_THROW((void)identify(three, kStiffness, options_for(IdentificationMethod::kDifferences)),
+               InputError);
 }
 
 TEST(Identification, Spline) {
   const Joint truth = testing::reference_joint();
-  const Identification found =
-      identify(testing::noisy_levels(truth, 4), options_for(IdentificationMethod::kSpline));
-  ASSERT_TRUE(found.spline.has_value());
+  const Identification found = identify(testing::noisy_levels(truth, 4), kStiffness,
+                                        options_for(IdentificationMethod::kSpline));
+  ASSERT_TRUE(found.spline() != nullptr);
   EXPECT_LE(found.joint.density().total().zeroth, 1.0 + 1e-9);
-  EXPECT_EQ(found.slip_force, found.spline->density.slip_force);
+  EXPECT_EQ(found.slip_force, found.spline()->density.slip_force);
   EXPECT_NEAR(dissipation(found.joint, 2e-4) / dissipation(truth, 2e-4), 1.0, 0.1);
 }
 
@@ -119,9 +120,9 @@ TEST(Identification, ParametricFit) {
   const Joint truth = Joint::four_parameter(17.5, kStiffness, -0.5, 1.0 / 3.0);
   IdentificationOptions options = options_for();
   options.fit = ParametricModel::kFourParameter;
-  const Identification found = identify(testing::noisy_levels(truth, 5), options);
+  const Identification found = identify(testing::noisy_levels(truth, 5), kStiffness, options);
   ASSERT_TRUE(found.parametric.has_value());
-  EXPECT_TRUE(found.inversion.has_value());
+  EXPECT_TRUE(found.inversion() != nullptr);
   EXPECT_EQ(found.slip_force.size(), 400U);
   EXPECT_EQ(found.slip_force.size(), found.density.size());
   EXPECT_TRUE(found.lower.empty());
@@ -133,7 +134,7 @@ TEST(Identification, BandsNeedTheInversion) {
   IdentificationOptions options = options_for(IdentificationMethod::kSpline);
   options.bands = BandOptions{};
   try {
-    (void)identify(testing::exact_levels(testing::reference_joint()), options);
+    (void)identify(testing::exact_levels(testing::reference_joint()), kStiffness, options);
     FAIL() << "bands of a spline were accepted";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
@@ -148,7 +149,7 @@ TEST(Identification, BandsNeedTheFreeDensity) {
   options.fit = ParametricModel::kPowerLaw;
   options.bands = BandOptions{};
   try {
-    (void)identify(testing::exact_levels(testing::reference_joint()), options);
+    (void)identify(testing::exact_levels(testing::reference_joint()), kStiffness, options);
     FAIL() << "bands beside a model were accepted";
   } catch (const InputError& error) {
     EXPECT_STREQ(
@@ -170,7 +171,7 @@ TEST(Identification, StiffnessJudgesTheJointOfEachMethod) {
   }
   for (const auto method : {IdentificationMethod::kInversion, IdentificationMethod::kSpline,
                             IdentificationMethod::kDifferences}) {
-    const Identification found = identify(levels, options_for(method));
+    const Identification found = identify(levels, kStiffness, options_for(method));
     EXPECT_TRUE(has(found, "frequency_rises")) << to_string(method);
     EXPECT_EQ(std::ranges::count(found.warnings, "secant_inconsistent", &Warning::code), 1)
         << to_string(method);
@@ -179,7 +180,7 @@ TEST(Identification, StiffnessJudgesTheJointOfEachMethod) {
   }
   IdentificationOptions fit = options_for();
   fit.fit = ParametricModel::kUniform;
-  const Identification model = identify(levels, fit);
+  const Identification model = identify(levels, kStiffness, fit);
   EXPECT_TRUE(has(model, "frequency_rises"));
 }
 
@@ -187,7 +188,7 @@ TEST(Identification, WarningsOfLevelsComeFirst) {
   Levels levels = testing::levels_at(testing::power_law(), testing::equal_ratios(9, 1e-4, 3e-4));
   levels.amplitude.push_back(levels.amplitude.back());
   levels.dissipation.push_back(levels.dissipation.back());
-  const Identification found = identify(levels, options_for());
+  const Identification found = identify(levels, kStiffness, options_for());
   ASSERT_GE(found.warnings.size(), 3U);
   EXPECT_EQ(found.warnings[0].code, "few_levels");
   EXPECT_EQ(found.warnings[1].code, "amplitudes_merged");
@@ -195,13 +196,11 @@ TEST(Identification, WarningsOfLevelsComeFirst) {
 }
 
 TEST(Identification, InputErrors) {
-  EXPECT_THROW((void)identify({}, options_for()), InputError);
+  EXPECT_THROW((void)identify(Levels{}, kStiffness, options_for()), InputError);
   const Levels levels = testing::exact_levels(testing::reference_joint());
   for (const auto method : {IdentificationMethod::kInversion, IdentificationMethod::kSpline,
                             IdentificationMethod::kDifferences}) {
-    IdentificationOptions options = options_for(method);
-    options.inversion.stiffness = -1.0;
-    EXPECT_THROW((void)identify(levels, options), InputError);
+    EXPECT_THROW((void)identify(levels, -1.0, options_for(method)), InputError);
   }
 }
 

@@ -26,38 +26,33 @@ Levels levels_with_damping() {
   return levels;
 }
 
-IdentificationOptions options() {
-  IdentificationOptions all;
-  all.inversion.stiffness = kStiffness;
-  return all;
-}
-
 TEST(MethodComparison, NetLevelsHaveNoLinearDamping) {
-  const MethodComparison methods = compare_methods(levels_with_damping(), options(), kBeta);
+  const MethodComparison methods = compare_methods(levels_with_damping(), kStiffness, {}, kBeta);
   EXPECT_TRUE(methods.options.linear_damping);
-  ASSERT_EQ(methods.net_levels.size(), 20);
-  for (std::size_t i = 0; i < methods.levels.size(); ++i) {
-    const double a = methods.levels.amplitude[i];
-    EXPECT_NEAR(methods.net_levels.dissipation[i] + kBeta * a * a, methods.levels.dissipation[i],
-                1e-15 * methods.levels.dissipation[i]);
+  ASSERT_EQ(methods.net_evidence.levels().size(), 20);
+  for (std::size_t i = 0; i < methods.evidence.levels().size(); ++i) {
+    const double a = methods.evidence.levels().amplitude[i];
+    EXPECT_NEAR(methods.net_evidence.levels().dissipation[i] + kBeta * a * a,
+                methods.evidence.levels().dissipation[i],
+                1e-15 * methods.evidence.levels().dissipation[i]);
   }
 }
 
 // λ = 1 times the chosen one is the same problem.
 TEST(MethodComparison, AFactorOfOneGivesTheSame) {
-  const MethodComparison methods = compare_methods(levels_with_damping(), options(), kBeta);
-  const InversionResult& chosen = *methods.inversion.inversion;
+  const MethodComparison methods = compare_methods(levels_with_damping(), kStiffness, {}, kBeta);
+  const InversionResult& chosen = *methods.inversion.inversion();
   const Identification again = inversion_with(methods, 1.0);
-  EXPECT_DOUBLE_EQ(again.inversion->path[again.inversion->chosen].lambda,
+  EXPECT_DOUBLE_EQ(again.inversion()->path[again.inversion()->chosen].lambda,
                    chosen.path[chosen.chosen].lambda);
-  EXPECT_NEAR(again.inversion->edf, chosen.edf, 1e-6 * chosen.edf);
-  EXPECT_DOUBLE_EQ(spline_with(methods, 1.0).spline->fit.lambda, methods.spline.fit.lambda);
+  EXPECT_NEAR(again.inversion()->edf, chosen.edf, 1e-6 * chosen.edf);
+  EXPECT_DOUBLE_EQ(spline_with(methods, 1.0).spline()->fit.lambda, methods.spline.fit.lambda);
 }
 
 TEST(MethodComparison, MoreSmoothingLeavesFewerDegreesOfFreedom) {
-  const MethodComparison methods = compare_methods(levels_with_damping(), options(), kBeta);
-  EXPECT_LT(inversion_with(methods, 100.0).inversion->edf, methods.inversion.inversion->edf);
-  EXPECT_LT(spline_with(methods, 100.0).spline->fit.edf, methods.spline.fit.edf);
+  const MethodComparison methods = compare_methods(levels_with_damping(), kStiffness, {}, kBeta);
+  EXPECT_LT(inversion_with(methods, 100.0).inversion()->edf, methods.inversion.inversion()->edf);
+  EXPECT_LT(spline_with(methods, 100.0).spline()->fit.edf, methods.spline.fit.edf);
 }
 
 }  // namespace

@@ -183,10 +183,8 @@ Levels reduced_levels(const Reducer& reducer, const SolvedRig& solved, std::uint
 
 double density_error_of(const Rig& rig, std::uint64_t seed) {
   const SolvedRig solved(kData + "/unseen_rig.csv");
-  IdentificationOptions options;
-  options.inversion.stiffness = 9.0e4;
   const Levels levels = reduced_levels(Reducer(rig), solved, seed);
-  return density_error(identify(levels, options), testing::unseen_joint().density(), {0.1, 0.9});
+  return density_error(identify(levels, 9.0e4), testing::unseen_joint().density(), {0.1, 0.9});
 }
 
 TEST(Reduction, UnseenRigWithVibrometer) {

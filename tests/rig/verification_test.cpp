@@ -87,10 +87,9 @@ TEST(Verification, TheLevelOfTheTrueJointIsThatOfTheRecord) {
 // What verification is asked for: a joint from 90 levels with 1 % noise, none of them from the
 // records.
 TEST(Verification, AnIdentifiedJointPredictsWithinTwoPercent) {
-  IdentificationOptions options;
-  options.inversion.stiffness = testing::kStiffness;
   for (const std::uint64_t draw : {1, 2, 3}) {
-    const Joint joint = identify(testing::noisy_levels(reference_joint(), draw), options).joint;
+    const Joint joint =
+        identify(testing::noisy_levels(reference_joint(), draw), testing::kStiffness).joint;
     for (const int level : {kNearFifthOfG, kNearOneAndHalfG}) {
       SCOPED_TRACE(level);
       const Verification record = verified(joint, level);

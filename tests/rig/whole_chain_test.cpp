@@ -74,10 +74,7 @@ class Draw {
 };
 
 Identification identified(const Levels& levels, double stiffness) {
-  IdentificationOptions options;
-  options.inversion.stiffness = stiffness;
-  options.bands = BandOptions{};
-  return identify(levels, options);
+  return identify(levels, stiffness, {.bands = BandOptions{}});
 }
 
 /// Accelerations by the joint that was found, [AR14 Fig. 11].

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "microslip/base/random.hpp"
-#include "microslip/identify/levels.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/joint.hpp"
 #include "microslip/joint/secant.hpp"
+#include "microslip/observe/levels.hpp"
 
 /// @file Known joints to identify, levels "measured" on them, and how far an answer is from the
 /// truth. All have k = 1.7e5 N/m, and the levels go to 3e-4 m, so that data reach f* = 51 N.

@@ -13,4 +13,7 @@ namespace microslip {
 [[nodiscard]] double interpolate(const std::vector<double>& knots,
                                  const std::vector<double>& values, double x);
 
+/// Its integral from the first knot to the last. @throws InputError  as above.
+[[nodiscard]] double integral(const std::vector<double>& knots, const std::vector<double>& values);
+
 }  // namespace microslip

@@ -13,11 +13,9 @@
 #include <string_view>
 #include <utility>
 
+#include "microslip/base/error.hpp"
 #include "microslip/base/percent.hpp"
 #include "microslip/base/plausibility.hpp"
-#include "microslip/identify/check_result.hpp"
-#include "microslip/identify/inversion_model.hpp"
-#include "microslip/identify/noise.hpp"
 #include "microslip/identify/stiffness_evidence.hpp"
 
 namespace microslip {
@@ -53,18 +51,27 @@ void diagnose_zero_std(std::string_view name, const std::vector<double>& deviati
                                   name, zero - deviations.begin() + 1)});
 }
 
-/// What D of a level scatters by, J.
-double deviation_of(const InversionResult& result, std::size_t i) {
-  return result.dissipation_scatter * (result.scatter_is_relative
-                                           ? result.fitted_dissipation[i]
-                                           : result.levels.dissipation_std[i]);
-}
+/// A result beside the levels that it is of.
+struct Inverted {
+  const LevelEvidence& evidence;
+  const InversionResult& result;
+  double stiffness;  ///< k, N/m
+
+  [[nodiscard]] const Levels& levels() const { return evidence.levels(); }
+
+  /// What D of each level scatters by, J.
+  [[nodiscard]] std::vector<double> deviations() const {
+    LevelPrediction prediction;
+    prediction.value.dissipation = result.fitted_dissipation;
+    return evidence.deviations(prediction, {.dissipation = result.dissipation_scatter}).dissipation;
+  }
+};
 
 /// Second divided difference at inner levels over its standard deviation; the lowest counts.
-void diagnose_convexity(const InversionResult& result, std::vector<Warning>& warnings) {
-  const std::vector<double>& a = result.levels.amplitude;
-  const std::vector<double>& d = result.levels.dissipation;
-  const auto deviation = [&](std::size_t i) { return deviation_of(result, i); };
+void diagnose_convexity(const Inverted& inverted, std::vector<Warning>& warnings) {
+  const std::vector<double>& a = inverted.levels().amplitude;
+  const std::vector<double>& d = inverted.levels().dissipation;
+  const std::vector<double> deviation = inverted.deviations();
   double lowest = 0.0;
   std::size_t where = 0;
   for (std::size_t i = 1; i + 1 < a.size(); ++i) {
@@ -72,7 +79,7 @@ void diagnose_convexity(const InversionResult& result, std::vector<Warning>& war
     const double right = 1.0 - left;
     const double bend = left * d[i - 1] + right * d[i + 1] - d[i];
     const double spread =
-        std::hypot(left * deviation(i - 1), right * deviation(i + 1), deviation(i));
+        std::hypot(left * deviation[i - 1], right * deviation[i + 1], deviation[i]);
     if (spread > 0.0 && bend / spread < lowest) {
       lowest = bend / spread;
       where = i;
@@ -127,11 +134,8 @@ std::optional<double> scatter_of_curve(const Levels& levels) {
   if (levels.size() < 5 || !std::ranges::all_of(levels.dissipation, is_positive)) {
     return std::nullopt;
   }
-  std::vector<double> x(levels.amplitude);
-  std::vector<double> y(levels.dissipation);
-  for (double& value : x) value = std::log(value);
-  for (double& value : y) value = std::log(value);
-  return scatter_about_neighbours(x, y);
+  const LevelEvidence alone({.amplitude = levels.amplitude, .dissipation = levels.dissipation});
+  return alone.expected_scatter(0.0).dissipation;
 }
 
 /// Sessions that differ as a whole: each is a smooth curve, and so is their mean.
@@ -150,9 +154,10 @@ void diagnose_repeats(const MergedLevels& merged, std::vector<Warning>& warnings
 }
 
 /// A density has to serve both; where D by itself is smooth, k_eq is what bends the fit of it.
-void diagnose_contradiction(const InversionResult& result, std::vector<Warning>& warnings) {
+void diagnose_contradiction(const Inverted& inverted, std::vector<Warning>& warnings) {
+  const InversionResult& result = inverted.result;
   if (result.fitted_secant_stiffness.empty() || !result.scatter_is_relative) return;
-  const std::optional<double> curve = scatter_of_curve(result.levels);
+  const std::optional<double> curve = scatter_of_curve(inverted.levels());
   const double missed = result.dissipation_scatter;
   if (!curve || missed < std::max(kLeastDifference, kRepeatsDiffer * *curve)) return;
   warnings.push_back(
@@ -161,7 +166,7 @@ void diagnose_contradiction(const InversionResult& result, std::vector<Warning>&
                    "scatters by {} only: k_eq does not soften as D says. Give "
                    "secant_stiffness_std if k_eq is worse known than {} of k, or leave it out.",
                    percent_text(missed), percent_text(*curve),
-                   percent_text(kLeastSofteningScatter))});
+                   percent_text(LevelEvidence::kLeastSecantScatter))});
 }
 
 /// An error of k moves all k_eq alike, and the resonances with them.
@@ -246,13 +251,15 @@ void diagnose_exponent(const Levels& merged, std::vector<Warning>& warnings) {
 }
 
 /// Whether βA² alone is as near to D as the density. Measured secant stiffnesses tell slip from it.
-bool is_as_linear_damping(const InversionResult& result) {
-  const std::vector<double>& a = result.levels.amplitude;
-  const std::vector<double>& d = result.levels.dissipation;
+bool is_as_linear_damping(const Inverted& inverted) {
+  const InversionResult& result = inverted.result;
+  const std::vector<double>& a = inverted.levels().amplitude;
+  const std::vector<double>& d = inverted.levels().dissipation;
   if (!result.fitted_secant_stiffness.empty()) return false;
   if (a.size() < kEnoughLevels || a.back() < kDampingRange * a.front()) return false;
+  const std::vector<double> deviation = inverted.deviations();
   const auto scale = [&](std::size_t i) {
-    return std::max(deviation_of(result, i), kDissipationRounding * result.fitted_dissipation[i]);
+    return std::max(deviation[i], kDissipationRounding * result.fitted_dissipation[i]);
   };
   double slope = 0.0;
   double norm = 0.0;
@@ -279,10 +286,11 @@ double area_below(const InversionResult& result, double slip_force) {
   return area;
 }
 
-void diagnose_damping(const InversionResult& result, std::vector<Warning>& warnings) {
-  const auto exponent = exponent_of(result.levels.amplitude, result.levels.dissipation);
+void diagnose_damping(const Inverted& inverted, std::vector<Warning>& warnings) {
+  const Levels& levels = inverted.levels();
+  const auto exponent = exponent_of(levels.amplitude, levels.dissipation);
   if (!exponent || std::abs(exponent->value - 2.0) > exponent_margin(*exponent)) return;
-  if (!is_as_linear_damping(result)) return;
+  if (!is_as_linear_damping(inverted)) return;
   warnings.push_back(
       {"damping_suspected",
        fmt::format(
@@ -293,9 +301,10 @@ void diagnose_damping(const InversionResult& result, std::vector<Warning>& warni
            exponent->value, exponent->std)});
 }
 
-void diagnose_ends(const InversionResult& result, const InversionOptions& options,
-                   std::vector<Warning>& warnings) {
-  const double lowest = options.stiffness * result.levels.amplitude.front();
+void diagnose_ends(const Inverted& inverted, std::vector<Warning>& warnings) {
+  const InversionResult& result = inverted.result;
+  const double a = inverted.levels().amplitude.front();
+  const double lowest = inverted.stiffness * a;
   const double below = area_below(result, lowest);
   if (below > kMostExtrapolated * result.area) {
     warnings.push_back(
@@ -306,10 +315,9 @@ void diagnose_ends(const InversionResult& result, const InversionOptions& option
                      100.0 * below / result.area, lowest)});
   }
   if (!result.linear_damping) {
-    diagnose_damping(result, warnings);
+    diagnose_damping(inverted, warnings);
     return;
   }
-  const double a = result.levels.amplitude.front();
   const double share = *result.linear_damping * a * a / result.fitted_dissipation.front();
   if (share > kMostDampingShare) {
     warnings.push_back({"damping_ambiguous",
@@ -320,11 +328,20 @@ void diagnose_ends(const InversionResult& result, const InversionOptions& option
   }
 }
 
+void check_levels_of(const InversionResult& result, const LevelEvidence& evidence) {
+  if (result.fitted_dissipation.size() == evidence.size()) return;
+  throw InputError("number of levels of the result",
+                   static_cast<double>(result.fitted_dissipation.size()),
+                   fmt::format("must be {}, as many as the evidence has", evidence.size()),
+                   "Take the evidence that was inverted.");
+}
+
 }  // namespace
 
-std::vector<Warning> diagnose(const Levels& levels) {
+std::vector<Warning> diagnose(const LevelEvidence& evidence) {
   std::vector<Warning> warnings;
-  const MergedLevels merged = sort_and_merge(levels);
+  const Levels& levels = evidence.measured();
+  const MergedLevels& merged = evidence.merged();
   const std::size_t distinct = merged.levels.size();
   if (distinct < kEnoughLevels) {
     warnings.push_back(
@@ -361,8 +378,11 @@ std::vector<Warning> diagnose(const Levels& levels) {
   return warnings;
 }
 
-std::vector<Warning> diagnose(const InversionResult& result, const InversionOptions& options) {
-  check_result(result);
+std::vector<Warning> diagnose(const InversionResult& result, const LevelEvidence& evidence,
+                              double stiffness, const InversionOptions& options) {
+  result.check();
+  check_levels_of(result, evidence);
+  const Inverted inverted{evidence, result, stiffness};
   std::vector<Warning> warnings;
   if (result.lowest_score < kLowestScore) {
     warnings.push_back(
@@ -374,19 +394,19 @@ std::vector<Warning> diagnose(const InversionResult& result, const InversionOpti
              "joint in D?{}",
              result.lowest_at, -result.lowest_score, result.scatter_is_relative ? kGiveStd : "")});
   }
-  diagnose_convexity(result, warnings);
+  diagnose_convexity(inverted, warnings);
   if (result.area_cost > kMostAreaCost) {
     warnings.push_back(
         {"stiffness_inconsistent",
          fmt::format(
              "More stiffness slips than k = {:.4g} N/m has: the area would be {:.3f}, above "
              "1. k is too low (try {:.4g} N/m or more), or D too large or A too small.",
-             options.stiffness, result.unlimited_area, options.stiffness * result.unlimited_area)});
+             stiffness, result.unlimited_area, stiffness * result.unlimited_area)});
   }
-  diagnose_stiffness(result, options.stiffness, warnings);
+  diagnose_stiffness(result, stiffness, warnings);
   diagnose_scatter(result, warnings);
-  diagnose_contradiction(result, warnings);
-  diagnose_ends(result, options, warnings);
+  diagnose_contradiction(inverted, warnings);
+  diagnose_ends(inverted, warnings);
   if (result.inner_not_converged > 0) {
     warnings.push_back(
         {"inner_not_converged",

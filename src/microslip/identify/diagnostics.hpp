@@ -6,7 +6,7 @@
 #include "microslip/base/summary.hpp"
 #include "microslip/identify/bands.hpp"
 #include "microslip/identify/inversion.hpp"
-#include "microslip/identify/levels.hpp"
+#include "microslip/observe/level_evidence.hpp"
 
 namespace microslip {
 
@@ -21,7 +21,7 @@ namespace microslip {
 ///                           used; or deviations of A without those of D;
 ///   * `implausible_value`   a displacement or a loss that no structure survives, see
 ///                           plausibility.hpp.
-[[nodiscard]] std::vector<Warning> diagnose(const Levels& levels);
+[[nodiscard]] std::vector<Warning> diagnose(const LevelEvidence& evidence);
 
 /// What an inversion gives reason to say:
 ///   * `density_negative`        without the limit φ would be significantly negative
@@ -45,8 +45,13 @@ namespace microslip {
 ///   * `inner_not_converged`     solutions that λ, the atom or these warnings rest on did not
 ///                               converge;
 ///   * `macroslip_not_reached`   no atom was found.
-/// @throws InputError  where the result is none of invert().
+/// @param result     of invert().
+/// @param evidence   that it was found from.
+/// @param stiffness  k, N/m.
+/// @param options    that it was found with.
+/// @throws InputError  where the result is none of invert() or has another number of levels.
 [[nodiscard]] std::vector<Warning> diagnose(const InversionResult& result,
+                                            const LevelEvidence& evidence, double stiffness,
                                             const InversionOptions& options);
 
 /// What bands give reason to say: `bands_not_converged`, where samples did not.

@@ -18,9 +18,9 @@ std::array<double, 3> second_difference(double left, double right) {
 
 }  // namespace
 
-SignedDensity density_by_differences(const Levels& levels, double stiffness) {
+SignedDensity density_by_differences(const LevelEvidence& levels, double stiffness) {
   check_stiffness(stiffness);
-  const Levels merged = sort_and_merge(levels).levels;
+  const Levels& merged = levels.levels();
   const auto& a = merged.amplitude;
   const auto& d = merged.dissipation;
   const auto& sigma = merged.dissipation_std;

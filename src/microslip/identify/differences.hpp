@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "microslip/identify/levels.hpp"
 #include "microslip/identify/signed_density.hpp"
+#include "microslip/observe/level_evidence.hpp"
 
 namespace microslip {
 
@@ -14,10 +14,10 @@ namespace microslip {
 ///
 /// of second order where the spacing is equal, of first order where it is not. Noise σ of D becomes
 /// about 2.4σ/h² of D″: a baseline to compare with, not a result to use.
-/// @param levels     in any order; equal amplitudes are merged; at least 3 distinct.
+/// @param levels     with their errors; at least 3 distinct.
 /// @param stiffness  k, N/m; positive and finite.
 /// @return  one point an inner level; with standard deviations where `dissipation_std` is given.
 /// @throws InputError  naming the level and the value that breaks a rule.
-[[nodiscard]] SignedDensity density_by_differences(const Levels& levels, double stiffness);
+[[nodiscard]] SignedDensity density_by_differences(const LevelEvidence& levels, double stiffness);
 
 }  // namespace microslip

@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/interpolation.hpp"
 #include "microslip/identify/diagnostics.hpp"
 #include "microslip/identify/differences.hpp"
 #include "microslip/identify/stiffness_evidence.hpp"
@@ -22,14 +23,6 @@ constexpr std::size_t kPlotPoints = 400;
 
 void append(std::vector<Warning>& all, std::vector<Warning> more) {
   std::ranges::move(more, std::back_inserter(all));
-}
-
-double area_of(const std::vector<double>& slip_force, const std::vector<double>& density) {
-  double area = 0.0;
-  for (std::size_t j = 1; j < slip_force.size(); ++j) {
-    area += 0.5 * (slip_force[j] - slip_force[j - 1]) * (density[j] + density[j - 1]);
-  }
-  return area;
 }
 
 Joint joint_of(double stiffness, std::vector<double> slip_force, std::vector<double> density,
@@ -51,7 +44,7 @@ Joint feasible_joint(double stiffness, const SignedDensity& found, std::vector<W
                                     "there. The method inversion needs no clipping.",
                                     negative, density.size())});
   }
-  const double area = area_of(found.slip_force, density);
+  const double area = integral(found.slip_force, density);
   if (area > 1.0) {
     for (double& value : density) value /= area;
     warnings.push_back({"density_scaled",
@@ -68,92 +61,78 @@ void read_density_of_joint(Identification& found) {
   found.density = part.density;
 }
 
-Identification by_inversion(const Levels& levels, const IdentificationOptions& options) {
-  InversionResult result = invert(levels, options.inversion);
+Identification by_inversion(const LevelEvidence& evidence, double stiffness,
+                            const IdentificationOptions& options) {
+  InvertedDensity inverted{invert(evidence, stiffness, options.inversion)};
+  const InversionResult& result = inverted.result;
   std::optional<std::pair<double, double>> atom;
   if (result.atom_slip_force) atom.emplace(*result.atom_slip_force, result.atom_weight);
-  Identification found(options.method, joint_of(options.inversion.stiffness, result.slip_force,
-                                                result.density, atom));
+  Identification found(options.method,
+                       joint_of(stiffness, result.slip_force, result.density, atom));
   found.slip_force = result.slip_force;
   found.density = result.density;
   found.linear_damping = result.linear_damping;
   found.summary = result.summary;
-  append(found.warnings, diagnose(result, options.inversion));
+  append(found.warnings, diagnose(result, evidence, stiffness, options.inversion));
   if (options.bands) {
-    found.bands = density_bands(result, *options.bands);
-    found.lower = found.bands->lower;
-    found.upper = found.bands->upper;
-    append(found.warnings, diagnose(*found.bands));
+    inverted.bands = density_bands(result, *options.bands);
+    found.lower = inverted.bands->lower;
+    found.upper = inverted.bands->upper;
+    append(found.warnings, diagnose(*inverted.bands));
   }
-  found.inversion = std::move(result);
+  found.free = std::move(inverted);
   return found;
 }
 
-Identification by_spline(const Levels& levels, const IdentificationOptions& options) {
-  const double k = options.inversion.stiffness;
-  SplineDensityResult result = density_by_spline(levels, k, {options.spline_smoothing});
+Identification by_spline(const LevelEvidence& evidence, double stiffness,
+                         const IdentificationOptions& options) {
+  SplineDensityResult result = density_by_spline(evidence, stiffness, options.spline);
   std::vector<Warning> warnings = result.warnings;
-  Identification found(options.method, feasible_joint(k, result.density, warnings));
+  Identification found(options.method, feasible_joint(stiffness, result.density, warnings));
   read_density_of_joint(found);
   found.summary = result.fit.summary;
   found.warnings = std::move(warnings);
-  found.spline = std::move(result);
+  found.free = std::move(result);
   return found;
 }
 
-Identification by_differences(const Levels& levels, const IdentificationOptions& options) {
-  const double k = options.inversion.stiffness;
-  SignedDensity result = density_by_differences(levels, k);
+Identification by_differences(const LevelEvidence& evidence, double stiffness,
+                              const IdentificationOptions& options) {
+  SignedDensity result = density_by_differences(evidence, stiffness);
   if (result.slip_force.size() < 2) {
     throw InputError("number of different amplitudes",
                      static_cast<double>(result.slip_force.size() + 2),
                      "must be 4 or more to make a density of differences", "Measure more levels.");
   }
   std::vector<Warning> warnings;
-  Identification found(options.method, feasible_joint(k, result, warnings));
+  Identification found(options.method, feasible_joint(stiffness, result, warnings));
   read_density_of_joint(found);
   found.summary.method = "second differences";
   found.summary.status = Status::kConverged;
   found.summary.reason = "closed form";
   found.warnings = std::move(warnings);
-  found.differences = std::move(result);
+  found.free = std::move(result);
   return found;
 }
 
-/// The band is of the free density of the inversion: beside another joint it would pass for its
-/// own.
-void check_bands(const IdentificationOptions& options) {
-  if (!options.bands) return;
-  if (options.method != IdentificationMethod::kInversion) {
-    throw InputError("bands", "asked for", "come with the method inversion only",
-                     "Leave out the method, or the bands.");
-  }
-  if (options.fit) {
-    throw InputError(
-        "bands", "asked for",
-        fmt::format("are those of a free density, not of the model {}", to_string(*options.fit)),
-        "Leave out the model, whose parameters have standard errors, or the bands.");
-  }
-}
-
-Identification by_method(const Levels& levels, const IdentificationOptions& options) {
+Identification by_method(const LevelEvidence& levels, double stiffness,
+                         const IdentificationOptions& options) {
   switch (options.method) {
     case IdentificationMethod::kSpline:
-      return by_spline(levels, options);
+      return by_spline(levels, stiffness, options);
     case IdentificationMethod::kDifferences:
-      return by_differences(levels, options);
+      return by_differences(levels, stiffness, options);
     case IdentificationMethod::kInversion:
       break;
   }
-  return by_inversion(levels, options);
+  return by_inversion(levels, stiffness, options);
 }
 
 /// The joint becomes the parametric one; what the method found stays beside it.
-void replace_by_fit(const Levels& levels, const IdentificationOptions& options,
-                    Identification& found) {
-  const double k = options.inversion.stiffness;
-  ParametricResult fit =
-      fit_parametric(levels, k, *options.fit, {.linear_damping = options.inversion.linear_damping});
+void replace_by_fit(const LevelEvidence& levels, double stiffness,
+                    const IdentificationOptions& options, Identification& found) {
+  ParametricResult fit = fit_parametric(levels, stiffness, *options.fit,
+                                        {.linear_damping = options.inversion.linear_damping});
   if (found.summary.status == Status::kNotConverged) {
     found.warnings.push_back(
         {"free_density_not_converged",
@@ -183,11 +162,12 @@ bool has_code(const std::vector<Warning>& warnings, std::string_view code) {
 }
 
 /// Of the joint that is given, whatever the inversion said of its own.
-void judge_stiffness(const Levels& levels, Identification& found) {
+void judge_stiffness(const LevelEvidence& levels, Identification& found) {
   found.stiffness = stiffness_evidence(levels, found.joint);
   std::erase_if(found.warnings, [](const Warning& w) { return w.code == "secant_inconsistent"; });
-  const bool told = found.inversion && !found.parametric && found.inversion->secant_scatter &&
-                    has_code(found.warnings, "scatter_large");
+  const InversionResult* inversion = found.parametric ? nullptr : found.inversion();
+  const bool told =
+      inversion && inversion->secant_scatter && has_code(found.warnings, "scatter_large");
   for (Warning& warning : diagnose(found.stiffness, found.joint)) {
     if (told && warning.code == "secant_misfit") continue;
     found.warnings.push_back(std::move(warning));
@@ -208,21 +188,55 @@ std::string_view to_string(IdentificationMethod method) {
   return "inversion";
 }
 
-Identification identify(const Levels& levels, const IdentificationOptions& options) {
-  check_bands(options);
-  std::vector<Warning> warnings = diagnose(levels);
+// The band is of the free density of the inversion: beside another joint it would pass for its own.
+void IdentificationOptions::check() const {
+  inversion.check();
+  if (!bands) return;
+  bands->check();
+  if (method != IdentificationMethod::kInversion) {
+    throw InputError("bands", "asked for", "come with the method inversion only",
+                     "Leave out the method, or the bands.");
+  }
+  if (fit) {
+    throw InputError(
+        "bands", "asked for",
+        fmt::format("are those of a free density, not of the model {}", to_string(*fit)),
+        "Leave out the model, whose parameters have standard errors, or the bands.");
+  }
+}
+
+const InversionResult* Identification::inversion() const {
+  const auto* inverted = std::get_if<InvertedDensity>(&free);
+  return inverted ? &inverted->result : nullptr;
+}
+
+const DensityBands* Identification::bands() const {
+  const auto* inverted = std::get_if<InvertedDensity>(&free);
+  return inverted && inverted->bands ? &*inverted->bands : nullptr;
+}
+
+const SplineDensityResult* Identification::spline() const {
+  return std::get_if<SplineDensityResult>(&free);
+}
+
+const SignedDensity* Identification::differences() const {
+  return std::get_if<SignedDensity>(&free);
+}
+
+Identification identify(const LevelEvidence& evidence, double stiffness,
+                        const IdentificationOptions& options) {
+  options.check();
+  std::vector<Warning> warnings = diagnose(evidence);
   // A fit takes fewer levels than a free density.
-  const bool fit_only = options.fit && sort_and_merge(levels).levels.size() < kFewestLevels;
-  Identification found =
-      fit_only ? Identification(options.method, Joint(options.inversion.stiffness, SlipDensity()))
-               : by_method(levels, options);
-  if (options.fit) replace_by_fit(levels, options, found);
-  judge_stiffness(levels, found);
+  const bool fit_only = options.fit && evidence.size() < kFewestLevels;
+  Identification found = fit_only ? Identification(options.method, Joint(stiffness, SlipDensity()))
+                                  : by_method(evidence, stiffness, options);
+  if (options.fit) replace_by_fit(evidence, stiffness, options, found);
+  judge_stiffness(evidence, found);
   append(warnings, std::move(found.warnings));
   found.warnings = std::move(warnings);
-  const auto [lowest, highest] = std::ranges::minmax(levels.amplitude);
-  found.covered_from = options.inversion.stiffness * lowest;
-  found.covered_to = options.inversion.stiffness * highest;
+  found.covered_from = stiffness * evidence.levels().amplitude.front();
+  found.covered_to = stiffness * evidence.levels().amplitude.back();
   return found;
 }
 

@@ -5,17 +5,18 @@
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "microslip/base/progress.hpp"
 #include "microslip/base/summary.hpp"
 #include "microslip/identify/bands.hpp"
 #include "microslip/identify/inversion.hpp"
-#include "microslip/identify/levels.hpp"
 #include "microslip/identify/parametric.hpp"
 #include "microslip/identify/spline_density.hpp"
 #include "microslip/identify/stiffness_evidence.hpp"
 #include "microslip/joint/joint.hpp"
+#include "microslip/observe/level_evidence.hpp"
 
 namespace microslip {
 
@@ -32,11 +33,25 @@ enum class IdentificationMethod {
 /// What identify() does.
 struct IdentificationOptions {
   IdentificationMethod method = IdentificationMethod::kInversion;  ///< how the density is found
-  InversionOptions inversion;                           ///< its stiffness is that of all methods
-  Smoothing spline_smoothing = Gcv{.edf_factor = 1.4};  ///< of kSpline: see SplineDensityOptions
+  InversionOptions inversion = {};     ///< of kInversion, and the linear damping of a fit
+  SplineDensityOptions spline = {};    ///< of kSpline
   std::optional<ParametricModel> fit;  ///< a parametric model in place of the density
   std::optional<BandOptions> bands;    ///< with kInversion and without `fit` only
+
+  /// @throws InputError  where options break their rules, or do not go together.
+  void check() const;
 };
+
+/// What invert() found, and its band where that was asked for.
+struct InvertedDensity {
+  InversionResult result;
+  std::optional<DensityBands> bands = {};
+};
+
+/// A free density, by the method that found it; none where a parametric model was asked for and the
+/// levels are too few for more.
+using FreeDensity =
+    std::variant<std::monostate, InvertedDensity, SplineDensityResult, SignedDensity>;
 
 /// A joint from levels, and what its user must know of it.
 struct Identification {
@@ -57,12 +72,14 @@ struct Identification {
 
   std::optional<double> linear_damping;  ///< β, J/m²
 
-  // What the methods said, where they ran.
-  std::optional<InversionResult> inversion;    ///< of kInversion
-  std::optional<SplineDensityResult> spline;   ///< of kSpline
-  std::optional<SignedDensity> differences;    ///< of kDifferences
-  std::optional<ParametricResult> parametric;  ///< of the parametric model that was asked for
-  std::optional<DensityBands> bands;           ///< where they were asked for
+  FreeDensity free = {};  ///< what the method found; beside the parametric model where there is one
+  std::optional<ParametricResult> parametric = {};  ///< of the model that was asked for
+
+  /// What `free` holds; null where it holds something else.
+  [[nodiscard]] const InversionResult* inversion() const;
+  [[nodiscard]] const DensityBands* bands() const;
+  [[nodiscard]] const SplineDensityResult* spline() const;
+  [[nodiscard]] const SignedDensity* differences() const;
 
   /// Measured k_eq and frequencies held against `joint`.
   StiffnessEvidence stiffness = {};
@@ -75,8 +92,12 @@ struct Identification {
 /// stiffness_evidence.hpp for the warnings.
 /// Methods whose density may be negative give a joint with max(φ, 0), scaled to an area of 1 where
 /// it is above; both are said in a warning.
+/// @param evidence   the levels with their errors.
+/// @param stiffness  k of the stuck joint, N/m; > 0. It scales the slip forces: f* = kA.
+/// @param options    the method, and what belongs to it.
 /// @throws InputError  where an option or a level breaks a rule.
 /// @throws Cancelled   as density_bands().
-[[nodiscard]] Identification identify(const Levels& levels, const IdentificationOptions& options);
+[[nodiscard]] Identification identify(const LevelEvidence& evidence, double stiffness,
+                                      const IdentificationOptions& options = {});
 
 }  // namespace microslip

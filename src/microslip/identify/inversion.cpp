@@ -14,6 +14,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/median.hpp"
 #include "microslip/identify/inversion_model.hpp"
+#include "microslip/identify/inversion_result.hpp"
 #include "microslip/identify/signed_density.hpp"
 
 namespace microslip {
@@ -37,20 +38,6 @@ constexpr double kResolution = 5e-3;
 /// Below this share of d ∝ a³ through the largest level the density has hardly begun. The edge
 /// where it does lies between knots, which is large against such a small d.
 constexpr double kBegunShare = 3e-2;
-
-void check_options(const InversionOptions& options) {
-  check_stiffness(options.stiffness);
-  if (options.lambda && !(std::isfinite(*options.lambda) && *options.lambda > 0.0)) {
-    throw InputError("lambda", *options.lambda, "must be positive and finite",
-                     "Take one of the path that an automatic choice reports.");
-  }
-  if (options.coefficients < 10) {
-    throw InputError("coefficients", options.coefficients, "must be 10 or more");
-  }
-  if (options.path_points < 5) {
-    throw InputError("path_points", static_cast<double>(options.path_points), "must be 5 or more");
-  }
-}
 
 void check_count(const Levels& merged) {
   if (merged.size() < kFewestLevels) {
@@ -77,22 +64,6 @@ double reference_exponent(const ScaledLevels& levels, const Eigen::VectorXd& d) 
     }
   }
   return std::clamp(median(std::move(slopes)) - 3.0, kLeastExponent, 0.0);
-}
-
-/// d for the weights of the first pass: the median of d/a³ over five neighbouring levels, times a³.
-/// The noisy value itself would give a level that is far too low, or zero, the largest weight of
-/// all.
-Eigen::VectorXd typical_dissipation(const ScaledLevels& levels) {
-  const Eigen::VectorXd cube = levels.amplitude.array().cube();
-  const Eigen::VectorXd ratio = levels.dissipation.cwiseQuotient(cube);
-  const Eigen::Index n = ratio.size();
-  Eigen::VectorXd typical(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Eigen::Index from = std::max<Eigen::Index>(0, i - 2);
-    const Eigen::Index to = std::min(n, i + 3);
-    typical(i) = median({ratio.begin() + from, ratio.begin() + to}) * cube(i);
-  }
-  return typical;
 }
 
 /// ω of each second difference: larger, up to 3 times, where an earlier pass found little density.
@@ -149,7 +120,7 @@ void tell_kinds_apart(InversionModel& model, const ScaledLevels& levels) {
                model.informative_rows() - softening_rows, model.repeat_freedom());
   model.softening_scatter =
       relative(square.tail(rest).sum(), leverage.tail(rest).sum(), softening_rows, 0.0);
-  model.least_softening_scatter = levels.softening_std_given ? 1.0 / both : 0.0;
+  model.least_softening_scatter = levels.evidence.secant_std_given() ? 1.0 / both : 0.0;
 }
 
 /// The inner solutions of an inversion: the result rests on them, though it is none of them.
@@ -192,7 +163,7 @@ InversionModel two_passes(const ScaledLevels& levels, const InversionOptions& op
   pass.atom = atom;
   pass.linear_damping = options.linear_damping;
   pass.coefficients = options.coefficients;
-  pass.fit = typical_dissipation(levels);
+  pass.fit = levels.typical;
   pass.exponent = reference_exponent(levels, levels.dissipation);
   InversionOptions automatic = options;
   automatic.lambda.reset();
@@ -217,7 +188,7 @@ InversionModel two_passes(const ScaledLevels& levels, const InversionOptions& op
 /// all models, whatever weights each of them took.
 double schwarz_criterion(const ScaledLevels& levels, const InversionModel& model) {
   const SmoothingPoint& point = model.solution();
-  const Eigen::ArrayXd typical = typical_dissipation(levels).cwiseMax(levels.floor).array();
+  const Eigen::ArrayXd typical = levels.typical.cwiseMax(levels.floor).array();
   const Eigen::ArrayXd left = (levels.dissipation - model.dissipation(point.solution.x)).array();
   const double residual = std::max(1e-20, (left / typical).square().sum());
   const auto m = static_cast<double>(levels.amplitude.size());
@@ -338,69 +309,26 @@ void judge_area(const InversionModel& model, const ScaledLevels& levels, Inversi
       std::max(0.0, objective(point.solution.x) - objective(positive)) / (scatter * scatter);
 }
 
-void read_density(const InversionModel& model, InversionResult& result) {
-  const Eigen::VectorXd& x = model.solution().solution.x;
-  const Eigen::VectorXd density = model.density(x);
-  result.slip_force.push_back(0.0);
-  result.density.push_back(density(0));
-  for (Eigen::Index j = 0; j < density.size(); ++j) {
-    result.slip_force.push_back(model.largest_slip_force() *
-                                model.basis().knots()[static_cast<std::size_t>(j)]);
-    result.density.push_back(density(j));
-  }
-  result.area = model.problem().area().dot(x);
-  result.atom_weight = model.atom_weight(x);
-}
-
-void read_fit(const InversionModel& model, const ScaledLevels& levels, InversionResult& result) {
-  const Eigen::VectorXd& x = model.solution().solution.x;
-  const Eigen::VectorXd d =
-      levels.largest_slip_force * levels.largest_amplitude * model.dissipation(x);
-  result.fitted_dissipation.assign(d.begin(), d.end());
-  if (levels.softening.size() == 0) return;
-  const Eigen::VectorXd soft = model.softening(x);
-  const Eigen::ArrayXd precision = levels.softening_std.array().square().inverse();
-  const double offset = (precision * (soft - levels.softening).array()).sum() / precision.sum();
-  result.secant_offset = levels.stiffness * offset;
-  const double common = (precision * levels.softening_std.array()).sum() / precision.sum();
-  result.secant_offset_std =
-      levels.stiffness * (levels.softening_std_given ? common : 1.0 / std::sqrt(precision.sum()));
-  for (const double s : soft) {
-    result.fitted_secant_stiffness.push_back(levels.stiffness * (1.0 - s + offset));
-  }
-}
-
-void read_path(const InversionModel& model, InversionResult& result) {
-  const auto rows = static_cast<double>(model.problem().rows());
-  for (const SmoothingPoint& point : model.path) {
-    result.path.push_back({point.lambda, point.edf, std::sqrt(point.residual / rows), point.gcv,
-                           point.likelihood, point.solution.kkt_residual});
-  }
-  result.chosen = model.chosen;
-  result.edf = model.solution().edf;
-}
-
-void summarise(const InversionModel& model, Summary& summary) {
-  const QuadraticProgram::Solution& solution = model.solution().solution;
-  summary.method = "regularised convex inversion";
-  summary.residual = solution.kkt_residual;
-  for (const SmoothingPoint& point : model.path) summary.iterations += point.solution.exchanges;
-  constexpr double kWanted = QuadraticProgram::kMostKktResidual;
-  const bool solved = solution.optimal();
-  summary.status = solved ? Status::kConverged : Status::kNotConverged;
-  summary.reason = solved ? fmt::format("optimality conditions hold to {:.0e} or rounding", kWanted)
-                          : fmt::format("optimality conditions hold to {:.0e} only, {:.0e} wanted",
-                                        solution.kkt_residual, kWanted);
-}
-
 }  // namespace
 
-InversionResult invert(const Levels& levels, const InversionOptions& options) {
+void InversionOptions::check() const {
+  if (lambda && !(std::isfinite(*lambda) && *lambda > 0.0)) {
+    throw InputError("lambda", *lambda, "must be positive and finite",
+                     "Take one of the path that an automatic choice reports.");
+  }
+  if (coefficients < 10) throw InputError("coefficients", coefficients, "must be 10 or more");
+  if (path_points < 5) {
+    throw InputError("path_points", static_cast<double>(path_points), "must be 5 or more");
+  }
+}
+
+InversionResult invert(const LevelEvidence& evidence, double stiffness,
+                       const InversionOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
-  check_options(options);
-  const MergedLevels merged = sort_and_merge(levels);
-  check_count(merged.levels);
-  const ScaledLevels scaled(merged, options.stiffness);
+  check_stiffness(stiffness);
+  options.check();
+  check_count(evidence.levels());
+  const ScaledLevels scaled(evidence, stiffness);
 
   InversionResult result;
   InnerSolutions inner;
@@ -411,28 +339,17 @@ InversionResult invert(const Levels& levels, const InversionOptions& options) {
       result.atom_slip_force = top * scaled.largest_slip_force;
     }
   }
-  auto model = std::make_shared<InversionModel>(
-      two_passes(scaled, options, top, result.atom_slip_force.has_value(), inner));
-  result.levels = merged.levels;
-  read_density(*model, result);
-  read_fit(*model, scaled, result);
-  read_path(*model, result);
+  const InversionModel model =
+      two_passes(scaled, options, top, result.atom_slip_force.has_value(), inner);
+  read_model(model, scaled, result);
   if (options.linear_damping) {
-    result.linear_damping = options.stiffness * model->linear_damping(model->solution().solution.x);
+    result.linear_damping = stiffness * model.linear_damping(model.solution().solution.x);
   }
-  result.scatter = model->scatter * (scaled.deviations_given() ? 1.0 : scaled.relative_std);
-  result.scatter_is_relative = !scaled.deviations_given();
-  result.dissipation_scatter = model->dissipation_scatter * result.scatter;
-  if (scaled.softening_std_given) {
-    result.secant_scatter = model->softening_scatter * model->scatter;
-  }
-  judge_sign(*model, scaled, result, inner);
-  judge_area(*model, scaled, result, inner);
-  summarise(*model, result.summary);
+  judge_sign(model, scaled, result, inner);
+  judge_area(model, scaled, result, inner);
   // The chosen point of the path is the result itself.
   result.inner_solutions = inner.count - 1;
   result.inner_not_converged = inner.not_converged - (result.summary.converged() ? 0 : 1);
-  result.model = std::move(model);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   result.summary.wall_seconds = elapsed.count();
   return result;

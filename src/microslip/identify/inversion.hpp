@@ -2,23 +2,18 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <vector>
 
 #include "microslip/base/summary.hpp"
-#include "microslip/identify/levels.hpp"
+#include "microslip/identify/density_posterior.hpp"
 #include "microslip/identify/smoothing_rule.hpp"
+#include "microslip/observe/level_evidence.hpp"
 
 namespace microslip {
 
-class InversionModel;
-
 /// How invert() solves.
 struct InversionOptions {
-  /// k, stiffness of the stuck joint, N/m; > 0. It scales the slip forces: f* = kA.
-  double stiffness = 0.0;
-
   /// How the smoothing parameter λ is chosen, unless `lambda` is given.
   SmoothingRule rule = SmoothingRule::kGcv;
 
@@ -38,6 +33,9 @@ struct InversionOptions {
 
   /// Points of the λ path; ≥ 5.
   std::size_t path_points = 50;
+
+  /// @throws InputError  naming the option that breaks a rule.
+  void check() const;
 };
 
 /// One point of the λ path.
@@ -48,6 +46,7 @@ struct PathPoint {
   double gcv;           ///< generalised cross-validation score, with the factor 1.4
   double likelihood;    ///< −2 log restricted likelihood, up to a constant
   double kkt_residual;  ///< of the constrained solution, relative
+  double kkt_rounding;  ///< as much of that may be rounding
 };
 
 /// What invert() found. The density is continuous and linear between the knots, up to the last one.
@@ -77,8 +76,7 @@ struct InversionResult {
   /// does.
   std::optional<double> secant_scatter = {};
 
-  Levels levels;                                ///< sorted and merged
-  std::vector<double> fitted_dissipation;       ///< D of the result at these levels, J
+  std::vector<double> fitted_dissipation;       ///< D of the result at LevelEvidence::levels(), J
   std::vector<double> fitted_secant_stiffness;  ///< N/m; where k_eq was measured; with the offset
   double secant_offset = 0.0;  ///< weighted mean of k_eq as measured less as D and k give it, N/m
   /// Of that mean, N/m: where standard deviations of k_eq were given their weighted mean, as if the
@@ -103,8 +101,11 @@ struct InversionResult {
 
   Summary summary;  ///< residual: of the optimality conditions, relative
 
-  /// What density_bands() needs again.
-  std::shared_ptr<const InversionModel> model;
+  /// @throws InputError  where its parts do not belong together, or it is empty.
+  void check() const;
+
+  /// What is left possible beside this: bands come from it.
+  DensityPosterior posterior;
 };
 
 /// The least number of levels that invert() takes.
@@ -114,18 +115,19 @@ inline constexpr std::size_t kFewestLevels = 4;
 ///
 ///     minimise ½‖W(Kθ + βA² − D)‖² + ½λ‖Lθ‖²  subject to  θ ≥ 0, β ≥ 0, ∫φ df* ≤ 1,
 ///
-/// φ = Σθ_jN_j on knots that follow the data (InversionBasis). W is 1/σ where σ is given and 1/D
-/// otherwise, D from a first fit and not from the noisy value. The penalty is on second differences
+/// φ = Σθ_jN_j on knots that follow the data (InversionBasis). W is 1/σ of LevelEvidence, with D from
+/// a first fit. The penalty is on second differences
 /// of θ, weaker where a first pass found little density, so that empty ranges stay empty and peaks
 /// are not flattened. Secant stiffnesses add rows of the same θ,
 /// each less the weighted mean of them all: their change over the amplitude is used, their absolute
-/// level is not, as it stands and falls with k. Where no standard deviation of k_eq is given it is
-/// estimated, as 0.1 % of k at least. What levels of equal amplitude differ by counts as scatter.
+/// level is not, as it stands and falls with k. What levels of equal amplitude differ by counts as
+/// scatter.
 ///
-/// @param levels   at least kFewestLevels different amplitudes, in any order; equal ones are
-///                 merged.
-/// @param options  with the stiffness, which has no default.
+/// @param evidence   at least kFewestLevels different amplitudes.
+/// @param stiffness  k of the stuck joint, N/m; > 0. It scales the slip forces: f* = kA.
+/// @param options    how it is solved.
 /// @throws InputError  naming the level or option that breaks a rule.
-[[nodiscard]] InversionResult invert(const Levels& levels, const InversionOptions& options);
+[[nodiscard]] InversionResult invert(const LevelEvidence& evidence, double stiffness,
+                                     const InversionOptions& options = {});
 
 }  // namespace microslip

@@ -53,10 +53,4 @@ class InversionBasis {
   Eigen::MatrixXd nodal_;
 };
 
-/// d of a single slider of weight 1 at s: 4s(a − s) above s, else 0.
-[[nodiscard]] Eigen::VectorXd atom_dissipation(const Eigen::VectorXd& amplitude, double s);
-
-/// 1 − k_eq/k of a single slider of weight 1 at s.
-[[nodiscard]] Eigen::VectorXd atom_softening(const Eigen::VectorXd& amplitude, double s);
-
 }  // namespace microslip

@@ -2,88 +2,27 @@
 #include "microslip/identify/inversion_model.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <span>
-#include <utility>
+#include <cstddef>
+#include <vector>
 
-#include "microslip/base/median.hpp"
-#include "microslip/identify/noise.hpp"
+#include "microslip/identify/eigen_view.hpp"
+#include "microslip/observe/level_rows.hpp"
 
 namespace microslip {
-namespace {
+namespace {}  // namespace
 
-/// Below this share of what d ∝ a³ through the largest level would be, a level counts as zero: its
-/// relative weight must not grow without limit.
-constexpr double kFloorShare = 1e-3;
-/// A scatter of exactly zero would make weights infinite.
-constexpr double kLeastScatter = 1e-9;
-
-Eigen::VectorXd vector_of(const std::vector<double>& values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
-bool all_positive(const std::vector<double>& values) {
-  return !values.empty() && std::ranges::all_of(values, [](double v) { return v > 0.0; });
-}
-
-double scatter(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
-  const auto span_of = [](const Eigen::VectorXd& v) {
-    return std::span<const double>(v.data(), static_cast<std::size_t>(v.size()));
-  };
-  return std::max(kLeastScatter, scatter_about_neighbours(span_of(x), span_of(y)));
-}
-
-/// Deviations of d of which none is below the typical relative one at the floor where d is below
-/// it: else levels without dissipation would outweigh all others.
-Eigen::VectorXd floored_deviations(const Eigen::VectorXd& deviation, const Eigen::VectorXd& d,
-                                   const Eigen::VectorXd& floor) {
-  const Eigen::ArrayXd relative = deviation.cwiseQuotient(d.cwiseMax(floor)).array();
-  const double typical = median({relative.begin(), relative.end()});
-  return (d.array() < floor.array()).select(deviation.cwiseMax(typical * floor), deviation);
-}
-
-}  // namespace
-
-ScaledLevels::ScaledLevels(const MergedLevels& merged, double k)
-    : stiffness(k),
-      largest_amplitude(merged.levels.amplitude.back()),
-      largest_slip_force(k * largest_amplitude),
-      relative_std(1.0) {
-  const Levels& levels = merged.levels;
-  const double energy = largest_slip_force * largest_amplitude;
-  amplitude = vector_of(levels.amplitude) / largest_amplitude;
-  dissipation = vector_of(levels.dissipation) / energy;
-  floor = kFloorShare * dissipation.maxCoeff() * amplitude.array().cube();
-  repeats.resize(amplitude.size());
-  for (Eigen::Index i = 0; i < repeats.size(); ++i) {
-    repeats(i) = static_cast<double>(merged.count[static_cast<std::size_t>(i)]);
-  }
-  spread = vector_of(merged.dissipation_spread) / (energy * energy);
-  if (all_positive(levels.dissipation_std)) {
-    const Eigen::VectorXd given = vector_of(levels.dissipation_std) / energy;
-    dissipation_std = floored_deviations(given, dissipation, floor);
-    informative_levels = given.cwiseQuotient(dissipation_std).squaredNorm();
-    if (!levels.amplitude_std.empty()) {
-      amplitude_std = vector_of(levels.amplitude_std) / largest_amplitude;
-    }
-  }
-  if (levels.secant_stiffness.empty()) return;
-
-  // Two kinds of rows share one solution: what is not known of their scatter is estimated, as their
-  // ratio decides which of them is believed.
-  softening = (1.0 - vector_of(levels.secant_stiffness).array() / k).matrix();
-  softening_std_given = all_positive(levels.secant_stiffness_std);
-  if (softening_std_given) {
-    softening_std = vector_of(levels.secant_stiffness_std) / k;
-  } else {
-    softening_std.setConstant(amplitude.size(),
-                              std::max(kLeastSofteningScatter, scatter(amplitude, softening)));
-    softening_std.array() /= repeats.array().sqrt();
-  }
-  if (!deviations_given()) {
-    const Eigen::VectorXd log_d = dissipation.cwiseMax(floor).array().log();
-    relative_std = scatter(amplitude.array().log(), log_d);
-  }
+ScaledLevels::ScaledLevels(const LevelEvidence& levels, double k)
+    : evidence(levels),
+      stiffness(k),
+      largest_slip_force(k * levels.levels().amplitude.back()),
+      energy(largest_slip_force * levels.levels().amplitude.back()),
+      amplitude(view_of(levels.levels().amplitude) / levels.levels().amplitude.back()),
+      dissipation(view_of(levels.levels().dissipation) / energy),
+      floor(view_of(levels.dissipation_floor()) / energy),
+      typical(view_of(levels.typical().value.dissipation) / energy) {
+  if (levels.levels().secant_stiffness.empty()) return;
+  softening = (1.0 - view_of(levels.levels().secant_stiffness).array() / k).matrix();
+  unit = levels.expected_scatter(k);
 }
 
 struct InversionModel::Columns {
@@ -111,28 +50,28 @@ struct InversionModel::Columns {
 // Scatter of each row at the d of an earlier fit. Noise in A acts through the slope of D, close to
 // that of the power law d ∝ a^(3+χ₀).
 void InversionModel::Columns::set_weights(const ScaledLevels& levels, const PassOptions& options) {
-  const Eigen::ArrayXd fit = options.fit.cwiseMax(levels.floor).array();
-  Eigen::ArrayXd deviation;
-  if (levels.deviations_given()) {
-    deviation = levels.dissipation_std.array();
-    if (levels.amplitude_std.size() > 0) {
-      const Eigen::ArrayXd through_slope =
-          (3.0 + options.exponent) * fit * levels.amplitude_std.array() / levels.amplitude.array();
-      deviation = (deviation.square() + through_slope.square()).sqrt();
-    }
-    informative_rows = levels.informative_levels;
-  } else {
-    deviation = levels.relative_std * fit / levels.repeats.array().sqrt();
-    informative_rows = (levels.dissipation.array() / fit).square().min(1.0).sum();
+  const LevelEvidence& evidence = levels.evidence;
+  LevelPrediction prediction;
+  prediction.value.secant_stiffness = evidence.levels().secant_stiffness;
+  for (std::size_t i = 0; i < evidence.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const double d = levels.energy * std::max(options.fit(row), levels.floor(row));
+    prediction.value.dissipation.push_back(d);
+    if (!evidence.amplitude_std_counts()) continue;
+    const double relative = evidence.levels().amplitude_std[i] / evidence.levels().amplitude[i];
+    prediction.change.dissipation.push_back((3.0 + options.exponent) * d * relative);
   }
-  // A single level has the deviation of their mean times √repeats.
-  repeat_residual = (levels.spread.array() / (deviation.square() * levels.repeats.array())).sum();
-  weights.resize(deviation.size() + levels.softening.size());
-  weights.head(deviation.size()) = deviation.inverse();
-  weights.tail(levels.softening.size()) = levels.softening_std.cwiseInverse();
+  const LevelRows deviation = evidence.deviations(prediction, levels.unit);
+  informative_rows = evidence.informative_levels(prediction);
+  repeat_residual = evidence.repeat_sum(deviation);
+  const Eigen::Index rows = levels.dissipation.size();
+  weights.resize(rows + levels.softening.size());
+  weights.head(rows) = levels.energy * view_of(deviation.dissipation).cwiseInverse();
   if (levels.softening.size() == 0) return;
+  weights.tail(levels.softening.size()) =
+      levels.stiffness * view_of(deviation.secant_stiffness).cwiseInverse();
   informative_rows += static_cast<double>(levels.softening.size()) - 1.0;
-  const Eigen::VectorXd precision = levels.softening_std.cwiseAbs2().cwiseInverse();
+  const Eigen::VectorXd precision = weights.tail(levels.softening.size()).cwiseAbs2();
   offset_share = precision / precision.sum();
 }
 
@@ -209,10 +148,10 @@ InversionModel::InversionModel(const ScaledLevels& levels, const InversionBasis&
       atom_column_(columns.atom_column),
       dissipation_(columns.dissipation),
       softening_(columns.softening),
-      dissipation_weights_(columns.weights.head(columns.dissipation.rows())),
+      weights_(columns.weights),
       informative_rows_(columns.informative_rows),
       repeat_residual_(columns.repeat_residual),
-      repeat_freedom_(levels.repeats.sum() - static_cast<double>(levels.repeats.size())),
+      repeat_freedom_(levels.evidence.repeat_freedom()),
       problem_([&] {
         const Eigen::Index d_rows = columns.dissipation.rows();
         Eigen::MatrixXd design(columns.weights.size(), columns.dissipation.cols());
@@ -248,12 +187,16 @@ Eigen::VectorXd InversionModel::density(const Eigen::VectorXd& x) const {
   return basis_.nodal() * (theta_scale_ / largest_slip_force_ * theta(x));
 }
 
-double InversionModel::linear_damping(const Eigen::VectorXd& x) const {
-  return damping_column_ < 0 ? 0.0 : damping_scale_ * x(damping_column_);
+Eigen::VectorXd InversionModel::linear_damping_row() const {
+  Eigen::VectorXd row = Eigen::VectorXd::Zero(problem_.size());
+  if (damping_column_ >= 0) row(damping_column_) = damping_scale_;
+  return row;
 }
 
-double InversionModel::atom_weight(const Eigen::VectorXd& x) const {
-  return atom_column_ < 0 ? 0.0 : atom_scale_ * x(atom_column_);
+Eigen::VectorXd InversionModel::atom_row() const {
+  Eigen::VectorXd row = Eigen::VectorXd::Zero(problem_.size());
+  if (atom_column_ >= 0) row(atom_column_) = atom_scale_;
+  return row;
 }
 
 }  // namespace microslip

@@ -8,8 +8,8 @@
 
 #include "microslip/identify/inversion.hpp"
 #include "microslip/identify/inversion_basis.hpp"
-#include "microslip/identify/levels.hpp"
 #include "microslip/identify/smoothing_path.hpp"
+#include "microslip/observe/level_evidence.hpp"
 
 /// @file
 /// One pass of the inversion, in scaled variables. Internal: Eigen stays out of the installed
@@ -17,33 +17,25 @@
 
 namespace microslip {
 
-/// Of k, what k_eq is known to at best where nobody says it: a smooth column of k_eq is no proof of
-/// an exact one, and would outweigh all of D.
-inline constexpr double kLeastSofteningScatter = 1e-3;
-
 /// The levels in the variables of InversionBasis.
 struct ScaledLevels {
-  /// @param merged     sorted, without equal amplitudes.
-  /// @param stiffness  k, N/m.
-  ScaledLevels(const MergedLevels& merged, double stiffness);
+  /// @param levels  must outlive this.
+  /// @param k       stiffness of the stuck joint, N/m.
+  ScaledLevels(const LevelEvidence& levels, double k);
 
+  const LevelEvidence& evidence;
   double stiffness;             ///< k, N/m
-  double largest_amplitude;     ///< A_max, m
   double largest_slip_force;    ///< kA_max, N
+  double energy;                ///< kA_max², J
   Eigen::VectorXd amplitude;    ///< a
   Eigen::VectorXd dissipation;  ///< d
-  Eigen::VectorXd floor;        ///< a d below this does not get a larger weight
-  Eigen::VectorXd repeats;      ///< levels merged into one
-  Eigen::VectorXd spread;       ///< Σ(d_i − d)² of these
+  Eigen::VectorXd floor;        ///< a d below this counts as zero
+  Eigen::VectorXd typical;      ///< d smoothed without a model
   Eigen::VectorXd softening;    ///< 1 − k_eq/k; empty where not measured
-  Eigen::VectorXd softening_std;
-  bool softening_std_given = false;
-  Eigen::VectorXd dissipation_std;  ///< empty where not given
-  double informative_levels = 0.0;  ///< where given: without those whose deviation was raised
-  Eigen::VectorXd amplitude_std;    ///< empty where not given
-  double relative_std;  ///< of d where no deviation is given: its unit, or an estimate beside k_eq
 
-  [[nodiscard]] bool deviations_given() const { return dissipation_std.size() > 0; }
+  /// What the scatter found is a multiple of. Two kinds of rows share one solution: what is not
+  /// known of their scatter is estimated before, as their ratio decides which of them is believed.
+  LevelScatter unit;
 };
 
 /// What a pass is to assume.
@@ -82,8 +74,13 @@ class InversionModel {
   /// Rows of D; those of k_eq follow them.
   [[nodiscard]] Eigen::Index dissipation_rows() const { return dissipation_.rows(); }
 
-  /// W of the rows of D.
-  [[nodiscard]] const Eigen::VectorXd& dissipation_weights() const { return dissipation_weights_; }
+  /// W of the rows.
+  [[nodiscard]] const Eigen::VectorXd& weights() const { return weights_; }
+
+  /// What makes β/k and the weight of the atom from coefficients: β/k and that weight of a
+  /// coefficient of 1 in its column, and 0 in all others.
+  [[nodiscard]] Eigen::VectorXd linear_damping_row() const;
+  [[nodiscard]] Eigen::VectorXd atom_row() const;
 
   /// The part of the coefficients that is θ, at the scale of 1.
   [[nodiscard]] Eigen::VectorXd theta(const Eigen::VectorXd& x) const {
@@ -97,12 +94,14 @@ class InversionModel {
   [[nodiscard]] Eigen::VectorXd density(const Eigen::VectorXd& x) const;
 
   /// β/k, 1; 0 without that column.
-  [[nodiscard]] double linear_damping(const Eigen::VectorXd& x) const;
+  [[nodiscard]] double linear_damping(const Eigen::VectorXd& x) const {
+    return linear_damping_row().dot(x);
+  }
 
   /// Weight of the atom, 1; 0 without that column.
-  [[nodiscard]] double atom_weight(const Eigen::VectorXd& x) const;
+  [[nodiscard]] double atom_weight(const Eigen::VectorXd& x) const { return atom_row().dot(x); }
 
-  // Set by the pass that chose λ; what bands() starts from.
+  // Set by the pass that chose λ.
   std::vector<SmoothingPoint> path;
   std::size_t chosen = 0;
   double most_edf = 0.0;
@@ -132,7 +131,7 @@ class InversionModel {
   Eigen::Index atom_column_;
   Eigen::MatrixXd dissipation_;  // levels × coefficients, unweighted
   Eigen::MatrixXd softening_;
-  Eigen::VectorXd dissipation_weights_;
+  Eigen::VectorXd weights_;
   double informative_rows_;
   double repeat_residual_;
   double repeat_freedom_;

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
-#include "microslip/identify/check_result.hpp"
 
 namespace microslip {
 namespace {
@@ -21,59 +20,56 @@ Levels without_damping(Levels levels, double beta) {
   return levels;
 }
 
-Identification invert_levels(const Levels& levels, const InversionOptions& options) {
-  IdentificationOptions all;
-  all.inversion = options;
-  return identify(levels, all);
+Identification invert_levels(const LevelEvidence& levels, double stiffness,
+                             const InversionOptions& options) {
+  return identify(levels, stiffness, {.inversion = options});
 }
 
 /// What the method of the options says of these levels.
-std::vector<Warning> warnings_of(const Levels& levels, IdentificationOptions options,
-                                 const Identification& inversion) {
+std::vector<Warning> warnings_of(const LevelEvidence& levels, double stiffness,
+                                 IdentificationOptions options, const Identification& inversion) {
   if (options.method == IdentificationMethod::kInversion && !options.fit) return inversion.warnings;
   options.bands.reset();
-  return identify(levels, options).warnings;
+  return identify(levels, stiffness, options).warnings;
 }
 
 }  // namespace
 
-MethodComparison compare_methods(const Levels& levels, const IdentificationOptions& options,
+MethodComparison compare_methods(const LevelEvidence& evidence, double stiffness,
+                                 const IdentificationOptions& options,
                                  std::optional<double> linear_damping) {
-  Levels merged = sort_and_merge(levels).levels;
   IdentificationOptions all = options;
   if (linear_damping) all.inversion.linear_damping = true;
-  const double stiffness = all.inversion.stiffness;
-  Identification inversion = invert_levels(merged, all.inversion);
-  Levels net = without_damping(merged, linear_damping.value_or(0.0));
-  SplineDensityResult spline = density_by_spline(net, stiffness, {all.spline_smoothing});
+  Identification inversion = invert_levels(evidence, stiffness, all.inversion);
+  LevelEvidence net(without_damping(evidence.levels(), linear_damping.value_or(0.0)));
+  SplineDensityResult spline = density_by_spline(net, stiffness, all.spline);
   SignedDensity differences = density_by_differences(net, stiffness);
-  std::vector<Warning> warnings = warnings_of(merged, all, inversion);
-  return {.levels = std::move(merged),
+  std::vector<Warning> warnings = warnings_of(evidence, stiffness, all, inversion);
+  return {.evidence = evidence,
+          .stiffness = stiffness,
           .options = all.inversion,
           .inversion = std::move(inversion),
-          .net_levels = std::move(net),
+          .net_evidence = std::move(net),
           .spline = std::move(spline),
           .differences = std::move(differences),
           .warnings = std::move(warnings)};
 }
 
 Identification inversion_with(const MethodComparison& methods, double factor) {
-  if (!methods.inversion.inversion) {
+  const InversionResult* result = methods.inversion.inversion();
+  if (!result) {
     throw InputError("methods", "without inversion", "must be what compare_methods() returned");
   }
-  const InversionResult& result = *methods.inversion.inversion;
-  check_result(result);
+  result->check();
   InversionOptions options = methods.options;
-  options.lambda = factor * result.path[result.chosen].lambda;
-  return invert_levels(methods.levels, options);
+  options.lambda = factor * result->path[result->chosen].lambda;
+  return invert_levels(methods.evidence, methods.stiffness, options);
 }
 
 Identification spline_with(const MethodComparison& methods, double factor) {
-  IdentificationOptions options;
-  options.method = IdentificationMethod::kSpline;
-  options.inversion.stiffness = methods.options.stiffness;
-  options.spline_smoothing = FixedLambda{methods.spline.fit.lambda * factor};
-  return identify(methods.net_levels, options);
+  return identify(methods.net_evidence, methods.stiffness,
+                  {.method = IdentificationMethod::kSpline,
+                   .spline = {FixedLambda{methods.spline.fit.lambda * factor}}});
 }
 
 }  // namespace microslip

@@ -6,8 +6,8 @@
 
 #include "microslip/identify/differences.hpp"
 #include "microslip/identify/identification.hpp"
-#include "microslip/identify/levels.hpp"
 #include "microslip/identify/spline_density.hpp"
+#include "microslip/observe/level_evidence.hpp"
 
 /// @file
 /// The same levels by all methods, so that a density can be seen beside the others. [AR14 Fig. 9,
@@ -17,22 +17,24 @@ namespace microslip {
 
 /// What compare_methods() found.
 struct MethodComparison {
-  Levels levels;             ///< sorted, equal amplitudes merged; with the linear damping in D
+  LevelEvidence evidence;    ///< with the linear damping in D
+  double stiffness = 0.0;    ///< k, N/m
   InversionOptions options;  ///< of the inversion
   Identification inversion;  ///< of the levels
   /// The levels less the linear damping, which the methods below do not know: D − βA², 0 or more.
-  Levels net_levels;
+  LevelEvidence net_evidence;
   SplineDensityResult spline;     ///< of the net levels
   SignedDensity differences;      ///< of the net levels
   std::vector<Warning> warnings;  ///< by the method that the options name
 };
 
 /// Inversion, spline and differences of levels.
-/// @param levels          kFewestLevels or more after equal amplitudes are merged.
+/// @param evidence        kFewestLevels different amplitudes or more.
+/// @param stiffness       k, N/m.
 /// @param options         of the method whose warnings are wanted; bands are not computed.
 /// @param linear_damping  β of D = … + βA² that was identified, J/m²; nothing where none was.
 /// @throws InputError  as identify().
-[[nodiscard]] MethodComparison compare_methods(const Levels& levels,
+[[nodiscard]] MethodComparison compare_methods(const LevelEvidence& evidence, double stiffness,
                                                const IdentificationOptions& options,
                                                std::optional<double> linear_damping = {});
 

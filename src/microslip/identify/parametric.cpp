@@ -7,20 +7,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numbers>
-#include <numeric>
-#include <set>
 #include <utility>
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/percent.hpp"
+#include "microslip/identify/eigen_view.hpp"
 #include "microslip/identify/infinity.hpp"
 #include "microslip/identify/parametric_form.hpp"
 #include "microslip/identify/parametric_search.hpp"
 #include "microslip/identify/serial_correlation.hpp"
 #include "microslip/identify/signed_density.hpp"
-#include "microslip/joint/dissipation.hpp"
-#include "microslip/joint/secant.hpp"
 
 namespace microslip {
 namespace {
@@ -30,109 +26,62 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// One kind of row: what was measured, and its standard deviation or that it is the share `scale`
-/// of the measured value.
-class Measured {
- public:
-  Measured(const Vector& value, const Vector& deviation)
-      : value_(value),
-        known_(!deviation.empty() &&
-               std::ranges::all_of(deviation, [](double s) { return s > 0.0; })),
-        sigma_(known_ ? deviation : value) {}
-
-  [[nodiscard]] std::size_t size() const { return value_.size(); }
-  [[nodiscard]] bool known() const { return known_; }
-  [[nodiscard]] double value(std::size_t i) const { return value_[i]; }
-  [[nodiscard]] double scale() const { return scale_; }
-  void set_scale(double scale) { scale_ = std::max(scale, kSmallestScale); }
-
-  [[nodiscard]] double sigma(std::size_t i) const {
-    if (!known_) return scale_ * sigma_[i];
-    return through_slope_.empty() ? sigma_[i] : std::hypot(sigma_[i], through_slope_[i]);
-  }
-
-  /// What deviations of the amplitude make of a known σ.
-  /// @param through_slope  of the joint, one a level.
-  /// @param weight         that it has in the mean of squares with what was set before.
-  /// @return  the largest change of ln σ.
-  double set_through_slope(Vector through_slope, double weight) {
-    for (std::size_t i = 0; i < through_slope_.size(); ++i) {
-      through_slope[i] = std::hypot(std::sqrt(weight) * through_slope[i],
-                                    std::sqrt(1.0 - weight) * through_slope_[i]);
-    }
-    const Vector before = std::exchange(through_slope_, std::move(through_slope));
-    double change = 0.0;
-    for (std::size_t i = 0; i < size(); ++i) {
-      const double old = before.empty() ? sigma_[i] : std::hypot(sigma_[i], before[i]);
-      change = std::max(change, std::abs(std::log(sigma(i) / old)));
-    }
-    return change;
-  }
-  [[nodiscard]] double residual(std::size_t i, double model) const {
-    return (model - value_[i]) / sigma(i);
-  }
-
-  /// Σ of (rounding of the values/σ)².
-  [[nodiscard]] double rounding() const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < size(); ++i) sum += std::pow(1e-10 * value_[i] / sigma(i), 2);
-    return sum;
-  }
-
- private:
-  static constexpr double kSmallestScale = 1e-9;  // below it a misfit is rounding
-
-  Vector value_;
-  bool known_;
-  Vector sigma_;
-  Vector through_slope_;  // empty, or one a level
-  double scale_ = 0.01;   // where the search for it starts
-};
-
 std::string with_unit(const FittedParameter& p) {
   return p.unit == "1" ? fmt::format("{:.6g}", p.value) : fmt::format("{:.6g} {}", p.value, p.unit);
 }
 
-void check_options(const ParametricOptions& options) {
-  if (options.starts < 1) throw InputError("starts", options.starts, "must be at least 1");
-  if (options.max_evaluations < 1) {
-    throw InputError("max_evaluations", options.max_evaluations, "must be at least 1");
-  }
-}
-
-void check_count(const Levels& levels, std::size_t parameters) {
-  const std::set<double> distinct(levels.amplitude.begin(), levels.amplitude.end());
-  if (distinct.size() > parameters) return;
-  throw InputError("number of distinct amplitudes", static_cast<double>(distinct.size()),
+void check_count(const LevelEvidence& evidence, std::size_t parameters) {
+  if (evidence.size() > parameters) return;
+  throw InputError("number of distinct amplitudes", static_cast<double>(evidence.size()),
                    fmt::format("must be at least {}, one more than the parameters", parameters + 1),
                    "Measure more levels, or fit a model with fewer parameters");
 }
 
-void check_relative(const Levels& levels, const Measured& dissipation) {
-  if (dissipation.known()) return;
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    if (levels.dissipation[i] > 0.0) continue;
-    throw InputError(fmt::format("dissipation of level {}", i + 1), levels.dissipation[i],
-                     "must be positive where the standard deviations are not all given",
-                     "Leave the level out or give dissipation_std at every level");
+double sum_of_squares(const Vector& v) { return view_of(v).squaredNorm(); }
+
+/// The mean of two columns; of squares for those that are deviations.
+void mix(const Vector& before, double weight, bool squares, Vector& column) {
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    column[i] = squares
+                    ? std::hypot(std::sqrt(weight) * column[i], std::sqrt(1.0 - weight) * before[i])
+                    : weight * column[i] + (1.0 - weight) * before[i];
   }
+}
+
+double largest_log_ratio(const Vector& a, const Vector& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    largest = std::max(largest, std::abs(std::log(a[i] / b[i])));
+  }
+  return largest;
+}
+
+void check_dissipation(const LevelEvidence& evidence) {
+  const Levels& levels = evidence.levels();
+  if (evidence.dissipation_std_given() || std::ranges::max(levels.dissipation) > 0.0) return;
+  throw InputError("dissipation", "0 at all levels",
+                   "must be positive at one where the standard deviations are not all given");
 }
 
 /// One fit from levels to result.
 class Fit {
  public:
-  Fit(const Levels& levels, double stiffness, ParametricModel model,
+  Fit(const LevelEvidence& evidence, double stiffness, ParametricModel model,
       const ParametricOptions& options)
-      : levels_(levels),
+      : evidence_(evidence),
+        levels_(evidence.levels()),
+        stiffness_(stiffness),
         options_(options),
-        form_(make_parametric_form(model, levels, stiffness)),
-        loss_(levels.dissipation, levels.dissipation_std),
-        secant_(levels.secant_stiffness, levels.secant_stiffness_std),
+        form_(make_parametric_form(model, levels_, stiffness)),
+        weighing_(evidence.typical()),
         model_(model) {
     problem_.coordinates = form_->coordinates();
     if (options.linear_damping) problem_.coordinates.push_back(damping_coordinate());
-    check_count(levels, problem_.coordinates.size());
-    check_relative(levels, loss_);
+    check_count(evidence, problem_.coordinates.size());
+    check_dissipation(evidence);
+    if (!evidence.dissipation_std_given()) scatter_.dissipation = kFirstScatter;
+    if (unknown_secant()) scatter_.secant_stiffness = kFirstScatter * stiffness;
+    sigma_ = evidence_.deviations(weighing_, scatter_);
     problem_.residuals = [this](std::span<const double> q) { return residuals(q); };
   }
 
@@ -151,7 +100,7 @@ class Fit {
     add_parameters(best, result);
     add_quality(best, result);
     add_warnings(result);
-    add_misfit_warning(residuals(best.q), result);
+    add_misfit_warning(level_residuals(best.q).dissipation, result);
     result.summary.wall_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
@@ -172,24 +121,44 @@ class Fit {
     return options_.linear_damping ? q.back() : 0.0;
   }
 
-  [[nodiscard]] std::size_t rows() const { return loss_.size() + secant_.size(); }
+  [[nodiscard]] bool unknown_secant() const {
+    return !levels_.secant_stiffness.empty() && !evidence_.secant_std_given();
+  }
 
-  [[nodiscard]] double modelled_loss(const Joint& joint, double linear, std::size_t i) const {
-    const double a = levels_.amplitude[i];
-    return dissipation(joint, a) + linear * a * a;
+  /// Rows of D, those of repeated levels too; and of k_eq.
+  [[nodiscard]] double loss_rows() const {
+    return static_cast<double>(evidence_.measured().size());
+  }
+  [[nodiscard]] double secant_rows() const {
+    return static_cast<double>(levels_.secant_stiffness.size());
+  }
+  [[nodiscard]] double rows() const { return loss_rows() + secant_rows(); }
+
+  [[nodiscard]] LevelRows prediction(std::span<const double> q) const {
+    return evidence_.predict(form_->joint(q), damping(q));
+  }
+
+  [[nodiscard]] LevelRows level_residuals(std::span<const double> q) const {
+    return evidence_.residuals(prediction(q), sigma_);
   }
 
   [[nodiscard]] VectorXd residuals(std::span<const double> q) const {
-    const Joint joint = form_->joint(q);
-    VectorXd result(static_cast<Index>(rows()));
-    Index row = 0;
-    for (std::size_t i = 0; i < loss_.size(); ++i) {
-      result[row++] = loss_.residual(i, modelled_loss(joint, damping(q), i));
-    }
-    for (std::size_t i = 0; i < secant_.size(); ++i) {
-      result[row++] = secant_.residual(i, secant_stiffness(joint, levels_.amplitude[i]));
-    }
+    const LevelRows left = level_residuals(q);
+    const auto n = static_cast<Index>(left.dissipation.size());
+    const auto m = static_cast<Index>(left.secant_stiffness.size());
+    VectorXd result(n + m);
+    result.head(n) = view_of(left.dissipation);
+    result.tail(m) = view_of(left.secant_stiffness);
     return result;
+  }
+
+  /// Σ of (rounding of the values/σ)².
+  [[nodiscard]] double rounding() const {
+    const LevelRows share = evidence_.residuals(
+        {Vector(levels_.size(), 0.0), Vector(levels_.secant_stiffness.size(), 0.0)}, sigma_);
+    constexpr double kRounding = 1e-10;
+    return kRounding * kRounding *
+           (sum_of_squares(share.dissipation) + sum_of_squares(share.secant_stiffness));
   }
 
   [[nodiscard]] std::vector<Vector> candidates() const {
@@ -208,7 +177,7 @@ class Fit {
   /// The smallest sum from these starts, and from those beyond its kinks as long as that helps.
   [[nodiscard]] Minimum minimise_from(const std::vector<Vector>& from) {
     constexpr int kMostRounds = 10;
-    problem_.rounding = loss_.rounding() + secant_.rounding();
+    problem_.rounding = rounding();
     Minimum best = minimise(problem_, from, options_.starts, options_.max_evaluations);
     for (int round = 0; round < kMostRounds; ++round) {
       const std::vector<Vector> beyond = neighbours(best.q);
@@ -233,64 +202,38 @@ class Fit {
     return result;
   }
 
-  /// Deviations of the amplitude act through the slopes of D and k_eq, which the joint tells.
-  [[nodiscard]] bool weighs_amplitude() const {
-    return !levels_.amplitude_std.empty() && (loss_.known() || secant_.known());
-  }
-
-  /// Before there is a joint: D grows with A³ or so.
-  void guess_slopes() {
-    if (!weighs_amplitude() || !loss_.known()) return;
-    Vector loss;
-    for (std::size_t i = 0; i < loss_.size(); ++i) {
-      loss.push_back(3.0 * loss_.value(i) * levels_.amplitude_std[i] / levels_.amplitude[i]);
-    }
-    loss_.set_through_slope(std::move(loss), 1.0);
-  }
-
-  /// What ± σ_A makes of D and k_eq of the best joint so far. Not their slopes at A, which jump
-  /// where an atom slips: the turns would go round in circles. Where two minima are
-  /// nearly as good they still may: later turns count less and less.
+  /// σ where they are a share of what is predicted, or hold what the amplitude's make of it: by the
+  /// best joint so far. Where two minima are nearly as good the turns may go round in circles:
+  /// later ones count less and less.
   /// @return  the largest change of ln σ.
-  double update_slopes(const Minimum& best, int turn) {
-    if (!weighs_amplitude()) return 0.0;
+  double update_prediction(const Minimum& best, int turn) {
     constexpr int kFullTurns = 4;
     const double weight = 1.0 / std::max(1, turn - kFullTurns);
-    const Joint joint = form_->joint(best.q);
-    const double linear = damping(best.q);
-    Vector loss;
-    Vector secant;
-    for (std::size_t i = 0; i < levels_.size(); ++i) {
-      const double above = levels_.amplitude[i] + levels_.amplitude_std[i];
-      const double below = std::max(0.0, levels_.amplitude[i] - levels_.amplitude_std[i]);
-      const auto half_change = [&](const auto& value) {
-        return 0.5 * std::abs(value(above) - value(below));
-      };
-      loss.push_back(half_change([&](double a) { return dissipation(joint, a) + linear * a * a; }));
-      secant.push_back(half_change([&](double a) { return secant_stiffness(joint, a); }));
-    }
-    double change = 0.0;
-    if (loss_.known()) change = loss_.set_through_slope(std::move(loss), weight);
-    if (secant_.size() > 0 && secant_.known()) {
-      change = std::max(change, secant_.set_through_slope(std::move(secant), weight));
-    }
-    return change;
+    const LevelPrediction before = weighing_;
+    weighing_ = {.value = prediction(best.q),
+                 .change = evidence_.amplitude_change(form_->joint(best.q), damping(best.q))};
+    mix(before.value.dissipation, weight, false, weighing_.value.dissipation);
+    mix(before.value.secant_stiffness, weight, false, weighing_.value.secant_stiffness);
+    mix(before.change.dissipation, weight, true, weighing_.change.dissipation);
+    mix(before.change.secant_stiffness, weight, true, weighing_.change.secant_stiffness);
+    const LevelRows sigma = evidence_.deviations(weighing_, scatter_);
+    const LevelRows last = std::exchange(sigma_, sigma);
+    return std::max(largest_log_ratio(sigma.dissipation, last.dissipation),
+                    largest_log_ratio(sigma.secant_stiffness, last.secant_stiffness));
   }
 
-  /// Fit and unknown noise in turns, and weights by slopes of the fit. A single unknown noise of
-  /// all rows changes no weight against another: then the first turn is the last. Otherwise the
-  /// turns follow the best start, and when the noise has settled all starts are tried again.
+  /// Fit and σ in turns, unless all σ are known. The turns follow the best start, and when σ has
+  /// settled all starts are tried again.
   Minimum search() {
     constexpr int kMostTurns = 60;
     constexpr double kStill = 1.0;  // see update_weights()
     const std::vector<Vector> grid = candidates();
-    guess_slopes();
+    const bool known =
+        evidence_.dissipation_std_given() && !unknown_secant() && !evidence_.amplitude_std_counts();
     Minimum best = minimise_from(grid);
-    double change = update_weights(best, 0);
-    const bool mixed =
-        (secant_.size() > 0 && !(loss_.known() && secant_.known())) || weighs_amplitude();
-    bool all_tried = !mixed;
-    for (int turn = 0; turn < kMostTurns && !(all_tried && (change < kStill || !mixed)); ++turn) {
+    double change = known ? 0.0 : update_weights(best, 0);
+    bool all_tried = known;
+    for (int turn = 0; turn < kMostTurns && !(all_tried && change < kStill); ++turn) {
       all_tried = change < kStill;
       std::vector<Vector> from = all_tried ? grid : std::vector<Vector>{};
       from.push_back(inside(best.q));
@@ -299,7 +242,7 @@ class Fit {
       best = std::move(next);
       change = update_weights(best, turn + 1);
     }
-    noise_settled_ = !mixed || change < kStill;
+    noise_settled_ = change < kStill;
     best.sum_of_squares = residuals(best.q).squaredNorm();
     return best;
   }
@@ -308,9 +251,13 @@ class Fit {
   ///          own error: σ weighs the levels against each other only.
   double update_weights(const Minimum& best, int turn) {
     constexpr double kStillNoise = 1e-3;
-    constexpr double kStillSlopes = 1e-2;
+    constexpr double kStillSigma = 1e-2;
     const double noise = estimate_noise(best);
-    return std::max(noise / kStillNoise, update_slopes(best, turn) / kStillSlopes);
+    sigma_ = evidence_.deviations(weighing_, scatter_);
+    const double shape = update_prediction(best, turn);
+    // One scatter of all rows changes no weight against another.
+    const bool weighs = levels_.secant_stiffness.size() > 0;
+    return std::max(weighs ? noise / kStillNoise : 0.0, shape / kStillSigma);
   }
 
   /// A start near q that is inside of all ranges.
@@ -326,19 +273,23 @@ class Fit {
 
   /// The degrees of freedom of the residual are shared among the kinds of row by their numbers.
   double estimate_noise(const Minimum& best) {
-    const VectorXd r = residuals(best.q);
-    const auto all = static_cast<double>(rows());
-    const double freedom = (all - static_cast<double>(best.free().size())) / all;
+    constexpr double kSmallestScatter = 1e-9;  // below it a misfit is rounding
+    const LevelRows left = level_residuals(best.q);
+    const double freedom = (rows() - static_cast<double>(best.free().size())) / rows();
     double change = 0.0;
-    const auto update = [&](Measured& kind, const VectorXd& part) {
-      if (kind.known() || kind.size() == 0) return;
-      const double before = kind.scale();
-      kind.set_scale(before *
-                     std::sqrt(part.squaredNorm() / (freedom * static_cast<double>(kind.size()))));
-      change = std::max(change, std::abs(std::log(kind.scale() / before)));
+    const auto update = [&](double sum, double count, double least, double& scatter) {
+      const double next = std::max(least, scatter * std::sqrt(sum / (freedom * count)));
+      change = std::max(change, std::abs(std::log(next / scatter)));
+      scatter = next;
     };
-    update(loss_, r.head(static_cast<Index>(loss_.size())));
-    update(secant_, r.tail(static_cast<Index>(secant_.size())));
+    if (!evidence_.dissipation_std_given()) {
+      update(sum_of_squares(left.dissipation) + evidence_.repeat_sum(sigma_), loss_rows(),
+             kSmallestScatter, scatter_.dissipation);
+    }
+    if (unknown_secant()) {
+      update(sum_of_squares(left.secant_stiffness), secant_rows(), kSmallestScatter * stiffness_,
+             scatter_.secant_stiffness);
+    }
     return change;
   }
 
@@ -412,42 +363,43 @@ class Fit {
   }
 
   void add_quality(const Minimum& best, ParametricResult& result) const {
-    result.chi_squared = best.sum_of_squares;
-    result.degrees_of_freedom = static_cast<int>(rows() - best.free().size());
-    if (!loss_.known()) result.dissipation_noise = loss_.scale();
-    if (secant_.size() > 0 && !secant_.known()) result.secant_noise = secant_.scale();
+    result.chi_squared = best.sum_of_squares + evidence_.repeat_sum(sigma_);
+    result.degrees_of_freedom = static_cast<int>(rows()) - static_cast<int>(best.free().size());
+    if (!evidence_.dissipation_std_given()) result.dissipation_noise = scatter_.dissipation;
+    if (unknown_secant()) result.secant_noise = scatter_.secant_stiffness;
+    const Vector model = prediction(best.q).dissipation;
     double sum = 0.0;
     double count = 0.0;
-    for (std::size_t i = 0; i < loss_.size(); ++i) {
-      if (!(loss_.value(i) > 0.0)) continue;
-      const double model = modelled_loss(result.joint, result.linear_damping, i);
-      sum += std::pow(model / loss_.value(i) - 1.0, 2);
+    for (std::size_t i = 0; i < model.size(); ++i) {
+      if (!(levels_.dissipation[i] > 0.0)) continue;
+      sum += std::pow(model[i] / levels_.dissipation[i] - 1.0, 2);
       count += 1.0;
     }
     result.misfit = count > 0.0 ? std::sqrt(sum / count) : 0.0;
     add_criteria(best, result);
   }
 
-  /// −2 ln of the likelihood of one kind of row, with an unknown scale at its most likely value.
-  static double deviance(const Measured& kind, const VectorXd& residual) {
-    const auto n = static_cast<double>(kind.size());
-    if (n == 0.0) return 0.0;
-    double logs = n * std::log(2.0 * std::numbers::pi);
-    for (std::size_t i = 0; i < kind.size(); ++i) logs += 2.0 * std::log(kind.sigma(i));
-    if (kind.known()) return logs + residual.squaredNorm();
-    constexpr double kLeast = 1e-12;  // an exact fit is not infinitely likely
-    return logs + n * std::log(std::max(residual.squaredNorm() / n, kLeast)) + n;
-  }
-
+  /// With each unknown scatter at its most likely value.
   void add_criteria(const Minimum& best, ParametricResult& result) const {
-    const VectorXd r = residuals(best.q);
-    const double both = deviance(loss_, r.head(static_cast<Index>(loss_.size()))) +
-                        deviance(secant_, r.tail(static_cast<Index>(secant_.size())));
+    constexpr double kLeast = 1e-12;  // an exact fit is not infinitely likely
+    const LevelRows left = level_residuals(best.q);
+    LevelScatter likely = scatter_;
     double count = static_cast<double>(result.parameters.size());
-    if (result.dissipation_noise) count += 1.0;
-    if (result.secant_noise) count += 1.0;
-    result.aic = both + 2.0 * count;
-    result.bic = both + count * std::log(static_cast<double>(rows()));
+    const auto maximise = [&](double sum, double rows, double& scatter) {
+      scatter *= std::sqrt(std::max(sum / rows, kLeast));
+      count += 1.0;
+    };
+    if (result.dissipation_noise) {
+      maximise(sum_of_squares(left.dissipation) + evidence_.repeat_sum(sigma_), loss_rows(),
+               likely.dissipation);
+    }
+    if (result.secant_noise) {
+      maximise(sum_of_squares(left.secant_stiffness), secant_rows(), likely.secant_stiffness);
+    }
+    const LevelPrediction fitted{.value = prediction(best.q), .change = weighing_.change};
+    const double deviance = -2.0 * evidence_.log_likelihood(fitted, likely);
+    result.aic = deviance + 2.0 * count;
+    result.bic = deviance + count * std::log(rows());
   }
 
   void add_warnings(ParametricResult& result) const {
@@ -465,7 +417,7 @@ class Fit {
                                              p.name, with_unit(p))});
       }
     }
-    const bool unusable = !levels_.dissipation_std.empty() && !loss_.known();
+    const bool unusable = !levels_.dissipation_std.empty() && !evidence_.dissipation_std_given();
     if (unusable) {
       result.warnings.push_back(
           {"noise_not_given",
@@ -474,17 +426,12 @@ class Fit {
     }
   }
 
-  /// Of the energies, in the order of their amplitudes.
-  void add_misfit_warning(const VectorXd& residual, ParametricResult& result) const {
+  /// @param residual  of the energies.
+  void add_misfit_warning(const Vector& residual, ParametricResult& result) const {
     constexpr double kRounding = 1e-6;
     constexpr double kTelling = 4.0;  // standard deviations: once in 3e4 fits of the right model
     if (result.misfit < kRounding) return;
-    std::vector<std::size_t> order(loss_.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, {}, [this](std::size_t i) { return levels_.amplitude[i]; });
-    std::vector<double> ordered;
-    for (const std::size_t i : order) ordered.push_back(residual[static_cast<Index>(i)]);
-    const SerialCorrelation serial = serial_correlation(ordered);
+    const SerialCorrelation serial = serial_correlation(residual);
     if (serial.deviations < kTelling) return;
     result.warnings.push_back(
         {"systematic_misfit",
@@ -496,11 +443,16 @@ class Fit {
 
   static constexpr double kRankTolerance = 1e-7;  // above the error of the differences
 
+  static constexpr double kFirstScatter = 0.01;  // where the search for it starts
+
+  const LevelEvidence& evidence_;
   const Levels& levels_;
+  double stiffness_;
   const ParametricOptions& options_;
   std::unique_ptr<ParametricForm> form_;
-  Measured loss_;
-  Measured secant_;
+  LevelPrediction weighing_;  // what σ are by
+  LevelScatter scatter_;
+  LevelRows sigma_;
   ParametricModel model_;
   LeastSquares problem_;
   bool noise_settled_ = true;
@@ -520,12 +472,18 @@ std::string_view to_string(ParametricModel model) {
   return "four_parameter";
 }
 
-ParametricResult fit_parametric(const Levels& levels, double stiffness, ParametricModel model,
-                                const ParametricOptions& options) {
+void ParametricOptions::check() const {
+  if (starts < 1) throw InputError("starts", starts, "must be at least 1");
+  if (max_evaluations < 1) {
+    throw InputError("max_evaluations", max_evaluations, "must be at least 1");
+  }
+}
+
+ParametricResult fit_parametric(const LevelEvidence& evidence, double stiffness,
+                                ParametricModel model, const ParametricOptions& options) {
   check_stiffness(stiffness);
-  check_levels(levels);
-  check_options(options);
-  return Fit(levels, stiffness, model, options).run();
+  options.check();
+  return Fit(evidence, stiffness, model, options).run();
 }
 
 }  // namespace microslip

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "microslip/base/summary.hpp"
-#include "microslip/identify/levels.hpp"
 #include "microslip/joint/joint.hpp"
+#include "microslip/observe/level_evidence.hpp"
 
 namespace microslip {
 
@@ -35,6 +35,9 @@ struct ParametricOptions {
   int starts = 6;
   /// Evaluations of the residuals and of their derivatives that one start may take; ≥ 1.
   int max_evaluations = 400;
+
+  /// @throws InputError  naming the option that breaks a rule.
+  void check() const;
 };
 
 /// One parameter of a fit.
@@ -59,9 +62,9 @@ struct ParametricResult {
 
   double chi_squared = 0.0;    ///< Σ (residual/σ)², with the σ above
   int degrees_of_freedom = 0;  ///< rows − parameters that are not at a bound
-  /// σ_D/D and σ_k/k_eq estimated from the misfit, 1; empty where the deviations were given.
+  /// σ_D/D, 1, and σ_k, N/m, estimated from the misfit; empty where the deviations were given.
   std::optional<double> dissipation_noise;
-  std::optional<double> secant_noise;  ///< of k_eq; likewise
+  std::optional<double> secant_noise;  ///< N/m
   double misfit = 0.0;  ///< √(mean (D_model/D − 1)²) over the levels with D > 0, 1
   /// Akaike's and the Bayesian information criterion of a normal likelihood, counting every
   /// parameter and every estimated noise: of the models fitted to the same levels the lowest is to
@@ -78,15 +81,8 @@ struct ParametricResult {
 ///     (D_model(A_i) + βl A_i² − D_i)/σ_i             and, where k_eq was measured,
 ///     (k_eq,model(A_i) − k_eq,i)/σ_k,i
 ///
-/// σ is `dissipation_std` where that is given and positive at every level; otherwise σ_i = s D_i
-/// with s estimated from the misfit (this needs D > 0); `secant_stiffness_std` likewise. Where both
-/// kinds of row are there and an s is unknown, fit and s are found in turns. `amplitude_std` adds
-/// to a σ that was given what it makes through the slope of the fit, also in turns:
-///
-///     σ_i² = σ_D,i² + ¼[D(A_i + σ_A,i) − D(A_i − σ_A,i)]²,  D = D_model + βl A²;  k_eq likewise
-///
-/// (effective variance, with D′σ_A as a difference that an atom leaves continuous; Orear, Am. J.
-/// Phys. 50 (1982) 912); an estimated s holds it already.
+/// σ is that of LevelEvidence at the fit, with a scatter that is estimated from the misfit where no
+/// standard deviations were given; where σ depends on the fit, both are found in turns.
 ///
 /// Method: each parameter moves inside of its range by a smooth one-to-one transformation
 /// (logarithm or logit), in which MINPACK's Levenberg–Marquardt [J. J. Moré, Lect. Notes Math. 630
@@ -99,12 +95,12 @@ struct ParametricResult {
 /// macro-slip F_S and beta cannot be told apart); not_identifiable; noise_not_given;
 /// systematic_misfit (the residuals of neighbouring levels are correlated, see
 /// serial_correlation()).
-/// @param levels     any order and repetition; more distinct amplitudes than parameters.
+/// @param evidence   more distinct amplitudes than parameters.
 /// @param stiffness  k, N/m; positive and finite.
 /// @param model      whose parameters are sought.
 /// @param options    what is fitted with them, and the limits of the search.
 /// @throws InputError  naming the value that breaks a rule.
-[[nodiscard]] ParametricResult fit_parametric(const Levels& levels, double stiffness,
+[[nodiscard]] ParametricResult fit_parametric(const LevelEvidence& evidence, double stiffness,
                                               ParametricModel model,
                                               const ParametricOptions& options = {});
 

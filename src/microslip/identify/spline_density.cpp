@@ -13,11 +13,11 @@ namespace microslip {
 namespace {
 
 /// 1/σ² over their mean; empty for equal weights.
-std::vector<double> dissipation_weights(const Levels& levels) {
-  std::vector<double> weights = levels.dissipation_std;
-  if (!std::ranges::all_of(weights, [](double sigma) { return sigma > 0.0; })) return {};
+std::vector<double> dissipation_weights(const LevelEvidence& levels) {
+  if (!levels.dissipation_std_given()) return {};
+  std::vector<double> weights = levels.measured().dissipation_std;
   // Relative to the smallest σ, whose square may underflow in J².
-  const double smallest = weights.empty() ? 0.0 : std::ranges::min(weights);
+  const double smallest = std::ranges::min(weights);
   for (double& weight : weights) weight = (smallest / weight) * (smallest / weight);
   const double mean =
       std::accumulate(weights.begin(), weights.end(), 0.0) / static_cast<double>(weights.size());
@@ -48,13 +48,12 @@ double SplineDensityResult::density_at(double slip_force) const {
   return curvature == 0.0 ? 0.0 : density_from_curvature(curvature, amplitude, stiffness);
 }
 
-SplineDensityResult density_by_spline(const Levels& levels, double stiffness,
+SplineDensityResult density_by_spline(const LevelEvidence& levels, double stiffness,
                                       const SplineDensityOptions& options) {
   check_stiffness(stiffness);
-  check_levels(levels);
   SplineDensityResult result;
   result.stiffness = stiffness;
-  result.fit = fit_smoothing_spline(levels.amplitude, levels.dissipation,
+  result.fit = fit_smoothing_spline(levels.measured().amplitude, levels.measured().dissipation,
                                     dissipation_weights(levels), options.smoothing);
   const auto amplitude = result.fit.spline.knots();
   if (amplitude.size() < 3) {

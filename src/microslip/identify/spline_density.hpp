@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "microslip/base/summary.hpp"
-#include "microslip/identify/levels.hpp"
 #include "microslip/identify/signed_density.hpp"
 #include "microslip/identify/smoothing_spline.hpp"
+#include "microslip/observe/level_evidence.hpp"
 
 namespace microslip {
 
@@ -40,11 +40,11 @@ struct SplineDensityResult {
 /// One λ serves all amplitudes. Where σ is in proportion to D, the weights make the curve follow
 /// the low levels closely, and φ is noisy there; without `dissipation_std` it is the other way
 /// round.
-/// @param levels     in any order; equal amplitudes are merged; at least 3 distinct (4 for Gcv).
+/// @param levels     with their errors; at least 3 distinct (4 for Gcv).
 /// @param stiffness  k, N/m; positive and finite.
 /// @param options    how D(A) is smoothed.
 /// @throws InputError  naming the value that breaks a rule.
-[[nodiscard]] SplineDensityResult density_by_spline(const Levels& levels, double stiffness,
+[[nodiscard]] SplineDensityResult density_by_spline(const LevelEvidence& levels, double stiffness,
                                                     const SplineDensityOptions& options = {});
 
 }  // namespace microslip

@@ -11,7 +11,6 @@
 #include <string>
 
 #include "microslip/base/percent.hpp"
-#include "microslip/identify/noise.hpp"
 #include "microslip/joint/secant.hpp"
 
 namespace microslip {
@@ -27,39 +26,32 @@ constexpr double kMostChangeOfKnown = 1e-3;
 constexpr double kTellingChange = 3.0;
 constexpr double kMicrometre = 1e-6;
 
-/// σ of k_eq, as given or, without it, what neighbouring levels tell; empty where nothing does.
-std::vector<double> secant_deviations(const Levels& levels) {
-  const std::vector<double>& given = levels.secant_stiffness_std;
-  if (!given.empty() && std::ranges::all_of(given, [](double s) { return s > 0.0; })) return given;
-  if (levels.size() < 3) return {};
-  const double scatter = scatter_about_neighbours(levels.amplitude, levels.secant_stiffness);
-  if (!(scatter > 0.0)) return {};
-  return std::vector<double>(levels.size(), scatter);
-}
-
-std::optional<SecantEvidence> secant_evidence(const Levels& merged, const Joint& joint) {
-  if (merged.secant_stiffness.empty()) return std::nullopt;
-  const std::vector<double> sigma = secant_deviations(merged);
-  const bool given = !sigma.empty() && sigma == merged.secant_stiffness_std;
-  const std::size_t n = merged.size();
-  std::vector<double> difference(n);
+std::optional<SecantEvidence> secant_evidence(const LevelEvidence& levels, const Joint& joint) {
+  const std::vector<double>& measured = levels.levels().secant_stiffness;
+  if (measured.empty()) return std::nullopt;
+  const LevelRows predicted = levels.predict(joint);
+  const std::vector<double> sigma =
+      levels.deviations({.value = predicted}, levels.expected_scatter(joint.stiffness()))
+          .secant_stiffness;
+  const std::size_t n = measured.size();
   double weights = 0.0;
   double sum = 0.0;
   double common = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
-    const double weight = sigma.empty() ? 1.0 : 1.0 / (sigma[i] * sigma[i]);
-    difference[i] = merged.secant_stiffness[i] - secant_stiffness(joint, merged.amplitude[i]);
+    const double weight = 1.0 / (sigma[i] * sigma[i]);
     weights += weight;
-    sum += weight * difference[i];
-    if (given) common += weight * sigma[i];
+    sum += weight * (measured[i] - predicted.secant_stiffness[i]);
+    common += weight * sigma[i];
   }
   SecantEvidence evidence;
   evidence.offset = sum / weights;
-  if (!sigma.empty()) evidence.offset_std = given ? common / weights : 1.0 / std::sqrt(weights);
+  const bool given = levels.secant_std_given();
+  evidence.offset_std = given ? common / weights : 1.0 / std::sqrt(weights);
   if (!given || n < 2) return evidence;
   double square = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
-    square += std::pow((difference[i] - evidence.offset) / sigma[i], 2);
+    const double left = measured[i] - predicted.secant_stiffness[i] - evidence.offset;
+    square += std::pow(left / sigma[i], 2);
   }
   evidence.scatter = std::sqrt(square / static_cast<double>(n - 1));
   return evidence;
@@ -207,9 +199,9 @@ void diagnose_frequency(const FrequencyEvidence& evidence, std::vector<Warning>&
 
 }  // namespace
 
-StiffnessEvidence stiffness_evidence(const Levels& levels, const Joint& joint) {
-  return {.secant = secant_evidence(sort_and_merge(levels).levels, joint),
-          .frequency = frequency_evidence(levels, joint)};
+StiffnessEvidence stiffness_evidence(const LevelEvidence& levels, const Joint& joint) {
+  return {.secant = secant_evidence(levels, joint),
+          .frequency = frequency_evidence(levels.measured(), joint)};
 }
 
 std::optional<Warning> diagnose_offset(const SecantEvidence& secant, double stiffness,

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "microslip/base/summary.hpp"
-#include "microslip/identify/levels.hpp"
 #include "microslip/joint/joint.hpp"
+#include "microslip/observe/level_evidence.hpp"
 
 /// @file
 /// Measured stiffness held against a joint that was identified from dissipation: secant stiffnesses
@@ -26,7 +26,7 @@ struct SecantEvidence {
   double offset = 0.0;
   /// Of that mean, N/m: the weighted mean of the σ given, as if the errors were common to all
   /// levels; where none was given that of a mean of independent errors as large as the measured
-  /// scatter.
+  /// scatter, of 0.1 % of k at least.
   double offset_std = 0.0;
   /// What is left without the offset, rms over σ, 1; nothing where σ was not given.
   std::optional<double> scatter;
@@ -63,10 +63,9 @@ struct StiffnessEvidence {
       frequency;  ///< where frequencies are there, of two levels or more
 };
 
-/// @param levels  in any order.
+/// @param levels  with their errors.
 /// @param joint   identified from them.
-/// @throws InputError  as check_levels().
-[[nodiscard]] StiffnessEvidence stiffness_evidence(const Levels& levels, const Joint& joint);
+[[nodiscard]] StiffnessEvidence stiffness_evidence(const LevelEvidence& levels, const Joint& joint);
 
 /// What it gives reason to say:
 ///   * `secant_inconsistent`     the mean of k_eq is off that of the joint by more than 1 % of k,

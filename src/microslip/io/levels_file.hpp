@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "microslip/identify/levels.hpp"
 #include "microslip/io/csv_writer.hpp"
+#include "microslip/observe/levels.hpp"
 
 /// @file
 /// levels.csv: one row a level. Needed: `amplitude [m]`, `dissipation [J]`. Used when there:

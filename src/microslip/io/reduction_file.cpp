@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "microslip/identify/levels.hpp"
 #include "microslip/io/levels_file.hpp"
+#include "microslip/observe/levels.hpp"
 
 namespace microslip {
 namespace {

@@ -127,7 +127,7 @@ ReportFigure density_figure(const TestResults& results,
 
 /// Of D between neighbouring levels, and of its smoothing spline.
 void add_measured_slopes(const MethodComparison& methods, std::vector<ReportTrace>& traces) {
-  const Levels& levels = methods.net_levels;
+  const Levels& levels = methods.net_evidence.levels();
   ReportTrace steps{.name = "differences", .kind = TraceKind::kPoints, .stroke = {.colour = kGrey}};
   for (std::size_t i = 1; i < levels.size(); ++i) {
     steps.x.push_back(0.5 * (levels.amplitude[i] + levels.amplitude[i - 1]) / kMicrometre);
@@ -214,7 +214,7 @@ ReportFigure smoothings_figure(const MethodComparison& methods) {
   int colour = kVermillion;
   const auto add = [&](const std::string& name, const Identification& found, Stroke stroke) {
     traces.push_back(
-        density_curve(fmt::format("{}, {:.1f} degrees of freedom", name, found.inversion->edf),
+        density_curve(fmt::format("{}, {:.1f} degrees of freedom", name, found.inversion()->edf),
                       found.joint, from, to, stroke));
   };
   for (const double factor : {100.0, 10.0, 1.0, 0.1, 0.01}) {
@@ -246,7 +246,7 @@ ReportSection density_section(const TestResults& results,
   section.blocks.emplace_back(density_figure(results, methods));
   if (results.levels) section.blocks.emplace_back(slope_figure(results, methods));
   if (methods) {
-    section.blocks.emplace_back(path_figure(*methods->inversion.inversion));
+    section.blocks.emplace_back(path_figure(*methods->inversion.inversion()));
     section.blocks.emplace_back(smoothings_figure(*methods));
   }
   return section;

@@ -34,10 +34,9 @@ std::optional<MethodComparison> compare_methods(const TestResults& results) {
   const std::optional<double> stiffness = stiffness_of(results);
   if (!results.levels || !stiffness) return std::nullopt;
   const Levels levels = used_levels(*results.levels);
-  if (sort_and_merge(levels).levels.size() < kFewestLevels) return std::nullopt;
-  IdentificationOptions options = results.options;
-  options.inversion.stiffness = *stiffness;
-  return compare_methods(levels, options,
+  const LevelEvidence evidence(levels);
+  if (evidence.size() < kFewestLevels) return std::nullopt;
+  return compare_methods(evidence, *stiffness, results.options,
                          results.joint ? results.joint->linear_damping : std::optional<double>());
 }
 

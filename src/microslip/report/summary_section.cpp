@@ -209,8 +209,8 @@ std::optional<ReportWarning> foreign_misfit(const TestResults& results,
       joint.scatter_is_relative != misfit.in_deviations) {
     scatter = std::max(*joint.scatter, misfit.in_deviations ? 1.0 : 0.0);
   } else if (!misfit.in_deviations) {
-    if (!methods || !methods->inversion.inversion->scatter_is_relative) return std::nullopt;
-    scatter = methods->inversion.inversion->scatter;
+    if (!methods || !methods->inversion.inversion()->scatter_is_relative) return std::nullopt;
+    scatter = methods->inversion.inversion()->scatter;
   }
   if (!(misfit.rms > kLargest * scatter)) return std::nullopt;
   return ReportWarning{

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "microslip/identify/identification.hpp"
-#include "microslip/identify/levels.hpp"
 #include "microslip/joint/joint.hpp"
+#include "microslip/observe/levels.hpp"
 #include "microslip/report/report_document.hpp"
 #include "microslip/rig/rig.hpp"
 

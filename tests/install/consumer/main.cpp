@@ -16,9 +16,7 @@ int main() {
     levels.amplitude.push_back(amplitude);
     levels.dissipation.push_back(microslip::dissipation(joint, amplitude));
   }
-  microslip::InversionOptions options;
-  options.stiffness = joint.stiffness();
-  std::printf("area = %.3f\n", microslip::invert(levels, options).area);
+  std::printf("area = %.3f\n", microslip::invert(levels, joint.stiffness()).area);
   try {
     static_cast<void>(microslip::read_recordings("absent.h5", {}));
   } catch (const microslip::FileError& error) {

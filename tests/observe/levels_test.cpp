@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/levels.hpp"
+#include "microslip/observe/levels.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/noise.hpp"
+#include "microslip/observe/neighbour_scatter.hpp"
 
 #include <algorithm>
 #include <cmath>

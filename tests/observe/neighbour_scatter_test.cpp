@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/noise.hpp"
+#include "microslip/observe/neighbour_scatter.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
 
-namespace microslip::noise_test {
+namespace microslip::neighbour_scatter_test {
 namespace {
 
 struct Points {
@@ -78,4 +78,4 @@ TEST(Scatter, NeedsThreePoints) {
 }
 
 }  // namespace
-}  // namespace microslip::noise_test
+}  // namespace microslip::neighbour_scatter_test

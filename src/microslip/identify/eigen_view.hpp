@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+/// @file
+/// Plain numbers as Eigen sees them. Internal: Eigen stays out of the installed headers.
+
+namespace microslip {
+
+/// The values themselves, not a copy: they must outlive the view.
+[[nodiscard]] inline Eigen::Map<const Eigen::VectorXd> view_of(const std::vector<double>& values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+
+}  // namespace microslip
