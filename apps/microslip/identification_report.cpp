@@ -222,8 +222,7 @@ std::string describe_identification(const Identification& found, std::size_t lev
     text += line("linear damping",
                  fmt::format("{:.4g} J/m^2 (adds to D with A^2)", *found.linear_damping));
   }
-  text +=
-      line("solver", fmt::format("{}: {}", to_string(found.summary.status), found.summary.reason));
+  text += line("solver", fmt::format("{}: {}", found.summary.status(), found.summary.reason));
   text += describe_density(found);
   for (const Warning& warning : found.warnings) {
     text += wrapped("  warning: ", warning.text, 11);
@@ -237,7 +236,7 @@ NamedValues record_of(const Identification& found) {
   if (found.parametric) {
     record.emplace_back("model", std::string(to_string(found.parametric->model)));
   }
-  record.emplace_back("status", std::string(to_string(found.summary.status)));
+  record.emplace_back("status", std::string(found.summary.status()));
   record.emplace_back("covered_from_N", found.covered_from);
   record.emplace_back("covered_to_N", found.covered_to);
   record.emplace_back("elastic_remainder", found.joint.density().elastic_remainder());

@@ -144,7 +144,7 @@ TEST(MarchFailure, SaysWhereAndKeepsWhatWasFound) {
   const LoadHistory loads{{0.5, 0.501, 0.502}, {}};
   const MarchResult found = march(
       rig, loads, {.step = 1e-3, .points = {point}, .start = {.velocity = {1e170, 0.0, 0.0}}});
-  EXPECT_EQ(found.summary.status, Status::kNotConverged);
+  EXPECT_FALSE(found.summary.converged());
   expect_message(found.summary.reason,
                  "step 1, from 0.5 s on, did not converge in 50 iterations, nor did pieces of it");
   ASSERT_EQ(found.time, std::vector<double>{0.5});
@@ -204,10 +204,10 @@ TEST(MarchFailure, ShowsInTheBalanceAndTheEstimate) {
   ASSERT_TRUE(fine.error_estimate.has_value());
   MarchResult found =
       march(structure, vibration(), {.largest_imbalance = 0.5 * fine.energy.imbalance()});
-  EXPECT_EQ(found.summary.status, Status::kNotConverged);
+  EXPECT_FALSE(found.summary.converged());
   expect_message(found.summary.reason, "the energy balance is off by");
   found = march(structure, vibration(), {.largest_error = 0.5 * *fine.error_estimate});
-  EXPECT_EQ(found.summary.status, Status::kNotConverged);
+  EXPECT_FALSE(found.summary.converged());
   expect_message(found.summary.reason, "the error of the displacements is estimated at");
   found = march(structure, vibration(), {.estimate_error = false});
   EXPECT_FALSE(found.error_estimate.has_value());

@@ -116,7 +116,7 @@ TEST(ResponseTable, TellsHowItEndedAndWhereThePeaksAre) {
   EXPECT_NE(response_table(curve).str().find(
                 "\n# warning: one: of one thing\n# warning: two: of another\n"),
             std::string::npos);
-  curve.summary.status = Status::kNotConverged;
+  curve.summary.stop = Stop::kNoProgress;
   curve.summary.reason = "a test\nsays so";
   EXPECT_NE(
       response_table(curve).str().find("# harmonic balance, continuation: NOT CONVERGED: a test"),

@@ -43,7 +43,7 @@ Verification record(const std::string& source) {
   record.predicted.amplitude = 2.5e-5;
   record.predicted.input_energy = 0.25;
   record.predicted.frequency_offset = -0.125;
-  record.summary.status = Status::kConverged;
+  record.summary.stop = Stop::kConverged;
   record.phase = 0.5 * kPi;
   record.history = {0.25, 0.5};
   ChannelComparison force;
@@ -67,7 +67,7 @@ Verification record(const std::string& source) {
 
 TEST(VerificationFile, ARowARecordAndChannel) {
   Verification marked = record("b.csv");
-  marked.summary.status = Status::kNotConverged;
+  marked.summary.stop = Stop::kNoProgress;
   marked.recorded.flags = {{"spike", ""}};
   marked.warnings = {{"beyond_identification", ""}};
   const std::vector<Verification> records{record("a.csv"), marked};

@@ -35,14 +35,14 @@ VirtualLevel level_of(std::size_t number) {
     cycle.reversals = 2;
   }
   level.warnings = {{std::string(kMacroSlip), "all slips"}};
-  level.summary.status = Status::kConverged;
+  level.summary.stop = Stop::kConverged;
   return level;
 }
 
 /// The second of three is not found.
 std::vector<VirtualLevel> levels() {
   std::vector<VirtualLevel> levels{level_of(1), level_of(2), level_of(3)};
-  levels[1].summary.status = Status::kNotConverged;
+  levels[1].summary.stop = Stop::kNoProgress;
   levels[1].summary.reason = "no resonance";
   return levels;
 }
@@ -84,7 +84,7 @@ TEST(VirtualMeasurementFile, RefusesWhatItCannotWrite) {
   const std::vector<std::string> two{"a.csv", "b.csv"};
   EXPECT_THROW((void)truth_table(levels(), joint, two), InputError);
   std::vector<VirtualLevel> none = levels();
-  for (VirtualLevel& level : none) level.summary.status = Status::kNotConverged;
+  for (VirtualLevel& level : none) level.summary.stop = Stop::kNoProgress;
   EXPECT_THROW((void)truth_table(none, joint, kSources), InputError);
   EXPECT_THROW((void)force_control_table(none, 10), InputError);
   std::vector<VirtualLevel> pure = levels();

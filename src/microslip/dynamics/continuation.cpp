@@ -197,8 +197,8 @@ bool Continuation::add(Point point) {
     tell(rows_.back().point.along);
     return true;
   }
-  stop(Status::kNotConverged, fmt::format("{}, at {:.9g} Hz, force {:.6g} N", doubt,
-                                          vibration.frequency(), vibration.force_amplitude));
+  stop(Stop::kDoubtful, fmt::format("{}, at {:.9g} Hz, force {:.6g} N", doubt,
+                                    vibration.frequency(), vibration.force_amplitude));
   return false;
 }
 
@@ -210,8 +210,8 @@ std::string Continuation::place(const Point& point) const {
   return text;
 }
 
-void Continuation::stop(Status status, const std::string& reason) {
-  summary_.status = status;
+void Continuation::stop(Stop why, const std::string& reason) {
+  summary_.stop = why;
   summary_.reason = reason;
 }
 
@@ -267,7 +267,7 @@ void Continuation::follow(VectorXd z) {
   double length = wanted_length(point);
   while (step(point, length)) {
     if (static_cast<int>(rows_.size()) >= options_.max_points) {
-      stop(Status::kNotConverged,
+      stop(Stop::kLimit,
            fmt::format("max_points = {} are used up {}", options_.max_points, place(point)));
       rows_.erase(rows_.begin() + options_.max_points, rows_.end());
       return;
@@ -308,7 +308,7 @@ bool Continuation::find_next(const Point& point, double& length, Point& next) {
     return true;
   }
   summary_.residual = std::max(summary_.residual, result.residual);
-  stop(Status::kNotConverged,
+  stop(Stop::kNoProgress,
        fmt::format("Newton's method finds no further point {}: {}", place(point),
                    result.converged ? "the curve bends too sharply" : result.reason));
   return false;
@@ -337,7 +337,7 @@ bool Continuation::step(Point& point, double& length) {
   for (auto& [here, found] : located(point, length, next)) add(std::move(found));
   if (ends || returns) {
     if (!land(point, next, ends ? to_ : from_)) return false;
-    stop(ends ? Status::kConverged : Status::kNotConverged,
+    stop(ends ? Stop::kConverged : Stop::kNoProgress,
          ends ? "reached the end of the range"
               : fmt::format("the curve turned back and left the range where it began, {}",
                             place(next)));
@@ -368,8 +368,8 @@ bool Continuation::land(const Point& before, const Point& after, double limit) {
     return add(point_at(z, &forward));
   }
   summary_.residual = std::max(summary_.residual, result.residual);
-  stop(Status::kNotConverged, fmt::format("the last point, {}, was not found: {}",
-                                          describe({along_, limit}), result.reason));
+  stop(Stop::kNoProgress, fmt::format("the last point, {}, was not found: {}",
+                                      describe({along_, limit}), result.reason));
   return false;
 }
 

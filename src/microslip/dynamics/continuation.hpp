@@ -106,7 +106,7 @@ class Continuation {
   bool add(Point point);
   bool retraces();
   bool lies_on_earlier_piece(const Point& point);
-  void stop(Status status, const std::string& reason);
+  void stop(Stop why, const std::string& reason);
   [[nodiscard]] std::string place(const Point& point) const;
   void tell(double along);
 

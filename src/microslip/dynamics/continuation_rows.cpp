@@ -183,9 +183,8 @@ bool Continuation::retraces() {
   retraced_ = lies_on_earlier_piece(rows_.back().point) ? retraced_ + 1 : 0;
   if (retraced_ < kMostRetraced) return false;
   rows_.erase(rows_.end() - kMostRetraced, rows_.end());
-  stop(Status::kNotConverged,
-       fmt::format("the curve was turned round and goes back over itself, {}",
-                   place(rows_.back().point)));
+  stop(Stop::kNoProgress, fmt::format("the curve was turned round and goes back over itself, {}",
+                                      place(rows_.back().point)));
   return true;
 }
 
@@ -273,7 +272,7 @@ std::vector<Continuation::Row> Continuation::walk(const Row& from, const Row& to
     point = std::move(next);
   }
   longest_ = HUGE_VAL;
-  summary_.status = before.status;
+  summary_.stop = before.stop;
   summary_.reason = before.reason;
   return arrived ? rows : std::vector<Row>{};
 }

@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/stopwatch.hpp"
 #include "microslip/dynamics/continuation.hpp"
 #include "microslip/dynamics/level_walk.hpp"
 #include "microslip/dynamics/resonance_curve.hpp"
@@ -19,7 +19,6 @@
 namespace microslip {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Eigen::Index;
 using Eigen::VectorXd;
 
@@ -131,10 +130,6 @@ void check_modal_mode(const JointedStructure& structure, const ResponsePoint& re
                    "Take another mode.");
 }
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 /// Equations and options of one call.
 struct Run {
   Run(const JointedStructure& structure, const ResponsePoint& response,
@@ -188,7 +183,7 @@ struct Run {
 };
 
 VibrationResult to_result(Run& run, const Run::Outcome& outcome, const Target& first,
-                          const Target& second, Clock::time_point start) {
+                          const Target& second, const Stopwatch& watch) {
   VibrationResult result;
   run.equations.evaluate(outcome.z);
   result.vibration = run.equations.vibration();
@@ -196,7 +191,9 @@ VibrationResult to_result(Run& run, const Run::Outcome& outcome, const Target& f
   s.method = kMethod;
   const std::string doubt = energy_doubt(result.vibration, run.newton_options.tolerance);
   const bool converged = outcome.newton.converged && doubt.empty();
-  s.status = converged ? Status::kConverged : Status::kNotConverged;
+  s.stop = converged                  ? Stop::kConverged
+           : outcome.newton.converged ? Stop::kDoubtful
+                                      : Stop::kNoProgress;
   s.reason = outcome.newton.converged && !converged ? doubt : outcome.newton.reason;
   if (!converged) {
     s.reason +=
@@ -206,7 +203,7 @@ VibrationResult to_result(Run& run, const Run::Outcome& outcome, const Target& f
   }
   s.residual = outcome.newton.residual;
   s.iterations = outcome.newton.iterations;
-  s.wall_seconds = seconds_since(start);
+  s.wall_seconds = watch.seconds();
   return result;
 }
 
@@ -261,25 +258,25 @@ HarmonicBalance::HarmonicBalance(JointedStructure structure, ResponsePoint respo
 
 VibrationResult HarmonicBalance::solve(const Target& first, const Target& second,
                                        std::size_t mode) const {
-  const auto start = Clock::now();
+  const Stopwatch watch;
   check_targets(first, second, options_.forcing);
   Run run(structure_, response_, options_);
-  return to_result(run, solve_from_stuck(run, first, second, mode), first, second, start);
+  return to_result(run, solve_from_stuck(run, first, second, mode), first, second, watch);
 }
 
 VibrationResult HarmonicBalance::solve(const Target& first, const Target& second,
                                        const SteadyVibration& near) const {
-  const auto start = Clock::now();
+  const Stopwatch watch;
   check_targets(first, second, options_.forcing);
   Run run(structure_, response_, options_);
   Run::Outcome outcome{{}, to_unknowns(near, run.equations, options_.harmonics)};
   outcome.newton = newton(run.equations, first, second, run.newton_options, outcome.z);
-  return to_result(run, outcome, first, second, start);
+  return to_result(run, outcome, first, second, watch);
 }
 
 ResponseCurve HarmonicBalance::follow(const Target& kept, Quantity along, double from, double to,
                                       std::size_t mode, const Progress& progress) const {
-  const auto start = Clock::now();
+  const Stopwatch watch;
   if (along == Quantity::kPhaseLag) {
     throw InputError("quantity to follow", to_string(along), "must not be the phase lag");
   }
@@ -298,12 +295,12 @@ ResponseCurve HarmonicBalance::follow(const Target& kept, Quantity along, double
                                       options_.accuracy,     options_.frequencies};
     Continuation(run.equations, options, kept, along, from, to).run(first.z, curve, progress);
   } else {
-    curve.summary.status = Status::kNotConverged;
+    curve.summary.stop = Stop::kNoProgress;
     curve.summary.reason =
         fmt::format("the first point was not found: {} with {}: {}", describe({along, from}),
                     describe(kept), first.newton.reason);
   }
-  curve.summary.wall_seconds = seconds_since(start);
+  curve.summary.wall_seconds = watch.seconds();
   return curve;
 }
 
@@ -321,7 +318,7 @@ ResponseCurve HarmonicBalance::constant_response(double response, double from, d
 
 ResponseCurve HarmonicBalance::backbone(std::span<const double> responses, std::size_t mode,
                                         const Progress& progress) const {
-  const auto start = Clock::now();
+  const Stopwatch watch;
   require(!responses.empty(), "number of responses", 0.0, "must be at least 1");
   for (const double response : responses) check_target({Quantity::kResponse, response});
   Run run(structure_, response_, options_);
@@ -348,7 +345,7 @@ ResponseCurve HarmonicBalance::backbone(std::span<const double> responses, std::
     curve.points.push_back(std::move(vibration));
     if (progress && !progress(i + 1, responses.size())) throw Cancelled();
   }
-  s.status = result.converged ? Status::kConverged : Status::kNotConverged;
+  s.stop = result.converged ? Stop::kConverged : Stop::kIncomplete;
   s.reason = "all responses reached";
   if (!result.converged) {
     run.equations.evaluate(begin.newton.converged ? walk.z() : begin.z);
@@ -361,13 +358,13 @@ ResponseCurve HarmonicBalance::backbone(std::span<const double> responses, std::
         result.reason);
   }
   if (!result.converged) s.residual = result.residual;
-  s.wall_seconds = seconds_since(start);
+  s.wall_seconds = watch.seconds();
   return curve;
 }
 
 ResponseCurve HarmonicBalance::resonances(std::span<const double> responses, std::size_t mode,
                                           const Progress& progress) const {
-  const auto start = Clock::now();
+  const Stopwatch watch;
   require(!responses.empty(), "number of responses", 0.0, "must be at least 1");
   for (std::size_t i = 0; i < responses.size(); ++i) {
     check_target({Quantity::kResponse, responses[i]});
@@ -379,7 +376,7 @@ ResponseCurve HarmonicBalance::resonances(std::span<const double> responses, std
   if (options_.forcing == Forcing::kModal) check_modal_mode(structure_, response_, mode, stuck);
   ResponseCurve curve =
       ResonanceCurve(structure_, response_, options_, mode, stuck).at(responses, progress);
-  curve.summary.wall_seconds = seconds_since(start);
+  curve.summary.wall_seconds = watch.seconds();
   return curve;
 }
 

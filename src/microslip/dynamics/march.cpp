@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -12,6 +11,7 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/stopwatch.hpp"
 #include "microslip/dynamics/coarse_march.hpp"
 #include "microslip/dynamics/density_corners.hpp"
 #include "microslip/dynamics/march_checks.hpp"
@@ -21,8 +21,6 @@
 
 namespace microslip {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr double kStepsPerPeriod = 20.0;
 // Of second order: as many as keep the energy to half of 1e-4.
@@ -210,7 +208,7 @@ void finish(const JointedStructure& structure, const MarchState& state, MarchRes
 /// Why the march ended, where all its steps were taken.
 void judge(const MarchOptions& options, double last, MarchResult& result) {
   Summary& s = result.summary;
-  s.status = Status::kNotConverged;
+  s.stop = Stop::kDoubtful;
   if (s.residual > options.largest_imbalance || std::isnan(s.residual)) {
     s.reason = fmt::format("the energy balance is off by {:.2g}, above {:.2g}; take shorter steps",
                            s.residual, options.largest_imbalance);
@@ -220,7 +218,7 @@ void judge(const MarchOptions& options, double last, MarchResult& result) {
         "shorter steps",
         *result.error_estimate, options.largest_error);
   } else {
-    s.status = Status::kConverged;
+    s.stop = Stop::kConverged;
     s.reason = fmt::format("marched to {:.9g} s", last);
   }
 }
@@ -299,7 +297,7 @@ double MarchEnergy::imbalance() const {
 MarchResult march_rows(const JointedStructure& structure, const LoadHistory& loads,
                        const MarchOptions& options, const MarchSink& sink,
                        const Progress& progress) {
-  const auto begin = Clock::now();
+  const Stopwatch watch;
   check_march(structure, loads, options);
   const double longest = chosen_step(structure, loads, options);
   check_step(longest, loads.time);
@@ -313,10 +311,10 @@ MarchResult march_rows(const JointedStructure& structure, const LoadHistory& loa
   add_damping(structure, result);
   judge(options, loads.time.back(), result);
   if (!failure.empty()) {
-    result.summary.status = Status::kNotConverged;
+    result.summary.stop = Stop::kNoProgress;
     result.summary.reason = failure;
   }
-  result.summary.wall_seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  result.summary.wall_seconds = watch.seconds();
   return result;
 }
 

@@ -306,7 +306,7 @@ void ResonanceCurve::conclude(std::span<const double> responses, ResponseCurve& 
     return next == found.end() || *next > r * (1.0 + kAlikeResponse);
   }));
   const bool whole = !pieces_.empty() && missing == 0;
-  s.status = whole ? Status::kConverged : Status::kNotConverged;
+  s.stop = whole ? Stop::kConverged : Stop::kIncomplete;
   if (whole) {
     s.reason = "all responses reached";
     if (pieces_.size() == 1 && !curve.turning_points.empty()) {

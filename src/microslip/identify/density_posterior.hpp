@@ -11,9 +11,10 @@ namespace microslip {
 
 /// A matrix, row by row.
 struct PlainMatrix {
-  std::size_t columns = 0;
+  std::size_t columns = 0;     ///< numbers in a row
   std::vector<double> values;  ///< rows × columns
 
+  /// How many there are.
   [[nodiscard]] std::size_t rows() const { return columns == 0 ? 0 : values.size() / columns; }
 };
 
@@ -81,6 +82,8 @@ struct DensityPosterior {
   /// (tests/identify); with 20 levels of 3 % 0.91 and more. Beside a step of the density it covers
   /// less. A wrong loss factor adds δW_lin to D before the problem is solved; gains scale the
   /// sample. A function of (seed, index) alone.
+  /// @param seed   of all samples.
+  /// @param index  of this one.
   /// @throws InputError  as check().
   [[nodiscard]] DensitySample sample(std::uint64_t seed, std::size_t index) const;
 };

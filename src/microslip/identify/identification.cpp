@@ -12,6 +12,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/interpolation.hpp"
+#include "microslip/base/stopwatch.hpp"
 #include "microslip/identify/diagnostics.hpp"
 #include "microslip/identify/differences.hpp"
 #include "microslip/identify/stiffness_evidence.hpp"
@@ -75,7 +76,10 @@ Identification by_inversion(const LevelEvidence& evidence, double stiffness,
   found.summary = result.summary;
   append(found.warnings, diagnose(result, evidence, stiffness, options.inversion));
   if (options.bands) {
+    Stopwatch watch;
     inverted.bands = density_bands(result, *options.bands);
+    found.summary.timings.push_back(watch.lap("band"));
+    found.summary.wall_seconds += watch.seconds();
     found.lower = inverted.bands->lower;
     found.upper = inverted.bands->upper;
     append(found.warnings, diagnose(*inverted.bands));
@@ -108,7 +112,7 @@ Identification by_differences(const LevelEvidence& evidence, double stiffness,
   Identification found(options.method, feasible_joint(stiffness, result, warnings));
   read_density_of_joint(found);
   found.summary.method = "second differences";
-  found.summary.status = Status::kConverged;
+  found.summary.stop = Stop::kClosedForm;
   found.summary.reason = "closed form";
   found.warnings = std::move(warnings);
   found.free = std::move(result);
@@ -133,7 +137,7 @@ void replace_by_fit(const LevelEvidence& levels, double stiffness,
                     const IdentificationOptions& options, Identification& found) {
   ParametricResult fit = fit_parametric(levels, stiffness, *options.fit,
                                         {.linear_damping = options.inversion.linear_damping});
-  if (found.summary.status == Status::kNotConverged) {
+  if (found.summary.stop != Stop::kNotRun && !found.summary.converged()) {
     found.warnings.push_back(
         {"free_density_not_converged",
          fmt::format("What stands beside the model, by the method {}, did not converge: {}.",

@@ -44,8 +44,8 @@ struct IdentificationOptions {
 
 /// What invert() found, and its band where that was asked for.
 struct InvertedDensity {
-  InversionResult result;
-  std::optional<DensityBands> bands = {};
+  InversionResult result;                  ///< of invert()
+  std::optional<DensityBands> bands = {};  ///< of its posterior
 };
 
 /// A free density, by the method that found it; none where a parametric model was asked for and the
@@ -75,11 +75,10 @@ struct Identification {
   FreeDensity free = {};  ///< what the method found; beside the parametric model where there is one
   std::optional<ParametricResult> parametric = {};  ///< of the model that was asked for
 
-  /// What `free` holds; null where it holds something else.
-  [[nodiscard]] const InversionResult* inversion() const;
-  [[nodiscard]] const DensityBands* bands() const;
-  [[nodiscard]] const SplineDensityResult* spline() const;
-  [[nodiscard]] const SignedDensity* differences() const;
+  [[nodiscard]] const InversionResult* inversion() const;   ///< in `free`; null for another method
+  [[nodiscard]] const DensityBands* bands() const;          ///< in `free`; null without
+  [[nodiscard]] const SplineDensityResult* spline() const;  ///< in `free`; null likewise
+  [[nodiscard]] const SignedDensity* differences() const;   ///< in `free`; null likewise
 
   /// Measured k_eq and frequencies held against `joint`.
   StiffnessEvidence stiffness = {};

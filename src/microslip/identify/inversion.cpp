@@ -6,13 +6,13 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/median.hpp"
+#include "microslip/base/stopwatch.hpp"
 #include "microslip/identify/inversion_model.hpp"
 #include "microslip/identify/inversion_result.hpp"
 #include "microslip/identify/signed_density.hpp"
@@ -324,7 +324,7 @@ void InversionOptions::check() const {
 
 InversionResult invert(const LevelEvidence& evidence, double stiffness,
                        const InversionOptions& options) {
-  const auto begin = std::chrono::steady_clock::now();
+  Stopwatch watch;
   check_stiffness(stiffness);
   options.check();
   check_count(evidence.levels());
@@ -332,12 +332,14 @@ InversionResult invert(const LevelEvidence& evidence, double stiffness,
 
   InversionResult result;
   InnerSolutions inner;
+  std::vector<Summary::Timing> timings;
   double top = 1.0;
   if (options.atom) {
     if (const std::optional<double> found = find_atom(scaled, options, inner)) {
       top = *found;
       result.atom_slip_force = top * scaled.largest_slip_force;
     }
+    timings.push_back(watch.lap("search of an atom"));
   }
   const InversionModel model =
       two_passes(scaled, options, top, result.atom_slip_force.has_value(), inner);
@@ -345,13 +347,15 @@ InversionResult invert(const LevelEvidence& evidence, double stiffness,
   if (options.linear_damping) {
     result.linear_damping = stiffness * model.linear_damping(model.solution().solution.x);
   }
+  timings.push_back(watch.lap("choice of the smoothing"));
   judge_sign(model, scaled, result, inner);
   judge_area(model, scaled, result, inner);
   // The chosen point of the path is the result itself.
   result.inner_solutions = inner.count - 1;
   result.inner_not_converged = inner.not_converged - (result.summary.converged() ? 0 : 1);
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-  result.summary.wall_seconds = elapsed.count();
+  timings.push_back(watch.lap("judgement"));
+  result.summary.timings = std::move(timings);
+  result.summary.wall_seconds = watch.seconds();
   return result;
 }
 

@@ -70,7 +70,7 @@ void summarise(const InversionModel& model, Summary& summary) {
   for (const SmoothingPoint& point : model.path) summary.iterations += point.solution.exchanges;
   constexpr double kWanted = QuadraticProgram::kMostKktResidual;
   const bool solved = solution.optimal();
-  summary.status = solved ? Status::kConverged : Status::kNotConverged;
+  summary.stop = solved ? Stop::kConverged : Stop::kNoProgress;
   summary.reason = solved ? fmt::format("optimality conditions hold to {:.0e} or rounding", kWanted)
                           : fmt::format("optimality conditions hold to {:.0e} only, {:.0e} wanted",
                                         solution.kkt_residual, kWanted);

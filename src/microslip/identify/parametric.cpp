@@ -5,12 +5,12 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/percent.hpp"
+#include "microslip/base/stopwatch.hpp"
 #include "microslip/identify/eigen_view.hpp"
 #include "microslip/identify/infinity.hpp"
 #include "microslip/identify/parametric_form.hpp"
@@ -86,7 +86,7 @@ class Fit {
   }
 
   ParametricResult run() {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const Minimum best = search();
     ParametricResult result{.model = model_,
                             .joint = form_->joint(best.q),
@@ -101,8 +101,7 @@ class Fit {
     add_quality(best, result);
     add_warnings(result);
     add_misfit_warning(level_residuals(best.q).dissipation, result);
-    result.summary.wall_seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    result.summary.wall_seconds = watch.seconds();
     return result;
   }
 
@@ -297,7 +296,7 @@ class Fit {
     Summary summary{.method = fmt::format("least squares, {} density", to_string(model_)),
                     .iterations = best.iterations};
     summary.residual = step_left(best);
-    summary.status = best.converged && noise_settled_ ? Status::kConverged : Status::kNotConverged;
+    summary.stop = best.converged && noise_settled_ ? Stop::kConverged : Stop::kLimit;
     summary.reason = !best.converged ? "the best start ran out of evaluations"
                      : !noise_settled_
                          ? "the estimated noise does not settle"

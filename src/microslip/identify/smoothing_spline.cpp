@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -16,6 +15,7 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/stopwatch.hpp"
 #include "microslip/identify/infinity.hpp"
 
 namespace microslip {
@@ -379,13 +379,14 @@ class Chooser {
 
  private:
   static Summary summary(std::string_view how) {
-    return {.status = Status::kConverged,
+    return {.stop = Stop::kConverged,
             .method = fmt::format("cubic smoothing spline, {}", how),
             .reason = "solved directly"};
   }
 
   Choice given(double lambda, std::string_view how) const {
     Choice choice{.lambda = lambda / data_->lambda_unit(), .summary = summary(how)};
+    choice.summary.stop = Stop::kClosedForm;
     choice.summary.iterations = 1;
     return choice;
   }
@@ -426,7 +427,7 @@ class Chooser {
     choice.summary.iterations = static_cast<int>(iterations);
     choice.summary.reason = "GCV is at its smallest";
     if (iterations >= 60) {
-      choice.summary.status = Status::kNotConverged;
+      choice.summary.stop = Stop::kLimit;
       choice.summary.reason = "too many steps in the search for the smallest GCV";
     }
   }
@@ -463,7 +464,7 @@ class Chooser {
     const double high = std::log(kLargestScaledLambda);
     if (excess(high) > 0.0) {
       choice.lambda = kLargestScaledLambda;
-      choice.summary.status = Status::kNotConverged;
+      choice.summary.stop = Stop::kNoProgress;
       choice.summary.reason = "the target needs a λ above the largest";
     } else {
       std::uintmax_t iterations = 100;
@@ -501,7 +502,7 @@ void fill(const Observations& data, const SplineFit& fit, SmoothingSplineResult&
 }
 
 void lose_to_rounding(const Observations& data, SmoothingSplineResult& result) {
-  result.summary.status = Status::kNotConverged;
+  result.summary.stop = Stop::kDoubtful;
   result.summary.reason =
       fmt::format("λ is too large for {} points: rounding leaves {:.3g} degrees of freedom",
                   data.size(), result.edf);
@@ -530,7 +531,7 @@ void check_rounding(const Observations& data, SmoothingSplineResult& result) {
 SmoothingSplineResult fit_smoothing_spline(std::span<const double> x, std::span<const double> y,
                                            std::span<const double> weight,
                                            const Smoothing& smoothing) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const Observations data = prepare(x, y, weight);
   const Chooser chooser(data);
   Choice choice = std::visit(chooser, smoothing);
@@ -540,8 +541,7 @@ SmoothingSplineResult fit_smoothing_spline(std::span<const double> x, std::span<
   result.warnings = std::move(choice.warnings);
   fill(data, chooser.equations().fit(choice.lambda), result);
   check_rounding(data, result);
-  result.summary.wall_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.summary.wall_seconds = watch.seconds();
   return result;
 }
 

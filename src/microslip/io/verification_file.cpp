@@ -76,8 +76,7 @@ CsvWriter verification_table(std::span<const Verification> records) {
   };
   add_text("source", [](const auto& r, std::size_t) { return r.recorded.source; });
   add_text("channel", [](const auto& r, std::size_t j) { return r.channels[j].name; });
-  add_text("status",
-           [](const auto& r, std::size_t) { return std::string(to_string(r.summary.status)); });
+  add_text("status", [](const auto& r, std::size_t) { return std::string(r.summary.status()); });
   add("frequency", kFrequency, [](const auto& r, std::size_t) { return r.recorded.frequency; });
   add("response_amplitude", kAcceleration,
       [](const auto& r, std::size_t) { return r.recorded.response_amplitude; });

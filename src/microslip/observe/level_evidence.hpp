@@ -59,8 +59,8 @@ class LevelEvidence {
   [[nodiscard]] const Levels& measured() const { return measured_; }     ///< as given
   [[nodiscard]] const Levels& levels() const { return merged_.levels; }  ///< sorted, merged
   [[nodiscard]] const MergedLevels& merged() const { return merged_; }   ///< with their numbers
-  [[nodiscard]] const CommonErrors& common_errors() const { return common_; }
-  [[nodiscard]] std::size_t size() const { return levels().size(); }  ///< after merging
+  [[nodiscard]] const CommonErrors& common_errors() const { return common_; }  ///< of all levels
+  [[nodiscard]] std::size_t size() const { return levels().size(); }           ///< after merging
 
   /// Whether standard deviations are known: given, and positive at every level.
   [[nodiscard]] bool dissipation_std_given() const;
@@ -75,11 +75,15 @@ class LevelEvidence {
   /// as measured. Changes as of D ∝ A³. What a first fit is weighted by.
   [[nodiscard]] LevelPrediction typical() const;
 
-  /// What a joint says, beside a linear damping. @param linear_damping  β of βA², J/m².
+  /// What a joint says of the levels.
+  /// @param joint           whose D and k_eq it is.
+  /// @param linear_damping  β of βA² that adds to D, J/m².
   [[nodiscard]] LevelRows predict(const Joint& joint, double linear_damping = 0.0) const;
 
   /// What ± σ_A makes of that, ½|D(A + σ_A) − D(A − σ_A)|: unlike the slope it is continuous where
   /// an atom slips. Empty where amplitude_std does not count.
+  /// @param joint           as for predict().
+  /// @param linear_damping  β of βA², J/m².
   [[nodiscard]] LevelRows amplitude_change(const Joint& joint, double linear_damping = 0.0) const;
 
   /// The scatter before anything is fitted: 1 where standard deviations were given; otherwise that
@@ -88,27 +92,38 @@ class LevelEvidence {
   [[nodiscard]] LevelScatter expected_scatter(double stiffness) const;
 
   /// σ_D,i and σ_k,i as above, J and N/m.
+  /// @param prediction  what they are by.
+  /// @param scatter     s_D and s_k.
   [[nodiscard]] LevelRows deviations(const LevelPrediction& prediction,
                                      const LevelScatter& scatter = {}) const;
 
   /// (measured − predicted)/σ.
+  /// @param prediction  D, J, and k_eq, N/m.
+  /// @param deviations  σ of deviations().
   [[nodiscard]] LevelRows residuals(const LevelRows& prediction, const LevelRows& deviations) const;
 
   /// Levels that say something of D: less than size() where some lie below the floor, or far below
   /// the prediction.
+  /// @param prediction  by which a level is judged.
   [[nodiscard]] double informative_levels(const LevelPrediction& prediction) const;
 
   /// What repeated levels differ by: Σ(D − D̄)²/σ² over the levels that became one, and how many
   /// degrees of freedom that is. Residuals see their means alone.
+  /// @param deviations  σ of deviations().
   [[nodiscard]] double repeat_sum(const LevelRows& deviations) const;
   [[nodiscard]] double repeat_freedom() const;  ///< measured levels less size()
 
   /// ln of the normal likelihood of the measured levels, common errors aside.
+  /// @param prediction  mean of the levels, and what σ are by.
+  /// @param scatter     s_D and s_k.
   [[nodiscard]] double log_likelihood(const LevelPrediction& prediction,
                                       const LevelScatter& scatter = {}) const;
 
   /// The levels as another test of the same joint would give them: those predicted with the
   /// scatter of each and one draw of the common errors.
+  /// @param prediction  mean of the levels, and what σ are by.
+  /// @param scatter     s_D and s_k.
+  /// @param random      two or three normal numbers a level, and three.
   [[nodiscard]] Levels simulate(const LevelPrediction& prediction, const LevelScatter& scatter,
                                 RandomStream& random) const;
 

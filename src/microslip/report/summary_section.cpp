@@ -244,7 +244,7 @@ std::vector<ReportWarning> flags_of_predictions(const std::vector<TestComparison
     all.insert(one.source);
     std::istringstream words(one.flags);
     for (std::string code; words >> code;) records[code].insert(one.source);
-    if (!one.status.empty() && one.status != to_string(Status::kConverged)) {
+    if (!one.status.empty() && one.status != kConvergedStatus) {
       records["prediction_not_converged"].insert(one.source);
     }
   }

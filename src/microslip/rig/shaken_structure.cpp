@@ -77,7 +77,7 @@ void ShakenStructure::solve() {
   force.insert(force.end(), shape_.begin(), shape_.end());
   VibrationResult result = motion_.balance(force).solve(
       {Quantity::kAngularFrequency, angular_frequency_}, {Quantity::kResponse, response_}, last_);
-  summary_.status = result.summary.status;
+  summary_.stop = result.summary.stop;
   summary_.reason = result.summary.reason;
   summary_.residual = result.summary.residual;
   ++summary_.iterations;
@@ -116,7 +116,7 @@ ShakenStructure::Outcome ShakenStructure::settle(const VectorXcd& generator) {
     solve();
     if (!s.converged()) return {.driven = {}, .force = {}, .drive = 0.0, .summary = s};
   }
-  s.status = Status::kConverged;
+  s.stop = Stop::kConverged;
   VectorXcd r = residual(generator);
   double error = r.cwiseAbs().maxCoeff();
   while (s.converged() && error > kTolerance && s.iterations < kMostTrials) {
@@ -126,7 +126,7 @@ ShakenStructure::Outcome ShakenStructure::settle(const VectorXcd& generator) {
     error = r.cwiseAbs().maxCoeff();
   }
   if (s.converged() && !(error <= kTolerance)) {
-    s.status = Status::kNotConverged;
+    s.stop = Stop::kLimit;
     s.reason = fmt::format(
         "the harmonics of the force do not settle on the shaker: after {} trials "
         "they are {:.2g} of the fundamental off",

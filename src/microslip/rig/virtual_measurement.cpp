@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -13,6 +12,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/percent.hpp"
+#include "microslip/base/stopwatch.hpp"
 #include "microslip/rig/force_control.hpp"
 #include "microslip/rig/shaken_structure.hpp"
 
@@ -150,7 +150,7 @@ VectorXcd transfer_at(const Setup& setup, VirtualLevel& level) {
 }
 
 void add_iterations(Summary& sum, const Summary& more) {
-  sum.status = more.status;
+  sum.stop = more.stop;
   sum.reason = more.reason;
   sum.residual = std::max(sum.residual, more.residual);
   sum.iterations += more.iterations;
@@ -241,9 +241,9 @@ void set_resonance(const Setup& setup, const RigTest& test, SteadyVibration vibr
   level.resonance_frequency = vibration.frequency();
   level.frequency = to_resolution(level.resonance_frequency, test.frequency_resolution);
   level.controlled.vibration = std::move(vibration);
-  level.summary.status = Status::kConverged;
+  level.summary.stop = Stop::kConverged;
   if (level.resonance_frequency <= kAboveStuck * setup.stuck_frequency) return;
-  level.summary.status = Status::kNotConverged;
+  level.summary.stop = Stop::kNoProgress;
   level.summary.reason = fmt::format(
       "no resonance at this response: phase resonance is at {:.4g} Hz, that of the stuck "
       "joint at {:.4g} Hz",
@@ -274,7 +274,7 @@ std::size_t find_resonances(const Setup& setup, const RigTest& test, std::size_t
   }
   if (reached == climb.responses.size()) return levels.size();
   VirtualLevel& level = levels[climb.level[reached]];
-  level.summary.status = Status::kNotConverged;
+  level.summary.stop = Stop::kNoProgress;
   level.summary.reason = "no resonance: " + curve.summary.reason;
   return level.number;
 }
@@ -287,7 +287,7 @@ void find_resonances(const Setup& setup, const RigTest& test, std::vector<Virtua
     i = find_resonances(setup, test, first, levels);
     if (i != first + 1 || first == 0 || levels[first - 1].summary.converged()) continue;
     for (; i < levels.size(); ++i) {
-      levels[i].summary.status = Status::kNotConverged;
+      levels[i].summary.stop = Stop::kNotRun;
       levels[i].summary.reason = "not tried: two levels before it have no resonance";
     }
   }
@@ -323,7 +323,7 @@ void summarise(VirtualMeasurement& test) {
     found += level.summary.converged() ? 1 : 0;
     if (!level.summary.converged() && !missing) missing = &level;
   }
-  s.status = missing ? Status::kNotConverged : Status::kConverged;
+  s.stop = missing ? Stop::kIncomplete : Stop::kConverged;
   s.reason = missing ? fmt::format("{} of {} levels found; level {}, {:.4g} m/s^2: {}", found,
                                    test.levels.size(), missing->number, missing->response,
                                    missing->summary.reason)
@@ -366,7 +366,7 @@ std::vector<double> response_levels(const RigTest& test) {
 
 VirtualMeasurement measure_virtually(const Rig& rig, const Joint& joint,
                                      const VirtualMeasurementOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const RigTest& test = test_of(rig);
   check_options(options);
   const StickState state = stick_state(rig, test.modes);
@@ -391,8 +391,7 @@ VirtualMeasurement measure_virtually(const Rig& rig, const Joint& joint,
   solve_levels(setup, joint, result.levels);
   summarise(result);
   result.summary.method = "virtual test";
-  result.summary.wall_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.summary.wall_seconds = watch.seconds();
   return result;
 }
 

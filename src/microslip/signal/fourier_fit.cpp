@@ -6,7 +6,6 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <complex>
 #include <iterator>
@@ -14,6 +13,7 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/stopwatch.hpp"
 #include "microslip/signal/coefficient_errors.hpp"
 #include "microslip/signal/fundamental.hpp"
 #include "microslip/signal/harmonic_regression.hpp"
@@ -219,7 +219,7 @@ void fill(const HarmonicRegression& regression, const HarmonicFit& found, const 
 FourierFit fit_prepared(const RecordTimes& times, const Prepared& prepared,
                         const FourierFitOptions& options) {
   FourierFit fit = empty_fit(times, prepared);
-  fit.summary.status = Status::kNotConverged;
+  fit.summary.stop = Stop::kNoProgress;
   if (prepared.scaled.cols() == 0) {
     fit.summary.reason = "no periodic content: all signals are constant";
     return fit;
@@ -232,7 +232,7 @@ FourierFit fit_prepared(const RecordTimes& times, const Prepared& prepared,
   std::ranges::move(found.warnings, std::back_inserter(fit.warnings));
   if (found.fit.determined) fill(regression, found.fit, prepared, options, fit);
   if (!found.failure.empty()) return fit;
-  fit.summary.status = Status::kConverged;
+  fit.summary.stop = options.fit_frequency ? Stop::kConverged : Stop::kClosedForm;
   fit.summary.reason = options.fit_frequency
                            ? "the next step of the frequency is far below its standard error"
                            : "the frequency was given";
@@ -244,14 +244,13 @@ FourierFit fit_prepared(const RecordTimes& times, const Prepared& prepared,
 double FourierFit::frequency() const { return omega / (2.0 * std::numbers::pi); }
 
 FourierFit fit_fourier(const Axis& axis, Signals signals, const FourierFitOptions& options) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   check_options(options);
   check_signals(axis, signals);
   const RecordTimes times(axis, signals.front().size());
   const Prepared prepared = prepare(times, signals, options.trend_degree);
   FourierFit fit = fit_prepared(times, prepared, options);
-  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-  fit.summary.wall_seconds = wall.count();
+  fit.summary.wall_seconds = watch.seconds();
   return fit;
 }
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/stopwatch.hpp"
 #include "microslip/base/units.hpp"
 #include "microslip/signal/decay_track.hpp"
 #include "microslip/signal/ring_down_result.hpp"
@@ -21,16 +21,6 @@
 
 namespace microslip {
 namespace {
-
-class Stopwatch {
- public:
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
-};
 
 bool ended_early(const DecayTrack& track) {
   return track.walk.end == WalkEnd::kRise || track.walk.end == WalkEnd::kLost;

@@ -181,7 +181,7 @@ std::string reason_of(WalkEnd end) {
 Summary summary_of(const DecayTrack& track) {
   const bool to_the_end = track.walk.end == WalkEnd::kRecord || track.walk.end == WalkEnd::kNoise;
   Summary summary;
-  summary.status = to_the_end ? Status::kConverged : Status::kNotConverged;
+  summary.stop = to_the_end ? Stop::kConverged : Stop::kIncomplete;
   summary.method = "local fits of a decaying oscillation";
   summary.reason = reason_of(track.walk.end);
   summary.residual = std::sqrt(track.walk.noise_variance) / track.walk.windows.front().amplitude;
