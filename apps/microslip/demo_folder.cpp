@@ -70,7 +70,8 @@ std::vector<std::string> DemoFolder::report_paths() const {
 }
 
 void DemoFolder::write_report(const Report& report) const {
-  TestResults results = read_test_folder(path_of(report.folder), call_.quiet, kRecordsOverTime);
+  ExperimentResults results =
+      read_test_folder(path_of(report.folder), call_.quiet, kRecordsOverTime);
   results.title = report.title;
   results.subtitle = report.subtitle;
   write_file(path_of(report.folder + "/report.html"), report_html(std::move(results), call_));

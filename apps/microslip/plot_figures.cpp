@@ -19,7 +19,7 @@ namespace {
 FigureGrid alone(Figure figure) { return {"", 1, {std::move(figure)}}; }
 
 /// A figure of the results of a test.
-template <Figure (*Make)(const TestResults&, const PaperOptions&)>
+template <Figure (*Make)(const ExperimentResults&, const PaperOptions&)>
 FigureGrid of_test(const PlotInput& input, const PaperOptions& options) {
   return alone(Make(input.test, options));
 }
@@ -27,7 +27,7 @@ FigureGrid of_test(const PlotInput& input, const PaperOptions& options) {
 bool has_levels(const PlotInput& input) { return input.test.levels.has_value(); }
 bool has_joint(const PlotInput& input) { return input.test.joint.has_value(); }
 
-bool has_column(const PlotInput& input, std::vector<double> TestLevels::*column) {
+bool has_column(const PlotInput& input, std::vector<double> MeasuredLevels::*column) {
   return has_levels(input) && !((*input.test.levels).*column).empty();
 }
 
@@ -70,13 +70,13 @@ bool has_steady_loops(const PlotInput& input) { return has_joint(input) && !inpu
 bool has_stiffness(const PlotInput& input) { return has_joint(input) || has_secant(input); }
 
 bool has_resonance(const PlotInput& input) {
-  return has_column(input, &TestLevels::frequency) ||
-         has_column(input, &TestLevels::resonance_frequency);
+  return has_column(input, &MeasuredLevels::frequency) ||
+         has_column(input, &MeasuredLevels::resonance_frequency);
 }
 
 /// A ring-down gives the damping of a mode, which no joint has.
 bool has_damping(const PlotInput& input) {
-  return has_stiffness(input) || has_column(input, &TestLevels::damping_ratio);
+  return has_stiffness(input) || has_column(input, &MeasuredLevels::damping_ratio);
 }
 
 bool has_deviations(const PlotInput& input) {

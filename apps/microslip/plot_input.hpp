@@ -7,7 +7,7 @@
 
 #include "microslip/io/path_file.hpp"
 #include "microslip/report/prediction_figures.hpp"
-#include "microslip/report/test_results.hpp"
+#include "microslip/workflow/experiment_results.hpp"
 
 namespace microslip::app {
 
@@ -15,7 +15,7 @@ namespace microslip::app {
 struct PlotInput {
   std::string name;          ///< of the folder or file, for messages
   std::string instead = {};  ///< what to name where it holds no figure, a sentence
-  TestResults test = {};
+  ExperimentResults test = {};
   std::optional<DensityCurve> density = {};  ///< of a density.csv without a joint
   std::optional<PredictedResponse> response = {};
   std::optional<PredictedBackbone> backbone = {};

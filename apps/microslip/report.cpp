@@ -30,14 +30,14 @@ struct ReportOptions {
   bool no_pictures = false;
 };
 
-bool is_empty(const TestResults& results) {
+bool is_empty(const ExperimentResults& results) {
   return !results.levels && !results.joint && results.records.empty() &&
          results.comparisons.empty() && results.predictions.empty() &&
          results.force_control.empty();
 }
 
 /// Folders in the folder that hold what it lacks, or why its records are not shown.
-std::string remedy_for(const std::string& folder, const TestResults& results) {
+std::string remedy_for(const std::string& folder, const ExperimentResults& results) {
   if (!results.warnings.empty()) return results.warnings.front().text;
   std::vector<std::string> folders;
   std::error_code none;
@@ -54,7 +54,7 @@ constexpr std::size_t kLarge = 4'000'000;  // bytes
 
 int run(const ReportOptions& options, const Call& call) {
   check_output(options.out, kReportKind);
-  TestResults results = read_test_folder(options.folder, call.quiet, options.records);
+  ExperimentResults results = read_test_folder(options.folder, call.quiet, options.records);
   if (is_empty(results)) {
     throw InputError("DIR", "'" + options.folder + "'",
                      "must hold levels.csv, joint.json, recordings level_*, verification.csv or "
@@ -62,7 +62,7 @@ int run(const ReportOptions& options, const Call& call) {
                      remedy_for(options.folder, results));
   }
   if (!call.quiet) {
-    for (const ReportWarning& warning : results.warnings) {
+    for (const Warning& warning : results.warnings) {
       fmt::print(stderr, "microslip: warning: {}\n", warning.text);
     }
   }

@@ -20,8 +20,8 @@
 #include "microslip/io/levels_file.hpp"
 #include "microslip/io/rig_file.hpp"
 #include "microslip/io/sha256.hpp"
-#include "microslip/report/rig_responses.hpp"
-#include "microslip/report/test_records.hpp"
+#include "microslip/workflow/level_records.hpp"
+#include "microslip/workflow/rig_responses.hpp"
 #include "recorded_options.hpp"
 #include "report_recordings.hpp"
 #include "report_records.hpp"
@@ -57,7 +57,7 @@ class FolderReader {
   FolderReader(std::string folder, bool quiet, std::size_t records)
       : folder_(std::move(folder)), quiet_(quiet), most_records_(records) {}
 
-  TestResults read() {
+  ExperimentResults read() {
     results_.title = name_of_folder(folder_);
     if (results_.title.empty()) results_.title = "Test";
     read_joint_files();
@@ -99,7 +99,7 @@ class FolderReader {
     const auto input = find("density.csv");
     if (!input) return;
     const DensityTable table = parse_density(input->text, input->path);
-    TestJoint& joint = *results_.joint;
+    IdentifiedJoint& joint = *results_.joint;
     if (!is_density_of(table, joint.joint)) {
       results_.warnings.push_back({"density_of_other_joint",
                                    "density.csv holds another density than joint.json: it is not "
@@ -113,7 +113,7 @@ class FolderReader {
 
   /// SHA-256 of a file that was found; nothing of one that was not.
   [[nodiscard]] std::optional<std::string> hash_of(std::string_view name) const {
-    const auto file = std::ranges::find(results_.files, name, &TestFile::name);
+    const auto file = std::ranges::find(results_.files, name, &SourceFile::name);
     if (file == results_.files.end()) return std::nullopt;
     return file->sha256;
   }
@@ -215,7 +215,7 @@ class FolderReader {
     }
     if (const auto input = find("verification_harmonics.csv")) {
       check_origin(*input);
-      const std::vector<TestRecord> shown = results_.predictions;
+      const std::vector<LevelRecord> shown = results_.predictions;
       add_harmonics({input->text, input->path}, "recorded", "predicted", results_.predictions);
       if (!shown.empty()) results_.predictions.resize(shown.size());
     }
@@ -230,7 +230,7 @@ class FolderReader {
   std::string folder_;
   bool quiet_;
   std::size_t most_records_;
-  TestResults results_;
+  ExperimentResults results_;
   std::vector<std::string> reduced_with_;  ///< hashes that levels.csv tells
   std::string identified_from_;            ///< SHA-256
   bool takes_all_levels_ = false;
@@ -239,7 +239,7 @@ class FolderReader {
 }  // namespace
 
 bool add_test_file(const std::string& kind, const std::string& text, const std::string& path,
-                   TestResults& results) {
+                   ExperimentResults& results) {
   const ReportInput input{path, text};
   if (kind == kLevelsKind) {
     results.levels = levels_of(input);
@@ -257,7 +257,7 @@ bool add_test_file(const std::string& kind, const std::string& text, const std::
   return true;
 }
 
-TestResults read_test_folder(const std::string& folder, bool quiet, std::size_t records) {
+ExperimentResults read_test_folder(const std::string& folder, bool quiet, std::size_t records) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) {
     throw FileError(folder, "is no folder",

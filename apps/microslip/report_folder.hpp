@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "microslip/report/test_results.hpp"
+#include "microslip/workflow/experiment_results.hpp"
 
 namespace microslip::app {
 
@@ -18,14 +18,14 @@ inline constexpr std::size_t kRecordsOverTime = 8;
 /// @param records  so many recordings are shown over time, all others by their harmonics; 0 reads
 ///                 none.
 /// @throws FileError, FormatError, InputError  as the readers of these files.
-[[nodiscard]] TestResults read_test_folder(const std::string& folder, bool quiet,
-                                           std::size_t records = 0);
+[[nodiscard]] ExperimentResults read_test_folder(const std::string& folder, bool quiet,
+                                                 std::size_t records = 0);
 
 /// Adds what one of these files holds, by its kind (io/file_kind): levels, a joint, a verification,
 /// histories of one, a force control.
 /// @return whether it is one of these.
 /// @throws FormatError, InputError  as the readers of these files.
 [[nodiscard]] bool add_test_file(const std::string& kind, const std::string& text,
-                                 const std::string& path, TestResults& results);
+                                 const std::string& path, ExperimentResults& results);
 
 }  // namespace microslip::app

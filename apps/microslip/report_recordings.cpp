@@ -18,7 +18,7 @@
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/recording_file.hpp"
 #include "microslip/io/sha256.hpp"
-#include "microslip/report/test_records.hpp"
+#include "microslip/workflow/level_records.hpp"
 #include "progress_bar.hpp"
 
 namespace microslip::app {
@@ -38,7 +38,8 @@ std::string name_before_control(std::string name) {
 /// Reads recordings of a folder into results.
 class RecordingsReader {
  public:
-  RecordingsReader(std::string folder, std::size_t most_records, bool quiet, TestResults& results)
+  RecordingsReader(std::string folder, std::size_t most_records, bool quiet,
+                   ExperimentResults& results)
       : folder_(std::move(folder)), most_records_(most_records), quiet_(quiet), results_(results) {}
 
   /// All have harmonics unless they are large or many, some are shown over time.
@@ -95,10 +96,10 @@ class RecordingsReader {
   }
 
   /// Nothing of a recording that cannot be shown, with a warning.
-  std::optional<TestRecord> read_one(const std::string& name, std::size_t most_points) {
+  std::optional<LevelRecord> read_one(const std::string& name, std::size_t most_points) {
     try {
       const Recordings file = microslip::read_recordings(path_of(name), {});
-      TestRecord record = test_record(file.recordings.front(), name, most_points);
+      LevelRecord record = level_record(file.recordings.front(), name, most_points);
       if (const std::size_t count = file.recordings.size(); count > 1) {
         results_.warnings.push_back(
             {"first_recording_shown",
@@ -117,7 +118,7 @@ class RecordingsReader {
 
   /// With what was recorded before control, where there is such a record.
   void add_level(const std::string& name, std::size_t most_points) {
-    std::optional<TestRecord> record = read_one(name, most_points);
+    std::optional<LevelRecord> record = read_one(name, most_points);
     if (!record) {
       --results_.record_count;
       return;
@@ -142,23 +143,23 @@ class RecordingsReader {
   /// The harmonics of all records may be too many for one page.
   void drop_harmonics_beyond_measure() {
     std::size_t numbers = 0;
-    for (const TestRecord& record : results_.records) {
-      for (const TestHarmonics& channel : record.harmonics) numbers += channel.recorded.size();
+    for (const LevelRecord& record : results_.records) {
+      for (const HarmonicsPair& channel : record.harmonics) numbers += channel.recorded.size();
     }
     if (numbers <= kMostHarmonicValues) return;
-    std::erase_if(results_.records, [](const TestRecord& one) { return one.signals.empty(); });
+    std::erase_if(results_.records, [](const LevelRecord& one) { return one.signals.empty(); });
   }
 
   std::string folder_;
   std::size_t most_records_;
   bool quiet_;
-  TestResults& results_;
+  ExperimentResults& results_;
 };
 
 }  // namespace
 
 void add_recordings(const std::string& folder, std::size_t records, bool quiet,
-                    TestResults& results) {
+                    ExperimentResults& results) {
   RecordingsReader(folder, records, quiet, results).read();
 }
 

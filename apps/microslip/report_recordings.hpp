@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "microslip/report/test_results.hpp"
+#include "microslip/workflow/experiment_results.hpp"
 
 namespace microslip::app {
 
@@ -18,6 +18,6 @@ inline constexpr std::size_t kMostSignalPoints = 60000;
 /// @param records  so many over time; those with a record before control may be as many more.
 /// @throws Cancelled
 void add_recordings(const std::string& folder, std::size_t records, bool quiet,
-                    TestResults& results);
+                    ExperimentResults& results);
 
 }  // namespace microslip::app

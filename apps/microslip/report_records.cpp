@@ -38,27 +38,27 @@ std::vector<PairOfColumns> pairs_of(const CsvTable& table, const std::string& re
   return pairs;
 }
 
-TestRecord& record_of(std::vector<TestRecord>& records, const std::string& source) {
-  const auto found = std::ranges::find(records, source, &TestRecord::source);
+LevelRecord& record_of(std::vector<LevelRecord>& records, const std::string& source) {
+  const auto found = std::ranges::find(records, source, &LevelRecord::source);
   if (found != records.end()) return *found;
-  return records.emplace_back(TestRecord{source, {}, {}});
+  return records.emplace_back(LevelRecord{source, {}, {}});
 }
 
 }  // namespace
 
-std::vector<TestRecord> histories_of(const CsvTable& table, const std::string& recorded,
-                                     const std::string& other) {
+std::vector<LevelRecord> histories_of(const CsvTable& table, const std::string& recorded,
+                                      const std::string& other) {
   const std::vector<std::string> source = table.text("source");
   const std::vector<double> time = table.numbers("time", kTime);
-  std::vector<TestRecord> records;
+  std::vector<LevelRecord> records;
   for (const PairOfColumns& pair : pairs_of(table, recorded, other)) {
     double start = 0.0;
     for (std::size_t i = 0; i < source.size(); ++i) {
-      std::vector<TestSignal>& signals = record_of(records, source[i]).signals;
+      std::vector<SignalPair>& signals = record_of(records, source[i]).signals;
       if (signals.empty() || signals.back().name != pair.name) {
         signals.push_back({pair.name, pair.unit, {}, {}, {}, {}});
       }
-      TestSignal& signal = signals.back();
+      SignalPair& signal = signals.back();
       if (signal.time.empty()) start = time[i];
       signal.time.push_back(time[i] - start);
       signal.other_time.push_back(time[i] - start);
@@ -70,13 +70,13 @@ std::vector<TestRecord> histories_of(const CsvTable& table, const std::string& r
 }
 
 void add_harmonics(const CsvTable& table, const std::string& recorded, const std::string& other,
-                   std::vector<TestRecord>& records) {
+                   std::vector<LevelRecord>& records) {
   const std::vector<std::string> source = table.text("source");
   const std::vector<double> harmonic = table.numbers("harmonic", kDimensionless);
   for (const PairOfColumns& pair : pairs_of(table, recorded, other)) {
     for (std::size_t i = 0; i < source.size(); ++i) {
       if (harmonic[i] < 1.0) continue;
-      std::vector<TestHarmonics>& list = record_of(records, source[i]).harmonics;
+      std::vector<HarmonicsPair>& list = record_of(records, source[i]).harmonics;
       if (list.empty() || list.back().name != pair.name) {
         list.push_back({pair.name, pair.unit, {}, {}});
       }

@@ -53,7 +53,7 @@ std::vector<std::pair<std::string, std::string>> parameters_in(const NamedValues
 }
 
 /// The ends of a band stand over its slip forces.
-void check_band(const TestJoint& joint, const std::string& path) {
+void check_band(const IdentifiedJoint& joint, const std::string& path) {
   const auto check = [&](std::string_view key, std::size_t size) {
     if (size == joint.band_slip_force.size()) return;
     throw InputError(
@@ -75,10 +75,10 @@ void check_band(const TestJoint& joint, const std::string& path) {
 
 }  // namespace
 
-TestLevels levels_of(const ReportInput& input) {
+MeasuredLevels levels_of(const ReportInput& input) {
   const LevelsFile file = parse_levels(input.text, input.path);
   const CsvTable table(input.text, input.path);
-  TestLevels levels;
+  MeasuredLevels levels;
   levels.levels = file.levels;
   if (table.has("source")) levels.source = table.text("source");
   if (table.has("flags")) levels.flags = table.text("flags");
@@ -96,26 +96,26 @@ TestLevels levels_of(const ReportInput& input) {
   return levels;
 }
 
-TestJoint joint_of(const JointFile& file, const std::string& path) {
+IdentifiedJoint joint_of(const JointFile& file, const std::string& path) {
   const NamedValues& record = file.identification;
   const std::optional<double> of_dissipation = number_in(record, "scatter_dissipation");
-  TestJoint joint{.joint = file.joint,
-                  .method = text_in(record, "method").value_or(""),
-                  .status = text_in(record, "status").value_or(""),
-                  .covered_from = number_in(record, "covered_from_N"),
-                  .covered_to = number_in(record, "covered_to_N"),
-                  .linear_damping = number_in(record, "linear_damping_J_per_m2"),
-                  .warnings = texts_in(record, "warnings"),
-                  .scatter = of_dissipation ? of_dissipation : number_in(record, "scatter"),
-                  .scatter_is_relative = text_in(record, "scatter_of") != "dissipation_std",
-                  .secant_scatter = number_in(record, "scatter_secant"),
-                  .lambda = number_in(record, "lambda"),
-                  .smoothing = smoothing_of(file),
-                  .degrees_of_freedom = number_in(record, "degrees_of_freedom"),
-                  .band_confidence = number_in(record, "band_confidence").value_or(0.95),
-                  .band_slip_force = numbers_in(record, "band_slip_force_N"),
-                  .band_lower = numbers_in(record, "band_lower_per_N"),
-                  .band_upper = numbers_in(record, "band_upper_per_N")};
+  IdentifiedJoint joint{.joint = file.joint,
+                        .method = text_in(record, "method").value_or(""),
+                        .status = text_in(record, "status").value_or(""),
+                        .covered_from = number_in(record, "covered_from_N"),
+                        .covered_to = number_in(record, "covered_to_N"),
+                        .linear_damping = number_in(record, "linear_damping_J_per_m2"),
+                        .warnings = texts_in(record, "warnings"),
+                        .scatter = of_dissipation ? of_dissipation : number_in(record, "scatter"),
+                        .scatter_is_relative = text_in(record, "scatter_of") != "dissipation_std",
+                        .secant_scatter = number_in(record, "scatter_secant"),
+                        .lambda = number_in(record, "lambda"),
+                        .smoothing = smoothing_of(file),
+                        .degrees_of_freedom = number_in(record, "degrees_of_freedom"),
+                        .band_confidence = number_in(record, "band_confidence").value_or(0.95),
+                        .band_slip_force = numbers_in(record, "band_slip_force_N"),
+                        .band_lower = numbers_in(record, "band_lower_per_N"),
+                        .band_upper = numbers_in(record, "band_upper_per_N")};
   if (!joint.lambda) joint.lambda = number_in(record, "lambda_m3");
   if (const auto model = text_in(record, "model")) joint.method = *model;
   if (joint.status.empty()) joint.status = "not told by the file";
@@ -124,7 +124,7 @@ TestJoint joint_of(const JointFile& file, const std::string& path) {
   return joint;
 }
 
-std::vector<TestComparison> comparisons_of(const ReportInput& input) {
+std::vector<ChannelMisfit> comparisons_of(const ReportInput& input) {
   const CsvTable table(input.text, input.path);
   const std::vector<std::string> source = table.text("source");
   const std::vector<std::string> channel = table.text("channel");
@@ -140,7 +140,7 @@ std::vector<TestComparison> comparisons_of(const ReportInput& input) {
   const std::vector<double> phase = numbers("phase_error", kAngle);
   const std::vector<std::string> flags =
       table.has("flags") ? table.text("flags") : std::vector<std::string>(source.size());
-  std::vector<TestComparison> rows;
+  std::vector<ChannelMisfit> rows;
   for (std::size_t i = 0; i < source.size(); ++i) {
     rows.push_back({source[i], channel[i], status[i], frequency[i], response[i], nrmse[i], noise[i],
                     ratio[i], phase[i], flags[i]});
@@ -148,11 +148,11 @@ std::vector<TestComparison> comparisons_of(const ReportInput& input) {
   return rows;
 }
 
-std::vector<TestForceControl> force_control_of(const ReportInput& input) {
+std::vector<ForceControlLevel> force_control_of(const ReportInput& input) {
   const CsvTable table(input.text, input.path);
   const std::vector<std::string> level = table.text("level");
   const std::vector<double> response = table.numbers("response_amplitude", kAcceleration);
-  std::vector<TestForceControl> rows;
+  std::vector<ForceControlLevel> rows;
   for (std::size_t i = 0; i < level.size(); ++i) {
     rows.push_back({fmt::format("{} ({:.3g} m/s²)", level[i], response[i]), response[i], {}, {}});
   }

@@ -6,7 +6,7 @@
 
 #include "microslip/io/density_file.hpp"
 #include "microslip/io/joint_file.hpp"
-#include "microslip/report/test_results.hpp"
+#include "microslip/workflow/experiment_results.hpp"
 
 /// @file
 /// The files of a test as the report takes them.
@@ -20,18 +20,18 @@ struct ReportInput {
 };
 
 /// levels.csv, truth.csv. @throws FormatError, InputError
-[[nodiscard]] TestLevels levels_of(const ReportInput& input);
+[[nodiscard]] MeasuredLevels levels_of(const ReportInput& input);
 
 /// What is not in the file is "not told by the file".
 /// @throws InputError  where the lists of the band are not of one length.
-[[nodiscard]] TestJoint joint_of(const JointFile& file, const std::string& path);
+[[nodiscard]] IdentifiedJoint joint_of(const JointFile& file, const std::string& path);
 
 /// verification.csv. @throws FormatError  where a column is missing.
-[[nodiscard]] std::vector<TestComparison> comparisons_of(const ReportInput& input);
+[[nodiscard]] std::vector<ChannelMisfit> comparisons_of(const ReportInput& input);
 
 /// force_control.csv: `level, response_amplitude [m/s^2], before_2 [1] …, after_2 [1] …`.
 /// @throws FormatError  where a column is missing.
-[[nodiscard]] std::vector<TestForceControl> force_control_of(const ReportInput& input);
+[[nodiscard]] std::vector<ForceControlLevel> force_control_of(const ReportInput& input);
 
 /// The hashes in lines `# FILE: sha256 HEX` at the head of a table. Empty where it has none.
 [[nodiscard]] std::vector<std::string> hashes_in(const ReportInput& input);

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "microslip/joint/dissipation.hpp"
-#include "microslip/report/test_sections.hpp"
+#include "microslip/report/sections.hpp"
 
 namespace microslip {
 namespace {
@@ -25,7 +25,7 @@ ReportTrace density_curve(std::string name, const Joint& joint, double from, dou
 }
 
 /// The band over the slip forces that the levels cover: below, the shape is an assumption.
-ReportTrace band_of(const TestJoint& found) {
+ReportTrace band_of(const IdentifiedJoint& found) {
   ReportTrace band{.name = fmt::format("{:.0f} % band", 100.0 * found.band_confidence),
                    .kind = TraceKind::kBand,
                    .stroke = {.colour = kBlue}};
@@ -59,7 +59,7 @@ void add_methods(const MethodComparison& methods, const std::string& used,
                     .shown = false});
 }
 
-void add_range(const TestJoint& found, std::vector<ReportTrace>& traces) {
+void add_range(const IdentifiedJoint& found, std::vector<ReportTrace>& traces) {
   const auto mark = [&](const char* name, const std::optional<double>& at) {
     if (at) traces.push_back({.name = name, .kind = TraceKind::kMarker, .x = {*at}});
   };
@@ -80,9 +80,9 @@ double highest(const ReportTrace& trace) {
   return largest;
 }
 
-ReportFigure density_figure(const TestResults& results,
+ReportFigure density_figure(const ExperimentResults& results,
                             const std::optional<MethodComparison>& methods) {
-  const TestJoint& found = *results.joint;
+  const IdentifiedJoint& found = *results.joint;
   const double to = found.covered_to.value_or(found.joint.density().largest_slip_force());
   const double from = 0.9 * found.covered_from.value_or(0.0);
   ReportFigure figure{
@@ -143,7 +143,7 @@ void add_measured_slopes(const MethodComparison& methods, std::vector<ReportTrac
   traces.push_back(std::move(spline));
 }
 
-std::string slope_caption(const TestResults& results) {
+std::string slope_caption(const ExperimentResults& results) {
   std::string text =
       "D′ = 4Φ1(kA) tends to four times the macro-slip force; its own slope over 4k²A is the "
       "density.";
@@ -157,7 +157,7 @@ std::string slope_caption(const TestResults& results) {
 }
 
 /// D′ = 4Φ1(kA). [AR14 (8)]
-ReportFigure slope_figure(const TestResults& results,
+ReportFigure slope_figure(const ExperimentResults& results,
                           const std::optional<MethodComparison>& methods) {
   ReportFigure figure{.title = "Slope of the dissipation",
                       .caption = slope_caption(results),
@@ -233,7 +233,7 @@ ReportFigure smoothings_figure(const MethodComparison& methods) {
 
 }  // namespace
 
-ReportSection density_section(const TestResults& results,
+ReportSection density_section(const ExperimentResults& results,
                               const std::optional<MethodComparison>& methods) {
   ReportSection section{.title = "Density", .blocks = {}};
   if (!results.joint) {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "microslip/joint/dissipation.hpp"
-#include "microslip/report/test_sections.hpp"
+#include "microslip/report/sections.hpp"
 
 namespace microslip {
 namespace {
@@ -26,7 +26,7 @@ ReportTrace damping_curve(const ReportTrace& curve, double beta) {
   return trace;
 }
 
-ReportFigure energies_figure(const TestResults& results) {
+ReportFigure energies_figure(const ExperimentResults& results) {
   ReportFigure figure{
       .title = "Energies per cycle",
       .caption =
@@ -39,7 +39,7 @@ ReportFigure energies_figure(const TestResults& results) {
       .choices = {{"", {}}},
       .wide = true};
   std::vector<ReportTrace>& traces = figure.choices[0].traces;
-  const TestLevels& test = *results.levels;
+  const MeasuredLevels& test = *results.levels;
   const auto add = [&](const char* name, const std::vector<double>& values,
                        const std::vector<double>& std, int colour) {
     if (values.empty()) return;
@@ -58,8 +58,8 @@ ReportFigure energies_figure(const TestResults& results) {
   return figure;
 }
 
-ReportFigure share_figure(const TestResults& results) {
-  const TestLevels& test = *results.levels;
+ReportFigure share_figure(const ExperimentResults& results) {
+  const MeasuredLevels& test = *results.levels;
   std::vector<double> share;
   for (std::size_t i = 0; i < test.input_energy.size(); ++i) {
     share.push_back(test.linear_dissipation[i] / test.input_energy[i] / kPercent);
@@ -72,7 +72,7 @@ ReportFigure share_figure(const TestResults& results) {
       .choices = {{"", {at_levels(results, "linear loss", share, {}, kOrange)}}}};
 }
 
-ReportFigure residual_figure(const TestResults& results) {
+ReportFigure residual_figure(const ExperimentResults& results) {
   const Levels& levels = results.levels->levels;
   std::vector<double> std;
   for (std::size_t i = 0; i < levels.dissipation_std.size(); ++i) {
@@ -91,7 +91,7 @@ ReportFigure residual_figure(const TestResults& results) {
           .choices = {{"", {at_levels(results, "levels", residual, std, kBlack)}}}};
 }
 
-std::string standardised_caption(const TestResults& results) {
+std::string standardised_caption(const ExperimentResults& results) {
   const bool by_amplitude = !results.levels->levels.amplitude_std.empty();
   return fmt::format(
       "σ is that of D{}. Their rms is {:.2f}: near 1 the scatter explains them, but for what the "
@@ -101,7 +101,8 @@ std::string standardised_caption(const TestResults& results) {
 }
 
 /// What is left in units of what the scatter over the cycles explains.
-ReportFigure standardised_figure(const TestResults& results, const std::vector<double>& deviation) {
+ReportFigure standardised_figure(const ExperimentResults& results,
+                                 const std::vector<double>& deviation) {
   const auto [lowest, highest] = std::ranges::minmax(results.levels->levels.amplitude);
   const std::vector<double> ends = {lowest / kMicrometre, highest / kMicrometre};
   const auto limit = [&](const char* name, double at) {
@@ -121,7 +122,7 @@ ReportFigure standardised_figure(const TestResults& results, const std::vector<d
 }
 
 /// D at the level of a record that the virtual test knows; nothing where it knows none.
-std::optional<double> exact_dissipation(const TestLevels& exact, const std::string& source) {
+std::optional<double> exact_dissipation(const MeasuredLevels& exact, const std::string& source) {
   const auto found = std::ranges::find(exact.source, file_name(source),
                                        [](const auto& one) { return file_name(one); });
   if (found == exact.source.end()) return std::nullopt;
@@ -129,7 +130,7 @@ std::optional<double> exact_dissipation(const TestLevels& exact, const std::stri
 }
 
 /// Exact levels of a virtual test against the reduced ones. Empty where none is of a known record.
-ReportTrace reduction_errors(const TestLevels& test, const TestLevels& exact) {
+ReportTrace reduction_errors(const MeasuredLevels& test, const MeasuredLevels& exact) {
   ReportTrace trace{.name = "D", .kind = TraceKind::kPoints, .stroke = {.colour = kVermillion}};
   for (std::size_t i = 0; i < test.source.size(); ++i) {
     const std::optional<double> expected = exact_dissipation(exact, test.source[i]);
@@ -150,10 +151,10 @@ ReportFigure truth_figure(ReportTrace errors) {
 
 }  // namespace
 
-ReportSection energies_section(const TestResults& results) {
+ReportSection energies_section(const ExperimentResults& results) {
   ReportSection section{.title = "Energies", .blocks = {}};
   if (!results.levels) return section;
-  const TestLevels& test = *results.levels;
+  const MeasuredLevels& test = *results.levels;
   section.blocks.emplace_back(energies_figure(results));
   if (results.joint) {
     section.blocks.emplace_back(residual_figure(results));

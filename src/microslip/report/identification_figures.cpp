@@ -11,9 +11,9 @@
 
 #include "microslip/base/percent.hpp"
 #include "microslip/joint/dissipation.hpp"
-#include "microslip/report/sampled_curves.hpp"
 #include "microslip/report/scales.hpp"
 #include "microslip/report/shown_unit.hpp"
+#include "microslip/workflow/sampled_curves.hpp"
 
 namespace microslip {
 namespace {

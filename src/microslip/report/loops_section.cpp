@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "microslip/report/test_sections.hpp"
+#include "microslip/report/sections.hpp"
 
 namespace microslip {
 namespace {
@@ -77,7 +77,7 @@ ReportFigure figure_of(std::string title, std::string caption, std::string force
 
 }  // namespace
 
-ReportSection loops_section(const TestResults& results,
+ReportSection loops_section(const ExperimentResults& results,
                             const std::optional<MethodComparison>& methods) {
   ReportSection section{.title = "Loops", .blocks = {}};
   if (!results.joint) return section;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <cstddef>
 
-#include "microslip/report/test_sections.hpp"
+#include "microslip/report/sections.hpp"
 
 namespace microslip {
 namespace {
 
 /// The levels without those that are left out.
-Levels used_levels(const TestLevels& test) {
+Levels used_levels(const MeasuredLevels& test) {
   Levels used;
   const auto take = [&](const std::vector<double>& from, std::vector<double>& to) {
     for (std::size_t i = 0; i < from.size(); ++i) {
@@ -23,14 +23,14 @@ Levels used_levels(const TestLevels& test) {
   return used;
 }
 
-std::optional<double> stiffness_of(const TestResults& results) {
+std::optional<double> stiffness_of(const ExperimentResults& results) {
   if (results.joint) return results.joint->joint.stiffness();
   return results.rig ? results.rig->contact.stiffness : std::nullopt;
 }
 
 }  // namespace
 
-std::optional<MethodComparison> compare_methods(const TestResults& results) {
+std::optional<MethodComparison> compare_methods(const ExperimentResults& results) {
   const std::optional<double> stiffness = stiffness_of(results);
   if (!results.levels || !stiffness) return std::nullopt;
   const Levels levels = used_levels(*results.levels);

@@ -15,7 +15,7 @@
 #include "microslip/identify/density_comparison.hpp"
 #include "microslip/identify/stiffness_evidence.hpp"
 #include "microslip/report/flag_meanings.hpp"
-#include "microslip/report/test_sections.hpp"
+#include "microslip/report/sections.hpp"
 
 namespace microslip {
 namespace {
@@ -29,13 +29,13 @@ std::string count_of(std::size_t levels) {
 }
 
 /// Of the levels, those that the joint was identified from.
-std::size_t used_count(const TestLevels& test) {
+std::size_t used_count(const MeasuredLevels& test) {
   return test.levels.size() - static_cast<std::size_t>(std::ranges::count(test.left_out, true));
 }
 
 /// Where the joint is from, as far as its file tells.
-std::string origin(const TestResults& results) {
-  const TestJoint& found = *results.joint;
+std::string origin(const ExperimentResults& results) {
+  const IdentifiedJoint& found = *results.joint;
   const double k = found.joint.stiffness() / kKilonewtonPerMetre;
   if (found.method.empty()) {
     return fmt::format(
@@ -50,8 +50,8 @@ std::string origin(const TestResults& results) {
 }
 
 /// What was done and found, in a sentence or two.
-std::string lead(const TestResults& results) {
-  const TestJoint& found = *results.joint;
+std::string lead(const ExperimentResults& results) {
+  const IdentifiedJoint& found = *results.joint;
   const SlipDensity& density = found.joint.density();
   const PartialMoments slips =
       found.covered_to ? density.moments(*found.covered_to) : density.total();
@@ -68,12 +68,12 @@ std::string lead(const TestResults& results) {
                     *found.covered_to);
 }
 
-ReportFacts key_facts(const TestResults& results) {
+ReportFacts key_facts(const ExperimentResults& results) {
   ReportFacts facts{.prominent = true};
   const auto add = [&](const char* name, std::string value) {
     facts.facts.emplace_back(name, std::move(value));
   };
-  const TestJoint& found = *results.joint;
+  const IdentifiedJoint& found = *results.joint;
   const SlipDensity& density = found.joint.density();
   add("stuck stiffness k",
       fmt::format("{:.4g} kN/m", found.joint.stiffness() / kKilonewtonPerMetre));
@@ -92,7 +92,7 @@ ReportFacts key_facts(const TestResults& results) {
 }
 
 /// The median half-width of the band over the covered slip forces, relative to the density.
-std::optional<double> typical_half_width(const TestJoint& found) {
+std::optional<double> typical_half_width(const IdentifiedJoint& found) {
   std::vector<double> widths;
   for (std::size_t i = 0; i < found.band_slip_force.size(); ++i) {
     const double f = found.band_slip_force[i];
@@ -107,21 +107,21 @@ std::optional<double> typical_half_width(const TestJoint& found) {
 }
 
 /// The part of an NRMSE that is no noise.
-double beyond_noise(const TestComparison& row) {
+double beyond_noise(const ChannelMisfit& row) {
   return std::sqrt(std::max(row.nrmse * row.nrmse - row.noise_share * row.noise_share, 0.0));
 }
 
 /// The noise of a weak signal alone can be a quarter of it.
-std::string describe_predictions(const std::vector<TestComparison>& comparisons) {
+std::string describe_predictions(const std::vector<ChannelMisfit>& comparisons) {
   const auto worst = std::ranges::max_element(comparisons, {}, beyond_noise);
-  const auto noisiest = std::ranges::max_element(comparisons, {}, &TestComparison::nrmse);
+  const auto noisiest = std::ranges::max_element(comparisons, {}, &ChannelMisfit::nrmse);
   return fmt::format("at most {} beyond the noise ({}, {}); NRMSE with the noise at most {}",
                      percent_text(beyond_noise(*worst)), worst->channel, file_name(worst->source),
                      percent_text(noisiest->nrmse));
 }
 
 /// What the identification of the joint said of its own levels.
-std::string scatter_of(const TestJoint& found) {
+std::string scatter_of(const IdentifiedJoint& found) {
   std::string text = found.scatter_is_relative
                          ? percent_text(*found.scatter) + " of D about the fit"
                          : fmt::format("D {:.2f} of the standard deviations given", *found.scatter);
@@ -129,7 +129,7 @@ std::string scatter_of(const TestJoint& found) {
   return text;
 }
 
-std::string smoothing_of(const TestJoint& found) {
+std::string smoothing_of(const IdentifiedJoint& found) {
   std::string text =
       fmt::format("λ = {:.3g}{}", *found.lambda, found.method == "spline" ? " m³" : "");
   if (found.degrees_of_freedom) {
@@ -139,7 +139,7 @@ std::string smoothing_of(const TestJoint& found) {
 }
 
 /// How far D of these levels is from that of the joint, whoever identified it.
-std::string misfit_of(const TestResults& results) {
+std::string misfit_of(const ExperimentResults& results) {
   const Misfit misfit = misfit_of_levels(results);
   return misfit.in_deviations
              ? fmt::format("{:.3g} of the standard deviations of D, rms", misfit.rms)
@@ -147,7 +147,7 @@ std::string misfit_of(const TestResults& results) {
 }
 
 /// Nothing where the truth has no density to compare with.
-std::optional<std::string> error_against_truth(const TestResults& results) {
+std::optional<std::string> error_against_truth(const ExperimentResults& results) {
   if (!results.truth || !results.joint->covered_to) return std::nullopt;
   try {
     const double error = density_error(results.joint->joint.density(), *results.joint->covered_to,
@@ -159,12 +159,12 @@ std::optional<std::string> error_against_truth(const TestResults& results) {
   }
 }
 
-ReportFacts certainty(const TestResults& results) {
+ReportFacts certainty(const ExperimentResults& results) {
   ReportFacts facts{.title = "How sure", .facts = {}};
   const auto add = [&](const char* name, std::string value) {
     facts.facts.emplace_back(name, std::move(value));
   };
-  const TestJoint& found = *results.joint;
+  const IdentifiedJoint& found = *results.joint;
   add("method", found.method.empty() ? "not told by the file" : found.method);
   if (results.levels && found.from_these_levels) {
     add("levels", fmt::format("{}", used_count(*results.levels)));
@@ -198,11 +198,11 @@ ReportFacts certainty(const TestResults& results) {
 }
 
 /// A joint far off the levels: it is of others, does not fit, or was changed since.
-std::optional<ReportWarning> foreign_misfit(const TestResults& results,
-                                            const std::optional<MethodComparison>& methods) {
+std::optional<Warning> foreign_misfit(const ExperimentResults& results,
+                                      const std::optional<MethodComparison>& methods) {
   constexpr double kLargest = 3.0;  // times the scatter
   if (!results.joint || !results.levels) return std::nullopt;
-  const TestJoint& joint = *results.joint;
+  const IdentifiedJoint& joint = *results.joint;
   const Misfit misfit = misfit_of_levels(results);
   double scatter = 1.0;
   if (joint.from_these_levels && joint.scatter &&
@@ -213,7 +213,7 @@ std::optional<ReportWarning> foreign_misfit(const TestResults& results,
     scatter = methods->inversion.inversion->scatter;
   }
   if (!(misfit.rms > kLargest * scatter)) return std::nullopt;
-  return ReportWarning{
+  return Warning{
       "joint_misses_levels",
       fmt::format("D of the joint is off that of the levels by {}, far beyond their scatter: the "
                   "joint {}.",
@@ -224,8 +224,8 @@ std::optional<ReportWarning> foreign_misfit(const TestResults& results,
 
 /// The stiffness of the levels held against the joint, as its identification does it. The resonance
 /// where it was measured, else the drive.
-std::vector<Warning> judge_stiffness(const TestResults& results) {
-  const TestLevels& test = *results.levels;
+std::vector<Warning> judge_stiffness(const ExperimentResults& results) {
+  const MeasuredLevels& test = *results.levels;
   Levels levels = test.levels;
   if (!test.resonance_frequency.empty()) {
     levels.frequency = test.resonance_frequency;
@@ -237,10 +237,10 @@ std::vector<Warning> judge_stiffness(const TestResults& results) {
 }
 
 /// One for each code, with the number of records that carry it.
-std::vector<ReportWarning> flags_of_predictions(const std::vector<TestComparison>& comparisons) {
+std::vector<Warning> flags_of_predictions(const std::vector<ChannelMisfit>& comparisons) {
   std::map<std::string, std::set<std::string>> records;
   std::set<std::string> all;
-  for (const TestComparison& one : comparisons) {
+  for (const ChannelMisfit& one : comparisons) {
     all.insert(one.source);
     std::istringstream words(one.flags);
     for (std::string code; words >> code;) records[code].insert(one.source);
@@ -248,7 +248,7 @@ std::vector<ReportWarning> flags_of_predictions(const std::vector<TestComparison
       records["prediction_not_converged"].insert(one.source);
     }
   }
-  std::vector<ReportWarning> warnings;
+  std::vector<Warning> warnings;
   for (const auto& [code, sources] : records) {
     const std::string_view meaning = flag_meaning(code);
     warnings.push_back(
@@ -259,11 +259,11 @@ std::vector<ReportWarning> flags_of_predictions(const std::vector<TestComparison
 }
 
 /// The texts where the levels tell them again, else the codes as the file has them.
-ReportWarnings all_warnings(const TestResults& results,
+ReportWarnings all_warnings(const ExperimentResults& results,
                             const std::optional<MethodComparison>& methods) {
   ReportWarnings block{results.warnings};
   const auto add = [&](const std::string& code, const std::string& text) {
-    const auto same = [&](const ReportWarning& known) { return known.code == code; };
+    const auto same = [&](const Warning& known) { return known.code == code; };
     if (std::ranges::none_of(block.warnings, same)) block.warnings.push_back({code, text});
   };
   if (const auto misfit = foreign_misfit(results, methods)) add(misfit->code, misfit->text);
@@ -303,7 +303,7 @@ std::string not_examined(const ReportWarnings& warnings) {
 
 }  // namespace
 
-ReportSection summary_section(const TestResults& results,
+ReportSection summary_section(const ExperimentResults& results,
                               const std::optional<MethodComparison>& methods) {
   ReportSection section{.title = "Summary", .blocks = {}};
   if (results.joint) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/rig_responses.hpp"
+#include "microslip/workflow/rig_responses.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "microslip/dynamics/harmonic_balance.hpp"
-#include "microslip/report/sampled_curves.hpp"
 #include "microslip/rig/rig_structure.hpp"
 #include "microslip/rig/stick_state.hpp"
+#include "microslip/workflow/sampled_curves.hpp"
 
 namespace microslip {
 namespace {
@@ -43,11 +43,11 @@ HarmonicBalance balance_of(const Rig& rig, const StickState& state, const Joint&
           {.harmonics = 5, .largest_change = 0.06, .least_points = 60, .accuracy = 0.0}};
 }
 
-std::optional<TestBackbone> backbone_of(const HarmonicBalance& balance,
-                                        const std::vector<double>& responses) {
+std::optional<JointBackbone> backbone_of(const HarmonicBalance& balance,
+                                         const std::vector<double>& responses) {
   const ResponseCurve curve = balance.backbone(responses);
   if (!curve.summary.converged()) return std::nullopt;
-  TestBackbone backbone;
+  JointBackbone backbone;
   for (const SteadyVibration& point : curve.points) {
     backbone.amplitude.push_back(point.joints.front().amplitude);
     backbone.frequency.push_back(point.frequency());
@@ -59,7 +59,7 @@ std::optional<TestBackbone> backbone_of(const HarmonicBalance& balance,
 }
 
 /// From and to, Hz: the resonances of a backbone and what shows their width.
-std::pair<double, double> range_around(const TestBackbone& backbone) {
+std::pair<double, double> range_around(const JointBackbone& backbone) {
   const auto [lowest, highest] = std::ranges::minmax(backbone.frequency);
   const double margin = std::max(kMargin * (highest - lowest), kLeastMargin * highest);
   return {lowest - margin, highest + margin};
@@ -85,7 +85,7 @@ std::optional<Curve> curve_of(const HarmonicBalance& balance, double response,
 
 }  // namespace
 
-void add_predictions(TestResults& results) {
+void add_predictions(ExperimentResults& results) {
   if (!results.rig || !results.joint || !results.levels) return;
   const Rig& rig = *results.rig;
   const std::vector<double>& measured = results.levels->response_amplitude;
@@ -106,7 +106,7 @@ void add_predictions(TestResults& results) {
   for (const double response : some_responses(measured)) {
     std::optional<Curve> curve = curve_of(found, response, range);
     if (!curve) continue;
-    TestResponse one{response, std::move(curve->frequency), std::move(curve->force)};
+    ConstantResponse one{response, std::move(curve->frequency), std::move(curve->force)};
     if (std::optional<Curve> expected = truth ? curve_of(*truth, response, range) : std::nullopt) {
       one.true_frequency = std::move(expected->frequency);
       one.true_force = std::move(expected->force);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "microslip/report/test_results.hpp"
+#include "microslip/workflow/experiment_results.hpp"
 
 /// @file
 /// What a joint predicts for the rig, for the report.
@@ -12,6 +12,6 @@ namespace microslip {
 /// the joint of the results and, where there is one, by the true joint. A curve that does not
 /// converge is left out, and nothing is added where rig, joint or the response amplitudes of levels
 /// are missing.
-void add_predictions(TestResults& results);
+void add_predictions(ExperimentResults& results);
 
 }  // namespace microslip

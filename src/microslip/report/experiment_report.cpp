@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "microslip/report/experiment_report.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +12,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/joint/dissipation.hpp"
-#include "microslip/report/test_sections.hpp"
+#include "microslip/report/sections.hpp"
 
 namespace microslip {
 namespace {
@@ -21,7 +23,7 @@ void check_length(const char* name, std::size_t length, std::size_t levels) {
                    fmt::format("must be 0 or the {} of the levels", levels));
 }
 
-void check_lengths(const TestLevels& test) {
+void check_lengths(const MeasuredLevels& test) {
   check_levels(test.levels);
   const std::size_t count = test.levels.size();
   check_length("source", test.source.size(), count);
@@ -43,12 +45,12 @@ void check_same(const std::string& name, std::size_t length, std::size_t expecte
                    fmt::format("must be {}, that of what belongs to it", expected));
 }
 
-void check_lengths(const TestJoint& found) {
+void check_lengths(const IdentifiedJoint& found) {
   check_same("band_lower", found.band_lower.size(), found.band_slip_force.size());
   check_same("band_upper", found.band_upper.size(), found.band_slip_force.size());
 }
 
-void check_lengths(const TestBackbone& backbone) {
+void check_lengths(const JointBackbone& backbone) {
   const std::size_t count = backbone.amplitude.size();
   check_same("backbone.frequency", backbone.frequency.size(), count);
   check_same("backbone.damping_ratio", backbone.damping_ratio.size(), count);
@@ -56,32 +58,32 @@ void check_lengths(const TestBackbone& backbone) {
   check_same("backbone.vibration_energy", backbone.vibration_energy.size(), count);
 }
 
-void check_lengths(const TestRecord& record) {
-  for (const TestSignal& signal : record.signals) {
+void check_lengths(const LevelRecord& record) {
+  for (const SignalPair& signal : record.signals) {
     check_same(signal.name + ".recorded", signal.recorded.size(), signal.time.size());
     check_same(signal.name + ".other", signal.other.size(), signal.other_time.size());
   }
-  for (const TestHarmonics& channel : record.harmonics) {
+  for (const HarmonicsPair& channel : record.harmonics) {
     if (channel.other.empty()) continue;
     check_same(channel.name + ".other", channel.other.size(), channel.recorded.size());
   }
 }
 
-void check_lengths(const TestResponse& response) {
+void check_lengths(const ConstantResponse& response) {
   check_same("force", response.force.size(), response.frequency.size());
   check_same("true_force", response.true_force.size(), response.true_frequency.size());
 }
 
-void check_lengths(const TestResults& results) {
+void check_lengths(const ExperimentResults& results) {
   if (results.levels) check_lengths(*results.levels);
   if (results.true_levels) check_lengths(*results.true_levels);
   if (results.joint) check_lengths(*results.joint);
   if (results.backbone) check_lengths(*results.backbone);
   if (results.true_backbone) check_lengths(*results.true_backbone);
-  for (const TestRecord& record : results.records) check_lengths(record);
-  for (const TestRecord& record : results.predictions) check_lengths(record);
-  for (const TestResponse& response : results.responses) check_lengths(response);
-  for (const TestForceControl& level : results.force_control) {
+  for (const LevelRecord& record : results.records) check_lengths(record);
+  for (const LevelRecord& record : results.predictions) check_lengths(record);
+  for (const ConstantResponse& response : results.responses) check_lengths(response);
+  for (const ForceControlLevel& level : results.force_control) {
     check_same("force_control.after", level.after.size(), level.before.size());
   }
 }
@@ -111,7 +113,7 @@ ReportAxis amplitude_axis(bool log) {
   return {.label = "amplitude A", .unit = "µm", .log = log, .log_switch = true};
 }
 
-std::vector<ReportTrace> curves_of_joints(const TestResults& results,
+std::vector<ReportTrace> curves_of_joints(const ExperimentResults& results,
                                           const std::function<double(const Joint&, double)>& value,
                                           const std::function<double(double)>& damping) {
   const auto [lowest, highest] = std::ranges::minmax(results.levels->levels.amplitude);
@@ -135,7 +137,7 @@ std::vector<ReportTrace> curves_of_joints(const TestResults& results,
   return traces;
 }
 
-std::vector<double> net_dissipation(const TestResults& results) {
+std::vector<double> net_dissipation(const ExperimentResults& results) {
   const Levels& levels = results.levels->levels;
   const double beta = results.joint ? results.joint->linear_damping.value_or(0.0) : 0.0;
   std::vector<double> net = levels.dissipation;
@@ -143,7 +145,7 @@ std::vector<double> net_dissipation(const TestResults& results) {
   return net;
 }
 
-MeasuredPoints measured_loss_factor(const TestResults& results) {
+MeasuredPoints measured_loss_factor(const ExperimentResults& results) {
   MeasuredPoints measured;
   if (!results.levels || results.levels->levels.secant_stiffness.empty()) return measured;
   const Levels& levels = results.levels->levels;
@@ -164,7 +166,7 @@ MeasuredPoints measured_loss_factor(const TestResults& results) {
   return measured;
 }
 
-std::vector<double> dissipation_deviations(const TestResults& results) {
+std::vector<double> dissipation_deviations(const ExperimentResults& results) {
   const Levels& levels = results.levels->levels;
   std::vector<double> deviations = levels.dissipation_std;
   if (std::ranges::any_of(deviations, [](double std) { return !(std > 0.0); })) return {};
@@ -178,7 +180,8 @@ std::vector<double> dissipation_deviations(const TestResults& results) {
   return deviations;
 }
 
-std::vector<double> residuals_over(const TestResults& results, const std::vector<double>& scale) {
+std::vector<double> residuals_over(const ExperimentResults& results,
+                                   const std::vector<double>& scale) {
   const std::vector<double> net = net_dissipation(results);
   std::vector<double> residual;
   for (std::size_t i = 0; i < net.size(); ++i) {
@@ -188,8 +191,8 @@ std::vector<double> residuals_over(const TestResults& results, const std::vector
   return residual;
 }
 
-Misfit misfit_of_levels(const TestResults& results) {
-  const TestLevels& test = *results.levels;
+Misfit misfit_of_levels(const ExperimentResults& results) {
+  const MeasuredLevels& test = *results.levels;
   const std::vector<double> deviations = dissipation_deviations(results);
   const std::vector<double> residual =
       residuals_over(results, deviations.empty() ? test.levels.dissipation : deviations);
@@ -205,7 +208,7 @@ Misfit misfit_of_levels(const TestResults& results) {
   return {.rms = std::sqrt(mean), .in_deviations = !deviations.empty()};
 }
 
-ReportTrace at_levels(const TestResults& results, std::string name, std::vector<double> value,
+ReportTrace at_levels(const ExperimentResults& results, std::string name, std::vector<double> value,
                       std::vector<double> std, int colour) {
   return {.name = std::move(name),
           .kind = TraceKind::kPoints,
@@ -215,7 +218,7 @@ ReportTrace at_levels(const TestResults& results, std::string name, std::vector<
           .stroke = {.colour = colour}};
 }
 
-ReportDocument test_report(TestResults results) {
+ReportDocument experiment_report(ExperimentResults results) {
   check_lengths(results);
   std::optional<MethodComparison> methods;
   try {

@@ -14,10 +14,10 @@
 
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
-#include "microslip/report/test_results.hpp"
+#include "microslip/report/experiment_report.hpp"
 #include "report/support.hpp"
 
-namespace microslip::test_report_test {
+namespace microslip::experiment_report_test {
 namespace {
 
 using test::contains;
@@ -31,9 +31,9 @@ Joint uniform_joint() {
 }
 
 /// Levels without noise up to kA = 30 N of 40.
-TestLevels exact_levels() {
+MeasuredLevels exact_levels() {
   const Joint joint = uniform_joint();
-  TestLevels test;
+  MeasuredLevels test;
   for (std::size_t i = 1; i <= kLevels; ++i) {
     const double a = 1.5e-5 * static_cast<double>(i);
     test.levels.amplitude.push_back(a);
@@ -47,20 +47,20 @@ TestLevels exact_levels() {
   return test;
 }
 
-TestResults exact_results() {
-  TestResults results;
+ExperimentResults exact_results() {
+  ExperimentResults results;
   results.title = "Test";
   results.levels = exact_levels();
-  results.joint = TestJoint{.joint = uniform_joint(),
-                            .method = "inversion",
-                            .status = "converged",
-                            .from_these_levels = true,
-                            .covered_from = 1.5,
-                            .covered_to = 30.0,
-                            .band_confidence = 0.95,
-                            .band_slip_force = {0.0, 15.0, 30.0},
-                            .band_lower = {0.02, 0.02, 0.02},
-                            .band_upper = {0.03, 0.03, 0.03}};
+  results.joint = IdentifiedJoint{.joint = uniform_joint(),
+                                  .method = "inversion",
+                                  .status = "converged",
+                                  .from_these_levels = true,
+                                  .covered_from = 1.5,
+                                  .covered_to = 30.0,
+                                  .band_confidence = 0.95,
+                                  .band_slip_force = {0.0, 15.0, 30.0},
+                                  .band_lower = {0.02, 0.02, 0.02},
+                                  .band_upper = {0.03, 0.03, 0.03}};
   results.truth = uniform_joint();
   return results;
 }
@@ -116,8 +116,8 @@ std::string missing_in(const ReportDocument& document) {
 }
 
 /// Everything that a test can leave behind.
-TestResults all_results() {
-  TestResults results = exact_results();
+ExperimentResults all_results() {
+  ExperimentResults results = exact_results();
   results.levels->response_amplitude.assign(kLevels, 1.0);
   results.levels->force_amplitude.assign(kLevels, 2.0);
   results.levels->frequency.assign(kLevels, 55.0);
@@ -133,8 +133,8 @@ TestResults all_results() {
   return results;
 }
 
-TEST(TestReport, SectionsInTheirOrder) {
-  const ReportDocument document = test_report(all_results());
+TEST(ExperimentReport, SectionsInTheirOrder) {
+  const ReportDocument document = experiment_report(all_results());
   EXPECT_EQ(
       titles_of(document),
       (std::vector<std::string>{"Summary", "Levels", "Signals", "Energies", "Density", "Loops",
@@ -143,8 +143,8 @@ TEST(TestReport, SectionsInTheirOrder) {
   EXPECT_EQ(input_fault([&] { check_report(document); }), "no error");
 }
 
-TEST(TestReport, WhatIsNotThereIsListedBeforeTheLastSection) {
-  const ReportDocument document = test_report(exact_results());
+TEST(ExperimentReport, WhatIsNotThereIsListedBeforeTheLastSection) {
+  const ReportDocument document = experiment_report(exact_results());
   EXPECT_EQ(titles_of(document), (std::vector<std::string>{
                                      "Summary", "Levels", "Energies", "Density", "Loops",
                                      "Stiffness and damping", "Not in this report", "Provenance"}));
@@ -157,14 +157,14 @@ TEST(TestReport, WhatIsNotThereIsListedBeforeTheLastSection) {
 }
 
 // What only a virtual test can supply is no advice for a real one.
-TEST(TestReport, ARealTestIsNotToldToBeMadeAgain) {
-  TestResults results = exact_results();
+TEST(ExperimentReport, ARealTestIsNotToldToBeMadeAgain) {
+  ExperimentResults results = exact_results();
   results.truth.reset();
-  EXPECT_FALSE(contains(missing_in(test_report(results)), "microslip measure"));
+  EXPECT_FALSE(contains(missing_in(experiment_report(results)), "microslip measure"));
 }
 
-TEST(TestReport, NothingAtAllSaysWhatMakesEachPart) {
-  const ReportDocument document = test_report({.title = "Empty"});
+TEST(ExperimentReport, NothingAtAllSaysWhatMakesEachPart) {
+  const ReportDocument document = experiment_report({.title = "Empty"});
   EXPECT_EQ(input_fault([&] { check_report(document); }), "no error");
   EXPECT_EQ(titles_of(document),
             (std::vector<std::string>{"Summary", "Not in this report", "Provenance"}));
@@ -175,16 +175,16 @@ TEST(TestReport, NothingAtAllSaysWhatMakesEachPart) {
 }
 
 // The levels are those of the joint: differences are rounding of D, a few units of its last digit.
-TEST(TestReport, ResidualsOfTheExactJointVanish) {
-  const ReportDocument document = test_report(exact_results());
+TEST(ExperimentReport, ResidualsOfTheExactJointVanish) {
+  const ReportDocument document = experiment_report(exact_results());
   const ReportFigure& residuals = figure(document, "Residuals of D");
   EXPECT_EQ(trace(residuals, "levels").y.size(), kLevels);
   EXPECT_LT(largest(trace(residuals, "levels").y), 1e-12);  // %
 }
 
-TEST(TestReport, EnergiesAreInMillijoulesOverMicrometres) {
-  const TestResults results = exact_results();
-  const ReportDocument document = test_report(results);
+TEST(ExperimentReport, EnergiesAreInMillijoulesOverMicrometres) {
+  const ExperimentResults results = exact_results();
+  const ReportDocument document = experiment_report(results);
   const ReportFigure& energies = figure(document, "Energies per cycle");
   const ReportTrace& input = trace(energies, "input energy");
   EXPECT_DOUBLE_EQ(input.x.back(), 300.0);
@@ -196,8 +196,8 @@ TEST(TestReport, EnergiesAreInMillijoulesOverMicrometres) {
 }
 
 // φ of the uniform joint is 1/40 N everywhere, so 25 1/kN; D′ = 4Φ1(kA) = 2 (kA)²/40 N.
-TEST(TestReport, DensityAndSlopeOfAUniformJoint) {
-  const ReportDocument document = test_report(exact_results());
+TEST(ExperimentReport, DensityAndSlopeOfAUniformJoint) {
+  const ReportDocument document = experiment_report(exact_results());
   const ReportFigure& density = figure(document, "Slip-force density");
   for (const double value : trace(density, "truth").y) EXPECT_DOUBLE_EQ(value, 25.0);
   EXPECT_EQ(trace(density, "95 % band").x, (std::vector{15.0, 30.0}));  // not below 0.9 kA_min
@@ -212,9 +212,9 @@ TEST(TestReport, DensityAndSlopeOfAUniformJoint) {
 }
 
 // Levels and truth are matched by the file names of their records.
-TEST(TestReport, ErrorOfTheReductionWhereTheTruthIsKnown) {
-  TestResults results = exact_results();
-  TestLevels exact = exact_levels();
+TEST(ExperimentReport, ErrorOfTheReductionWhereTheTruthIsKnown) {
+  ExperimentResults results = exact_results();
+  MeasuredLevels exact = exact_levels();
   results.levels->source[7] = "there/level 8";
   results.levels->source[3] = "another";
   results.levels->levels.dissipation[7] *= 1.02;
@@ -223,15 +223,15 @@ TEST(TestReport, ErrorOfTheReductionWhereTheTruthIsKnown) {
   std::ranges::reverse(exact.levels.dissipation);
   exact.levels.secant_stiffness.clear();
   results.true_levels = exact;
-  const ReportDocument document = test_report(results);
+  const ReportDocument document = experiment_report(results);
   const ReportTrace& error = trace(figure(document, "Error of the reduction"), "D");
   ASSERT_EQ(error.x.size(), kLevels - 1);
   EXPECT_NEAR(error.y[6], 2.0, 1e-12);  // %
   EXPECT_NEAR(error.y[5], 0.0, 1e-12);
 }
 
-TEST(TestReport, LoopsAreClosedAndOfTheDissipation) {
-  const ReportDocument document = test_report(exact_results());
+TEST(ExperimentReport, LoopsAreClosedAndOfTheDissipation) {
+  const ReportDocument document = experiment_report(exact_results());
   const ReportFigure& loops = figure(document, "Regenerated loops");
   ASSERT_EQ(loops.choices.size(), 4);
   EXPECT_EQ(loops.choices[0].name, "300 µm");
@@ -250,8 +250,8 @@ TEST(TestReport, LoopsAreClosedAndOfTheDissipation) {
 }
 
 // λ along the path: the degrees of freedom grow as λ falls, and the chosen one is the joint's.
-TEST(TestReport, DensitiesAlongThePath) {
-  const ReportDocument document = test_report(exact_results());
+TEST(ExperimentReport, DensitiesAlongThePath) {
+  const ReportDocument document = experiment_report(exact_results());
   const ReportFigure& path = figure(document, "Density along the path");
   ASSERT_EQ(path.choices[0].traces.size(), 5);
   double last = 0.0;
@@ -265,25 +265,25 @@ TEST(TestReport, DensitiesAlongThePath) {
 }
 
 // A joint identified with a fixed λ is compared with others by that λ.
-TEST(TestReport, TheOptionsOfTheJointAreThoseOfThePath) {
-  TestResults results = exact_results();
+TEST(ExperimentReport, TheOptionsOfTheJointAreThoseOfThePath) {
+  ExperimentResults results = exact_results();
   results.options.inversion.lambda = 12.5;
-  const ReportDocument document = test_report(results);
+  const ReportDocument document = experiment_report(results);
   const ReportFigure& path = figure(document, "Path of the smoothing parameter");
   EXPECT_TRUE(contains(path.choices[0].traces[1].name, "chosen: λ = 12.5,"))
       << path.choices[0].traces[1].name;
 }
 
 // βA² with β = 50 J/m² on top of the exact D.
-TEST(TestReport, LinearDampingIsShownAndTakenOff) {
+TEST(ExperimentReport, LinearDampingIsShownAndTakenOff) {
   constexpr double kBeta = 50.0;
-  TestResults results = exact_results();
+  ExperimentResults results = exact_results();
   results.joint->linear_damping = kBeta;
   Levels& levels = results.levels->levels;
   for (std::size_t i = 0; i < kLevels; ++i) {
     levels.dissipation[i] += kBeta * std::pow(levels.amplitude[i], 2);
   }
-  const ReportDocument document = test_report(results);
+  const ReportDocument document = experiment_report(results);
   const ReportFigure& energies = figure(document, "Energies per cycle");
   EXPECT_NEAR(trace(energies, "linear damping βA²").y.back(), 1e3 * kBeta * 9e-8, 1e-12);  // mJ
   EXPECT_NEAR(trace(energies, "identified joint and linear damping").y.back(),
@@ -298,7 +298,7 @@ std::string summary_text(const ReportDocument& document) {
   for (const ReportBlock& block : section(document, "Summary").blocks) {
     if (const auto* paragraph = std::get_if<ReportText>(&block)) text += paragraph->text + "\n";
     if (const auto* warnings = std::get_if<ReportWarnings>(&block)) {
-      for (const ReportWarning& one : warnings->warnings) text += one.code + ": " + one.text + "\n";
+      for (const Warning& one : warnings->warnings) text += one.code + ": " + one.text + "\n";
     }
     if (const auto* facts = std::get_if<ReportFacts>(&block)) {
       for (const auto& [name, value] : facts->facts) text += name + " = " + value + "\n";
@@ -308,22 +308,22 @@ std::string summary_text(const ReportDocument& document) {
 }
 
 // φ = 1/40 1/N up to 40 N: up to 30 N three quarters of k slip, all of it beyond.
-TEST(TestReport, TellsWhatSlipsInTheCoveredRange) {
-  TestResults results = exact_results();
-  const std::string text = summary_text(test_report(results));
+TEST(ExperimentReport, TellsWhatSlipsInTheCoveredRange) {
+  ExperimentResults results = exact_results();
+  const std::string text = summary_text(experiment_report(results));
   EXPECT_TRUE(contains(text, "75.0 % of its stiffness slips at slip forces up to 30 N. The levels"))
       << text;
   results.joint->covered_to = 40.0;
-  const std::string all = summary_text(test_report(results));
+  const std::string all = summary_text(experiment_report(results));
   EXPECT_TRUE(contains(all, "100.0 % of its stiffness slips at slip forces up to 40 N.\n")) << all;
 }
 
-TEST(TestReport, ShowsAtoms) {
-  TestResults results = exact_results();
+TEST(ExperimentReport, ShowsAtoms) {
+  ExperimentResults results = exact_results();
   results.joint->joint = {kStiffness,
                           SlipDensity({UniformPart{0.0, 20.0, 0.5},
                                        AtomsPart{.slip_force = {25.0}, .weight = {0.25}}})};
-  const ReportDocument document = test_report(results);
+  const ReportDocument document = experiment_report(results);
   EXPECT_TRUE(contains(summary_text(document), "slips at once = 25.0 % at 25 N"))
       << summary_text(document);
   const ReportFigure& density = figure(document, "Slip-force density");
@@ -332,46 +332,47 @@ TEST(TestReport, ShowsAtoms) {
 }
 
 // Three levels are too few for the methods.
-TEST(TestReport, LoopsSayNothingOfSplinesThatAreNotDrawn) {
-  TestResults results = exact_results();
-  const ReportDocument whole = test_report(results);
+TEST(ExperimentReport, LoopsSayNothingOfSplinesThatAreNotDrawn) {
+  ExperimentResults results = exact_results();
+  const ReportDocument whole = experiment_report(results);
   EXPECT_TRUE(contains(figure(whole, "Regenerated loops").caption, "spline"));
   const Levels all = results.levels->levels;
-  results.levels = TestLevels{};
+  results.levels = MeasuredLevels{};
   for (std::size_t i = 0; i < 3; ++i) {
     results.levels->levels.amplitude.push_back(all.amplitude[i]);
     results.levels->levels.dissipation.push_back(all.dissipation[i]);
   }
-  const ReportDocument few = test_report(results);
+  const ReportDocument few = experiment_report(results);
   EXPECT_FALSE(contains(figure(few, "Regenerated loops").caption, "spline"));
 }
 
-TEST(TestReport, AParametricModelHasNoSmoothing) {
-  TestResults results = exact_results();
+TEST(ExperimentReport, AParametricModelHasNoSmoothing) {
+  ExperimentResults results = exact_results();
   results.joint->scatter = 0.02;
   results.joint->lambda = 1.0;
   results.joint->parameters = {{"macroslip_force", "8 ± 0.1 N"}};
-  const std::string text = summary_text(test_report(results));
+  const std::string text = summary_text(experiment_report(results));
   EXPECT_TRUE(contains(text, "macroslip_force = 8 ± 0.1 N")) << text;
   EXPECT_FALSE(contains(text, "smoothing = ")) << text;
   EXPECT_FALSE(contains(text, "scatter of its levels")) << text;
 }
 
-TEST(TestReport, SaysWhatWasNotExaminedWhereNothingWarns) {
-  TestResults results = exact_results();
+TEST(ExperimentReport, SaysWhatWasNotExaminedWhereNothingWarns) {
+  ExperimentResults results = exact_results();
   results.levels->flags.clear();
-  const std::string text = summary_text(test_report(results));
+  const std::string text = summary_text(experiment_report(results));
   EXPECT_TRUE(contains(text, "was identified by inversion from 20 levels")) << text;
   EXPECT_TRUE(contains(text, "No warning and no flag. Not examined: ")) << text;
 }
 
 // A joint written by hand beside levels that it has nothing to do with.
-TEST(TestReport, AJointThatNobodyIdentifiedIsNotCalledIdentified) {
-  TestResults results = exact_results();
+TEST(ExperimentReport, AJointThatNobodyIdentifiedIsNotCalledIdentified) {
+  ExperimentResults results = exact_results();
   results.levels->flags.clear();
-  results.joint = TestJoint{.joint = Joint(kStiffness, SlipDensity(std::vector<DensityPart>{})),
-                            .status = "not told by the file"};
-  const std::string text = summary_text(test_report(results));
+  results.joint =
+      IdentifiedJoint{.joint = Joint(kStiffness, SlipDensity(std::vector<DensityPart>{})),
+                      .status = "not told by the file"};
+  const std::string text = summary_text(experiment_report(results));
   EXPECT_FALSE(contains(text, "was identified")) << text;
   EXPECT_FALSE(contains(text, "No warning")) << text;
   EXPECT_FALSE(contains(text, "scatter of")) << text;
@@ -382,44 +383,44 @@ TEST(TestReport, AJointThatNobodyIdentifiedIsNotCalledIdentified) {
       << text;
 }
 
-TEST(TestReport, AJointChangedAfterItsIdentificationIsWarnedOf) {
-  TestResults results = exact_results();
+TEST(ExperimentReport, AJointChangedAfterItsIdentificationIsWarnedOf) {
+  ExperimentResults results = exact_results();
   const double k = results.joint->joint.stiffness();
   results.joint->from_these_levels = true;
   results.joint->joint = Joint(2.0 * k, results.joint->joint.density());
-  const std::string text = summary_text(test_report(results));
+  const std::string text = summary_text(experiment_report(results));
   EXPECT_TRUE(contains(text, "joint_misses_levels")) << text;
   EXPECT_TRUE(contains(text, "was changed after its identification")) << text;
   EXPECT_TRUE(contains(text, "Not examined: whether the stuck stiffness")) << text;
 }
 
-TEST(TestReport, AFrequencyThatRisesIsNotThatOfAJointThatSoftens) {
-  TestResults results = exact_results();
+TEST(ExperimentReport, AFrequencyThatRisesIsNotThatOfAJointThatSoftens) {
+  ExperimentResults results = exact_results();
   std::vector<double>& frequency = results.levels->frequency;
   frequency.assign(results.levels->levels.size(), 80.0);
-  EXPECT_FALSE(contains(summary_text(test_report(results)), "frequency_rises"));
+  EXPECT_FALSE(contains(summary_text(experiment_report(results)), "frequency_rises"));
   frequency.back() = 80.2;  // as a drive in steps may
-  EXPECT_FALSE(contains(summary_text(test_report(results)), "frequency_rises"));
+  EXPECT_FALSE(contains(summary_text(experiment_report(results)), "frequency_rises"));
   frequency.front() = 80.4;
   frequency.back() = 80.32;
-  const std::string text = summary_text(test_report(results));
+  const std::string text = summary_text(experiment_report(results));
   EXPECT_TRUE(contains(text, "frequency_rises: The frequency rises by 0.40 %")) << text;
 }
 
-TEST(TestReport, FlagsOfPredictionsAreWarnings) {
-  TestResults results = exact_results();
+TEST(ExperimentReport, FlagsOfPredictionsAreWarnings) {
+  ExperimentResults results = exact_results();
   results.comparisons = {
       {.source = "a", .channel = "force", .status = "converged", .flags = "resonance_off"},
       {.source = "a", .channel = "acc", .status = "converged", .flags = "resonance_off"},
       {.source = "b", .channel = "force", .status = "no_progress"}};
-  const std::string text = summary_text(test_report(results));
+  const std::string text = summary_text(experiment_report(results));
   EXPECT_TRUE(contains(text, "resonance_off: 1 of 2 predicted records: the predicted resonance"))
       << text;
   EXPECT_TRUE(contains(text, "prediction_not_converged: 1 of 2 predicted records")) << text;
 }
 
-TEST(TestReport, ScatterAndSmoothingAreThoseThatTheJointTells) {
-  TestResults results = exact_results();
+TEST(ExperimentReport, ScatterAndSmoothingAreThoseThatTheJointTells) {
+  ExperimentResults results = exact_results();
   results.joint->from_these_levels = false;
   results.joint->scatter = 37.9;
   results.joint->scatter_is_relative = false;
@@ -427,7 +428,7 @@ TEST(TestReport, ScatterAndSmoothingAreThoseThatTheJointTells) {
   results.joint->lambda = 0.172;
   results.joint->degrees_of_freedom = 12.0;
   results.joint->smoothing = "as asked for";
-  const std::string text = summary_text(test_report(results));
+  const std::string text = summary_text(experiment_report(results));
   EXPECT_TRUE(
       contains(text,
                "scatter of its levels = D 37.90 of the standard deviations given, k_eq 0.38 "
@@ -439,11 +440,11 @@ TEST(TestReport, ScatterAndSmoothingAreThoseThatTheJointTells) {
   EXPECT_FALSE(contains(text, "levels = 20")) << text;
 }
 
-TEST(TestReport, PredictionsOfAnotherJointAreNotItsError) {
-  TestResults results = exact_results();
+TEST(ExperimentReport, PredictionsOfAnotherJointAreNotItsError) {
+  ExperimentResults results = exact_results();
   results.comparisons = {{"a.csv", "force", "converged", 55.0, 1.0, 0.02, 0.001, 1.01, 0.003}};
   results.predictions_are_of_this_joint = false;
-  const ReportDocument document = test_report(results);
+  const ReportDocument document = experiment_report(results);
   const std::string text = summary_text(document);
   EXPECT_TRUE(contains(text, "error of the prediction = not told")) << text;
   const auto& first = std::get<ReportText>(section(document, "Prediction").blocks[0]);
@@ -451,8 +452,8 @@ TEST(TestReport, PredictionsOfAnotherJointAreNotItsError) {
 }
 
 // σ = √(σ_D² + (D′σ_A)²): with D′σ_A = σ_D the residuals are √2 times smaller.
-TEST(TestReport, ScatterOfTheAmplitudeCountsThroughTheSlope) {
-  TestResults results = exact_results();
+TEST(ExperimentReport, ScatterOfTheAmplitudeCountsThroughTheSlope) {
+  ExperimentResults results = exact_results();
   Levels& levels = results.levels->levels;
   for (std::size_t i = 0; i < kLevels; ++i) {
     const double deviation = 0.01 * levels.dissipation[i];
@@ -461,27 +462,27 @@ TEST(TestReport, ScatterOfTheAmplitudeCountsThroughTheSlope) {
                                    dissipation_slope(uniform_joint(), levels.amplitude[i]));
     levels.dissipation[i] += (i % 2 == 0 ? 1.0 : -1.0) * deviation;
   }
-  const ReportDocument document = test_report(results);
+  const ReportDocument document = experiment_report(results);
   const ReportFigure& residuals = figure(document, "Standardised residuals");
   EXPECT_NEAR(trace(residuals, "levels").y[0], std::sqrt(0.5), 1e-9);
   EXPECT_TRUE(contains(residuals.caption, "Their rms is 0.71")) << residuals.caption;
 }
 
-TEST(TestReport, ResidualsInStandardDeviations) {
-  TestResults results = exact_results();
+TEST(ExperimentReport, ResidualsInStandardDeviations) {
+  ExperimentResults results = exact_results();
   Levels& levels = results.levels->levels;
   for (std::size_t i = 0; i < kLevels; ++i) {
     levels.dissipation_std.push_back(0.01 * levels.dissipation[i]);
     levels.dissipation[i] += (i % 2 == 0 ? 0.5 : -1.5) * levels.dissipation_std[i];
   }
-  const ReportDocument document = test_report(results);
+  const ReportDocument document = experiment_report(results);
   const ReportTrace& residuals = trace(figure(document, "Standardised residuals"), "levels");
   EXPECT_NEAR(residuals.y[0], 0.5, 1e-9);
   EXPECT_NEAR(residuals.y[1], -1.5, 1e-9);
 }
 
-TEST(TestReport, ResponsesBesideTheTruthAndTheMeasured) {
-  const ReportDocument document = test_report(all_results());
+TEST(ExperimentReport, ResponsesBesideTheTruthAndTheMeasured) {
+  const ReportDocument document = experiment_report(all_results());
   const ReportFigure& responses = figure(document, "Frequency responses at constant response");
   EXPECT_EQ(trace(responses, "1 m/s²").y, (std::vector{0.25, 0.5}));
   EXPECT_EQ(trace(responses, "1 m/s², true joint").y, (std::vector{0.25, 0.4}));
@@ -494,33 +495,33 @@ TEST(TestReport, ResponsesBesideTheTruthAndTheMeasured) {
 }
 
 // ζ = W/(4πE): E of the backbone grows with A², so does half the input energy at twice the ζ.
-TEST(TestReport, DampingOfTheStructureAsMeasured) {
-  TestResults results = all_results();
+TEST(ExperimentReport, DampingOfTheStructureAsMeasured) {
+  ExperimentResults results = all_results();
   results.levels->input_energy.clear();
   for (const double a : results.levels->levels.amplitude) {
     results.levels->input_energy.push_back(4.0 * std::numbers::pi * 0.02 * 50.0 * a * a);
   }
   results.backbone->vibration_energy = {50.0 * 1.5e-5 * 1.5e-5, 50.0 * 3e-4 * 3e-4};
-  const ReportDocument document = test_report(results);
+  const ReportDocument document = experiment_report(results);
   for (const double value : trace(figure(document, "Damping of the structure"), "measured").y) {
     EXPECT_NEAR(value, 2.0, 1e-12);  // %
   }
 }
 
-TEST(TestReport, TheFrequencyOfTheDriveWhereThatIsAllThatIsKnown) {
-  TestResults results = exact_results();
+TEST(ExperimentReport, TheFrequencyOfTheDriveWhereThatIsAllThatIsKnown) {
+  ExperimentResults results = exact_results();
   results.levels->frequency.assign(kLevels, 55.0);
-  const ReportDocument document = test_report(results);
+  const ReportDocument document = experiment_report(results);
   const ReportFigure& resonance = figure(document, "Resonance frequency");
   EXPECT_EQ(trace(resonance, "drive").y.size(), kLevels);
   EXPECT_TRUE(contains(resonance.caption, "The frequency of the drive")) << resonance.caption;
 }
 
-TEST(TestReport, ADistortionOfZeroIsBelowTheNoise) {
-  TestResults results = exact_results();
+TEST(ExperimentReport, ADistortionOfZeroIsBelowTheNoise) {
+  ExperimentResults results = exact_results();
   results.levels->force_distortion.assign(kLevels, 0.0014);
   results.levels->force_distortion[0] = 0.0;
-  const ReportDocument document = test_report(results);
+  const ReportDocument document = experiment_report(results);
   const auto& table = std::get<ReportTable>(section(document, "Levels").blocks[0]);
   const auto column = std::ranges::find(table.columns, "distortion", &ReportColumn::name);
   const auto at = static_cast<std::size_t>(column - table.columns.begin());
@@ -529,15 +530,15 @@ TEST(TestReport, ADistortionOfZeroIsBelowTheNoise) {
   EXPECT_FALSE(contains(table.caption, "σ")) << table.caption;
 }
 
-TEST(TestReport, TheRigInItsMainValues) {
-  TestResults results = exact_results();
+TEST(ExperimentReport, TheRigInItsMainValues) {
+  ExperimentResults results = exact_results();
   results.rig = Rig{.structure = RigBeam{0.583, 0.04, 0.005, 207e9, 7850.0},
                     .contact = {.rod_radius = 0.03, .stiffness = 1.7e5},
                     .loss_factor = {0.0028, 0.0018},
                     .masses = {{0.55, 0.03}},
                     .excitation = {.position = 0.55, .shape = {}, .channel = "force"},
                     .accelerometers = {{.position = 0.35, .shape = {}, .channel = "acc2"}}};
-  const ReportDocument document = test_report(results);
+  const ReportDocument document = experiment_report(results);
   const auto& facts = std::get<ReportFacts>(section(document, "Rig").blocks[0]).facts;
   const auto value = [&](std::string_view name) {
     return std::ranges::find(facts, name, &std::pair<std::string, std::string>::first)->second;
@@ -549,23 +550,23 @@ TEST(TestReport, TheRigInItsMainValues) {
   EXPECT_EQ(value("accelerometer"), "acc2 at 350 mm");
 }
 
-TEST(TestReport, StiffnessMeasuredAndOfTheJoint) {
-  const ReportDocument document = test_report(exact_results());
+TEST(ExperimentReport, StiffnessMeasuredAndOfTheJoint) {
+  const ReportDocument document = experiment_report(exact_results());
   const ReportFigure& secant = figure(document, "Secant stiffness");
   EXPECT_NEAR(trace(secant, "measured").y.back(), trace(secant, "identified joint").y.back(), 1e-9);
   const ReportFigure& loss = figure(document, "Loss factor of the joint");
   EXPECT_NEAR(trace(loss, "measured").y[0], trace(loss, "identified joint").y[0], 1e-12);
 }
 
-TEST(TestReport, FlagsAreMarkedAndWorriedAbout) {
-  const ReportDocument document = test_report(exact_results());
+TEST(ExperimentReport, FlagsAreMarkedAndWorriedAbout) {
+  const ReportDocument document = experiment_report(exact_results());
   const auto& table = std::get<ReportTable>(section(document, "Levels").blocks[0]);
   EXPECT_EQ(table.marked, (std::vector<std::size_t>{2}));
   bool said = false;
   for (const ReportBlock& block : section(document, "Summary").blocks) {
     const auto* warnings = std::get_if<ReportWarnings>(&block);
     if (warnings == nullptr) continue;
-    said = std::ranges::any_of(warnings->warnings, [](const ReportWarning& warning) {
+    said = std::ranges::any_of(warnings->warnings, [](const Warning& warning) {
       return warning.code == "levels_flagged" && contains(warning.text, "1 of 20 levels");
     });
   }
@@ -576,13 +577,13 @@ TEST(TestReport, FlagsAreMarkedAndWorriedAbout) {
   EXPECT_EQ(flags.facts[0].second, "single samples are far off; 1 level");
 }
 
-TEST(TestReport, RecordsWithAndWithoutForceControl) {
-  TestResults results = exact_results();
+TEST(ExperimentReport, RecordsWithAndWithoutForceControl) {
+  ExperimentResults results = exact_results();
   results.records = {{"level_1",
                       {{"force", "N", {0.0, 0.01}, {1.0, 2.0}, {0.0, 0.01}, {1.5, 2.5}},
                        {"ldv", "m", {0.0, 0.01}, {1e-6, 2e-6}, {}, {}}},
                       {{"force", "N", {2.0, 0.02}, {2.0, 0.2}}}}};
-  const ReportDocument document = test_report(results);
+  const ReportDocument document = experiment_report(results);
   const ReportFigure& force = figure(document, "Force over time");
   EXPECT_EQ(force.chart, ChartKind::kTimeHistory);
   EXPECT_EQ(trace(force, "force").x[1], 10.0);  // ms
@@ -594,11 +595,11 @@ TEST(TestReport, RecordsWithAndWithoutForceControl) {
   EXPECT_EQ(trace(harmonics, "force").x[0], 2.0);
 }
 
-TEST(TestReport, ForceControlOverTheLevels) {
-  TestResults results = exact_results();
+TEST(ExperimentReport, ForceControlOverTheLevels) {
+  ExperimentResults results = exact_results();
   results.force_control = {{"1", 0.5, {0.03, 0.05}, {0.001, 0.002}},
                            {"2", 1.5, {0.1, 0.0}, {0, 0}}};
-  const ReportDocument document = test_report(results);
+  const ReportDocument document = experiment_report(results);
   const ReportFigure& control = figure(document, "Force control over the levels");
   EXPECT_EQ(trace(control, "before control").y, (std::vector{5.0, 10.0}));
   EXPECT_EQ(trace(control, "after control").y, (std::vector{0.2, 0.0}));
@@ -612,13 +613,13 @@ const ReportTable& table_in(const ReportSection& in) {
   return std::get<ReportTable>(*found);
 }
 
-TEST(TestReport, PredictionsAndTheWorstOfThem) {
-  TestResults results = exact_results();
+TEST(ExperimentReport, PredictionsAndTheWorstOfThem) {
+  ExperimentResults results = exact_results();
   results.comparisons = {
       {"a.csv", "force", "converged", 55.0, 1.0, 0.02, 0.001, 1.01, 0.003},
       {"a.csv", "acc1", "converged", 55.0, 1.0, 0.005, 0.005, 1.0, 0.0},
       {"b.csv", "acc1", "not converged", 54.0, 2.0, 0.3, 0.25, 1.0, 0.0, "spike"}};
-  const ReportDocument document = test_report(results);
+  const ReportDocument document = experiment_report(results);
   const ReportTable& table = table_in(section(document, "Prediction"));
   ASSERT_EQ(table.rows.size(), 2);                     // a row a record, a column a channel
   EXPECT_EQ(std::get<double>(table.rows[0][3]), 2.0);  // %
@@ -637,15 +638,15 @@ TEST(TestReport, PredictionsAndTheWorstOfThem) {
             "at most 16.6 % beyond the noise (acc1, b.csv); NRMSE with the noise at most 30.0 %");
 }
 
-TEST(TestReport, ARecordHasItsResponseBesideItsName) {
-  TestResults results = all_results();
+TEST(ExperimentReport, ARecordHasItsResponseBesideItsName) {
+  ExperimentResults results = all_results();
   results.levels->source[4] = "elsewhere/level_5.csv";
   results.levels->response_amplitude[4] = 3.25;
   results.records = {
       {"recordings/level_5.csv", {{"force", "N", {0.0, 0.01}, {1.0, 2.0}, {}, {}}}, {}},
       {"level_9.csv", {{"force", "N", {0.0, 0.01}, {1.0, 2.0}, {}, {}}}, {}}};
   results.record_count = 20;
-  const ReportDocument document = test_report(results);
+  const ReportDocument document = experiment_report(results);
   const ReportFigure& force = figure(document, "Force over time");
   EXPECT_EQ(force.choices[0].name, "level_5.csv (3.25 m/s²)");
   EXPECT_EQ(force.choices[1].name, "level_9.csv");
@@ -654,10 +655,10 @@ TEST(TestReport, ARecordHasItsResponseBesideItsName) {
   EXPECT_TRUE(contains(text.text, "--records shows more")) << text.text;
 }
 
-TEST(TestReport, LevelsThatNoMethodTakesAreShownAllTheSame) {
-  TestResults results = exact_results();
+TEST(ExperimentReport, LevelsThatNoMethodTakesAreShownAllTheSame) {
+  ExperimentResults results = exact_results();
   results.levels->levels.dissipation.assign(kLevels, 0.0);
-  const ReportDocument document = test_report(results);
+  const ReportDocument document = experiment_report(results);
   EXPECT_EQ(figure(document, "Energies per cycle").choices[0].traces[1].y.size(), kLevels);
   bool said = false;
   for (const ReportBlock& block : section(document, "Summary").blocks) {
@@ -668,37 +669,37 @@ TEST(TestReport, LevelsThatNoMethodTakesAreShownAllTheSame) {
 }
 
 TEST(TestReportFault, LengthsDiffer) {
-  TestResults results = exact_results();
+  ExperimentResults results = exact_results();
   results.levels->frequency = {55.0};
-  EXPECT_EQ(input_fault([&] { (void)test_report(results); }),
+  EXPECT_EQ(input_fault([&] { (void)experiment_report(results); }),
             "frequency.size() = 1; must be 0 or the 20 of the levels");
 }
 
 TEST(TestReportFault, LengthsOfPartsDiffer) {
   const auto fault_of = [](const auto& change) {
-    TestResults results = all_results();
+    ExperimentResults results = all_results();
     change(results);
-    return input_fault([&] { (void)test_report(results); });
+    return input_fault([&] { (void)experiment_report(results); });
   };
-  EXPECT_EQ(fault_of([](TestResults& r) { r.joint->band_lower.pop_back(); }),
+  EXPECT_EQ(fault_of([](ExperimentResults& r) { r.joint->band_lower.pop_back(); }),
             "band_lower.size() = 2; must be 3, that of what belongs to it");
-  EXPECT_EQ(fault_of([](TestResults& r) { r.backbone->vibration_energy = {1.0}; }),
+  EXPECT_EQ(fault_of([](ExperimentResults& r) { r.backbone->vibration_energy = {1.0}; }),
             "backbone.vibration_energy.size() = 1; must be 2, that of what belongs to it");
-  EXPECT_EQ(fault_of([](TestResults& r) { r.force_control[0].after.clear(); }),
+  EXPECT_EQ(fault_of([](ExperimentResults& r) { r.force_control[0].after.clear(); }),
             "force_control.after.size() = 0; must be 2, that of what belongs to it");
-  EXPECT_EQ(fault_of([](TestResults& r) { r.responses[0].force.pop_back(); }),
+  EXPECT_EQ(fault_of([](ExperimentResults& r) { r.responses[0].force.pop_back(); }),
             "force.size() = 1; must be 2, that of what belongs to it");
-  EXPECT_EQ(fault_of([](TestResults& r) { r.records[0].signals[0].recorded.clear(); }),
+  EXPECT_EQ(fault_of([](ExperimentResults& r) { r.records[0].signals[0].recorded.clear(); }),
             "force.recorded.size() = 0; must be 2, that of what belongs to it");
 }
 
-TEST(TestReport, ResponsesWithoutTheirAmplitudesInTheLevels) {
-  TestResults results = all_results();
+TEST(ExperimentReport, ResponsesWithoutTheirAmplitudesInTheLevels) {
+  ExperimentResults results = all_results();
   results.levels->response_amplitude.clear();
-  const ReportDocument document = test_report(results);
+  const ReportDocument document = experiment_report(results);
   EXPECT_EQ(figure(document, "Frequency responses at constant response").choices[0].traces.size(),
             2U);
 }
 
 }  // namespace
-}  // namespace microslip::test_report_test
+}  // namespace microslip::experiment_report_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/sampled_curves.hpp"
+#include "microslip/workflow/sampled_curves.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,6 @@
 #include "microslip/joint/memory.hpp"
 
 namespace microslip {
-
-std::vector<double> in_unit(std::vector<double> values, double unit) {
-  for (double& value : values) value /= unit;
-  return values;
-}
 
 std::vector<double> equal_ratios(double from, double to, std::size_t count) {
   constexpr double kOne = 1.01;

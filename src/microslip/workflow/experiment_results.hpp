@@ -7,19 +7,19 @@
 #include <utility>
 #include <vector>
 
+#include "microslip/base/summary.hpp"
 #include "microslip/identify/identification.hpp"
 #include "microslip/identify/levels.hpp"
 #include "microslip/joint/joint.hpp"
-#include "microslip/report/report_document.hpp"
 #include "microslip/rig/rig.hpp"
 
 /// @file
-/// What a test and its evaluation left behind, and the report of it. All values are SI.
+/// What a test and its evaluation left behind. All values are SI.
 
 namespace microslip {
 
 /// The levels of a test. Each vector but those of `levels` is empty or has one entry a level.
-struct TestLevels {
+struct MeasuredLevels {
   Levels levels;                                 ///< that the others belong to
   std::vector<std::string> source = {};          ///< of the record
   std::vector<std::string> flags = {};           ///< with blanks between them
@@ -36,7 +36,7 @@ struct TestLevels {
 
 /// A joint with what its identification said. A joint without a method was not identified as far as
 /// its file tells, and the report does not say so.
-struct TestJoint {
+struct IdentifiedJoint {
   Joint joint;                                ///< as identified
   std::string method = {};                    ///< "inversion"
   std::string status = {};                    ///< "converged"
@@ -61,7 +61,7 @@ struct TestJoint {
 };
 
 /// A signal over some cycles.
-struct TestSignal {
+struct SignalPair {
   std::string name;              ///< its channel
   std::string unit;              ///< SI
   std::vector<double> time;      ///< s
@@ -72,7 +72,7 @@ struct TestSignal {
 };
 
 /// The harmonics of a signal, from the first.
-struct TestHarmonics {
+struct HarmonicsPair {
   std::string name;              ///< its channel
   std::string unit;              ///< SI
   std::vector<double> recorded;  ///< amplitudes
@@ -80,7 +80,7 @@ struct TestHarmonics {
 };
 
 /// What the force control did at a level. [AR14 Fig. 7]
-struct TestForceControl {
+struct ForceControlLevel {
   std::string level;      ///< its name or number
   double response = 0.0;  ///< acceleration amplitude at the exciter, m/s²
   // Harmonics of the force from the second, over the first, 1; one length.
@@ -89,14 +89,14 @@ struct TestForceControl {
 };
 
 /// What was recorded at a level.
-struct TestRecord {
+struct LevelRecord {
   std::string source;                    ///< its file
-  std::vector<TestSignal> signals;       ///< over some cycles
-  std::vector<TestHarmonics> harmonics;  ///< of the signals
+  std::vector<SignalPair> signals;       ///< over some cycles
+  std::vector<HarmonicsPair> harmonics;  ///< of the signals
 };
 
 /// Force over frequency that holds the response. [AR14 Fig. 4]
-struct TestResponse {
+struct ConstantResponse {
   double response = 0.0;          ///< acceleration amplitude at the exciter, m/s²
   std::vector<double> frequency;  ///< Hz
   std::vector<double> force;      ///< amplitude of the first harmonic, N; one a frequency
@@ -106,7 +106,7 @@ struct TestResponse {
 };
 
 /// Phase resonance over the amplitude of the joint. Vectors of one length.
-struct TestBackbone {
+struct JointBackbone {
   std::vector<double> amplitude;      ///< A, m; rising
   std::vector<double> frequency;      ///< Hz
   std::vector<double> damping_ratio;  ///< of the structure with its joint, 1
@@ -115,7 +115,7 @@ struct TestBackbone {
 };
 
 /// How far the prediction of a channel is from its record.
-struct TestComparison {
+struct ChannelMisfit {
   std::string source;               ///< its file
   std::string channel;              ///< of the record
   std::string status;               ///< "converged"
@@ -129,48 +129,40 @@ struct TestComparison {
 };
 
 /// A file that the report is made from.
-struct TestFile {
+struct SourceFile {
   std::string name;     ///< relative to the folder of the test
   std::string sha256;   ///< of its content, hexadecimal
   std::string made_by;  ///< command, where the file tells
 };
 
 /// What there is; sections without data say which command makes them.
-struct TestResults {
-  std::string title = {};                 ///< of the report
-  std::string subtitle = {};              ///< below it
-  std::optional<Rig> rig = {};            ///< that was tested
-  std::optional<TestLevels> levels = {};  ///< as measured
-  std::optional<TestJoint> joint = {};    ///< as identified
+struct ExperimentResults {
+  std::string title = {};                     ///< of the report
+  std::string subtitle = {};                  ///< below it
+  std::optional<Rig> rig = {};                ///< that was tested
+  std::optional<MeasuredLevels> levels = {};  ///< as measured
+  std::optional<IdentifiedJoint> joint = {};  ///< as identified
   /// What the joint was identified with, as far as its file tells; stiffness and bands are not
   /// used.
   IdentificationOptions options = {};
-  std::optional<Joint> truth = {};             ///< of a virtual test
-  double true_linear_damping = 0.0;            ///< β of the truth, J/m²
-  std::optional<TestLevels> true_levels = {};  ///< of a virtual test, without errors
+  std::optional<Joint> truth = {};                 ///< of a virtual test
+  double true_linear_damping = 0.0;                ///< β of the truth, J/m²
+  std::optional<MeasuredLevels> true_levels = {};  ///< of a virtual test, without errors
   /// The other: before force control. Some may have harmonics alone.
-  std::vector<TestRecord> records = {};
+  std::vector<LevelRecord> records = {};
   std::size_t record_count = 0;  ///< of the test that can be read; `records` are some
-  std::vector<TestForceControl> force_control = {};  ///< one a level that was controlled
-  std::vector<TestResponse> responses = {};          ///< predicted by the joint
-  std::optional<TestBackbone> backbone = {};         ///< predicted by the joint
-  std::optional<TestBackbone> true_backbone = {};    ///< of a virtual test
-  std::vector<TestComparison> comparisons = {};      ///< one a channel and record
-  std::vector<TestRecord> predictions = {};          ///< recorded, and predicted as the other
+  std::vector<ForceControlLevel> force_control = {};  ///< one a level that was controlled
+  std::vector<ConstantResponse> responses = {};       ///< predicted by the joint
+  std::optional<JointBackbone> backbone = {};         ///< predicted by the joint
+  std::optional<JointBackbone> true_backbone = {};    ///< of a virtual test
+  std::vector<ChannelMisfit> comparisons = {};        ///< one a channel and record
+  std::vector<LevelRecord> predictions = {};          ///< recorded, and predicted as the other
   /// Whether comparisons and predictions are those of the joint and the rig of the results.
   bool predictions_are_of_this_joint = true;
-  std::vector<TestFile> files = {};  ///< that were read
+  std::vector<SourceFile> files = {};  ///< that were read
   /// names and values, for the last section
   std::vector<std::pair<std::string, std::string>> provenance = {};
-  std::vector<ReportWarning> warnings = {};  ///< of reading the files
+  std::vector<Warning> warnings = {};  ///< of reading the files
 };
-
-/// The report: summary, levels, signals, energies, density, loops, stiffness, responses,
-/// predictions, rig, provenance. Densities by the other methods, the path of the smoothing
-/// parameter and loops for several smoothing factors are computed from the levels. A part without
-/// data is named in a list of what is not there, with the command that makes it; levels that the
-/// methods refuse are shown without them, and the summary says so.
-/// @throws InputError  where vectors that belong together differ in length.
-[[nodiscard]] ReportDocument test_report(TestResults results);
 
 }  // namespace microslip

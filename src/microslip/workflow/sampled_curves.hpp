@@ -7,12 +7,9 @@
 #include "microslip/joint/joint.hpp"
 
 /// @file
-/// Points of the curves that figures draw. Internal to report.
+/// Points of curves, for figures and tables.
 
 namespace microslip {
-
-/// values/unit.
-[[nodiscard]] std::vector<double> in_unit(std::vector<double> values, double unit);
 
 /// x in equal ratios; about `from` where `to` is hardly larger, so that a curve has a length.
 /// @param count  ≥ 2.
@@ -26,9 +23,6 @@ struct DensityPoints {
 
 /// At a step the density is the one above it; at `to` the one below it, where identified ones end.
 [[nodiscard]] DensityPoints density_points(const Joint& joint, double from, double to);
-
-/// So many atoms are marked in figures and named in the summary.
-inline constexpr std::size_t kMostAtomsShown = 3;
 
 /// A steady loop: from A down and up again, without the point at which it closes.
 struct SteadyLoop {

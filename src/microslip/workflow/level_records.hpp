@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "microslip/report/test_results.hpp"
 #include "microslip/signal/recording.hpp"
+#include "microslip/workflow/experiment_results.hpp"
 
 /// @file
 /// Recordings as a report shows them.
@@ -21,13 +21,13 @@ namespace microslip {
 /// @param most_points  of all channels together; a channel has 200 to 4000. 0 leaves the histories
 ///                     out.
 /// @throws InputError  where it has no channel with a unit or holds no steady vibration.
-[[nodiscard]] TestRecord test_record(const Recording& recording, const std::string& name,
-                                     std::size_t most_points);
+[[nodiscard]] LevelRecord level_record(const Recording& recording, const std::string& name,
+                                       std::size_t most_points);
 
 /// Makes the channels of another record the other ones of those with the same names and units.
 /// @param other   for instance before force control.
 /// @param record  that gets them.
-void add_other(const TestRecord& other, TestRecord& record);
+void add_other(const LevelRecord& other, LevelRecord& record);
 
 /// Up to `count` of some names at even distances, the first and the last among them.
 [[nodiscard]] std::vector<std::string> spread(const std::vector<std::string>& names,
@@ -35,7 +35,7 @@ void add_other(const TestRecord& other, TestRecord& record);
 
 /// Up to `count` of the records, the first and the last among them, each n-th point of their
 /// signals so that these have at most `most_points`.
-[[nodiscard]] std::vector<TestRecord> some_records(std::vector<TestRecord> records,
-                                                   std::size_t count, std::size_t most_points);
+[[nodiscard]] std::vector<LevelRecord> some_records(std::vector<LevelRecord> records,
+                                                    std::size_t count, std::size_t most_points);
 
 }  // namespace microslip

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/test_records.hpp"
+#include "microslip/workflow/level_records.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -66,14 +66,14 @@ std::vector<std::size_t> points_of(const Recording& recording, double start, dou
 }
 
 /// Two cycles of each channel, at the same times.
-std::vector<TestSignal> histories(const Recording& recording,
+std::vector<SignalPair> histories(const Recording& recording,
                                   const std::vector<const Channel*>& channels,
                                   const FourierFit& fit, std::size_t most) {
   const double start = start_of(recording, fit);
   const std::vector<std::size_t> points = points_of(recording, start, 1.0 / fit.frequency(), most);
-  std::vector<TestSignal> signals;
+  std::vector<SignalPair> signals;
   for (const Channel* channel : channels) {
-    TestSignal signal{channel->name, si_unit(*channel->dimension), {}, {}, {}, {}};
+    SignalPair signal{channel->name, si_unit(*channel->dimension), {}, {}, {}, {}};
     for (const std::size_t i : points) {
       signal.time.push_back(recording.axis.at(i) - start);
       signal.recorded.push_back(channel->values[i]);
@@ -92,21 +92,21 @@ void thin(std::vector<double>& values, std::size_t step) {
 
 }  // namespace
 
-TestRecord test_record(const Recording& recording, const std::string& name,
-                       std::size_t most_points) {
+LevelRecord level_record(const Recording& recording, const std::string& name,
+                         std::size_t most_points) {
   const std::vector<const Channel*> channels = signals_of(recording);
   if (channels.empty()) {
     throw InputError(recording.source, "this record", "must have a channel with a unit");
   }
   const FourierFit fit = fit_of(recording, channels);
-  TestRecord record{name, {}, {}};
+  LevelRecord record{name, {}, {}};
   if (most_points > 0) {
     record.signals =
         histories(recording, channels, fit,
                   std::clamp(most_points / channels.size(), kFewestPoints, kMostPoints));
   }
   for (std::size_t j = 0; j < channels.size(); ++j) {
-    TestHarmonics harmonics{channels[j]->name, si_unit(*channels[j]->dimension), {}, {}};
+    HarmonicsPair harmonics{channels[j]->name, si_unit(*channels[j]->dimension), {}, {}};
     for (std::size_t n = 1; n <= fit.order(); ++n) {
       harmonics.recorded.push_back(std::abs(fit.series[j].c(n)));
     }
@@ -115,15 +115,15 @@ TestRecord test_record(const Recording& recording, const std::string& name,
   return record;
 }
 
-void add_other(const TestRecord& other, TestRecord& record) {
-  for (TestSignal& signal : record.signals) {
-    const auto same = std::ranges::find(other.signals, signal.name, &TestSignal::name);
+void add_other(const LevelRecord& other, LevelRecord& record) {
+  for (SignalPair& signal : record.signals) {
+    const auto same = std::ranges::find(other.signals, signal.name, &SignalPair::name);
     if (same == other.signals.end() || same->unit != signal.unit) continue;
     signal.other_time = same->time;
     signal.other = same->recorded;
   }
-  for (TestHarmonics& channel : record.harmonics) {
-    const auto same = std::ranges::find(other.harmonics, channel.name, &TestHarmonics::name);
+  for (HarmonicsPair& channel : record.harmonics) {
+    const auto same = std::ranges::find(other.harmonics, channel.name, &HarmonicsPair::name);
     if (same != other.harmonics.end()) channel.other = same->recorded;
   }
 }
@@ -137,21 +137,21 @@ std::vector<std::string> spread(const std::vector<std::string>& names, std::size
   return some;
 }
 
-std::vector<TestRecord> some_records(std::vector<TestRecord> records, std::size_t count,
-                                     std::size_t most_points) {
+std::vector<LevelRecord> some_records(std::vector<LevelRecord> records, std::size_t count,
+                                      std::size_t most_points) {
   std::vector<std::string> names;
-  for (const TestRecord& record : records) names.push_back(record.source);
+  for (const LevelRecord& record : records) names.push_back(record.source);
   const std::vector<std::string> kept = spread(names, count);
-  std::erase_if(records, [&](const TestRecord& record) {
+  std::erase_if(records, [&](const LevelRecord& record) {
     return std::ranges::find(kept, record.source) == kept.end();
   });
   std::size_t points = 0;
-  for (const TestRecord& record : records) {
-    for (const TestSignal& signal : record.signals) points += 2 * signal.time.size();
+  for (const LevelRecord& record : records) {
+    for (const SignalPair& signal : record.signals) points += 2 * signal.time.size();
   }
   const std::size_t step = points / most_points + 1;
-  for (TestRecord& record : records) {
-    for (TestSignal& signal : record.signals) {
+  for (LevelRecord& record : records) {
+    for (SignalPair& signal : record.signals) {
       for (auto* values : {&signal.time, &signal.recorded, &signal.other_time, &signal.other}) {
         thin(*values, step);
       }
