@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "arguments.hpp"
 #include "command.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/io/response_file.hpp"
+#include "microslip/workflow/quantity_text.hpp"
 #include "prediction.hpp"
 #include "progress_bar.hpp"
 #include "report_text.hpp"

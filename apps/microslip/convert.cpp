@@ -11,13 +11,13 @@
 #include <utility>
 #include <vector>
 
-#include "arguments.hpp"
 #include "command.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/io/assumed_units.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/io/recording_file.hpp"
 #include "microslip/io/uff_recording.hpp"
+#include "microslip/workflow/quantity_text.hpp"
 #include "progress_bar.hpp"
 #include "recording_arguments.hpp"
 #include "recording_list.hpp"

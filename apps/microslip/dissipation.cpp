@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "arguments.hpp"
 #include "command.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/io/csv_writer.hpp"
@@ -14,8 +13,9 @@
 #include "microslip/io/joint_file.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/joint/secant.hpp"
+#include "microslip/workflow/provenance.hpp"
+#include "microslip/workflow/quantity_text.hpp"
 #include "prediction.hpp"
-#include "provenance.hpp"
 #include "recording_arguments.hpp"
 
 namespace microslip::app {

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "arguments.hpp"
 #include "command.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/dynamics/target.hpp"
@@ -18,6 +17,7 @@
 #include "microslip/io/output_files.hpp"
 #include "microslip/io/response_file.hpp"
 #include "microslip/io/text.hpp"
+#include "microslip/workflow/quantity_text.hpp"
 #include "prediction.hpp"
 #include "progress_bar.hpp"
 #include "report_text.hpp"

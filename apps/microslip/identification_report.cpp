@@ -11,7 +11,7 @@
 #include "microslip/base/percent.hpp"
 #include "microslip/io/density_file.hpp"
 #include "microslip/io/joint_file.hpp"
-#include "provenance.hpp"
+#include "microslip/workflow/provenance.hpp"
 #include "report_text.hpp"
 
 namespace microslip::app {

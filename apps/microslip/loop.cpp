@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "arguments.hpp"
 #include "command.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/io/file_kind.hpp"
@@ -19,8 +18,9 @@
 #include "microslip/io/path_file.hpp"
 #include "microslip/joint/jenkins_network.hpp"
 #include "microslip/joint/memory.hpp"
+#include "microslip/workflow/provenance.hpp"
+#include "microslip/workflow/quantity_text.hpp"
 #include "prediction.hpp"
-#include "provenance.hpp"
 #include "recording_arguments.hpp"
 
 namespace microslip::app {

@@ -10,7 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "arguments.hpp"
 #include "command.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/dynamics/damping_twice.hpp"
@@ -21,6 +20,7 @@
 #include "microslip/io/march_file.hpp"
 #include "microslip/io/model_file.hpp"
 #include "microslip/io/output_files.hpp"
+#include "microslip/workflow/quantity_text.hpp"
 #include "prediction.hpp"
 #include "progress_bar.hpp"
 #include "report_text.hpp"

@@ -16,7 +16,6 @@
 #include <utility>
 #include <vector>
 
-#include "arguments.hpp"
 #include "command.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/percent.hpp"
@@ -35,10 +34,11 @@
 #include "microslip/rig/rig_structure.hpp"
 #include "microslip/rig/virtual_measurement.hpp"
 #include "microslip/rig/virtual_record.hpp"
+#include "microslip/workflow/provenance.hpp"
+#include "microslip/workflow/quantity_text.hpp"
 #include "nothing_found.hpp"
 #include "prediction.hpp"
 #include "progress_bar.hpp"
-#include "provenance.hpp"
 #include "recording_arguments.hpp"
 #include "report_text.hpp"
 
@@ -89,7 +89,8 @@ Inputs read_inputs(const MeasureOptions& options, const Call& call, std::uint64_
   JointFile joint = parse_joint(joint_input.text, joint_path);
   const double damping = identified_damping(joint).value_or(0.0);
   std::string provenance =
-      fmt::format("{}\nvirtual test, seed {}", provenance_of(call, {rig_input, joint_input}), seed);
+      fmt::format("{}\nvirtual test, seed {}",
+                  provenance_of(call.command_line, {rig_input, joint_input}), seed);
   if (damping > 0.0) provenance += "\nlinear damping of the joint: " + damping_text(damping);
   return {std::move(rig), std::move(joint.joint), damping, joint_path, std::move(provenance)};
 }

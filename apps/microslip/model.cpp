@@ -19,8 +19,8 @@
 #include "microslip/io/rig_file.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/rig/rig_structure.hpp"
+#include "microslip/workflow/provenance.hpp"
 #include "prediction.hpp"
-#include "provenance.hpp"
 #include "recording_arguments.hpp"
 
 namespace microslip::app {
@@ -92,7 +92,7 @@ int run(const ModelOptions& options, const Call& call) {
   std::vector<Warning> warnings = damping_twice(model.structure);
   if (const auto warning = stiffness_warning(state, joint)) warnings.push_back(*warning);
   const std::string text =
-      format_model(model, with_warnings(provenance_of(call, inputs), warnings));
+      format_model(model, with_warnings(provenance_of(call.command_line, inputs), warnings));
   check_readable(text, options);
   write_file(options.out, text);
   if (call.quiet) return kDone;

@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "arguments.hpp"
 #include "command.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/io/joint_file.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/report/paper_picture.hpp"
+#include "microslip/workflow/quantity_text.hpp"
 #include "picture_argument.hpp"
 #include "plot_figures.hpp"
 #include "plot_input.hpp"
@@ -144,7 +144,7 @@ PaperPicture drawn(const PlotOptions& options, const PlotInput& input, const Plo
 int run(const PlotOptions& options, const Call& call) {
   const PictureFormat format = format_of(options);
   if (!options.out.empty()) check_output(options.out, kind_of(format));
-  PlotInput input = read_plot_input(options.in, call.quiet);
+  PlotInput input = read_plot_input(options.in);
   const PlotFigure& figure = find_figure(options.figure, input);
   if (!options.time.empty()) cut_to_time(options.time, figure, input);
   const std::string out =

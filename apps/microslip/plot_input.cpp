@@ -16,7 +16,7 @@
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/recording_file.hpp"
-#include "report_folder.hpp"
+#include "microslip/workflow/experiment_folder.hpp"
 
 namespace microslip::app {
 namespace {
@@ -110,17 +110,10 @@ void add_recorded(const std::string& path, PlotInput& input) {
 /// "test/a and test/b hold results." of a folder that holds none itself.
 std::string folders_text(const std::string& path) {
   constexpr std::size_t kFew = 4;
-  std::vector<std::string> found;
-  std::error_code none;
-  for (const auto& entry : std::filesystem::directory_iterator(path, none)) {
-    for (const char* file : {"levels.csv", "joint.json", "density.csv"}) {
-      if (!std::filesystem::is_regular_file(entry.path() / file, none)) continue;
-      found.push_back(entry.path().lexically_normal().string());
-      break;
-    }
-  }
+  std::vector<std::string> found =
+      folders_holding(path, {"levels.csv", "joint.json", "density.csv"});
   if (found.empty()) return "Name a folder that holds levels.csv or joint.json, or a result.";
-  std::ranges::sort(found);
+  for (std::string& one : found) one = std::filesystem::path(one).lexically_normal().string();
   const char* more = found.size() > kFew ? " and others" : "";
   found.resize(std::min(found.size(), kFew));
   return fmt::format("Name one of the folders in it that hold results: {}{}.",
@@ -130,7 +123,7 @@ std::string folders_text(const std::string& path) {
 /// @return whether the text is one of the tables and models of this program.
 bool add_text(const std::string& kind, const std::string& text, const std::string& file,
               PlotInput& input) {
-  if (add_test_file(kind, text, file, input.test)) return true;
+  if (add_result_file(kind, text, file, input.test)) return true;
   if (kind == kDensityKind) {
     input.density = density_of(text, file);
   } else if (kind == kResponseKind) {
@@ -152,11 +145,11 @@ bool add_text(const std::string& kind, const std::string& text, const std::strin
 
 }  // namespace
 
-PlotInput read_plot_input(const std::string& path, bool quiet) {
+PlotInput read_plot_input(const std::string& path) {
   PlotInput input{.name = input_name(path)};
   std::error_code none;
   if (path != "-" && std::filesystem::is_directory(path, none)) {
-    input.test = read_test_folder(path, quiet);
+    input.test = read_experiment(path);
     const std::string density = path + "/density.csv";
     if (!input.test.joint && std::filesystem::is_regular_file(density, none)) {
       input.density = density_of(read_file(density), density);

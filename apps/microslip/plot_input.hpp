@@ -26,10 +26,10 @@ struct PlotInput {
   std::size_t left_out = 0;  ///< channels beyond those that a figure holds
 };
 
-/// @param path  a folder as read_test_folder() takes it, a table or model of this program, a
+/// @param path  a folder as read_experiment() takes it, a table or model of this program, a
 ///              recording, or "-" for a table or model on standard input.
 /// @throws FileError, FormatError, InputError  as the readers of these.
-[[nodiscard]] PlotInput read_plot_input(const std::string& path, bool quiet);
+[[nodiscard]] PlotInput read_plot_input(const std::string& path);
 
 /// Keeps the history between two times, s. @throws InputError  naming --time where hardly any is
 /// left.

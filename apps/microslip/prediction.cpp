@@ -12,15 +12,14 @@
 #include <utility>
 #include <vector>
 
-#include "arguments.hpp"
 #include "microslip/base/error.hpp"
-#include "microslip/base/version.hpp"
 #include "microslip/dynamics/damping_twice.hpp"
 #include "microslip/dynamics/truncation.hpp"
 #include "microslip/identify/covered_range.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/io/response_file.hpp"
+#include "microslip/workflow/quantity_text.hpp"
 #include "report_text.hpp"
 
 namespace microslip::app {
@@ -90,12 +89,8 @@ double parse_force(std::string_view option, std::string_view text) {
   throw InputError(option, force, "must be above 0 N: from 1e-12 to 1e12");
 }
 
-std::string heading_of(const Call& call) {
-  return fmt::format("microslip {}: {}", kVersion, call.command_line);
-}
-
 std::string heading_of(const Call& call, const ModelFile& model) {
-  std::string text = heading_of(call);
+  std::string text = microslip::heading_of(call.command_line);
   for (std::size_t j = 0; j < model.structure.joints().size(); ++j) {
     const std::string damping = damping_of(model, j);
     if (damping.empty()) continue;

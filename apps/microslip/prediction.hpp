@@ -44,10 +44,7 @@ void add_prediction_arguments(CLI::App& command, PredictionArguments& arguments,
 /// A force on the command line. @throws InputError  where it is none, or one that nothing bears.
 [[nodiscard]] double parse_force(std::string_view option, std::string_view text);
 
-/// The first comment of a table: version and call.
-[[nodiscard]] std::string heading_of(const Call& call);
-
-/// The same of a prediction, with a line on the linear damping of each joint and on what is to be
+/// heading_of() of a prediction, with a line on the linear damping of each joint and on what is to be
 /// known of it: that belongs into the file.
 [[nodiscard]] std::string heading_of(const Call& call, const ModelFile& model);
 

@@ -8,12 +8,12 @@
 #include <cstdio>
 #include <utility>
 
-#include "arguments.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/units.hpp"
 #include "microslip/io/assumed_units.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/recording_file.hpp"
+#include "microslip/workflow/quantity_text.hpp"
 
 namespace microslip::app {
 

@@ -25,8 +25,8 @@
 #include "microslip/rig/reduction.hpp"
 #include "microslip/rig/reduction_batch.hpp"
 #include "microslip/rig/stepped_sine.hpp"
+#include "microslip/workflow/provenance.hpp"
 #include "progress_bar.hpp"
-#include "provenance.hpp"
 #include "recording_arguments.hpp"
 #include "reduction_report.hpp"
 

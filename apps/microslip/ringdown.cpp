@@ -13,7 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include "arguments.hpp"
 #include "command.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/identify/levels.hpp"
@@ -25,6 +24,7 @@
 #include "microslip/io/warning_comment.hpp"
 #include "microslip/signal/ring_down.hpp"
 #include "microslip/signal/ring_down_levels.hpp"
+#include "microslip/workflow/quantity_text.hpp"
 #include "prediction.hpp"
 #include "progress_bar.hpp"
 #include "recording_arguments.hpp"
@@ -193,7 +193,7 @@ std::string sensors_text(const RingDown& decay) {
 /// What is said of the decay above the levels.
 std::string comment_of(const RingDown& decay, const std::vector<Warning>& warnings, bool banded,
                        const Call& call) {
-  std::string text = heading_of(call);
+  std::string text = microslip::heading_of(call.command_line);
   text += "\nsensors: " + sensors_text(decay);
   text += "\nfree decay from: " + start_text(decay);
   text += "\nband: " + band_text(decay, banded);

@@ -21,10 +21,10 @@
 #include "microslip/report/verification_figure.hpp"
 #include "microslip/rig/verification.hpp"
 #include "microslip/rig/verification_batch.hpp"
+#include "microslip/workflow/provenance.hpp"
 #include "picture_argument.hpp"
 #include "prediction.hpp"
 #include "progress_bar.hpp"
-#include "provenance.hpp"
 #include "recording_arguments.hpp"
 #include "verification_report.hpp"
 
@@ -136,9 +136,9 @@ int run(const VerifyOptions& options, const Call& call) {
   std::vector<std::vector<Warning>> warnings(options.recordings.size());
   const VerificationBatch batch = verify_records(verifier, options, call.quiet, warnings);
   warnings.push_back(verification_warnings(batch));
-  write_outputs(
-      options, batch,
-      with_warnings(comment_of(verifier, provenance_of(call, inputs)), joined_warnings(warnings)));
+  write_outputs(options, batch,
+                with_warnings(comment_of(verifier, provenance_of(call.command_line, inputs)),
+                              joined_warnings(warnings)));
   if (!call.quiet) {
     const bool data_on_stdout =
         options.out == "-" || options.harmonics_csv == "-" || options.histories == "-";

@@ -10,7 +10,7 @@
 /// @file
 /// Recorded and predicted signals in tables, for the report.
 
-namespace microslip::app {
+namespace microslip {
 
 /// Of `source, time [s], <channel>_<recorded> [unit], <channel>_<other> [unit]…`, one entry a
 /// source.
@@ -25,4 +25,4 @@ namespace microslip::app {
 void add_harmonics(const CsvTable& table, const std::string& recorded, const std::string& other,
                    std::vector<LevelRecord>& records);
 
-}  // namespace microslip::app
+}  // namespace microslip

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report_records.hpp"
+#include "microslip/workflow/record_tables.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 #include "microslip/base/units.hpp"
 
-namespace microslip::app {
+namespace microslip {
 namespace {
 
 /// The name without `ending`; nothing where it has none.
@@ -86,4 +86,4 @@ void add_harmonics(const CsvTable& table, const std::string& recorded, const std
   }
 }
 
-}  // namespace microslip::app
+}  // namespace microslip

@@ -4,9 +4,10 @@
 #include <cstddef>
 #include <string>
 
+#include "microslip/base/progress.hpp"
 #include "microslip/workflow/experiment_results.hpp"
 
-namespace microslip::app {
+namespace microslip {
 
 /// Of all signals over time, in recordings as in predictions: about 0.7 MB of the report, unless a
 /// signal has less than it takes to see it.
@@ -17,7 +18,7 @@ inline constexpr std::size_t kMostSignalPoints = 60000;
 /// cannot be read is a warning.
 /// @param records  so many over time; those with a record before control may be as many more.
 /// @throws Cancelled
-void add_recordings(const std::string& folder, std::size_t records, bool quiet,
+void add_recordings(const std::string& folder, std::size_t records, const Progress& progress,
                     ExperimentResults& results);
 
-}  // namespace microslip::app
+}  // namespace microslip

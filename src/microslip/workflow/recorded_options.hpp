@@ -7,7 +7,7 @@
 #include "microslip/identify/identification.hpp"
 #include "microslip/io/named_values.hpp"
 
-namespace microslip::app {
+namespace microslip {
 
 /// The options of an identification from those that `identify` left in joint.json: method,
 /// smoothing, linear damping, atom. What is not told is as by default; stiffness and bands are not
@@ -26,4 +26,4 @@ struct OptionTexts {
 [[nodiscard]] NamedValues record_of_options(const IdentificationOptions& options,
                                             const OptionTexts& texts = {});
 
-}  // namespace microslip::app
+}  // namespace microslip

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report_recordings.hpp"
+#include "microslip/workflow/experiment_recordings.hpp"
 
 #include <fmt/format.h>
 
@@ -19,9 +19,8 @@
 #include "microslip/io/recording_file.hpp"
 #include "microslip/io/sha256.hpp"
 #include "microslip/workflow/level_records.hpp"
-#include "progress_bar.hpp"
 
-namespace microslip::app {
+namespace microslip {
 namespace {
 
 namespace fs = std::filesystem;
@@ -38,17 +37,15 @@ std::string name_before_control(std::string name) {
 /// Reads recordings of a folder into results.
 class RecordingsReader {
  public:
-  RecordingsReader(std::string folder, std::size_t most_records, bool quiet,
-                   ExperimentResults& results)
-      : folder_(std::move(folder)), most_records_(most_records), quiet_(quiet), results_(results) {}
+  RecordingsReader(std::string folder, std::size_t most_records, ExperimentResults& results)
+      : folder_(std::move(folder)), most_records_(most_records), results_(results) {}
 
   /// All have harmonics unless they are large or many, some are shown over time.
-  void read() {
+  void read(const Progress& progress) {
     std::vector<std::string> all = recording_names();
     const std::vector<std::string> over_time = selected(all);
     results_.record_count = all.size();
     if (!are_small(all)) all = over_time;
-    const Progress progress = progress_bar("recordings", quiet_);
     for (std::size_t i = 0; i < all.size(); ++i) {
       const bool shown = std::ranges::find(over_time, all[i]) != over_time.end();
       add_level(all[i], shown ? kMostSignalPoints / (2 * over_time.size()) : 0);
@@ -152,15 +149,14 @@ class RecordingsReader {
 
   std::string folder_;
   std::size_t most_records_;
-  bool quiet_;
   ExperimentResults& results_;
 };
 
 }  // namespace
 
-void add_recordings(const std::string& folder, std::size_t records, bool quiet,
+void add_recordings(const std::string& folder, std::size_t records, const Progress& progress,
                     ExperimentResults& results) {
-  RecordingsReader(folder, records, quiet, results).read();
+  RecordingsReader(folder, records, results).read(progress);
 }
 
-}  // namespace microslip::app
+}  // namespace microslip

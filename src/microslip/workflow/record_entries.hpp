@@ -12,7 +12,7 @@
 /// What a record of joint.json, its identification or its options, holds under a name. What is of
 /// another kind counts as missing.
 
-namespace microslip::app {
+namespace microslip {
 
 [[nodiscard]] std::optional<double> number_in(const NamedValues& record, std::string_view name);
 
@@ -24,4 +24,4 @@ namespace microslip::app {
 /// A JSON list of texts; empty where there is none.
 [[nodiscard]] std::vector<std::string> texts_in(const NamedValues& record, std::string_view name);
 
-}  // namespace microslip::app
+}  // namespace microslip

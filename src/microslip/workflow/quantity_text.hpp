@@ -10,9 +10,9 @@
 #include "microslip/base/units.hpp"
 
 /// @file
-/// Values on the command line.
+/// Values as people write them: on a command line, in the options that a file records.
 
-namespace microslip::app {
+namespace microslip {
 
 /// A number, with or without a unit right behind it: "3e-4", "300um", "0.3mm". Without one it is
 /// SI.
@@ -55,4 +55,4 @@ namespace microslip::app {
 /// @throws InputError  beyond 1e-15 to 1e6 m, where products leave the range of doubles.
 void check_displacement(std::string_view option, double displacement);
 
-}  // namespace microslip::app
+}  // namespace microslip

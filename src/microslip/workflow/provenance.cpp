@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include "provenance.hpp"
+#include "microslip/workflow/provenance.hpp"
 
 #include <fmt/format.h>
 
+#include "microslip/base/version.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/sha256.hpp"
 #include "microslip/io/warning_comment.hpp"
-#include "prediction.hpp"
 
-namespace microslip::app {
+namespace microslip {
 
-std::string provenance_of(const Call& call, const std::vector<NamedInput>& inputs) {
-  std::string text = heading_of(call);
+std::string heading_of(std::string_view command) {
+  return fmt::format("microslip {}: {}", kVersion, command);
+}
+
+std::string provenance_of(std::string_view command, const std::vector<NamedInput>& inputs) {
+  std::string text = heading_of(command);
   for (const NamedInput& input : inputs) {
     text += fmt::format("\n{}: sha256 {}", input_name(input.path), sha256(input.text));
   }
@@ -36,4 +40,4 @@ void add_warnings(const std::vector<Warning>& warnings, CsvWriter& table) {
   if (!warnings.empty()) table.add_comment(warning_lines(warnings));
 }
 
-}  // namespace microslip::app
+}  // namespace microslip

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "record_entries.hpp"
+#include "microslip/workflow/record_entries.hpp"
 
 #include <variant>
 
 #include "microslip/io/joint_file.hpp"
 
-namespace microslip::app {
+namespace microslip {
 namespace {
 
 template <class T>
@@ -35,4 +35,4 @@ std::vector<std::string> texts_in(const NamedValues& record, std::string_view na
   return list ? texts_of(*list) : std::vector<std::string>();
 }
 
-}  // namespace microslip::app
+}  // namespace microslip

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "arguments.hpp"
+#include "microslip/workflow/quantity_text.hpp"
 
 #include <fmt/format.h>
 
@@ -10,10 +10,10 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/text.hpp"
 
-namespace microslip::app {
+namespace microslip {
 namespace {
 
-constexpr std::uint64_t kMostPoints = 10'000'000;
+constexpr std::uint64_t kMostValues = 10'000'000;
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
@@ -132,7 +132,7 @@ std::vector<double> parse_range(std::string_view option, std::string_view text,
   const double from = first.value;
   const double to = last.value;
   const std::uint64_t n =
-      parse_whole_number(fmt::format("COUNT of {}", option), parts[2], 2, kMostPoints);
+      parse_whole_number(fmt::format("COUNT of {}", option), parts[2], 2, kMostValues);
   const bool log = parts.size() == 4;
   if (!(from < to)) fail("FROM must be below TO", "Swap the two.");
   if (log && from <= 0.0) fail("FROM must be above 0 for equal ratios", "Leave out :log.");
@@ -153,4 +153,4 @@ void check_displacement(std::string_view option, double displacement) {
   throw InputError(option, displacement, "must be above 0 m: from 1e-15 to 1e6");
 }
 
-}  // namespace microslip::app
+}  // namespace microslip

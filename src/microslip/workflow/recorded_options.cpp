@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "recorded_options.hpp"
+#include "microslip/workflow/recorded_options.hpp"
 
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "record_entries.hpp"
-#include "smoothing_argument.hpp"
+#include "microslip/workflow/record_entries.hpp"
+#include "microslip/workflow/smoothing_text.hpp"
 
-namespace microslip::app {
+namespace microslip {
 
 IdentificationOptions recorded_options(const NamedValues& record) {
   IdentificationOptions options;
@@ -49,4 +49,4 @@ NamedValues record_of_options(const IdentificationOptions& options, const Option
   return record;
 }
 
-}  // namespace microslip::app
+}  // namespace microslip

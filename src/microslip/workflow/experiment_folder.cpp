@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report_folder.hpp"
+#include "microslip/workflow/experiment_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -20,14 +20,14 @@
 #include "microslip/io/levels_file.hpp"
 #include "microslip/io/rig_file.hpp"
 #include "microslip/io/sha256.hpp"
+#include "microslip/workflow/experiment_recordings.hpp"
 #include "microslip/workflow/level_records.hpp"
+#include "microslip/workflow/record_tables.hpp"
+#include "microslip/workflow/recorded_options.hpp"
+#include "microslip/workflow/result_tables.hpp"
 #include "microslip/workflow/rig_responses.hpp"
-#include "recorded_options.hpp"
-#include "report_recordings.hpp"
-#include "report_records.hpp"
-#include "report_tables.hpp"
 
-namespace microslip::app {
+namespace microslip {
 namespace {
 
 namespace fs = std::filesystem;
@@ -54,8 +54,7 @@ std::string name_of_folder(const std::string& folder) {
 /// Reads the files of a folder into results.
 class FolderReader {
  public:
-  FolderReader(std::string folder, bool quiet, std::size_t records)
-      : folder_(std::move(folder)), quiet_(quiet), most_records_(records) {}
+  explicit FolderReader(std::string folder) : folder_(std::move(folder)) {}
 
   ExperimentResults read() {
     results_.title = name_of_folder(folder_);
@@ -65,17 +64,16 @@ class FolderReader {
     read_rig_file();
     read_verification();
     read_force_control();
-    if (most_records_ > 0) add_recordings(folder_, most_records_, quiet_, results_);
     return std::move(results_);
   }
 
  private:
   /// The file, noted with its hash.
-  std::optional<ReportInput> find(const std::string& name) {
+  std::optional<NamedInput> find(const std::string& name) {
     const std::string path = folder_ + "/" + name;
     std::error_code none;
     if (!fs::is_regular_file(path, none)) return std::nullopt;
-    ReportInput input{path, read_file(path)};
+    NamedInput input{path, read_file(path)};
     results_.files.push_back({name, sha256(input.text), made_by(input.text)});
     return input;
   }
@@ -125,7 +123,7 @@ class FolderReader {
     return hashes.empty() || !hash || std::ranges::find(hashes, *hash) != hashes.end();
   }
 
-  void check_origin(const ReportInput& input) {
+  void check_origin(const NamedInput& input) {
     const std::vector<std::string> hashes = hashes_in(input);
     for (const std::string name : {"joint.json", "rig.toml"}) {
       if (was_made_with(hashes, name)) continue;
@@ -228,8 +226,6 @@ class FolderReader {
   }
 
   std::string folder_;
-  bool quiet_;
-  std::size_t most_records_;
   ExperimentResults results_;
   std::vector<std::string> reduced_with_;  ///< hashes that levels.csv tells
   std::string identified_from_;            ///< SHA-256
@@ -238,9 +234,9 @@ class FolderReader {
 
 }  // namespace
 
-bool add_test_file(const std::string& kind, const std::string& text, const std::string& path,
-                   ExperimentResults& results) {
-  const ReportInput input{path, text};
+bool add_result_file(const std::string& kind, const std::string& text, const std::string& path,
+                     ExperimentResults& results) {
+  const NamedInput input{path, text};
   if (kind == kLevelsKind) {
     results.levels = levels_of(input);
   } else if (kind == kJointKind) {
@@ -257,13 +253,30 @@ bool add_test_file(const std::string& kind, const std::string& text, const std::
   return true;
 }
 
-ExperimentResults read_test_folder(const std::string& folder, bool quiet, std::size_t records) {
+ExperimentResults read_experiment(const std::string& folder, std::size_t records,
+                                  const Progress& progress) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) {
     throw FileError(folder, "is no folder",
                     "Name the folder that holds levels.csv and joint.json.");
   }
-  return FolderReader(folder, quiet, records).read();
+  ExperimentResults results = FolderReader(folder).read();
+  if (records > 0) add_recordings(folder, records, progress, results);
+  return results;
 }
 
-}  // namespace microslip::app
+std::vector<std::string> folders_holding(const std::string& folder,
+                                         std::initializer_list<const char*> files) {
+  std::vector<std::string> found;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder, none)) {
+    const auto holds = [&](const char* file) {
+      return fs::is_regular_file(entry.path() / file, none);
+    };
+    if (std::ranges::any_of(files, holds)) found.push_back(entry.path().string());
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+}  // namespace microslip

@@ -2,25 +2,29 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "command.hpp"
 #include "microslip/base/summary.hpp"
 #include "microslip/io/csv_writer.hpp"
 
 /// @file
 /// What files that are written say of their origin, and what their readers must know.
 
-namespace microslip::app {
+namespace microslip {
 
-/// An input of a command, as it was named and read.
+/// An input, as it was named and read.
 struct NamedInput {
-  std::string path;
-  std::string text;
+  std::string path;  ///< "-" is standard input
+  std::string text;  ///< all of it
 };
 
-/// The lines of a comment: version and call, then "FILE: sha256 …" of each input.
-[[nodiscard]] std::string provenance_of(const Call& call, const std::vector<NamedInput>& inputs);
+/// The first comment of a file: "microslip VERSION: COMMAND".
+[[nodiscard]] std::string heading_of(std::string_view command);
+
+/// The lines of a comment: heading_of(), then "FILE: sha256 …" of each input.
+[[nodiscard]] std::string provenance_of(std::string_view command,
+                                        const std::vector<NamedInput>& inputs);
 
 /// Lines of a comment, "warning: CODE: TEXT" each: what was told, or with --quiet was not, is in
 /// the file too. Empty without warnings.
@@ -32,4 +36,4 @@ struct NamedInput {
 /// The same as comments of a table.
 void add_warnings(const std::vector<Warning>& warnings, CsvWriter& table);
 
-}  // namespace microslip::app
+}  // namespace microslip

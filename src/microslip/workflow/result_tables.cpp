@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report_tables.hpp"
+#include "microslip/workflow/result_tables.hpp"
 
 #include <fmt/format.h>
 
@@ -16,9 +16,9 @@
 #include "microslip/base/units.hpp"
 #include "microslip/io/csv.hpp"
 #include "microslip/io/levels_file.hpp"
-#include "record_entries.hpp"
+#include "microslip/workflow/record_entries.hpp"
 
-namespace microslip::app {
+namespace microslip {
 namespace {
 
 /// How λ was chosen, as far as the file tells.
@@ -75,7 +75,7 @@ void check_band(const IdentifiedJoint& joint, const std::string& path) {
 
 }  // namespace
 
-MeasuredLevels levels_of(const ReportInput& input) {
+MeasuredLevels levels_of(const NamedInput& input) {
   const LevelsFile file = parse_levels(input.text, input.path);
   const CsvTable table(input.text, input.path);
   MeasuredLevels levels;
@@ -124,7 +124,7 @@ IdentifiedJoint joint_of(const JointFile& file, const std::string& path) {
   return joint;
 }
 
-std::vector<ChannelMisfit> comparisons_of(const ReportInput& input) {
+std::vector<ChannelMisfit> comparisons_of(const NamedInput& input) {
   const CsvTable table(input.text, input.path);
   const std::vector<std::string> source = table.text("source");
   const std::vector<std::string> channel = table.text("channel");
@@ -148,7 +148,7 @@ std::vector<ChannelMisfit> comparisons_of(const ReportInput& input) {
   return rows;
 }
 
-std::vector<ForceControlLevel> force_control_of(const ReportInput& input) {
+std::vector<ForceControlLevel> force_control_of(const NamedInput& input) {
   const CsvTable table(input.text, input.path);
   const std::vector<std::string> level = table.text("level");
   const std::vector<double> response = table.numbers("response_amplitude", kAcceleration);
@@ -167,7 +167,7 @@ std::vector<ForceControlLevel> force_control_of(const ReportInput& input) {
   return rows;
 }
 
-std::vector<std::string> hashes_in(const ReportInput& input) {
+std::vector<std::string> hashes_in(const NamedInput& input) {
   constexpr std::string_view kMark = ": sha256 ";
   std::vector<std::string> hashes;
   const CsvTable table(input.text, input.path);
@@ -192,4 +192,4 @@ bool is_density_of(const DensityTable& table, const Joint& joint) {
   return true;
 }
 
-}  // namespace microslip::app
+}  // namespace microslip

@@ -6,7 +6,7 @@
 
 #include "microslip/identify/identification.hpp"
 
-namespace microslip::app {
+namespace microslip {
 
 /// Sets the smoothing of the chosen method from `--smoothing gcv|lambda=X|p=X` and
 /// `--smoothing-unit UNIT`.
@@ -20,4 +20,4 @@ namespace microslip::app {
 void set_smoothing(const std::string& smoothing, const std::optional<std::string>& unit,
                    IdentificationOptions& options);
 
-}  // namespace microslip::app
+}  // namespace microslip

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "smoothing_argument.hpp"
+#include "microslip/workflow/smoothing_text.hpp"
 
 #include <fmt/format.h>
 
 #include <string_view>
 
-#include "arguments.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/units.hpp"
 #include "microslip/io/text.hpp"
+#include "microslip/workflow/quantity_text.hpp"
 
-namespace microslip::app {
+namespace microslip {
 namespace {
 
 constexpr std::string_view kOption = "--smoothing";
@@ -100,4 +100,4 @@ void set_smoothing(const std::string& smoothing, const std::optional<std::string
   }
 }
 
-}  // namespace microslip::app
+}  // namespace microslip
