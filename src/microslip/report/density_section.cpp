@@ -10,6 +10,7 @@
 
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/report/sections.hpp"
+#include "microslip/workflow/other_methods.hpp"
 
 namespace microslip {
 namespace {
@@ -127,20 +128,16 @@ ReportFigure density_figure(const ExperimentResults& results,
 
 /// Of D between neighbouring levels, and of its smoothing spline.
 void add_measured_slopes(const MethodComparison& methods, std::vector<ReportTrace>& traces) {
-  const Levels& levels = methods.net_levels;
-  ReportTrace steps{.name = "differences", .kind = TraceKind::kPoints, .stroke = {.colour = kGrey}};
-  for (std::size_t i = 1; i < levels.size(); ++i) {
-    steps.x.push_back(0.5 * (levels.amplitude[i] + levels.amplitude[i - 1]) / kMicrometre);
-    steps.y.push_back((levels.dissipation[i] - levels.dissipation[i - 1]) /
-                      (levels.amplitude[i] - levels.amplitude[i - 1]));
-  }
-  ReportTrace spline{.name = "smoothing spline", .stroke = {.colour = kGreen, .width = 1.4}};
-  for (const double a : equal_ratios(levels.amplitude.front(), levels.amplitude.back())) {
-    spline.x.push_back(a / kMicrometre);
-    spline.y.push_back(methods.spline.fit.spline.first_derivative(a));
-  }
-  traces.push_back(std::move(steps));
-  traces.push_back(std::move(spline));
+  const MeasuredSlopes slopes = measured_slopes(methods);
+  traces.push_back({.name = "differences",
+                    .kind = TraceKind::kPoints,
+                    .x = in_unit(slopes.differences.x, kMicrometre),
+                    .y = slopes.differences.y,
+                    .stroke = {.colour = kGrey}});
+  traces.push_back({.name = "smoothing spline",
+                    .x = in_unit(slopes.spline.x, kMicrometre),
+                    .y = slopes.spline.y,
+                    .stroke = {.colour = kGreen, .width = 1.4}});
 }
 
 std::string slope_caption(const ExperimentResults& results) {
@@ -217,12 +214,11 @@ ReportFigure smoothings_figure(const MethodComparison& methods) {
         density_curve(fmt::format("{}, {:.1f} degrees of freedom", name, found.inversion->edf),
                       found.joint, from, to, stroke));
   };
-  for (const double factor : {100.0, 10.0, 1.0, 0.1, 0.01}) {
+  for (const auto& [factor, found] : varied_inversions(methods)) {
     if (factor == 1.0) {
-      add("chosen λ", methods.inversion, kFound);
+      add("chosen λ", found, kFound);
     } else {
-      add(fmt::format("{:g} λ", factor), inversion_with(methods, factor),
-          {.colour = colour++, .width = 1.2});
+      add(fmt::format("{:g} λ", factor), found, {.colour = colour++, .width = 1.2});
     }
   }
   double top = 0.0;

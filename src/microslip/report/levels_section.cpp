@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "microslip/report/flag_meanings.hpp"
 #include "microslip/report/sections.hpp"
+#include "microslip/workflow/flag_meanings.hpp"
 
 namespace microslip {
 namespace {

@@ -40,7 +40,7 @@ AxisRange amplitude_range(const ExperimentResults& results) {
 struct PlottedQuantity {
   const char* label;
   const char* unit;  // SI
-  double (*value)(const Joint&, double);
+  JointQuantity value;
   bool energy = false;  // its axis is logarithmic where that of the amplitude is
   bool suits_log = false;
 };
@@ -60,13 +60,12 @@ PointLayer points_of(const MeasuredLevels& levels, const MeasuredPoints& measure
 }
 
 void add_curves(Figure& figure, const ExperimentResults& results, const PaperOptions& options,
-                double (*value)(const Joint&, double)) {
+                JointQuantity quantity) {
   const AxisRange range = amplitude_range(results);
   const std::vector<double> amplitude = equal_ratios(range.from, range.to);
   for (const DrawnJoint& drawn : drawn_joints(results, options)) {
-    LineLayer line{amplitude, {}, drawn.name, drawn.stroke};
-    for (const double a : amplitude) line.y.push_back(value(drawn.joint, a));
-    figure.layers.emplace_back(std::move(line));
+    figure.layers.emplace_back(LineLayer{amplitude, joint_curve(drawn.joint, quantity, amplitude),
+                                         drawn.name, drawn.stroke});
   }
 }
 
@@ -75,14 +74,12 @@ void add_with_damping(Figure& figure, const ExperimentResults& results) {
   if (!results.joint || !results.joint->linear_damping) return;
   const IdentifiedJoint& found = *results.joint;
   const AxisRange range = amplitude_range(results);
-  LineLayer line{equal_ratios(range.from, range.to),
-                 {},
-                 "with damping βA²",
-                 {.colour = kGreen, .style = LineStyle::kLongDashed}};
-  for (const double a : line.x) {
-    line.y.push_back(dissipation(found.joint, a) + *found.linear_damping * a * a);
-  }
-  figure.layers.emplace_back(std::move(line));
+  const std::vector<double> amplitude = equal_ratios(range.from, range.to);
+  figure.layers.emplace_back(
+      LineLayer{amplitude,
+                joint_curve(found.joint, dissipation, amplitude, *found.linear_damping),
+                "with damping βA²",
+                {.colour = kGreen, .style = LineStyle::kLongDashed}});
 }
 
 void show_amplitude(Figure& figure, const PaperOptions& options, bool suits_log) {
@@ -124,17 +121,12 @@ Figure damping_ratios(const MeasuredLevels& levels, const PaperOptions& options)
   return figure;
 }
 
-/// Amplitudes whose loops are drawn, the largest first, m.
-std::vector<double> loop_amplitudes(const ExperimentResults& results) {
-  double largest = 0.0;
-  if (results.levels) {
-    largest = std::ranges::max(results.levels->levels.amplitude);
-  } else if (const IdentifiedJoint& found = joint_of(results); found.covered_to) {
-    largest = *found.covered_to / found.joint.stiffness();
-  } else {
-    largest = 1.2 * macroslip_amplitude(found.joint);
-  }
-  return {largest, 0.75 * largest, 0.5 * largest, 0.25 * largest};
+/// Of the loops that are drawn, m.
+double largest_amplitude(const ExperimentResults& results) {
+  if (results.levels) return std::ranges::max(results.levels->levels.amplitude);
+  const IdentifiedJoint& found = joint_of(results);
+  return found.covered_to ? *found.covered_to / found.joint.stiffness()
+                          : 1.2 * macroslip_amplitude(found.joint);
 }
 
 LoopLayer loop_of(const Joint& joint, double amplitude, std::string legend, const Stroke& stroke) {
@@ -238,7 +230,7 @@ Figure paper_density(const DensityCurve& curve, const PaperOptions& options) {
 
 Figure paper_loops(const ExperimentResults& results, const PaperOptions& options) {
   const IdentifiedJoint& found = joint_of(results);
-  const std::vector<double> amplitudes = loop_amplitudes(results);
+  const std::vector<double> amplitudes = loop_amplitudes(largest_amplitude(results));
   const ShownUnit unit = shown_unit("m", amplitudes.front());
   Figure figure;
   for (std::size_t i = 0; i < amplitudes.size(); ++i) {

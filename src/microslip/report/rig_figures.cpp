@@ -16,6 +16,7 @@
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/report/harmonic_bars.hpp"
 #include "microslip/report/scales.hpp"
+#include "microslip/workflow/level_records.hpp"
 
 namespace microslip {
 namespace {
@@ -48,25 +49,6 @@ LineLayer force_over_a_cycle(const DrivenVibration& driven, const char* name, in
     line.y.push_back(force);
   }
   return line;
-}
-
-/// |F_n|/|F_1|, n from 2.
-std::vector<double> relative_harmonics(const DrivenVibration& driven, std::size_t harmonics) {
-  std::vector<double> shares;
-  for (std::size_t n = 2; n < driven.force.size() && n <= harmonics; ++n) {
-    shares.push_back(std::abs(driven.force[n]) / std::abs(driven.force[1]));
-  }
-  return shares;
-}
-
-std::vector<ForceControlLevel> controls_of(std::span<const VirtualLevel> levels,
-                                           std::size_t harmonics) {
-  std::vector<ForceControlLevel> controls;
-  for (const VirtualLevel& level : levels) {
-    controls.push_back({"", level.response, relative_harmonics(level.uncontrolled, harmonics),
-                        relative_harmonics(level.controlled, harmonics)});
-  }
-  return controls;
 }
 
 /// The first harmonic, and the others over it, %.
@@ -194,7 +176,7 @@ Figure linear_share_figure(const std::string& title, std::span<const ReducedLeve
 
 FigureGrid force_control_figure(const std::string& title, std::span<const VirtualLevel> levels,
                                 std::size_t harmonics, const std::string& unit) {
-  const std::vector<ForceControlLevel> controls = controls_of(levels, harmonics);
+  const std::vector<ForceControlLevel> controls = force_controls(levels, harmonics);
   const VirtualLevel& highest = levels.back();
   return {title,
           3,

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <iterator>
-#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "microslip/base/interpolation.hpp"
 #include "microslip/joint/secant.hpp"
 #include "microslip/report/sections.hpp"
 
@@ -59,27 +55,6 @@ ReportFigure resonance_figure(const ExperimentResults& results) {
   return figure;
 }
 
-/// ζ = W/(4πE) with the measured W and the E of the prediction, which is that of the response and
-/// the mode and hardly depends on the joint. Empty where the levels or the prediction tell too
-/// little.
-ReportTrace measured_damping(const ExperimentResults& results) {
-  ReportTrace trace{.name = "measured", .kind = TraceKind::kPoints, .stroke = {.colour = kBlack}};
-  const JointBackbone& backbone = *results.backbone;
-  const MeasuredLevels& test = *results.levels;
-  if (backbone.vibration_energy.empty() || test.input_energy.empty()) return trace;
-  std::vector<double> modal_stiffness;  // over 2: E/A² is nearly constant
-  for (std::size_t i = 0; i < backbone.amplitude.size(); ++i) {
-    modal_stiffness.push_back(backbone.vibration_energy[i] / std::pow(backbone.amplitude[i], 2));
-  }
-  for (std::size_t i = 0; i < test.levels.size(); ++i) {
-    const double a = test.levels.amplitude[i];
-    const double energy = interpolate(backbone.amplitude, modal_stiffness, a) * a * a;
-    trace.x.push_back(a / kMicrometre);
-    trace.y.push_back(test.input_energy[i] / (4.0 * std::numbers::pi * energy) / kPercent);
-  }
-  return trace;
-}
-
 /// Of the structure with its joint.
 ReportFigure structure_damping_figure(const ExperimentResults& results) {
   ReportFigure figure{.title = "Damping of the structure",
@@ -89,9 +64,10 @@ ReportFigure structure_damping_figure(const ExperimentResults& results) {
                       .x = amplitude_axis(),
                       .y = {.label = "damping ratio", .unit = "%", .log_switch = true},
                       .choices = {{"", {}}}};
-  if (ReportTrace measured = measured_damping(results); !measured.x.empty()) {
+  if (const std::vector<double> measured = measured_damping(results); !measured.empty()) {
     figure.caption += " Measured: the input energy over the energy of that vibration.";
-    figure.choices[0].traces.push_back(std::move(measured));
+    figure.choices[0].traces.push_back(
+        at_levels(results, "measured", in_unit(measured, kPercent), {}, kBlack));
   }
   add_predicted(results, &JointBackbone::damping_ratio, kPercent, figure.choices[0].traces);
   return figure;
@@ -115,10 +91,7 @@ ReportFigure secant_figure(const ExperimentResults& results) {
                                in_unit(levels.secant_stiffness, kKilonewtonPerMetre),
                                in_unit(levels.secant_stiffness_std, kKilonewtonPerMetre), kBlack));
   }
-  std::ranges::move(curves_of_joints(results,
-                                     [](const Joint& joint, double a) {
-                                       return secant_stiffness(joint, a) / kKilonewtonPerMetre;
-                                     }),
+  std::ranges::move(curves_of_joints(results, secant_stiffness, kKilonewtonPerMetre),
                     std::back_inserter(traces));
   return figure;
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -164,5 +165,11 @@ struct ExperimentResults {
   std::vector<std::pair<std::string, std::string>> provenance = {};
   std::vector<Warning> warnings = {};  ///< of reading the files
 };
+
+/// @throws InputError  where vectors that belong together differ in length.
+void check_results(const ExperimentResults& results);
+
+/// The last part of a path.
+[[nodiscard]] std::string_view file_name(std::string_view path);
 
 }  // namespace microslip

@@ -83,6 +83,15 @@ std::vector<SignalPair> histories(const Recording& recording,
   return signals;
 }
 
+/// |F_n|/|F_1|, n from 2.
+std::vector<double> relative_harmonics(const DrivenVibration& driven, std::size_t harmonics) {
+  std::vector<double> shares;
+  for (std::size_t n = 2; n < driven.force.size() && n <= harmonics; ++n) {
+    shares.push_back(std::abs(driven.force[n]) / std::abs(driven.force[1]));
+  }
+  return shares;
+}
+
 /// Every n-th point of a signal.
 void thin(std::vector<double>& values, std::size_t step) {
   std::vector<double> some;
@@ -158,6 +167,16 @@ std::vector<LevelRecord> some_records(std::vector<LevelRecord> records, std::siz
     }
   }
   return records;
+}
+
+std::vector<ForceControlLevel> force_controls(std::span<const VirtualLevel> levels,
+                                              std::size_t harmonics) {
+  std::vector<ForceControlLevel> controls;
+  for (const VirtualLevel& level : levels) {
+    controls.push_back({"", level.response, relative_harmonics(level.uncontrolled, harmonics),
+                        relative_harmonics(level.controlled, harmonics)});
+  }
+  return controls;
 }
 
 }  // namespace microslip

@@ -2,14 +2,16 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "microslip/rig/virtual_measurement.hpp"
 #include "microslip/signal/recording.hpp"
 #include "microslip/workflow/experiment_results.hpp"
 
 /// @file
-/// Recordings as a report shows them.
+/// What was recorded at the levels of a test.
 
 namespace microslip {
 
@@ -37,5 +39,11 @@ void add_other(const LevelRecord& other, LevelRecord& record);
 /// signals so that these have at most `most_points`.
 [[nodiscard]] std::vector<LevelRecord> some_records(std::vector<LevelRecord> records,
                                                     std::size_t count, std::size_t most_points);
+
+/// The harmonics of the force over the first, from the second, before and after its control.
+/// @param levels     of a virtual test with a shaker.
+/// @param harmonics  that were controlled.
+[[nodiscard]] std::vector<ForceControlLevel> force_controls(std::span<const VirtualLevel> levels,
+                                                            std::size_t harmonics);
 
 }  // namespace microslip

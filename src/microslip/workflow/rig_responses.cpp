@@ -65,11 +65,7 @@ std::pair<double, double> range_around(const JointBackbone& backbone) {
   return {lowest - margin, highest + margin};
 }
 
-struct Curve {
-  std::vector<double> frequency;  // Hz
-  std::vector<double> force;      // N
-};
-
+/// The force, N, over the frequency, Hz.
 std::optional<Curve> curve_of(const HarmonicBalance& balance, double response,
                               std::pair<double, double> range) {
   const ResponseCurve found =
@@ -77,8 +73,8 @@ std::optional<Curve> curve_of(const HarmonicBalance& balance, double response,
   if (!found.summary.converged()) return std::nullopt;
   Curve curve;
   for (const SteadyVibration& point : found.points) {
-    curve.frequency.push_back(point.frequency());
-    curve.force.push_back(point.force_amplitude);
+    curve.x.push_back(point.frequency());
+    curve.y.push_back(point.force_amplitude);
   }
   return curve;
 }
@@ -106,10 +102,10 @@ void add_predictions(ExperimentResults& results) {
   for (const double response : some_responses(measured)) {
     std::optional<Curve> curve = curve_of(found, response, range);
     if (!curve) continue;
-    ConstantResponse one{response, std::move(curve->frequency), std::move(curve->force)};
+    ConstantResponse one{response, std::move(curve->x), std::move(curve->y)};
     if (std::optional<Curve> expected = truth ? curve_of(*truth, response, range) : std::nullopt) {
-      one.true_frequency = std::move(expected->frequency);
-      one.true_force = std::move(expected->force);
+      one.true_frequency = std::move(expected->x);
+      one.true_force = std::move(expected->y);
     }
     results.responses.push_back(std::move(one));
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "microslip/joint/memory.hpp"
@@ -50,6 +51,29 @@ SteadyLoop steady_loop(const Joint& joint, double amplitude, std::size_t half) {
     }
   }
   return loop;
+}
+
+std::vector<double> joint_curve(const Joint& joint, JointQuantity quantity,
+                                const std::vector<double>& amplitude, double linear_damping) {
+  std::vector<double> values;
+  for (const double a : amplitude) values.push_back(quantity(joint, a) + linear_damping * a * a);
+  return values;
+}
+
+std::vector<double> damping_curve(const std::vector<double>& amplitude, double linear_damping) {
+  std::vector<double> values;
+  for (const double a : amplitude) values.push_back(linear_damping * a * a);
+  return values;
+}
+
+std::vector<double> force_difference(const SteadyLoop& loop, const SteadyLoop& base) {
+  std::vector<double> apart(loop.force.size());
+  std::ranges::transform(loop.force, base.force, apart.begin(), std::minus());
+  return apart;
+}
+
+std::vector<double> loop_amplitudes(double largest) {
+  return {largest, 0.75 * largest, 0.5 * largest, 0.25 * largest};
 }
 
 }  // namespace microslip

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/flag_meanings.hpp"
+#include "microslip/workflow/flag_meanings.hpp"
 
 #include <gtest/gtest.h>
 

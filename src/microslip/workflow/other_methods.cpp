@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <cstddef>
+#include "microslip/workflow/other_methods.hpp"
 
-#include "microslip/report/sections.hpp"
+#include <cstddef>
 
 namespace microslip {
 namespace {
@@ -39,6 +39,37 @@ std::optional<MethodComparison> compare_methods(const ExperimentResults& results
   options.inversion.stiffness = *stiffness;
   return compare_methods(levels, options,
                          results.joint ? results.joint->linear_damping : std::optional<double>());
+}
+
+MeasuredSlopes measured_slopes(const MethodComparison& methods) {
+  const Levels& levels = methods.net_levels;
+  MeasuredSlopes slopes;
+  for (std::size_t i = 1; i < levels.size(); ++i) {
+    slopes.differences.x.push_back(0.5 * (levels.amplitude[i] + levels.amplitude[i - 1]));
+    slopes.differences.y.push_back((levels.dissipation[i] - levels.dissipation[i - 1]) /
+                                   (levels.amplitude[i] - levels.amplitude[i - 1]));
+  }
+  slopes.spline.x = equal_ratios(levels.amplitude.front(), levels.amplitude.back());
+  for (const double a : slopes.spline.x) {
+    slopes.spline.y.push_back(methods.spline.fit.spline.first_derivative(a));
+  }
+  return slopes;
+}
+
+std::vector<VariedSmoothing> varied_inversions(const MethodComparison& methods) {
+  std::vector<VariedSmoothing> all;
+  for (const double factor : {100.0, 10.0, 1.0, 0.1, 0.01}) {
+    all.push_back({factor, factor == 1.0 ? methods.inversion : inversion_with(methods, factor)});
+  }
+  return all;
+}
+
+std::vector<VariedSmoothing> varied_splines(const MethodComparison& methods) {
+  std::vector<VariedSmoothing> all;
+  for (const double factor : {0.01, 1.0, 100.0}) {
+    all.push_back({factor, spline_with(methods, factor)});
+  }
+  return all;
 }
 
 }  // namespace microslip
