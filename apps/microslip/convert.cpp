@@ -18,9 +18,9 @@
 #include "microslip/io/recording_file.hpp"
 #include "microslip/io/uff_recording.hpp"
 #include "microslip/workflow/quantity_text.hpp"
+#include "microslip/workflow/recording_list.hpp"
 #include "progress_bar.hpp"
 #include "recording_arguments.hpp"
-#include "recording_list.hpp"
 
 namespace microslip::app {
 namespace {

@@ -19,7 +19,7 @@
 #include "microslip/io/verification_file.hpp"
 #include "microslip/io/virtual_measurement_file.hpp"
 #include "microslip/rig/virtual_record.hpp"
-#include "nothing_found.hpp"
+#include "microslip/workflow/nothing_found.hpp"
 #include "progress_bar.hpp"
 
 namespace microslip::app {

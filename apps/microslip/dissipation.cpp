@@ -13,9 +13,9 @@
 #include "microslip/io/joint_file.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/joint/secant.hpp"
+#include "microslip/workflow/model_text.hpp"
 #include "microslip/workflow/provenance.hpp"
 #include "microslip/workflow/quantity_text.hpp"
-#include "prediction.hpp"
 #include "recording_arguments.hpp"
 
 namespace microslip::app {

@@ -12,7 +12,7 @@
 #include "microslip/io/density_file.hpp"
 #include "microslip/io/joint_file.hpp"
 #include "microslip/workflow/provenance.hpp"
-#include "report_text.hpp"
+#include "microslip/workflow/summary_text.hpp"
 
 namespace microslip::app {
 namespace {

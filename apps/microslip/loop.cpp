@@ -18,9 +18,9 @@
 #include "microslip/io/path_file.hpp"
 #include "microslip/joint/jenkins_network.hpp"
 #include "microslip/joint/memory.hpp"
+#include "microslip/workflow/model_text.hpp"
 #include "microslip/workflow/provenance.hpp"
 #include "microslip/workflow/quantity_text.hpp"
-#include "prediction.hpp"
 #include "recording_arguments.hpp"
 
 namespace microslip::app {

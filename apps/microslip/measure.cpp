@@ -34,13 +34,13 @@
 #include "microslip/rig/rig_structure.hpp"
 #include "microslip/rig/virtual_measurement.hpp"
 #include "microslip/rig/virtual_record.hpp"
+#include "microslip/workflow/model_text.hpp"
+#include "microslip/workflow/nothing_found.hpp"
 #include "microslip/workflow/provenance.hpp"
 #include "microslip/workflow/quantity_text.hpp"
-#include "nothing_found.hpp"
-#include "prediction.hpp"
+#include "microslip/workflow/summary_text.hpp"
 #include "progress_bar.hpp"
 #include "recording_arguments.hpp"
-#include "report_text.hpp"
 
 namespace microslip::app {
 namespace {

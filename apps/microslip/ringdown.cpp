@@ -24,11 +24,11 @@
 #include "microslip/io/warning_comment.hpp"
 #include "microslip/signal/ring_down.hpp"
 #include "microslip/signal/ring_down_levels.hpp"
+#include "microslip/workflow/model_text.hpp"
 #include "microslip/workflow/quantity_text.hpp"
-#include "prediction.hpp"
+#include "microslip/workflow/summary_text.hpp"
 #include "progress_bar.hpp"
 #include "recording_arguments.hpp"
-#include "report_text.hpp"
 
 namespace microslip::app {
 namespace {

@@ -10,23 +10,16 @@
 #include <vector>
 
 #include "command.hpp"
-#include "microslip/base/error.hpp"
 #include "microslip/io/file_kind.hpp"
-#include "microslip/io/input_file.hpp"
-#include "microslip/io/joint_file.hpp"
 #include "microslip/io/output_files.hpp"
-#include "microslip/io/rig_file.hpp"
 #include "microslip/io/verification_file.hpp"
 #include "microslip/report/gnuplot.hpp"
 #include "microslip/report/verification_figure.hpp"
-#include "microslip/rig/verification.hpp"
-#include "microslip/rig/verification_batch.hpp"
-#include "microslip/workflow/provenance.hpp"
+#include "microslip/workflow/recordings_verification.hpp"
+#include "microslip/workflow/verification_text.hpp"
 #include "picture_argument.hpp"
-#include "prediction.hpp"
 #include "progress_bar.hpp"
 #include "recording_arguments.hpp"
-#include "verification_report.hpp"
 
 namespace microslip::app {
 namespace {
@@ -49,46 +42,15 @@ struct VerifyOptions {
   bool skip_faulty = false;
 };
 
-VerificationOptions verification_options(const VerifyOptions& options, const JointFile& joint) {
+VerificationOptions verification_options(const VerifyOptions& options) {
   VerificationOptions verification;
   verification.reduction.fit.order = static_cast<int>(options.harmonics);
   verification.reduction.fit.frequency_guess = frequency_guess(options.frequency);
   verification.reduction.modes = options.modes;
   verification.reduction.use_vibrometer = !options.no_vibrometer;
   verification.sine = options.sine;
-  verification.covered_to = covered_to(joint);
-  verification.linear_damping = identified_damping(joint).value_or(0.0);
   verification.history_cycles = options.cycles;
   return verification;
-}
-
-/// What only solving the rig can find names the file too.
-Verifier verifier_of(const VerifyOptions& options, const NamedInput& rig_input,
-                     const NamedInput& joint_input) {
-  const Rig rig = parse_rig(rig_input.text, input_name(rig_input.path));
-  const JointFile joint = parse_joint(joint_input.text, input_name(joint_input.path));
-  const VerificationOptions verification = verification_options(options, joint);
-  try {
-    return Verifier(rig, joint.joint, verification);
-  } catch (const InputError& error) {
-    throw error.renamed(fmt::format("{}: {}", input_name(rig_input.path), error.name()));
-  }
-}
-
-VerificationBatch verify_records(const Verifier& verifier, const VerifyOptions& options, bool quiet,
-                                 std::vector<std::vector<Warning>>& warnings) {
-  const RecordingReadOptions reading = read_options(options.reading);
-  const auto read = [&](std::size_t i) {
-    return read_named_recordings(options.recordings[i], reading, warnings[i]);
-  };
-  VerificationBatch batch = verify_batch(
-      verifier, options.recordings.size(), read,
-      {.skip_faulty = options.skip_faulty, .progress = progress_bar("records", quiet)});
-  if (!quiet) std::ranges::for_each(warnings, show_warnings);
-  if (!batch.records.empty()) return batch;
-  throw InputError("recordings", fmt::format("{} files", options.recordings.size()),
-                   "must hold one that can be verified",
-                   batch.rejected.empty() ? "" : batch.rejected.front().reason);
 }
 
 void check_outputs_of(const VerifyOptions& options) {
@@ -121,28 +83,24 @@ void write_outputs(const VerifyOptions& options, const VerificationBatch& batch,
   outputs.commit();
 }
 
-/// What each table begins with.
-std::string comment_of(const Verifier& verifier, std::string provenance) {
-  const std::string damping = damping_text(verifier.options().linear_damping);
-  if (!damping.empty()) provenance += "\nlinear damping of the joint: " + damping;
-  return provenance;
-}
-
 int run(const VerifyOptions& options, const Call& call) {
   check_outputs_of(options);
-  const std::vector<NamedInput> inputs{{options.rig, read_file(options.rig)},
-                                       {options.joint, read_file(options.joint)}};
-  const Verifier verifier = verifier_of(options, inputs[0], inputs[1]);
-  std::vector<std::vector<Warning>> warnings(options.recordings.size());
-  const VerificationBatch batch = verify_records(verifier, options, call.quiet, warnings);
-  warnings.push_back(verification_warnings(batch));
-  write_outputs(options, batch,
-                with_warnings(comment_of(verifier, provenance_of(call.command_line, inputs)),
-                              joined_warnings(warnings)));
+  const VerifiedRecordings verified =
+      verify_recordings({.rig = options.rig,
+                         .joint = options.joint,
+                         .recordings = options.recordings,
+                         .verification = verification_options(options),
+                         .reading = read_options(options.reading),
+                         .skip_faulty = options.skip_faulty,
+                         .progress = progress_bar("records", call.quiet)});
+  if (!call.quiet) std::ranges::for_each(verified.warnings, show_warnings);
+  const VerificationBatch& batch = verified.batch;
+  write_outputs(options, batch, comment_of(verified, call.command_line));
   if (!call.quiet) {
     const bool data_on_stdout =
         options.out == "-" || options.harmonics_csv == "-" || options.histories == "-";
-    fmt::print(data_on_stdout ? stderr : stdout, "{}", describe_verification(verifier, batch));
+    fmt::print(data_on_stdout ? stderr : stdout, "{}",
+               describe_verification(verified.verifier, batch));
   }
   return batch.converged() ? kDone : kNotConverged;
 }

@@ -8,7 +8,7 @@
 #include "microslip/rig/reduction.hpp"
 #include "microslip/rig/reduction_batch.hpp"
 
-namespace microslip::app {
+namespace microslip {
 
 /// A reduction as text for a person: how it was done, a line a level, and what is to be looked at.
 [[nodiscard]] std::string describe_reduction(const Reducer& reducer, const ReductionBatch& batch);
@@ -17,4 +17,4 @@ namespace microslip::app {
 /// out.
 [[nodiscard]] std::vector<Warning> reduction_warnings(const ReductionBatch& batch);
 
-}  // namespace microslip::app
+}  // namespace microslip

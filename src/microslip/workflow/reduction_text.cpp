@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reduction_report.hpp"
+#include "microslip/workflow/reduction_text.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <iterator>
 #include <utility>
 
-#include "report_text.hpp"
+#include "microslip/workflow/summary_text.hpp"
 
-namespace microslip::app {
+namespace microslip {
 namespace {
 
 std::string describe_method(const Reducer& reducer) {
@@ -127,4 +127,4 @@ std::vector<Warning> reduction_warnings(const ReductionBatch& batch) {
   return warnings;
 }
 
-}  // namespace microslip::app
+}  // namespace microslip

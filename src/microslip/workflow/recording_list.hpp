@@ -7,7 +7,7 @@
 #include "microslip/io/recordings.hpp"
 #include "microslip/io/uff55.hpp"
 
-namespace microslip::app {
+namespace microslip {
 
 /// What a file of recordings holds, on lines of 60 columns at most: of each recording its size and
 /// rate, of each channel quantity, unit, root mean square, least and greatest value (of a complex
@@ -18,4 +18,4 @@ namespace microslip::app {
 /// damping and number of nodes of each. Nothing where it has none.
 [[nodiscard]] std::string list_mode_shapes(std::span<const UffModeShape> shapes);
 
-}  // namespace microslip::app
+}  // namespace microslip

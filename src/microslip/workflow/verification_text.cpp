@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "verification_report.hpp"
+#include "microslip/workflow/verification_text.hpp"
 
 #include <fmt/format.h>
 
@@ -10,10 +10,10 @@
 #include <string_view>
 #include <vector>
 
-#include "prediction.hpp"
-#include "report_text.hpp"
+#include "microslip/workflow/model_text.hpp"
+#include "microslip/workflow/summary_text.hpp"
 
-namespace microslip::app {
+namespace microslip {
 namespace {
 
 constexpr std::size_t kSourceWidth = 14;
@@ -152,4 +152,4 @@ std::vector<Warning> verification_warnings(const VerificationBatch& batch) {
   return warnings;
 }
 
-}  // namespace microslip::app
+}  // namespace microslip

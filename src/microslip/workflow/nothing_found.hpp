@@ -3,7 +3,7 @@
 
 #include "microslip/base/error.hpp"
 
-namespace microslip::app {
+namespace microslip {
 
 /// A solver found nothing at all, so that nothing is written; ends the program with kNotConverged.
 /// Where something was found, a command writes it and returns that status itself.
@@ -12,4 +12,4 @@ class NothingFound : public Error {
   using Error::Error;
 };
 
-}  // namespace microslip::app
+}  // namespace microslip

@@ -8,7 +8,7 @@
 /// @file
 /// The form of what the subcommands say to a person.
 
-namespace microslip::app {
+namespace microslip {
 
 /// One fact: name and text in two columns.
 [[nodiscard]] std::string line(std::string_view name, std::string_view text);
@@ -20,4 +20,4 @@ namespace microslip::app {
 /// The end of a path, of so many characters at most: it tells files apart.
 [[nodiscard]] std::string shortened(const std::string& source, std::size_t width);
 
-}  // namespace microslip::app
+}  // namespace microslip

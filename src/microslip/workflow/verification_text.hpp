@@ -8,7 +8,7 @@
 #include "microslip/rig/verification.hpp"
 #include "microslip/rig/verification_batch.hpp"
 
-namespace microslip::app {
+namespace microslip {
 
 /// A verification as text for a person: how it was done, a line a record, the worst of each
 /// channel, and what is to be looked at.
@@ -19,4 +19,4 @@ namespace microslip::app {
 /// flag once, what was left out.
 [[nodiscard]] std::vector<Warning> verification_warnings(const VerificationBatch& batch);
 
-}  // namespace microslip::app
+}  // namespace microslip

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "report_text.hpp"
+#include "microslip/workflow/summary_text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-namespace microslip::app {
+namespace microslip {
 
 std::string line(std::string_view name, std::string_view text) {
   return fmt::format("  {:<20} {}\n", name, text);
@@ -41,4 +41,4 @@ std::string shortened(const std::string& source, std::size_t width) {
   return name.size() <= width ? name : "~" + name.substr(name.size() - width + 1);
 }
 
-}  // namespace microslip::app
+}  // namespace microslip

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "recording_list.hpp"
+#include "microslip/workflow/recording_list.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 
 #include "microslip/base/units.hpp"
 
-namespace microslip::app {
+namespace microslip {
 namespace {
 
 constexpr std::size_t kWidth = 60;
@@ -146,4 +146,4 @@ std::string list_recordings(const Recordings& recordings) {
   return text;
 }
 
-}  // namespace microslip::app
+}  // namespace microslip
