@@ -20,36 +20,22 @@
 namespace microslip::app {
 namespace {
 
-struct ReduceOptions {
-  std::string rig;
-  std::vector<std::string> recordings;
+struct ReduceOptions : RecordingsReduction {
   std::string out;
   std::string frequency;
   std::size_t order = 10;
-  std::size_t modes = 0;
   bool no_vibrometer = false;
-  RecordingArguments reading;
-  bool skip_faulty = false;
+  RecordingArguments arguments;
 };
 
-ReductionOptions reduction_options(const ReduceOptions& options) {
-  ReductionOptions reduction;
-  reduction.fit.order = static_cast<int>(options.order);
-  reduction.modes = options.modes;
-  reduction.use_vibrometer = !options.no_vibrometer;
-  reduction.fit.frequency_guess = frequency_guess(options.frequency);
-  return reduction;
-}
-
-int run(const ReduceOptions& options, const Call& call) {
+int run(ReduceOptions options, const Call& call) {
   check_output(options.out, kLevelsKind);
-  const ReducedRecordings reduced =
-      reduce_recordings({.rig = options.rig,
-                         .recordings = options.recordings,
-                         .reduction = reduction_options(options),
-                         .reading = read_options(options.reading),
-                         .skip_faulty = options.skip_faulty,
-                         .progress = progress_bar("records", call.quiet)});
+  options.reduction.fit.order = static_cast<int>(options.order);
+  options.reduction.use_vibrometer = !options.no_vibrometer;
+  options.reduction.fit.frequency_guess = frequency_guess(options.frequency);
+  options.reading = read_options(options.arguments);
+  options.progress = progress_bar("records", call.quiet);
+  const ReducedRecordings reduced = reduce_recordings(options);
   if (!call.quiet) std::ranges::for_each(reduced.warnings, show_warnings);
   write_file(options.out, levels_text(reduced, call.command_line));
   if (!call.quiet) {
@@ -84,12 +70,12 @@ void add_reduce(CLI::App& program, Call& call) {
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   command
-      ->add_option("--modes", options->modes,
+      ->add_option("--modes", options->reduction.modes,
                    "Modes of the beam [default: those of the rig's [test], or 30]")
       ->check(CLI::Range(1, 200));
   command->add_flag("--no-vibrometer", options->no_vibrometer,
                     "Joint displacement from the accelerometers even if there is a vibrometer");
-  add_recording_arguments(*command, options->reading);
+  add_recording_arguments(*command, options->arguments);
   command->add_flag("--skip-faulty", options->skip_faulty,
                     "Leave out what cannot be read or reduced, and say so");
   command->add_flag("--quiet", call.quiet, "No summary, no progress");

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,39 +25,35 @@
 namespace microslip::app {
 namespace {
 
-struct VerifyOptions {
-  std::string rig;
-  std::string joint;
-  std::vector<std::string> recordings;
+struct VerifyOptions : RecordingsVerification {
   std::string out;
   std::string harmonics_csv;
   std::string histories;
   std::string picture;
   std::string frequency;
-  std::size_t modes = 7;
   std::size_t harmonics = 10;
-  double cycles = 2.0;
-  bool sine = false;
   bool no_vibrometer = false;
-  RecordingArguments reading;
-  bool skip_faulty = false;
+  RecordingArguments arguments;
 };
 
-VerificationOptions verification_options(const VerifyOptions& options) {
-  VerificationOptions verification;
-  verification.reduction.fit.order = static_cast<int>(options.harmonics);
-  verification.reduction.fit.frequency_guess = frequency_guess(options.frequency);
-  verification.reduction.modes = options.modes;
-  verification.reduction.use_vibrometer = !options.no_vibrometer;
-  verification.sine = options.sine;
-  verification.history_cycles = options.cycles;
-  return verification;
+/// A table that is written.
+struct VerificationOutput {
+  std::string path;
+  std::string_view kind;
+  CsvWriter (*make)(std::span<const Verification>);
+};
+
+std::vector<VerificationOutput> outputs_of(const VerifyOptions& options) {
+  std::vector<VerificationOutput> all{{options.out, kVerificationKind, verification_table},
+                                      {options.harmonics_csv, kHarmonicsKind, harmonics_table},
+                                      {options.histories, kHistoriesKind, histories_table}};
+  std::erase_if(all, [](const VerificationOutput& one) { return one.path.empty(); });
+  return all;
 }
 
 void check_outputs_of(const VerifyOptions& options) {
-  std::vector<PlannedOutput> outputs{{options.out, kVerificationKind}};
-  if (!options.harmonics_csv.empty()) outputs.push_back({options.harmonics_csv, kHarmonicsKind});
-  if (!options.histories.empty()) outputs.push_back({options.histories, kHistoriesKind});
+  std::vector<PlannedOutput> outputs;
+  for (const auto& [path, kind, make] : outputs_of(options)) outputs.push_back({path, kind});
   if (!options.picture.empty()) {
     (void)picture_format("--picture", options.picture);
     outputs.push_back({options.picture});
@@ -67,14 +64,11 @@ void check_outputs_of(const VerifyOptions& options) {
 void write_outputs(const VerifyOptions& options, const VerificationBatch& batch,
                    const std::string& comment) {
   OutputFiles outputs;
-  const auto add = [&](const std::string& path, CsvWriter table) {
-    if (path.empty()) return;
+  for (const auto& [path, kind, make] : outputs_of(options)) {
+    CsvWriter table = make(batch.records);
     table.add_comment(comment);
     outputs.add(path, table.str());
-  };
-  add(options.out, verification_table(batch.records));
-  if (!options.harmonics_csv.empty()) add(options.harmonics_csv, harmonics_table(batch.records));
-  if (!options.histories.empty()) add(options.histories, histories_table(batch.records));
+  }
   if (!options.picture.empty()) {
     const FigureGrid figure = verification_figure(batch.records);
     outputs.add(options.picture, draw(figure, picture_format("--picture", options.picture),
@@ -83,16 +77,15 @@ void write_outputs(const VerifyOptions& options, const VerificationBatch& batch,
   outputs.commit();
 }
 
-int run(const VerifyOptions& options, const Call& call) {
+int run(VerifyOptions options, const Call& call) {
   check_outputs_of(options);
-  const VerifiedRecordings verified =
-      verify_recordings({.rig = options.rig,
-                         .joint = options.joint,
-                         .recordings = options.recordings,
-                         .verification = verification_options(options),
-                         .reading = read_options(options.reading),
-                         .skip_faulty = options.skip_faulty,
-                         .progress = progress_bar("records", call.quiet)});
+  ReductionOptions& reduction = options.verification.reduction;
+  reduction.fit.order = static_cast<int>(options.harmonics);
+  reduction.fit.frequency_guess = frequency_guess(options.frequency);
+  reduction.use_vibrometer = !options.no_vibrometer;
+  options.reading = read_options(options.arguments);
+  options.progress = progress_bar("records", call.quiet);
+  const VerifiedRecordings verified = verify_recordings(options);
   if (!call.quiet) std::ranges::for_each(verified.warnings, show_warnings);
   const VerificationBatch& batch = verified.batch;
   write_outputs(options, batch, comment_of(verified, call.command_line));
@@ -127,17 +120,20 @@ void add_output_options(CLI::App& command, VerifyOptions& options) {
 }
 
 void add_model_options(CLI::App& command, VerifyOptions& options) {
-  command.add_option("--modes", options.modes, "Modes of the beam in the model")
+  command
+      .add_option("--modes", options.verification.reduction.modes, "Modes of the beam in the model")
       ->check(CLI::Range(1, 40))
       ->capture_default_str();
   command.add_option("--harmonics", options.harmonics, "Harmonics that are fitted and compared")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
-  command.add_flag("--sine", options.sine,
+  command.add_flag("--sine", options.verification.sine,
                    "Drive the model by a pure sine, not with the recorded harmonics of the force");
   command.add_option("--frequency", options.frequency,
                      "Frequency of the drive, to 3 %, in Hz; found if it is not given");
-  command.add_option("--cycles", options.cycles, "Length of the histories, in cycles")
+  command
+      .add_option("--cycles", options.verification.history_cycles,
+                  "Length of the histories, in cycles")
       ->check(CLI::Range(1.0, 1000.0))
       ->capture_default_str();
   command.add_flag("--no-vibrometer", options.no_vibrometer,
@@ -163,7 +159,7 @@ void add_verify(CLI::App& program, Call& call) {
       ->type_name(kRecordingValue);
   add_output_options(*command, *options);
   add_model_options(*command, *options);
-  add_recording_arguments(*command, options->reading);
+  add_recording_arguments(*command, options->arguments);
   command->add_flag("--skip-faulty", options->skip_faulty,
                     "Leave out what cannot be read or fitted, and say so");
   command->add_flag("--quiet", call.quiet, "No summary, no progress");
