@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plot_input.hpp"
+#include "microslip/workflow/result_input.hpp"
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@
 #include "microslip/io/recording_file.hpp"
 #include "microslip/workflow/experiment_folder.hpp"
 
-namespace microslip::app {
+namespace microslip {
 namespace {
 
 DensityCurve density_of(const std::string& text, const std::string& file) {
@@ -84,7 +84,7 @@ std::string quantity_of(const Channel& channel, const std::vector<Channel>& chan
 }
 
 /// The real channels over time, of the first recording of a file; the first few of each quantity.
-void add_recorded(const std::string& path, PlotInput& input) {
+void add_recorded(const std::string& path, ResultInput& input) {
   constexpr std::ptrdiff_t kMostOfAQuantity = 8;  // as many as there are colours
   const Recordings file = read_recordings(path, {});
   const Recording& recording = file.recordings.front();
@@ -122,7 +122,7 @@ std::string folders_text(const std::string& path) {
 
 /// @return whether the text is one of the tables and models of this program.
 bool add_text(const std::string& kind, const std::string& text, const std::string& file,
-              PlotInput& input) {
+              ResultInput& input) {
   if (add_result_file(kind, text, file, input.test)) return true;
   if (kind == kDensityKind) {
     input.density = density_of(text, file);
@@ -145,8 +145,8 @@ bool add_text(const std::string& kind, const std::string& text, const std::strin
 
 }  // namespace
 
-PlotInput read_plot_input(const std::string& path) {
-  PlotInput input{.name = input_name(path)};
+ResultInput read_result(const std::string& path) {
+  ResultInput input{.name = input_name(path)};
   std::error_code none;
   if (path != "-" && std::filesystem::is_directory(path, none)) {
     input.test = read_experiment(path);
@@ -169,7 +169,7 @@ PlotInput read_plot_input(const std::string& path) {
   return input;
 }
 
-void cut_history(PlotInput& input, double from, double to) {
+void cut_history(ResultInput& input, double from, double to) {
   for (HistorySignal& signal : input.history) {
     HistorySignal cut{signal.name, signal.quantity, signal.unit, {}, {}};
     for (std::size_t i = 0; i < signal.time.size(); ++i) {
@@ -188,4 +188,4 @@ void cut_history(PlotInput& input, double from, double to) {
   }
 }
 
-}  // namespace microslip::app
+}  // namespace microslip
