@@ -38,12 +38,11 @@ struct FrfOptions {
 
 std::pair<double, double> parse_frequencies(const std::string& text) {
   const auto [from, to] = parse_way("--frequency", text, kFrequency);
-  if (!(from > 0.0)) throw InputError("FROM of --frequency", from, "must be above 0 Hz");
-  if (!(to > 0.0)) throw InputError("TO of --frequency", to, "must be above 0 Hz");
-  if (!(from <= kHighestFrequency)) {
-    throw InputError("FROM of --frequency", from, "must be 1e9 or less");
+  for (const auto& [end, value] : {std::pair{"FROM", from}, std::pair{"TO", to}}) {
+    const std::string name = fmt::format("{} of --frequency", end);
+    if (!(value > 0.0)) throw InputError(name, value, "must be above 0 Hz");
+    if (!(value <= kHighestFrequency)) throw InputError(name, value, "must be 1e9 or less");
   }
-  if (!(to <= kHighestFrequency)) throw InputError("TO of --frequency", to, "must be 1e9 or less");
   return {from, to};
 }
 

@@ -6,14 +6,11 @@
 #include <cstddef>
 #include <cstdio>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "command.hpp"
-#include "microslip/io/file_kind.hpp"
 #include "microslip/io/output_files.hpp"
-#include "microslip/io/verification_file.hpp"
 #include "microslip/report/gnuplot.hpp"
 #include "microslip/report/verification_figure.hpp"
 #include "microslip/workflow/recordings_verification.hpp"
@@ -26,9 +23,7 @@ namespace microslip::app {
 namespace {
 
 struct VerifyOptions : RecordingsVerification {
-  std::string out;
-  std::string harmonics_csv;
-  std::string histories;
+  VerificationTables tables;
   std::string picture;
   std::string frequency;
   std::size_t harmonics = 10;
@@ -36,41 +31,21 @@ struct VerifyOptions : RecordingsVerification {
   RecordingArguments arguments;
 };
 
-/// A table that is written.
-struct VerificationOutput {
-  std::string path;
-  std::string_view kind;
-  CsvWriter (*make)(std::span<const Verification>);
-};
-
-std::vector<VerificationOutput> outputs_of(const VerifyOptions& options) {
-  std::vector<VerificationOutput> all{{options.out, kVerificationKind, verification_table},
-                                      {options.harmonics_csv, kHarmonicsKind, harmonics_table},
-                                      {options.histories, kHistoriesKind, histories_table}};
-  std::erase_if(all, [](const VerificationOutput& one) { return one.path.empty(); });
-  return all;
-}
-
-void check_outputs_of(const VerifyOptions& options) {
-  std::vector<PlannedOutput> outputs;
-  for (const auto& [path, kind, make] : outputs_of(options)) outputs.push_back({path, kind});
+std::vector<PlannedOutput> outputs_of(const VerifyOptions& options) {
+  std::vector<PlannedOutput> outputs = planned(options.tables);
   if (!options.picture.empty()) {
     (void)picture_format("--picture", options.picture);
     outputs.push_back({options.picture});
   }
-  check_outputs(outputs);
+  return outputs;
 }
 
-void write_outputs(const VerifyOptions& options, const VerificationBatch& batch,
-                   const std::string& comment) {
+void write_outputs(const VerifyOptions& options, const VerifiedRecordings& verified,
+                   const std::string& command) {
   OutputFiles outputs;
-  for (const auto& [path, kind, make] : outputs_of(options)) {
-    CsvWriter table = make(batch.records);
-    table.add_comment(comment);
-    outputs.add(path, table.str());
-  }
+  add_tables(verified, options.tables, command, outputs);
   if (!options.picture.empty()) {
-    const FigureGrid figure = verification_figure(batch.records);
+    const FigureGrid figure = verification_figure(verified.batch.records);
     outputs.add(options.picture, draw(figure, picture_format("--picture", options.picture),
                                       verification_size(figure)));
   }
@@ -78,7 +53,7 @@ void write_outputs(const VerifyOptions& options, const VerificationBatch& batch,
 }
 
 int run(VerifyOptions options, const Call& call) {
-  check_outputs_of(options);
+  check_outputs(outputs_of(options));
   ReductionOptions& reduction = options.verification.reduction;
   reduction.fit.order = static_cast<int>(options.harmonics);
   reduction.fit.frequency_guess = frequency_guess(options.frequency);
@@ -88,10 +63,10 @@ int run(VerifyOptions options, const Call& call) {
   const VerifiedRecordings verified = verify_recordings(options);
   if (!call.quiet) std::ranges::for_each(verified.warnings, show_warnings);
   const VerificationBatch& batch = verified.batch;
-  write_outputs(options, batch, comment_of(verified, call.command_line));
+  write_outputs(options, verified, call.command_line);
   if (!call.quiet) {
-    const bool data_on_stdout =
-        options.out == "-" || options.harmonics_csv == "-" || options.histories == "-";
+    const bool data_on_stdout = options.tables.table == "-" || options.tables.harmonics == "-" ||
+                                options.tables.histories == "-";
     fmt::print(data_on_stdout ? stderr : stdout, "{}",
                describe_verification(verified.verifier, batch));
   }
@@ -100,17 +75,17 @@ int run(VerifyOptions options, const Call& call) {
 
 void add_output_options(CLI::App& command, VerifyOptions& options) {
   command
-      .add_option("--out", options.out,
+      .add_option("--out", options.tables.table,
                   "CSV to write, a row a record and channel: NRMSE [1], noise_share [1], "
                   "amplitude_ratio [1], phase_error [rad], ...; - is standard output")
       ->required()
       ->type_name(kCsvValue);
   command
-      .add_option("--harmonics-csv", options.harmonics_csv,
+      .add_option("--harmonics-csv", options.tables.harmonics,
                   "Harmonics of each channel as CSV, recorded and predicted")
       ->type_name(kCsvValue);
   command
-      .add_option("--histories", options.histories,
+      .add_option("--histories", options.tables.histories,
                   "A few cycles of each channel as CSV, recorded and predicted")
       ->type_name(kCsvValue);
   command

@@ -132,7 +132,8 @@ constexpr std::array<NamedFigure, 13> kFigures = {{
        return paper_history(input.history);
      }},
     {"dissipation", "dissipation, secant stiffness and loss factor over the amplitude",
-     "joint.json or a CSV of dissipation", has_dissipation, always, has_joint_curves, dissipation_of},
+     "joint.json or a CSV of dissipation", has_dissipation, always, has_joint_curves,
+     dissipation_of},
 }};
 
 std::vector<const NamedFigure*> possible(const ResultInput& input) {

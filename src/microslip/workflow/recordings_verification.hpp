@@ -6,6 +6,7 @@
 
 #include "microslip/base/progress.hpp"
 #include "microslip/base/summary.hpp"
+#include "microslip/io/output_files.hpp"
 #include "microslip/io/recordings.hpp"
 #include "microslip/rig/verification.hpp"
 #include "microslip/rig/verification_batch.hpp"
@@ -41,10 +42,20 @@ struct VerifiedRecordings {
 /// @throws Cancelled  as the progress says.
 [[nodiscard]] VerifiedRecordings verify_recordings(const RecordingsVerification& options);
 
-/// What its tables begin with: version and command, hashes of rig and joint, the linear damping
-/// that was used, and what is to be looked at.
-/// @throws InputError  where no record is left.
-[[nodiscard]] std::string comment_of(const VerifiedRecordings& verified,
-                                     const std::string& command);
+/// The tables that are written; "-" is standard output, an empty path none.
+struct VerificationTables {
+  std::string table;      ///< a row a record and channel
+  std::string harmonics;  ///< of each channel
+  std::string histories;  ///< a few cycles of each channel
+};
+
+/// Those of the tables that have a path, for check_outputs().
+[[nodiscard]] std::vector<PlannedOutput> planned(const VerificationTables& tables);
+
+/// Adds the tables, each with version and command, hashes of rig and joint, the linear damping that
+/// was used, and what is to be looked at.
+/// @throws InputError  where no record is left. @throws FileError  as OutputFiles.
+void add_tables(const VerifiedRecordings& verified, const VerificationTables& tables,
+                const std::string& command, OutputFiles& files);
 
 }  // namespace microslip
