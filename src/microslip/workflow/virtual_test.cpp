@@ -29,6 +29,7 @@
 #include "microslip/workflow/model_text.hpp"
 #include "microslip/workflow/named_rig.hpp"
 #include "microslip/workflow/nothing_found.hpp"
+#include "microslip/workflow/rig_demonstration.hpp"
 #include "microslip/workflow/summary_text.hpp"
 
 namespace microslip {
@@ -300,14 +301,12 @@ class TestWriter {
   void write_rig() {
     const std::string path = file("rig.toml");
     if (keeps_rig(options_)) return;
-    Rig rig = inputs_.rig;
-    rig.contact.joint.clear();
     std::string comments = "# " + comment_;
     for (std::size_t at = comments.find('\n'); at != std::string::npos;
          at = comments.find('\n', at + 3)) {
       comments.insert(at + 1, "# ");
     }
-    files_.add(path, comments + "\n" + format_rig(rig));
+    files_.add(path, comments + "\n" + format_rig(without_truth(inputs_.rig)));
   }
 
   const VirtualTest& options_;
