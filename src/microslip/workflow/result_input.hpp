@@ -58,17 +58,17 @@ struct HistorySignal {
 
 /// What a folder or a file holds of results.
 struct ResultInput {
-  std::string name;          ///< of the folder or file, for messages
-  std::string instead = {};  ///< what to name where it holds no figure, a sentence
-  ExperimentResults test = {};
+  std::string name;                          ///< of the folder or file, for messages
+  std::string instead = {};                  ///< what to name where it holds no figure, a sentence
+  ExperimentResults test = {};               ///< of a folder, or what a file of one holds
   std::optional<DensityCurve> density = {};  ///< of a density.csv without a joint
-  std::optional<PredictedResponse> response = {};
-  std::optional<PredictedBackbone> backbone = {};
-  std::optional<DissipationCurve> dissipation = {};
-  std::optional<DisplacementPath> path = {};
-  std::vector<double> path_force = {};  ///< N, one a point of the path
-  std::vector<HistorySignal> history = {};
-  std::size_t left_out = 0;  ///< channels beyond those that a figure holds
+  std::optional<PredictedResponse> response = {};    ///< of a CSV of frf
+  std::optional<PredictedBackbone> backbone = {};    ///< of a CSV of backbone
+  std::optional<DissipationCurve> dissipation = {};  ///< of a CSV of dissipation
+  std::optional<DisplacementPath> path = {};         ///< of a CSV of loop
+  std::vector<double> path_force = {};               ///< N, one a point of the path
+  std::vector<HistorySignal> history = {};           ///< of a CSV of march, or a recording
+  std::size_t left_out = 0;                          ///< channels beyond those that a figure holds
 };
 
 /// @param path  a folder as read_experiment() takes it, a table or model of this program, a
@@ -76,7 +76,11 @@ struct ResultInput {
 /// @throws FileError, FormatError, InputError  as the readers of these.
 [[nodiscard]] ResultInput read_result(const std::string& path);
 
-/// Keeps the history between two times, s. @throws InputError  naming --time where hardly any is
+/// Keeps the history between two times.
+/// @param input  with a history.
+/// @param from   s.
+/// @param to     s.
+/// @throws InputError  naming --time where hardly any is
 /// left.
 void cut_history(ResultInput& input, double from, double to);
 
