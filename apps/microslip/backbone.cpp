@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: MIT
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "arguments.hpp"
 #include "command.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/io/response_file.hpp"
+#include "microslip/workflow/model_text.hpp"
+#include "microslip/workflow/quantity_text.hpp"
 #include "prediction.hpp"
 #include "progress_bar.hpp"
-#include "report_text.hpp"
 
 namespace microslip::app {
 namespace {
@@ -33,30 +30,6 @@ std::vector<double> responses_of(const BackboneOptions& options) {
   check_displacement("FROM of --response", responses.front());
   check_displacement("TO of --response", responses.back());
   return responses;
-}
-
-std::string describe(const HarmonicBalance& balance, const ResponseCurve& curve,
-                     const BackboneOptions& options) {
-  const SteadyVibration& first = curve.points.front();
-  const SteadyVibration& last = curve.points.back();
-  const auto span = [&](std::string_view name, double from, double to, std::string_view unit) {
-    return line(name, fmt::format("{:.6g} to {:.6g}{}{}", from, to, unit.empty() ? "" : " ", unit));
-  };
-  std::string text = fmt::format("Backbone of mode {}{}\n", options.mode,
-                                 options.forcing == "modal" ? ", modal forcing" : "");
-  text += describe_curve(balance, curve, options.prediction);
-  text += line("points", fmt::format("{}", curve.points.size()));
-  for (const std::size_t i : curve.turning_points) {
-    text += line("turns back", fmt::format("at {:.6g} m, {:.6g} Hz", curve.points[i].response,
-                                           curve.points[i].frequency()));
-  }
-  text += span("displacement", first.response, last.response, "m");
-  text += span("force", first.force_amplitude, last.force_amplitude, "N");
-  text += span("frequency", first.frequency(), last.frequency(), "Hz");
-  text += span("damping ratio", first.damping_ratio(), last.damping_ratio(), "");
-  const auto most = std::ranges::max_element(curve.points, {}, &SteadyVibration::damping_ratio);
-  return text + line("largest damping",
-                     fmt::format("{:.4g} at {:.5g} m", most->damping_ratio(), most->response));
 }
 
 /// The number of the mode is as the user gave it, from 1.
@@ -93,10 +66,10 @@ int run(const BackboneOptions& options, const Call& call) {
   add_model_warnings(model, curve);
   return finish(
       curve, options.prediction, call,
-      [&] { return backbone_table(curve, heading_of(call, model)); },
+      [&] { return backbone_table(curve, heading_of(call.command_line, model)); },
       [&] {
-        return describe(balance, curve, options) + truncation + describe_damping(model) +
-               describe_warnings(curve.warnings);
+        return describe_backbone(options.prediction.model, balance, curve, mode) + truncation +
+               describe_damping(model) + describe_warnings(curve.warnings);
       });
 }
 

@@ -11,16 +11,15 @@
 #include <utility>
 #include <vector>
 
-#include "arguments.hpp"
 #include "command.hpp"
 #include "microslip/base/error.hpp"
-#include "microslip/io/assumed_units.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/io/recording_file.hpp"
-#include "microslip/io/uff_recording.hpp"
+#include "microslip/workflow/quantity_text.hpp"
+#include "microslip/workflow/recording_conversion.hpp"
+#include "microslip/workflow/recording_list.hpp"
 #include "progress_bar.hpp"
 #include "recording_arguments.hpp"
-#include "recording_list.hpp"
 
 namespace microslip::app {
 namespace {
@@ -51,42 +50,6 @@ void choose_recording(const ConvertOptions& options, std::vector<Recording>& rec
   recordings = {std::move(recordings[number - 1])};
 }
 
-/// In the order of the call.
-void choose_channels(const ConvertOptions& options, Recording& recording) {
-  if (options.channels.empty()) return;
-  std::vector<Channel> chosen;
-  for (const std::string& name : options.channels) chosen.push_back(recording.channel(name));
-  recording.channels = std::move(chosen);
-}
-
-/// Without the file or the line, before the first colon, that it is about.
-std::string_view matter_of(std::string_view text) {
-  const std::size_t place = text.find(": ");
-  return place == std::string_view::npos ? text : text.substr(place);
-}
-
-/// Whether an earlier conversion has said it, then of another file.
-bool says(const Recording& recording, const Warning& warning) {
-  return std::ranges::any_of(recording.attributes, [&](const auto& attribute) {
-    const std::string_view said = attribute.second;
-    return attribute.first == "warning" && said.starts_with(warning.code + ": ") &&
-           said.ends_with(matter_of(warning.text));
-  });
-}
-
-/// What the reader had to forgive belongs to what is written too. A universal file has no place for
-/// it.
-void add_warning_attributes(const std::vector<Warning>& warnings,
-                            std::vector<Recording>& recordings) {
-  for (Recording& recording : recordings) {
-    for (const Warning& warning : warnings) {
-      if (says(recording, warning)) continue;
-      recording.attributes.emplace_back("warning",
-                                        fmt::format("{}: {}", warning.code, warning.text));
-    }
-  }
-}
-
 void check_count(const ConvertOptions& options, RecordingFormat format, std::size_t count) {
   if (format != RecordingFormat::kCsv || count == 1) return;
   throw InputError(options.in, fmt::format("{} recordings", count),
@@ -102,31 +65,20 @@ void print_summary(const ConvertOptions& options, const std::vector<Recording>& 
              plural(recordings.size()), channels, plural(channels));
 }
 
-/// Whether mode shapes may be listed: of a universal file, and not of standard input, which may be
-/// a pipe that can be read only once.
-bool may_have_mode_shapes(const ConvertOptions& options) {
-  if (options.in == "-" || !options.recording.empty() || !options.channels.empty()) return false;
-  const PartOfFile part = part_of_file(options.in);
-  if (!part.variable.empty()) return false;
-  const RecordingFormat format = recording_format(part.file);
-  return format == RecordingFormat::kUff || format == RecordingFormat::kUffBinary;
-}
-
+/// A choice leaves mode shapes out.
 UffContents read_contents(const ConvertOptions& options, bool quiet) {
-  if (!may_have_mode_shapes(options)) {
+  if (!options.recording.empty() || !options.channels.empty()) {
     return {.recordings = read(options, quiet), .mode_shapes = {}};
   }
-  const RecordingReadOptions how = read_options(options.reading, progress_bar("reading", quiet));
-  UffContents contents = read_contents_uff(options.in, how);
-  finish_units(how.assumed_units, contents.recordings);
-  return contents;
+  return read_with_mode_shapes(options.in,
+                               read_options(options.reading, progress_bar("reading", quiet)));
 }
 
 int list(const ConvertOptions& options, bool quiet) {
   auto [found, mode_shapes] = read_contents(options, quiet);
   if (!quiet) show_warnings(found.warnings);
   choose_recording(options, found.recordings);
-  for (Recording& recording : found.recordings) choose_channels(options, recording);
+  choose_channels(options.channels, found.recordings);
   fmt::print("{}{}", list_recordings(found), list_mode_shapes(mode_shapes));
   return kDone;
 }
@@ -137,7 +89,7 @@ int convert(const ConvertOptions& options, bool quiet) {
   Recordings found = read(options, quiet);
   choose_recording(options, found.recordings);
   check_count(options, format, found.recordings.size());
-  for (Recording& recording : found.recordings) choose_channels(options, recording);
+  choose_channels(options.channels, found.recordings);
   add_warning_attributes(found.warnings, found.recordings);
   OutputFiles files;
   write_recordings(files, options.out, found.recordings, format);

@@ -13,9 +13,10 @@
 #include "microslip/io/output_files.hpp"
 #include "microslip/io/recording_file.hpp"
 #include "microslip/io/sha256.hpp"
-#include "provenance.hpp"
-#include "recorded_options.hpp"
-#include "report_folder.hpp"
+#include "microslip/workflow/experiment_folder.hpp"
+#include "microslip/workflow/provenance.hpp"
+#include "microslip/workflow/recorded_options.hpp"
+#include "progress_bar.hpp"
 #include "report_html.hpp"
 
 namespace microslip::app {
@@ -53,7 +54,7 @@ std::string DemoFolder::provenance(const std::string& folder,
                                         [](const auto& entry) { return entry.first; });
     named.push_back({input, file->second});
   }
-  return provenance_of(call_, named);
+  return provenance_of(call_.command_line, named);
 }
 
 void DemoFolder::add_report(const std::string& folder, const std::string& title,
@@ -70,7 +71,8 @@ std::vector<std::string> DemoFolder::report_paths() const {
 }
 
 void DemoFolder::write_report(const Report& report) const {
-  TestResults results = read_test_folder(path_of(report.folder), call_.quiet, kRecordsOverTime);
+  ExperimentResults results = read_experiment(path_of(report.folder), kRecordsOverTime,
+                                              progress_bar("recordings", call_.quiet));
   results.title = report.title;
   results.subtitle = report.subtitle;
   write_file(path_of(report.folder + "/report.html"), report_html(std::move(results), call_));

@@ -12,7 +12,7 @@
 #include "microslip/base/units.hpp"
 #include "microslip/identify/density_comparison.hpp"
 #include "microslip/joint/secant.hpp"
-#include "report_text.hpp"
+#include "microslip/workflow/summary_text.hpp"
 
 namespace microslip::app {
 namespace {

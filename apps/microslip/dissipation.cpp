@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/joint/dissipation.hpp"
-
 #include <memory>
-#include <numbers>
 #include <string>
 #include <vector>
 
-#include "arguments.hpp"
 #include "command.hpp"
 #include "microslip/base/error.hpp"
-#include "microslip/io/csv_writer.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/joint_file.hpp"
 #include "microslip/io/output_files.hpp"
-#include "microslip/joint/secant.hpp"
-#include "prediction.hpp"
-#include "provenance.hpp"
+#include "microslip/workflow/joint_tables.hpp"
+#include "microslip/workflow/quantity_text.hpp"
 #include "recording_arguments.hpp"
 
 namespace microslip::app {
@@ -27,33 +21,6 @@ struct DissipationOptions {
   std::string out;
 };
 
-/// D and the loss factor are those of slip and linear damping together, as levels have them.
-CsvWriter table_of(const JointFile& file, const std::vector<double>& amplitude) {
-  const Joint& joint = file.joint;
-  const double beta = identified_damping(file).value_or(0.0);
-  std::vector<double> force;
-  std::vector<double> energy;
-  std::vector<double> secant;
-  std::vector<double> loss;
-  std::vector<double> linear;
-  for (const double a : amplitude) {
-    force.push_back(joint.virgin_force(a));
-    linear.push_back(beta * a * a);
-    energy.push_back(dissipation(joint, a) + linear.back());
-    secant.push_back(secant_stiffness(joint, a));
-    loss.push_back(loss_factor(joint, a) + beta / (std::numbers::pi * secant.back()));
-  }
-  CsvWriter table;
-  if (beta > 0.0) table.add_comment("linear damping of the joint: " + damping_text(beta));
-  table.add_numbers("amplitude", kLength, amplitude);
-  table.add_numbers("force", kForce, force);
-  table.add_numbers("dissipation", kEnergy, energy);
-  table.add_numbers("secant_stiffness", kStiffness, secant);
-  table.add_numbers("loss_factor", kDimensionless, loss);
-  if (beta > 0.0) table.add_numbers("joint_linear_dissipation", kEnergy, linear);
-  return table;
-}
-
 int run(const DissipationOptions& options, const Call& call) {
   check_output(options.out, kDissipationKind);
   const std::vector<double> amplitude = parse_range("--amplitude", options.amplitude, kLength);
@@ -63,11 +30,9 @@ int run(const DissipationOptions& options, const Call& call) {
   if (amplitude.front() > 0.0) check_displacement("FROM of --amplitude", amplitude.front());
   check_displacement("TO of --amplitude", amplitude.back());
   const JointFile file = read_joint(options.joint);
-  CsvWriter table = table_of(file, amplitude);
-  const std::vector<Warning> warnings = reach_warnings(file, amplitude.back());
-  add_warnings(warnings, table);
-  write_file(options.out, table.str());
-  if (!call.quiet) show_warnings(warnings);
+  const JointTable table = dissipation_of(file, amplitude);
+  write_file(options.out, table.text);
+  if (!call.quiet) show_warnings(table.warnings);
   return kDone;
 }
 

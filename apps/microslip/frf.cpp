@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "arguments.hpp"
 #include "command.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/dynamics/target.hpp"
@@ -18,9 +15,10 @@
 #include "microslip/io/output_files.hpp"
 #include "microslip/io/response_file.hpp"
 #include "microslip/io/text.hpp"
+#include "microslip/workflow/model_text.hpp"
+#include "microslip/workflow/quantity_text.hpp"
 #include "prediction.hpp"
 #include "progress_bar.hpp"
-#include "report_text.hpp"
 
 namespace microslip::app {
 namespace {
@@ -39,12 +37,11 @@ struct FrfOptions {
 
 std::pair<double, double> parse_frequencies(const std::string& text) {
   const auto [from, to] = parse_way("--frequency", text, kFrequency);
-  if (!(from > 0.0)) throw InputError("FROM of --frequency", from, "must be above 0 Hz");
-  if (!(to > 0.0)) throw InputError("TO of --frequency", to, "must be above 0 Hz");
-  if (!(from <= kHighestFrequency)) {
-    throw InputError("FROM of --frequency", from, "must be 1e9 or less");
+  for (const auto& [end, value] : {std::pair{"FROM", from}, std::pair{"TO", to}}) {
+    const std::string name = fmt::format("{} of --frequency", end);
+    if (!(value > 0.0)) throw InputError(name, value, "must be above 0 Hz");
+    if (!(value <= kHighestFrequency)) throw InputError(name, value, "must be 1e9 or less");
   }
-  if (!(to <= kHighestFrequency)) throw InputError("TO of --frequency", to, "must be 1e9 or less");
   return {from, to};
 }
 
@@ -84,60 +81,6 @@ ResponseCurve curve_of(const HarmonicBalance& balance, const FrfOptions& options
   return balance.constant_response(response, from, to, progress);
 }
 
-/// What a reader of the table must know: the summary says it too.
-void add_curve_warnings(const HarmonicBalance& balance, const ModelFile& model,
-                        ResponseCurve& curve) {
-  add_model_warnings(model, curve);
-  if (!curve.summary.converged() || !curve.peaks.empty()) return;
-  curve.warnings.push_back(
-      {"no_resonance", fmt::format("no resonance in the range. With all joints stuck the structure "
-                                   "is resonant at {}; slip lowers that.",
-                                   stuck_frequencies_text(balance.structure()))});
-}
-
-std::string describe_peaks(const ResponseCurve& curve, bool of_force) {
-  std::string text;
-  for (const SteadyVibration& peak : curve.peaks) {
-    // Far from a lag of a quarter, as in a superharmonic resonance, the losses are not those of a
-    // mode.
-    const bool in_resonance = std::abs(std::sin(peak.phase_lag)) > 0.5;
-    const std::string damping = in_resonance ? fmt::format("damping {:.4g}", peak.damping_ratio())
-                                             : "not in phase resonance";
-    text += line(of_force ? "resonance" : "peak",
-                 fmt::format("{:.6g} Hz, {:.5g} {}, lag {:.4g} rad, {}", peak.frequency(),
-                             of_force ? peak.force_amplitude : peak.response, of_force ? "N" : "m",
-                             peak.phase_lag, damping));
-  }
-  for (const std::size_t i : curve.turning_points) {
-    if (i >= curve.points.size()) continue;
-    text += line("turns back", fmt::format("at {:.6g} Hz, {:.5g} m", curve.points[i].frequency(),
-                                           curve.points[i].response));
-  }
-  return text;
-}
-
-std::string describe(const HarmonicBalance& balance, const ResponseCurve& curve,
-                     const FrfOptions& options) {
-  const bool of_force = options.force.empty();
-  const SteadyVibration& first = curve.points.front();
-  std::string text = of_force
-                         ? fmt::format("Force for a response of {:g} m\n", first.response)
-                         : fmt::format("Frequency response at {:g} N\n", first.force_amplitude);
-  text += describe_curve(balance, curve, options.prediction);
-  const auto [lowest, highest] =
-      std::ranges::minmax(curve.points, {}, &SteadyVibration::angular_frequency);
-  text += line("range", fmt::format("{:.6g} to {:.6g} Hz, {} points", lowest.frequency(),
-                                    highest.frequency(), curve.points.size()));
-  const auto [least, most] = std::ranges::minmax(
-      curve.points, {}, of_force ? &SteadyVibration::force_amplitude : &SteadyVibration::response);
-  text +=
-      of_force
-          ? line("force",
-                 fmt::format("{:.5g} to {:.5g} N", least.force_amplitude, most.force_amplitude))
-          : line("displacement", fmt::format("{:.5g} to {:.5g} m", least.response, most.response));
-  return text + describe_peaks(curve, of_force);
-}
-
 int run(const FrfOptions& options, const Call& call) {
   check_output(options.prediction.out, kResponseKind);
   const std::pair<double, double> range = parse_frequencies(options.frequency);
@@ -149,13 +92,13 @@ int run(const FrfOptions& options, const Call& call) {
   ResponseCurve curve = curve_of(balance, options, range, call.quiet);
   const std::string truncation = add_truncation(
       balance, options.force.empty() ? Quantity::kResponse : Quantity::kForceAmplitude, curve);
-  add_curve_warnings(balance, model, curve);
+  add_response_warnings(balance, model, curve);
   return finish(
       curve, options.prediction, call,
-      [&] { return response_table(curve, heading_of(call, model)); },
+      [&] { return response_table(curve, heading_of(call.command_line, model)); },
       [&] {
-        return describe(balance, curve, options) + truncation + describe_damping(model) +
-               describe_warnings(curve.warnings);
+        return describe_response(options.prediction.model, balance, curve, options.force.empty()) +
+               truncation + describe_damping(model) + describe_warnings(curve.warnings);
       });
 }
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <string>
 
-#include "report_text.hpp"
+#include "microslip/workflow/summary_text.hpp"
 
 namespace microslip::app {
 namespace {

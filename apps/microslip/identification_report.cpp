@@ -11,8 +11,8 @@
 #include "microslip/base/percent.hpp"
 #include "microslip/io/density_file.hpp"
 #include "microslip/io/joint_file.hpp"
-#include "provenance.hpp"
-#include "report_text.hpp"
+#include "microslip/workflow/provenance.hpp"
+#include "microslip/workflow/summary_text.hpp"
 
 namespace microslip::app {
 namespace {

@@ -14,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "arguments.hpp"
 #include "command.hpp"
 #include "identification_report.hpp"
 #include "microslip/base/error.hpp"
@@ -27,9 +26,10 @@
 #include "microslip/io/output_files.hpp"
 #include "microslip/io/sha256.hpp"
 #include "microslip/io/text.hpp"
+#include "microslip/workflow/quantity_text.hpp"
+#include "microslip/workflow/recorded_options.hpp"
+#include "microslip/workflow/smoothing_text.hpp"
 #include "progress_bar.hpp"
-#include "recorded_options.hpp"
-#include "smoothing_argument.hpp"
 
 namespace microslip::app {
 namespace {

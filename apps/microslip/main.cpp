@@ -22,7 +22,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/temporaries.hpp"
 #include "microslip/io/write_error.hpp"
-#include "nothing_found.hpp"
+#include "microslip/workflow/nothing_found.hpp"
 
 namespace {
 
@@ -181,7 +181,7 @@ int main(int argc, char** argv) {
     return complain(kFailed, error.what());
   } catch (const microslip::FileError& error) {
     return complain(kInputAtFault, error.what());
-  } catch (const microslip::app::NothingFound& error) {
+  } catch (const microslip::NothingFound& error) {
     return complain(kNotConverged, error.what());
   } catch (const std::bad_alloc&) {
     return complain(kFailed, "out of memory");

@@ -1,29 +1,20 @@
 // SPDX-License-Identifier: MIT
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "arguments.hpp"
 #include "command.hpp"
 #include "microslip/base/error.hpp"
-#include "microslip/dynamics/damping_twice.hpp"
 #include "microslip/dynamics/march.hpp"
 #include "microslip/io/file_kind.hpp"
-#include "microslip/io/input_file.hpp"
 #include "microslip/io/load_file.hpp"
-#include "microslip/io/march_file.hpp"
 #include "microslip/io/model_file.hpp"
 #include "microslip/io/output_files.hpp"
+#include "microslip/workflow/model_text.hpp"
+#include "microslip/workflow/quantity_text.hpp"
 #include "prediction.hpp"
 #include "progress_bar.hpp"
-#include "report_text.hpp"
 
 namespace microslip::app {
 namespace {
@@ -52,43 +43,6 @@ MarchOptions march_options(const MarchArguments& arguments, const ModelFile& mod
   return options;
 }
 
-std::string describe_energy(const MarchEnergy& energy) {
-  std::string text = line("input", fmt::format("{:.5g} J", energy.input));
-  text += line("linear dissipation", fmt::format("{:.5g} J", energy.linear_dissipation));
-  for (const JointEnergy& joint : energy.joints) {
-    std::string lost = fmt::format("{:.5g} J dissipated", joint.dissipation);
-    if (joint.linear_dissipation > 0.0) {
-      lost += fmt::format(" by slip, {:.5g} J by linear damping", joint.linear_dissipation);
-    }
-    text += line(joint.joint, fmt::format("{}, {:.5g} J stored at the end", lost, joint.stored));
-  }
-  text += line("at the end",
-               fmt::format("{:.5g} J kinetic, {:.5g} J elastic", energy.kinetic, energy.elastic));
-  return text + line("energy imbalance", fmt::format("{:.2g}", energy.imbalance()));
-}
-
-std::string describe(const MarchArguments& arguments, const ModelFile& model,
-                     const LoadHistory& loads, const MarchResult& result) {
-  std::string text = fmt::format("March from {:g} to {:g} s\n", loads.time.front(), result.reached);
-  text += describe_model(arguments.model, model.structure);
-  text +=
-      line("loads", fmt::format("{}, {} times", input_name(arguments.forces), loads.time.size()));
-  text += line("method", result.summary.method);
-  text += describe_ending(result.summary);
-  text += line("steps", fmt::format("{}, {} reversals of joints, {} loops closed or slips begun",
-                                    result.steps, result.reversals, result.kinks));
-  const LargestMotion& largest = result.largest.front();
-  text += line("largest response",
-               fmt::format("{:.5g} m, {:.5g} m/s, {:.5g} m/s^2 at '{}'", largest.displacement,
-                           largest.velocity, largest.acceleration, model.response));
-  text += describe_energy(result.energy);
-  if (result.error_estimate) {
-    text += line("estimated error",
-                 fmt::format("{:.2g} of the largest displacement", *result.error_estimate));
-  }
-  return text + describe_damping(model) + describe_warnings(result.warnings);
-}
-
 int run(const MarchArguments& arguments, const Call& call) {
   check_output(arguments.out);
   const ModelFile model = read_model(arguments.model);
@@ -98,15 +52,12 @@ int run(const MarchArguments& arguments, const Call& call) {
   const NormalLoadLaw law =
       arguments.law == "total" ? NormalLoadLaw::kTotal : NormalLoadLaw::kIncremental;
   const LoadHistory loads = read_loads(arguments.forces, model.structure, law);
-  MarchTable table(arguments.out, model.structure, loads, heading_of(call, model));
-  const auto write = [&](const MarchRow& row) { table.add(row); };
-  MarchResult result =
-      march_rows(model.structure, loads, options, write, progress_bar("time", call.quiet));
-  std::ranges::move(damping_twice(model.structure), std::back_inserter(result.warnings));
-  std::ranges::move(reach_warnings(model, result.reach), std::back_inserter(result.warnings));
-  table.finish(result);
-  return tell_ending(result.summary, true, arguments, call,
-                     [&] { return describe(arguments, model, loads, result); });
+  const MarchResult result =
+      march_to_table(arguments.out, model, loads, options, heading_of(call.command_line, model),
+                     progress_bar("time", call.quiet));
+  return tell_ending(result.summary, true, arguments, call, [&] {
+    return describe_march(arguments.model, arguments.forces, model, loads, result);
+  });
 }
 
 }  // namespace

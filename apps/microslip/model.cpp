@@ -2,31 +2,18 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "command.hpp"
-#include "microslip/base/error.hpp"
-#include "microslip/dynamics/damping_twice.hpp"
 #include "microslip/io/file_kind.hpp"
-#include "microslip/io/input_file.hpp"
-#include "microslip/io/joint_file.hpp"
-#include "microslip/io/model_writer.hpp"
 #include "microslip/io/output_files.hpp"
-#include "microslip/io/rig_file.hpp"
-#include "microslip/io/text.hpp"
-#include "microslip/rig/rig_structure.hpp"
-#include "prediction.hpp"
-#include "provenance.hpp"
+#include "microslip/workflow/model_text.hpp"
+#include "microslip/workflow/rig_model.hpp"
 #include "recording_arguments.hpp"
 
 namespace microslip::app {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct ModelOptions {
   std::string rig;
@@ -35,72 +22,17 @@ struct ModelOptions {
   std::size_t modes = 7;
 };
 
-/// What only solving the rig can find names its file.
-template <typename Make>
-auto of_rig(const ModelOptions& options, Make make) {
-  try {
-    return make();
-  } catch (const InputError& error) {
-    throw error.renamed(fmt::format("{}: {}", input_name(options.rig), error.name()));
-  }
-}
-
-/// A model is text: names in it are UTF-8 without control characters.
-void check_name(std::string_view what, std::string_view name) {
-  if (printable(name) == name) return;
-  throw InputError(what, in_quotes(name), "must be printable UTF-8 to be named in a model",
-                   "Rename it.");
-}
-
-/// Points of a model are columns of tables, which not every channel's name can be.
-void check_readable(const std::string& text, const ModelOptions& options) {
-  try {
-    (void)parse_model(text, options.out);
-  } catch (const InputError& error) {
-    throw error.renamed(fmt::format("{}: channel", input_name(options.rig)));
-  }
-}
-
-/// As the model names it: relative to the model's folder, unless it was given from the root.
-std::string joint_name(const ModelOptions& options) {
-  const fs::path joint(options.joint);
-  if (joint.is_absolute() || options.out == "-") return joint.string();
-  const fs::path folder = fs::path(options.out).parent_path();
-  const fs::path relative = fs::relative(joint, folder.empty() ? "." : folder);
-  return relative.empty() ? fs::absolute(joint).string() : relative.string();
-}
-
 int run(const ModelOptions& options, const Call& call) {
   check_output(options.out, kModelKind);
-  if (options.joint == "-") {
-    throw InputError("joint", "standard input", "must be a file, which the model names");
-  }
-  const std::vector<NamedInput> inputs{{options.rig, read_file(options.rig)},
-                                       {options.joint, read_file(options.joint)}};
-  const Rig rig = parse_rig(inputs[0].text, input_name(options.rig));
-  const JointFile file = parse_joint(inputs[1].text, options.joint);
-  const Joint& joint = file.joint;
-  const double damping = identified_damping(file).value_or(0.0);
-  check_name("joint", options.joint);
-  const StickState state = of_rig(options, [&] { return stick_state(rig, options.modes); });
-  const ModelFile model{
-      of_rig(options, [&] { return rig_structure(rig, state, joint, {1.0}, damping); }),
-      rig.excitation.channel,
-      {joint_name(options)},
-      {covered_to(file)},
-      {identified_damping(file)}};
-  std::vector<Warning> warnings = damping_twice(model.structure);
-  if (const auto warning = stiffness_warning(state, joint)) warnings.push_back(*warning);
-  const std::string text =
-      format_model(model, with_warnings(provenance_of(call, inputs), warnings));
-  check_readable(text, options);
-  write_file(options.out, text);
+  const RigModel model =
+      model_of_rig(options.rig, options.joint, options.out, options.modes, call.command_line);
+  write_file(options.out, model.text);
   if (call.quiet) return kDone;
-  show_warnings(warnings);
+  show_warnings(model.warnings);
   const bool on_stdout = options.out == "-";
   fmt::print(on_stdout ? stderr : stdout, "{}",
-             describe_model(on_stdout ? "standard output" : options.out, model.structure) +
-                 describe_damping(model));
+             describe_model(on_stdout ? "standard output" : options.out, model.file.structure) +
+                 describe_damping(model.file));
   return kDone;
 }
 

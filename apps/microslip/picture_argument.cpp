@@ -12,4 +12,28 @@ PictureFormat picture_format(std::string_view option, std::string_view path) {
   throw InputError(option, "'" + std::string(path) + "'", "must end in .svg, .png or .pdf");
 }
 
+const char* ending_of(PictureFormat format) {
+  switch (format) {
+    case PictureFormat::kPng:
+      return "png";
+    case PictureFormat::kPdf:
+      return "pdf";
+    case PictureFormat::kSvg:
+      break;
+  }
+  return "svg";
+}
+
+std::string_view kind_of(PictureFormat format) {
+  switch (format) {
+    case PictureFormat::kPng:
+      return "a PNG picture";
+    case PictureFormat::kPdf:
+      return "a PDF document";
+    case PictureFormat::kSvg:
+      break;
+  }
+  return "an SVG picture";
+}
+
 }  // namespace microslip::app

@@ -12,4 +12,10 @@ namespace microslip::app {
 /// @param option  for the message. @throws InputError  where it ends otherwise.
 [[nodiscard]] PictureFormat picture_format(std::string_view option, std::string_view path);
 
+/// "svg", "png", "pdf".
+[[nodiscard]] const char* ending_of(PictureFormat format);
+
+/// What such a file is, for check_output().
+[[nodiscard]] std::string_view kind_of(PictureFormat format);
+
 }  // namespace microslip::app

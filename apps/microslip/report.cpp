@@ -2,13 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -16,7 +13,8 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/output_files.hpp"
-#include "report_folder.hpp"
+#include "microslip/workflow/experiment_folder.hpp"
+#include "progress_bar.hpp"
 #include "report_html.hpp"
 
 namespace microslip::app {
@@ -30,23 +28,17 @@ struct ReportOptions {
   bool no_pictures = false;
 };
 
-bool is_empty(const TestResults& results) {
+bool is_empty(const ExperimentResults& results) {
   return !results.levels && !results.joint && results.records.empty() &&
          results.comparisons.empty() && results.predictions.empty() &&
          results.force_control.empty();
 }
 
 /// Folders in the folder that hold what it lacks, or why its records are not shown.
-std::string remedy_for(const std::string& folder, const TestResults& results) {
+std::string remedy_for(const std::string& folder, const ExperimentResults& results) {
   if (!results.warnings.empty()) return results.warnings.front().text;
-  std::vector<std::string> folders;
-  std::error_code none;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
-    const std::filesystem::path& path = entry.path();
-    if (std::filesystem::exists(path / "levels.csv", none)) folders.push_back(path.string());
-  }
+  const std::vector<std::string> folders = folders_holding(folder, {"levels.csv"});
   if (folders.empty()) return "See microslip reduce and microslip identify.";
-  std::ranges::sort(folders);
   return fmt::format("There are levels in {}.", fmt::join(folders, ", "));
 }
 
@@ -54,7 +46,8 @@ constexpr std::size_t kLarge = 4'000'000;  // bytes
 
 int run(const ReportOptions& options, const Call& call) {
   check_output(options.out, kReportKind);
-  TestResults results = read_test_folder(options.folder, call.quiet, options.records);
+  ExperimentResults results =
+      read_experiment(options.folder, options.records, progress_bar("recordings", call.quiet));
   if (is_empty(results)) {
     throw InputError("DIR", "'" + options.folder + "'",
                      "must hold levels.csv, joint.json, recordings level_*, verification.csv or "
@@ -62,7 +55,7 @@ int run(const ReportOptions& options, const Call& call) {
                      remedy_for(options.folder, results));
   }
   if (!call.quiet) {
-    for (const ReportWarning& warning : results.warnings) {
+    for (const Warning& warning : results.warnings) {
       fmt::print(stderr, "microslip: warning: {}\n", warning.text);
     }
   }

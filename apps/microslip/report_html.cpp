@@ -7,28 +7,30 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/version.hpp"
+#include "microslip/report/experiment_report.hpp"
 #include "microslip/report/html_report.hpp"
 
 namespace microslip::app {
 
-std::string report_html(TestResults results, const Call& call, bool pictures) {
+std::string report_html(ExperimentResults results, const Call& call, bool pictures) {
   results.provenance.insert(results.provenance.begin(),
                             {{"report made by", fmt::format("microslip {}", kVersion)},
                              {"report command", call.command_line}});
   if (pictures) {
     try {
-      return html_report(test_report(results));
+      return html_report(experiment_report(results));
     } catch (const Error& error) {
       const std::string text = fmt::format(
           "The pictures for paper are missing; the browser makes those that are printed: {}",
           error.what());
       results.warnings.push_back({"pictures_missing", text});
-      std::string html = html_report(test_report(results), {.picture = {}});  // may fail as before
+      std::string html =
+          html_report(experiment_report(results), {.picture = {}});  // may fail as before
       if (!call.quiet) fmt::print(stderr, "microslip: warning: {}\n", text);
       return html;
     }
   }
-  return html_report(test_report(results), {.picture = {}});
+  return html_report(experiment_report(results), {.picture = {}});
 }
 
 }  // namespace microslip::app

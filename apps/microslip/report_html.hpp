@@ -4,12 +4,13 @@
 #include <string>
 
 #include "command.hpp"
-#include "microslip/report/test_results.hpp"
+#include "microslip/workflow/experiment_results.hpp"
 
 namespace microslip::app {
 
 /// The report of a test as an HTML file, with version and call in its provenance.
 /// @param pictures  with those for paper. Without gnuplot there are none, and the report says so.
-[[nodiscard]] std::string report_html(TestResults results, const Call& call, bool pictures = true);
+[[nodiscard]] std::string report_html(ExperimentResults results, const Call& call,
+                                      bool pictures = true);
 
 }  // namespace microslip::app

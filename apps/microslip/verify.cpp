@@ -10,156 +10,82 @@
 #include <vector>
 
 #include "command.hpp"
-#include "microslip/base/error.hpp"
-#include "microslip/io/file_kind.hpp"
-#include "microslip/io/input_file.hpp"
-#include "microslip/io/joint_file.hpp"
 #include "microslip/io/output_files.hpp"
-#include "microslip/io/rig_file.hpp"
-#include "microslip/io/verification_file.hpp"
 #include "microslip/report/gnuplot.hpp"
 #include "microslip/report/verification_figure.hpp"
-#include "microslip/rig/verification.hpp"
-#include "microslip/rig/verification_batch.hpp"
+#include "microslip/workflow/recordings_verification.hpp"
+#include "microslip/workflow/verification_text.hpp"
 #include "picture_argument.hpp"
-#include "prediction.hpp"
 #include "progress_bar.hpp"
-#include "provenance.hpp"
 #include "recording_arguments.hpp"
-#include "verification_report.hpp"
 
 namespace microslip::app {
 namespace {
 
-struct VerifyOptions {
-  std::string rig;
-  std::string joint;
-  std::vector<std::string> recordings;
-  std::string out;
-  std::string harmonics_csv;
-  std::string histories;
+struct VerifyOptions : RecordingsVerification {
+  VerificationTables tables;
   std::string picture;
   std::string frequency;
-  std::size_t modes = 7;
   std::size_t harmonics = 10;
-  double cycles = 2.0;
-  bool sine = false;
   bool no_vibrometer = false;
-  RecordingArguments reading;
-  bool skip_faulty = false;
+  RecordingArguments arguments;
 };
 
-VerificationOptions verification_options(const VerifyOptions& options, const JointFile& joint) {
-  VerificationOptions verification;
-  verification.reduction.fit.order = static_cast<int>(options.harmonics);
-  verification.reduction.fit.frequency_guess = frequency_guess(options.frequency);
-  verification.reduction.modes = options.modes;
-  verification.reduction.use_vibrometer = !options.no_vibrometer;
-  verification.sine = options.sine;
-  verification.covered_to = covered_to(joint);
-  verification.linear_damping = identified_damping(joint).value_or(0.0);
-  verification.history_cycles = options.cycles;
-  return verification;
-}
-
-/// What only solving the rig can find names the file too.
-Verifier verifier_of(const VerifyOptions& options, const NamedInput& rig_input,
-                     const NamedInput& joint_input) {
-  const Rig rig = parse_rig(rig_input.text, input_name(rig_input.path));
-  const JointFile joint = parse_joint(joint_input.text, input_name(joint_input.path));
-  const VerificationOptions verification = verification_options(options, joint);
-  try {
-    return Verifier(rig, joint.joint, verification);
-  } catch (const InputError& error) {
-    throw error.renamed(fmt::format("{}: {}", input_name(rig_input.path), error.name()));
-  }
-}
-
-VerificationBatch verify_records(const Verifier& verifier, const VerifyOptions& options, bool quiet,
-                                 std::vector<std::vector<Warning>>& warnings) {
-  const RecordingReadOptions reading = read_options(options.reading);
-  const auto read = [&](std::size_t i) {
-    return read_named_recordings(options.recordings[i], reading, warnings[i]);
-  };
-  VerificationBatch batch = verify_batch(
-      verifier, options.recordings.size(), read,
-      {.skip_faulty = options.skip_faulty, .progress = progress_bar("records", quiet)});
-  if (!quiet) std::ranges::for_each(warnings, show_warnings);
-  if (!batch.records.empty()) return batch;
-  throw InputError("recordings", fmt::format("{} files", options.recordings.size()),
-                   "must hold one that can be verified",
-                   batch.rejected.empty() ? "" : batch.rejected.front().reason);
-}
-
-void check_outputs_of(const VerifyOptions& options) {
-  std::vector<PlannedOutput> outputs{{options.out, kVerificationKind}};
-  if (!options.harmonics_csv.empty()) outputs.push_back({options.harmonics_csv, kHarmonicsKind});
-  if (!options.histories.empty()) outputs.push_back({options.histories, kHistoriesKind});
+std::vector<PlannedOutput> outputs_of(const VerifyOptions& options) {
+  std::vector<PlannedOutput> outputs = planned(options.tables);
   if (!options.picture.empty()) {
     (void)picture_format("--picture", options.picture);
     outputs.push_back({options.picture});
   }
-  check_outputs(outputs);
+  return outputs;
 }
 
-void write_outputs(const VerifyOptions& options, const VerificationBatch& batch,
-                   const std::string& comment) {
+void write_outputs(const VerifyOptions& options, const VerifiedRecordings& verified,
+                   const std::string& command) {
   OutputFiles outputs;
-  const auto add = [&](const std::string& path, CsvWriter table) {
-    if (path.empty()) return;
-    table.add_comment(comment);
-    outputs.add(path, table.str());
-  };
-  add(options.out, verification_table(batch.records));
-  if (!options.harmonics_csv.empty()) add(options.harmonics_csv, harmonics_table(batch.records));
-  if (!options.histories.empty()) add(options.histories, histories_table(batch.records));
+  add_tables(verified, options.tables, command, outputs);
   if (!options.picture.empty()) {
-    const FigureGrid figure = verification_figure(batch.records);
+    const FigureGrid figure = verification_figure(verified.batch.records);
     outputs.add(options.picture, draw(figure, picture_format("--picture", options.picture),
                                       verification_size(figure)));
   }
   outputs.commit();
 }
 
-/// What each table begins with.
-std::string comment_of(const Verifier& verifier, std::string provenance) {
-  const std::string damping = damping_text(verifier.options().linear_damping);
-  if (!damping.empty()) provenance += "\nlinear damping of the joint: " + damping;
-  return provenance;
-}
-
-int run(const VerifyOptions& options, const Call& call) {
-  check_outputs_of(options);
-  const std::vector<NamedInput> inputs{{options.rig, read_file(options.rig)},
-                                       {options.joint, read_file(options.joint)}};
-  const Verifier verifier = verifier_of(options, inputs[0], inputs[1]);
-  std::vector<std::vector<Warning>> warnings(options.recordings.size());
-  const VerificationBatch batch = verify_records(verifier, options, call.quiet, warnings);
-  warnings.push_back(verification_warnings(batch));
-  write_outputs(
-      options, batch,
-      with_warnings(comment_of(verifier, provenance_of(call, inputs)), joined_warnings(warnings)));
+int run(VerifyOptions options, const Call& call) {
+  check_outputs(outputs_of(options));
+  ReductionOptions& reduction = options.verification.reduction;
+  reduction.fit.order = static_cast<int>(options.harmonics);
+  reduction.fit.frequency_guess = frequency_guess(options.frequency);
+  reduction.use_vibrometer = !options.no_vibrometer;
+  options.reading = read_options(options.arguments);
+  options.progress = progress_bar("records", call.quiet);
+  const VerifiedRecordings verified = verify_recordings(options);
+  if (!call.quiet) std::ranges::for_each(verified.warnings, show_warnings);
+  const VerificationBatch& batch = verified.batch;
+  write_outputs(options, verified, call.command_line);
   if (!call.quiet) {
-    const bool data_on_stdout =
-        options.out == "-" || options.harmonics_csv == "-" || options.histories == "-";
-    fmt::print(data_on_stdout ? stderr : stdout, "{}", describe_verification(verifier, batch));
+    const bool data_on_stdout = options.tables.table == "-" || options.tables.harmonics == "-" ||
+                                options.tables.histories == "-";
+    fmt::print(data_on_stdout ? stderr : stdout, "{}",
+               describe_verification(verified.verifier, batch));
   }
   return batch.converged() ? kDone : kNotConverged;
 }
 
 void add_output_options(CLI::App& command, VerifyOptions& options) {
   command
-      .add_option("--out", options.out,
+      .add_option("--out", options.tables.table,
                   "CSV to write, a row a record and channel: NRMSE [1], noise_share [1], "
                   "amplitude_ratio [1], phase_error [rad], ...; - is standard output")
       ->required()
       ->type_name(kCsvValue);
   command
-      .add_option("--harmonics-csv", options.harmonics_csv,
+      .add_option("--harmonics-csv", options.tables.harmonics,
                   "Harmonics of each channel as CSV, recorded and predicted")
       ->type_name(kCsvValue);
   command
-      .add_option("--histories", options.histories,
+      .add_option("--histories", options.tables.histories,
                   "A few cycles of each channel as CSV, recorded and predicted")
       ->type_name(kCsvValue);
   command
@@ -169,17 +95,20 @@ void add_output_options(CLI::App& command, VerifyOptions& options) {
 }
 
 void add_model_options(CLI::App& command, VerifyOptions& options) {
-  command.add_option("--modes", options.modes, "Modes of the beam in the model")
+  command
+      .add_option("--modes", options.verification.reduction.modes, "Modes of the beam in the model")
       ->check(CLI::Range(1, 40))
       ->capture_default_str();
   command.add_option("--harmonics", options.harmonics, "Harmonics that are fitted and compared")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
-  command.add_flag("--sine", options.sine,
+  command.add_flag("--sine", options.verification.sine,
                    "Drive the model by a pure sine, not with the recorded harmonics of the force");
   command.add_option("--frequency", options.frequency,
                      "Frequency of the drive, to 3 %, in Hz; found if it is not given");
-  command.add_option("--cycles", options.cycles, "Length of the histories, in cycles")
+  command
+      .add_option("--cycles", options.verification.history_cycles,
+                  "Length of the histories, in cycles")
       ->check(CLI::Range(1.0, 1000.0))
       ->capture_default_str();
   command.add_flag("--no-vibrometer", options.no_vibrometer,
@@ -205,7 +134,7 @@ void add_verify(CLI::App& program, Call& call) {
       ->type_name(kRecordingValue);
   add_output_options(*command, *options);
   add_model_options(*command, *options);
-  add_recording_arguments(*command, options->reading);
+  add_recording_arguments(*command, options->arguments);
   command->add_flag("--skip-faulty", options->skip_faulty,
                     "Leave out what cannot be read or fitted, and say so");
   command->add_flag("--quiet", call.quiet, "No summary, no progress");

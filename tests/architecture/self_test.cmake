@@ -47,6 +47,9 @@ expect(fopen "${CHECK}" ${src}/joint/a.cpp "\n\nauto f = std::fopen(name, mode);
        "joint/a.cpp:3: only io touches files")
 expect(filesystem "${CHECK}" ${src}/base/a.hpp "namespace fs = std::filesystem;\n"
        "base/a.hpp:1: only io touches files")
+expect(workflow_looks "${CHECK}" ${src}/workflow/a.cpp "namespace fs = std::filesystem;\n" "")
+expect(workflow_reads "${CHECK}" ${src}/workflow/a.cpp "std::ifstream file;\n"
+       "workflow/a.cpp:1: only io touches files")
 expect(prints "${CHECK}" ${src}/joint/a.cpp "std::cout << 1;\n" "joint/a.cpp:1: the library never prints")
 expect(prints_to_stream "${CHECK}" ${src}/joint/a.cpp "fmt::print(stderr, text);\n"
        "joint/a.cpp:1: the library never prints")

@@ -136,6 +136,21 @@ TEST(LevelEvidence, LikelihoodIsThatOfEachLevel) {
               1e-9 * std::abs(expected));
 }
 
+// In the order in which they were given, and a single one of two equal ones by √2 more than their
+// mean.
+TEST(LevelEvidence, DeviationsOfSingleLevels) {
+  Levels levels;
+  levels.amplitude = {3e-5, 1e-5, 2e-5, 1e-5};
+  levels.dissipation = {9.0, 1.0, 3.0, 1.2};
+  levels.dissipation_std = {0.1, 0.2, 0.3, 0.2};
+  const LevelEvidence evidence(levels);
+  const LevelPrediction prediction{.value = {.dissipation = {1.1, 3.0, 9.0}}};
+  EXPECT_NEAR(evidence.deviations(prediction).dissipation[0], 0.2 / std::sqrt(2.0), 1e-15);
+  const std::vector<double> single = evidence.measured_deviations(prediction).dissipation;
+  ASSERT_EQ(single.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(single[i], levels.dissipation_std[i], 1e-15);
+}
+
 // Repetitions scatter as the evidence says, and by the common errors all alike. 4000 draws know a
 // deviation to 1.1 % and a mean to 1.6 % of it: five of those.
 TEST(LevelEvidence, RepeatedTestsScatterAsTold) {

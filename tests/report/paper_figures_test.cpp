@@ -51,9 +51,9 @@ double uniform_dissipation(double amplitude) {
   return 4.0 / 1e5 * 0.05 * std::pow(1e5 * amplitude, 3) / 6.0;
 }
 
-TestResults results() {
-  TestResults made;
-  TestLevels levels;
+ExperimentResults results() {
+  ExperimentResults made;
+  MeasuredLevels levels;
   levels.levels.amplitude = {2e-5, 1e-4};
   levels.levels.dissipation = {2e-6, 3e-4};
   levels.levels.amplitude_std = {2e-7, 1e-6};
@@ -66,13 +66,13 @@ TestResults results() {
   levels.input_energy = {5e-6, 4e-4};
   levels.linear_dissipation = {3e-6, 1e-4};
   made.levels = levels;
-  made.joint = TestJoint{.joint = uniform_joint(), .covered_from = 2.0, .covered_to = 10.0};
+  made.joint = IdentifiedJoint{.joint = uniform_joint(), .covered_from = 2.0, .covered_to = 10.0};
   return made;
 }
 
 /// With nothing but what levels must have.
-TestLevels two_levels() {
-  TestLevels made;
+MeasuredLevels two_levels() {
+  MeasuredLevels made;
   made.levels.amplitude = {1e-5, 2e-5};
   made.levels.dissipation = {1e-6, 5e-6};
   return made;
@@ -96,7 +96,7 @@ TEST(PaperEnergies, ShowsTheLevelsAndTheJointInReadableUnits) {
 }
 
 TEST(PaperEnergies, OfAmplitudesAndDissipationsAlone) {
-  TestResults bare;
+  ExperimentResults bare;
   bare.levels = two_levels();
   const Figure figure = paper_energies(bare);
   ASSERT_EQ(figure.layers.size(), 1U);
@@ -104,7 +104,7 @@ TEST(PaperEnergies, OfAmplitudesAndDissipationsAlone) {
 }
 
 TEST(PaperEnergies, AddsTheLinearDampingThatWasIdentified) {
-  TestResults damped = results();
+  ExperimentResults damped = results();
   damped.joint->linear_damping = 30.0;
   const Figure figure = paper_energies(damped);
   const auto& joint = layer<LineLayer>(figure, "identified joint");
@@ -120,7 +120,7 @@ TEST(PaperEnergies, TakesTheScaleThatIsAskedFor) {
 }
 
 TEST(PaperDensity, HasBandTruthOthersAndWhereLevelsAre) {
-  TestResults known = results();
+  ExperimentResults known = results();
   known.truth = uniform_joint();
   known.joint->band_confidence = 0.9;
   known.joint->band_slip_force = {1.0, 2.0, 10.0};
@@ -144,8 +144,8 @@ TEST(PaperDensity, HasBandTruthOthersAndWhereLevelsAre) {
 }
 
 TEST(PaperDensity, LeavesOutWhatIsInfiniteAtZero) {
-  TestResults power;
-  power.joint = TestJoint{.joint = Joint::four_parameter(400.0, 252660.0, -0.5, 1.0)};
+  ExperimentResults power;
+  power.joint = IdentifiedJoint{.joint = Joint::four_parameter(400.0, 252660.0, -0.5, 1.0)};
   const Figure figure = paper_density(power);
   // Its atom at the end is no part of a density: half of k at β = 1, χ = −0.5.
   EXPECT_GT(layer<LineLayer>(figure, "joint without its atoms, 50.0 % of k").x.front(), 0.0);
@@ -153,8 +153,8 @@ TEST(PaperDensity, LeavesOutWhatIsInfiniteAtZero) {
 }
 
 TEST(PaperDensity, RefusesAJointThatCannotSlip) {
-  TestResults spring;
-  spring.joint = TestJoint{.joint = Joint(1e5, SlipDensity())};
+  ExperimentResults spring;
+  spring.joint = IdentifiedJoint{.joint = Joint(1e5, SlipDensity())};
   EXPECT_TRUE(contains(input_fault([&] { return paper_density(spring); }), "a part slips"));
 }
 
@@ -171,8 +171,8 @@ TEST(PaperLoops, EndAtTheVirginCurve) {
 }
 
 TEST(PaperLoops, WithoutLevelsReachTheMacroSlip) {
-  TestResults only;
-  only.joint = TestJoint{.joint = uniform_joint()};
+  ExperimentResults only;
+  only.joint = IdentifiedJoint{.joint = uniform_joint()};
   const Figure figure = paper_loops(only);
   // 20 N over 1e5 N/m are 200 µm; the force is then 10 N, all that the sliders carry.
   EXPECT_NEAR(std::ranges::max(layer<LoopLayer>(figure, "A = 240 µm").y), 10.0, 1e-9);
@@ -183,7 +183,7 @@ TEST(PaperResonance, IsOverTheResponseWhereThatIsKnown) {
   EXPECT_EQ(figure.x.label, "exciter acceleration [m/s²]");
   EXPECT_EQ(layer<PointLayer>(figure, "drive").y, (Numbers{50.0, 49.0}));
   EXPECT_EQ(layer<PointLayer>(figure, "resonance").x, (Numbers{1.0, 5.0}));
-  TestResults other = results();
+  ExperimentResults other = results();
   other.levels->response_amplitude.clear();
   EXPECT_EQ(paper_resonance(other).x.label, "joint amplitude A [µm]");
   other.levels->frequency.clear();
@@ -202,7 +202,7 @@ TEST(PaperStiffness, ShowsSecantsWithTheirBars) {
 
 // D holds βA² beside what the joint dissipates, and the loss factor is that of the joint.
 TEST(PaperDamping, IsOfTheJointAlone) {
-  TestResults damped = results();
+  ExperimentResults damped = results();
   damped.joint->linear_damping = 1000.0;
   const Figure figure = paper_damping(damped);
   EXPECT_NEAR(layer<PointLayer>(figure, "measured").y[0],
@@ -219,7 +219,7 @@ TEST(PaperDamping, PropagatesStandardDeviations) {
 }
 
 TEST(PaperDamping, OfARingDownIsTheDampingRatio) {
-  TestResults decay;
+  ExperimentResults decay;
   decay.levels = two_levels();
   decay.levels->damping_ratio = {0.01, 0.02};
   const Figure figure = paper_damping(decay);
@@ -236,7 +236,7 @@ TEST(PaperDissipation, HasThreePanels) {
 }
 
 TEST(PaperConstantResponse, IsAccelerationOverForce) {
-  TestResults made;
+  ExperimentResults made;
   made.responses = {{2.0, {50.0, 51.0}, {0.5, 0.25}}};
   const Figure figure = paper_constant_response(made);
   EXPECT_EQ(figure.y.label, "acceleration over force [m/s²/N]");
@@ -245,7 +245,7 @@ TEST(PaperConstantResponse, IsAccelerationOverForce) {
 }
 
 TEST(PaperConstantResponse, OfTheTruthBeside) {
-  TestResults made;
+  ExperimentResults made;
   made.responses = {{2.0, {54.0, 55.0}, {0.5, 0.25}, {54.5, 55.5}, {0.4, 0.2}},
                     {4.0, {54.0, 55.0}, {1.0, 0.5}, {54.5, 55.5}, {0.8, 0.4}}};
   const Figure figure = paper_constant_response(made);
@@ -256,7 +256,7 @@ TEST(PaperConstantResponse, OfTheTruthBeside) {
 }
 
 TEST(PaperDeviations, HasAPanelAChannel) {
-  TestResults made;
+  ExperimentResults made;
   made.comparisons = {{"a", "force", "converged", 50.0, 1.0, 0.02, 0.01, 1.0, 0.0},
                       {"a", "acc1", "converged", 50.0, 1.0, 0.04, 0.03, 1.0, 0.0},
                       {"b", "force", "converged", 49.0, 2.0, 0.06, 0.05, 1.0, 0.0}};
@@ -270,7 +270,8 @@ TEST(PaperDeviations, HasAPanelAChannel) {
 
 TEST(PaperFigures, SayWhatIsMissing) {
   EXPECT_TRUE(contains(input_fault([] { return paper_energies({}); }), "needs levels"));
-  EXPECT_TRUE(contains(input_fault([] { return paper_density(TestResults{}); }), "needs a joint"));
+  EXPECT_TRUE(
+      contains(input_fault([] { return paper_density(ExperimentResults{}); }), "needs a joint"));
   EXPECT_TRUE(contains(input_fault([] { return paper_loops({}); }), "needs a joint"));
   EXPECT_TRUE(contains(input_fault([] { return paper_stiffness({}); }), "needs a joint"));
   EXPECT_TRUE(contains(input_fault([] { return paper_constant_response({}); }), "responses"));

@@ -11,8 +11,8 @@
 namespace microslip::record_figures_test {
 namespace {
 
-TestResults record_of(int accelerations) {
-  TestRecord record{.source = "level_01.csv", .signals = {}, .harmonics = {}};
+ExperimentResults record_of(int accelerations) {
+  LevelRecord record{.source = "level_01.csv", .signals = {}, .harmonics = {}};
   for (int i = 1; i <= accelerations; ++i) {
     const std::string name = "a" + std::to_string(i);
     record.signals.push_back({name, "m/s^2", {0.0, 1.0}, {1.0, 2.0}, {}, {}});
@@ -22,7 +22,7 @@ TestResults record_of(int accelerations) {
   return {.records = {record}};
 }
 
-ReportSection signals_of(const TestResults& results) {
+ReportSection signals_of(const ExperimentResults& results) {
   ReportSection section{.title = "Signals", .blocks = {}};
   add_records(section, results, results.records, kControlNames);
   return section;

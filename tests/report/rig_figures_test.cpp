@@ -172,8 +172,8 @@ TEST(ConstantResponseFigure, DrawsResponseOverForceAndWhatIsExpectedDotted) {
 }
 
 TEST(ForceControlFigure, OfFilesShowsTheHighestLevelAndAll) {
-  const std::vector<TestForceControl> levels{{"2", 4.0, {0.02, 0.05}, {1e-4, 2e-4}},
-                                             {"1", 2.0, {0.01, 0.03}, {1e-5, 2e-5}}};
+  const std::vector<ForceControlLevel> levels{{"2", 4.0, {0.02, 0.05}, {1e-4, 2e-4}},
+                                              {"1", 2.0, {0.01, 0.03}, {1e-5, 2e-5}}};
   const FigureGrid figure = force_control_figure("", levels);
   ASSERT_EQ(figure.panels.size(), 2U);
   Numbers heights;
@@ -185,7 +185,7 @@ TEST(ForceControlFigure, OfFilesShowsTheHighestLevelAndAll) {
   expect_near(layer<LineLayer>(figure.panels[1], 1).y, {3.0, 5.0});
   expect_near(layer<LineLayer>(figure.panels[1], 2).y, {2e-3, 2e-2});
   EXPECT_NO_THROW(check_figure(figure));
-  EXPECT_THROW((void)force_control_figure("", std::vector<TestForceControl>{}), InputError);
+  EXPECT_THROW((void)force_control_figure("", std::vector<ForceControlLevel>{}), InputError);
 }
 
 }  // namespace

@@ -115,8 +115,8 @@ TEST(VerificationFigure, GrowsByTheRow) {
 }
 
 /// Two cycles in which the prediction is 0.5 above the record.
-TestRecord recorded(const std::string& source) {
-  TestRecord made{source, {}, {}};
+LevelRecord recorded(const std::string& source) {
+  LevelRecord made{source, {}, {}};
   for (const std::string unit : {"N", "m/s^2"}) {
     made.signals.push_back(
         {unit == "N" ? "force" : "acc1", unit, {0.0, 0.01}, {1.0, 2.0}, {0.0, 0.01}, {1.5, 2.5}});
@@ -125,8 +125,8 @@ TestRecord recorded(const std::string& source) {
   return made;
 }
 
-TestResults files() {
-  TestResults made;
+ExperimentResults files() {
+  ExperimentResults made;
   for (const double response : {3.0, 1.0, 2.0, 4.0}) {
     const std::string source = "level " + std::to_string(static_cast<int>(response));
     made.predictions.push_back(recorded(source));
@@ -158,7 +158,7 @@ TEST(VerificationFigureOfFiles, HasARowOfTheLowestAMiddleAndTheHighestLevel) {
 }
 
 TEST(VerificationFigureOfFiles, NeedsNeitherComparisonsNorHarmonics) {
-  TestResults bare;
+  ExperimentResults bare;
   bare.predictions = {recorded("one")};
   bare.predictions[0].harmonics.clear();
   const FigureGrid figure = verification_figure(bare);
@@ -166,7 +166,7 @@ TEST(VerificationFigureOfFiles, NeedsNeitherComparisonsNorHarmonics) {
   EXPECT_EQ(figure.columns, 2U);
   EXPECT_EQ(figure.panels[0].title, "one");
   EXPECT_TRUE(figure.panels[0].subtitle.empty());
-  EXPECT_THROW((void)verification_figure(TestResults{}), InputError);
+  EXPECT_THROW((void)verification_figure(ExperimentResults{}), InputError);
 }
 
 }  // namespace

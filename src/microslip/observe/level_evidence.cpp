@@ -201,6 +201,21 @@ LevelRows LevelEvidence::deviations(const LevelPrediction& prediction,
   return deviation;
 }
 
+LevelRows LevelEvidence::measured_deviations(const LevelPrediction& prediction,
+                                             const LevelScatter& scatter) const {
+  const LevelRows of_means = deviations(prediction, scatter);
+  LevelRows single;
+  for (const double a : measured_.amplitude) {
+    const auto row = static_cast<std::size_t>(std::ranges::lower_bound(levels().amplitude, a) -
+                                              levels().amplitude.begin());
+    const double root = std::sqrt(static_cast<double>(merged_.count[row]));
+    single.dissipation.push_back(root * of_means.dissipation[row]);
+    if (of_means.secant_stiffness.empty()) continue;
+    single.secant_stiffness.push_back(root * of_means.secant_stiffness[row]);
+  }
+  return single;
+}
+
 LevelRows LevelEvidence::residuals(const LevelRows& prediction, const LevelRows& deviations) const {
   return {residuals_of(levels().dissipation, prediction.dissipation, deviations.dissipation),
           residuals_of(levels().secant_stiffness, prediction.secant_stiffness,

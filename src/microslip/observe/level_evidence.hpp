@@ -97,6 +97,10 @@ class LevelEvidence {
   [[nodiscard]] LevelRows deviations(const LevelPrediction& prediction,
                                      const LevelScatter& scatter = {}) const;
 
+  /// The same of each level of measured(), in their order: √n times that of their mean.
+  [[nodiscard]] LevelRows measured_deviations(const LevelPrediction& prediction,
+                                              const LevelScatter& scatter = {}) const;
+
   /// (measured − predicted)/σ.
   /// @param prediction  D, J, and k_eq, N/m.
   /// @param deviations  σ of deviations().

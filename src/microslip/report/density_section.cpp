@@ -9,7 +9,8 @@
 #include <utility>
 
 #include "microslip/joint/dissipation.hpp"
-#include "microslip/report/test_sections.hpp"
+#include "microslip/report/sections.hpp"
+#include "microslip/workflow/other_methods.hpp"
 
 namespace microslip {
 namespace {
@@ -25,7 +26,7 @@ ReportTrace density_curve(std::string name, const Joint& joint, double from, dou
 }
 
 /// The band over the slip forces that the levels cover: below, the shape is an assumption.
-ReportTrace band_of(const TestJoint& found) {
+ReportTrace band_of(const IdentifiedJoint& found) {
   ReportTrace band{.name = fmt::format("{:.0f} % band", 100.0 * found.band_confidence),
                    .kind = TraceKind::kBand,
                    .stroke = {.colour = kBlue}};
@@ -59,7 +60,7 @@ void add_methods(const MethodComparison& methods, const std::string& used,
                     .shown = false});
 }
 
-void add_range(const TestJoint& found, std::vector<ReportTrace>& traces) {
+void add_range(const IdentifiedJoint& found, std::vector<ReportTrace>& traces) {
   const auto mark = [&](const char* name, const std::optional<double>& at) {
     if (at) traces.push_back({.name = name, .kind = TraceKind::kMarker, .x = {*at}});
   };
@@ -80,9 +81,9 @@ double highest(const ReportTrace& trace) {
   return largest;
 }
 
-ReportFigure density_figure(const TestResults& results,
+ReportFigure density_figure(const ExperimentResults& results,
                             const std::optional<MethodComparison>& methods) {
-  const TestJoint& found = *results.joint;
+  const IdentifiedJoint& found = *results.joint;
   const double to = found.covered_to.value_or(found.joint.density().largest_slip_force());
   const double from = 0.9 * found.covered_from.value_or(0.0);
   ReportFigure figure{
@@ -127,23 +128,19 @@ ReportFigure density_figure(const TestResults& results,
 
 /// Of D between neighbouring levels, and of its smoothing spline.
 void add_measured_slopes(const MethodComparison& methods, std::vector<ReportTrace>& traces) {
-  const Levels& levels = methods.net_evidence.levels();
-  ReportTrace steps{.name = "differences", .kind = TraceKind::kPoints, .stroke = {.colour = kGrey}};
-  for (std::size_t i = 1; i < levels.size(); ++i) {
-    steps.x.push_back(0.5 * (levels.amplitude[i] + levels.amplitude[i - 1]) / kMicrometre);
-    steps.y.push_back((levels.dissipation[i] - levels.dissipation[i - 1]) /
-                      (levels.amplitude[i] - levels.amplitude[i - 1]));
-  }
-  ReportTrace spline{.name = "smoothing spline", .stroke = {.colour = kGreen, .width = 1.4}};
-  for (const double a : equal_ratios(levels.amplitude.front(), levels.amplitude.back())) {
-    spline.x.push_back(a / kMicrometre);
-    spline.y.push_back(methods.spline.fit.spline.first_derivative(a));
-  }
-  traces.push_back(std::move(steps));
-  traces.push_back(std::move(spline));
+  const MeasuredSlopes slopes = measured_slopes(methods);
+  traces.push_back({.name = "differences",
+                    .kind = TraceKind::kPoints,
+                    .x = in_unit(slopes.differences.x, kMicrometre),
+                    .y = slopes.differences.y,
+                    .stroke = {.colour = kGrey}});
+  traces.push_back({.name = "smoothing spline",
+                    .x = in_unit(slopes.spline.x, kMicrometre),
+                    .y = slopes.spline.y,
+                    .stroke = {.colour = kGreen, .width = 1.4}});
 }
 
-std::string slope_caption(const TestResults& results) {
+std::string slope_caption(const ExperimentResults& results) {
   std::string text =
       "D′ = 4Φ1(kA) tends to four times the macro-slip force; its own slope over 4k²A is the "
       "density.";
@@ -157,7 +154,7 @@ std::string slope_caption(const TestResults& results) {
 }
 
 /// D′ = 4Φ1(kA). [AR14 (8)]
-ReportFigure slope_figure(const TestResults& results,
+ReportFigure slope_figure(const ExperimentResults& results,
                           const std::optional<MethodComparison>& methods) {
   ReportFigure figure{.title = "Slope of the dissipation",
                       .caption = slope_caption(results),
@@ -217,12 +214,11 @@ ReportFigure smoothings_figure(const MethodComparison& methods) {
         density_curve(fmt::format("{}, {:.1f} degrees of freedom", name, found.inversion()->edf),
                       found.joint, from, to, stroke));
   };
-  for (const double factor : {100.0, 10.0, 1.0, 0.1, 0.01}) {
+  for (const auto& [factor, found] : varied_inversions(methods)) {
     if (factor == 1.0) {
-      add("chosen λ", methods.inversion, kFound);
+      add("chosen λ", found, kFound);
     } else {
-      add(fmt::format("{:g} λ", factor), inversion_with(methods, factor),
-          {.colour = colour++, .width = 1.2});
+      add(fmt::format("{:g} λ", factor), found, {.colour = colour++, .width = 1.2});
     }
   }
   double top = 0.0;
@@ -233,7 +229,7 @@ ReportFigure smoothings_figure(const MethodComparison& methods) {
 
 }  // namespace
 
-ReportSection density_section(const TestResults& results,
+ReportSection density_section(const ExperimentResults& results,
                               const std::optional<MethodComparison>& methods) {
   ReportSection section{.title = "Density", .blocks = {}};
   if (!results.joint) {

@@ -2,31 +2,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <iterator>
-#include <optional>
 #include <string>
 #include <utility>
 
 #include "microslip/joint/dissipation.hpp"
-#include "microslip/report/test_sections.hpp"
+#include "microslip/report/sections.hpp"
 
 namespace microslip {
 namespace {
 
-/// βA² over the amplitudes of a curve.
-ReportTrace damping_curve(const ReportTrace& curve, double beta) {
-  ReportTrace trace{.name = "linear damping βA²",
-                    .x = curve.x,
-                    .stroke = {.colour = kGreen, .style = LineStyle::kDotted, .width = 1.6}};
-  for (const double a : curve.x) {
-    trace.y.push_back(beta * std::pow(a * kMicrometre, 2) / kMillijoule);
-  }
-  return trace;
-}
-
-ReportFigure energies_figure(const TestResults& results) {
+ReportFigure energies_figure(const ExperimentResults& results) {
   ReportFigure figure{
       .title = "Energies per cycle",
       .caption =
@@ -39,7 +25,7 @@ ReportFigure energies_figure(const TestResults& results) {
       .choices = {{"", {}}},
       .wide = true};
   std::vector<ReportTrace>& traces = figure.choices[0].traces;
-  const TestLevels& test = *results.levels;
+  const MeasuredLevels& test = *results.levels;
   const auto add = [&](const char* name, const std::vector<double>& values,
                        const std::vector<double>& std, int colour) {
     if (values.empty()) return;
@@ -49,21 +35,20 @@ ReportFigure energies_figure(const TestResults& results) {
   add("input energy", test.input_energy, {}, kGrey);
   add("linear loss", test.linear_dissipation, {}, kOrange);
   add("dissipation D", test.levels.dissipation, test.levels.dissipation_std, kBlack);
-  std::vector<ReportTrace> curves = curves_of_joints(
-      results, [](const Joint& joint, double a) { return dissipation(joint, a) / kMillijoule; },
-      [](double a) { return a * a / kMillijoule; });
+  std::vector<ReportTrace> curves = curves_of_joints(results, dissipation, kMillijoule, true);
   const double beta = results.joint ? results.joint->linear_damping.value_or(0.0) : 0.0;
-  if (beta > 0.0) curves.push_back(damping_curve(curves.front(), beta));
+  if (beta > 0.0) {
+    curves.push_back({.name = "linear damping βA²",
+                      .x = curves.front().x,
+                      .y = in_unit(damping_curve(curve_amplitudes(test.levels), beta), kMillijoule),
+                      .stroke = {.colour = kGreen, .style = LineStyle::kDotted, .width = 1.6}});
+  }
   std::ranges::move(curves, std::back_inserter(traces));
   return figure;
 }
 
-ReportFigure share_figure(const TestResults& results) {
-  const TestLevels& test = *results.levels;
-  std::vector<double> share;
-  for (std::size_t i = 0; i < test.input_energy.size(); ++i) {
-    share.push_back(test.linear_dissipation[i] / test.input_energy[i] / kPercent);
-  }
+ReportFigure share_figure(const ExperimentResults& results) {
+  const std::vector<double> share = in_unit(linear_share(*results.levels), kPercent);
   return {
       .title = "Share of the linear loss",
       .caption = "Where it is near 100 %, D is a small difference of large energies.",
@@ -72,26 +57,21 @@ ReportFigure share_figure(const TestResults& results) {
       .choices = {{"", {at_levels(results, "linear loss", share, {}, kOrange)}}}};
 }
 
-ReportFigure residual_figure(const TestResults& results) {
-  const Levels& levels = results.levels->levels;
-  std::vector<double> std;
-  for (std::size_t i = 0; i < levels.dissipation_std.size(); ++i) {
-    const double relative = levels.dissipation_std[i] / levels.dissipation[i] / kPercent;
-    std.push_back(std::isfinite(relative) ? relative : 0.0);
-  }
-  const std::vector<double> residual =
-      in_unit(residuals_over(results, levels.dissipation), kPercent);
+ReportFigure residual_figure(const ExperimentResults& results) {
+  const MeasuredPoints residual = relative_residuals(results);
   return {.title = "Residuals of D",
-          .caption = std.empty()
+          .caption = residual.std.empty()
                          ? "Measured less identified, relative to the measured."
                          : "Measured less identified, relative to the measured; bars are ± one "
                            "standard deviation of the measured.",
           .x = amplitude_axis(true),
           .y = {.label = "(D − identified)/D", .unit = "%"},
-          .choices = {{"", {at_levels(results, "levels", residual, std, kBlack)}}}};
+          .choices = {{"",
+                       {at_levels(results, "levels", in_unit(residual.value, kPercent),
+                                  in_unit(residual.std, kPercent), kBlack)}}}};
 }
 
-std::string standardised_caption(const TestResults& results) {
+std::string standardised_caption(const ExperimentResults& results) {
   const bool by_amplitude = !results.levels->levels.amplitude_std.empty();
   return fmt::format(
       "σ is that of D{}. Their rms is {:.2f}: near 1 the scatter explains them, but for what the "
@@ -101,7 +81,8 @@ std::string standardised_caption(const TestResults& results) {
 }
 
 /// What is left in units of what the scatter over the cycles explains.
-ReportFigure standardised_figure(const TestResults& results, const std::vector<double>& deviation) {
+ReportFigure standardised_figure(const ExperimentResults& results,
+                                 const std::vector<double>& deviation) {
   const auto [lowest, highest] = std::ranges::minmax(results.levels->levels.amplitude);
   const std::vector<double> ends = {lowest / kMicrometre, highest / kMicrometre};
   const auto limit = [&](const char* name, double at) {
@@ -120,40 +101,26 @@ ReportFigure standardised_figure(const TestResults& results, const std::vector<d
                         at_levels(results, "levels", residual, {}, kBlack)}}}};
 }
 
-/// D at the level of a record that the virtual test knows; nothing where it knows none.
-std::optional<double> exact_dissipation(const TestLevels& exact, const std::string& source) {
-  const auto found = std::ranges::find(exact.source, file_name(source),
-                                       [](const auto& one) { return file_name(one); });
-  if (found == exact.source.end()) return std::nullopt;
-  return exact.levels.dissipation[static_cast<std::size_t>(found - exact.source.begin())];
-}
-
-/// Exact levels of a virtual test against the reduced ones. Empty where none is of a known record.
-ReportTrace reduction_errors(const TestLevels& test, const TestLevels& exact) {
-  ReportTrace trace{.name = "D", .kind = TraceKind::kPoints, .stroke = {.colour = kVermillion}};
-  for (std::size_t i = 0; i < test.source.size(); ++i) {
-    const std::optional<double> expected = exact_dissipation(exact, test.source[i]);
-    if (!expected) continue;
-    trace.x.push_back(test.levels.amplitude[i] / kMicrometre);
-    trace.y.push_back((test.levels.dissipation[i] / *expected - 1.0) / kPercent);
-  }
-  return trace;
-}
-
-ReportFigure truth_figure(ReportTrace errors) {
+/// Exact levels of a virtual test against the reduced ones.
+ReportFigure truth_figure(const Curve& errors) {
   return {.title = "Error of the reduction",
           .caption = "D of the levels against that of the virtual test, which is known.",
           .x = amplitude_axis(true),
           .y = {.label = "D/exact − 1", .unit = "%"},
-          .choices = {{"", {std::move(errors)}}}};
+          .choices = {{"",
+                       {{.name = "D",
+                         .kind = TraceKind::kPoints,
+                         .x = in_unit(errors.x, kMicrometre),
+                         .y = in_unit(errors.y, kPercent),
+                         .stroke = {.colour = kVermillion}}}}}};
 }
 
 }  // namespace
 
-ReportSection energies_section(const TestResults& results) {
+ReportSection energies_section(const ExperimentResults& results) {
   ReportSection section{.title = "Energies", .blocks = {}};
   if (!results.levels) return section;
-  const TestLevels& test = *results.levels;
+  const MeasuredLevels& test = *results.levels;
   section.blocks.emplace_back(energies_figure(results));
   if (results.joint) {
     section.blocks.emplace_back(residual_figure(results));
@@ -166,8 +133,8 @@ ReportSection energies_section(const TestResults& results) {
     section.blocks.emplace_back(share_figure(results));
   }
   if (results.true_levels) {
-    ReportTrace errors = reduction_errors(test, *results.true_levels);
-    if (!errors.x.empty()) section.blocks.emplace_back(truth_figure(std::move(errors)));
+    const Curve errors = reduction_errors(test, *results.true_levels);
+    if (!errors.x.empty()) section.blocks.emplace_back(truth_figure(errors));
   }
   return section;
 }

@@ -11,9 +11,9 @@
 
 #include "microslip/base/percent.hpp"
 #include "microslip/joint/dissipation.hpp"
-#include "microslip/report/sampled_curves.hpp"
 #include "microslip/report/scales.hpp"
 #include "microslip/report/shown_unit.hpp"
+#include "microslip/workflow/sampled_curves.hpp"
 
 namespace microslip {
 namespace {
@@ -65,27 +65,23 @@ Figure dissipation_figure(const std::string& title, const Levels& levels,
   const auto [lowest, highest] = std::ranges::minmax(levels.amplitude);
   const std::vector<double> amplitude = equal_ratios(lowest, highest, kCurvePoints);
   const double beta = found.linear_damping.value_or(0.0);
-  std::vector<double> total;
-  std::vector<double> joint_only;
-  std::vector<double> damping;
-  for (const double a : amplitude) {
-    joint_only.push_back(dissipation(found.joint, a));
-    damping.push_back(beta * a * a);
-    total.push_back(joint_only.back() + damping.back());
-  }
   const std::vector<double> x = in_unit(amplitude, kMicrometre);
   if (beta > 0.0) {
+    figure.layers.emplace_back(
+        LineLayer{x,
+                  in_unit(joint_curve(found.joint, dissipation, amplitude), kMillijoule),
+                  "joint",
+                  {.colour = kGreen, .style = LineStyle::kDashed}});
     figure.layers.emplace_back(LineLayer{x,
-                                         in_unit(joint_only, kMillijoule),
-                                         "joint",
-                                         {.colour = kGreen, .style = LineStyle::kDashed}});
-    figure.layers.emplace_back(LineLayer{x,
-                                         in_unit(damping, kMillijoule),
+                                         in_unit(damping_curve(amplitude, beta), kMillijoule),
                                          "linear damping βA²",
                                          {.colour = kOrange, .style = LineStyle::kDotted}});
   }
   figure.layers.emplace_back(
-      LineLayer{x, in_unit(total, kMillijoule), "identified", {.colour = kBlue}});
+      LineLayer{x,
+                in_unit(joint_curve(found.joint, dissipation, amplitude, beta), kMillijoule),
+                "identified",
+                {.colour = kBlue}});
   figure.layers.emplace_back(PointLayer{.x = in_unit(levels.amplitude, kMicrometre),
                                         .y = in_unit(levels.dissipation, kMillijoule),
                                         .legend = "measured",
@@ -170,13 +166,10 @@ FigureGrid loops_figure(const std::string& title, double amplitude, const NamedJ
   int colour = kBlue;
   for (const NamedJoint& named : joints) {
     const SteadyLoop loop = steady_loop(named.joint, amplitude, kCurvePoints);
-    std::vector<double> apart(loop.force.size());
-    std::ranges::transform(loop.force, base.force, apart.begin(),
-                           [](double a, double b) { return a - b; });
     loops.layers.emplace_back(
         LoopLayer{x, loop.force, named.name, {.colour = colour, .width = 1.4}});
     difference.layers.emplace_back(
-        LoopLayer{x, apart, named.name, {.colour = colour, .width = 1.4}});
+        LoopLayer{x, force_difference(loop, base), named.name, {.colour = colour, .width = 1.4}});
     ++colour;
   }
   return {title, 2, {loops, difference}};

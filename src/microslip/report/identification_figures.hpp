@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,6 +8,7 @@
 #include "microslip/identify/identification.hpp"
 #include "microslip/joint/joint.hpp"
 #include "microslip/report/figure.hpp"
+#include "microslip/workflow/result_input.hpp"
 
 /// @file
 /// The pictures of an identification.
@@ -18,20 +18,6 @@ namespace microslip {
 /// D over A with the fit; the part of linear damping beside it where there is one.
 [[nodiscard]] Figure dissipation_figure(const std::string& title, const Levels& levels,
                                         const Identification& found);
-
-/// A density at points; one length.
-struct DensityCurve {
-  std::vector<double> slip_force;            ///< f*, N
-  std::vector<double> density;               ///< φ, 1/N
-  std::vector<double> lower = {};            ///< 1/N; empty where there is no band
-  std::vector<double> upper = {};            ///< 1/N; as many as of `lower`
-  double confidence = 0.95;                  ///< of the band, 1
-  std::vector<double> band_slip_force = {};  ///< of the band, N; empty where it is `slip_force`
-  std::optional<double> covered_from = {};   ///< kA of the lowest level, N
-  std::optional<double> covered_to = {};     ///< kA of the highest level, N
-  std::vector<double> atom_slip_force = {};  ///< N; marked
-  std::string name = "identified";           ///< in the legend
-};
 
 /// A joint that is drawn beside others.
 struct DrawnJoint {

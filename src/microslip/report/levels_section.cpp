@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "microslip/report/flag_meanings.hpp"
-#include "microslip/report/test_sections.hpp"
+#include "microslip/report/sections.hpp"
+#include "microslip/workflow/flag_meanings.hpp"
 
 namespace microslip {
 namespace {
@@ -53,7 +53,7 @@ void add_distortion(ReportTable& table, const std::vector<double>& values) {
 }
 
 /// Of the columns that are there.
-std::string caption_of(const TestLevels& test) {
+std::string caption_of(const MeasuredLevels& test) {
   const Levels& levels = test.levels;
   std::string text =
       "A is the amplitude of the displacement, D the energy that a cycle dissipates over it";
@@ -93,7 +93,7 @@ ReportFacts flags_that_occur(const std::vector<std::string>& flags) {
 
 }  // namespace
 
-ReportSection levels_section(const TestResults& results) {
+ReportSection levels_section(const ExperimentResults& results) {
   ReportSection section{.title = "Levels", .blocks = {}};
   if (!results.levels) {
     section.blocks.emplace_back(
@@ -101,7 +101,7 @@ ReportSection levels_section(const TestResults& results) {
                       "microslip reduce rig.toml recordings/level_* --out levels.csv"});
     return section;
   }
-  const TestLevels& test = *results.levels;
+  const MeasuredLevels& test = *results.levels;
   ReportTable table{.title = "One row a level of vibration", .caption = caption_of(test)};
   table.rows.resize(test.levels.size());
   add_numbers(table, "level", "1", numbers_from_one(test.levels.size()), 1.0, 0);

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <ranges>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "microslip/report/test_sections.hpp"
+#include "microslip/report/sections.hpp"
+#include "microslip/workflow/other_methods.hpp"
 
 namespace microslip {
 namespace {
@@ -20,23 +22,13 @@ struct LoopJoint {
   Stroke stroke;
 };
 
-ReportTrace loop_of(const LoopJoint& named, double amplitude) {
-  SteadyLoop loop = steady_loop(named.joint, amplitude, kHalfLoop);
-  return {.name = named.name,
-          .kind = TraceKind::kLoop,
-          .x = in_unit(std::move(loop.displacement), kMicrometre),
-          .y = std::move(loop.force),
-          .stroke = named.stroke};
-}
-
 /// Spline joints around the λ of cross-validation. [AR14 Fig. 10]
 void add_splines(const MethodComparison& methods, std::vector<LoopJoint>& joints) {
   int colour = kGreen;
-  for (const double factor : {0.01, 1.0, 100.0}) {
+  for (auto& [factor, found] : varied_splines(methods)) {
     const std::string name =
         factor == 1.0 ? "spline, λ by cross-validation" : fmt::format("spline, {:g} λ", factor);
-    joints.push_back(
-        {name, spline_with(methods, factor).joint, {.colour = colour++, .width = 1.3}});
+    joints.push_back({name, std::move(found.joint), {.colour = colour++, .width = 1.3}});
   }
 }
 
@@ -48,18 +40,23 @@ struct ComparedLoops {
 
 ComparedLoops compare(const std::vector<LoopJoint>& joints, double highest) {
   ComparedLoops all;
-  for (const double share : {1.0, 0.75, 0.5, 0.25}) {
-    const double amplitude = share * highest;
+  for (const double amplitude : loop_amplitudes(highest)) {
     const std::string name = fmt::format("{:.4g} µm", amplitude / kMicrometre);
     all.loops.push_back({name, {}});
     all.differences.push_back({name, {}});
-    const ReportTrace base = loop_of(joints.front(), amplitude);
-    all.loops.back().traces.push_back(base);
-    for (std::size_t j = 1; j < joints.size(); ++j) {
-      ReportTrace loop = loop_of(joints[j], amplitude);
-      all.loops.back().traces.push_back(loop);
-      for (std::size_t i = 0; i < base.y.size(); ++i) loop.y[i] -= base.y[i];
-      all.differences.back().traces.push_back(std::move(loop));
+    const SteadyLoop base = steady_loop(joints.front().joint, amplitude, kHalfLoop);
+    const auto add = [&](ReportChoice& choice, const LoopJoint& named, std::vector<double> force) {
+      choice.traces.push_back({.name = named.name,
+                               .kind = TraceKind::kLoop,
+                               .x = in_unit(base.displacement, kMicrometre),
+                               .y = std::move(force),
+                               .stroke = named.stroke});
+    };
+    add(all.loops.back(), joints.front(), base.force);
+    for (const LoopJoint& named : joints | std::views::drop(1)) {
+      const SteadyLoop loop = steady_loop(named.joint, amplitude, kHalfLoop);
+      add(all.loops.back(), named, loop.force);
+      add(all.differences.back(), named, force_difference(loop, base));
     }
   }
   return all;
@@ -77,7 +74,7 @@ ReportFigure figure_of(std::string title, std::string caption, std::string force
 
 }  // namespace
 
-ReportSection loops_section(const TestResults& results,
+ReportSection loops_section(const ExperimentResults& results,
                             const std::optional<MethodComparison>& methods) {
   ReportSection section{.title = "Loops", .blocks = {}};
   if (!results.joint) return section;

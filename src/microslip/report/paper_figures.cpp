@@ -12,9 +12,9 @@
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 #include "microslip/report/paper_parts.hpp"
-#include "microslip/report/sampled_curves.hpp"
+#include "microslip/report/sections.hpp"
 #include "microslip/report/shown_unit.hpp"
-#include "microslip/report/test_sections.hpp"
+#include "microslip/workflow/sampled_curves.hpp"
 
 namespace microslip {
 namespace {
@@ -22,12 +22,12 @@ namespace {
 constexpr const char* kResponseLabel = "exciter acceleration";
 
 /// Those of the levels, what the identification covered, or what the joint can do; m.
-AxisRange amplitude_range(const TestResults& results) {
+AxisRange amplitude_range(const ExperimentResults& results) {
   if (results.levels) {
     const auto [lowest, highest] = std::ranges::minmax(results.levels->levels.amplitude);
     return {lowest, highest};
   }
-  const TestJoint& found = joint_of(results);
+  const IdentifiedJoint& found = joint_of(results);
   const double k = found.joint.stiffness();
   if (found.covered_from && found.covered_to && *found.covered_from > 0.0) {
     return {*found.covered_from / k, *found.covered_to / k};
@@ -40,7 +40,7 @@ AxisRange amplitude_range(const TestResults& results) {
 struct PlottedQuantity {
   const char* label;
   const char* unit;  // SI
-  double (*value)(const Joint&, double);
+  JointQuantity value;
   bool energy = false;  // its axis is logarithmic where that of the amplitude is
   bool suits_log = false;
 };
@@ -49,8 +49,8 @@ constexpr PlottedQuantity kDissipation{"dissipation per cycle D", "J", dissipati
 constexpr PlottedQuantity kSecant{"secant stiffness k_eq", "N/m", secant_stiffness};
 constexpr PlottedQuantity kLossFactor{"loss factor η", "1", loss_factor};
 
-PointLayer points_of(const TestLevels& levels, const MeasuredPoints& measured, std::string legend,
-                     int colour = kBlack) {
+PointLayer points_of(const MeasuredLevels& levels, const MeasuredPoints& measured,
+                     std::string legend, int colour = kBlack) {
   return {.x = levels.levels.amplitude,
           .y = measured.value,
           .y_error = measured.std,
@@ -59,30 +59,27 @@ PointLayer points_of(const TestLevels& levels, const MeasuredPoints& measured, s
           .open = true};
 }
 
-void add_curves(Figure& figure, const TestResults& results, const PaperOptions& options,
-                double (*value)(const Joint&, double)) {
+void add_curves(Figure& figure, const ExperimentResults& results, const PaperOptions& options,
+                JointQuantity quantity) {
   const AxisRange range = amplitude_range(results);
   const std::vector<double> amplitude = equal_ratios(range.from, range.to);
   for (const DrawnJoint& drawn : drawn_joints(results, options)) {
-    LineLayer line{amplitude, {}, drawn.name, drawn.stroke};
-    for (const double a : amplitude) line.y.push_back(value(drawn.joint, a));
-    figure.layers.emplace_back(std::move(line));
+    figure.layers.emplace_back(LineLayer{amplitude, joint_curve(drawn.joint, quantity, amplitude),
+                                         drawn.name, drawn.stroke});
   }
 }
 
 /// D + βA²: what the levels hold where linear damping was identified beside the joint.
-void add_with_damping(Figure& figure, const TestResults& results) {
+void add_with_damping(Figure& figure, const ExperimentResults& results) {
   if (!results.joint || !results.joint->linear_damping) return;
-  const TestJoint& found = *results.joint;
+  const IdentifiedJoint& found = *results.joint;
   const AxisRange range = amplitude_range(results);
-  LineLayer line{equal_ratios(range.from, range.to),
-                 {},
-                 "with damping βA²",
-                 {.colour = kGreen, .style = LineStyle::kLongDashed}};
-  for (const double a : line.x) {
-    line.y.push_back(dissipation(found.joint, a) + *found.linear_damping * a * a);
-  }
-  figure.layers.emplace_back(std::move(line));
+  const std::vector<double> amplitude = equal_ratios(range.from, range.to);
+  figure.layers.emplace_back(
+      LineLayer{amplitude,
+                joint_curve(found.joint, dissipation, amplitude, *found.linear_damping),
+                "with damping βA²",
+                {.colour = kGreen, .style = LineStyle::kLongDashed}});
 }
 
 void show_amplitude(Figure& figure, const PaperOptions& options, bool suits_log) {
@@ -91,7 +88,7 @@ void show_amplitude(Figure& figure, const PaperOptions& options, bool suits_log)
 }
 
 /// A quantity over the amplitude: measured, where it was, and by the joints.
-Figure over_amplitude(const TestResults& results, const PaperOptions& options,
+Figure over_amplitude(const ExperimentResults& results, const PaperOptions& options,
                       const PlottedQuantity& quantity, const MeasuredPoints& measured) {
   Figure figure;
   add_curves(figure, results, options, quantity.value);
@@ -105,18 +102,18 @@ Figure over_amplitude(const TestResults& results, const PaperOptions& options,
   return figure;
 }
 
-MeasuredPoints measured_dissipation(const TestResults& results) {
+MeasuredPoints measured_dissipation(const ExperimentResults& results) {
   if (!results.levels) return {};
   return {results.levels->levels.dissipation, results.levels->levels.dissipation_std};
 }
 
-MeasuredPoints measured_secant(const TestResults& results) {
+MeasuredPoints measured_secant(const ExperimentResults& results) {
   if (!results.levels) return {};
   return {results.levels->levels.secant_stiffness, results.levels->levels.secant_stiffness_std};
 }
 
 /// ζ of the mode, of a ring-down.
-Figure damping_ratios(const TestLevels& levels, const PaperOptions& options) {
+Figure damping_ratios(const MeasuredLevels& levels, const PaperOptions& options) {
   Figure figure;
   figure.layers = {points_of(levels, {levels.damping_ratio, {}}, "")};
   show_amplitude(figure, options, false);
@@ -124,17 +121,12 @@ Figure damping_ratios(const TestLevels& levels, const PaperOptions& options) {
   return figure;
 }
 
-/// Amplitudes whose loops are drawn, the largest first, m.
-std::vector<double> loop_amplitudes(const TestResults& results) {
-  double largest = 0.0;
-  if (results.levels) {
-    largest = std::ranges::max(results.levels->levels.amplitude);
-  } else if (const TestJoint& found = joint_of(results); found.covered_to) {
-    largest = *found.covered_to / found.joint.stiffness();
-  } else {
-    largest = 1.2 * macroslip_amplitude(found.joint);
-  }
-  return {largest, 0.75 * largest, 0.5 * largest, 0.25 * largest};
+/// Of the loops that are drawn, m.
+double largest_amplitude(const ExperimentResults& results) {
+  if (results.levels) return std::ranges::max(results.levels->levels.amplitude);
+  const IdentifiedJoint& found = joint_of(results);
+  return found.covered_to ? *found.covered_to / found.joint.stiffness()
+                          : 1.2 * macroslip_amplitude(found.joint);
 }
 
 LoopLayer loop_of(const Joint& joint, double amplitude, std::string legend, const Stroke& stroke) {
@@ -143,11 +135,11 @@ LoopLayer loop_of(const Joint& joint, double amplitude, std::string legend, cons
 }
 
 /// Where a level is on the axis of the resonance.
-const std::vector<double>& level_positions(const TestLevels& levels) {
+const std::vector<double>& level_positions(const MeasuredLevels& levels) {
   return levels.response_amplitude.empty() ? levels.levels.amplitude : levels.response_amplitude;
 }
 
-PointLayer frequencies_of(const TestLevels& levels, const std::vector<double>& frequency,
+PointLayer frequencies_of(const MeasuredLevels& levels, const std::vector<double>& frequency,
                           std::string legend, int colour) {
   return {.x = level_positions(levels),
           .y = frequency,
@@ -187,7 +179,7 @@ Figure slipped_shares(const std::vector<DrawnJoint>& joints) {
   return figure;
 }
 
-DensityCurve density_curve_of(const TestJoint& found) {
+DensityCurve density_curve_of(const IdentifiedJoint& found) {
   const double from = 0.9 * found.covered_from.value_or(0.0);
   const double to =
       found.covered_to.value_or(macroslip_amplitude(found.joint) * found.joint.stiffness());
@@ -205,8 +197,8 @@ DensityCurve density_curve_of(const TestJoint& found) {
 
 }  // namespace
 
-Figure paper_energies(const TestResults& results, const PaperOptions& options) {
-  const TestLevels& test = levels_of(results);
+Figure paper_energies(const ExperimentResults& results, const PaperOptions& options) {
+  const MeasuredLevels& test = levels_of(results);
   Figure figure;
   add_curves(figure, results, options, dissipation);
   add_with_damping(figure, results);
@@ -226,8 +218,8 @@ Figure paper_energies(const TestResults& results, const PaperOptions& options) {
   return figure;
 }
 
-Figure paper_density(const TestResults& results, const PaperOptions& options) {
-  const TestJoint& found = joint_of(results);
+Figure paper_density(const ExperimentResults& results, const PaperOptions& options) {
+  const IdentifiedJoint& found = joint_of(results);
   if (is_of_atoms(found.joint.density())) return slipped_shares(drawn_joints(results, options));
   return density_figure("", density_curve_of(found), drawn_others(results, options));
 }
@@ -236,9 +228,9 @@ Figure paper_density(const DensityCurve& curve, const PaperOptions& options) {
   return density_figure("", curve, drawn_others({}, options));
 }
 
-Figure paper_loops(const TestResults& results, const PaperOptions& options) {
-  const TestJoint& found = joint_of(results);
-  const std::vector<double> amplitudes = loop_amplitudes(results);
+Figure paper_loops(const ExperimentResults& results, const PaperOptions& options) {
+  const IdentifiedJoint& found = joint_of(results);
+  const std::vector<double> amplitudes = loop_amplitudes(largest_amplitude(results));
   const ShownUnit unit = shown_unit("m", amplitudes.front());
   Figure figure;
   for (std::size_t i = 0; i < amplitudes.size(); ++i) {
@@ -259,8 +251,8 @@ Figure paper_loops(const TestResults& results, const PaperOptions& options) {
   return figure;
 }
 
-Figure paper_resonance(const TestResults& results, const PaperOptions& options) {
-  const TestLevels& levels = levels_of(results);
+Figure paper_resonance(const ExperimentResults& results, const PaperOptions& options) {
+  const MeasuredLevels& levels = levels_of(results);
   Figure figure;
   if (!levels.frequency.empty()) {
     const bool both = !levels.resonance_frequency.empty();
@@ -284,11 +276,11 @@ Figure paper_resonance(const TestResults& results, const PaperOptions& options) 
   return figure;
 }
 
-Figure paper_stiffness(const TestResults& results, const PaperOptions& options) {
+Figure paper_stiffness(const ExperimentResults& results, const PaperOptions& options) {
   return over_amplitude(results, options, kSecant, measured_secant(results));
 }
 
-Figure paper_damping(const TestResults& results, const PaperOptions& options) {
+Figure paper_damping(const ExperimentResults& results, const PaperOptions& options) {
   const MeasuredPoints measured = measured_loss_factor(results);
   if (!results.joint && measured.value.empty() && !levels_of(results).damping_ratio.empty()) {
     return damping_ratios(*results.levels, options);
@@ -296,7 +288,7 @@ Figure paper_damping(const TestResults& results, const PaperOptions& options) {
   return over_amplitude(results, options, kLossFactor, measured);
 }
 
-FigureGrid paper_dissipation(const TestResults& results, const PaperOptions& options) {
+FigureGrid paper_dissipation(const ExperimentResults& results, const PaperOptions& options) {
   (void)joint_of(results);
   FigureGrid grid{"",
                   3,
@@ -309,7 +301,7 @@ FigureGrid paper_dissipation(const TestResults& results, const PaperOptions& opt
   return grid;
 }
 
-Figure paper_constant_response(const TestResults& results) {
+Figure paper_constant_response(const ExperimentResults& results) {
   if (results.responses.empty()) {
     throw_missing("responses", "the figure needs responses of a rig with a joint");
   }
@@ -322,12 +314,12 @@ Figure paper_constant_response(const TestResults& results) {
     figure.layers.emplace_back(std::move(line));
   };
   for (std::size_t i = 0; i < results.responses.size(); ++i) {
-    const TestResponse& response = results.responses[i];
+    const ConstantResponse& response = results.responses[i];
     add(response.response, response.frequency, response.force,
         fmt::format("{:.3g} m/s²", response.response), {.colour = static_cast<int>(i)});
   }
   bool named = false;
-  for (const TestResponse& response : results.responses) {
+  for (const ConstantResponse& response : results.responses) {
     if (response.true_frequency.empty()) continue;
     add(response.response, response.true_frequency, response.true_force, named ? "" : "truth",
         {.colour = kBlack, .style = LineStyle::kDotted, .width = 1.2});
@@ -339,17 +331,17 @@ Figure paper_constant_response(const TestResults& results) {
   return figure;
 }
 
-FigureGrid paper_deviations(const TestResults& results, const PaperOptions& options) {
+FigureGrid paper_deviations(const ExperimentResults& results, const PaperOptions& options) {
   if (results.comparisons.empty()) throw_missing("comparisons", "the figure needs a verification");
   std::vector<std::string> channels;
-  for (const TestComparison& row : results.comparisons) {
+  for (const ChannelMisfit& row : results.comparisons) {
     if (std::ranges::find(channels, row.channel) == channels.end()) channels.push_back(row.channel);
   }
   FigureGrid grid{"", 3, {}};
   for (const std::string& channel : channels) {
     PointLayer nrmse{.x = {}, .y = {}, .legend = "prediction", .colour = kBlack, .open = true};
     PointLayer noise{.x = {}, .y = {}, .legend = "noise alone", .colour = kOrange, .size = 0.6};
-    for (const TestComparison& row : results.comparisons) {
+    for (const ChannelMisfit& row : results.comparisons) {
       if (row.channel != channel) continue;
       nrmse.x.push_back(row.response_amplitude);
       nrmse.y.push_back(row.nrmse);

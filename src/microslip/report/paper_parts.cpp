@@ -23,21 +23,22 @@ void throw_missing(const char* what, const char* rule) {
   throw InputError(what, InputState{"missing"}, rule);
 }
 
-const TestJoint& joint_of(const TestResults& results) {
+const IdentifiedJoint& joint_of(const ExperimentResults& results) {
   if (!results.joint) throw_missing("joint", "the figure needs a joint");
   return *results.joint;
 }
 
-const TestLevels& levels_of(const TestResults& results) {
+const MeasuredLevels& levels_of(const ExperimentResults& results) {
   if (!results.levels) throw_missing("levels", "the figure needs levels");
   return *results.levels;
 }
 
-const char* name_of(const TestJoint& found) {
+const char* name_of(const IdentifiedJoint& found) {
   return found.covered_to ? "identified joint" : "joint";
 }
 
-std::vector<DrawnJoint> drawn_others(const TestResults& results, const PaperOptions& options) {
+std::vector<DrawnJoint> drawn_others(const ExperimentResults& results,
+                                     const PaperOptions& options) {
   std::vector<DrawnJoint> drawn;
   if (results.truth) drawn.push_back({"truth", *results.truth, kTruthStroke});
   for (std::size_t i = 0; i < options.others.size(); ++i) {
@@ -47,7 +48,8 @@ std::vector<DrawnJoint> drawn_others(const TestResults& results, const PaperOpti
   return drawn;
 }
 
-std::vector<DrawnJoint> drawn_joints(const TestResults& results, const PaperOptions& options) {
+std::vector<DrawnJoint> drawn_joints(const ExperimentResults& results,
+                                     const PaperOptions& options) {
   std::vector<DrawnJoint> drawn;
   if (results.joint) {
     drawn.push_back({name_of(*results.joint), results.joint->joint, kIdentified});

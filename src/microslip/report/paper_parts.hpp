@@ -15,18 +15,18 @@ namespace microslip {
 [[noreturn]] void throw_missing(const char* what, const char* rule);
 
 /// @throws InputError  where there is none.
-[[nodiscard]] const TestJoint& joint_of(const TestResults& results);
-[[nodiscard]] const TestLevels& levels_of(const TestResults& results);
+[[nodiscard]] const IdentifiedJoint& joint_of(const ExperimentResults& results);
+[[nodiscard]] const MeasuredLevels& levels_of(const ExperimentResults& results);
 
 /// In legends. A joint that was not identified covers no levels.
-[[nodiscard]] const char* name_of(const TestJoint& found);
+[[nodiscard]] const char* name_of(const IdentifiedJoint& found);
 
 /// The truth, and the others of the options.
-[[nodiscard]] std::vector<DrawnJoint> drawn_others(const TestResults& results,
+[[nodiscard]] std::vector<DrawnJoint> drawn_others(const ExperimentResults& results,
                                                    const PaperOptions& options);
 
 /// With the joint of the results before them: dashed lines can be seen on its solid one.
-[[nodiscard]] std::vector<DrawnJoint> drawn_joints(const TestResults& results,
+[[nodiscard]] std::vector<DrawnJoint> drawn_joints(const ExperimentResults& results,
                                                    const PaperOptions& options);
 
 /// Where the last slider slips, m. @throws InputError  where none does.

@@ -9,30 +9,30 @@
 #include <vector>
 
 #include "microslip/report/record_figures.hpp"
-#include "microslip/report/test_sections.hpp"
+#include "microslip/report/sections.hpp"
 
 namespace microslip {
 namespace {
 
 constexpr double kMilliradian = 1e-3;
 
-std::vector<std::string> channels_of(const std::vector<TestComparison>& comparisons) {
+std::vector<std::string> channels_of(const std::vector<ChannelMisfit>& comparisons) {
   std::vector<std::string> names;
-  for (const TestComparison& row : comparisons) {
+  for (const ChannelMisfit& row : comparisons) {
     if (std::ranges::find(names, row.channel) == names.end()) names.push_back(row.channel);
   }
   return names;
 }
 
 /// What is to be looked at in a row of the table.
-std::string remarks_of(const TestComparison& row) {
+std::string remarks_of(const ChannelMisfit& row) {
   std::string text = row.status == "converged" ? "" : row.status;
   if (!row.flags.empty()) text += (text.empty() ? "" : " ") + row.flags;
   return text;
 }
 
 /// One row a record, with the NRMSE of its channels. The rows of a record follow each other.
-ReportTable misfit_table(const std::vector<TestComparison>& comparisons) {
+ReportTable misfit_table(const std::vector<ChannelMisfit>& comparisons) {
   const std::vector<std::string> channels = channels_of(comparisons);
   ReportTable table{.title = "Predicted against recorded",
                     .caption =
@@ -42,10 +42,10 @@ ReportTable misfit_table(const std::vector<TestComparison>& comparisons) {
                     .columns = {{"record"}, {"frequency", "Hz", 5}, {"response", "m/s²"}}};
   for (const std::string& channel : channels) table.columns.push_back({channel, "%", 3});
   const bool remarks = std::ranges::any_of(
-      comparisons, [](const TestComparison& row) { return !remarks_of(row).empty(); });
+      comparisons, [](const ChannelMisfit& row) { return !remarks_of(row).empty(); });
   if (remarks) table.columns.push_back({"remarks"});
   std::string source;
-  for (const TestComparison& row : comparisons) {
+  for (const ChannelMisfit& row : comparisons) {
     if (table.rows.empty() || row.source != source) {
       source = row.source;
       table.rows.push_back({source, row.frequency, row.response_amplitude});
@@ -59,16 +59,16 @@ ReportTable misfit_table(const std::vector<TestComparison>& comparisons) {
   return table;
 }
 
-using ValueOf = std::function<double(const TestComparison&)>;
+using ValueOf = std::function<double(const ChannelMisfit&)>;
 
 /// A value of each channel over the response.
-std::vector<ReportTrace> over_response(const std::vector<TestComparison>& comparisons,
+std::vector<ReportTrace> over_response(const std::vector<ChannelMisfit>& comparisons,
                                        const ValueOf& value) {
   std::vector<ReportTrace> traces;
   int colour = kBlue;
   for (const std::string& channel : channels_of(comparisons)) {
     ReportTrace trace{.name = channel, .kind = TraceKind::kPoints, .stroke = {.colour = colour++}};
-    for (const TestComparison& row : comparisons) {
+    for (const ChannelMisfit& row : comparisons) {
       if (row.channel != channel) continue;
       trace.x.push_back(row.response_amplitude);
       trace.y.push_back(value(row));
@@ -82,9 +82,9 @@ ReportAxis response_axis() {
   return {.label = "response at the exciter", .unit = "m/s²", .log_switch = true};
 }
 
-ReportFigure misfit_figure(const std::vector<TestComparison>& comparisons) {
+ReportFigure misfit_figure(const std::vector<ChannelMisfit>& comparisons) {
   std::vector<ReportTrace> traces = over_response(
-      comparisons, [](const TestComparison& row) { return row.noise_share / kPercent; });
+      comparisons, [](const ChannelMisfit& row) { return row.noise_share / kPercent; });
   for (ReportTrace& trace : traces) {
     trace.name += ", noise";
     trace.group = "noise of the channel";
@@ -92,7 +92,7 @@ ReportFigure misfit_figure(const std::vector<TestComparison>& comparisons) {
     trace.stroke = {.colour = kGrey, .width = 1.2};
   }
   for (ReportTrace& trace :
-       over_response(comparisons, [](const TestComparison& row) { return row.nrmse / kPercent; })) {
+       over_response(comparisons, [](const ChannelMisfit& row) { return row.nrmse / kPercent; })) {
     traces.push_back(std::move(trace));
   }
   return {.title = "Misfit of the prediction",
@@ -105,29 +105,29 @@ ReportFigure misfit_figure(const std::vector<TestComparison>& comparisons) {
           .wide = true};
 }
 
-ReportFigure amplitude_figure(const std::vector<TestComparison>& comparisons) {
+ReportFigure amplitude_figure(const std::vector<ChannelMisfit>& comparisons) {
   return {.title = "Amplitude error",
           .caption = "First harmonic predicted over recorded, less 1.",
           .x = response_axis(),
           .y = {.label = "amplitude error", .unit = "%"},
-          .choices = {{"", over_response(comparisons, [](const TestComparison& row) {
+          .choices = {{"", over_response(comparisons, [](const ChannelMisfit& row) {
                          return (row.amplitude_ratio - 1.0) / kPercent;
                        })}}};
 }
 
-ReportFigure phase_figure(const std::vector<TestComparison>& comparisons) {
+ReportFigure phase_figure(const std::vector<ChannelMisfit>& comparisons) {
   return {.title = "Phase error",
           .caption = "First harmonic, predicted less recorded.",
           .x = response_axis(),
           .y = {.label = "phase error", .unit = "mrad"},
-          .choices = {{"", over_response(comparisons, [](const TestComparison& row) {
+          .choices = {{"", over_response(comparisons, [](const ChannelMisfit& row) {
                          return row.phase_error / kMilliradian;
                        })}}};
 }
 
 }  // namespace
 
-ReportSection predictions_section(const TestResults& results) {
+ReportSection predictions_section(const ExperimentResults& results) {
   ReportSection section{.title = "Prediction", .blocks = {}};
   if (results.comparisons.empty() && results.predictions.empty()) {
     section.blocks.emplace_back(

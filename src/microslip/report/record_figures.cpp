@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "microslip/report/scales.hpp"
+#include "microslip/report/sections.hpp"
 #include "microslip/report/shown_unit.hpp"
-#include "microslip/report/test_sections.hpp"
 
 namespace microslip {
 namespace {
@@ -29,10 +29,10 @@ std::pair<std::string, double> unit_of_signal(const std::string& unit) {
   return {shown_unit(unit, 1.0).text, 1.0};
 }
 
-std::vector<std::string> units_of(const std::vector<TestRecord>& records) {
+std::vector<std::string> units_of(const std::vector<LevelRecord>& records) {
   std::vector<std::string> units;
-  for (const TestRecord& record : records) {
-    for (const TestSignal& signal : record.signals) {
+  for (const LevelRecord& record : records) {
+    for (const SignalPair& signal : record.signals) {
       if (std::ranges::find(units, signal.unit) == units.end()) units.push_back(signal.unit);
     }
   }
@@ -40,7 +40,7 @@ std::vector<std::string> units_of(const std::vector<TestRecord>& records) {
 }
 
 /// "level_07.csv (3.2 m/s²)"
-std::string label_of(const std::string& source, const TestResults& results) {
+std::string label_of(const std::string& source, const ExperimentResults& results) {
   const std::string_view name = file_name(source);
   if (results.levels && !results.levels->response_amplitude.empty()) {
     const std::vector<std::string>& sources = results.levels->source;
@@ -54,7 +54,7 @@ std::string label_of(const std::string& source, const TestResults& results) {
 }
 
 /// The two curves of a signal.
-void add_signal(const TestSignal& signal, const RecordNames& names, int colour, double scale,
+void add_signal(const SignalPair& signal, const RecordNames& names, int colour, double scale,
                 std::vector<ReportTrace>& traces) {
   const bool compares = !signal.other.empty();
   traces.push_back(
@@ -80,8 +80,9 @@ std::string left_out_text(std::size_t channels) {
 }
 
 /// The signals of one unit, a choice a record.
-ReportFigure history_figure(const TestResults& results, const std::vector<TestRecord>& records,
-                            const std::string& unit, const RecordNames& names) {
+ReportFigure history_figure(const ExperimentResults& results,
+                            const std::vector<LevelRecord>& records, const std::string& unit,
+                            const RecordNames& names) {
   const auto [shown, scale] = unit_of_signal(unit);
   std::string title = quantity_of_unit(unit);
   title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
@@ -92,11 +93,11 @@ ReportFigure history_figure(const TestResults& results, const std::vector<TestRe
                       .choose = "Record",
                       .wide = true};
   std::size_t most = 0;
-  for (const TestRecord& record : records) {
+  for (const LevelRecord& record : records) {
     ReportChoice choice{label_of(record.source, results), {}};
     int colour = kBlue;
     std::size_t channels = 0;
-    for (const TestSignal& signal : record.signals) {
+    for (const SignalPair& signal : record.signals) {
       if (signal.unit != unit || ++channels > kMostChannels) continue;
       add_signal(signal, names, colour, scale, choice.traces);
       ++colour;
@@ -127,8 +128,8 @@ bool has_overtones(const std::vector<double>& harmonics) {
   return harmonics.size() > 1 && harmonics[0] > 0.0;
 }
 
-ReportFigure harmonics_figure(const TestResults& results, const std::vector<TestRecord>& records,
-                              const RecordNames& names) {
+ReportFigure harmonics_figure(const ExperimentResults& results,
+                              const std::vector<LevelRecord>& records, const RecordNames& names) {
   ReportFigure figure{
       .title = "Harmonics",
       .caption =
@@ -139,15 +140,15 @@ ReportFigure harmonics_figure(const TestResults& results, const std::vector<Test
       .choose = "Record",
       .wide = true};
   std::size_t most = 0;
-  for (const TestRecord& record : records) {
+  for (const LevelRecord& record : records) {
     // Pairs of all channels at once are hard to read: those of the force come first.
     const bool compares = std::ranges::any_of(
-        record.harmonics, [](const TestHarmonics& channel) { return !channel.other.empty(); });
+        record.harmonics, [](const HarmonicsPair& channel) { return !channel.other.empty(); });
     ReportChoice choice{label_of(record.source, results), {}};
     int colour = kBlue;
     double last = 2.0;
     most = std::max(most, record.harmonics.size());
-    for (const TestHarmonics& channel : record.harmonics | std::views::take(kMostChannels)) {
+    for (const HarmonicsPair& channel : record.harmonics | std::views::take(kMostChannels)) {
       const bool is_force = channel.unit == "N";
       const auto add = [&](const std::vector<double>& values, const char* name, int paint) {
         if (!has_overtones(values)) return;
@@ -182,8 +183,8 @@ AxisRange harmonics_range(const std::vector<ReportChoice>& choices) {
   return {1.4, last + 0.6};
 }
 
-void add_records(ReportSection& section, const TestResults& results,
-                 const std::vector<TestRecord>& records, const RecordNames& names) {
+void add_records(ReportSection& section, const ExperimentResults& results,
+                 const std::vector<LevelRecord>& records, const RecordNames& names) {
   for (const std::string& unit : units_of(records)) {
     section.blocks.emplace_back(history_figure(results, records, unit, names));
   }

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "microslip/report/test_results.hpp"
+#include "microslip/report/report_document.hpp"
+#include "microslip/workflow/experiment_results.hpp"
 
 /// @file
 /// Records as figures. Internal to report.
@@ -24,8 +25,8 @@ inline constexpr RecordNames kPredictedNames = {"recorded", "predicted", kBlack,
 
 /// Histories of the channels, a figure a unit with the first eight, and their harmonics; the reader
 /// chooses the record, which has its response beside its name where the levels tell it.
-void add_records(ReportSection& section, const TestResults& results,
-                 const std::vector<TestRecord>& records, const RecordNames& names);
+void add_records(ReportSection& section, const ExperimentResults& results,
+                 const std::vector<LevelRecord>& records, const RecordNames& names);
 
 /// Of the harmonics from the second that these bars show.
 [[nodiscard]] AxisRange harmonics_range(const std::vector<ReportChoice>& choices);

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "microslip/base/summary.hpp"
 #include "microslip/report/figure.hpp"
 
 /// @file
@@ -116,15 +117,9 @@ struct ReportText {
   std::string text;  ///< of the paragraph
 };
 
-/// Something to worry about. Never hidden.
-struct ReportWarning {
-  std::string code;  ///< as in the files: "density_negative"
-  std::string text;  ///< one sentence
-};
-
-/// Several of them together.
+/// What to worry about. Never hidden.
 struct ReportWarnings {
-  std::vector<ReportWarning> warnings = {};  ///< in the order shown
+  std::vector<Warning> warnings = {};  ///< in the order shown
 };
 
 /// What is not there, and the command that makes it.

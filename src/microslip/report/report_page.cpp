@@ -113,7 +113,7 @@ class Page {
   void write(const ReportWarnings& block) {
     if (block.warnings.empty()) return;
     html_ += "<ul class=\"warnings\" aria-label=\"Warnings\">\n";
-    for (const ReportWarning& warning : block.warnings) {
+    for (const Warning& warning : block.warnings) {
       html_ += fmt::format("<li>{} <code>{}</code></li>\n", html_text(warning.text),
                            html_text(warning.code));
     }

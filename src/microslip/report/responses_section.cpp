@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "microslip/report/test_sections.hpp"
+#include "microslip/report/sections.hpp"
 
 namespace microslip {
 namespace {
@@ -21,7 +21,7 @@ ReportTrace curve(std::string name, double response, const std::vector<double>& 
 }
 
 /// The levels of the test, each near the top of its curve.
-ReportTrace measured_peaks(const TestLevels& test) {
+ReportTrace measured_peaks(const MeasuredLevels& test) {
   ReportTrace trace{.name = "measured levels",
                     .kind = TraceKind::kPoints,
                     .x = test.frequency,
@@ -33,7 +33,7 @@ ReportTrace measured_peaks(const TestLevels& test) {
 }
 
 /// Acceleration over force.
-ReportFigure response_figure(const TestResults& results) {
+ReportFigure response_figure(const ExperimentResults& results) {
   ReportFigure figure{
       .title = "Frequency responses at constant response",
       .caption =
@@ -44,14 +44,14 @@ ReportFigure response_figure(const TestResults& results) {
       .choices = {{"", {}}},
       .wide = true};
   std::vector<ReportTrace>& traces = figure.choices[0].traces;
-  const TestLevels& test = *results.levels;
+  const MeasuredLevels& test = *results.levels;
   if (!test.frequency.empty() && !test.force_amplitude.empty() &&
       !test.response_amplitude.empty()) {
     traces.push_back(measured_peaks(test));
   }
   int colour = kBlue;
   std::vector<ReportTrace> expected;
-  for (const TestResponse& response : results.responses) {
+  for (const ConstantResponse& response : results.responses) {
     const std::string name = fmt::format("{:.3g} m/s²", response.response);
     traces.push_back(
         curve(name, response.response, response.frequency, response.force, {.colour = colour}));
@@ -69,7 +69,7 @@ ReportFigure response_figure(const TestResults& results) {
 
 }  // namespace
 
-ReportSection responses_section(const TestResults& results) {
+ReportSection responses_section(const ExperimentResults& results) {
   ReportSection section{.title = "Responses", .blocks = {}};
   if (results.responses.empty() || !results.levels) {
     section.blocks.emplace_back(

@@ -16,6 +16,7 @@
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/report/harmonic_bars.hpp"
 #include "microslip/report/scales.hpp"
+#include "microslip/workflow/level_records.hpp"
 
 namespace microslip {
 namespace {
@@ -50,25 +51,6 @@ LineLayer force_over_a_cycle(const DrivenVibration& driven, const char* name, in
   return line;
 }
 
-/// |F_n|/|F_1|, n from 2.
-std::vector<double> relative_harmonics(const DrivenVibration& driven, std::size_t harmonics) {
-  std::vector<double> shares;
-  for (std::size_t n = 2; n < driven.force.size() && n <= harmonics; ++n) {
-    shares.push_back(std::abs(driven.force[n]) / std::abs(driven.force[1]));
-  }
-  return shares;
-}
-
-std::vector<TestForceControl> controls_of(std::span<const VirtualLevel> levels,
-                                          std::size_t harmonics) {
-  std::vector<TestForceControl> controls;
-  for (const VirtualLevel& level : levels) {
-    controls.push_back({"", level.response, relative_harmonics(level.uncontrolled, harmonics),
-                        relative_harmonics(level.controlled, harmonics)});
-  }
-  return controls;
-}
-
 /// The first harmonic, and the others over it, %.
 std::vector<double> heights_of(const std::vector<double>& shares) {
   std::vector<double> heights = {1.0 / kPercent};
@@ -92,7 +74,7 @@ Figure force_histories(LineLayer before, LineLayer after) {
   return figure;
 }
 
-Figure force_harmonics(const TestForceControl& level, const std::string& unit) {
+Figure force_harmonics(const ForceControlLevel& level, const std::string& unit) {
   Figure figure;
   figure.title = "Its harmonics";
   figure.x = harmonic_axis(level.before.size() + 1);
@@ -104,13 +86,13 @@ Figure force_harmonics(const TestForceControl& level, const std::string& unit) {
   return figure;
 }
 
-Figure force_distortions(std::span<const TestForceControl> levels, const std::string& unit) {
+Figure force_distortions(std::span<const ForceControlLevel> levels, const std::string& unit) {
   LineLayer before{{}, {}, "before control", {.colour = kBefore}};
   LineLayer after{{}, {}, "after", {.colour = kAfter}};
   const auto largest = [](const std::vector<double>& shares) {
     return shares.empty() ? 0.0 : std::ranges::max(shares) / kPercent;
   };
-  for (const TestForceControl& level : levels) {
+  for (const ForceControlLevel& level : levels) {
     for (auto* line : {&before, &after}) line->x.push_back(level.response / size_of(unit));
     before.y.push_back(largest(level.before));
     after.y.push_back(largest(level.after));
@@ -194,7 +176,7 @@ Figure linear_share_figure(const std::string& title, std::span<const ReducedLeve
 
 FigureGrid force_control_figure(const std::string& title, std::span<const VirtualLevel> levels,
                                 std::size_t harmonics, const std::string& unit) {
-  const std::vector<TestForceControl> controls = controls_of(levels, harmonics);
+  const std::vector<ForceControlLevel> controls = force_controls(levels, harmonics);
   const VirtualLevel& highest = levels.back();
   return {title,
           3,
@@ -203,11 +185,11 @@ FigureGrid force_control_figure(const std::string& title, std::span<const Virtua
            force_harmonics(controls.back(), unit), force_distortions(controls, unit)}};
 }
 
-FigureGrid force_control_figure(const std::string& title, std::span<const TestForceControl> levels,
+FigureGrid force_control_figure(const std::string& title, std::span<const ForceControlLevel> levels,
                                 const std::string& unit) {
   if (levels.empty()) throw InputError("levels.size()", 0, "the figure needs a force control");
-  std::vector<TestForceControl> sorted(levels.begin(), levels.end());
-  std::ranges::stable_sort(sorted, {}, &TestForceControl::response);
+  std::vector<ForceControlLevel> sorted(levels.begin(), levels.end());
+  std::ranges::stable_sort(sorted, {}, &ForceControlLevel::response);
   return {title, 2, {force_harmonics(sorted.back(), unit), force_distortions(sorted, unit)}};
 }
 

@@ -9,9 +9,9 @@
 #include "microslip/dynamics/steady_vibration.hpp"
 #include "microslip/joint/joint.hpp"
 #include "microslip/report/figure.hpp"
-#include "microslip/report/test_results.hpp"
 #include "microslip/rig/reduction.hpp"
 #include "microslip/rig/virtual_measurement.hpp"
+#include "microslip/workflow/experiment_results.hpp"
 
 /// @file
 /// The pictures of a frictional-support test.
@@ -59,7 +59,7 @@ namespace microslip {
 /// @param levels  one at least.
 /// @param unit    of the response: "m/s²", "g".
 [[nodiscard]] FigureGrid force_control_figure(const std::string& title,
-                                              std::span<const TestForceControl> levels,
+                                              std::span<const ForceControlLevel> levels,
                                               const std::string& unit = "m/s²");
 
 /// A frequency response at constant response.

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "microslip/report/test_sections.hpp"
+#include "microslip/report/sections.hpp"
 
 namespace microslip {
 namespace {
@@ -46,7 +46,7 @@ void add_sensor(const char* name, const RigSensor& sensor, bool on_beam, Facts& 
 
 }  // namespace
 
-ReportSection rig_section(const TestResults& results) {
+ReportSection rig_section(const ExperimentResults& results) {
   ReportSection section{.title = "Rig", .blocks = {}};
   if (!results.rig) return section;
   const Rig& rig = *results.rig;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 /// @file
 /// The units that figures and tables of tests are shown in, in SI units. Internal to report.
 
@@ -12,5 +15,14 @@ inline constexpr double kMillisecond = 1e-3;        // s
 inline constexpr double kPerKilonewton = 1e-3;      // 1/N
 inline constexpr double kKilonewtonPerMetre = 1e3;  // N/m
 inline constexpr double kPercent = 1e-2;
+
+/// So many atoms are marked in figures and named in the summary.
+inline constexpr std::size_t kMostAtomsShown = 3;
+
+/// values/unit.
+[[nodiscard]] inline std::vector<double> in_unit(std::vector<double> values, double unit) {
+  for (double& value : values) value /= unit;
+  return values;
+}
 
 }  // namespace microslip

@@ -6,18 +6,18 @@
 #include <utility>
 
 #include "microslip/report/record_figures.hpp"
-#include "microslip/report/test_sections.hpp"
+#include "microslip/report/sections.hpp"
 
 namespace microslip {
 namespace {
 
 /// The largest harmonic of the force at each level. [AR14 Fig. 7]
-ReportFigure control_figure(const std::vector<TestForceControl>& levels) {
+ReportFigure control_figure(const std::vector<ForceControlLevel>& levels) {
   ReportTrace before{
       .name = "before control", .kind = TraceKind::kPoints, .stroke = {.colour = kPurple}};
   ReportTrace after{
       .name = "after control", .kind = TraceKind::kPoints, .stroke = {.colour = kBlue}};
-  for (const TestForceControl& level : levels) {
+  for (const ForceControlLevel& level : levels) {
     if (level.before.empty()) continue;
     before.x.push_back(level.response);
     before.y.push_back(std::ranges::max(level.before) / kPercent);
@@ -34,14 +34,14 @@ ReportFigure control_figure(const std::vector<TestForceControl>& levels) {
           .choices = {{"", {before, after, one_percent(lowest, highest)}}}};
 }
 
-ReportFigure control_harmonics_figure(const std::vector<TestForceControl>& levels) {
+ReportFigure control_harmonics_figure(const std::vector<ForceControlLevel>& levels) {
   ReportFigure figure{
       .title = "Harmonics of the force",
       .caption = "At one level, in percent of the first.",
       .x = {.label = "harmonic", .unit = "1"},
       .y = {.label = "share of the first", .unit = "%", .log = true, .log_switch = true},
       .choose = "Level"};
-  for (const TestForceControl& level : levels) {
+  for (const ForceControlLevel& level : levels) {
     ReportTrace before{
         .name = "before control", .kind = TraceKind::kBars, .stroke = {.colour = kPurple}};
     ReportTrace after{
@@ -61,7 +61,7 @@ ReportFigure control_harmonics_figure(const std::vector<TestForceControl>& level
   return figure;
 }
 
-ReportFigure distortion_figure(const TestResults& results) {
+ReportFigure distortion_figure(const ExperimentResults& results) {
   ReportFigure figure{
       .title = "Distortion of the force",
       .caption = "All harmonics of the force from the second over the first, at each level.",
@@ -74,17 +74,17 @@ ReportFigure distortion_figure(const TestResults& results) {
 }
 
 /// Only a test whose truth is there can be made again with another force.
-bool is_virtual(const TestResults& results) {
+bool is_virtual(const ExperimentResults& results) {
   return results.truth.has_value() || results.true_levels.has_value();
 }
 
-std::string text_of(const TestResults& results) {
+std::string text_of(const ExperimentResults& results) {
   std::string text =
       "Two cycles of a record, and the harmonics of the Fourier series that was fitted to the "
       "whole "
       "of it.";
   const auto over_time = std::ranges::count_if(
-      results.records, [](const TestRecord& record) { return !record.signals.empty(); });
+      results.records, [](const LevelRecord& record) { return !record.signals.empty(); });
   if (static_cast<std::size_t>(over_time) < results.record_count) {
     text += fmt::format(
         " {} of the {} records are shown over time{}; microslip report --records "
@@ -99,7 +99,7 @@ std::string text_of(const TestResults& results) {
 
 }  // namespace
 
-ReportSection signals_section(const TestResults& results) {
+ReportSection signals_section(const ExperimentResults& results) {
   ReportSection section{.title = "Signals", .blocks = {}};
   if (results.records.empty()) {
     section.blocks.emplace_back(
@@ -110,7 +110,7 @@ ReportSection signals_section(const TestResults& results) {
     add_records(section, results, results.records, kControlNames);
   }
   const bool controlled = std::ranges::any_of(
-      results.force_control, [](const TestForceControl& level) { return !level.before.empty(); });
+      results.force_control, [](const ForceControlLevel& level) { return !level.before.empty(); });
   if (controlled) {
     section.blocks.emplace_back(ReportText{
         "The force before and after the harmonics of the drive were corrected, at every level."});

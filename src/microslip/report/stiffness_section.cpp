@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <iterator>
-#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "microslip/base/interpolation.hpp"
 #include "microslip/joint/secant.hpp"
-#include "microslip/report/test_sections.hpp"
+#include "microslip/report/sections.hpp"
 
 namespace microslip {
 namespace {
 
 /// A quantity of the structure as predicted.
-ReportTrace predicted(const TestBackbone& backbone, const std::vector<double>& values, double unit,
+ReportTrace predicted(const JointBackbone& backbone, const std::vector<double>& values, double unit,
                       const char* name, Stroke stroke) {
   return {.name = name,
           .x = in_unit(backbone.amplitude, kMicrometre),
@@ -24,9 +20,9 @@ ReportTrace predicted(const TestBackbone& backbone, const std::vector<double>& v
           .stroke = stroke};
 }
 
-void add_predicted(const TestResults& results, std::vector<double> TestBackbone::*values,
+void add_predicted(const ExperimentResults& results, std::vector<double> JointBackbone::*values,
                    double unit, std::vector<ReportTrace>& traces) {
-  const auto add = [&](const std::optional<TestBackbone>& backbone, const char* name,
+  const auto add = [&](const std::optional<JointBackbone>& backbone, const char* name,
                        Stroke stroke) {
     if (backbone) {
       traces.push_back(predicted(*backbone, (*backbone).*values, unit, name, stroke));
@@ -36,8 +32,8 @@ void add_predicted(const TestResults& results, std::vector<double> TestBackbone:
   add(results.true_backbone, "by the true joint", kTruth);
 }
 
-ReportFigure resonance_figure(const TestResults& results) {
-  const TestLevels& test = *results.levels;
+ReportFigure resonance_figure(const ExperimentResults& results) {
+  const MeasuredLevels& test = *results.levels;
   const bool measured = !test.resonance_frequency.empty();
   ReportFigure figure{
       .title = "Resonance frequency",
@@ -55,33 +51,12 @@ ReportFigure resonance_figure(const TestResults& results) {
   if (measured) {
     traces.push_back(at_levels(results, "resonance", test.resonance_frequency, {}, kBlack));
   }
-  add_predicted(results, &TestBackbone::frequency, 1.0, traces);
+  add_predicted(results, &JointBackbone::frequency, 1.0, traces);
   return figure;
 }
 
-/// ζ = W/(4πE) with the measured W and the E of the prediction, which is that of the response and
-/// the mode and hardly depends on the joint. Empty where the levels or the prediction tell too
-/// little.
-ReportTrace measured_damping(const TestResults& results) {
-  ReportTrace trace{.name = "measured", .kind = TraceKind::kPoints, .stroke = {.colour = kBlack}};
-  const TestBackbone& backbone = *results.backbone;
-  const TestLevels& test = *results.levels;
-  if (backbone.vibration_energy.empty() || test.input_energy.empty()) return trace;
-  std::vector<double> modal_stiffness;  // over 2: E/A² is nearly constant
-  for (std::size_t i = 0; i < backbone.amplitude.size(); ++i) {
-    modal_stiffness.push_back(backbone.vibration_energy[i] / std::pow(backbone.amplitude[i], 2));
-  }
-  for (std::size_t i = 0; i < test.levels.size(); ++i) {
-    const double a = test.levels.amplitude[i];
-    const double energy = interpolate(backbone.amplitude, modal_stiffness, a) * a * a;
-    trace.x.push_back(a / kMicrometre);
-    trace.y.push_back(test.input_energy[i] / (4.0 * std::numbers::pi * energy) / kPercent);
-  }
-  return trace;
-}
-
 /// Of the structure with its joint.
-ReportFigure structure_damping_figure(const TestResults& results) {
+ReportFigure structure_damping_figure(const ExperimentResults& results) {
   ReportFigure figure{.title = "Damping of the structure",
                       .caption =
                           "Damping ratio in phase resonance, predicted for the rig: by the energy "
@@ -89,15 +64,16 @@ ReportFigure structure_damping_figure(const TestResults& results) {
                       .x = amplitude_axis(),
                       .y = {.label = "damping ratio", .unit = "%", .log_switch = true},
                       .choices = {{"", {}}}};
-  if (ReportTrace measured = measured_damping(results); !measured.x.empty()) {
+  if (const std::vector<double> measured = measured_damping(results); !measured.empty()) {
     figure.caption += " Measured: the input energy over the energy of that vibration.";
-    figure.choices[0].traces.push_back(std::move(measured));
+    figure.choices[0].traces.push_back(
+        at_levels(results, "measured", in_unit(measured, kPercent), {}, kBlack));
   }
-  add_predicted(results, &TestBackbone::damping_ratio, kPercent, figure.choices[0].traces);
+  add_predicted(results, &JointBackbone::damping_ratio, kPercent, figure.choices[0].traces);
   return figure;
 }
 
-ReportFigure secant_figure(const TestResults& results) {
+ReportFigure secant_figure(const ExperimentResults& results) {
   const Levels& levels = results.levels->levels;
   ReportFigure figure{.title = "Secant stiffness",
                       .caption = "Of the first harmonic.",
@@ -115,15 +91,12 @@ ReportFigure secant_figure(const TestResults& results) {
                                in_unit(levels.secant_stiffness, kKilonewtonPerMetre),
                                in_unit(levels.secant_stiffness_std, kKilonewtonPerMetre), kBlack));
   }
-  std::ranges::move(curves_of_joints(results,
-                                     [](const Joint& joint, double a) {
-                                       return secant_stiffness(joint, a) / kKilonewtonPerMetre;
-                                     }),
+  std::ranges::move(curves_of_joints(results, secant_stiffness, kKilonewtonPerMetre),
                     std::back_inserter(traces));
   return figure;
 }
 
-ReportFigure loss_figure(const TestResults& results) {
+ReportFigure loss_figure(const ExperimentResults& results) {
   ReportFigure figure{.title = "Loss factor of the joint",
                       .caption =
                           "D/(π k_eq A²): it rises with micro-slip, and falls again beyond "
@@ -142,10 +115,10 @@ ReportFigure loss_figure(const TestResults& results) {
 
 }  // namespace
 
-ReportSection stiffness_section(const TestResults& results) {
+ReportSection stiffness_section(const ExperimentResults& results) {
   ReportSection section{.title = "Stiffness and damping", .blocks = {}};
   if (!results.levels) return section;
-  const TestLevels& test = *results.levels;
+  const MeasuredLevels& test = *results.levels;
   const bool secant = results.joint || results.truth || !test.levels.secant_stiffness.empty();
   if (!test.resonance_frequency.empty() || !test.frequency.empty())
     section.blocks.emplace_back(resonance_figure(results));

@@ -71,7 +71,7 @@ LineLayer predicted_line(const Verification& record, const ChannelComparison& ch
   return line;
 }
 
-LineLayer predicted_line(const TestSignal& signal) {
+LineLayer predicted_line(const SignalPair& signal) {
   LineLayer line = predicted_line();
   line.y = signal.other;
   for (const double t : signal.other_time) {
@@ -168,43 +168,43 @@ Figure harmonics_panel(const ChannelComparison& channel) {
 }
 
 /// The comparisons of a record; nothing where the files do not tell.
-const TestComparison* comparison_of(const TestResults& results, const std::string& source,
-                                    const std::string& channel) {
-  for (const TestComparison& row : results.comparisons) {
+const ChannelMisfit* comparison_of(const ExperimentResults& results, const std::string& source,
+                                   const std::string& channel) {
+  for (const ChannelMisfit& row : results.comparisons) {
     if (row.source == source && row.channel == channel) return &row;
   }
   return nullptr;
 }
 
 /// The lowest, a middle and the highest level.
-std::vector<const TestRecord*> shown_records(const TestResults& results) {
-  std::vector<std::pair<double, const TestRecord*>> sorted;
-  for (const TestRecord& record : results.predictions) {
+std::vector<const LevelRecord*> shown_records(const ExperimentResults& results) {
+  std::vector<std::pair<double, const LevelRecord*>> sorted;
+  for (const LevelRecord& record : results.predictions) {
     if (record.signals.empty()) continue;
-    const TestComparison* row = comparison_of(results, record.source, record.signals.front().name);
+    const ChannelMisfit* row = comparison_of(results, record.source, record.signals.front().name);
     sorted.emplace_back(row == nullptr ? 0.0 : row->response_amplitude, &record);
   }
   std::ranges::stable_sort(sorted, {}, [](const auto& entry) { return entry.first; });
-  std::vector<const TestRecord*> shown;
+  std::vector<const LevelRecord*> shown;
   for (const auto& [response, record] : sorted) shown.push_back(record);
   if (shown.size() <= 3) return shown;
   return {shown.front(), shown[(shown.size() - 1) / 2], shown.back()};
 }
 
 /// The force, where there is one, and the first acceleration.
-std::vector<const TestSignal*> shown_signals(const TestRecord& record) {
-  std::vector<const TestSignal*> shown;
+std::vector<const SignalPair*> shown_signals(const LevelRecord& record) {
+  std::vector<const SignalPair*> shown;
   for (const std::string unit : {"N", "m/s^2"}) {
-    const auto found = std::ranges::find(record.signals, unit, &TestSignal::unit);
+    const auto found = std::ranges::find(record.signals, unit, &SignalPair::unit);
     if (found != record.signals.end()) shown.push_back(&*found);
   }
   if (shown.empty()) shown.push_back(&record.signals.front());
   return shown;
 }
 
-Figure history_panel(const TestResults& results, const TestRecord& record,
-                     const TestSignal& signal) {
-  const TestComparison* row = comparison_of(results, record.source, signal.name);
+Figure history_panel(const ExperimentResults& results, const LevelRecord& record,
+                     const SignalPair& signal) {
+  const ChannelMisfit* row = comparison_of(results, record.source, signal.name);
   Figure panel = history_panel(
       row == nullptr ? record.source : level_text(row->response_amplitude, row->frequency, "m/s²"),
       row == nullptr ? "" : "NRMSE " + percent_text(row->nrmse),
@@ -214,8 +214,8 @@ Figure history_panel(const TestResults& results, const TestRecord& record,
   return panel;
 }
 
-std::optional<Figure> harmonics_panel(const TestRecord& record, const std::string& channel) {
-  const auto found = std::ranges::find(record.harmonics, channel, &TestHarmonics::name);
+std::optional<Figure> harmonics_panel(const LevelRecord& record, const std::string& channel) {
+  const auto found = std::ranges::find(record.harmonics, channel, &HarmonicsPair::name);
   if (found == record.harmonics.end() || found->recorded.empty() ||
       !(found->recorded.front() > 0.0)) {
     return std::nullopt;
@@ -248,12 +248,12 @@ FigureGrid verification_figure(std::span<const Verification> records, const std:
   return figure;
 }
 
-FigureGrid verification_figure(const TestResults& results) {
+FigureGrid verification_figure(const ExperimentResults& results) {
   FigureGrid figure;
-  for (const TestRecord* record : shown_records(results)) {
+  for (const LevelRecord* record : shown_records(results)) {
     const std::size_t before = figure.panels.size();
-    const std::vector<const TestSignal*> signals = shown_signals(*record);
-    for (const TestSignal* signal : signals) {
+    const std::vector<const SignalPair*> signals = shown_signals(*record);
+    for (const SignalPair* signal : signals) {
       figure.panels.push_back(history_panel(results, *record, *signal));
     }
     if (auto harmonics = harmonics_panel(*record, signals.back()->name)) {

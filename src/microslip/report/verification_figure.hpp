@@ -6,8 +6,8 @@
 
 #include "microslip/report/figure.hpp"
 #include "microslip/report/gnuplot.hpp"
-#include "microslip/report/test_results.hpp"
 #include "microslip/rig/verification.hpp"
+#include "microslip/workflow/experiment_results.hpp"
 
 namespace microslip {
 
@@ -25,7 +25,7 @@ namespace microslip {
 /// are known, the harmonics of the latter. Titles tell the level, subtitles the NRMSE, where it is
 /// known.
 /// @throws InputError  where there are no histories.
-[[nodiscard]] FigureGrid verification_figure(const TestResults& results);
+[[nodiscard]] FigureGrid verification_figure(const ExperimentResults& results);
 
 /// That the panels are readable.
 [[nodiscard]] PictureSize verification_size(const FigureGrid& figure);

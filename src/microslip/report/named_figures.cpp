@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/report/named_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/text.hpp"
+#include "microslip/report/prediction_figures.hpp"
+#include "microslip/report/rig_figures.hpp"
+#include "microslip/report/verification_figure.hpp"
+
+namespace microslip {
+namespace {
+
+FigureGrid alone(Figure figure) { return {"", 1, {std::move(figure)}}; }
+
+/// A figure of the results of a test.
+template <Figure (*Make)(const ExperimentResults&, const PaperOptions&)>
+FigureGrid of_test(const ResultInput& input, const PaperOptions& options) {
+  return alone(Make(input.test, options));
+}
+
+bool has_levels(const ResultInput& input) { return input.test.levels.has_value(); }
+bool has_joint(const ResultInput& input) { return input.test.joint.has_value(); }
+
+bool has_column(const ResultInput& input, std::vector<double> MeasuredLevels::*column) {
+  return has_levels(input) && !((*input.test.levels).*column).empty();
+}
+
+bool has_secant(const ResultInput& input) {
+  return has_levels(input) && !input.test.levels->levels.secant_stiffness.empty();
+}
+
+FigureGrid density(const ResultInput& input, const PaperOptions& options) {
+  if (!input.density) return alone(paper_density(input.test, options));
+  return alone(paper_density(*input.density, options));
+}
+
+FigureGrid loops(const ResultInput& input, const PaperOptions& options) {
+  if (!input.path) return alone(paper_loops(input.test, options));
+  return alone(paper_path(input.path->displacement, input.path_force));
+}
+
+FigureGrid force_control(const ResultInput& input, const PaperOptions& /*options*/) {
+  FigureGrid grid = force_control_figure("", input.test.force_control);
+  for (Figure& panel : grid.panels) panel.title.clear();  // that is for the caption
+  return grid;
+}
+
+FigureGrid verification(const ResultInput& input, const PaperOptions& options) {
+  if (input.test.predictions.empty()) return paper_deviations(input.test, options);
+  return verification_figure(input.test);
+}
+
+FigureGrid dissipation_of(const ResultInput& input, const PaperOptions& options) {
+  if (!input.dissipation) return paper_dissipation(input.test, options);
+  return paper_dissipation(*input.dissipation, options);
+}
+
+bool always(const ResultInput& /*input*/) { return true; }
+bool never(const ResultInput& /*input*/) { return false; }
+
+bool has_density(const ResultInput& input) { return has_joint(input) || input.density; }
+bool has_loops(const ResultInput& input) { return has_joint(input) || input.path; }
+bool has_steady_loops(const ResultInput& input) { return has_joint(input) && !input.path; }
+bool has_stiffness(const ResultInput& input) { return has_joint(input) || has_secant(input); }
+
+bool has_resonance(const ResultInput& input) {
+  return has_column(input, &MeasuredLevels::frequency) ||
+         has_column(input, &MeasuredLevels::resonance_frequency);
+}
+
+/// A ring-down gives the damping of a mode, which no joint has.
+bool has_damping(const ResultInput& input) {
+  return has_stiffness(input) || has_column(input, &MeasuredLevels::damping_ratio);
+}
+
+bool has_deviations(const ResultInput& input) {
+  return input.test.predictions.empty() && !input.test.comparisons.empty();
+}
+
+bool has_verification(const ResultInput& input) {
+  return has_deviations(input) || !input.test.predictions.empty();
+}
+
+bool has_dissipation(const ResultInput& input) { return has_joint(input) || input.dissipation; }
+bool has_joint_curves(const ResultInput& input) { return has_joint(input) && !input.dissipation; }
+
+constexpr std::array<NamedFigure, 13> kFigures = {{
+    {"energies", "input energy, linear loss and joint dissipation over the amplitude", "levels.csv",
+     has_levels, always, always, of_test<paper_energies>},
+    {"density", "slip-force density with its band", "joint.json or density.csv", has_density, never,
+     always, density},
+    {"loops", "hysteresis loops of the joint at four amplitudes", "joint.json or a CSV of loop",
+     has_loops, never, has_steady_loops, loops},
+    {"resonance", "frequency over the response or the amplitude", "levels.csv with frequency [Hz]",
+     has_resonance, always, never, of_test<paper_resonance>},
+    {"stiffness", "secant stiffness over the amplitude",
+     "joint.json or levels.csv with secant_stiffness [N/m]", has_stiffness, always, always,
+     of_test<paper_stiffness>},
+    {"damping", "loss factor of the joint, or damping ratio of a ring-down, over the amplitude",
+     "joint.json or levels.csv with secant_stiffness [N/m]", has_damping, always, has_stiffness,
+     of_test<paper_damping>},
+    {"force-control", "harmonics of the force before and after their control", "force_control.csv",
+     [](const ResultInput& input) { return !input.test.force_control.empty(); }, never, never,
+     force_control},
+    {"constant-response", "frequency responses at constant response, predicted",
+     "rig.toml, joint.json, levels.csv with response_amplitude [m/s^2]",
+     [](const ResultInput& input) { return !input.test.responses.empty(); }, never, never,
+     [](const ResultInput& input, const PaperOptions& /*options*/) {
+       return alone(paper_constant_response(input.test));
+     }},
+    {"verification", "recorded and predicted signals, or the error of each channel",
+     "verification.csv or histories", has_verification, has_deviations, never, verification},
+    {"response", "frequency response, amplitude and phase", "CSV of frf",
+     [](const ResultInput& input) { return input.response.has_value(); }, never, never,
+     [](const ResultInput& input, const PaperOptions& /*options*/) {
+       return paper_response(*input.response);
+     }},
+    {"backbone", "resonance frequency and damping ratio over the amplitude", "CSV of backbone",
+     [](const ResultInput& input) { return input.backbone.has_value(); }, always, never,
+     [](const ResultInput& input, const PaperOptions& options) {
+       return paper_backbone(*input.backbone, options);
+     }},
+    {"history", "signals over time", "CSV of march or a recording",
+     [](const ResultInput& input) { return !input.history.empty(); }, never, never,
+     [](const ResultInput& input, const PaperOptions& /*options*/) {
+       return paper_history(input.history);
+     }},
+    {"dissipation", "dissipation, secant stiffness and loss factor over the amplitude",
+     "joint.json or a CSV of dissipation", has_dissipation, always, has_joint_curves,
+     dissipation_of},
+}};
+
+std::vector<const NamedFigure*> possible(const ResultInput& input) {
+  std::vector<const NamedFigure*> figures;
+  for (const NamedFigure& figure : kFigures) {
+    if (figure.has(input)) figures.push_back(&figure);
+  }
+  return figures;
+}
+
+/// "It has energies, resonance."
+std::string choice_text(const ResultInput& input) {
+  std::vector<const char*> names;
+  for (const NamedFigure* figure : possible(input)) names.push_back(figure->name);
+  return names.empty() ? input.instead
+                       : fmt::format("{} has {}.", input.name, fmt::join(names, ", "));
+}
+
+const NamedFigure& only_figure(const ResultInput& input) {
+  const std::vector<const NamedFigure*> figures = possible(input);
+  if (figures.size() == 1) return *figures.front();
+  if (figures.empty()) {
+    throw InputError("IN", in_quotes(input.name), "holds nothing of which there is a figure",
+                     choice_text(input));
+  }
+  throw InputError("--figure", InputState{"not given"}, "must name one of several figures",
+                   choice_text(input));
+}
+
+/// Says of which file, and where it can of which axis, a value is that cannot be drawn: for
+/// "panels[0].layers[1].x[3]", for instance.
+InputError named(const InputError& error, const ResultInput& input, const FigureGrid* grid) {
+  const std::string& name = error.name();
+  if (name.starts_with("--")) return error;
+  const std::string panels = "panels[";
+  std::string part = name.starts_with("layers") ? "value" : name;
+  if (grid && name.starts_with(panels)) {
+    const Figure& panel = grid->panels.at(std::stoul(name.substr(panels.size())));
+    part = name.find(".x") != std::string::npos ? panel.x.label : panel.y.label;
+  }
+  return error.renamed(fmt::format("{}: {}", input.name, part));
+}
+
+}  // namespace
+
+std::span<const NamedFigure> named_figures() { return kFigures; }
+
+const NamedFigure& find_figure(const std::string& name, const ResultInput& input) {
+  if (name.empty()) return only_figure(input);
+  const auto found = std::ranges::find_if(
+      kFigures, [&](const NamedFigure& figure) { return figure.name == name; });
+  if (found != kFigures.end() && found->has(input)) return *found;
+  throw InputError("--figure", "'" + name + "'",
+                   found == kFigures.end() ? "there is no such figure"
+                                           : fmt::format("it needs {}", found->needs),
+                   choice_text(input));
+}
+
+PaperPicture draw_named(const NamedFigure& figure, const ResultInput& input,
+                        const PaperOptions& options, PictureFormat format,
+                        const PaperPrint& print) {
+  FigureGrid grid;
+  try {
+    grid = figure.make(input, options);
+    return draw_for_paper(grid, format, print);
+  } catch (const InputError& error) {
+    throw named(error, input, grid.panels.empty() ? nullptr : &grid);
+  }
+}
+
+}  // namespace microslip

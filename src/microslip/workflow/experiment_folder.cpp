@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/workflow/experiment_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/csv.hpp"
+#include "microslip/io/density_file.hpp"
+#include "microslip/io/file_kind.hpp"
+#include "microslip/io/input_file.hpp"
+#include "microslip/io/joint_file.hpp"
+#include "microslip/io/levels_file.hpp"
+#include "microslip/io/rig_file.hpp"
+#include "microslip/io/sha256.hpp"
+#include "microslip/workflow/experiment_recordings.hpp"
+#include "microslip/workflow/level_records.hpp"
+#include "microslip/workflow/record_tables.hpp"
+#include "microslip/workflow/recorded_options.hpp"
+#include "microslip/workflow/result_tables.hpp"
+#include "microslip/workflow/rig_responses.hpp"
+
+namespace microslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostPredictions = 8;
+
+/// Comments of a table that a program wrote begin with its name and version.
+std::string made_by(std::string_view text) {
+  constexpr std::string_view kStart = "# microslip ";
+  if (!text.starts_with(kStart)) return {};
+  const std::string_view line = text.substr(kStart.size(), text.find('\n') - kStart.size());
+  const std::size_t colon = line.find(": ");
+  return std::string(colon == std::string_view::npos ? line : line.substr(colon + 2));
+}
+
+/// The name of the folder itself, also of ".".
+std::string name_of_folder(const std::string& folder) {
+  std::error_code none;
+  const fs::path whole = fs::absolute(folder, none).lexically_normal();
+  const std::string name = whole.filename().string();
+  return name.empty() ? whole.parent_path().filename().string() : name;
+}
+
+/// Reads the files of a folder into results.
+class FolderReader {
+ public:
+  explicit FolderReader(std::string folder) : folder_(std::move(folder)) {}
+
+  ExperimentResults read() {
+    results_.title = name_of_folder(folder_);
+    if (results_.title.empty()) results_.title = "Test";
+    read_joint_files();
+    read_levels();
+    read_rig_file();
+    read_verification();
+    read_force_control();
+    return std::move(results_);
+  }
+
+ private:
+  /// The file, noted with its hash.
+  std::optional<NamedInput> find(const std::string& name) {
+    const std::string path = folder_ + "/" + name;
+    std::error_code none;
+    if (!fs::is_regular_file(path, none)) return std::nullopt;
+    NamedInput input{path, read_file(path)};
+    results_.files.push_back({name, sha256(input.text), made_by(input.text)});
+    return input;
+  }
+
+  void read_joint_files() {
+    if (const auto input = find("joint.json")) {
+      const JointFile file = parse_joint(input->text, input->path);
+      results_.joint = joint_of(file, input->path);
+      if (file.provenance) note_provenance(*file.provenance);
+    }
+    if (results_.joint) read_density();
+    if (const auto input = find("truth_joint.json")) {
+      const JointFile file = parse_joint(input->text, input->path);
+      results_.truth = file.joint;
+      results_.true_linear_damping = identified_damping(file).value_or(0.0);
+    }
+  }
+
+  /// Its band is the joint's where joint.json has none.
+  void read_density() {
+    const auto input = find("density.csv");
+    if (!input) return;
+    const DensityTable table = parse_density(input->text, input->path);
+    IdentifiedJoint& joint = *results_.joint;
+    if (!is_density_of(table, joint.joint)) {
+      results_.warnings.push_back({"density_of_other_joint",
+                                   "density.csv holds another density than joint.json: it is not "
+                                   "shown. Write both by one microslip identify."});
+    } else if (joint.band_slip_force.empty() && !table.lower.empty()) {
+      joint.band_slip_force = table.slip_force;
+      joint.band_lower = table.lower;
+      joint.band_upper = table.upper;
+    }
+  }
+
+  /// SHA-256 of a file that was found; nothing of one that was not.
+  [[nodiscard]] std::optional<std::string> hash_of(std::string_view name) const {
+    const auto file = std::ranges::find(results_.files, name, &SourceFile::name);
+    if (file == results_.files.end()) return std::nullopt;
+    return file->sha256;
+  }
+
+  /// A table may tell the hashes of what it was made with; that may be newer.
+  [[nodiscard]] bool was_made_with(const std::vector<std::string>& hashes,
+                                   std::string_view name) const {
+    const std::optional<std::string> hash = hash_of(name);
+    return hashes.empty() || !hash || std::ranges::find(hashes, *hash) != hashes.end();
+  }
+
+  void check_origin(const NamedInput& input) {
+    const std::vector<std::string> hashes = hashes_in(input);
+    for (const std::string name : {"joint.json", "rig.toml"}) {
+      if (was_made_with(hashes, name)) continue;
+      results_.predictions_are_of_this_joint = false;
+      results_.warnings.push_back(
+          {name == "joint.json" ? "verification_of_other_joint" : "verification_of_other_rig",
+           fmt::format("{} was not made with the {} beside it. Verify again, or the predictions do "
+                       "not belong to the rest.",
+                       fs::path(input.path).filename().string(), name)});
+    }
+  }
+
+  void note_provenance(const Provenance& provenance) {
+    results_.files.back().made_by = provenance.command;
+    results_.provenance.emplace_back("joint identified by",
+                                     fmt::format("{} {}", provenance.program, provenance.version));
+    results_.provenance.emplace_back("command", provenance.command);
+    if (provenance.seed) {
+      results_.provenance.emplace_back("seed", fmt::format("{}", *provenance.seed));
+    }
+    for (const auto& [name, value] : provenance.options) {
+      if (const auto* number = std::get_if<double>(&value)) {
+        results_.provenance.emplace_back("option " + name, fmt::format("{:g}", *number));
+      } else if (const auto* text = std::get_if<std::string>(&value)) {
+        results_.provenance.emplace_back("option " + name, *text);
+      }
+    }
+    for (const InputHash& hash : provenance.inputs) note_input(hash);
+    takes_all_levels_ = std::ranges::any_of(provenance.options, [](const auto& option) {
+      return option.first == "inner_reversals" && option.second == NamedValue("use");
+    });
+    try {
+      results_.options = recorded_options(provenance.options);
+    } catch (const InputError& error) {
+      results_.warnings.push_back(
+          {"options_not_understood",
+           fmt::format("The other methods are shown with their defaults: {}", error.what())});
+    }
+  }
+
+  /// The joint may be older than the levels beside it.
+  void note_input(const InputHash& hash) {
+    results_.provenance.emplace_back("identified from",
+                                     fmt::format("{} (SHA-256 {})", hash.file, hash.sha256));
+    identified_from_ = hash.sha256;
+  }
+
+  void read_levels() {
+    if (const auto input = find("levels.csv")) {
+      results_.levels = levels_of(*input);
+      reduced_with_ = hashes_in(*input);
+      if (takes_all_levels_) results_.levels->left_out.clear();
+      const bool same = sha256(input->text) == identified_from_;
+      if (results_.joint) results_.joint->from_these_levels = same;
+      if (!identified_from_.empty() && !same) {
+        results_.warnings.push_back({"joint_from_other_levels",
+                                     "joint.json was not identified from the levels.csv beside it. "
+                                     "Identify it again, or the figures do not belong together."});
+      }
+    }
+    if (const auto input = find("truth.csv")) results_.true_levels = levels_of(*input);
+  }
+
+  void read_rig_file() {
+    const auto input = find("rig.toml");
+    if (!input) return;
+    results_.rig = parse_rig(input->text, input->path);
+    if (!was_made_with(reduced_with_, "rig.toml")) {
+      results_.warnings.push_back({"levels_of_other_rig",
+                                   "levels.csv was not reduced with the rig.toml beside it. Reduce "
+                                   "the recordings again, or "
+                                   "predictions do not belong to the levels."});
+    }
+    add_predictions(results_);
+  }
+
+  void read_verification() {
+    if (const auto input = find("verification.csv")) {
+      results_.comparisons = comparisons_of(*input);
+      check_origin(*input);
+    }
+    if (const auto input = find("verification_histories.csv")) {
+      check_origin(*input);
+      results_.predictions =
+          some_records(histories_of({input->text, input->path}, "recorded", "predicted"),
+                       kMostPredictions, kMostSignalPoints);
+    }
+    if (const auto input = find("verification_harmonics.csv")) {
+      check_origin(*input);
+      const std::vector<LevelRecord> shown = results_.predictions;
+      add_harmonics({input->text, input->path}, "recorded", "predicted", results_.predictions);
+      if (!shown.empty()) results_.predictions.resize(shown.size());
+    }
+  }
+
+  void read_force_control() {
+    if (const auto input = find("force_control.csv")) {
+      results_.force_control = force_control_of(*input);
+    }
+  }
+
+  std::string folder_;
+  ExperimentResults results_;
+  std::vector<std::string> reduced_with_;  ///< hashes that levels.csv tells
+  std::string identified_from_;            ///< SHA-256
+  bool takes_all_levels_ = false;
+};
+
+}  // namespace
+
+bool add_result_file(const std::string& kind, const std::string& text, const std::string& path,
+                     ExperimentResults& results) {
+  const NamedInput input{path, text};
+  if (kind == kLevelsKind) {
+    results.levels = levels_of(input);
+  } else if (kind == kJointKind) {
+    results.joint = joint_of(parse_joint(text, path), path);
+  } else if (kind == kVerificationKind) {
+    results.comparisons = comparisons_of(input);
+  } else if (kind == kHistoriesKind) {
+    results.predictions = histories_of({text, path}, "recorded", "predicted");
+  } else if (kind == kForceControlKind) {
+    results.force_control = force_control_of(input);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+ExperimentResults read_experiment(const std::string& folder, std::size_t records,
+                                  const Progress& progress) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) {
+    throw FileError(folder, "is no folder",
+                    "Name the folder that holds levels.csv and joint.json.");
+  }
+  ExperimentResults results = FolderReader(folder).read();
+  if (records > 0) add_recordings(folder, records, progress, results);
+  return results;
+}
+
+std::vector<std::string> folders_holding(const std::string& folder,
+                                         std::initializer_list<const char*> files) {
+  std::vector<std::string> found;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder, none)) {
+    const auto holds = [&](const char* file) {
+      return fs::is_regular_file(entry.path() / file, none);
+    };
+    if (std::ranges::any_of(files, holds)) found.push_back(entry.path().string());
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+}  // namespace microslip

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "microslip/base/summary.hpp"
+#include "microslip/identify/identification.hpp"
+#include "microslip/joint/joint.hpp"
+#include "microslip/observe/levels.hpp"
+#include "microslip/rig/rig.hpp"
+
+/// @file
+/// What a test and its evaluation left behind. All values are SI.
+
+namespace microslip {
+
+/// The levels of a test. Each vector but those of `levels` is empty or has one entry a level.
+struct MeasuredLevels {
+  Levels levels;                                 ///< that the others belong to
+  std::vector<std::string> source = {};          ///< of the record
+  std::vector<std::string> flags = {};           ///< with blanks between them
+  std::vector<double> frequency = {};            ///< of the drive, Hz
+  std::vector<double> resonance_frequency = {};  ///< Hz
+  std::vector<double> force_amplitude = {};      ///< N
+  std::vector<double> response_amplitude = {};   ///< m/s²
+  std::vector<double> input_energy = {};         ///< J
+  std::vector<double> linear_dissipation = {};   ///< J
+  std::vector<double> force_distortion = {};     ///< 1
+  std::vector<double> damping_ratio = {};        ///< of the mode, by a ring-down, 1
+  std::vector<bool> left_out = {};               ///< of the identification: inner reversals
+};
+
+/// A joint with what its identification said. A joint without a method was not identified as far as
+/// its file tells, and the report does not say so.
+struct IdentifiedJoint {
+  Joint joint;                                ///< as identified
+  std::string method = {};                    ///< "inversion"
+  std::string status = {};                    ///< "converged"
+  bool from_these_levels = false;             ///< identified from the levels of the results
+  std::optional<double> covered_from = {};    ///< kA_min, N
+  std::optional<double> covered_to = {};      ///< kA_max, N
+  std::optional<double> linear_damping = {};  ///< β of D = … + βA², J/m²
+  std::vector<std::string> warnings = {};     ///< codes
+  std::optional<double> scatter = {};         ///< of D of its levels, in the unit that follows
+  bool scatter_is_relative = true;            ///< to D; in the standard deviations given otherwise
+  std::optional<double> secant_scatter = {};  ///< of k_eq, in the standard deviations given
+  std::optional<double> lambda = {};          ///< its smoothing, as its method scales it
+  std::string smoothing = {};                 ///< how λ was chosen: "as asked for"
+  std::optional<double> degrees_of_freedom = {};  ///< of the smoothed fit, 1
+  /// Of a parametric model: names with units, and values with their standard errors.
+  std::vector<std::pair<std::string, std::string>> parameters = {};
+  // The band, where there is one; one length.
+  double band_confidence = 0.0;              ///< 1
+  std::vector<double> band_slip_force = {};  ///< N
+  std::vector<double> band_lower = {};       ///< 1/N
+  std::vector<double> band_upper = {};       ///< 1/N
+};
+
+/// A signal over some cycles.
+struct SignalPair {
+  std::string name;              ///< its channel
+  std::string unit;              ///< SI
+  std::vector<double> time;      ///< s
+  std::vector<double> recorded;  ///< one a time
+  // Predicted, or before force control; empty where there is none.
+  std::vector<double> other_time;  ///< s
+  std::vector<double> other;       ///< one a time
+};
+
+/// The harmonics of a signal, from the first.
+struct HarmonicsPair {
+  std::string name;              ///< its channel
+  std::string unit;              ///< SI
+  std::vector<double> recorded;  ///< amplitudes
+  std::vector<double> other;     ///< empty, or as many
+};
+
+/// What the force control did at a level. [AR14 Fig. 7]
+struct ForceControlLevel {
+  std::string level;      ///< its name or number
+  double response = 0.0;  ///< acceleration amplitude at the exciter, m/s²
+  // Harmonics of the force from the second, over the first, 1; one length.
+  std::vector<double> before;  ///< without force control
+  std::vector<double> after;   ///< with it
+};
+
+/// What was recorded at a level.
+struct LevelRecord {
+  std::string source;                    ///< its file
+  std::vector<SignalPair> signals;       ///< over some cycles
+  std::vector<HarmonicsPair> harmonics;  ///< of the signals
+};
+
+/// Force over frequency that holds the response. [AR14 Fig. 4]
+struct ConstantResponse {
+  double response = 0.0;          ///< acceleration amplitude at the exciter, m/s²
+  std::vector<double> frequency;  ///< Hz
+  std::vector<double> force;      ///< amplitude of the first harmonic, N; one a frequency
+  /// The same by the true joint of a virtual test, Hz; empty where there is none.
+  std::vector<double> true_frequency = {};
+  std::vector<double> true_force = {};  ///< N; one a true frequency
+};
+
+/// Phase resonance over the amplitude of the joint. Vectors of one length.
+struct JointBackbone {
+  std::vector<double> amplitude;      ///< A, m; rising
+  std::vector<double> frequency;      ///< Hz
+  std::vector<double> damping_ratio;  ///< of the structure with its joint, 1
+  /// W/(4πζ) with W the energy that a cycle loses, J: with it ζ follows from a measured W.
+  std::vector<double> vibration_energy = {};
+};
+
+/// How far the prediction of a channel is from its record.
+struct ChannelMisfit {
+  std::string source;               ///< its file
+  std::string channel;              ///< of the record
+  std::string status;               ///< "converged"
+  double frequency = 0.0;           ///< Hz
+  double response_amplitude = 0.0;  ///< m/s²
+  double nrmse = 0.0;               ///< 1
+  double noise_share = 0.0;         ///< 1
+  double amplitude_ratio = 0.0;     ///< predicted over recorded, 1
+  double phase_error = 0.0;         ///< rad
+  std::string flags = {};           ///< with blanks between them
+};
+
+/// A file that the report is made from.
+struct SourceFile {
+  std::string name;     ///< relative to the folder of the test
+  std::string sha256;   ///< of its content, hexadecimal
+  std::string made_by;  ///< command, where the file tells
+};
+
+/// What there is; sections without data say which command makes them.
+struct ExperimentResults {
+  std::string title = {};                     ///< of the report
+  std::string subtitle = {};                  ///< below it
+  std::optional<Rig> rig = {};                ///< that was tested
+  std::optional<MeasuredLevels> levels = {};  ///< as measured
+  std::optional<IdentifiedJoint> joint = {};  ///< as identified
+  /// What the joint was identified with, as far as its file tells; stiffness and bands are not
+  /// used.
+  IdentificationOptions options = {};
+  std::optional<Joint> truth = {};                 ///< of a virtual test
+  double true_linear_damping = 0.0;                ///< β of the truth, J/m²
+  std::optional<MeasuredLevels> true_levels = {};  ///< of a virtual test, without errors
+  /// The other: before force control. Some may have harmonics alone.
+  std::vector<LevelRecord> records = {};
+  std::size_t record_count = 0;  ///< of the test that can be read; `records` are some
+  std::vector<ForceControlLevel> force_control = {};  ///< one a level that was controlled
+  std::vector<ConstantResponse> responses = {};       ///< predicted by the joint
+  std::optional<JointBackbone> backbone = {};         ///< predicted by the joint
+  std::optional<JointBackbone> true_backbone = {};    ///< of a virtual test
+  std::vector<ChannelMisfit> comparisons = {};        ///< one a channel and record
+  std::vector<LevelRecord> predictions = {};          ///< recorded, and predicted as the other
+  /// Whether comparisons and predictions are those of the joint and the rig of the results.
+  bool predictions_are_of_this_joint = true;
+  std::vector<SourceFile> files = {};  ///< that were read
+  /// names and values, for the last section
+  std::vector<std::pair<std::string, std::string>> provenance = {};
+  std::vector<Warning> warnings = {};  ///< of reading the files
+};
+
+/// @throws InputError  where vectors that belong together differ in length.
+void check_results(const ExperimentResults& results);
+
+/// The last part of a path.
+[[nodiscard]] std::string_view file_name(std::string_view path);
+
+}  // namespace microslip

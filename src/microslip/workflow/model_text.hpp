@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "microslip/base/progress.hpp"
+#include "microslip/base/summary.hpp"
+#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/dynamics/march.hpp"
+#include "microslip/io/joint_file.hpp"
+#include "microslip/io/model_file.hpp"
+
+/// @file
+/// What is said of predictions by a model: in tables, in summaries, as warnings.
+
+namespace microslip {
+
+/// heading_of() of a prediction, with a line on the linear damping of each joint and on what is to be
+/// known of it: that belongs into the file.
+[[nodiscard]] std::string heading_of(std::string_view command, const ModelFile& model);
+
+/// "4672 J/m^2 beside slip": of a joint that is by itself. Empty where β is 0.
+[[nodiscard]] std::string damping_text(double linear_damping);
+
+/// "0.15915, 1.2 Hz": the natural frequencies with all joints stuck.
+[[nodiscard]] std::string stuck_frequencies_text(const JointedStructure& structure);
+
+/// The lines of a summary on the model: size and stuck resonances.
+[[nodiscard]] std::string describe_model(const std::string& file,
+                                         const JointedStructure& structure);
+
+/// Lines of a summary on the linear damping of the joints: as identified, or as the model has it.
+[[nodiscard]] std::string describe_damping(const ModelFile& model);
+
+/// Where joints move more than in the levels that they were identified by.
+/// @param amplitude  the largest of each joint, m.
+[[nodiscard]] std::vector<Warning> reach_warnings(const ModelFile& model,
+                                                  const std::vector<double>& amplitude);
+
+/// The same of a curve, and losses that the model seems to hold twice, to its warnings: the table
+/// holds them too.
+void add_model_warnings(const ModelFile& model, ResponseCurve& curve);
+
+/// Judges what the harmonics above leave out, by judge_truncation(): a warning of the curve where
+/// that is much, and a line of the summary.
+[[nodiscard]] std::string add_truncation(const HarmonicBalance& balance, Quantity kept,
+                                         ResponseCurve& curve);
+
+/// The lines of a summary on warnings.
+[[nodiscard]] std::string describe_warnings(const std::vector<Warning>& warnings);
+
+/// The same of a joint by itself that moves by so much.
+[[nodiscard]] std::vector<Warning> reach_warnings(const JointFile& file, double amplitude);
+
+/// The line on how it ended, broken where it is long.
+[[nodiscard]] std::string describe_ending(const Summary& summary);
+
+/// The lines that both summaries begin with: model, method, how it ended.
+[[nodiscard]] std::string describe_curve(const HarmonicBalance& balance, const ResponseCurve& curve,
+                                         const std::string& file);
+
+/// The same, and that there is no resonance in the range, where there is none.
+void add_response_warnings(const HarmonicBalance& balance, const ModelFile& model,
+                           ResponseCurve& curve);
+
+/// The summary of a frequency response, without warnings.
+/// @param file      of the model.
+/// @param of_force  at a constant response.
+[[nodiscard]] std::string describe_response(const std::string& file, const HarmonicBalance& balance,
+                                            const ResponseCurve& curve, bool of_force);
+
+/// The summary of a backbone, without warnings. @param mode  from 1.
+[[nodiscard]] std::string describe_backbone(const std::string& file, const HarmonicBalance& balance,
+                                            const ResponseCurve& curve, std::size_t mode);
+
+/// Marches, writes the table row by row, and adds to the warnings of the result where joints go
+/// beyond their levels and losses that the model seems to hold twice.
+/// @param path     of the table; "-" is standard output.
+/// @param heading  its first comments.
+/// @throws FileError, InputError  as MarchTable and march_rows().
+/// @throws Cancelled  as the progress says.
+[[nodiscard]] MarchResult march_to_table(const std::string& path, const ModelFile& model,
+                                         const LoadHistory& loads, const MarchOptions& options,
+                                         const std::string& heading, const Progress& progress);
+
+/// The summary of a march. @param file, forces  those of the model and of the loads.
+[[nodiscard]] std::string describe_march(const std::string& file, const std::string& forces,
+                                         const ModelFile& model, const LoadHistory& loads,
+                                         const MarchResult& result);
+
+}  // namespace microslip

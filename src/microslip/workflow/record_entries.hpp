@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "microslip/io/named_values.hpp"
+
+/// @file
+/// What a record of joint.json, its identification or its options, holds under a name. What is of
+/// another kind counts as missing.
+
+namespace microslip {
+
+[[nodiscard]] std::optional<double> number_in(const NamedValues& record, std::string_view name);
+
+[[nodiscard]] std::optional<std::string> text_in(const NamedValues& record, std::string_view name);
+
+/// Empty where there is none.
+[[nodiscard]] std::vector<double> numbers_in(const NamedValues& record, std::string_view name);
+
+/// A JSON list of texts; empty where there is none.
+[[nodiscard]] std::vector<std::string> texts_in(const NamedValues& record, std::string_view name);
+
+}  // namespace microslip

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/workflow/recordings_verification.hpp"
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "microslip/io/csv_writer.hpp"
+#include "microslip/io/file_kind.hpp"
+#include "microslip/io/input_file.hpp"
+#include "microslip/io/joint_file.hpp"
+#include "microslip/io/verification_file.hpp"
+#include "microslip/workflow/model_text.hpp"
+#include "microslip/workflow/named_recordings.hpp"
+#include "microslip/workflow/named_rig.hpp"
+#include "microslip/workflow/verification_text.hpp"
+
+namespace microslip {
+namespace {
+
+struct VerificationOutput {
+  std::string path;
+  std::string_view kind;
+  CsvWriter (*make)(std::span<const Verification>);
+};
+
+std::vector<VerificationOutput> outputs_of(const VerificationTables& tables) {
+  std::vector<VerificationOutput> all{{tables.table, kVerificationKind, verification_table},
+                                      {tables.harmonics, kHarmonicsKind, harmonics_table},
+                                      {tables.histories, kHistoriesKind, histories_table}};
+  std::erase_if(all, [](const VerificationOutput& one) { return one.path.empty(); });
+  return all;
+}
+
+std::string comment_of(const VerifiedRecordings& verified, const std::string& command) {
+  const VerificationBatch& batch = verified.batch;
+  check_any_left("verified", verified.files, batch.records.size(), batch.rejected);
+  std::string comment = provenance_of(command, verified.inputs);
+  const std::string damping = damping_text(verified.verifier.options().linear_damping);
+  if (!damping.empty()) comment += "\nlinear damping of the joint: " + damping;
+  std::vector<std::vector<Warning>> warnings = verified.warnings;
+  warnings.push_back(verification_warnings(batch));
+  return with_warnings(std::move(comment), joined_warnings(warnings));
+}
+
+}  // namespace
+
+VerifiedRecordings verify_recordings(const RecordingsVerification& options) {
+  std::vector<NamedInput> inputs{{options.rig, read_file(options.rig)},
+                                 {options.joint, read_file(options.joint)}};
+  const Rig rig = parse_rig(inputs[0]);
+  const JointFile joint = parse_joint(inputs[1].text, input_name(options.joint));
+  VerificationOptions verification = options.verification;
+  verification.covered_to = covered_to(joint);
+  verification.linear_damping = identified_damping(joint).value_or(0.0);
+  Verifier verifier = of_rig(inputs[0], [&] { return Verifier(rig, joint.joint, verification); });
+  const std::size_t count = options.recordings.size();
+  VerifiedRecordings verified{std::move(inputs), count, std::move(verifier), {}, {}};
+  verified.warnings.resize(count);
+  const auto read = [&](std::size_t i) {
+    return read_named_recordings(options.recordings[i], options.reading, verified.warnings[i]);
+  };
+  verified.batch = verify_batch(verified.verifier, count, read,
+                                {.skip_faulty = options.skip_faulty, .progress = options.progress});
+  return verified;
+}
+
+std::vector<PlannedOutput> planned(const VerificationTables& tables) {
+  std::vector<PlannedOutput> outputs;
+  for (const auto& [path, kind, make] : outputs_of(tables)) outputs.push_back({path, kind});
+  return outputs;
+}
+
+void add_tables(const VerifiedRecordings& verified, const VerificationTables& tables,
+                const std::string& command, OutputFiles& files) {
+  const std::string comment = comment_of(verified, command);
+  for (const auto& [path, kind, make] : outputs_of(tables)) {
+    CsvWriter table = make(verified.batch.records);
+    table.add_comment(comment);
+    files.add(path, table.str());
+  }
+}
+
+}  // namespace microslip

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/workflow/result_input.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/base/units.hpp"
+#include "microslip/io/csv.hpp"
+#include "microslip/io/density_file.hpp"
+#include "microslip/io/file_kind.hpp"
+#include "microslip/io/input_file.hpp"
+#include "microslip/io/recording_file.hpp"
+#include "microslip/workflow/experiment_folder.hpp"
+
+namespace microslip {
+namespace {
+
+DensityCurve density_of(const std::string& text, const std::string& file) {
+  DensityTable table = parse_density(text, file);
+  return {.slip_force = std::move(table.slip_force),
+          .density = std::move(table.density),
+          .lower = std::move(table.lower),
+          .upper = std::move(table.upper)};
+}
+
+PredictedResponse response_of(const CsvTable& table) {
+  return {.frequency = table.numbers("frequency", kFrequency),
+          .force = table.numbers("force", kForce),
+          .displacement = table.numbers("displacement", kLength),
+          .phase = table.numbers("phase", kAngle)};
+}
+
+PredictedBackbone backbone_of(const CsvTable& table) {
+  return {.displacement = table.numbers("displacement", kLength),
+          .frequency = table.numbers("frequency", kFrequency),
+          .damping_ratio = table.numbers("damping_ratio", kDimensionless)};
+}
+
+DissipationCurve dissipation_of(const CsvTable& table) {
+  return {.amplitude = table.numbers("amplitude", kLength),
+          .dissipation = table.numbers("dissipation", kEnergy),
+          .secant_stiffness = table.numbers("secant_stiffness", kStiffness),
+          .loss_factor = table.numbers("loss_factor", kDimensionless)};
+}
+
+/// What a column of a march shows: "NAME force" of a joint, "force at POINT", "velocity".
+HistorySignal named_signal(const std::string& column) {
+  for (const std::string quantity : {"displacement", "force"}) {
+    const std::string ending = " " + quantity;
+    if (column.ends_with(ending)) {
+      return {column.substr(0, column.size() - ending.size()), "joint " + quantity, "", {}, {}};
+    }
+  }
+  return {column, column.starts_with("force at ") ? "force" : column, "", {}, {}};
+}
+
+std::vector<HistorySignal> march_of(const CsvTable& table) {
+  std::vector<HistorySignal> signals;
+  const std::vector<double> time = table.numbers("time", kTime);
+  for (const CsvColumn& column : table.columns()) {
+    const std::optional<Unit> unit = find_unit(column.unit.value_or(""));
+    if (column.name == "time" || !unit) continue;
+    HistorySignal signal = named_signal(column.name);
+    signal.unit = si_unit(unit->dimension);
+    signal.time = time;
+    signal.values = table.numbers(column.name, unit->dimension);
+    signals.push_back(std::move(signal));
+  }
+  return signals;
+}
+
+/// Channels of one dimension share an axis, which their unit names; one that is alone, or has no
+/// unit, has its own name.
+std::string quantity_of(const Channel& channel, const std::vector<Channel>& channels) {
+  const auto same = std::ranges::count(channels, channel.dimension, &Channel::dimension);
+  if (!channel.dimension || same == 1) return channel.name;
+  return {};
+}
+
+/// The real channels over time, of the first recording of a file; the first few of each quantity.
+void add_recorded(const std::string& path, ResultInput& input) {
+  constexpr std::ptrdiff_t kMostOfAQuantity = 8;  // as many as there are colours
+  const Recordings file = read_recordings(path, {});
+  const Recording& recording = file.recordings.front();
+  std::vector<HistorySignal>& signals = input.history;
+  if (recording.axis.dimension != kTime) return;
+  std::vector<double> time(recording.size());
+  for (std::size_t i = 0; i < time.size(); ++i) time[i] = recording.axis.at(i);
+  for (const Channel& channel : recording.channels) {
+    if (!channel.imaginary.empty()) continue;
+    const std::string quantity = quantity_of(channel, recording.channels);
+    const std::string unit = channel.dimension ? si_unit(*channel.dimension) : "";
+    const auto shares_axis = [&](const HistorySignal& other) {
+      return other.quantity == quantity && other.unit == unit;
+    };
+    if (std::ranges::count_if(signals, shares_axis) == kMostOfAQuantity) {
+      ++input.left_out;
+      continue;
+    }
+    signals.push_back({channel.name, quantity, unit, time, channel.values});
+  }
+}
+
+/// "test/a and test/b hold results." of a folder that holds none itself.
+std::string folders_text(const std::string& path) {
+  constexpr std::size_t kFew = 4;
+  std::vector<std::string> found =
+      folders_holding(path, {"levels.csv", "joint.json", "density.csv"});
+  if (found.empty()) return "Name a folder that holds levels.csv or joint.json, or a result.";
+  for (std::string& one : found) one = std::filesystem::path(one).lexically_normal().string();
+  const char* more = found.size() > kFew ? " and others" : "";
+  found.resize(std::min(found.size(), kFew));
+  return fmt::format("Name one of the folders in it that hold results: {}{}.",
+                     fmt::join(found, ", "), more);
+}
+
+/// @return whether the text is one of the tables and models of this program.
+bool add_text(const std::string& kind, const std::string& text, const std::string& file,
+              ResultInput& input) {
+  if (add_result_file(kind, text, file, input.test)) return true;
+  if (kind == kDensityKind) {
+    input.density = density_of(text, file);
+  } else if (kind == kResponseKind) {
+    input.response = response_of({text, file});
+  } else if (kind == kBackboneKind) {
+    input.backbone = backbone_of({text, file});
+  } else if (kind == kDissipationKind) {
+    input.dissipation = dissipation_of({text, file});
+  } else if (kind == kLoopKind) {
+    input.path = parse_path(text, file);
+    input.path_force = CsvTable(text, file).numbers("force", kForce);
+  } else if (kind == kMarchKind) {
+    input.history = march_of({text, file});
+  } else {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+ResultInput read_result(const std::string& path) {
+  ResultInput input{.name = input_name(path)};
+  std::error_code none;
+  if (path != "-" && std::filesystem::is_directory(path, none)) {
+    input.test = read_experiment(path);
+    const std::string density = path + "/density.csv";
+    if (!input.test.joint && std::filesystem::is_regular_file(density, none)) {
+      input.density = density_of(read_file(density), density);
+    }
+    input.instead = folders_text(path);
+    return input;
+  }
+  // What is no table or model of this program may be a recording of any size.
+  const std::string head = path == "-" ? read_file(path) : read_kind_head(path);
+  const std::string kind = file_kind(head);
+  if (add_text(kind, path == "-" ? head : read_file(path), input.name, input)) return input;
+  if (path == "-") {
+    throw InputError("IN", "standard input", "must be a table or a joint of this program",
+                     "Name a recording by its file.");
+  }
+  add_recorded(path, input);
+  return input;
+}
+
+void cut_history(ResultInput& input, double from, double to) {
+  for (HistorySignal& signal : input.history) {
+    HistorySignal cut{signal.name, signal.quantity, signal.unit, {}, {}};
+    for (std::size_t i = 0; i < signal.time.size(); ++i) {
+      if (signal.time[i] < from || signal.time[i] > to) continue;
+      cut.time.push_back(signal.time[i]);
+      cut.values.push_back(signal.values[i]);
+    }
+    if (cut.time.size() < 2) {
+      throw InputError(
+          "--time", fmt::format("{:g}:{:g}", from, to),
+          fmt::format("must hold two samples or more of {}, which reaches from {:g} to "
+                      "{:g} s",
+                      input.name, signal.time.front(), signal.time.back()));
+    }
+    signal = std::move(cut);
+  }
+}
+
+}  // namespace microslip

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "microslip/io/path_file.hpp"
+#include "microslip/workflow/experiment_results.hpp"
+
+namespace microslip {
+
+/// A density at points; one length.
+struct DensityCurve {
+  std::vector<double> slip_force;            ///< f*, N
+  std::vector<double> density;               ///< φ, 1/N
+  std::vector<double> lower = {};            ///< 1/N; empty where there is no band
+  std::vector<double> upper = {};            ///< 1/N; as many as of `lower`
+  double confidence = 0.95;                  ///< of the band, 1
+  std::vector<double> band_slip_force = {};  ///< of the band, N; empty where it is `slip_force`
+  std::optional<double> covered_from = {};   ///< kA of the lowest level, N
+  std::optional<double> covered_to = {};     ///< kA of the highest level, N
+  std::vector<double> atom_slip_force = {};  ///< N; marked
+  std::string name = "identified";           ///< in the legend
+};
+
+/// Steady vibrations over frequency; one length.
+struct PredictedResponse {
+  std::vector<double> frequency;     ///< Hz, in the order of the curve
+  std::vector<double> force;         ///< amplitude, N; > 0
+  std::vector<double> displacement;  ///< amplitude of the first harmonic, m
+  std::vector<double> phase;         ///< lag behind the force, rad
+};
+
+/// Vibrations in phase resonance; one length.
+struct PredictedBackbone {
+  std::vector<double> displacement;   ///< amplitude, m
+  std::vector<double> frequency;      ///< Hz
+  std::vector<double> damping_ratio;  ///< 1
+};
+
+/// Dissipation, secant stiffness and loss factor of a joint; one length.
+struct DissipationCurve {
+  std::vector<double> amplitude;         ///< m
+  std::vector<double> dissipation;       ///< J
+  std::vector<double> secant_stiffness;  ///< N/m
+  std::vector<double> loss_factor;       ///< 1
+};
+
+/// A signal over time.
+struct HistorySignal {
+  std::string name;            ///< in the legend
+  std::string quantity;        ///< labels the axis: "joint force"; empty for that of the unit
+  std::string unit;            ///< SI; "" where it is not known
+  std::vector<double> time;    ///< s
+  std::vector<double> values;  ///< one a time, in that unit
+};
+
+/// What a folder or a file holds of results.
+struct ResultInput {
+  std::string name;                          ///< of the folder or file, for messages
+  std::string instead = {};                  ///< what to name where it holds no figure, a sentence
+  ExperimentResults test = {};               ///< of a folder, or what a file of one holds
+  std::optional<DensityCurve> density = {};  ///< of a density.csv without a joint
+  std::optional<PredictedResponse> response = {};    ///< of a CSV of frf
+  std::optional<PredictedBackbone> backbone = {};    ///< of a CSV of backbone
+  std::optional<DissipationCurve> dissipation = {};  ///< of a CSV of dissipation
+  std::optional<DisplacementPath> path = {};         ///< of a CSV of loop
+  std::vector<double> path_force = {};               ///< N, one a point of the path
+  std::vector<HistorySignal> history = {};           ///< of a CSV of march, or a recording
+  std::size_t left_out = 0;                          ///< channels beyond those that a figure holds
+};
+
+/// @param path  a folder as read_experiment() takes it, a table or model of this program, a
+///              recording, or "-" for a table or model on standard input.
+/// @throws FileError, FormatError, InputError  as the readers of these.
+[[nodiscard]] ResultInput read_result(const std::string& path);
+
+/// Keeps the history between two times.
+/// @param input  with a history.
+/// @param from   s.
+/// @param to     s.
+/// @throws InputError  naming --time where hardly any is
+/// left.
+void cut_history(ResultInput& input, double from, double to);
+
+}  // namespace microslip

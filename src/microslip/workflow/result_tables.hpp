@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "microslip/io/density_file.hpp"
+#include "microslip/io/joint_file.hpp"
+#include "microslip/workflow/experiment_results.hpp"
+#include "microslip/workflow/provenance.hpp"
+
+/// @file
+/// The files of a test as its results. Internal to workflow.
+
+namespace microslip {
+
+/// levels.csv, truth.csv. @throws FormatError, InputError
+[[nodiscard]] MeasuredLevels levels_of(const NamedInput& input);
+
+/// What is not in the file is "not told by the file".
+/// @throws InputError  where the lists of the band are not of one length.
+[[nodiscard]] IdentifiedJoint joint_of(const JointFile& file, const std::string& path);
+
+/// verification.csv. @throws FormatError  where a column is missing.
+[[nodiscard]] std::vector<ChannelMisfit> comparisons_of(const NamedInput& input);
+
+/// force_control.csv: `level, response_amplitude [m/s^2], before_2 [1] …, after_2 [1] …`.
+/// @throws FormatError  where a column is missing.
+[[nodiscard]] std::vector<ForceControlLevel> force_control_of(const NamedInput& input);
+
+/// The hashes in lines `# FILE: sha256 HEX` at the head of a table. Empty where it has none.
+[[nodiscard]] std::vector<std::string> hashes_in(const NamedInput& input);
+
+/// Whether a table of a density is of that joint, by what it says at its points but those at steps.
+[[nodiscard]] bool is_density_of(const DensityTable& table, const Joint& joint);
+
+}  // namespace microslip

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/workflow/rig_model.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/dynamics/damping_twice.hpp"
+#include "microslip/io/input_file.hpp"
+#include "microslip/io/joint_file.hpp"
+#include "microslip/io/model_writer.hpp"
+#include "microslip/io/text.hpp"
+#include "microslip/rig/rig_structure.hpp"
+#include "microslip/workflow/named_rig.hpp"
+#include "microslip/workflow/provenance.hpp"
+
+namespace microslip {
+namespace {
+
+/// A model is text: names in it are UTF-8 without control characters.
+void check_name(std::string_view what, std::string_view name) {
+  if (printable(name) == name) return;
+  throw InputError(what, in_quotes(name), "must be printable UTF-8 to be named in a model",
+                   "Rename it.");
+}
+
+/// Points of a model are columns of tables, which not every channel's name can be.
+void check_readable(const std::string& text, const std::string& rig, const std::string& out) {
+  try {
+    (void)parse_model(text, out);
+  } catch (const InputError& error) {
+    throw error.renamed(fmt::format("{}: channel", input_name(rig)));
+  }
+}
+
+/// As the model names it: relative to the model's folder, unless it was given from the root.
+std::string joint_name(const fs::path& joint, const std::string& out) {
+  if (joint.is_absolute() || out == "-") return joint.string();
+  const fs::path folder = fs::path(out).parent_path();
+  const fs::path relative = fs::relative(joint, folder.empty() ? "." : folder);
+  return relative.empty() ? fs::absolute(joint).string() : relative.string();
+}
+
+}  // namespace
+
+RigModel model_of_rig(const std::string& rig_path, const std::string& joint_path,
+                      const std::string& out, std::size_t modes, std::string_view command) {
+  if (joint_path == "-") {
+    throw InputError("joint", "standard input", "must be a file, which the model names");
+  }
+  const std::vector<NamedInput> inputs{{rig_path, read_file(rig_path)},
+                                       {joint_path, read_file(joint_path)}};
+  const Rig rig = parse_rig(inputs[0]);
+  const JointFile file = parse_joint(inputs[1].text, joint_path);
+  const std::optional<double> damping = identified_damping(file);
+  check_name("joint", joint_path);
+  const StickState state = of_rig(inputs[0], [&] { return stick_state(rig, modes); });
+  JointedStructure structure = of_rig(inputs[0], [&] {
+    return rig_structure(rig, state, file.joint, {1.0}, damping.value_or(0.0));
+  });
+  RigModel model{{std::move(structure),
+                  rig.excitation.channel,
+                  {joint_name(joint_path, out)},
+                  {covered_to(file)},
+                  {damping}},
+                 {},
+                 {}};
+  model.warnings = damping_twice(model.file.structure);
+  if (const auto warning = stiffness_warning(state, file.joint)) model.warnings.push_back(*warning);
+  model.text =
+      format_model(model.file, with_warnings(provenance_of(command, inputs), model.warnings));
+  check_readable(model.text, rig_path, out);
+  return model;
+}
+
+}  // namespace microslip

@@ -1,0 +1,705 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "microslip/joint/dissipation.hpp"
+#include "microslip/joint/secant.hpp"
+#include "microslip/report/experiment_report.hpp"
+#include "report/support.hpp"
+
+namespace microslip::experiment_report_test {
+namespace {
+
+using test::contains;
+using test::input_fault;
+
+constexpr double kStiffness = 1.0e5;  // N/m
+constexpr std::size_t kLevels = 20;
+
+Joint uniform_joint() {
+  return {kStiffness, SlipDensity({UniformPart{.from = 0.0, .to = 40.0, .weight = 1.0}})};
+}
+
+/// Levels without noise up to kA = 30 N of 40.
+MeasuredLevels exact_levels() {
+  const Joint joint = uniform_joint();
+  MeasuredLevels test;
+  for (std::size_t i = 1; i <= kLevels; ++i) {
+    const double a = 1.5e-5 * static_cast<double>(i);
+    test.levels.amplitude.push_back(a);
+    test.levels.dissipation.push_back(dissipation(joint, a));
+    test.levels.secant_stiffness.push_back(secant_stiffness(joint, a));
+    test.source.push_back("level " + std::to_string(i));
+    test.flags.emplace_back(i == 3 ? "spike" : "");
+    test.input_energy.push_back(2.0 * dissipation(joint, a));
+    test.linear_dissipation.push_back(dissipation(joint, a));
+  }
+  return test;
+}
+
+ExperimentResults exact_results() {
+  ExperimentResults results;
+  results.title = "Test";
+  results.levels = exact_levels();
+  results.joint = IdentifiedJoint{.joint = uniform_joint(),
+                                  .method = "inversion",
+                                  .status = "converged",
+                                  .from_these_levels = true,
+                                  .covered_from = 1.5,
+                                  .covered_to = 30.0,
+                                  .band_confidence = 0.95,
+                                  .band_slip_force = {0.0, 15.0, 30.0},
+                                  .band_lower = {0.02, 0.02, 0.02},
+                                  .band_upper = {0.03, 0.03, 0.03}};
+  results.truth = uniform_joint();
+  return results;
+}
+
+const ReportSection& section(const ReportDocument& document, std::string_view title) {
+  return *std::ranges::find(document.sections, title, &ReportSection::title);
+}
+
+const ReportFigure& figure(const ReportDocument& document, std::string_view title) {
+  static const ReportFigure kNone;
+  for (const ReportSection& part : document.sections) {
+    for (const ReportBlock& block : part.blocks) {
+      const auto* found = std::get_if<ReportFigure>(&block);
+      if (found != nullptr && found->title == title) return *found;
+    }
+  }
+  ADD_FAILURE() << "no figure " << title;
+  return kNone;
+}
+
+const ReportFigure& figure(const ReportDocument&& document, std::string_view title) = delete;
+
+const ReportTrace& trace(const ReportFigure& in, std::string_view name) {
+  const std::vector<ReportTrace>& traces = in.choices.at(in.chosen).traces;
+  const auto found = std::ranges::find(traces, name, &ReportTrace::name);
+  if (found == traces.end()) throw std::runtime_error("no trace " + std::string(name));
+  return *found;
+}
+
+double largest(const std::vector<double>& values) {
+  double most = 0.0;
+  for (const double value : values) most = std::max(most, std::abs(value));
+  return most;
+}
+
+std::vector<std::string> titles_of(const ReportDocument& document) {
+  std::vector<std::string> titles;
+  for (const ReportSection& part : document.sections) titles.push_back(part.title);
+  return titles;
+}
+
+/// What a document says is not in it, with the commands that make it.
+std::string missing_in(const ReportDocument& document) {
+  std::string text;
+  for (const ReportSection& part : document.sections) {
+    for (const ReportBlock& block : part.blocks) {
+      if (const auto* missing = std::get_if<ReportMissing>(&block)) {
+        text += missing->text + " " + missing->command + "\n";
+      }
+    }
+  }
+  return text;
+}
+
+/// Everything that a test can leave behind.
+ExperimentResults all_results() {
+  ExperimentResults results = exact_results();
+  results.levels->response_amplitude.assign(kLevels, 1.0);
+  results.levels->force_amplitude.assign(kLevels, 2.0);
+  results.levels->frequency.assign(kLevels, 55.0);
+  results.levels->resonance_frequency.assign(kLevels, 55.1);
+  results.records = {{"level_1", {{"force", "N", {0.0, 0.01}, {1.0, 2.0}, {}, {}}}, {}}};
+  results.force_control = {{"1", 0.5, {0.03, 0.05}, {0.001, 0.002}}};
+  results.responses = {{1.0, {54.0, 55.0}, {4.0, 2.0}, {54.0, 55.5}, {4.0, 2.5}}};
+  results.backbone = {{1.5e-5, 3e-4}, {55.2, 54.0}, {0.002, 0.01}};
+  results.true_backbone = results.backbone;
+  results.comparisons = {{"a.csv", "force", "converged", 55.0, 1.0, 0.02, 0.001, 1.0, 0.0}};
+  results.provenance = {{"seed", "1"}};
+  results.files = {{"levels.csv", "ab", ""}};
+  return results;
+}
+
+TEST(ExperimentReport, SectionsInTheirOrder) {
+  const ReportDocument document = experiment_report(all_results());
+  EXPECT_EQ(
+      titles_of(document),
+      (std::vector<std::string>{"Summary", "Levels", "Signals", "Energies", "Density", "Loops",
+                                "Stiffness and damping", "Responses", "Prediction", "Provenance"}));
+  EXPECT_EQ(missing_in(document), "");
+  EXPECT_EQ(input_fault([&] { check_report(document); }), "no error");
+}
+
+TEST(ExperimentReport, WhatIsNotThereIsListedBeforeTheLastSection) {
+  const ReportDocument document = experiment_report(exact_results());
+  EXPECT_EQ(titles_of(document), (std::vector<std::string>{
+                                     "Summary", "Levels", "Energies", "Density", "Loops",
+                                     "Stiffness and damping", "Not in this report", "Provenance"}));
+  const std::string missing = missing_in(document);
+  for (const std::string part :
+       {"recordings level_*", "measure rig.toml --out DIR --before-control",
+        "No frequency responses", "microslip verify rig.toml joint.json"}) {
+    EXPECT_TRUE(contains(missing, part)) << part << " is not in\n" << missing;
+  }
+}
+
+// What only a virtual test can supply is no advice for a real one.
+TEST(ExperimentReport, ARealTestIsNotToldToBeMadeAgain) {
+  ExperimentResults results = exact_results();
+  results.truth.reset();
+  EXPECT_FALSE(contains(missing_in(experiment_report(results)), "microslip measure"));
+}
+
+TEST(ExperimentReport, NothingAtAllSaysWhatMakesEachPart) {
+  const ReportDocument document = experiment_report({.title = "Empty"});
+  EXPECT_EQ(input_fault([&] { check_report(document); }), "no error");
+  EXPECT_EQ(titles_of(document),
+            (std::vector<std::string>{"Summary", "Not in this report", "Provenance"}));
+  const std::string missing = missing_in(document);
+  for (const std::string part : {"microslip identify", "microslip reduce", "microslip verify"}) {
+    EXPECT_TRUE(contains(missing, part)) << part << " is not in\n" << missing;
+  }
+}
+
+// The levels are those of the joint: differences are rounding of D, a few units of its last digit.
+TEST(ExperimentReport, ResidualsOfTheExactJointVanish) {
+  const ReportDocument document = experiment_report(exact_results());
+  const ReportFigure& residuals = figure(document, "Residuals of D");
+  EXPECT_EQ(trace(residuals, "levels").y.size(), kLevels);
+  EXPECT_LT(largest(trace(residuals, "levels").y), 1e-12);  // %
+}
+
+TEST(ExperimentReport, EnergiesAreInMillijoulesOverMicrometres) {
+  const ExperimentResults results = exact_results();
+  const ReportDocument document = experiment_report(results);
+  const ReportFigure& energies = figure(document, "Energies per cycle");
+  const ReportTrace& input = trace(energies, "input energy");
+  EXPECT_DOUBLE_EQ(input.x.back(), 300.0);
+  EXPECT_DOUBLE_EQ(input.y.back(), 1e3 * results.levels->input_energy.back());
+  EXPECT_EQ(energies.x.unit, "µm");
+  EXPECT_EQ(energies.y.unit, "mJ");
+  const ReportFigure& share = figure(document, "Share of the linear loss");
+  EXPECT_DOUBLE_EQ(trace(share, "linear loss").y[0], 50.0);
+}
+
+// φ of the uniform joint is 1/40 N everywhere, so 25 1/kN; D′ = 4Φ1(kA) = 2 (kA)²/40 N.
+TEST(ExperimentReport, DensityAndSlopeOfAUniformJoint) {
+  const ReportDocument document = experiment_report(exact_results());
+  const ReportFigure& density = figure(document, "Slip-force density");
+  for (const double value : trace(density, "truth").y) EXPECT_DOUBLE_EQ(value, 25.0);
+  EXPECT_EQ(trace(density, "95 % band").x, (std::vector{15.0, 30.0}));  // not below 0.9 kA_min
+  EXPECT_FALSE(trace(density, "differences").shown);
+  const ReportFigure& slope = figure(document, "Slope of the dissipation");
+  EXPECT_NEAR(trace(slope, "identified joint").y.back(), 2.0 * 30.0 * 30.0 / 40.0, 1e-9);
+  // Between levels h = 15 µm apart the slope of the quadratic D′ is right to k²h²/(6·40) N = 9e-3
+  // N.
+  const ReportTrace& differences = trace(slope, "differences");
+  const double middle = 1e-6 * differences.x.back() * kStiffness;
+  EXPECT_NEAR(differences.y.back(), 2.0 * middle * middle / 40.0, 1e-2);
+}
+
+// Levels and truth are matched by the file names of their records.
+TEST(ExperimentReport, ErrorOfTheReductionWhereTheTruthIsKnown) {
+  ExperimentResults results = exact_results();
+  MeasuredLevels exact = exact_levels();
+  results.levels->source[7] = "there/level 8";
+  results.levels->source[3] = "another";
+  results.levels->levels.dissipation[7] *= 1.02;
+  std::ranges::reverse(exact.source);
+  std::ranges::reverse(exact.levels.amplitude);
+  std::ranges::reverse(exact.levels.dissipation);
+  exact.levels.secant_stiffness.clear();
+  results.true_levels = exact;
+  const ReportDocument document = experiment_report(results);
+  const ReportTrace& error = trace(figure(document, "Error of the reduction"), "D");
+  ASSERT_EQ(error.x.size(), kLevels - 1);
+  EXPECT_NEAR(error.y[6], 2.0, 1e-12);  // %
+  EXPECT_NEAR(error.y[5], 0.0, 1e-12);
+}
+
+TEST(ExperimentReport, LoopsAreClosedAndOfTheDissipation) {
+  const ReportDocument document = experiment_report(exact_results());
+  const ReportFigure& loops = figure(document, "Regenerated loops");
+  ASSERT_EQ(loops.choices.size(), 4);
+  EXPECT_EQ(loops.choices[0].name, "300 µm");
+  EXPECT_EQ(loops.choices[2].name, "150 µm");
+  ASSERT_EQ(loops.choices[0].traces.size(), 5);  // identified, three splines, truth
+  const ReportTrace& loop = trace(loops, "identified joint");
+  double area = 0.0;
+  for (std::size_t i = 0; i < loop.x.size(); ++i) {
+    const std::size_t next = (i + 1) % loop.x.size();
+    area += 0.5 * (loop.y[i] + loop.y[next]) * (loop.x[next] - loop.x[i]) * 1e-6;
+  }
+  // The trapezoidal rule with 120 steps a branch is right to about 1/120².
+  EXPECT_NEAR(std::abs(area), dissipation(uniform_joint(), 3e-4),
+              1e-4 * dissipation(uniform_joint(), 3e-4));
+  EXPECT_EQ(largest(trace(figure(document, "Difference to the identified joint"), "truth").y), 0.0);
+}
+
+// λ along the path: the degrees of freedom grow as λ falls, and the chosen one is the joint's.
+TEST(ExperimentReport, DensitiesAlongThePath) {
+  const ReportDocument document = experiment_report(exact_results());
+  const ReportFigure& path = figure(document, "Density along the path");
+  ASSERT_EQ(path.choices[0].traces.size(), 5);
+  double last = 0.0;
+  for (const ReportTrace& one : path.choices[0].traces) {
+    const std::size_t comma = one.name.find(", ");
+    const double freedom = std::stod(one.name.substr(comma + 2));
+    EXPECT_GE(freedom, last) << one.name;
+    last = freedom;
+  }
+  EXPECT_TRUE(contains(path.choices[0].traces[2].name, "chosen λ"));
+}
+
+// A joint identified with a fixed λ is compared with others by that λ.
+TEST(ExperimentReport, TheOptionsOfTheJointAreThoseOfThePath) {
+  ExperimentResults results = exact_results();
+  results.options.inversion.lambda = 12.5;
+  const ReportDocument document = experiment_report(results);
+  const ReportFigure& path = figure(document, "Path of the smoothing parameter");
+  EXPECT_TRUE(contains(path.choices[0].traces[1].name, "chosen: λ = 12.5,"))
+      << path.choices[0].traces[1].name;
+}
+
+// βA² with β = 50 J/m² on top of the exact D.
+TEST(ExperimentReport, LinearDampingIsShownAndTakenOff) {
+  constexpr double kBeta = 50.0;
+  ExperimentResults results = exact_results();
+  results.joint->linear_damping = kBeta;
+  Levels& levels = results.levels->levels;
+  for (std::size_t i = 0; i < kLevels; ++i) {
+    levels.dissipation[i] += kBeta * std::pow(levels.amplitude[i], 2);
+  }
+  const ReportDocument document = experiment_report(results);
+  const ReportFigure& energies = figure(document, "Energies per cycle");
+  EXPECT_NEAR(trace(energies, "linear damping βA²").y.back(), 1e3 * kBeta * 9e-8, 1e-12);  // mJ
+  EXPECT_NEAR(trace(energies, "identified joint and linear damping").y.back(),
+              1e3 * levels.dissipation.back(), 1e-9);
+  EXPECT_LT(largest(trace(figure(document, "Residuals of D"), "levels").y), 1e-10);  // %
+  const ReportFigure& loss = figure(document, "Loss factor of the joint");
+  EXPECT_NEAR(trace(loss, "measured").y[0], trace(loss, "identified joint").y[0], 1e-12);
+}
+
+std::string summary_text(const ReportDocument& document) {
+  std::string text;
+  for (const ReportBlock& block : section(document, "Summary").blocks) {
+    if (const auto* paragraph = std::get_if<ReportText>(&block)) text += paragraph->text + "\n";
+    if (const auto* warnings = std::get_if<ReportWarnings>(&block)) {
+      for (const Warning& one : warnings->warnings) text += one.code + ": " + one.text + "\n";
+    }
+    if (const auto* facts = std::get_if<ReportFacts>(&block)) {
+      for (const auto& [name, value] : facts->facts) text += name + " = " + value + "\n";
+    }
+  }
+  return text;
+}
+
+// φ = 1/40 1/N up to 40 N: up to 30 N three quarters of k slip, all of it beyond.
+TEST(ExperimentReport, TellsWhatSlipsInTheCoveredRange) {
+  ExperimentResults results = exact_results();
+  const std::string text = summary_text(experiment_report(results));
+  EXPECT_TRUE(contains(text, "75.0 % of its stiffness slips at slip forces up to 30 N. The levels"))
+      << text;
+  results.joint->covered_to = 40.0;
+  const std::string all = summary_text(experiment_report(results));
+  EXPECT_TRUE(contains(all, "100.0 % of its stiffness slips at slip forces up to 40 N.\n")) << all;
+}
+
+TEST(ExperimentReport, ShowsAtoms) {
+  ExperimentResults results = exact_results();
+  results.joint->joint = {kStiffness,
+                          SlipDensity({UniformPart{0.0, 20.0, 0.5},
+                                       AtomsPart{.slip_force = {25.0}, .weight = {0.25}}})};
+  const ReportDocument document = experiment_report(results);
+  EXPECT_TRUE(contains(summary_text(document), "slips at once = 25.0 % at 25 N"))
+      << summary_text(document);
+  const ReportFigure& density = figure(document, "Slip-force density");
+  EXPECT_EQ(trace(density, "atom").x, std::vector<double>{25.0});
+  EXPECT_TRUE(contains(density.caption, "An atom")) << density.caption;
+}
+
+// Three levels are too few for the methods.
+TEST(ExperimentReport, LoopsSayNothingOfSplinesThatAreNotDrawn) {
+  ExperimentResults results = exact_results();
+  const ReportDocument whole = experiment_report(results);
+  EXPECT_TRUE(contains(figure(whole, "Regenerated loops").caption, "spline"));
+  const Levels all = results.levels->levels;
+  results.levels = MeasuredLevels{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    results.levels->levels.amplitude.push_back(all.amplitude[i]);
+    results.levels->levels.dissipation.push_back(all.dissipation[i]);
+  }
+  const ReportDocument few = experiment_report(results);
+  EXPECT_FALSE(contains(figure(few, "Regenerated loops").caption, "spline"));
+}
+
+TEST(ExperimentReport, AParametricModelHasNoSmoothing) {
+  ExperimentResults results = exact_results();
+  results.joint->scatter = 0.02;
+  results.joint->lambda = 1.0;
+  results.joint->parameters = {{"macroslip_force", "8 ± 0.1 N"}};
+  const std::string text = summary_text(experiment_report(results));
+  EXPECT_TRUE(contains(text, "macroslip_force = 8 ± 0.1 N")) << text;
+  EXPECT_FALSE(contains(text, "smoothing = ")) << text;
+  EXPECT_FALSE(contains(text, "scatter of its levels")) << text;
+}
+
+TEST(ExperimentReport, SaysWhatWasNotExaminedWhereNothingWarns) {
+  ExperimentResults results = exact_results();
+  results.levels->flags.clear();
+  const std::string text = summary_text(experiment_report(results));
+  EXPECT_TRUE(contains(text, "was identified by inversion from 20 levels")) << text;
+  EXPECT_TRUE(contains(text, "No warning and no flag. Not examined: ")) << text;
+}
+
+// A joint written by hand beside levels that it has nothing to do with.
+TEST(ExperimentReport, AJointThatNobodyIdentifiedIsNotCalledIdentified) {
+  ExperimentResults results = exact_results();
+  results.levels->flags.clear();
+  results.joint =
+      IdentifiedJoint{.joint = Joint(kStiffness, SlipDensity(std::vector<DensityPart>{})),
+                      .status = "not told by the file"};
+  const std::string text = summary_text(experiment_report(results));
+  EXPECT_FALSE(contains(text, "was identified")) << text;
+  EXPECT_FALSE(contains(text, "No warning")) << text;
+  EXPECT_FALSE(contains(text, "scatter of")) << text;
+  EXPECT_TRUE(contains(text, "does not tell how it was found")) << text;
+  EXPECT_TRUE(contains(text, "joint_of_unknown_origin")) << text;
+  EXPECT_TRUE(contains(
+      text, "joint_misses_levels: D of the joint is off that of the levels by 100.0 % of D"))
+      << text;
+}
+
+TEST(ExperimentReport, AJointChangedAfterItsIdentificationIsWarnedOf) {
+  ExperimentResults results = exact_results();
+  const double k = results.joint->joint.stiffness();
+  results.joint->from_these_levels = true;
+  results.joint->joint = Joint(2.0 * k, results.joint->joint.density());
+  const std::string text = summary_text(experiment_report(results));
+  EXPECT_TRUE(contains(text, "joint_misses_levels")) << text;
+  EXPECT_TRUE(contains(text, "was changed after its identification")) << text;
+  EXPECT_TRUE(contains(text, "Not examined: whether the stuck stiffness")) << text;
+}
+
+TEST(ExperimentReport, AFrequencyThatRisesIsNotThatOfAJointThatSoftens) {
+  ExperimentResults results = exact_results();
+  std::vector<double>& frequency = results.levels->frequency;
+  frequency.assign(results.levels->levels.size(), 80.0);
+  EXPECT_FALSE(contains(summary_text(experiment_report(results)), "frequency_rises"));
+  frequency.back() = 80.2;  // as a drive in steps may
+  EXPECT_FALSE(contains(summary_text(experiment_report(results)), "frequency_rises"));
+  frequency.front() = 80.4;
+  frequency.back() = 80.32;
+  const std::string text = summary_text(experiment_report(results));
+  EXPECT_TRUE(contains(text, "frequency_rises: The frequency rises by 0.40 %")) << text;
+}
+
+TEST(ExperimentReport, FlagsOfPredictionsAreWarnings) {
+  ExperimentResults results = exact_results();
+  results.comparisons = {
+      {.source = "a", .channel = "force", .status = "converged", .flags = "resonance_off"},
+      {.source = "a", .channel = "acc", .status = "converged", .flags = "resonance_off"},
+      {.source = "b", .channel = "force", .status = "no_progress"}};
+  const std::string text = summary_text(experiment_report(results));
+  EXPECT_TRUE(contains(text, "resonance_off: 1 of 2 predicted records: the predicted resonance"))
+      << text;
+  EXPECT_TRUE(contains(text, "prediction_not_converged: 1 of 2 predicted records")) << text;
+}
+
+TEST(ExperimentReport, ScatterAndSmoothingAreThoseThatTheJointTells) {
+  ExperimentResults results = exact_results();
+  results.joint->from_these_levels = false;
+  results.joint->scatter = 37.9;
+  results.joint->scatter_is_relative = false;
+  results.joint->secant_scatter = 0.38;
+  results.joint->lambda = 0.172;
+  results.joint->degrees_of_freedom = 12.0;
+  results.joint->smoothing = "as asked for";
+  const std::string text = summary_text(experiment_report(results));
+  EXPECT_TRUE(
+      contains(text,
+               "scatter of its levels = D 37.90 of the standard deviations given, k_eq 0.38 "
+               "of its own"))
+      << text;
+  EXPECT_TRUE(contains(text, "smoothing = λ = 0.172, 12.0 degrees of freedom (as asked for)"))
+      << text;
+  EXPECT_TRUE(contains(text, "not from the levels below as far as its file tells")) << text;
+  EXPECT_FALSE(contains(text, "levels = 20")) << text;
+}
+
+TEST(ExperimentReport, PredictionsOfAnotherJointAreNotItsError) {
+  ExperimentResults results = exact_results();
+  results.comparisons = {{"a.csv", "force", "converged", 55.0, 1.0, 0.02, 0.001, 1.01, 0.003}};
+  results.predictions_are_of_this_joint = false;
+  const ReportDocument document = experiment_report(results);
+  const std::string text = summary_text(document);
+  EXPECT_TRUE(contains(text, "error of the prediction = not told")) << text;
+  const auto& first = std::get<ReportText>(section(document, "Prediction").blocks[0]);
+  EXPECT_TRUE(contains(first.text, "another joint or rig")) << first.text;
+}
+
+// σ = √(σ_D² + (D′σ_A)²): with D′σ_A = σ_D the residuals are √2 times smaller.
+TEST(ExperimentReport, ScatterOfTheAmplitudeCountsThroughTheSlope) {
+  ExperimentResults results = exact_results();
+  Levels& levels = results.levels->levels;
+  for (std::size_t i = 0; i < kLevels; ++i) {
+    const double deviation = 0.01 * levels.dissipation[i];
+    levels.dissipation_std.push_back(deviation);
+    levels.amplitude_std.push_back(deviation /
+                                   dissipation_slope(uniform_joint(), levels.amplitude[i]));
+    levels.dissipation[i] += (i % 2 == 0 ? 1.0 : -1.0) * deviation;
+  }
+  const ReportDocument document = experiment_report(results);
+  const ReportFigure& residuals = figure(document, "Standardised residuals");
+  EXPECT_NEAR(trace(residuals, "levels").y[0], std::sqrt(0.5), 1e-9);
+  EXPECT_TRUE(contains(residuals.caption, "Their rms is 0.71")) << residuals.caption;
+}
+
+TEST(ExperimentReport, ResidualsInStandardDeviations) {
+  ExperimentResults results = exact_results();
+  Levels& levels = results.levels->levels;
+  for (std::size_t i = 0; i < kLevels; ++i) {
+    levels.dissipation_std.push_back(0.01 * levels.dissipation[i]);
+    levels.dissipation[i] += (i % 2 == 0 ? 0.5 : -1.5) * levels.dissipation_std[i];
+  }
+  const ReportDocument document = experiment_report(results);
+  const ReportTrace& residuals = trace(figure(document, "Standardised residuals"), "levels");
+  EXPECT_NEAR(residuals.y[0], 0.5, 1e-9);
+  EXPECT_NEAR(residuals.y[1], -1.5, 1e-9);
+}
+
+TEST(ExperimentReport, ResponsesBesideTheTruthAndTheMeasured) {
+  const ReportDocument document = experiment_report(all_results());
+  const ReportFigure& responses = figure(document, "Frequency responses at constant response");
+  EXPECT_EQ(trace(responses, "1 m/s²").y, (std::vector{0.25, 0.5}));
+  EXPECT_EQ(trace(responses, "1 m/s², true joint").y, (std::vector{0.25, 0.4}));
+  EXPECT_EQ(trace(responses, "measured levels").y[0], 0.5);
+  const ReportFigure& resonance = figure(document, "Resonance frequency");
+  EXPECT_EQ(trace(resonance, "predicted by the joint").y, (std::vector{55.2, 54.0}));
+  EXPECT_DOUBLE_EQ(trace(resonance, "predicted by the joint").x[1], 300.0);  // µm
+  const ReportFigure& damping = figure(document, "Damping of the structure");
+  EXPECT_DOUBLE_EQ(trace(damping, "by the true joint").y[1], 1.0);  // %
+}
+
+// ζ = W/(4πE): E of the backbone grows with A², so does half the input energy at twice the ζ.
+TEST(ExperimentReport, DampingOfTheStructureAsMeasured) {
+  ExperimentResults results = all_results();
+  results.levels->input_energy.clear();
+  for (const double a : results.levels->levels.amplitude) {
+    results.levels->input_energy.push_back(4.0 * std::numbers::pi * 0.02 * 50.0 * a * a);
+  }
+  results.backbone->vibration_energy = {50.0 * 1.5e-5 * 1.5e-5, 50.0 * 3e-4 * 3e-4};
+  const ReportDocument document = experiment_report(results);
+  for (const double value : trace(figure(document, "Damping of the structure"), "measured").y) {
+    EXPECT_NEAR(value, 2.0, 1e-12);  // %
+  }
+}
+
+TEST(ExperimentReport, TheFrequencyOfTheDriveWhereThatIsAllThatIsKnown) {
+  ExperimentResults results = exact_results();
+  results.levels->frequency.assign(kLevels, 55.0);
+  const ReportDocument document = experiment_report(results);
+  const ReportFigure& resonance = figure(document, "Resonance frequency");
+  EXPECT_EQ(trace(resonance, "drive").y.size(), kLevels);
+  EXPECT_TRUE(contains(resonance.caption, "The frequency of the drive")) << resonance.caption;
+}
+
+TEST(ExperimentReport, ADistortionOfZeroIsBelowTheNoise) {
+  ExperimentResults results = exact_results();
+  results.levels->force_distortion.assign(kLevels, 0.0014);
+  results.levels->force_distortion[0] = 0.0;
+  const ReportDocument document = experiment_report(results);
+  const auto& table = std::get<ReportTable>(section(document, "Levels").blocks[0]);
+  const auto column = std::ranges::find(table.columns, "distortion", &ReportColumn::name);
+  const auto at = static_cast<std::size_t>(column - table.columns.begin());
+  EXPECT_EQ(std::get<std::string>(table.rows[0][at]), "< noise");
+  EXPECT_DOUBLE_EQ(std::get<double>(table.rows[1][at]), 0.14);  // %
+  EXPECT_FALSE(contains(table.caption, "σ")) << table.caption;
+}
+
+TEST(ExperimentReport, TheRigInItsMainValues) {
+  ExperimentResults results = exact_results();
+  results.rig = Rig{.structure = RigBeam{0.583, 0.04, 0.005, 207e9, 7850.0},
+                    .contact = {.rod_radius = 0.03, .stiffness = 1.7e5},
+                    .loss_factor = {0.0028, 0.0018},
+                    .masses = {{0.55, 0.03}},
+                    .excitation = {.position = 0.55, .shape = {}, .channel = "force"},
+                    .accelerometers = {{.position = 0.35, .shape = {}, .channel = "acc2"}}};
+  const ReportDocument document = experiment_report(results);
+  const auto& facts = std::get<ReportFacts>(section(document, "Rig").blocks[0]).facts;
+  const auto value = [&](std::string_view name) {
+    return std::ranges::find(facts, name, &std::pair<std::string, std::string>::first)->second;
+  };
+  EXPECT_EQ(value("beam"), "583 × 40 × 5 mm");
+  EXPECT_EQ(value("mass"), "30 g at 550 mm");
+  EXPECT_EQ(value("stuck stiffness"), "170 kN/m");
+  EXPECT_EQ(value("loss factors"), "0.0028, 0.0018");
+  EXPECT_EQ(value("accelerometer"), "acc2 at 350 mm");
+}
+
+TEST(ExperimentReport, StiffnessMeasuredAndOfTheJoint) {
+  const ReportDocument document = experiment_report(exact_results());
+  const ReportFigure& secant = figure(document, "Secant stiffness");
+  EXPECT_NEAR(trace(secant, "measured").y.back(), trace(secant, "identified joint").y.back(), 1e-9);
+  const ReportFigure& loss = figure(document, "Loss factor of the joint");
+  EXPECT_NEAR(trace(loss, "measured").y[0], trace(loss, "identified joint").y[0], 1e-12);
+}
+
+TEST(ExperimentReport, FlagsAreMarkedAndWorriedAbout) {
+  const ReportDocument document = experiment_report(exact_results());
+  const auto& table = std::get<ReportTable>(section(document, "Levels").blocks[0]);
+  EXPECT_EQ(table.marked, (std::vector<std::size_t>{2}));
+  bool said = false;
+  for (const ReportBlock& block : section(document, "Summary").blocks) {
+    const auto* warnings = std::get_if<ReportWarnings>(&block);
+    if (warnings == nullptr) continue;
+    said = std::ranges::any_of(warnings->warnings, [](const Warning& warning) {
+      return warning.code == "levels_flagged" && contains(warning.text, "1 of 20 levels");
+    });
+  }
+  EXPECT_TRUE(said);
+  const auto& flags = std::get<ReportFacts>(section(document, "Levels").blocks[1]);
+  ASSERT_EQ(flags.facts.size(), 1);
+  EXPECT_EQ(flags.facts[0].first, "spike");
+  EXPECT_EQ(flags.facts[0].second, "single samples are far off; 1 level");
+}
+
+TEST(ExperimentReport, RecordsWithAndWithoutForceControl) {
+  ExperimentResults results = exact_results();
+  results.records = {{"level_1",
+                      {{"force", "N", {0.0, 0.01}, {1.0, 2.0}, {0.0, 0.01}, {1.5, 2.5}},
+                       {"ldv", "m", {0.0, 0.01}, {1e-6, 2e-6}, {}, {}}},
+                      {{"force", "N", {2.0, 0.02}, {2.0, 0.2}}}}};
+  const ReportDocument document = experiment_report(results);
+  const ReportFigure& force = figure(document, "Force over time");
+  EXPECT_EQ(force.chart, ChartKind::kTimeHistory);
+  EXPECT_EQ(trace(force, "force").x[1], 10.0);  // ms
+  EXPECT_EQ(trace(force, "force, before control").y[1], 2.5);
+  EXPECT_DOUBLE_EQ(trace(figure(document, "Displacement over time"), "ldv").y[1], 2.0);  // µm
+  const ReportFigure& harmonics = figure(document, "Harmonics");
+  EXPECT_DOUBLE_EQ(trace(harmonics, "force").y[0], 1.0);  // %
+  EXPECT_DOUBLE_EQ(trace(harmonics, "force, before control").y[0], 10.0);
+  EXPECT_EQ(trace(harmonics, "force").x[0], 2.0);
+}
+
+TEST(ExperimentReport, ForceControlOverTheLevels) {
+  ExperimentResults results = exact_results();
+  results.force_control = {{"1", 0.5, {0.03, 0.05}, {0.001, 0.002}},
+                           {"2", 1.5, {0.1, 0.0}, {0, 0}}};
+  const ReportDocument document = experiment_report(results);
+  const ReportFigure& control = figure(document, "Force control over the levels");
+  EXPECT_EQ(trace(control, "before control").y, (std::vector{5.0, 10.0}));
+  EXPECT_EQ(trace(control, "after control").y, (std::vector{0.2, 0.0}));
+  EXPECT_EQ(figure(document, "Harmonics of the force").choices.size(), 2);
+}
+
+const ReportTable& table_in(const ReportSection& in) {
+  const auto found = std::ranges::find_if(in.blocks, [](const ReportBlock& block) {
+    return std::holds_alternative<ReportTable>(block);
+  });
+  return std::get<ReportTable>(*found);
+}
+
+TEST(ExperimentReport, PredictionsAndTheWorstOfThem) {
+  ExperimentResults results = exact_results();
+  results.comparisons = {
+      {"a.csv", "force", "converged", 55.0, 1.0, 0.02, 0.001, 1.01, 0.003},
+      {"a.csv", "acc1", "converged", 55.0, 1.0, 0.005, 0.005, 1.0, 0.0},
+      {"b.csv", "acc1", "not converged", 54.0, 2.0, 0.3, 0.25, 1.0, 0.0, "spike"}};
+  const ReportDocument document = experiment_report(results);
+  const ReportTable& table = table_in(section(document, "Prediction"));
+  ASSERT_EQ(table.rows.size(), 2);                     // a row a record, a column a channel
+  EXPECT_EQ(std::get<double>(table.rows[0][3]), 2.0);  // %
+  EXPECT_EQ(std::get<double>(table.rows[0][4]), 0.5);
+  EXPECT_TRUE(std::isnan(std::get<double>(table.rows[1][3])));
+  EXPECT_EQ(std::get<double>(table.rows[1][4]), 30.0);
+  EXPECT_EQ(std::get<std::string>(table.rows[1][5]), "not converged spike");
+  EXPECT_EQ(table.marked, (std::vector<std::size_t>{1}));
+  EXPECT_NEAR(trace(figure(document, "Amplitude error"), "force").y[0], 1.0, 1e-12);  // %
+  EXPECT_DOUBLE_EQ(trace(figure(document, "Phase error"), "force").y[0], 3.0);        // mrad
+  const ReportFigure& misfit = figure(document, "Misfit of the prediction");
+  EXPECT_EQ(trace(misfit, "acc1").x, (std::vector{1.0, 2.0}));
+  EXPECT_EQ(trace(misfit, "acc1, noise").y, (std::vector{0.5, 25.0}));
+  const auto& certainty = std::get<ReportFacts>(section(document, "Summary").blocks.back());
+  EXPECT_EQ(certainty.facts.back().second,
+            "at most 16.6 % beyond the noise (acc1, b.csv); NRMSE with the noise at most 30.0 %");
+}
+
+TEST(ExperimentReport, ARecordHasItsResponseBesideItsName) {
+  ExperimentResults results = all_results();
+  results.levels->source[4] = "elsewhere/level_5.csv";
+  results.levels->response_amplitude[4] = 3.25;
+  results.records = {
+      {"recordings/level_5.csv", {{"force", "N", {0.0, 0.01}, {1.0, 2.0}, {}, {}}}, {}},
+      {"level_9.csv", {{"force", "N", {0.0, 0.01}, {1.0, 2.0}, {}, {}}}, {}}};
+  results.record_count = 20;
+  const ReportDocument document = experiment_report(results);
+  const ReportFigure& force = figure(document, "Force over time");
+  EXPECT_EQ(force.choices[0].name, "level_5.csv (3.25 m/s²)");
+  EXPECT_EQ(force.choices[1].name, "level_9.csv");
+  const auto& text = std::get<ReportText>(section(document, "Signals").blocks[0]);
+  EXPECT_TRUE(contains(text.text, "2 of the 20 records are shown over time")) << text.text;
+  EXPECT_TRUE(contains(text.text, "--records shows more")) << text.text;
+}
+
+TEST(ExperimentReport, LevelsThatNoMethodTakesAreShownAllTheSame) {
+  ExperimentResults results = exact_results();
+  results.levels->levels.dissipation.assign(kLevels, 0.0);
+  const ReportDocument document = experiment_report(results);
+  EXPECT_EQ(figure(document, "Energies per cycle").choices[0].traces[1].y.size(), kLevels);
+  bool said = false;
+  for (const ReportBlock& block : section(document, "Summary").blocks) {
+    const auto* warnings = std::get_if<ReportWarnings>(&block);
+    said = said || (warnings != nullptr && warnings->warnings[0].code == "no_other_methods");
+  }
+  EXPECT_TRUE(said);
+}
+
+TEST(TestReportFault, LengthsDiffer) {
+  ExperimentResults results = exact_results();
+  results.levels->frequency = {55.0};
+  EXPECT_EQ(input_fault([&] { (void)experiment_report(results); }),
+            "frequency.size() = 1; must be 0 or the 20 of the levels");
+}
+
+TEST(TestReportFault, LengthsOfPartsDiffer) {
+  const auto fault_of = [](const auto& change) {
+    ExperimentResults results = all_results();
+    change(results);
+    return input_fault([&] { (void)experiment_report(results); });
+  };
+  EXPECT_EQ(fault_of([](ExperimentResults& r) { r.joint->band_lower.pop_back(); }),
+            "band_lower.size() = 2; must be 3, that of what belongs to it");
+  EXPECT_EQ(fault_of([](ExperimentResults& r) { r.backbone->vibration_energy = {1.0}; }),
+            "backbone.vibration_energy.size() = 1; must be 2, that of what belongs to it");
+  EXPECT_EQ(fault_of([](ExperimentResults& r) { r.force_control[0].after.clear(); }),
+            "force_control.after.size() = 0; must be 2, that of what belongs to it");
+  EXPECT_EQ(fault_of([](ExperimentResults& r) { r.responses[0].force.pop_back(); }),
+            "force.size() = 1; must be 2, that of what belongs to it");
+  EXPECT_EQ(fault_of([](ExperimentResults& r) { r.records[0].signals[0].recorded.clear(); }),
+            "force.recorded.size() = 0; must be 2, that of what belongs to it");
+}
+
+TEST(ExperimentReport, ResponsesWithoutTheirAmplitudesInTheLevels) {
+  ExperimentResults results = all_results();
+  results.levels->response_amplitude.clear();
+  const ReportDocument document = experiment_report(results);
+  EXPECT_EQ(figure(document, "Frequency responses at constant response").choices[0].traces.size(),
+            2U);
+}
+
+}  // namespace
+}  // namespace microslip::experiment_report_test

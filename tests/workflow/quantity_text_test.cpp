@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/workflow/quantity_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <variant>
+
+#include "microslip/base/error.hpp"
+#include "microslip/workflow/smoothing_text.hpp"
+
+namespace microslip::quantity_text_test {
+namespace {
+
+TEST(QuantityText, NumbersWithAndWithoutUnits) {
+  EXPECT_EQ(parse_quantity("x", "300um", kLength), 3e-4);
+  EXPECT_EQ(parse_quantity("x", " 3e-4 ", kLength), 3e-4);
+  EXPECT_EQ(parse_quantity("x", "0.2%", kDimensionless), 0.002);
+  EXPECT_THROW((void)parse_quantity("x", "3 N", kLength), InputError);
+}
+
+TEST(QuantityText, RangesInTheirOwnUnit) {
+  EXPECT_EQ(parse_range("x", "50um:300um:6", kLength)[1], 1e-4);
+  const std::vector<double> log = parse_range("x", "1:100:3:log", kLength);
+  EXPECT_NEAR(log[1], 10.0, 1e-13);
+  EXPECT_THROW((void)parse_range("x", "3:1:5", kLength), InputError);
+  EXPECT_EQ(parse_values("x", "1,2mm", kLength), (std::vector{1.0, 2e-3}));
+}
+
+// csaps takes the amplitude in the unit that p was chosen in; λ goes with its cube.
+TEST(QuantityText, SmoothingOfASplineNeedsItsUnit) {
+  IdentificationOptions options;
+  options.method = IdentificationMethod::kSpline;
+  EXPECT_THROW(set_smoothing("lambda=8", {}, options), InputError);
+  set_smoothing("lambda=8", "mm", options);
+  EXPECT_NEAR(std::get<FixedLambda>(options.spline.smoothing).lambda, 8e-9, 1e-22);
+  options.method = IdentificationMethod::kInversion;
+  set_smoothing("lambda=0.5", {}, options);
+  EXPECT_EQ(options.inversion.lambda, 0.5);
+}
+
+}  // namespace
+}  // namespace microslip::quantity_text_test
