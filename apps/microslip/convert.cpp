@@ -18,6 +18,7 @@
 #include "microslip/workflow/quantity_text.hpp"
 #include "microslip/workflow/recording_conversion.hpp"
 #include "microslip/workflow/recording_list.hpp"
+#include "microslip/workflow/summary_text.hpp"
 #include "progress_bar.hpp"
 #include "recording_arguments.hpp"
 
@@ -60,9 +61,8 @@ void check_count(const ConvertOptions& options, RecordingFormat format, std::siz
 void print_summary(const ConvertOptions& options, const std::vector<Recording>& recordings) {
   std::size_t channels = 0;
   for (const Recording& recording : recordings) channels += recording.channels.size();
-  const auto plural = [](std::size_t n) { return n == 1 ? "" : "s"; };
-  fmt::print("{}: {} recording{}, {} channel{}\n", options.out, recordings.size(),
-             plural(recordings.size()), channels, plural(channels));
+  fmt::print("{}: {}, {}\n", options.out, counted(recordings.size(), "recording"),
+             counted(channels, "channel"));
 }
 
 /// A choice leaves mode shapes out.

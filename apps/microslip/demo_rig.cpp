@@ -19,7 +19,7 @@ namespace {
 const std::string kFolder = "reference_rig";
 
 void add_tables(DemoFolder& folder, const RigDemonstration& done) {
-  const TestRecordings& records = done.recordings;
+  const VirtualRecords& records = done.recordings;
   folder.add(kFolder + "/rig.toml", format_rig(without_truth(done.rig)));
   folder.add(kFolder + "/truth_joint.json", std::string(kReferenceJoint));
   folder.add(kFolder + "/truth.csv",

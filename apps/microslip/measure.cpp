@@ -8,15 +8,15 @@
 #include <string>
 
 #include "command.hpp"
+#include "microslip/workflow/measurement_run.hpp"
 #include "microslip/workflow/quantity_text.hpp"
-#include "microslip/workflow/virtual_test.hpp"
 #include "progress_bar.hpp"
 #include "recording_arguments.hpp"
 
 namespace microslip::app {
 namespace {
 
-struct MeasureOptions : VirtualTest {
+struct MeasureOptions : MeasurementRun {
   std::string seed_text = "1";
 };
 
@@ -25,10 +25,10 @@ int run(MeasureOptions options, const Call& call) {
   options.command = call.command_line;
   options.solving = progress_bar("levels", call.quiet);
   options.writing = progress_bar("writing", call.quiet);
-  const FinishedVirtualTest done = run_virtual_test(options);
+  const FinishedMeasurement done = run_measurement(options);
   if (!call.quiet) {
     show_warnings(done.warnings);
-    fmt::print("{}", describe_virtual_test(options, done));
+    fmt::print("{}", describe_measurement(options, done));
   }
   if (done.test.summary.converged()) return kDone;
   fmt::print(stderr, "microslip: {}\n", done.test.summary.reason);

@@ -33,6 +33,13 @@ TEST(SampledCurves, QuantityAndDampingAddUp) {
   }
 }
 
+// Φ0 = f*/40 N up to 40 N, all of it beyond.
+TEST(SampledCurves, ShareThatSlipsUpToAForce) {
+  const Curve share = slipped_share(uniform_joint(), 80.0);
+  EXPECT_NEAR(share.y[share.y.size() / 4], 0.5, 1e-12);
+  EXPECT_NEAR(share.y.back(), 1.0, 1e-12);
+}
+
 // A joint of half the stiffness and half the slip forces: half the force.
 TEST(SampledCurves, DifferenceOfLoopsOfOneAmplitude) {
   const Joint half(0.5e5, SlipDensity({UniformPart{.from = 0.0, .to = 20.0, .weight = 1.0}}));

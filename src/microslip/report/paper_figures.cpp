@@ -159,19 +159,15 @@ bool is_of_atoms(const SlipDensity& density) {
 
 /// Φ0(f*), which has steps where a density has atoms.
 Figure slipped_shares(const std::vector<DrawnJoint>& joints) {
-  constexpr std::size_t kPoints = 2000;
   double end = 0.0;
   for (const DrawnJoint& drawn : joints) {
     end = std::max(end, 1.1 * drawn.joint.density().largest_slip_force());
   }
   Figure figure;
   for (const DrawnJoint& drawn : joints) {
-    LineLayer line{{}, {}, drawn.name, drawn.stroke};
-    for (std::size_t i = 0; i <= kPoints; ++i) {
-      line.x.push_back(end * static_cast<double>(i) / static_cast<double>(kPoints));
-      line.y.push_back(drawn.joint.density().moments(line.x.back()).zeroth);
-    }
-    figure.layers.emplace_back(std::move(line));
+    Curve curve = slipped_share(drawn.joint, end);
+    figure.layers.emplace_back(
+        LineLayer{std::move(curve.x), std::move(curve.y), drawn.name, drawn.stroke});
   }
   figure.x.range = AxisRange{0.0, end};
   show_x(figure, "slip force f*", "N");

@@ -4,10 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <complex>
 #include <cstddef>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -33,22 +30,9 @@ FigureAxis response_axis(const std::string& unit) {
 
 double size_of(const std::string& unit) { return parse_unit(unit, kAcceleration).factor(); }
 
-/// F_1 … F_H of a force over one cycle.
-LineLayer force_over_a_cycle(const DrivenVibration& driven, const char* name, int colour) {
-  constexpr std::size_t kPoints = 400;
-  LineLayer line{{}, {}, name, {.colour = colour}};
-  const double period = 2.0 * std::numbers::pi / driven.vibration.angular_frequency;
-  for (std::size_t i = 0; i <= kPoints; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(kPoints);
-    double force = 0.0;
-    for (std::size_t n = 1; n < driven.force.size(); ++n) {
-      const double angle = 2.0 * std::numbers::pi * static_cast<double>(n) * share;
-      force += (driven.force[n] * std::polar(1.0, angle)).real();
-    }
-    line.x.push_back(share * period / kMillisecond);
-    line.y.push_back(force);
-  }
-  return line;
+LineLayer force_history(const DrivenVibration& driven, const char* name, int colour) {
+  Curve curve = force_over_cycle(driven, 400);
+  return {in_unit(std::move(curve.x), kMillisecond), std::move(curve.y), name, {.colour = colour}};
 }
 
 /// The first harmonic, and the others over it, %.
@@ -180,8 +164,8 @@ FigureGrid force_control_figure(const std::string& title, std::span<const Virtua
   const VirtualLevel& highest = levels.back();
   return {title,
           3,
-          {force_histories(force_over_a_cycle(highest.uncontrolled, "before control", kBefore),
-                           force_over_a_cycle(highest.controlled, "after", kAfter)),
+          {force_histories(force_history(highest.uncontrolled, "before control", kBefore),
+                           force_history(highest.controlled, "after", kAfter)),
            force_harmonics(controls.back(), unit), force_distortions(controls, unit)}};
 }
 

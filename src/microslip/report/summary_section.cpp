@@ -7,6 +7,7 @@
 
 #include "microslip/base/percent.hpp"
 #include "microslip/report/sections.hpp"
+#include "microslip/workflow/summary_text.hpp"
 #include "microslip/workflow/verdict.hpp"
 
 namespace microslip {
@@ -15,10 +16,6 @@ namespace {
 constexpr const char* kIdentify =
     "microslip identify levels.csv --stiffness K --bands 1000 --out joint.json --density-csv "
     "density.csv";
-
-std::string count_of(std::size_t levels) {
-  return fmt::format("{} level{}", levels, levels == 1 ? "" : "s");
-}
 
 /// Where the joint is from, as far as its file tells.
 std::string origin(const ExperimentResults& results) {
@@ -32,7 +29,7 @@ std::string origin(const ExperimentResults& results) {
       fmt::format("A joint of stuck stiffness {:.4g} kN/m was identified by {}", k, found.method);
   if (!results.levels) return text;
   return text + (found.from_these_levels
-                     ? fmt::format(" from {}", count_of(used_count(*results.levels)))
+                     ? fmt::format(" from {}", counted(used_count(*results.levels), "level"))
                      : ", not from the levels below as far as its file tells");
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <numbers>
 #include <span>
@@ -177,6 +178,22 @@ std::vector<ForceControlLevel> force_controls(std::span<const VirtualLevel> leve
                         relative_harmonics(level.controlled, harmonics)});
   }
   return controls;
+}
+
+Curve force_over_cycle(const DrivenVibration& driven, std::size_t points) {
+  Curve curve;
+  const double period = 2.0 * std::numbers::pi / driven.vibration.angular_frequency;
+  for (std::size_t i = 0; i <= points; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(points);
+    double force = 0.0;
+    for (std::size_t n = 1; n < driven.force.size(); ++n) {
+      const double angle = 2.0 * std::numbers::pi * static_cast<double>(n) * share;
+      force += (driven.force[n] * std::polar(1.0, angle)).real();
+    }
+    curve.x.push_back(share * period);
+    curve.y.push_back(force);
+  }
+  return curve;
 }
 
 }  // namespace microslip

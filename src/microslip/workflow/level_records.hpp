@@ -9,6 +9,7 @@
 #include "microslip/rig/virtual_measurement.hpp"
 #include "microslip/signal/recording.hpp"
 #include "microslip/workflow/experiment_results.hpp"
+#include "microslip/workflow/sampled_curves.hpp"
 
 /// @file
 /// What was recorded at the levels of a test.
@@ -45,5 +46,10 @@ void add_other(const LevelRecord& other, LevelRecord& record);
 /// @param harmonics  that were controlled.
 [[nodiscard]] std::vector<ForceControlLevel> force_controls(std::span<const VirtualLevel> levels,
                                                             std::size_t harmonics);
+
+/// F_1 … F_H of a force over one cycle, N over s.
+/// @param driven  of a virtual test.
+/// @param points  steps of the cycle.
+[[nodiscard]] Curve force_over_cycle(const DrivenVibration& driven, std::size_t points);
 
 }  // namespace microslip

@@ -23,10 +23,6 @@
 namespace microslip {
 namespace {
 
-std::string counted(std::size_t count, const char* what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
 /// What is used and what was identified, which are not the same where the model says so. Empty
 /// where there is neither.
 std::string damping_of(const ModelFile& model, std::size_t j) {

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "microslip/base/units.hpp"
+#include "microslip/workflow/summary_text.hpp"
 
 namespace microslip {
 namespace {
@@ -110,8 +111,7 @@ std::string damping_of(const UffModeShape& shape) {
 }
 
 std::string describe(const UffModeShape& shape) {
-  const std::size_t count = shape.nodes.size();
-  const std::string nodes = fmt::format("{} node{}", count, count == 1 ? "" : "s");
+  const std::string nodes = counted(shape.nodes.size(), "node");
   switch (shape.analysis) {
     case UffAnalysis::kNormalMode:
     case UffAnalysis::kComplexMode:
@@ -129,8 +129,7 @@ std::string describe(const UffModeShape& shape) {
 
 std::string list_mode_shapes(std::span<const UffModeShape> shapes) {
   if (shapes.empty()) return {};
-  std::string text =
-      fmt::format("{} dataset{} 55 (mode shapes)\n", shapes.size(), shapes.size() == 1 ? "" : "s");
+  std::string text = counted(shapes.size(), "dataset") + " 55 (mode shapes)\n";
   for (const UffModeShape& shape : shapes) text += as_line("  " + describe(shape));
   return text;
 }

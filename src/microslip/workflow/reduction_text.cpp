@@ -45,23 +45,10 @@ std::string describe_level(const ReducedLevel& level) {
                      level.flags.empty() ? "" : fmt::format("{}", level.flags.size()));
 }
 
-/// Each kind of flag once, with the text of the first level that has it.
 std::vector<Warning> flags_of(const std::vector<ReducedLevel>& levels, std::size_t source_width) {
-  std::vector<Warning> flags;
-  for (const ReducedLevel& level : levels) {
-    for (const Warning& flag : level.flags) {
-      const auto same = [&](const Warning& known) {
-        return known.code.starts_with(flag.code + " (");
-      };
-      if (std::ranges::any_of(flags, same)) continue;
-      const auto count = std::ranges::count_if(
-          levels, [&](const ReducedLevel& other) { return other.has_flag(flag.code); });
-      flags.push_back({fmt::format("{} ({} of {} levels, first {})", flag.code, count,
-                                   levels.size(), shortened(level.source, source_width)),
-                       flag.text});
-    }
-  }
-  return flags;
+  std::vector<FlaggedRecord> records;
+  for (const ReducedLevel& level : levels) records.push_back({level.source, level.flags});
+  return kinds_of(records, "levels", source_width);
 }
 
 std::string describe_flags(const std::vector<ReducedLevel>& levels) {
@@ -111,8 +98,7 @@ std::string describe_left_out(const ReductionBatch& batch) {
 }  // namespace
 
 std::string describe_reduction(const Reducer& reducer, const ReductionBatch& batch) {
-  const std::size_t count = batch.levels.size();
-  std::string text = fmt::format("Reduction of {} record{}\n{}", count, count == 1 ? "" : "s",
+  std::string text = fmt::format("Reduction of {}\n{}", counted(batch.levels.size(), "record"),
                                  describe_method(reducer));
   text += fmt::format("\n  {:<14} {:>8} {:>8} {:>8} {:>9} {:>10} {:>5} {:>5}\n", "source", "f [Hz]",
                       "F [N]", "a[m/s²]", "A [µm]", "D [µJ]", "±[%]", "flags");

@@ -26,9 +26,9 @@ VirtualMeasurement test_rig(const Rig& rig, const Joint& truth, const Progress& 
 /// Levels with a record before the force control too.
 constexpr std::array<std::size_t, 4> kCompared = {1, 26, 51, 90};
 
-TestRecordings record(const Rig& rig, const VirtualMeasurement& test, std::uint64_t seed) {
+VirtualRecords record(const Rig& rig, const VirtualMeasurement& test, std::uint64_t seed) {
   const StickState state = stick_state(rig, rig.test->modes);
-  TestRecordings records;
+  VirtualRecords records;
   for (const VirtualLevel& level : test.levels) {
     records.names.push_back(fmt::format("recordings/level_{:02}.csv", level.number));
     Recording& recording = records.recordings.emplace_back(
@@ -42,7 +42,7 @@ TestRecordings record(const Rig& rig, const VirtualMeasurement& test, std::uint6
   return records;
 }
 
-RecordReader reader_of(const TestRecordings& records) {
+RecordReader reader_of(const VirtualRecords& records) {
   return [&records](std::size_t i) { return std::vector<Recording>{records.recordings[i]}; };
 }
 
@@ -60,7 +60,7 @@ bool RigDemonstration::converged() const {
 RigDemonstration demonstrate(const Rig& rig, const Joint& truth, std::uint64_t seed,
                              const std::function<Progress(const char*)>& progress) {
   VirtualMeasurement test = test_rig(rig, truth, progress("virtual test"));
-  TestRecordings records = record(rig, test, seed);
+  VirtualRecords records = record(rig, test, seed);
   const std::size_t count = records.recordings.size();
   Reducer reducer(without_truth(rig));
   ReductionBatch reduction =

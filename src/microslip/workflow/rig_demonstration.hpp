@@ -23,7 +23,7 @@
 namespace microslip {
 
 /// The records of a test, as files of its folder.
-struct TestRecordings {
+struct VirtualRecords {
   std::vector<std::string> names;                                 ///< "recordings/level_01.csv"
   std::vector<Recording> recordings;                              ///< one a name
   std::vector<std::pair<std::string, Recording>> before_control;  ///< of some levels, with names
@@ -34,7 +34,7 @@ struct RigDemonstration {
   Rig rig;                         ///< with the truth
   Joint truth;                     ///< in its contact
   VirtualMeasurement test;         ///< of the rig
-  TestRecordings recordings;       ///< with noise
+  VirtualRecords recordings;       ///< with noise
   Reducer reducer;                 ///< which does not know the truth
   ReductionBatch reduction;        ///< of the recordings
   std::string levels_text;         ///< of levels.csv

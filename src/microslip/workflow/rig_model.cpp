@@ -20,6 +20,8 @@
 namespace microslip {
 namespace {
 
+namespace fs = std::filesystem;
+
 /// A model is text: names in it are UTF-8 without control characters.
 void check_name(std::string_view what, std::string_view name) {
   if (printable(name) == name) return;

@@ -39,6 +39,16 @@ DensityPoints density_points(const Joint& joint, double from, double to) {
   return points;
 }
 
+Curve slipped_share(const Joint& joint, double to) {
+  constexpr std::size_t kPoints = 2000;
+  Curve curve;
+  for (std::size_t i = 0; i <= kPoints; ++i) {
+    curve.x.push_back(to * static_cast<double>(i) / static_cast<double>(kPoints));
+    curve.y.push_back(joint.density().moments(curve.x.back()).zeroth);
+  }
+  return curve;
+}
+
 SteadyLoop steady_loop(const Joint& joint, double amplitude, std::size_t half) {
   SteadyLoop loop;
   Memory memory(joint);

@@ -45,6 +45,9 @@ struct DensityPoints {
 /// At a step the density is the one above it; at `to` the one below it, where identified ones end.
 [[nodiscard]] DensityPoints density_points(const Joint& joint, double from, double to);
 
+/// Φ0(f*), 1, over slip forces from 0, N: so many steps that those at atoms look upright.
+[[nodiscard]] Curve slipped_share(const Joint& joint, double to);
+
 /// A steady loop: from A down and up again, without the point at which it closes.
 struct SteadyLoop {
   std::vector<double> displacement;  ///< m

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace microslip {
 
@@ -39,6 +40,28 @@ std::string shortened(const std::string& source, std::size_t width) {
   std::ranges::replace_if(
       name, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, '?');
   return name.size() <= width ? name : "~" + name.substr(name.size() - width + 1);
+}
+
+std::string counted(std::size_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+std::vector<Warning> kinds_of(const std::vector<FlaggedRecord>& records, std::string_view noun,
+                              std::size_t source_width) {
+  std::set<std::string> known;
+  std::vector<Warning> kinds;
+  for (const auto& [source, flags] : records) {
+    for (const auto& [code, text] : flags) {
+      if (!known.insert(code).second) continue;
+      const auto count = std::ranges::count_if(records, [&code = code](const FlaggedRecord& other) {
+        return std::ranges::find(other.flags, code, &Warning::code) != other.flags.end();
+      });
+      kinds.push_back({fmt::format("{} ({} of {} {}, first {})", code, count, records.size(), noun,
+                                   shortened(source, source_width)),
+                       text});
+    }
+  }
+  return kinds;
 }
 
 }  // namespace microslip

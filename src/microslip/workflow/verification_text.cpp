@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <iterator>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "microslip/workflow/model_text.hpp"
@@ -78,31 +77,14 @@ std::string describe_worst(const std::vector<Verification>& records) {
   return text;
 }
 
-bool has_code(const Verification& record, std::string_view code) {
-  return record.recorded.has_flag(code) ||
-         std::ranges::any_of(record.warnings, [&](const Warning& w) { return w.code == code; });
-}
-
-/// Each kind of warning and flag once, with the text of the first record that has it.
 std::vector<Warning> kinds_of_warnings(const std::vector<Verification>& records,
                                        std::size_t source_width) {
-  std::vector<std::string> codes;
-  std::vector<Warning> kinds;
+  std::vector<FlaggedRecord> flagged;
   for (const Verification& record : records) {
-    for (const auto* list : {&record.warnings, &record.recorded.flags}) {
-      for (const Warning& warning : *list) {
-        if (std::ranges::find(codes, warning.code) != codes.end()) continue;
-        codes.push_back(warning.code);
-        const auto count = std::ranges::count_if(
-            records, [&](const Verification& other) { return has_code(other, warning.code); });
-        kinds.push_back(
-            {fmt::format("{} ({} of {} records, first {})", warning.code, count, records.size(),
-                         shortened(record.recorded.source, source_width)),
-             warning.text});
-      }
-    }
+    flagged.push_back({record.recorded.source, record.warnings});
+    std::ranges::copy(record.recorded.flags, std::back_inserter(flagged.back().flags));
   }
-  return kinds;
+  return kinds_of(flagged, "records", source_width);
 }
 
 std::string describe_troubles(const VerificationBatch& batch) {
@@ -124,8 +106,7 @@ std::string describe_troubles(const VerificationBatch& batch) {
 }  // namespace
 
 std::string describe_verification(const Verifier& verifier, const VerificationBatch& batch) {
-  const std::size_t count = batch.records.size();
-  std::string text = fmt::format("Verification by {} record{}\n{}", count, count == 1 ? "" : "s",
+  std::string text = fmt::format("Verification by {}\n{}", counted(batch.records.size(), "record"),
                                  describe_model(verifier));
   text += header(batch.records.front());
   for (const Verification& record : batch.records) text += describe_record(record);

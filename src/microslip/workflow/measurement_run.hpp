@@ -15,7 +15,7 @@
 namespace microslip {
 
 /// What is to be tested, and how.
-struct VirtualTest {
+struct MeasurementRun {
   std::string rig;              ///< path of rig.toml, with [test] and the true joint in [contact]
   std::string out;              ///< the folder; made where it is missing
   std::string format = "csv";   ///< of the records, see find_recording_format()
@@ -28,7 +28,7 @@ struct VirtualTest {
 };
 
 /// What came of it.
-struct FinishedVirtualTest {
+struct FinishedMeasurement {
   std::string joint_path;            ///< of the true joint
   double linear_damping;             ///< β of it, J/m²
   VirtualMeasurement test;           ///< of which one level at least was found
@@ -42,10 +42,10 @@ struct FinishedVirtualTest {
 ///                                             the folder holds another test.
 /// @throws NothingFound  where no level was found.
 /// @throws Cancelled     as one of the progresses says.
-[[nodiscard]] FinishedVirtualTest run_virtual_test(const VirtualTest& options);
+[[nodiscard]] FinishedMeasurement run_measurement(const MeasurementRun& options);
 
 /// The summary.
-[[nodiscard]] std::string describe_virtual_test(const VirtualTest& options,
-                                                const FinishedVirtualTest& done);
+[[nodiscard]] std::string describe_measurement(const MeasurementRun& options,
+                                               const FinishedMeasurement& done);
 
 }  // namespace microslip

@@ -14,18 +14,18 @@
 #include "microslip/io/rig_writer.hpp"
 #include "microslip/rig/stick_state.hpp"
 #include "microslip/workflow/experiment_folder.hpp"
+#include "microslip/workflow/measurement_run.hpp"
 #include "microslip/workflow/recordings_reduction.hpp"
 #include "microslip/workflow/recordings_verification.hpp"
 #include "microslip/workflow/rig_model.hpp"
-#include "microslip/workflow/virtual_test.hpp"
 #include "support/rigs.hpp"
 
 // The chains from files to files, each held against the truth of the virtual test before it.
-namespace microslip::whole_test_test {
+namespace microslip::measurement_run_test {
 namespace {
 
 /// Four levels of the reference rig with a uniform joint, in a folder.
-class WholeTest : public ::testing::Test {
+class MeasurementRunFiles : public ::testing::Test {
  protected:
   void SetUp() override {
     Rig rig = testing::reference_rig();
@@ -49,12 +49,12 @@ class WholeTest : public ::testing::Test {
   }
 
   test::TemporaryFolder folder_;
-  VirtualTest plan_;
+  MeasurementRun plan_;
 };
 
 // Of 1 s with 55 cycles; the noise of the reference rig leaves fractions of a per cent of D.
-TEST_F(WholeTest, LevelsAreThoseOfTheTruth) {
-  const FinishedVirtualTest done = run_virtual_test(plan_);
+TEST_F(MeasurementRunFiles, LevelsAreThoseOfTheTruth) {
+  const FinishedMeasurement done = run_measurement(plan_);
   EXPECT_EQ(done.records.front(), "level_01.csv");
   const ReducedRecordings reduced =
       reduce_recordings({.rig = file("rig.toml"), .recordings = records()});
@@ -67,8 +67,8 @@ TEST_F(WholeTest, LevelsAreThoseOfTheTruth) {
 }
 
 // By the true joint only the noise is left: some 1e-3 of the signals.
-TEST_F(WholeTest, TheTrueJointPredictsItsRecords) {
-  (void)run_virtual_test(plan_);
+TEST_F(MeasurementRunFiles, TheTrueJointPredictsItsRecords) {
+  (void)run_measurement(plan_);
   const VerifiedRecordings verified = verify_recordings(
       {.rig = file("rig.toml"), .joint = folder_.file("truth.json"), .recordings = records()});
   ASSERT_EQ(verified.batch.records.size(), 4);
@@ -82,15 +82,15 @@ TEST_F(WholeTest, TheTrueJointPredictsItsRecords) {
   EXPECT_EQ(read_experiment(file("")).comparisons.size(), 4 * 5);
 }
 
-TEST_F(WholeTest, AFolderOfAnotherTestIsRefused) {
-  (void)run_virtual_test(plan_);
+TEST_F(MeasurementRunFiles, AFolderOfAnotherTestIsRefused) {
+  (void)run_measurement(plan_);
   test::put(file("level_05.csv"), "time [s],force [N]\n0,1\n1,2\n");
-  EXPECT_THROW((void)run_virtual_test(plan_), InputError);
+  EXPECT_THROW((void)run_measurement(plan_), InputError);
 }
 
 // The file holds all digits; the first resonance is that of the stuck beam, which seven modes on the
 // spring of the contact give to 1e-3.
-TEST_F(WholeTest, TheModelHasTheResonancesOfTheRig) {
+TEST_F(MeasurementRunFiles, TheModelHasTheResonancesOfTheRig) {
   const RigModel model =
       model_of_rig(plan_.rig, folder_.file("truth.json"), folder_.file("model.toml"), 7, "call");
   const ModelFile read = parse_model(model.text, folder_.file("model.toml"));
@@ -101,8 +101,8 @@ TEST_F(WholeTest, TheModelHasTheResonancesOfTheRig) {
   EXPECT_NEAR(omega[0] / stick_state(testing::reference_rig(), 7).omega[0], 1.0, 1e-3);
 }
 
-TEST_F(WholeTest, FoldersThatHoldAFile) {
-  (void)run_virtual_test(plan_);
+TEST_F(MeasurementRunFiles, FoldersThatHoldAFile) {
+  (void)run_measurement(plan_);
   const std::string all = folder_.file("");
   EXPECT_EQ(folders_holding(all, {"levels.csv", "rig.toml"}).size(), 1);
   EXPECT_TRUE(folders_holding(all, {"levels.csv"}).empty());
@@ -111,8 +111,8 @@ TEST_F(WholeTest, FoldersThatHoldAFile) {
 
 // Of four records two are over time, all have their harmonics, and the first of the force is that
 // of the truth; noise of 2 mN over 8192 samples.
-TEST_F(WholeTest, RecordsOfAFolderAreRead) {
-  (void)run_virtual_test(plan_);
+TEST_F(MeasurementRunFiles, RecordsOfAFolderAreRead) {
+  (void)run_measurement(plan_);
   const ExperimentResults results = read_experiment(file(""), 2);
   ASSERT_EQ(results.records.size(), 4);
   EXPECT_FALSE(results.records[0].signals.empty());
@@ -125,4 +125,4 @@ TEST_F(WholeTest, RecordsOfAFolderAreRead) {
 }
 
 }  // namespace
-}  // namespace microslip::whole_test_test
+}  // namespace microslip::measurement_run_test

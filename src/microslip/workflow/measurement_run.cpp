@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/virtual_test.hpp"
+#include "microslip/workflow/measurement_run.hpp"
 
 #include <fmt/format.h>
 
@@ -35,10 +35,12 @@
 namespace microslip {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr std::size_t kLargestInput = std::size_t{1} << 26U;
 
 /// What the test is of, and how it came.
-struct TestInputs {
+struct MeasurementInputs {
   Rig rig;
   Joint joint;
   double linear_damping;  ///< β of the joint, J/m²
@@ -56,7 +58,7 @@ std::string joint_path_of(const Rig& rig, const std::string& rig_path) {
   return (fs::path(rig_path).parent_path() / rig.contact.joint).string();
 }
 
-TestInputs read_inputs(const VirtualTest& options) {
+MeasurementInputs read_inputs(const MeasurementRun& options) {
   const NamedInput rig_input{options.rig, read_file(options.rig, kLargestInput)};
   Rig rig = parse_rig(rig_input);
   const std::string joint_path = joint_path_of(rig, options.rig);
@@ -90,7 +92,7 @@ bool is_named_as_record(const fs::path& path) {
 /// The names of the records.
 class RecordNames {
  public:
-  RecordNames(const VirtualTest& options, std::size_t levels)
+  RecordNames(const MeasurementRun& options, std::size_t levels)
       : format_(*find_recording_format(options.format)),
         ending_(options.format == "uff-ascii" ? "uff" : options.format),
         width_(std::max<std::size_t>(2, fmt::formatted_size("{}", levels))),
@@ -129,7 +131,7 @@ std::string record_kind(const Rig& rig, RecordingFormat format) {
 }
 
 /// What the test writes besides tables: all levels, or those that were found.
-std::vector<std::string> record_names(const VirtualTest& options, const RecordNames& names,
+std::vector<std::string> record_names(const MeasurementRun& options, const RecordNames& names,
                                       std::size_t levels,
                                       const std::function<bool(std::size_t)>& is_found) {
   std::vector<std::string> all;
@@ -142,7 +144,7 @@ std::vector<std::string> record_names(const VirtualTest& options, const RecordNa
 }
 
 /// What another test left would be taken for a part of this one.
-void check_strangers(const VirtualTest& options, const std::vector<std::string>& records) {
+void check_strangers(const MeasurementRun& options, const std::vector<std::string>& records) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(options.out, error)) {
     const std::string name = entry.path().filename().string();
@@ -156,14 +158,14 @@ void check_strangers(const VirtualTest& options, const std::vector<std::string>&
 }
 
 /// Whether rig.toml in the folder of the test is the rig that is tested.
-bool keeps_rig(const VirtualTest& options) {
+bool keeps_rig(const MeasurementRun& options) {
   std::error_code error;
   return fs::equivalent(fs::path(options.out) / "rig.toml", options.rig, error);
 }
 
 /// Recordings of a laboratory have the names and the form of those of a virtual test; what tells
 /// the folder of one is its truth.csv.
-void check_origin(const VirtualTest& options, std::vector<std::string> written) {
+void check_origin(const MeasurementRun& options, std::vector<std::string> written) {
   const fs::path truth = fs::path(options.out) / "truth.csv";
   std::error_code error;
   if (fs::is_regular_file(truth, error) && read_file(truth.string()).starts_with("# microslip")) {
@@ -180,7 +182,7 @@ void check_origin(const VirtualTest& options, std::vector<std::string> written) 
 }
 
 /// Before the computation: a folder that is there must take the files.
-void check_folder(const VirtualTest& options, const Rig& rig, const RecordNames& names) {
+void check_folder(const MeasurementRun& options, const Rig& rig, const RecordNames& names) {
   if (options.out.empty() || options.out == "-") {
     throw InputError("--out", "'" + options.out + "'", "must be a folder",
                      "It gets a file a level, and the truth.");
@@ -206,7 +208,7 @@ void check_folder(const VirtualTest& options, const Rig& rig, const RecordNames&
 
 /// After it: something must have been found, and an old record of a level that was not would pass
 /// for one of this test.
-void check_found(const VirtualTest& options, const RecordNames& names,
+void check_found(const MeasurementRun& options, const RecordNames& names,
                  const VirtualMeasurement& test) {
   const auto is_found = [&](std::size_t i) { return test.levels[i].summary.converged(); };
   const std::vector<std::string> records =
@@ -218,7 +220,7 @@ void check_found(const VirtualTest& options, const RecordNames& names,
 }
 
 /// Solves the test; names in [test] are those of the file.
-VirtualMeasurement solve(const VirtualTest& options, const TestInputs& inputs) {
+VirtualMeasurement solve(const MeasurementRun& options, const MeasurementInputs& inputs) {
   VirtualMeasurementOptions test;
   test.shaker = !options.no_shaker;
   test.linear_damping = inputs.linear_damping;
@@ -237,11 +239,11 @@ std::string warnings_on_a_line(const std::vector<Warning>& warnings) {
 }
 
 /// Writes all files of a test into its folder.
-class TestWriter {
+class MeasurementWriter {
  public:
   /// @param comment  of all tables and the rig: provenance and warnings.
-  TestWriter(const VirtualTest& options, const TestInputs& inputs, const RecordNames& names,
-             std::string comment)
+  MeasurementWriter(const MeasurementRun& options, const MeasurementInputs& inputs,
+                    const RecordNames& names, std::string comment)
       : options_(options),
         inputs_(inputs),
         names_(names),
@@ -309,8 +311,8 @@ class TestWriter {
     files_.add(path, comments + "\n" + format_rig(without_truth(inputs_.rig)));
   }
 
-  const VirtualTest& options_;
-  const TestInputs& inputs_;
+  const MeasurementRun& options_;
+  const MeasurementInputs& inputs_;
   const RecordNames& names_;
   std::string comment_;
   StickState state_;
@@ -338,7 +340,7 @@ std::string describe_force(const std::vector<const VirtualLevel*>& levels) {
 }
 
 /// Each kind of warning once, of its first level.
-std::vector<Warning> warnings_of(const TestInputs& inputs, const VirtualMeasurement& test) {
+std::vector<Warning> warnings_of(const MeasurementInputs& inputs, const VirtualMeasurement& test) {
   std::vector<Warning> warnings;
   if (const auto other = stiffness_warning(stick_state(inputs.rig), inputs.joint)) {
     warnings.push_back(*other);
@@ -354,20 +356,20 @@ std::vector<Warning> warnings_of(const TestInputs& inputs, const VirtualMeasurem
 
 }  // namespace
 
-FinishedVirtualTest run_virtual_test(const VirtualTest& options) {
-  const TestInputs inputs = read_inputs(options);
+FinishedMeasurement run_measurement(const MeasurementRun& options) {
+  const MeasurementInputs inputs = read_inputs(options);
   const RecordNames names(options, inputs.rig.test ? inputs.rig.test->count : 0);
   check_folder(options, inputs.rig, names);
   VirtualMeasurement test = solve(options, inputs);
   check_found(options, names, test);
   std::vector<Warning> warnings = warnings_of(inputs, test);
-  TestWriter(options, inputs, names, with_warnings(inputs.provenance, warnings))
+  MeasurementWriter(options, inputs, names, with_warnings(inputs.provenance, warnings))
       .write(test, options.writing);
   return {inputs.joint_path, inputs.linear_damping, std::move(test), names.all(kLevel),
           std::move(warnings)};
 }
 
-std::string describe_virtual_test(const VirtualTest& options, const FinishedVirtualTest& done) {
+std::string describe_measurement(const MeasurementRun& options, const FinishedMeasurement& done) {
   const VirtualMeasurement& test = done.test;
   std::vector<const VirtualLevel*> found;
   for (const VirtualLevel& level : test.levels) {
