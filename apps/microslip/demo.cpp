@@ -13,8 +13,8 @@
 #include "demo_folder.hpp"
 #include "demo_rig.hpp"
 #include "demo_rig_report.hpp"
-#include "identification_report.hpp"
 #include "microslip/base/error.hpp"
+#include "microslip/workflow/identification_text.hpp"
 
 namespace microslip::app {
 namespace {

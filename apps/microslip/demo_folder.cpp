@@ -6,16 +6,13 @@
 #include <span>
 #include <utility>
 
-#include "identification_report.hpp"
-#include "microslip/base/version.hpp"
 #include "microslip/io/file_kind.hpp"
-#include "microslip/io/joint_file.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/io/recording_file.hpp"
-#include "microslip/io/sha256.hpp"
 #include "microslip/workflow/experiment_folder.hpp"
+#include "microslip/workflow/identification_text.hpp"
+#include "microslip/workflow/levels_identification.hpp"
 #include "microslip/workflow/provenance.hpp"
-#include "microslip/workflow/recorded_options.hpp"
 #include "progress_bar.hpp"
 #include "report_html.hpp"
 
@@ -36,13 +33,8 @@ std::string DemoFolder::path_of(const std::string& name) const {
 void DemoFolder::add_identification(const std::string& folder, const Identification& found,
                                     const IdentificationOptions& options,
                                     const std::string& input_name, std::string_view input) {
-  Provenance provenance;
-  provenance.version = kVersion;
-  provenance.command = call_.command_line;
-  provenance.inputs.push_back({input_name, sha256(input)});
-  provenance.options = record_of_options(options);
-  provenance.seed = kDemoSeed;
-  add(folder + "/joint.json", format_joint({found.joint, provenance, record_of(found)}));
+  add(folder + "/joint.json",
+      joint_text(found, options, {input_name, std::string(input)}, call_.command_line));
   add(folder + "/density.csv", density_csv(found));
 }
 

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <string_view>
 
-#include "identification_report.hpp"
 #include "microslip/base/percent.hpp"
 #include "microslip/base/units.hpp"
 #include "microslip/identify/density_comparison.hpp"
 #include "microslip/joint/secant.hpp"
+#include "microslip/workflow/identification_text.hpp"
 #include "microslip/workflow/summary_text.hpp"
 
 namespace microslip::app {

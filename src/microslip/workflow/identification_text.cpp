@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "identification_report.hpp"
+#include "microslip/workflow/identification_text.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 #include "microslip/workflow/provenance.hpp"
 #include "microslip/workflow/summary_text.hpp"
 
-namespace microslip::app {
+namespace microslip {
 namespace {
 
 std::string method_name(const Identification& found) {
@@ -230,7 +230,7 @@ std::string describe_identification(const Identification& found, std::size_t lev
   return text;
 }
 
-NamedValues record_of(const Identification& found) {
+NamedValues record_of_identification(const Identification& found) {
   NamedValues record;
   record.emplace_back("method", std::string(to_string(found.method)));
   if (found.parametric) {
@@ -277,4 +277,4 @@ std::string density_csv(const Identification& found) {
   return table.str();
 }
 
-}  // namespace microslip::app
+}  // namespace microslip

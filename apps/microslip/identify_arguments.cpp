@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "identify_arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <string_view>
+
+#include "command.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/io/text.hpp"
+#include "microslip/workflow/quantity_text.hpp"
+#include "microslip/workflow/smoothing_text.hpp"
+#include "progress_bar.hpp"
+
+namespace microslip::app {
+namespace {
+
+const std::map<std::string, IdentificationMethod> kMethods{
+    {"inversion", IdentificationMethod::kInversion},
+    {"spline", IdentificationMethod::kSpline},
+    {"differences", IdentificationMethod::kDifferences}};
+
+const std::map<std::string, ParametricModel> kModels{
+    {"four_parameter", ParametricModel::kFourParameter},
+    {"power_law", ParametricModel::kPowerLaw},
+    {"uniform", ParametricModel::kUniform}};
+
+template <typename Map>
+std::vector<std::string> names_of(const Map& map) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : map) names.push_back(name);
+  return names;
+}
+
+double stiffness_of(const IdentifyArguments& options) {
+  const double k = parse_quantity("--stiffness", options.stiffness, kStiffness);
+  if (k > 0.0 && !(k >= kSmallestStiffness && k <= kLargestStiffness)) {
+    throw InputError("--stiffness", k, "must be from 1e-6 to 1e15 N/m", "Check its unit.");
+  }
+  if (!(k > 0.0)) {
+    throw InputError("--stiffness", k, "must be above 0 N/m",
+                     "Give the stiffness of the stuck joint, for instance from a low-level test.");
+  }
+  return k;
+}
+
+/// A standard deviation of a gain or of the loss factor, as a share of it.
+double relative_std(std::string_view option, const std::string& text) {
+  constexpr double kLargest = 0.3;
+  const double gain = parse_quantity(option, text, kDimensionless);
+  if (!(gain >= 0.0 && gain < kLargest)) {
+    throw InputError(option, in_quotes(text), "must be 0 or more and below 0.3, as a share of 1");
+  }
+  return gain;
+}
+
+/// What only a band shows is refused without one, not ignored.
+void check_unused(const IdentifyArguments& options, const CommonErrors& errors) {
+  const auto refuse = [](std::string_view option, const std::string& text) {
+    throw InputError(option, in_quotes(text), "belongs to a band, and --bands is 0",
+                     "Ask for samples, for instance --bands 1000, or leave it out.");
+  };
+  if (options.seed) refuse("--seed", *options.seed);
+  if (errors.dissipation_gain_std > 0.0) refuse("--dissipation-gain-std", options.dissipation_gain);
+  if (errors.amplitude_gain_std > 0.0) refuse("--amplitude-gain-std", options.amplitude_gain);
+  if (errors.loss_factor_std > 0.0) refuse("--loss-factor-std", options.loss_factor);
+}
+
+CommonErrors errors_of(const IdentifyArguments& options) {
+  return {.dissipation_gain_std = relative_std("--dissipation-gain-std", options.dissipation_gain),
+          .amplitude_gain_std = relative_std("--amplitude-gain-std", options.amplitude_gain),
+          .loss_factor_std = relative_std("--loss-factor-std", options.loss_factor)};
+}
+
+/// What belongs to the band of the free density; nothing where none was asked for.
+std::optional<BandOptions> bands_of(const IdentifyArguments& options, bool quiet) {
+  constexpr std::uint64_t kFewest = 20;
+  constexpr std::uint64_t kMost = 1'000'000;  // more memory than use
+  BandOptions bands;
+  bands.seed = parse_whole_number("--seed", options.seed.value_or("1"), 0,
+                                  std::numeric_limits<std::uint64_t>::max());
+  if (options.bands == "0") return std::nullopt;
+  bands.samples = parse_whole_number("--bands", options.bands, kFewest, kMost,
+                                     "1000 give a smooth band, 0 gives none.");
+  bands.progress = progress_bar("bands", quiet);
+  return bands;
+}
+
+/// What only the inversion can do is refused elsewhere, not ignored.
+void check_method(const IdentifyArguments& options) {
+  const bool fit = options.fit != "none";
+  const auto refuse = [&](std::string_view option) {
+    const bool by_fit = options.method == "inversion";
+    throw InputError(by_fit ? "--fit" : "--method",
+                     in_quotes(by_fit ? options.fit : options.method),
+                     fmt::format("does not go with {}, which belongs to the free density of "
+                                 "--method inversion",
+                                 option),
+                     "Leave one of them out.");
+  };
+  if (options.method == "inversion" && !fit) return;
+  if (options.atom) refuse("--atom");
+  if (options.bands != "0") refuse("--bands");
+  if (options.linear_damping == "fit" && !fit) refuse("--linear-damping fit");
+}
+
+IdentificationOptions library_options(const IdentifyArguments& options, bool quiet) {
+  IdentificationOptions all;
+  all.bands = bands_of(options, quiet);
+  check_method(options);
+  all.method = kMethods.at(options.method);
+  all.inversion.linear_damping = options.linear_damping == "fit";
+  all.inversion.atom = options.atom;
+  if (options.fit != "none") all.fit = kModels.at(options.fit);
+  set_smoothing(options.smoothing, options.smoothing_unit, all);
+  return all;
+}
+
+void add_output_options(CLI::App& command, IdentifyArguments& options) {
+  command
+      .add_option("--out", options.out, "Joint model to write, joint.json; - is standard output")
+      ->required()
+      ->type_name(kJsonValue);
+  command
+      .add_option("--density-csv", options.density_csv,
+                  "Density as CSV: slip_force [N], density [1/N], lower [1/N], upper [1/N]")
+      ->type_name(kCsvValue);
+}
+
+void add_method_options(CLI::App& command, IdentifyArguments& options) {
+  command.add_option("--method", options.method, "How the density is found")
+      ->check(CLI::IsMember(names_of(kMethods)))
+      ->capture_default_str();
+  command
+      .add_option("--smoothing", options.smoothing,
+                  "gcv chooses; lambda=X; p=X of csaps (spline only)")
+      ->capture_default_str();
+  command.add_option("--smoothing-unit", options.smoothing_unit,
+                     "Unit of the amplitude that p or lambda of the spline belongs to: um, mm, m");
+  command
+      .add_option("--linear-damping", options.linear_damping,
+                  "fit: D holds a linear damping beta*A^2 that was not subtracted")
+      ->check(CLI::IsMember({"none", "fit"}))
+      ->capture_default_str();
+  command
+      .add_option("--inner-reversals", options.inner_reversals,
+                  "Levels whose joint turns more than twice a cycle (column reversals)")
+      ->check(CLI::IsMember({"leave-out", "use"}))
+      ->capture_default_str();
+  command.add_flag("--atom", options.atom, "Seek an atom of the density where macro-slip begins");
+  command
+      .add_option("--fit", options.fit, "Write this parametric model in place of the free density")
+      ->check(CLI::IsMember(names_of(kModels)));
+}
+
+void add_band_options(CLI::App& command, IdentifyArguments& options) {
+  command
+      .add_option("--bands", options.bands,
+                  "Samples of the 95 % band; 0 for none, 1000 for a smooth one")
+      ->type_name("UINT")
+      ->capture_default_str();
+  command.add_option("--seed", options.seed, "Seed of the samples; 1 without it")
+      ->type_name("UINT");
+  command
+      .add_option("--dissipation-gain-std", options.dissipation_gain,
+                  "Relative gain error of D that all levels share, for the band [1]; also in %")
+      ->needs("--bands")
+      ->type_name("FLOAT")
+      ->capture_default_str();
+  command
+      .add_option("--amplitude-gain-std", options.amplitude_gain,
+                  "Relative gain error of A that all levels share, for the band [1]; also in %")
+      ->needs("--bands")
+      ->type_name("FLOAT")
+      ->capture_default_str();
+  command
+      .add_option(
+          "--loss-factor-std", options.loss_factor,
+          "Relative error of the structure's loss factor, and so of the linear loss that was "
+          "taken from D, for the band [1]; also in %; needs the column linear_dissipation "
+          "[J]")
+      ->needs("--bands")
+      ->type_name("FLOAT")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_identify_arguments(CLI::App& command, IdentifyArguments& arguments) {
+  command
+      .add_option("--stiffness", arguments.stiffness,
+                  "k of the stuck joint, in N/m or with a unit: slip forces are k times A")
+      ->required();
+  add_output_options(command, arguments);
+  add_method_options(command, arguments);
+  add_band_options(command, arguments);
+}
+
+LevelsIdentification identification_options(const IdentifyArguments& arguments, bool quiet) {
+  LevelsIdentification all;
+  all.levels = arguments.levels;
+  all.texts = {arguments.smoothing, arguments.smoothing_unit, arguments.inner_reversals,
+               errors_of(arguments)};
+  if (arguments.bands == "0") check_unused(arguments, all.texts.common_errors);
+  all.options = library_options(arguments, quiet);
+  all.stiffness = stiffness_of(arguments);
+  all.use_inner_reversals = arguments.inner_reversals == "use";
+  return all;
+}
+
+}  // namespace microslip::app

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "microslip/identify/identification.hpp"
+#include "microslip/workflow/provenance.hpp"
+#include "microslip/workflow/recorded_options.hpp"
+
+/// @file
+/// levels.csv to joint.json and density.csv.
+
+namespace microslip {
+
+/// Far beyond every joint something else was measured or labelled, N/m.
+inline constexpr double kSmallestStiffness = 1e-6;
+inline constexpr double kLargestStiffness = 1e15;  ///< N/m
+
+/// What is to be identified, and how.
+struct LevelsIdentification {
+  std::string levels;                  ///< path of levels.csv; "-" is standard input
+  double stiffness = 0.0;              ///< k of the stuck joint, N/m; > 0
+  IdentificationOptions options = {};  ///< of the method
+  /// Takes levels with inner reversals, too, whose D is not that of one loop [AR14 (7)].
+  bool use_inner_reversals = false;
+  OptionTexts texts = {};  ///< what joint.json tells of the options; with the common errors
+};
+
+/// What came of it.
+struct IdentifiedLevels {
+  NamedInput input;                        ///< as read
+  Identification found;                    ///< with warnings of the file, too
+  std::size_t count = 0;                   ///< levels that were used
+  std::vector<std::size_t> reversed = {};  ///< lines of those with inner reversals
+};
+
+/// Reads the levels and identifies the joint.
+/// @throws FileError, FormatError  as parse_levels(), at the cell that no joint can have, and where
+///                                 all levels have inner reversals.
+/// @throws InputError  as identify(); what the levels are at fault for names their file.
+/// @throws Cancelled   as the progress of the options says.
+[[nodiscard]] IdentifiedLevels identify_levels(const LevelsIdentification& options);
+
+/// The text of joint.json.
+/// @param found       with its warnings.
+/// @param options     that it was found with.
+/// @param input       the levels.
+/// @param command     that the file is made by.
+/// @param texts       of the options.
+[[nodiscard]] std::string joint_text(const Identification& found,
+                                     const IdentificationOptions& options, const NamedInput& input,
+                                     std::string_view command, const OptionTexts& texts = {});
+
+/// The summary.
+[[nodiscard]] std::string describe_identified_levels(const LevelsIdentification& options,
+                                                     const IdentifiedLevels& done);
+
+}  // namespace microslip
