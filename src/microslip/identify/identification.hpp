@@ -33,10 +33,10 @@ enum class IdentificationMethod {
 /// What identify() does.
 struct IdentificationOptions {
   IdentificationMethod method = IdentificationMethod::kInversion;  ///< how the density is found
-  InversionOptions inversion = {};     ///< of kInversion, and the linear damping of a fit
-  SplineDensityOptions spline = {};    ///< of kSpline
-  std::optional<ParametricModel> fit;  ///< a parametric model in place of the density
-  std::optional<BandOptions> bands;    ///< with kInversion and without `fit` only
+  InversionOptions inversion = {};          ///< of kInversion, and the linear damping of a fit
+  SplineDensityOptions spline = {};         ///< of kSpline
+  std::optional<ParametricModel> fit = {};  ///< a parametric model in place of the density
+  std::optional<BandOptions> bands = {};    ///< with kInversion and without `fit` only
 
   /// @throws InputError  where options break their rules, or do not go together.
   void check() const;

@@ -13,13 +13,13 @@ namespace microslip {
 
 /// Values at the levels of an evidence, by rising amplitude.
 struct LevelRows {
-  std::vector<double> dissipation;       ///< one a level
-  std::vector<double> secant_stiffness;  ///< one a level; empty where k_eq was not measured
+  std::vector<double> dissipation = {};       ///< one a level
+  std::vector<double> secant_stiffness = {};  ///< one a level; empty where k_eq was not measured
 };
 
 /// What something says of the levels.
 struct LevelPrediction {
-  LevelRows value;  ///< D, J, and k_eq, N/m
+  LevelRows value = {};  ///< D, J, and k_eq, N/m
   /// What one standard deviation of the amplitude makes of them, J and N/m. An empty column: none.
   LevelRows change = {};
 };

@@ -10,12 +10,12 @@ namespace microslip {
 /// What was measured: one entry a level of vibration. The vectors `amplitude` and `dissipation` are
 /// of one length; each of the others is of that length or empty (not measured).
 struct Levels {
-  std::vector<double> amplitude;             ///< A, amplitude of the joint displacement, m
-  std::vector<double> dissipation;           ///< D, energy lost per cycle, J
-  std::vector<double> amplitude_std;         ///< standard deviation of A, m
-  std::vector<double> dissipation_std;       ///< standard deviation of D, J
-  std::vector<double> secant_stiffness;      ///< k_eq of the first harmonic, N/m
-  std::vector<double> secant_stiffness_std;  ///< standard deviation of k_eq, N/m
+  std::vector<double> amplitude = {};             ///< A, amplitude of the joint displacement, m
+  std::vector<double> dissipation = {};           ///< D, energy lost per cycle, J
+  std::vector<double> amplitude_std = {};         ///< standard deviation of A, m
+  std::vector<double> dissipation_std = {};       ///< standard deviation of D, J
+  std::vector<double> secant_stiffness = {};      ///< k_eq of the first harmonic, N/m
+  std::vector<double> secant_stiffness_std = {};  ///< standard deviation of k_eq, N/m
   /// W_lin, linear loss per cycle that was taken from the input energy to get D, J; it serves
   /// BandOptions::loss_factor_std only.
   std::vector<double> linear_dissipation = {};

@@ -117,9 +117,9 @@ struct JointBackbone {
 
 /// How far the prediction of a channel is from its record.
 struct ChannelMisfit {
-  std::string source;               ///< its file
-  std::string channel;              ///< of the record
-  std::string status;               ///< "converged"
+  std::string source = {};          ///< its file
+  std::string channel = {};         ///< of the record
+  std::string status = {};          ///< "converged"
   double frequency = 0.0;           ///< Hz
   double response_amplitude = 0.0;  ///< m/s²
   double nrmse = 0.0;               ///< 1
