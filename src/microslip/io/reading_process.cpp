@@ -27,7 +27,7 @@ namespace microslip {
 namespace {
 
 constexpr std::uintmax_t kSecondsToWait = 60;  // a disk may sleep
-constexpr std::uintmax_t kSecondsToWork = 1;
+constexpr std::uintmax_t kSecondsToWork = 2;   // a stalled virtual machine counts its stall as work
 constexpr std::uintmax_t kLongestLimit = 86400;
 constexpr std::uintmax_t kMemory = std::uintmax_t{512} << 20U;
 constexpr std::uintmax_t kMemoryOfByte = 16;
