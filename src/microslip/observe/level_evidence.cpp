@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/observe/level_evidence.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string_view>
 #include <utility>
 
 #include "microslip/base/error.hpp"
@@ -116,8 +113,6 @@ bool LevelEvidence::secant_std_given() const {
 bool LevelEvidence::amplitude_std_counts() const {
   return !levels().amplitude_std.empty() && (dissipation_std_given() || secant_std_given());
 }
-
-std::vector<double> LevelEvidence::dissipation_floor() const { return floor_; }
 
 LevelPrediction LevelEvidence::typical() const {
   const Levels& l = levels();

@@ -69,7 +69,7 @@ class LevelEvidence {
   [[nodiscard]] bool amplitude_std_counts() const;
 
   /// D below this share of D ∝ A³ through the largest level counts as zero, J.
-  [[nodiscard]] std::vector<double> dissipation_floor() const;
+  [[nodiscard]] const std::vector<double>& dissipation_floor() const { return floor_; }
 
   /// D smoothed without a model: the median of D/A³ over five neighbouring levels, times A³; k_eq
   /// as measured. Changes as of D ∝ A³. What a first fit is weighted by.
@@ -132,8 +132,6 @@ class LevelEvidence {
                                 RandomStream& random) const;
 
  private:
-  [[nodiscard]] double dissipation_std(std::size_t i) const;
-
   Levels measured_;
   CommonErrors common_;
   MergedLevels merged_;
