@@ -1,26 +1,24 @@
 // SPDX-License-Identifier: MIT
 
-// node demo_test.mjs MICROSLIP FOLDER: the reports that `microslip demo` leaves, in a browser. Pictures
-// are left in FOLDER.
+// node demo_test.mjs DEMO FOLDER: the reports that `microslip demo --out DEMO` has left, in a browser.
+// Pictures are left in FOLDER.
 
 import assert from 'node:assert/strict';
-import {execFileSync} from 'node:child_process';
 import {rmSync, writeFileSync} from 'node:fs';
 import * as tools from './browser.mjs';
 
 const kMostProcessorTime = 1500;  // ms
 
-const [program, path] = process.argv.slice(2);
+const [demo, path] = process.argv.slice(2);
 const browser = await tools.launch();
 rmSync(path, {recursive: true, force: true});
 const artefacts = tools.folder(path);
-execFileSync(program, ['demo', '--out', `${artefacts}/demo`, '--quiet'], {stdio: 'inherit'});
 
 const measured = {};
 
 /** Opens a report, looks at all of its figures and does with it what `more` does. */
 async function check(name, more) {
-  const file = `${artefacts}/demo/${name}/report.html`;
+  const file = `${demo}/${name}/report.html`;
   const bytes = tools.checkSize(file);
   const {page, context, faults} = await tools.open(browser, file);
   await tools.checkEveryFigure(page);

@@ -90,7 +90,7 @@ std::string force_text() {
   return writer.str();
 }
 
-class BadDisk : public testing::TestWithParam<Writing> {
+class BadDisk : public ::testing::TestWithParam<Writing> {
  protected:
   BadDisk() : box_(one_mass()) {
     box_.put("decay.csv", sample_decay_text());
@@ -180,7 +180,7 @@ TEST_P(BadDisk, ThatFailsLateLeavesNothing) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(EachFormat, BadDisk, testing::ValuesIn(all_writings()),
+INSTANTIATE_TEST_SUITE_P(EachFormat, BadDisk, ::testing::ValuesIn(all_writings()),
                          [](const auto& each) {
                            std::string name = each.param.out;
                            std::ranges::replace_if(

@@ -20,6 +20,7 @@
 #include "microslip/base/interpolation.hpp"
 #include "microslip/base/random.hpp"
 #include "support/densities.hpp"
+#include "support/effort.hpp"
 #include "support/figures.hpp"
 
 namespace microslip::bands_test {
@@ -62,16 +63,10 @@ double standard_deviation(const std::vector<double>& values) {
 
 // A nominal 95 % band covers the truth 95 % of the time, in simulation: 90 levels with 1 % of
 // noise, 60 data sets a density (one data set's coverage is 0 or 1 along a good part of the range,
-// so fewer would scatter by more than a point), 100 samples each. No band is right for kinks and
-// for smooth densities alike: 0.90 to 0.995 for each, 0.90 to 0.99 in the mean.
-TEST(Bands, CoverTheTruth) {
+// so fewer would scatter by more than a point), 100 samples each.
+double mean_coverage(const std::vector<testing::NamedJoint>& truths, double least) {
   constexpr std::uint64_t kSets = 60;
   double mean = 0.0;
-  const std::vector<testing::NamedJoint> truths{
-      {"reference", testing::reference_joint()},
-      {"uniform_beyond_range", testing::uniform_beyond_range()},
-      {"two_gaussians", testing::two_gaussians()},
-  };
   for (const auto& [name, truth] : truths) {
     double covered = 0.0;
     for (std::uint64_t draw = 0; draw < kSets; ++draw) {
@@ -79,14 +74,31 @@ TEST(Bands, CoverTheTruth) {
       const DensityBands bands = density_bands(result, band_options(100, draw));
       covered += coverage(result, bands, truth) / static_cast<double>(kSets);
     }
-    EXPECT_GE(covered, 0.90) << name;
+    EXPECT_GE(covered, least) << name;
     EXPECT_LE(covered, 0.995) << name;
     mean += covered / static_cast<double>(truths.size());
     test::record_largest(name + " [1]", covered);
     std::cout << "  coverage, " << name << ": " << covered << '\n';
   }
+  return mean;
+}
+
+// No band is right for kinks and for smooth densities alike: 0.90 to 0.995 for each, 0.90 to 0.99 in
+// the mean.
+TEST(Bands, CoverTheTruth) {
+  MICROSLIP_OF_RELEASE_ALONE();
+  const double mean = mean_coverage(testing::all_truths(), 0.90);
   EXPECT_GE(mean, 0.90);
   EXPECT_LE(mean, 0.99);
+  test::record_largest("mean [1]", mean);
+}
+
+// 0.84 to 0.98. The least is that of the ramp, which ends at once: every smooth density is wrong
+// around the jump, and its band does not know of it.
+TEST(Bands, CoverDensitiesThatNothingWasChosenOn) {
+  MICROSLIP_OF_RELEASE_ALONE();
+  const double mean = mean_coverage(testing::unseen_truths(), 0.80);
+  EXPECT_GE(mean, 0.90);
   test::record_largest("mean [1]", mean);
 }
 
@@ -252,6 +264,7 @@ Levels with_loss_factor_error(Levels levels, double delta) {
 // with loss_factor_std, and wider than without. D is given to 0.5 %, so noise adds little. 200
 // draws know a quartile width to 7 %, and the samples are smoothed less than the solutions: 30 %.
 TEST(Bands, LossFactorErrorsWidenThem) {
+  MICROSLIP_OF_RELEASE_ALONE();
   constexpr int kLaboratories = 200;
   constexpr double kStd = 0.02;
   Levels levels = levels_with_linear_loss(testing::reference_joint());
@@ -294,6 +307,7 @@ TEST(Bands, LossFactorErrorsWidenThem) {
 // The true density is in the band of a test whose loss factor is wrong, 3 % or so, where the error
 // is told; without, it is not.
 TEST(Bands, CoverTheTruthWithAWrongLossFactor) {
+  MICROSLIP_OF_RELEASE_ALONE();
   constexpr std::uint64_t kSets = 40;
   constexpr double kStd = 0.03;
   const Joint truth = testing::reference_joint();

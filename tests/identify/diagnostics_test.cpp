@@ -17,6 +17,7 @@
 #include "microslip/base/random.hpp"
 #include "microslip/joint/jenkins_network.hpp"
 #include "support/densities.hpp"
+#include "support/effort.hpp"
 #include "support/figures.hpp"
 
 namespace microslip::diagnostics_test {
@@ -118,6 +119,7 @@ TEST(Diagnostics, OfStiffnessThatContradictsDissipation) {
 // size told or not, secant stiffness or not. One false alarm in 100 is allowed of the three that
 // accuse the data.
 TEST(Diagnostics, NoFalseAlarms) {
+  MICROSLIP_OF_RELEASE_ALONE();
   constexpr std::uint64_t kSets = 200;
   const std::vector<testing::NamedJoint> truths = testing::all_truths();
   std::map<std::string, int> alarms;

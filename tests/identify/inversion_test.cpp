@@ -20,6 +20,7 @@
 #include "microslip/identify/diagnostics.hpp"
 #include "microslip/identify/inversion_model.hpp"
 #include "support/densities.hpp"
+#include "support/effort.hpp"
 #include "support/figures.hpp"
 
 namespace microslip::inversion_test {
@@ -92,6 +93,7 @@ struct Specified {
 };
 
 TEST(Inversion, AccuracyAsSpecified) {
+  MICROSLIP_OF_RELEASE_ALONE();
   const std::vector<Specified> table{
       {{"reference", testing::reference_joint()}, 0.06},
       {{"two_gaussians", testing::two_gaussians()}, 0.08},
@@ -195,6 +197,7 @@ TEST(Inversion, FindsTheScatter) {
 // the error by 18 %, with its size told by 25 %; 15 % is asked for. Medians of 80 draws: those of
 // 20 scatter by a tenth themselves.
 TEST(Inversion, SecantStiffnessHelps) {
+  MICROSLIP_OF_RELEASE_ALONE();
   const Joint truth = testing::reference_joint();
   const auto levels_with = [&](std::uint64_t draw, bool told) {
     Levels levels = testing::noisy_levels(truth, draw);

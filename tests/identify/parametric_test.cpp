@@ -17,6 +17,7 @@
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 #include "support/densities.hpp"
+#include "support/effort.hpp"
 #include "support/reference_csv.hpp"
 
 namespace microslip::parametric_test {
@@ -184,6 +185,7 @@ TEST(Parametric, RecoversEveryModelExactly) {
 
 // A relative noise of 2 % at 40 levels, 200 draws, its size told or to be estimated.
 TEST(Parametric, StandardErrorsAreThoseOfTheScatter) {
+  MICROSLIP_OF_RELEASE_ALONE();
   const Joint joint = Joint::four_parameter(400.0, 252660.0, -0.5, 1.0);
   const Levels exact = exact_levels(joint, {0.02, 1.4, 40, joint.macroslip_displacement()});
   for (const bool stated : {true, false}) {
@@ -221,6 +223,7 @@ TEST(Parametric, StandardErrorsAreThoseOfTheScatter) {
 }
 
 TEST(Parametric, StandardErrorsWithDampingAndSecants) {
+  MICROSLIP_OF_RELEASE_ALONE();
   const Joint joint(1e3, SlipDensity({PowerLawPart{0.1, -0.5, 0.0, 25.0}}));
   Levels exact = exact_levels(joint, {0.01, 0.8, 25, 0.025}, true);
   const double linear = 0.3 * exact.dissipation[0] / (exact.amplitude[0] * exact.amplitude[0]);
@@ -250,6 +253,7 @@ TEST(Parametric, StandardErrorsWithDampingAndSecants) {
 // 2 % of scatter in A, which is 5 to 6 % of D, beside 1 % of D's own: told by amplitude_std the
 // standard errors hold, and weighing follows (without it they are a fifth of the scatter or so).
 TEST(Parametric, StandardErrorsWithDeviationsOfTheAmplitude) {
+  MICROSLIP_OF_RELEASE_ALONE();
   const Joint joint = Joint::four_parameter(400.0, 252660.0, -0.5, 1.0);
   const Levels exact = exact_levels(joint, {0.02, 1.4, 40, joint.macroslip_displacement()});
   std::vector<double> force, chi, beta, untold;

@@ -23,13 +23,13 @@ std::string sample(const std::string& name) {
   return std::string(MICROSLIP_TEST_DATA) + "/mat/" + name;
 }
 
-class MatValueOfVersion5 : public testing::TestWithParam<const char*> {
+class MatValueOfVersion5 : public ::testing::TestWithParam<const char*> {
  protected:
   std::string path_ = sample(GetParam());
 };
 
 INSTANTIATE_TEST_SUITE_P(SciPy, MatValueOfVersion5,
-                         testing::Values("plain5.mat", "compressed5.mat"),
+                         ::testing::Values("plain5.mat", "compressed5.mat"),
                          [](const auto& test) { return std::string(test.param, 5); });
 
 TEST_P(MatValueOfVersion5, HasTheNumbersOfItsWriter) {
@@ -144,9 +144,9 @@ TEST(MatValue, RefusesWhatIsNoMatFile) {
             std::string::npos);
 }
 
-class DamagedMatFile : public testing::TestWithParam<const char*> {};
+class DamagedMatFile : public ::testing::TestWithParam<const char*> {};
 
-INSTANTIATE_TEST_SUITE_P(SciPy, DamagedMatFile, testing::Values("plain5.mat", "compressed5.mat"),
+INSTANTIATE_TEST_SUITE_P(SciPy, DamagedMatFile, ::testing::Values("plain5.mat", "compressed5.mat"),
                          [](const auto& test) { return std::string(test.param, 6); });
 
 TEST_P(DamagedMatFile, IsReadOrRefused) {

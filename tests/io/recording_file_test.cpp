@@ -188,7 +188,7 @@ TEST(RecordingFile, ReplacesItsOwnKindAlone) {
   EXPECT_EQ(folder.names().size(), 2U) << "no temporaries";
 }
 
-class EachFormat : public testing::TestWithParam<RecordingFormat> {};
+class EachFormat : public ::testing::TestWithParam<RecordingFormat> {};
 
 TEST_P(EachFormat, ReadsBackWhatWasWritten) {
   const test::TemporaryFolder folder;
@@ -213,9 +213,9 @@ TEST_P(EachFormat, ReadsBackWhatWasWritten) {
 }
 
 INSTANTIATE_TEST_SUITE_P(RecordingFile, EachFormat,
-                         testing::Values(RecordingFormat::kCsv, RecordingFormat::kUff,
-                                         RecordingFormat::kUffBinary, RecordingFormat::kMat,
-                                         RecordingFormat::kHdf5));
+                         ::testing::Values(RecordingFormat::kCsv, RecordingFormat::kUff,
+                                           RecordingFormat::kUffBinary, RecordingFormat::kMat,
+                                           RecordingFormat::kHdf5));
 
 }  // namespace
 }  // namespace microslip::recording_file_test

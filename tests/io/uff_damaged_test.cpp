@@ -100,7 +100,7 @@ struct Counts {
   int refused = 0;
 };
 
-class UffDamaged : public testing::TestWithParam<int> {
+class UffDamaged : public ::testing::TestWithParam<int> {
  protected:
   void read(const std::string& text, bool allow_truncated) {
     std::filesystem::remove(path_);  // some systems flush a file to the disk when it is emptied
@@ -196,7 +196,7 @@ TEST_P(UffDamaged, WhatIsLeftIsRight) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, UffDamaged, testing::Range(0, 4));
+INSTANTIATE_TEST_SUITE_P(Files, UffDamaged, ::testing::Range(0, 4));
 
 }  // namespace
 }  // namespace microslip::uff_damaged_test

@@ -17,6 +17,7 @@
 #include "microslip/rig/virtual_measurement.hpp"
 #include "microslip/rig/virtual_record.hpp"
 #include "support/densities.hpp"
+#include "support/effort.hpp"
 #include "support/figures.hpp"
 #include "support/rigs.hpp"
 
@@ -94,6 +95,7 @@ void expect_predicted(const Rig& rig, const Identification& found, const Recordi
 // draw covers scatters by some 0.05, for its errors along the range hang together, so the mean of
 // the draws is held to 0.90 to 0.99.
 TEST(WholeChain, FindsTheJointAndPredictsTheRig) {
+  MICROSLIP_OF_RELEASE_ALONE();
   const Rig rig = noisy_rig();
   const Joint truth = testing::reference_joint();
   const VirtualMeasurement test = measure_virtually(rig, truth);

@@ -12,6 +12,7 @@
 
 #include "microslip/signal/fourier_fit.hpp"
 #include "signal/synthetic.hpp"
+#include "support/effort.hpp"
 
 namespace microslip::attainable_accuracy_test {
 namespace {
@@ -88,6 +89,7 @@ void expect_found(const Sampler& sampler) {
 }
 
 TEST(AttainableAccuracyTest, OfNoiseFromNothingToAHundredth) {
+  MICROSLIP_OF_RELEASE_ALONE();
   for (int half_decade = -32; half_decade <= -4; ++half_decade) {
     SCOPED_TRACE(half_decade / 2.0);
     expect_found(noise_of(std::pow(10.0, half_decade / 2.0)));

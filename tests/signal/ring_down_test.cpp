@@ -16,6 +16,7 @@
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 #include "signal/decays.hpp"
+#include "support/effort.hpp"
 #include "support/figures.hpp"
 
 namespace microslip::ring_down_test {
@@ -66,6 +67,7 @@ TEST(RingDown, IsExactForAViscousMode) {
 }
 
 TEST(RingDown, StandardDeviationsAreThoseOfRepeatedMeasurements) {
+  MICROSLIP_OF_RELEASE_ALONE();
   const ViscousMode mode{.damping_ratio = 0.008};
   const std::vector<double> clean = sampled({mode}, 2, kRate, 2.0);
   double sum[3] = {};
@@ -167,6 +169,7 @@ DecadeError error_over_a_decade(const JointedMode& mode, const RingDown& decay) 
 
 // 40 dB: noise with a standard deviation of 1 % of the first amplitude, 10 % of the last.
 TEST(RingDown, GivesTheDissipationWithin2PercentAt40Decibels) {
+  MICROSLIP_OF_RELEASE_ALONE();
   const JointedMode mode = jointed_mode();
   for (int n = 0; n <= 2; ++n) {
     const std::vector<double> clean = mode.sampled(n, kJointRate, 2.0, 5);
@@ -182,6 +185,7 @@ TEST(RingDown, GivesTheDissipationWithin2PercentAt40Decibels) {
 }
 
 TEST(RingDown, GivesTheDissipationWithin6PercentAt30Decibels) {
+  MICROSLIP_OF_RELEASE_ALONE();
   const JointedMode mode = jointed_mode();
   const std::vector<double> clean = mode.sampled(2, kJointRate, 4.0, 5);
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
@@ -217,6 +221,7 @@ double difference(const RingDown& a, const RingDown& b) {
 }
 
 TEST(RingDown, TakesAnOffsetForNoPartOfTheDecay) {
+  MICROSLIP_OF_RELEASE_ALONE();
   for (const double start : {0.0, 0.437}) {  // without and with what comes before the trigger
     const ViscousMode mode{.damping_ratio = 0.01, .start = start};
     for (int n = 0; n <= 2; ++n) {
@@ -358,6 +363,7 @@ TEST(RingDown, ReducesSeveralSensorsTogether) {
 }
 
 TEST(RingDown, KnowsDampingBetterBySensorsThatAgree) {
+  MICROSLIP_OF_RELEASE_ALONE();
   const ViscousMode mode{.damping_ratio = 0.008};
   const std::vector<double> motion = sampled({mode}, 2, kRate, 2.0);
   constexpr int kRecords = 10;
@@ -404,6 +410,7 @@ std::vector<double> decay_with_a_kink(double rate, double duration) {
 }
 
 TEST(RingDown, KnowsWhatSensorsShareNoBetterByTheirNumber) {
+  MICROSLIP_OF_RELEASE_ALONE();
   // Where a window rounds D(A) off, it does so at every sensor: six that see the same, with a noise
   // of 1e−5 each, tell no more than one without noise.
   const std::vector<double> motion = decay_with_a_kink(kRate, 6.0);
@@ -552,6 +559,7 @@ TEST(RingDown, TakesNoJointForTwoModes) {
 }
 
 TEST(RingDown, TakesNoNoiseForAnotherMode) {
+  MICROSLIP_OF_RELEASE_ALONE();
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     for (const double noise : {1e-3, 2e-2}) {
       const ViscousMode mode{.damping_ratio = 0.006};

@@ -99,10 +99,40 @@ inline Joint decaying_power_law() {
   return sampled_joint([](double f) { return std::pow(f, -0.3) * std::exp(-f / 30); }, 200, 0.95);
 }
 
+/// φ ∝ f* exp(−f*/9 N): nothing slips at first.
+inline Joint gamma_density() {
+  return sampled_joint([](double f) { return f * std::exp(-f / 9); }, 150, 0.85);
+}
+
+/// A ramp that ends at once.
+inline Joint ramp() { return joint_of({PiecewiseLinearPart{{0, 38}, {0, 2 * 0.8 / 38}}}); }
+
+/// Little of the joint slips, most of it at small forces.
+inline Joint faint_lognormal() {
+  return sampled_joint([](double f) { return bell(std::log(f / 10), 0, 0.8) / f; }, 200, 0.12);
+}
+
+/// φ ∝ f*^−0.7 with three narrow populations on it.
+inline Joint power_law_and_three_bumps() {
+  const auto shape = [](double f) {
+    return std::pow(f, -0.7) + 0.25 * (bell(f, 9, 1.5) + bell(f, 21, 2) + bell(f, 40, 2.5));
+  };
+  return sampled_joint(shape, 70, 0.9);
+}
+
 struct NamedJoint {
   std::string name;
   Joint joint;
 };
+
+/// Densities that no method, option or bound of the identification was chosen on, and none may be:
+/// they tell how the figures of the others carry over.
+inline std::vector<NamedJoint> unseen_truths() {
+  return {{"gamma_density", gamma_density()},
+          {"ramp", ramp()},
+          {"faint_lognormal", faint_lognormal()},
+          {"power_law_and_three_bumps", power_law_and_three_bumps()}};
+}
 
 inline std::vector<NamedJoint> all_truths() {
   return {{"reference", reference_joint()},
