@@ -11,6 +11,7 @@
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/workflow/identification_text.hpp"
+#include "option_names.hpp"
 
 namespace microslip::app {
 namespace {
@@ -27,7 +28,8 @@ int run(const IdentifyArguments& arguments, const Call& call) {
   outputs.commit();
   if (!call.quiet) {
     const bool data_on_stdout = arguments.out == "-" || arguments.density_csv == "-";
-    fmt::print(data_on_stdout ? stderr : stdout, "{}", describe_identified_levels(options, done));
+    fmt::print(data_on_stdout ? stderr : stdout, "{}",
+               with_option_names(describe_identified_levels(options, done)));
   }
   return done.found.summary.converged() ? kDone : kNotConverged;
 }

@@ -23,6 +23,7 @@
 #include "microslip/io/temporaries.hpp"
 #include "microslip/io/write_error.hpp"
 #include "microslip/workflow/nothing_found.hpp"
+#include "option_names.hpp"
 
 namespace {
 
@@ -62,7 +63,7 @@ std::string command_line(int argc, char** argv) {
 
 /// One line, whatever a name or a cell holds. Nobody may listen: that is no error.
 int complain(int status, std::string_view message) {
-  std::string line = fmt::format("microslip: {}", message);
+  std::string line = fmt::format("microslip: {}", microslip::app::with_option_names(message));
   for (char& c : line) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
   }

@@ -12,6 +12,7 @@
 #include "microslip/io/output_files.hpp"
 #include "microslip/io/response_file.hpp"
 #include "microslip/workflow/quantity_text.hpp"
+#include "option_names.hpp"
 
 namespace microslip::app {
 namespace {
@@ -67,7 +68,7 @@ int tell_ending(const Summary& ended, bool found, const ModelArguments& argument
                 const std::function<std::string()>& summary) {
   const bool converged = ended.converged();
   if (found && !call.quiet) {
-    fmt::print(arguments.out == "-" ? stderr : stdout, "{}", summary());
+    fmt::print(arguments.out == "-" ? stderr : stdout, "{}", with_option_names(summary()));
   } else if (!converged) {
     fmt::print(stderr, "microslip: {}: not converged: {}; {}\n", input_name(arguments.model),
                ended.reason, found ? "what was found is written and marked" : "nothing is written");

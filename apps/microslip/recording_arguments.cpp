@@ -10,6 +10,7 @@
 #include "microslip/base/units.hpp"
 #include "microslip/io/assumed_units.hpp"
 #include "microslip/workflow/quantity_text.hpp"
+#include "option_names.hpp"
 
 namespace microslip::app {
 
@@ -39,7 +40,8 @@ std::optional<double> frequency_guess(const std::string& text) {
 
 void show_warnings(const std::vector<Warning>& warnings) {
   for (const Warning& warning : warnings) {
-    const std::string text = fmt::format("microslip: warning: {}\n", warning.text);
+    const std::string text =
+        fmt::format("microslip: warning: {}\n", with_option_names(warning.text));
     std::fwrite(text.data(), 1, text.size(), stderr);
   }
 }

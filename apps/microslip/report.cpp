@@ -14,6 +14,7 @@
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/workflow/experiment_folder.hpp"
+#include "option_names.hpp"
 #include "progress_bar.hpp"
 #include "report_html.hpp"
 
@@ -56,7 +57,7 @@ int run(const ReportOptions& options, const Call& call) {
   }
   if (!call.quiet) {
     for (const Warning& warning : results.warnings) {
-      fmt::print(stderr, "microslip: warning: {}\n", warning.text);
+      fmt::print(stderr, "microslip: warning: {}\n", with_option_names(warning.text));
     }
   }
   if (!options.title.empty()) results.title = options.title;

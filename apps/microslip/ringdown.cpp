@@ -11,6 +11,7 @@
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/workflow/decay_reduction.hpp"
+#include "option_names.hpp"
 #include "progress_bar.hpp"
 #include "ringdown_arguments.hpp"
 
@@ -28,7 +29,8 @@ int run(const RingdownArguments& arguments, const Call& call) {
   }
   write_file(arguments.out, levels_text(reduced, call.command_line));
   if (!call.quiet) {
-    fmt::print(arguments.out == "-" ? stderr : stdout, "{}", describe_decay(reduced));
+    fmt::print(arguments.out == "-" ? stderr : stdout, "{}",
+               with_option_names(describe_decay(reduced)));
   }
   return reduced.decay.summary.converged() ? kDone : kNotConverged;
 }

@@ -171,7 +171,7 @@ TEST(backbone, WarnsOfTooFewHarmonicsInTheFileToo) {
   expect_parts(run.out, {"warning: with 3 harmonics the dissipation of 'joint' changes by"});
   expect_parts(box.get("backbone.csv"),
                {"# warning: truncated: with 3 harmonics the dissipation of 'joint'",
-                "take 3 harmonics (--harmonics 3)\n"});
+                "take 3 harmonics (`harmonics 3`)\n"});
 }
 
 struct BadCall {

@@ -152,7 +152,7 @@ TEST(measure, NamesWhatIsWrong) {
   refused("8192.0", "1000.0", {"rig.toml: test.sampling_rate_Hz = 1000; must be above 1116"});
   refused("duration_s = 1.0", "duration_s = 0.02", {"test.duration_s = 0.02; must be at least"});
   const std::size_t test = rig.find("[test]");
-  expect_refused(sandbox(rig.substr(0, test)), call, {"rig.toml: test = none", "Add [test]"});
+  expect_refused(sandbox(rig.substr(0, test)), call, {"rig.toml: test = none", "Add a test"});
   expect_refused(sandbox(), {"measure", "none.toml", "--out", "test"}, {"none.toml"});
   expect_refused(sandbox(), {"measure", "rig.toml", "--out", "joint.json"}, {"joint.json"});
   expect_refused(sandbox(), {"measure", "rig.toml", "--out", "-"},

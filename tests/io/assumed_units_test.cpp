@@ -96,7 +96,7 @@ TEST(AssumedUnits, KnowsWhatAnAxisIsCalled) {
 
 TEST(AssumedUnits, RefusesWhatDoesNotFit) {
   EXPECT_EQ(fault({"acc1"}),
-            "--assume-units = 'acc1'; must read CHANNEL=UNIT or SI. For instance force=N.");
+            "`assume_units` = 'acc1'; must read CHANNEL=UNIT or SI. For instance force=N.");
   EXPECT_NE(fault({"=N"}).find("must read CHANNEL=UNIT"), std::string::npos);
   EXPECT_NE(fault({"acc1=furlong"}).find("'furlong' must be a unit that is known"),
             std::string::npos);

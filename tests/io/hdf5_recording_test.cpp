@@ -242,7 +242,7 @@ TEST_F(Hdf5Recording, AsksWhatIsLabelledGBesideItsFactor) {
   EXPECT_NE(read.warnings[0].text.find("The largest is 20 m/s^2 if so, 196.1 m/s^2 if it is in g"),
             std::string::npos)
       << read.warnings[0].text;
-  EXPECT_NE(read.warnings[0].text.find("--assume-units acc1=m/s^2 or acc1=g"), std::string::npos);
+  EXPECT_NE(read.warnings[0].text.find("`assume_units acc1=m/s^2` or acc1=g"), std::string::npos);
   EXPECT_FALSE(read.recordings[0].channel("acc1").dimension);
   EXPECT_EQ(read.recordings[0].channel("acc1").values[0], 3.0);
   EXPECT_EQ(read.recordings[0].channel("acc2").values[0], 3 * 9.80665);

@@ -151,7 +151,7 @@ TEST(RecordingCsv, TakesAUnitThatIsAssumedForTheAxis) {
   const std::string text = "T,force\n0,1\n500,2\n";
   EXPECT_EQ(fault(text),
             "r.csv:1:1: expected a unit of time for column 1, found 'T' without one. "
-            "Write 'T [s]', or say it with --assume-units T=s.");
+            "Write 'T [s]', or say it with `assume_units T=s`.");
   EXPECT_EQ(read(text, {.assumed_units = assumed({"T=ms"})}).axis.step, 0.5);
   const Recording si = read(text, {.assumed_units = assumed({"SI"})});
   EXPECT_EQ(si.axis.step, 500.0);
@@ -227,9 +227,9 @@ TEST(RecordingCsvCut, WithinARow) {
   const std::string text = "time [s],a [N]\n0,1\n1,2\n2";
   EXPECT_EQ(fault(text),
             "r.csv:4:1: expected 2 cells as in the header, found 1 and the end of the "
-            "file. It was cut; --allow-truncated leaves out this row.");
-  EXPECT_NE(fault(text + ",1e").find("--allow-truncated"), std::string::npos);
-  EXPECT_NE(fault(text + ",").find("--allow-truncated"), std::string::npos);
+            "file. It was cut; `allow_truncated` leaves out this row.");
+  EXPECT_NE(fault(text + ",1e").find("`allow_truncated`"), std::string::npos);
+  EXPECT_NE(fault(text + ",").find("`allow_truncated`"), std::string::npos);
   for (const std::string& rest : {""s, ","s, ",1e"s, ",3"s}) {
     const Recordings r = read_all(text + rest, {.allow_truncated = true});
     EXPECT_EQ(r.recordings[0].size(), 2U);

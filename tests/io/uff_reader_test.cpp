@@ -213,7 +213,7 @@ TEST(UffReader, FewerValuesThanAnnouncedAreCounted) {
   const std::string text = text_dataset(f, kThree);
   EXPECT_EQ(uff_fault(text),
             "t.uff:15: expected 2508876 values (2508876 points) in dataset 1, found 3 before its "
-            "end. Record or export it again, or take what is there with --allow-truncated.");
+            "end. Record or export it again, or take what is there with `allow_truncated`.");
   const Recordings read = read_uff(text, true);
   EXPECT_EQ(codes(read), Codes{"uff_truncated"});
   EXPECT_EQ(read.recordings[0].channels[0].values, (Numbers{1, 2, 3}));
@@ -225,7 +225,7 @@ TEST(UffReader, TruncatedBinaryValues) {
   const std::string cut = whole.substr(0, whole.size() - 7 - 3);
   EXPECT_EQ(uff_fault(cut),
             "t.uff:13: expected 24 bytes (3 points) in dataset 1, found 21 before its end. Record "
-            "or export it again, or take what is there with --allow-truncated.");
+            "or export it again, or take what is there with `allow_truncated`.");
   EXPECT_EQ(read_channel(cut, true).values, (Numbers{1, 2}));
   f.points = 2508876;
   EXPECT_EQ(read_channel(binary_dataset(f, test::doubles({1, 2, 3}), 24), true).values,

@@ -98,41 +98,37 @@ TEST(Rig, NumbersAreBounded) {
     expect_bounded(name, member, true);
   };
   using R = Rig&;
-  positive("beam.length_m", [](R rig) -> double& { return beam_of(rig).length; });
-  positive("beam.width_m", [](R rig) -> double& { return beam_of(rig).width; });
-  positive("beam.thickness_m", [](R rig) -> double& { return beam_of(rig).thickness; });
-  positive("beam.youngs_modulus_Pa", [](R rig) -> double& { return beam_of(rig).youngs_modulus; });
-  positive("beam.mass_density_kg_per_m3",
-           [](R rig) -> double& { return beam_of(rig).mass_density; });
-  positive("contact.rod_radius_m", [](R rig) -> double& { return rig.contact.rod_radius; });
-  positive("contact.stiffness_N_per_m", [](R rig) -> double& { return *rig.contact.stiffness; });
-  positive("contact.stick_frequency_Hz", [](R rig) -> double& {
+  positive("beam.length", [](R rig) -> double& { return beam_of(rig).length; });
+  positive("beam.width", [](R rig) -> double& { return beam_of(rig).width; });
+  positive("beam.thickness", [](R rig) -> double& { return beam_of(rig).thickness; });
+  positive("beam.youngs_modulus", [](R rig) -> double& { return beam_of(rig).youngs_modulus; });
+  positive("beam.mass_density", [](R rig) -> double& { return beam_of(rig).mass_density; });
+  positive("contact.rod_radius", [](R rig) -> double& { return rig.contact.rod_radius; });
+  positive("contact.stiffness", [](R rig) -> double& { return *rig.contact.stiffness; });
+  positive("contact.stick_frequency", [](R rig) -> double& {
     rig.contact.stiffness.reset();
     return rig.contact.stick_frequency.emplace();
   });
-  non_negative("damping.loss_factor", [](R rig) -> double& { return rig.loss_factor[1]; });
-  non_negative("mass[1].mass_kg", [](R rig) -> double& { return rig.masses[1].mass; });
-  non_negative("mass[1].position_m", [](R rig) -> double& { return rig.masses[1].position; });
-  positive("excitation.position_m", [](R rig) -> double& { return rig.excitation.position; });
-  positive("accelerometer[1].position_m",
+  non_negative("loss_factor", [](R rig) -> double& { return rig.loss_factor[1]; });
+  non_negative("masses[1].mass", [](R rig) -> double& { return rig.masses[1].mass; });
+  non_negative("masses[1].position", [](R rig) -> double& { return rig.masses[1].position; });
+  positive("excitation.position", [](R rig) -> double& { return rig.excitation.position; });
+  positive("accelerometers[1].position",
            [](R rig) -> double& { return rig.accelerometers[1].position; });
-  positive("test.response_acceleration.from_m_per_s2",
-           [](R rig) -> double& { return rig.test->response_from; });
-  positive("test.response_acceleration.to_m_per_s2",
-           [](R rig) -> double& { return rig.test->response_to; });
-  positive("test.sampling_rate_Hz", [](R rig) -> double& { return rig.test->sampling_rate; });
-  positive("test.duration_s", [](R rig) -> double& { return rig.test->duration; });
-  non_negative("test.frequency_resolution_Hz",
+  positive("test.response_from", [](R rig) -> double& { return rig.test->response_from; });
+  positive("test.response_to", [](R rig) -> double& { return rig.test->response_to; });
+  positive("test.sampling_rate", [](R rig) -> double& { return rig.test->sampling_rate; });
+  positive("test.duration", [](R rig) -> double& { return rig.test->duration; });
+  non_negative("test.frequency_resolution",
                [](R rig) -> double& { return rig.test->frequency_resolution; });
-  non_negative("noise.force_N", [](R rig) -> double& { return rig.noise->force; });
-  non_negative("noise.acceleration_m_per_s2",
-               [](R rig) -> double& { return rig.noise->acceleration; });
-  non_negative("noise.vibrometer_m", [](R rig) -> double& { return rig.noise->vibrometer; });
+  non_negative("noise.force", [](R rig) -> double& { return rig.noise->force; });
+  non_negative("noise.acceleration", [](R rig) -> double& { return rig.noise->acceleration; });
+  non_negative("noise.vibrometer", [](R rig) -> double& { return rig.noise->vibrometer; });
 }
 
 TEST(Rig, CountsAreBounded) {
   const auto fault_of = [](const Change& change) { return fault(beam_rig(), change); };
-  EXPECT_EQ(fault_of([](Rig& rig) { rig.test->count = 0; }), "test.response_acceleration.count");
+  EXPECT_EQ(fault_of([](Rig& rig) { rig.test->count = 0; }), "test.count");
   EXPECT_EQ(fault_of([](Rig& rig) { rig.test->count = 1; }), "");
   EXPECT_EQ(fault_of([](Rig& rig) { rig.test->modes = 0; }), "test.modes");
   EXPECT_EQ(fault_of([](Rig& rig) { rig.test->modes = 1000; }), "test.modes");
@@ -142,15 +138,15 @@ TEST(Rig, CountsAreBounded) {
 TEST(Rig, PlacesLieOnTheBeam) {
   const auto fault_of = [](const Change& change) { return fault(beam_rig(), change); };
   EXPECT_EQ(fault_of([](Rig& rig) { rig.masses[0].position = 0.5; }), "") << "at the support";
-  EXPECT_EQ(fault_of([](Rig& rig) { rig.masses[0].position = 0.51; }), "mass[0].position_m");
-  EXPECT_EQ(fault_of([](Rig& rig) { rig.excitation.position = 0.5; }), "excitation.position_m");
+  EXPECT_EQ(fault_of([](Rig& rig) { rig.masses[0].position = 0.51; }), "masses[0].position");
+  EXPECT_EQ(fault_of([](Rig& rig) { rig.excitation.position = 0.5; }), "excitation.position");
   EXPECT_EQ(fault_of([](Rig& rig) { rig.accelerometers[0].position = 0.5; }),
-            "accelerometer[0].position_m");
+            "accelerometers[0].position");
 }
 
 TEST(Rig, ABeamIsSlender) {
   EXPECT_EQ(fault(beam_rig(), [](Rig& rig) { beam_of(rig).thickness = 0.1; }), "");
-  EXPECT_EQ(fault(beam_rig(), [](Rig& rig) { beam_of(rig).thickness = 5.0; }), "beam.thickness_m")
+  EXPECT_EQ(fault(beam_rig(), [](Rig& rig) { beam_of(rig).thickness = 5.0; }), "beam.thickness")
       << "given in mm";
 }
 
@@ -166,9 +162,9 @@ TEST(Rig, ShapesHaveAValueAMode) {
   EXPECT_EQ(fault_of([](Rig& rig) { modes_of(rig).joint.push_back(1.0); }), "modes.joint");
   EXPECT_EQ(fault_of([](Rig& rig) { modes_of(rig).joint[0] = kNan; }), "modes.joint");
   EXPECT_EQ(fault_of([](Rig& rig) { rig.accelerometers[0].shape.clear(); }),
-            "accelerometer[0].shape");
+            "accelerometers[0].shape");
   EXPECT_EQ(fault_of([](Rig& rig) { rig.accelerometers[0].shape[1] = kInfinity; }),
-            "accelerometer[0].shape");
+            "accelerometers[0].shape");
 }
 
 TEST(Rig, FrequenciesRise) {
@@ -177,13 +173,13 @@ TEST(Rig, FrequenciesRise) {
   };
   for (const std::vector<double>& bad :
        {std::vector<double>{}, {0.0, 1.0}, {2.0, 1.0}, {1.0, kNan}, {1.0, kInfinity}}) {
-    EXPECT_EQ(fault_of(bad), "modes.frequency_Hz");
+    EXPECT_EQ(fault_of(bad), "modes.frequency");
   }
   EXPECT_EQ(fault_of({50.0, 50.0}), "") << "two modes of one frequency";
 }
 
 TEST(Rig, OnlyABeamHasMassesAndAnAxialMotion) {
-  EXPECT_EQ(fault(modes_rig(), [](Rig& rig) { rig.masses.push_back({0.1, 0.1}); }), "mass");
+  EXPECT_EQ(fault(modes_rig(), [](Rig& rig) { rig.masses.push_back({0.1, 0.1}); }), "masses");
   const auto fault_of = [](RigVibrometer::Measures measures) {
     return fault(modes_rig(), [&](Rig& rig) { rig.vibrometer = RigVibrometer{"ldv", measures}; });
   };
@@ -192,30 +188,30 @@ TEST(Rig, OnlyABeamHasMassesAndAnAxialMotion) {
 }
 
 TEST(Rig, LossFactorsAreBelowOne) {
-  EXPECT_EQ(fault(beam_rig(), [](Rig& rig) { rig.loss_factor.clear(); }), "damping.loss_factor");
-  EXPECT_EQ(fault(beam_rig(), [](Rig& rig) { rig.loss_factor[0] = 1.0; }), "damping.loss_factor");
+  EXPECT_EQ(fault(beam_rig(), [](Rig& rig) { rig.loss_factor.clear(); }), "loss_factor");
+  EXPECT_EQ(fault(beam_rig(), [](Rig& rig) { rig.loss_factor[0] = 1.0; }), "loss_factor");
 }
 
 TEST(Rig, ChannelsDiffer) {
   const auto fault_of = [](const Change& change) { return fault(beam_rig(), change); };
   EXPECT_EQ(fault_of([](Rig& rig) { rig.excitation.channel.clear(); }), "excitation.channel");
   EXPECT_EQ(fault_of([](Rig& rig) { rig.accelerometers[1].channel = "force"; }),
-            "accelerometer[1].channel");
+            "accelerometers[1].channel");
   EXPECT_EQ(fault_of([](Rig& rig) { rig.vibrometer->channel = "acc2"; }), "vibrometer.channel");
-  EXPECT_EQ(fault_of([](Rig& rig) { rig.accelerometers.clear(); }), "accelerometer");
+  EXPECT_EQ(fault_of([](Rig& rig) { rig.accelerometers.clear(); }), "accelerometers");
 }
 
 TEST(Rig, TheResponseGrows) {
   EXPECT_EQ(message(beam_rig(), [](Rig& rig) { rig.test->response_to = 0.5; }),
-            "test.response_acceleration.to_m_per_s2 = 0.5; must not be below from_m_per_s2 = 1");
+            "test.response_to = 0.5; must not be below the first response, 1 m/s^2");
   EXPECT_EQ(fault(beam_rig(), [](Rig& rig) { rig.test->response_to = 1.0; }), "");
 }
 
 TEST(Rig, MessagesNameValueRuleAndRemedy) {
   EXPECT_EQ(message(beam_rig(), [](Rig& rig) { beam_of(rig).length = -1.0; }),
-            "beam.length_m = -1; must be above 0 and finite");
+            "beam.length = -1; must be above 0 and finite");
   EXPECT_EQ(message(modes_rig(), [](Rig& rig) { rig.accelerometers[0].shape.pop_back(); }),
-            "accelerometer[0].shape = 1 values; must have 2, one a mode of modes.frequency_Hz");
+            "accelerometers[0].shape = 1 values; must have 2, one a mode of modes.frequency");
 }
 
 TEST(Rig, LaterModesTakeTheLastLossFactor) {
@@ -233,9 +229,9 @@ TEST(Rig, ABeamHasAreaAndBendingStiffness) {
 
 TEST(Rig, ARecordFitsIntoMemory) {
   EXPECT_EQ(message(beam_rig(), [](Rig& rig) { rig.test->duration = 13000.0; }),
-            "test.duration_s = 13000; must be at most 12207: 1e+08 samples a channel at "
-            "test.sampling_rate_Hz = 8192. Record less, or sample more slowly.");
-  EXPECT_EQ(fault(beam_rig(), [](Rig& rig) { rig.test->duration = 1e300; }), "test.duration_s");
+            "test.duration = 13000; must be at most 12207: 1e+08 samples a channel at "
+            "test.sampling_rate = 8192 Hz. Record less, or sample more slowly.");
+  EXPECT_EQ(fault(beam_rig(), [](Rig& rig) { rig.test->duration = 1e300; }), "test.duration");
   EXPECT_EQ(fault(beam_rig(), [](Rig& rig) { rig.test->duration = 12000.0; }), "");
 }
 

@@ -286,18 +286,17 @@ TEST(VirtualMeasurement, RefusesATestThatCannotBe) {
   rig = reference_rig();
   rig.test->sampling_rate = 1000.0;
   EXPECT_EQ(message(rig),
-            "test.sampling_rate_Hz = 1000; must be above 1116: twice harmonic 10 of the stuck "
+            "test.sampling_rate = 1000; must be above 1116: twice harmonic 10 of the stuck "
             "resonance, 55.8 Hz. Slower samples would show the high harmonics as low ones.");
   rig = reference_rig();
   rig.test->duration = 0.05;
-  EXPECT_EQ(
-      message(rig),
-      "test.duration_s = 0.05; must be at least 0.0538: 3 cycles of the stuck resonance, 55.8 "
-      "Hz");
+  EXPECT_EQ(message(rig),
+            "test.duration = 0.05; must be at least 0.0538: 3 cycles of the stuck resonance, 55.8 "
+            "Hz");
   rig = reference_rig();
   rig.test->frequency_resolution = 1000.0;
   EXPECT_EQ(message(rig),
-            "test.frequency_resolution_Hz = 1000; must be at most 0.558: 1 % of the stuck "
+            "test.frequency_resolution = 1000; must be at most 0.558: 1 % of the stuck "
             "resonance, 55.8 Hz. A coarser drive would not be at resonance.");
   rig = reference_rig();
   EXPECT_EQ(message(rig, {.controlled_harmonics = 1}),
@@ -311,7 +310,7 @@ TEST(VirtualMeasurement, SamplesFastEnoughForItsDrives) {
   rig.test->frequency_resolution = 0.5;
   rig.test->sampling_rate = 1119.0;
   EXPECT_EQ(message(rig),
-            "test.sampling_rate_Hz = 1119; must be above 1120: twice harmonic 10 of the drive of "
+            "test.sampling_rate = 1119; must be above 1120: twice harmonic 10 of the drive of "
             "level 1, 56.0 Hz. Slower samples would show the high harmonics as low ones.");
 }
 

@@ -42,12 +42,12 @@ std::string fault(const std::string& name, const Dimension& expected) {
 TEST(QuantityName, DecidesWhichUnitIsProposed) {
   EXPECT_EQ(fault("acc1", kLength),
             "r: channel 'acc1' is without unit; must have a unit. Say what it is in with "
-            "--assume-units acc1=m/s^2, if it is acceleration as its name says.");
+            "`assume_units acc1=m/s^2`, if it is acceleration as its name says.");
   EXPECT_EQ(fault("ldv", kLength),
             "r: channel 'ldv' is without unit; must have a unit of length. Say what it is in with "
-            "--assume-units ldv=m.");
-  EXPECT_NE(fault("force", kForce).find("--assume-units force=N."), std::string::npos);
-  EXPECT_NE(fault("vel", kVelocity).find("--assume-units vel=m/s."), std::string::npos);
+            "`assume_units ldv=m`.");
+  EXPECT_NE(fault("force", kForce).find("`assume_units force=N`."), std::string::npos);
+  EXPECT_NE(fault("vel", kVelocity).find("`assume_units vel=m/s`."), std::string::npos);
 }
 
 }  // namespace

@@ -10,6 +10,9 @@
 /// The errors of microslip. A message is one line that names the place, the value found, the rule
 /// it breaks and, where there is one, the remedy. The library throws these and never prints or
 /// aborts. Not converging is no error: a numerical method reports that in its Result.
+///
+/// What a message says of an option of the caller stands in back quotes, the name with underscores
+/// and a value behind it: `assume_units force=N`. A program shows it as it spells its options.
 
 namespace microslip {
 

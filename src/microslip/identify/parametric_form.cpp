@@ -205,7 +205,7 @@ class UniformForm final : public ParametricForm {
     return {
         {"macroslip_not_reached",
          fmt::format("slip has not ended at the largest amplitude {:.4g} m: the levels tell only "
-                     "weight/to = {:.4g} 1/N; `to` = {:.4g} N is the largest slip force they saw.",
+                     "weight/to = {:.4g} 1/N; to = {:.4g} N is the largest slip force they saw.",
                      range_.amplitude, q[0] / q[1], q[1])}};
   }
 

@@ -13,7 +13,7 @@
 namespace microslip {
 namespace {
 
-constexpr std::string_view kOption = "--assume-units";
+constexpr std::string_view kOption = "`assume_units`";
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 

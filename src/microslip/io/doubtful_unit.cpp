@@ -42,7 +42,7 @@ Warning doubtful_gravity(std::string_view place, std::string_view name,
           fmt::format("{}: channel {} is labelled g, but beside it stands the factor 0.10197 = "
                       "1/9.80665: its values may be in m/s^2 already. The largest is {:.4g} m/s^2 "
                       "if so, {:.4g} m/s^2 if it is in g; it is taken as without unit. Say which "
-                      "holds with --assume-units {}=m/s^2 or {}=g",
+                      "holds with `assume_units {}=m/s^2` or {}=g",
                       place, in_quotes(name), largest, largest * kStandardGravity, name, name)};
 }
 

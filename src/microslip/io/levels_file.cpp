@@ -48,7 +48,7 @@ LevelsFile parse_levels(std::string text, std::string_view file, const LevelsRea
   if (table.has("damping_ratio") && !table.has("dissipation")) {
     throw FormatError({table.file()}, "a column 'dissipation'", "damping ratios alone",
                       "A damping ratio gives no dissipation without the modal mass: give "
-                      "--modal-mass to ringdown.");
+                      "`modal_mass` to ringdown.");
   }
   levels.dissipation = table.numbers("dissipation", kEnergy);
   for (const OptionalColumn& column : kOptionalColumns) {

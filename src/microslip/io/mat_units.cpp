@@ -187,7 +187,7 @@ void assign_units(MatValue& value, std::size_t element, const MatValue* list,
   warnings.push_back(
       {"units_not_assigned",
        fmt::format("{}: units {} are not used: they are {} for {}; give one for each of these in "
-                   "their order, one for the time and one for all others, or --assume-units",
+                   "their order, one for the time and one for all others, or `assume_units`",
                    place, in_quotes(joined(texts), 120), texts.size(), list_of_names(names))});
 }
 

@@ -142,7 +142,7 @@ class CsvRecordingReader {
     warnings_.push_back(
         {"last_row_open", file_.name() + ":" + line +
                               ": the last row has no line break; if the file was cut there, its "
-                              "last number is wrong. --allow-truncated leaves the row out."});
+                              "last number is wrong. `allow_truncated` leaves the row out."});
     return next;
   }
 
@@ -246,7 +246,7 @@ class CsvRecordingReader {
       throw FormatError(scanner_->place(row),
                         fmt::format("{} cells as in the header", values_.size()),
                         fmt::format("{} and the end of the file", cells),
-                        "It was cut; --allow-truncated leaves out this row.");
+                        "It was cut; `allow_truncated` leaves out this row.");
     }
     throw ragged_row(scanner_->place(row), values_.size(), cells, header_.separator());
   }
@@ -260,7 +260,7 @@ class CsvRecordingReader {
     } else if (decimal_ == Decimal::kPoint && parse_comma_number(text)) {
       remedy = "This table has decimal points elsewhere: write all numbers one way.";
     } else if (row_is_cut_) {
-      remedy = "If the file was cut there, --allow-truncated leaves out this row.";
+      remedy = "If the file was cut there, `allow_truncated` leaves out this row.";
     }
     throw FormatError(scanner_->place(cell.begin),
                       fmt::format("a finite number in {}", header_.label(column)),

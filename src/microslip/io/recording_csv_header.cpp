@@ -217,7 +217,7 @@ void RecordingCsvHeader::resolve_axis(const AssumedUnits& assumed) {
         cells_[*axis_].place,
         fmt::format("a unit of {} for column {}", dimension_name(dimension), *axis_ + 1),
         fmt::format("{} without one", in_quotes(column.name)),
-        fmt::format("Write '{} [{}]', or say it with --assume-units {}={}.", column.name,
+        fmt::format("Write '{} [{}]', or say it with `assume_units {}={}`.", column.name,
                     si_unit(dimension), column.name, si_unit(dimension)));
   }
   if (unit->dimension != dimension) {

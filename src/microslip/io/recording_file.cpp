@@ -168,7 +168,7 @@ RecordingFormat recording_format_of_name(std::string_view path) {
   if (found != kEndings.end()) return found->format;
   throw InputError("name of the output", in_quotes(path),
                    "must end in .csv, .uff, .unv, .uf, .mat, .h5 or .hdf5",
-                   "Or give the format with --format.");
+                   "Or give the format with `format`.");
 }
 
 std::optional<RecordingFormat> find_recording_format(std::string_view name) {

@@ -3,7 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -194,7 +198,58 @@ Rig read_tables(const TomlTable& top) {
   return rig;
 }
 
+/// Fields of Rig that have other names in the file, without the [i] of a list.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kKeys{{
+    {"beam.length", "beam.length_m"},
+    {"beam.width", "beam.width_m"},
+    {"beam.thickness", "beam.thickness_m"},
+    {"beam.youngs_modulus", "beam.youngs_modulus_Pa"},
+    {"beam.mass_density", "beam.mass_density_kg_per_m3"},
+    {"modes.frequency", "modes.frequency_Hz"},
+    {"contact.stiffness", "contact.stiffness_N_per_m"},
+    {"contact.stick_frequency", "contact.stick_frequency_Hz"},
+    {"contact.rod_radius", "contact.rod_radius_m"},
+    {"loss_factor", "damping.loss_factor"},
+    {"masses", "mass"},
+    {"masses.mass", "mass.mass_kg"},
+    {"masses.position", "mass.position_m"},
+    {"excitation.position", "excitation.position_m"},
+    {"accelerometers", "accelerometer"},
+    {"accelerometers.position", "accelerometer.position_m"},
+    {"accelerometers.shape", "accelerometer.shape"},
+    {"accelerometers.channel", "accelerometer.channel"},
+    {"test.response_from", "test.response_acceleration.from_m_per_s2"},
+    {"test.response_to", "test.response_acceleration.to_m_per_s2"},
+    {"test.count", "test.response_acceleration.count"},
+    {"test.sampling_rate", "test.sampling_rate_Hz"},
+    {"test.duration", "test.duration_s"},
+    {"test.frequency_resolution", "test.frequency_resolution_Hz"},
+    {"shaker.resistance", "shaker.resistance_Ohm"},
+    {"shaker.inductance", "shaker.inductance_H"},
+    {"shaker.force_factor", "shaker.force_factor_N_per_A"},
+    {"shaker.moving_mass", "shaker.moving_mass_kg"},
+    {"shaker.suspension_stiffness", "shaker.suspension_stiffness_N_per_m"},
+    {"shaker.suspension_damping", "shaker.suspension_damping_Ns_per_m"},
+    {"shaker.stinger_stiffness", "shaker.stinger_stiffness_N_per_m"},
+    {"noise.force", "noise.force_N"},
+    {"noise.acceleration", "noise.acceleration_m_per_s2"},
+    {"noise.vibrometer", "noise.vibrometer_m"},
+}};
+
 }  // namespace
+
+std::string rig_key(const std::string& field) {
+  const std::size_t begin = std::min(field.find('['), field.size());
+  const std::size_t end = std::min(field.find('.', begin), field.size());
+  const std::string plain = field.substr(0, begin) + field.substr(end);
+  for (const auto& [name, key] : kKeys) {
+    if (name != plain) continue;
+    const std::size_t dot = std::min(key.find('.'), key.size());
+    return fmt::format("{}{}{}", key.substr(0, dot), field.substr(begin, end - begin),
+                       key.substr(dot));
+  }
+  return field;
+}
 
 Rig parse_rig(std::string_view text, std::string_view file) {
   const toml::table content = parse_toml(text, file);
@@ -204,7 +259,7 @@ Rig parse_rig(std::string_view text, std::string_view file) {
   try {
     check_rig(rig);
   } catch (const InputError& error) {
-    throw error.renamed(toml_name(content, file, error.name()));
+    throw error.renamed(toml_name(content, file, rig_key(error.name())));
   }
   return rig;
 }

@@ -44,6 +44,10 @@ struct RigFile {
 ///                      wrong type or one that breaks a rule of check_rig().
 [[nodiscard]] Rig parse_rig(std::string_view text, std::string_view file);
 
+/// The key of rig.toml for a field that an error of a rig names: `test.sampling_rate` is
+/// `test.sampling_rate_Hz` there. Another name stays as it is.
+[[nodiscard]] std::string rig_key(const std::string& field);
+
 /// parse_rig() of a file; "-" is standard input. @throws FileError, FormatError, InputError
 [[nodiscard]] Rig read_rig(const std::string& path);
 

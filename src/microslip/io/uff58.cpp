@@ -133,7 +133,7 @@ void take_truncated(UffEnvelope& envelope, Uff58& data, bool allow_truncated,
                        fmt::format("{} values ({} points) in {}", announced * per_point, announced,
                                    envelope.dataset_name()),
                        fmt::format("{} before its end", found),
-                       "Record or export it again, or take what is there with --allow-truncated.");
+                       "Record or export it again, or take what is there with `allow_truncated`.");
   }
   data.header.points = points;
   data.values.resize(points);

@@ -189,7 +189,7 @@ std::size_t bytes_before_end(UffInput& input, std::int64_t announced) {
                      fmt::format("{} bytes ({} points) in {}", header.points * layout.bytes(),
                                  header.points, envelope.dataset_name()),
                      fmt::format("{} before its end", there),
-                     "Record or export it again, or take what is there with --allow-truncated.");
+                     "Record or export it again, or take what is there with `allow_truncated`.");
 }
 
 constexpr UffFloat kNativeDouble =

@@ -14,49 +14,49 @@ namespace {
 
 constexpr double kMostSamples = 1e8;  // of a channel: 0.8 GB
 
-void require_positive(std::string_view key, double value, std::string_view remedy = {}) {
+void require_positive(std::string_view field, double value, std::string_view remedy = {}) {
   if (value > 0.0 && std::isfinite(value)) return;
-  throw InputError(key, value, "must be above 0 and finite", remedy);
+  throw InputError(field, value, "must be above 0 and finite", remedy);
 }
 
-void require_non_negative(std::string_view key, double value) {
+void require_non_negative(std::string_view field, double value) {
   if (value >= 0.0 && std::isfinite(value)) return;
-  throw InputError(key, value, "must be 0 or more and finite");
+  throw InputError(field, value, "must be 0 or more and finite");
 }
 
 void check_beam(const RigBeam& beam) {
-  require_positive("beam.length_m", beam.length);
-  require_positive("beam.width_m", beam.width);
-  require_positive("beam.thickness_m", beam.thickness);
-  require_positive("beam.youngs_modulus_Pa", beam.youngs_modulus);
-  require_positive("beam.mass_density_kg_per_m3", beam.mass_density);
+  require_positive("beam.length", beam.length);
+  require_positive("beam.width", beam.width);
+  require_positive("beam.thickness", beam.thickness);
+  require_positive("beam.youngs_modulus", beam.youngs_modulus);
+  require_positive("beam.mass_density", beam.mass_density);
   if (beam.thickness > 0.2 * beam.length) {
-    throw InputError("beam.thickness_m", beam.thickness,
-                     fmt::format("must be below a fifth of beam.length_m = {}", beam.length),
+    throw InputError("beam.thickness", beam.thickness,
+                     fmt::format("must be below a fifth of beam.length = {} m", beam.length),
                      "The beam is slender: shear and rotary inertia are left out. Check the units, "
-                     "or give [modes] in place of [beam].");
+                     "or give modes in place of the beam.");
   }
 }
 
-void check_shape(std::string_view key, const std::vector<double>& shape, std::size_t modes) {
+void check_shape(std::string_view field, const std::vector<double>& shape, std::size_t modes) {
   if (shape.size() != modes) {
-    throw InputError(key, fmt::format("{} values", shape.size()),
-                     fmt::format("must have {}, one a mode of modes.frequency_Hz", modes));
+    throw InputError(field, fmt::format("{} values", shape.size()),
+                     fmt::format("must have {}, one a mode of modes.frequency", modes));
   }
   for (const double value : shape) {
-    if (!std::isfinite(value)) throw InputError(key, value, "must be finite");
+    if (!std::isfinite(value)) throw InputError(field, value, "must be finite");
   }
 }
 
 void check_modes(const RigModes& modes) {
   if (modes.frequency.empty()) {
-    throw InputError("modes.frequency_Hz", "[]", "must have one value at least");
+    throw InputError("modes.frequency", "[]", "must have one value at least");
   }
   double before = 0.0;
   for (const double frequency : modes.frequency) {
-    require_positive("modes.frequency_Hz", frequency);
+    require_positive("modes.frequency", frequency);
     if (frequency < before) {
-      throw InputError("modes.frequency_Hz", frequency,
+      throw InputError("modes.frequency", frequency,
                        fmt::format("must not be below the value before it, {}", before),
                        "Sort the modes, and their shapes with them.");
     }
@@ -68,28 +68,27 @@ void check_modes(const RigModes& modes) {
 
 void check_contact(const Rig& rig) {
   const RigContact& contact = rig.contact;
-  if (contact.stiffness) require_positive("contact.stiffness_N_per_m", *contact.stiffness);
+  if (contact.stiffness) require_positive("contact.stiffness", *contact.stiffness);
   if (contact.stick_frequency) {
-    require_positive("contact.stick_frequency_Hz", *contact.stick_frequency);
+    require_positive("contact.stick_frequency", *contact.stick_frequency);
   }
   if (!rig.beam()) return;
-  require_positive("contact.rod_radius_m", contact.rod_radius);
+  require_positive("contact.rod_radius", contact.rod_radius);
   if (contact.stiffness.has_value() != contact.stick_frequency.has_value()) return;
-  throw InputError("contact",
-                   contact.stiffness ? "stiffness_N_per_m and stick_frequency_Hz" : "neither",
-                   "must have one of stiffness_N_per_m and stick_frequency_Hz",
+  throw InputError("contact", contact.stiffness ? "stiffness and stick_frequency" : "neither",
+                   "must have one of stiffness and stick_frequency",
                    "The stiffness of the stuck joint follows from the first natural frequency at "
                    "low level.");
 }
 
 void check_loss_factors(const std::vector<double>& loss_factors) {
   if (loss_factors.empty()) {
-    throw InputError("damping.loss_factor", "[]", "must have one value at least",
+    throw InputError("loss_factor", "[]", "must have one value at least",
                      "[0] if there is no linear damping.");
   }
   for (const double loss_factor : loss_factors) {
     if (loss_factor >= 0.0 && loss_factor < 1.0) continue;
-    throw InputError("damping.loss_factor", loss_factor, "must be 0 or more and below 1",
+    throw InputError("loss_factor", loss_factor, "must be 0 or more and below 1",
                      "A loss factor is twice the damping ratio.");
   }
 }
@@ -98,101 +97,103 @@ void check_masses(const Rig& rig) {
   for (std::size_t i = 0; i < rig.masses.size(); ++i) {
     const RigMass& mass = rig.masses[i];
     if (!rig.beam()) {
-      throw InputError("mass", fmt::format("{} of them", rig.masses.size()),
-                       "must not be there with [modes]", "The modes contain all masses.");
+      throw InputError("masses", fmt::format("{} of them", rig.masses.size()),
+                       "must not be there with modes", "The modes contain all masses.");
     }
-    require_non_negative(fmt::format("mass[{}].mass_kg", i), mass.mass);
+    require_non_negative(fmt::format("masses[{}].mass", i), mass.mass);
     if (mass.position >= 0.0 && mass.position <= rig.beam()->length) continue;
-    throw InputError(fmt::format("mass[{}].position_m", i), mass.position,
-                     fmt::format("must be from 0 to beam.length_m = {}", rig.beam()->length));
+    throw InputError(fmt::format("masses[{}].position", i), mass.position,
+                     fmt::format("must be from 0 to beam.length = {} m", rig.beam()->length));
   }
 }
 
 /// A sensor at a node of all modes would see nothing.
-void check_position(const RigBeam& beam, std::string_view key, double position) {
+void check_position(const RigBeam& beam, std::string_view field, double position) {
   if (position > 0.0 && position < beam.length) return;
-  throw InputError(key, position,
-                   fmt::format("must be above 0 and below beam.length_m = {}", beam.length),
+  throw InputError(field, position,
+                   fmt::format("must be above 0 and below beam.length = {} m", beam.length),
                    "The beam does not move at its ends.");
 }
 
 void check_sensors(const Rig& rig) {
   if (rig.accelerometers.empty()) {
-    throw InputError("accelerometer", "none", "must be there once at least",
-                     "Add [[accelerometer]] with position_m and channel.");
+    throw InputError("accelerometers", "none", "must be there once at least",
+                     "Add one with its position and channel.");
   }
-  if (rig.beam()) check_position(*rig.beam(), "excitation.position_m", rig.excitation.position);
+  if (rig.beam()) check_position(*rig.beam(), "excitation.position", rig.excitation.position);
   for (std::size_t i = 0; i < rig.accelerometers.size(); ++i) {
     const RigSensor& sensor = rig.accelerometers[i];
     if (rig.beam()) {
-      check_position(*rig.beam(), fmt::format("accelerometer[{}].position_m", i), sensor.position);
+      check_position(*rig.beam(), fmt::format("accelerometers[{}].position", i), sensor.position);
     } else {
-      check_shape(fmt::format("accelerometer[{}].shape", i), sensor.shape,
+      check_shape(fmt::format("accelerometers[{}].shape", i), sensor.shape,
                   rig.modes()->frequency.size());
     }
   }
   if (!rig.beam() && rig.vibrometer &&
       rig.vibrometer->measures == RigVibrometer::Measures::kAxial) {
-    throw InputError("vibrometer.measures", "axial", "must be \"joint\" with [modes]",
+    throw InputError("vibrometer.measures", "axial", "must be \"joint\" with modes",
                      "Only a beam has the kinematics that lead from one to the other.");
   }
 }
 
 void check_channels(const Rig& rig) {
-  std::map<std::string_view, std::string> keys;
-  const auto add = [&](const std::string& channel, std::string key) {
+  std::map<std::string_view, std::string> fields;
+  const auto add = [&](const std::string& channel, std::string field) {
     if (channel.empty()) {
-      throw InputError(key, "''", "must be the name of a channel");
+      throw InputError(field, "''", "must be the name of a channel");
     }
-    const auto [other, fresh] = keys.emplace(channel, key);
+    const auto [other, fresh] = fields.emplace(channel, field);
     if (!fresh) {
-      throw InputError(key, channel, fmt::format("must differ from {}", other->second));
+      throw InputError(field, channel, fmt::format("must differ from {}", other->second));
     }
   };
   add(rig.excitation.channel, "excitation.channel");
   for (std::size_t i = 0; i < rig.accelerometers.size(); ++i) {
-    add(rig.accelerometers[i].channel, fmt::format("accelerometer[{}].channel", i));
+    add(rig.accelerometers[i].channel, fmt::format("accelerometers[{}].channel", i));
   }
   if (rig.vibrometer) add(rig.vibrometer->channel, "vibrometer.channel");
 }
 
-void check_count(std::string_view key, std::size_t value, std::size_t from, std::size_t to) {
+void check_count(std::string_view field, std::size_t value, std::size_t from, std::size_t to) {
   if (value >= from && value <= to) return;
-  throw InputError(key, static_cast<double>(value), fmt::format("must be from {} to {}", from, to));
+  throw InputError(field, static_cast<double>(value),
+                   fmt::format("must be from {} to {}", from, to));
 }
 
 void check_test(const RigTest& test) {
-  require_positive("test.response_acceleration.from_m_per_s2", test.response_from);
-  require_positive("test.response_acceleration.to_m_per_s2", test.response_to);
+  require_positive("test.response_from", test.response_from);
+  require_positive("test.response_to", test.response_to);
   if (test.response_to < test.response_from) {
-    throw InputError("test.response_acceleration.to_m_per_s2", test.response_to,
-                     fmt::format("must not be below from_m_per_s2 = {}", test.response_from));
+    throw InputError(
+        "test.response_to", test.response_to,
+        fmt::format("must not be below the first response, {} m/s^2", test.response_from));
   }
-  check_count("test.response_acceleration.count", test.count, 1, 100000);
-  require_positive("test.sampling_rate_Hz", test.sampling_rate);
-  require_positive("test.duration_s", test.duration);
+  check_count("test.count", test.count, 1, 100000);
+  require_positive("test.sampling_rate", test.sampling_rate);
+  require_positive("test.duration", test.duration);
   const double samples = test.duration * test.sampling_rate;
   if (!(samples <= kMostSamples)) {
     throw InputError(
-        "test.duration_s", test.duration,
+        "test.duration", test.duration,
         fmt::format("must be at most {:.6g}: {:.0e} samples a channel at "
-                    "test.sampling_rate_Hz = {:.6g}",
+                    "test.sampling_rate = {:.6g} Hz",
                     kMostSamples / test.sampling_rate, kMostSamples, test.sampling_rate),
         "Record less, or sample more slowly.");
   }
-  require_non_negative("test.frequency_resolution_Hz", test.frequency_resolution);
+  require_non_negative("test.frequency_resolution", test.frequency_resolution);
   check_count("test.modes", test.modes, 1, 100);
   check_count("test.harmonics", test.harmonics, 1, 100);
 }
 
 void check_shaker(const RigShaker& shaker) {
-  require_positive("shaker.resistance_Ohm", shaker.resistance);
-  require_non_negative("shaker.inductance_H", shaker.inductance);
-  require_positive("shaker.force_factor_N_per_A", shaker.force_factor);
-  require_positive("shaker.moving_mass_kg", shaker.moving_mass);
-  require_non_negative("shaker.suspension_stiffness_N_per_m", shaker.suspension_stiffness);
-  require_non_negative("shaker.suspension_damping_Ns_per_m", shaker.suspension_damping);
-  require_positive("shaker.stinger_stiffness_N_per_m", shaker.stinger_stiffness);
+  require_positive("shaker.resistance", shaker.resistance);
+  require_non_negative("shaker.inductance", shaker.inductance);
+  require_positive("shaker.force_factor", shaker.force_factor);
+  require_positive("shaker.moving_mass", shaker.moving_mass);
+  require_non_negative("shaker.suspension_stiffness", shaker.suspension_stiffness);
+  require_non_negative("shaker.suspension_damping", shaker.suspension_damping);
+  require_positive("shaker.stinger_stiffness", shaker.stinger_stiffness);
 }
 
 }  // namespace
@@ -207,9 +208,9 @@ void check_rig(const Rig& rig) {
   check_channels(rig);
   if (rig.test) check_test(*rig.test);
   if (rig.noise) {
-    require_non_negative("noise.force_N", rig.noise->force);
-    require_non_negative("noise.acceleration_m_per_s2", rig.noise->acceleration);
-    require_non_negative("noise.vibrometer_m", rig.noise->vibrometer);
+    require_non_negative("noise.force", rig.noise->force);
+    require_non_negative("noise.acceleration", rig.noise->acceleration);
+    require_non_negative("noise.vibrometer", rig.noise->vibrometer);
   }
   if (rig.shaker) check_shaker(*rig.shaker);
 }

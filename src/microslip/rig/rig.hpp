@@ -8,8 +8,7 @@
 #include <vector>
 
 /// @file
-/// The description of a frictional-support test, as rig.toml states it. All values are SI. The
-/// names of the checks are the keys of that file, so that a message leads to its line.
+/// The description of a frictional-support test. All values are SI.
 
 namespace microslip {
 
@@ -130,7 +129,8 @@ struct Rig {
 };
 
 /// Checks the ranges above, and what must go together.
-/// @throws InputError  naming the key of rig.toml, its value and the rule that it breaks.
+/// @throws InputError  naming the field, `accelerometers[1].position`, its value and the rule that it
+///                     breaks.
 void check_rig(const Rig& rig);
 
 }  // namespace microslip

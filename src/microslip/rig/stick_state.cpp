@@ -35,14 +35,14 @@ double stiffness_from_stick_frequency(const Rig& rig, const Beam& beam, double a
   try {
     spring = spring_for_first_frequency(beam, frequency);
   } catch (const InputError& error) {
-    throw error.renamed("contact.stick_frequency_Hz");
+    throw error.renamed("contact.stick_frequency");
   }
   const double in_series = spring / (radius * radius);
   if (spring > 0.0 && in_series * axial_compliance < 1.0) {
     return in_series / (1.0 - in_series * axial_compliance);
   }
   throw InputError(
-      "contact.stick_frequency_Hz", frequency,
+      "contact.stick_frequency", frequency,
       fmt::format("must leave a stiffness for the joint: the torsional spring would be "
                   "{:.4g} N m/rad, that of the beam's axial compliance alone is {:.4g}",
                   spring, radius * radius / axial_compliance),

@@ -38,7 +38,7 @@ inline constexpr std::size_t kBeamModes = 30;
 /// The stick state of a rig. Where the rig states the stick frequency, k follows from it: the
 /// torsional spring that gives the beam this first frequency is k r²/(1 + k c).
 /// @param rig    a test.
-/// @param modes  how many of a beam; 0: as many as [test] states, or kBeamModes. Of a rig with
+/// @param modes  how many of a beam; 0: as many as the test states, or kBeamModes. Of a rig with
 ///               modes all are taken.
 /// @throws InputError  as check_rig(), and where no stiffness gives the stick frequency.
 [[nodiscard]] StickState stick_state(const Rig& rig, std::size_t modes = 0);

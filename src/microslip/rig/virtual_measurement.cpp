@@ -33,7 +33,7 @@ constexpr double kProbe = 0.005;
 const RigTest& test_of(const Rig& rig) {
   if (rig.test) return *rig.test;
   throw InputError("test", "none", "must be there for a virtual test",
-                   "Add [test] with response_acceleration, sampling_rate_Hz and duration_s.");
+                   "Add a test with its responses, sampling rate and duration.");
 }
 
 void check_options(const VirtualMeasurementOptions& options) {
@@ -49,7 +49,7 @@ void check_options(const VirtualMeasurementOptions& options) {
           options.max_control_iterations, "must be 0 or more");
 }
 
-/// [modes] can have a node of them all there, a beam cannot.
+/// Given modes can have a node of them all there, a beam cannot.
 void check_exciter(const StickState& state) {
   if (std::ranges::any_of(state.excitation, [](double shape) { return shape != 0.0; })) return;
   throw InputError("modes.excitation", 0.0, "must differ from 0 in one mode at least",
@@ -61,7 +61,7 @@ void check_sampling_rate(const RigTest& test, double frequency, std::size_t harm
                          std::string_view of) {
   const double least = 2.0 * static_cast<double>(harmonics) * frequency;
   if (test.sampling_rate > least) return;
-  throw InputError("test.sampling_rate_Hz", test.sampling_rate,
+  throw InputError("test.sampling_rate", test.sampling_rate,
                    fmt::format("must be above {:.0f}: twice harmonic {} of {}, {:.1f} Hz", least,
                                harmonics, of, frequency),
                    "Slower samples would show the high harmonics as low ones.");
@@ -71,13 +71,13 @@ void check_sampling_rate(const RigTest& test, double frequency, std::size_t harm
 void check_test(const RigTest& test, double frequency, std::size_t harmonics) {
   check_sampling_rate(test, frequency, harmonics, "the stuck resonance");
   if (test.duration * frequency < kCycles) {
-    throw InputError("test.duration_s", test.duration,
+    throw InputError("test.duration", test.duration,
                      fmt::format("must be at least {:.3g}: {:.0f} cycles of the stuck resonance, "
                                  "{:.1f} Hz",
                                  kCycles / frequency, kCycles, frequency));
   }
   if (test.frequency_resolution > kCoarsest * frequency) {
-    throw InputError("test.frequency_resolution_Hz", test.frequency_resolution,
+    throw InputError("test.frequency_resolution", test.frequency_resolution,
                      fmt::format("must be at most {:.3g}: {:.0f} % of the stuck resonance, {:.1f} "
                                  "Hz",
                                  kCoarsest * frequency, 100.0 * kCoarsest, frequency),

@@ -93,14 +93,14 @@ struct VirtualMeasurementOptions {
 ///
 /// Every state that is returned satisfies the equations of structure, joint and shaker together:
 /// the harmonic balance (HarmonicBalance) under the harmonics F_n, and F_n = a_n V_n − b_n w_n
-/// (shaker.hpp). It keeps max([test].harmonics, N) harmonics, or [test].harmonics without a shaker.
+/// (shaker.hpp). It keeps max(test.harmonics, N) harmonics, or test.harmonics without a shaker.
 /// Levels are solved in parallel; the result does not depend on the number of threads.
 ///
 /// A level whose vibration is not found has a summary that says so; the others go on. Warnings:
 /// `macro_slip`, all of the joint has slipped, so that no higher level tells more of its density;
 /// `force_not_controlled`; `transfer_not_measured`, at the level where H was to be measured: it is
 /// then that of the linear structure.
-/// @throws InputError  as stick_state(); where there is no [test], an option is out of range, no
+/// @throws InputError  as stick_state(); where there is no test, an option is out of range, no
 ///                     mode moves the exciter, the sampling of the test cannot show the harmonics
 ///                     of a drive or three cycles, or the resolution of the drive is above 1 % of
 ///                     the stuck resonance.

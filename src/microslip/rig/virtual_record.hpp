@@ -12,18 +12,18 @@ namespace microslip {
 
 /// What the sensors of a rig record of a steady vibration: the force, the accelerations and, where
 /// the rig has a vibrometer, u or u − Σψ_i q_i (for a beam u − r w′(L), the axial motion of its
-/// centre line [AR14 (13)]), sampled as [test] says, each sample with the noise of [noise]. The
+/// centre line [AR14 (13)]), sampled as the test says, each sample with the noise of the rig. The
 /// phase at which the record begins is drawn.
 ///
 /// Record r of a seed takes its phase from stream 2¹⁶ r of RandomStream and the noise of channel c,
 /// from 0, from stream 2¹⁶ r + 1 + c, so that it does not depend on what else is recorded.
-/// @param rig     with a [test].
+/// @param rig     with a test.
 /// @param state   of this rig.
 /// @param driven  of a structure with these modes.
 /// @param seed    of all records of a test.
 /// @param record  r, see record_number().
 /// @throws InputError  as check_rig(), for more than 1e8 samples a channel too, and where the rig
-///                     has no [test].
+///                     has no test.
 [[nodiscard]] Recording virtual_record(const Rig& rig, const StickState& state,
                                        const DrivenVibration& driven, std::uint64_t seed,
                                        std::uint64_t record);

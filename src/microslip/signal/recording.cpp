@@ -37,7 +37,7 @@ std::string names_of_channels(const Recording& recording) {
   const Dimension likely = quantity_of_name(name).value_or(expected);
   std::string rule = "must have a unit";
   std::string remedy =
-      fmt::format("Say what it is in with --assume-units {}={}", name, si_unit(likely));
+      fmt::format("Say what it is in with `assume_units {}={}`", name, si_unit(likely));
   if (likely == expected) {
     rule += " of " + dimension_name(expected);
   } else {

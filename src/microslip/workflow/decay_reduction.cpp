@@ -52,8 +52,8 @@ DecaySignal choose_signal(const std::vector<Recording>& recordings, const std::s
                    name.empty() ? "must have one channel of displacement, velocity or acceleration "
                                   "over time"
                                 : "must be there once",
-                   fmt::format("The channels are {}; choose by --channel, and give units that the "
-                               "file lacks by --assume-units.",
+                   fmt::format("The channels are {}; choose by `channel`, and give units that the "
+                               "file lacks by `assume_units`.",
                                names.empty() ? "none" : names));
 }
 
@@ -197,7 +197,7 @@ std::string describe_decay(const ReducedDecay& reduced) {
   const bool damping_alone = levels.dissipation.empty();
   text += line(damping_alone ? "amplitude" : "joint amplitude", span(levels.amplitude) + " m");
   text += line("dissipation",
-               damping_alone ? "none: without --modal-mass" : span(levels.dissipation) + " J");
+               damping_alone ? "none: without `modal_mass`" : span(levels.dissipation) + " J");
   text += line("frequency",
                fmt::format("{:.6g} to {:.6g} Hz ({:+.2g} %)", levels.frequency.front(),
                            levels.frequency.back(),

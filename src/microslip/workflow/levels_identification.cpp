@@ -67,7 +67,7 @@ LevelsFile usable_levels(LevelsFile file, const LevelsIdentification& options) {
   throw FormatError({.file = file.file, .line = file.line.front(), .column = 0},
                     "a level with 2 reversals a cycle",
                     fmt::format("inner reversals in all {}", file.levels.size()),
-                    "--inner-reversals use takes them all the same.");
+                    "`inner_reversals use` takes them all the same.");
 }
 
 void warn_of_reversed(const LevelsFile& all, const LevelsIdentification& options,
@@ -155,7 +155,7 @@ std::string describe_identified_levels(const LevelsIdentification& options,
                           one ? "" : "s", fmt::join(done.reversed, ", "),
                           options.use_inner_reversals
                               ? ", used all the same"
-                              : ", left out; --inner-reversals use takes them"));
+                              : ", left out; `inner_reversals use` takes them"));
 }
 
 }  // namespace microslip

@@ -152,7 +152,7 @@ void check_strangers(const MeasurementRun& options, const std::vector<std::strin
                               ? std::ranges::find(records, name) == records.end()
                               : name == kForceControlFile && options.no_shaker;
     if (!stranger) continue;
-    throw InputError("--out", options.out, fmt::format("must not hold {}, of another test", name),
+    throw InputError("`out`", options.out, fmt::format("must not hold {}, of another test", name),
                      "Choose another folder, or remove it.");
   }
 }
@@ -175,7 +175,7 @@ void check_origin(const MeasurementRun& options, std::vector<std::string> writte
   if (!keeps_rig(options)) written.emplace_back("rig.toml");
   for (const std::string& name : written) {
     if (!fs::exists(fs::path(options.out) / name, error)) continue;
-    throw InputError("--out", options.out,
+    throw InputError("`out`", options.out,
                      fmt::format("must not hold {} that is not of a virtual test", name),
                      "Choose another folder, or move it away.");
   }
@@ -184,13 +184,13 @@ void check_origin(const MeasurementRun& options, std::vector<std::string> writte
 /// Before the computation: a folder that is there must take the files.
 void check_folder(const MeasurementRun& options, const Rig& rig, const RecordNames& names) {
   if (options.out.empty() || options.out == "-") {
-    throw InputError("--out", "'" + options.out + "'", "must be a folder",
+    throw InputError("`out`", "'" + options.out + "'", "must be a folder",
                      "It gets a file a level, and the truth.");
   }
   const fs::file_status status = fs::status(options.out);
   if (!fs::exists(status)) return;
   if (!fs::is_directory(status)) {
-    throw FileError(options.out, "is a file", "Name a folder with --out.");
+    throw FileError(options.out, "is a file", "Name a folder with `out`.");
   }
   const std::vector<std::string> records =
       record_names(options, names, names.levels(), [](std::size_t) { return true; });
@@ -249,7 +249,7 @@ class MeasurementWriter {
         names_(names),
         comment_(std::move(comment)),
         state_(stick_state(inputs.rig)) {
-    folders_.make(options.out, "Choose another folder with --out.");
+    folders_.make(options.out, "Choose another folder with `out`.");
   }
 
   void write(const VirtualMeasurement& test, const Progress& progress) {

@@ -109,7 +109,7 @@ std::string add_truncation(const HarmonicBalance& balance, Quantity kept, Respon
   if (!truncation) return "";
   if (auto warning = truncation_warning(*truncation)) {
     if (warning->code == "truncated") {
-      warning->text += fmt::format(" (--harmonics {})", truncation->harmonics);
+      warning->text += fmt::format(" (`harmonics {}`)", truncation->harmonics);
     }
     curve.warnings.push_back(std::move(*warning));
   }

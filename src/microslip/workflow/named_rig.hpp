@@ -28,7 +28,7 @@ auto of_rig(const NamedInput& rig, Make make) {
   try {
     return make();
   } catch (const InputError& error) {
-    throw error.renamed(fmt::format("{}: {}", input_name(rig.path), error.name()));
+    throw error.renamed(fmt::format("{}: {}", input_name(rig.path), rig_key(error.name())));
   }
 }
 

@@ -16,7 +16,7 @@ namespace microslip {
 
 /// A number, with or without a unit right behind it: "3e-4", "300um", "0.3mm". Without one it is
 /// SI.
-/// @param option  for messages, for instance "--amplitude".
+/// @param option  for messages, for instance "`amplitude`".
 /// @throws InputError  where it is neither, or the unit is of another dimension.
 [[nodiscard]] double parse_quantity(std::string_view option, std::string_view text,
                                     const Dimension& dimension);

@@ -73,7 +73,7 @@ std::vector<Warning> left_out(const ReductionBatch& batch) {
   if (const auto n = count(kInnerReversals); n > 0) {
     found.push_back(
         {"levels_with_inner_reversals",
-         fmt::format("Written, but left out by `microslip identify` for their inner reversals: {}",
+         fmt::format("Written, but left out of an identification for their inner reversals: {}",
                      n)});
   }
   const auto without_secant = std::ranges::count_if(

@@ -179,7 +179,7 @@ void cut_history(ResultInput& input, double from, double to) {
     }
     if (cut.time.size() < 2) {
       throw InputError(
-          "--time", fmt::format("{:g}:{:g}", from, to),
+          "`time`", fmt::format("{:g}:{:g}", from, to),
           fmt::format("must hold two samples or more of {}, which reaches from {:g} to "
                       "{:g} s",
                       input.name, signal.time.front(), signal.time.back()));

@@ -59,7 +59,7 @@ void check_band(const IdentifiedJoint& joint, const std::string& path) {
     throw InputError(
         fmt::format("{}: identification.{}", path, key), fmt::format("{} numbers", size),
         fmt::format("must be {}, one a value of band_slip_force_N", joint.band_slip_force.size()),
-        "Identify the joint again with --bands.");
+        "Identify the joint again with `bands`.");
   };
   check("band_lower_per_N", joint.band_lower.size());
   check("band_upper_per_N", joint.band_upper.size());
@@ -69,7 +69,7 @@ void check_band(const IdentifiedJoint& joint, const std::string& path) {
         fmt::format("{}: identification.band_upper_per_N[{}]", path, i),
         fmt::format("{} 1/N", joint.band_upper[i]),
         fmt::format("must be at least band_lower_per_N there, {}", joint.band_lower[i]),
-        "Identify the joint again with --bands.");
+        "Identify the joint again with `bands`.");
   }
 }
 

@@ -13,8 +13,6 @@
 namespace microslip {
 namespace {
 
-constexpr std::string_view kOption = "--smoothing";
-
 struct Choice {
   std::string_view name;  ///< "gcv", "lambda" or "p"
   double value = 0.0;
@@ -24,37 +22,37 @@ Choice parse(std::string_view text) {
   if (text == "gcv") return {"gcv"};
   for (const std::string_view name : {std::string_view("lambda"), std::string_view("p")}) {
     if (text.starts_with(name) && text.substr(name.size()).starts_with('=')) {
-      return {name, parse_quantity(fmt::format("{} {}", kOption, name),
+      return {name, parse_quantity(fmt::format("`smoothing {}`", name),
                                    text.substr(name.size() + 1), kDimensionless)};
     }
   }
-  throw InputError(kOption, in_quotes(text), "must be gcv, lambda=X or p=X");
+  throw InputError("`smoothing`", in_quotes(text), "must be gcv, lambda=X or p=X");
 }
 
 void check(const Choice& choice) {
   if (choice.name == "lambda" && !(choice.value > 0.0)) {
-    throw InputError("--smoothing lambda", choice.value, "must be above 0");
+    throw InputError("`smoothing lambda`", choice.value, "must be above 0");
   }
   if (choice.name == "p" && !(choice.value >= 0.0 && choice.value <= 1.0)) {
-    throw InputError("--smoothing p", choice.value,
+    throw InputError("`smoothing p`", choice.value,
                      "must be from 0 (a straight line) to 1 (no smoothing)");
   }
 }
 
 double unit_in_metres(const Choice& choice, const std::optional<std::string>& unit) {
   if (!unit) {
-    throw InputError(fmt::format("--smoothing {}", choice.name), choice.value,
+    throw InputError(fmt::format("`smoothing {}`", choice.name), choice.value,
                      "means nothing without the unit of the amplitude it was chosen in",
-                     "Add --smoothing-unit, for instance --smoothing-unit um.");
+                     "Add `smoothing_unit`, for instance `smoothing_unit um`.");
   }
-  return parse_option_unit("--smoothing-unit", *unit, kLength).factor();
+  return parse_option_unit("`smoothing_unit`", *unit, kLength).factor();
 }
 
 void set_for_spline(const Choice& choice, const std::optional<std::string>& unit,
                     IdentificationOptions& options) {
   if (choice.name == "gcv") {
     if (!unit) return;
-    throw InputError("--smoothing-unit", "'" + *unit + "'", "belongs to p=X or lambda=X",
+    throw InputError("`smoothing_unit`", "'" + *unit + "'", "belongs to p=X or lambda=X",
                      "Leave it out with gcv.");
   }
   const double metres = unit_in_metres(choice, unit);
@@ -69,11 +67,11 @@ void set_for_inversion(const Choice& choice, const std::optional<std::string>& u
                        IdentificationOptions& options) {
   if (choice.name == "p") {
     if (!unit) static_cast<void>(unit_in_metres(choice, unit));
-    throw InputError("--smoothing p", choice.value, "belongs to --method spline",
-                     "Choose that method, or --smoothing gcv or lambda=X.");
+    throw InputError("`smoothing p`", choice.value, "belongs to `method spline`",
+                     "Choose that method, or `smoothing gcv` or lambda=X.");
   }
   if (unit) {
-    throw InputError("--smoothing-unit", *unit, "belongs to --method spline",
+    throw InputError("`smoothing_unit`", *unit, "belongs to `method spline`",
                      "The inversion is scaled and takes none: leave it out.");
   }
   if (choice.name == "lambda") options.inversion.lambda = choice.value;
@@ -94,8 +92,8 @@ void set_smoothing(const std::string& smoothing, const std::optional<std::string
       break;
     case IdentificationMethod::kDifferences:
       if (choice.name != "gcv" || unit) {
-        throw InputError(kOption, in_quotes(smoothing), "has no meaning for the method differences",
-                         "Leave it out.");
+        throw InputError("`smoothing`", in_quotes(smoothing),
+                         "has no meaning for the method differences", "Leave it out.");
       }
   }
 }

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "option_names.hpp"
+
+#include <gtest/gtest.h>
+
+namespace microslip::cli_test::option_names_test {
+namespace {
+
+TEST(OptionNames, AreThoseOfTheProgram) {
+  EXPECT_EQ(app::with_option_names("Say it by `assume_units force_1=N`, or `out`."),
+            "Say it by --assume-units force_1=N, or --out.")
+      << "the value stays as it is";
+  EXPECT_EQ(app::with_option_names("`smoothing lambda` = 0; must be above 0"),
+            "--smoothing lambda = 0; must be above 0");
+}
+
+TEST(OptionNames, LeaveAllElse) {
+  for (const char* text : {"", "`", "``", "no option", "it's `open", "Run `microslip frf --help`.",
+                           "levels.csv: channel '`A`' is none", "`1` and `a-b`"}) {
+    EXPECT_EQ(app::with_option_names(text), text);
+  }
+  EXPECT_EQ(app::with_option_names("a ` stray, then `out`"), "a ` stray, then --out");
+}
+
+}  // namespace
+}  // namespace microslip::cli_test::option_names_test
