@@ -22,6 +22,16 @@ foreach(part IN LISTS microslip_parts)
     DESTINATION "${microslip_package_dir}"
     COMPONENT library)
 endforeach()
+# What the library starts to read files of HDF5.
+if(MICROSLIP_WITH_HDF5)
+  install(
+    TARGETS microslip_hdf5_reader
+    RUNTIME DESTINATION "${CMAKE_INSTALL_LIBEXECDIR}/microslip" COMPONENT program)
+  if(BUILD_SHARED_LIBS)
+    set_target_properties(microslip_hdf5_reader PROPERTIES INSTALL_RPATH
+                                                           "$ORIGIN/../../${CMAKE_INSTALL_LIBDIR}")
+  endif()
+endif()
 get_property(microslip_folders GLOBAL PROPERTY MICROSLIP_FOLDERS)
 foreach(folder IN LISTS microslip_folders)
   get_property(headers TARGET microslip_folder_${folder} PROPERTY MICROSLIP_PUBLIC_HEADERS)
@@ -36,16 +46,22 @@ endforeach()
 get_target_property(microslip_type microslip_core TYPE)
 if(microslip_type STREQUAL "STATIC_LIBRARY")
   set(microslip_is_static TRUE)
-  install(
-    FILES "${PROJECT_SOURCE_DIR}/cmake/FindHdf5Library.cmake"
-    DESTINATION "${microslip_package_dir}"
-    COMPONENT library)
-  # Debian names the serial HDF5 so beside those of MPI.
-  set(microslip_hdf5_module hdf5)
-  if(Hdf5Library_SHARED_LIBRARY MATCHES "hdf5_serial")
-    set(microslip_hdf5_module hdf5-serial)
+  set(microslip_requires_private "fmt tbb")
+  if(MICROSLIP_WITH_HDF5)
+    install(
+      FILES "${PROJECT_SOURCE_DIR}/cmake/FindHdf5Library.cmake"
+      DESTINATION "${microslip_package_dir}"
+      COMPONENT library)
+    # Debian names the serial HDF5 so beside those of MPI.
+    set(microslip_hdf5_module hdf5)
+    if(Hdf5Library_SHARED_LIBRARY MATCHES "hdf5_serial")
+      set(microslip_hdf5_module hdf5-serial)
+    endif()
+    string(APPEND microslip_requires_private " ${microslip_hdf5_module}")
   endif()
-  set(microslip_requires_private "fmt tbb ${microslip_hdf5_module} zlib")
+  if(MICROSLIP_WITH_MAT)
+    string(APPEND microslip_requires_private " zlib")
+  endif()
 else()
   set(microslip_is_static FALSE)
   set(microslip_requires_private "")

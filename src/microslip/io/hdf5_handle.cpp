@@ -7,9 +7,7 @@
 #include <charconv>
 
 #include "microslip/base/error.hpp"
-#include "microslip/io/input_file.hpp"
 #include "microslip/io/text.hpp"
-#include "microslip/io/write_error.hpp"
 
 namespace microslip {
 namespace {
@@ -65,22 +63,6 @@ std::string hdf5_reason() {
 void fail_hdf5(std::string_view place, std::string_view expected) {
   throw FormatError({.file = std::string(place)}, expected, hdf5_reason(),
                     "The file is damaged; save or copy it anew.");
-}
-
-void check_hdf5_file(const std::string& path) {
-  if (path == "-") throw FileError("standard input", "cannot hold an HDF5 file", "Name a file.");
-  (void)read_file_head(path, 1);  // says what hinders the reading better than the library does
-}
-
-void fail_to_write_hdf5(std::string_view place) {
-  constexpr std::string_view kError = "errno = ";
-  const std::string reason = hdf5_reason();
-  int error = 0;
-  if (const std::size_t at = reason.find(kError); at != std::string::npos) {
-    std::from_chars(reason.data() + at + kError.size(), reason.data() + reason.size(), error);
-  }
-  if (error != 0) fail_to_write(place, error);
-  throw WriteError(place, fmt::format("cannot be written: {}", reason));
 }
 
 Hdf5Handle open_hdf5(const std::string& path) {

@@ -36,9 +36,6 @@ class Hdf5Session {
 /// FormatError "place: expected …, found …" with the library's reason.
 [[noreturn]] void fail_hdf5(std::string_view place, std::string_view expected);
 
-/// WriteError with the library's reason, and that of the system where it tells it.
-[[noreturn]] void fail_to_write_hdf5(std::string_view place);
-
 /// Owns an identifier of the library.
 class Hdf5Handle {
  public:
@@ -57,7 +54,7 @@ class Hdf5Handle {
 
   [[nodiscard]] bool valid() const { return id_ >= 0; }
   [[nodiscard]] hid_t id() const { return id_; }
-  /// False where the library could not write what it had kept back.
+  /// False where the library could not finish what it had kept back.
   bool close() { return id_ < 0 || close_(std::exchange(id_, H5I_INVALID_HID)) >= 0; }
 
  private:
@@ -65,10 +62,7 @@ class Hdf5Handle {
   Close close_ = nullptr;
 };
 
-/// @throws FileError  where there is no such file or it may not be read.
-void check_hdf5_file(const std::string& path);
-
-/// To be called in a reading process alone, see reading_process.hpp.
+/// To be called in a reading process alone, see hdf5_reader.hpp.
 /// @throws FormatError  where it is no HDF5 file, or a damaged one.
 [[nodiscard]] Hdf5Handle open_hdf5(const std::string& path);
 

@@ -35,8 +35,8 @@
 /// attribute of the dataset or of a group that it lies in, or a dataset of one number there.
 /// `channel_name` names a channel (else the name of the dataset does), `unit_str`, `unit` or
 /// `units` its unit. Values come in SI; without unit they are as the file has them. A damaged file
-/// can crash the HDF5 library or keep it busy for ever, whoever wrote it; therefore a copy of the
-/// process (fork) reads it and hands over what it has read.
+/// can crash the HDF5 library or keep it busy for ever, whoever wrote it; therefore another program
+/// reads it, microslip-hdf5-reader, and hands over what it has read.
 
 namespace microslip {
 

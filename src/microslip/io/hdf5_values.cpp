@@ -9,7 +9,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/hdf5_handle.hpp"
-#include "microslip/io/reading_process.hpp"
+#include "microslip/io/reading_worker.hpp"
 #include "microslip/io/text.hpp"
 
 namespace microslip {
@@ -133,16 +133,6 @@ bool has_attribute(hid_t object, const char* name, const std::string& place) {
 herr_t add_name(hid_t, const char* name, const H5A_info_t*, void* to) {
   static_cast<std::vector<std::string>*>(to)->emplace_back(name);
   return 0;
-}
-
-void write_attribute(hid_t object, const std::string& name, hid_t type, const void* value,
-                     const std::string& place) {
-  const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  Hdf5Handle attribute(H5Acreate2(object, name.c_str(), type, space.id(), H5P_DEFAULT, H5P_DEFAULT),
-                       H5Aclose);
-  if (!attribute.valid() || H5Awrite(attribute.id(), type, value) < 0 || !attribute.close()) {
-    fail_to_write_hdf5(fmt::format("{}: attribute {}", place, in_quotes(name)));
-  }
 }
 
 }  // namespace
@@ -274,24 +264,6 @@ Attributes hdf5_attributes(hid_t object, const std::string& place) {
     }
   }
   return attributes;
-}
-
-void write_hdf5_text(hid_t object, const std::string& name, const std::string& value,
-                     const std::string& place) {
-  if (value.find('\0') != std::string::npos) {
-    throw InputError(fmt::format("{}: {}", place, name), in_quotes(value),
-                     "must hold no zero byte");
-  }
-  const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-  H5Tset_size(type.id(), std::max<std::size_t>(value.size(), 1));
-  H5Tset_strpad(type.id(), H5T_STR_NULLPAD);
-  H5Tset_cset(type.id(), H5T_CSET_UTF8);
-  write_attribute(object, name, type.id(), value.c_str(), place);
-}
-
-void write_hdf5_number(hid_t object, const std::string& name, double value,
-                       const std::string& place) {
-  write_attribute(object, name, H5T_NATIVE_DOUBLE, &value, place);
 }
 
 }  // namespace microslip

@@ -50,10 +50,4 @@ std::size_t check_hdf5_storage(hid_t dataset, const std::string& place);
 /// the file knows it, else by name; numbers as text.
 [[nodiscard]] Attributes hdf5_attributes(hid_t object, const std::string& place);
 
-/// @throws FileError  where the value cannot be written.
-void write_hdf5_text(hid_t object, const std::string& name, const std::string& value,
-                     const std::string& place);
-void write_hdf5_number(hid_t object, const std::string& name, double value,
-                       const std::string& place);
-
 }  // namespace microslip

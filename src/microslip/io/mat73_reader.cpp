@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/mat73_reader.hpp"
+#include "microslip/io/hdf5_contents.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,6 @@
 #include "microslip/io/hdf5_handle.hpp"
 #include "microslip/io/hdf5_values.hpp"
 #include "microslip/io/mat_text.hpp"
-#include "microslip/io/reading_process.hpp"
 #include "microslip/io/text.hpp"
 
 namespace microslip {
@@ -176,18 +175,11 @@ class Mat73Reader {
   std::size_t values_ = 0;
 };
 
-MatTree read_tree(const std::string& path, const MatReadOptions& options) {
-  const Hdf5Handle file = open_hdf5(path);
-  return Mat73Reader(path, options, file.id()).read();
-}
-
 }  // namespace
 
-MatTree read_mat73(const std::string& path, const MatReadOptions& options) {
-  const Hdf5Session session;
-  return read_in_process<MatTree>(session, path, options.progress, [&](const Progress& told) {
-    return read_tree(path, {.only = options.only, .progress = told});
-  });
+MatTree mat73_tree(const std::string& path, const MatReadOptions& options) {
+  const Hdf5Handle file = open_hdf5(path);
+  return Mat73Reader(path, options, file.id()).read();
 }
 
 }  // namespace microslip

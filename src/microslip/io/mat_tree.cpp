@@ -11,7 +11,6 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/mat5_reader.hpp"
-#include "microslip/io/mat73_reader.hpp"
 #include "microslip/io/text.hpp"
 
 namespace microslip {
@@ -25,7 +24,7 @@ MatTree read_any_version(const std::string& path, const MatReadOptions& options)
   const std::string head = read_file_head(path, kHeadSize);
   if (head.starts_with(kHdf5Signature) ||
       (head.size() == kHeadSize && head.ends_with(kHdf5Signature))) {
-    return read_mat73(path, options);
+    return read_mat73_tree(path, options);
   }
   MatFileStream file(path, options.progress);
   if (head.starts_with("MATLAB 5.0") ||

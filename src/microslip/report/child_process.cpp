@@ -3,14 +3,10 @@
 
 #include <fmt/format.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
-#include <csignal>
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
@@ -18,9 +14,7 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
-
-// POSIX has the program declare it.
-extern char** environ;  // NOLINT(readability-redundant-declaration)
+#include "microslip/io/child_process.hpp"
 
 namespace microslip {
 namespace {
@@ -53,67 +47,6 @@ SocketPair open_channel(std::string_view program) {
   if (!channel.ours || !channel.childs) fail(program, errno);
   return channel;
 }
-
-/// Numbers above 2: where this program runs with a standard stream closed, the socket that takes
-/// its number would be overwritten while the child's streams are put in place.
-SocketPair open_high_channel(std::string_view program) {
-  std::vector<SocketPair> low;
-  for (;;) {
-    SocketPair channel = open_channel(program);
-    if (std::min(number_of(channel.ours), number_of(channel.childs)) > 2) return channel;
-    low.push_back(std::move(channel));
-  }
-}
-
-/// The child's end of each channel as its standard input, output and error.
-class SpawnActions {
- public:
-  explicit SpawnActions(std::string_view program) {
-    if (const int code = posix_spawn_file_actions_init(&actions_); code != 0) fail(program, code);
-  }
-  SpawnActions(const SpawnActions&) = delete;
-  SpawnActions& operator=(const SpawnActions&) = delete;
-  ~SpawnActions() { posix_spawn_file_actions_destroy(&actions_); }
-
-  void connect(const SocketPair& channel, int stream, std::string_view program) {
-    const int code = posix_spawn_file_actions_adddup2(&actions_, number_of(channel.childs), stream);
-    if (code != 0) fail(program, code);
-  }
-
-  [[nodiscard]] const posix_spawn_file_actions_t* get() const { return &actions_; }
-
- private:
-  posix_spawn_file_actions_t actions_{};
-};
-
-/// A running child. Whatever happens, it is gone and reaped when this is.
-class Child {
- public:
-  explicit Child(pid_t id) : id_(id) {}
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-  ~Child() {
-    if (reaped_) return;
-    kill(id_, SIGKILL);
-    wait();
-  }
-
-  /// The exit status as a shell states it; 0 where this program ignores SIGCHLD and cannot know it.
-  int wait() {
-    int state = 0;
-    pid_t id = -1;
-    do {
-      id = waitpid(id_, &state, 0);
-    } while (id < 0 && errno == EINTR);
-    reaped_ = true;
-    if (id < 0) return 0;
-    return WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
-  }
-
- private:
-  pid_t id_;
-  bool reaped_ = false;
-};
 
 /// Sends what the socket takes without waiting. @return whether more is left that somebody will
 /// read.
@@ -158,29 +91,17 @@ void converse(Socket to, Socket from, Socket errors_from, std::string_view progr
 std::optional<ChildResult> run_child(std::vector<std::string> command, std::string_view input) {
   const std::string program = command.at(0);
   std::array<SocketPair, 3> channels;
-  SpawnActions actions(program);
-  for (int stream = 0; stream < 3; ++stream) {
-    SocketPair& channel = channels[static_cast<std::size_t>(stream)];
-    channel = open_high_channel(program);
-    actions.connect(channel, stream, program);
-  }
-  std::vector<char*> arguments;
-  arguments.reserve(command.size() + 1);
-  for (std::string& argument : command) arguments.push_back(argument.data());
-  arguments.push_back(nullptr);
-
-  pid_t id = -1;
-  const int code =
-      posix_spawnp(&id, program.c_str(), actions.get(), nullptr, arguments.data(), environ);
-  if (code == ENOENT) return std::nullopt;
-  if (code != 0) fail(program, code);
-  Child child(id);
+  for (SocketPair& channel : channels) channel = open_channel(program);
+  std::optional<Child> child = Child::start(
+      std::move(command), {number_of(channels[0].childs), number_of(channels[1].childs),
+                           number_of(channels[2].childs)});
+  if (!child) return std::nullopt;
   for (SocketPair& channel : channels) channel.childs.reset();
 
   ChildResult result;
   converse(std::move(channels[0].ours), std::move(channels[1].ours), std::move(channels[2].ours),
            program, input, result);
-  result.status = child.wait();
+  result.status = child->wait();
   return result;
 }
 

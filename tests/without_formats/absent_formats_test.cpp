@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/hdf5_contents.hpp"
+#include "microslip/io/hdf5_reader.hpp"
+#include "microslip/io/hdf5_recording.hpp"
+#include "microslip/io/mat_recording.hpp"
+#include "microslip/io/mat_value.hpp"
+
+namespace microslip::absent_formats_test {
+namespace {
+
+std::string message(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(AbsentFormats, RefuseFilesOfHdf5) {
+  const std::string refusal =
+      "a.h5: is a file of HDF5, without which this microslip was built. Take another format, or "
+      "build it with -DMICROSLIP_WITH_HDF5=ON.";
+  EXPECT_EQ(message([] { (void)read_recordings_hdf5("a.h5"); }), refusal);
+  EXPECT_EQ(message([] { write_recordings_hdf5("a.h5", {}); }), refusal);
+  EXPECT_EQ(message([] { (void)read_mat73_tree("a.h5", {}); }), refusal);
+}
+
+TEST(AbsentFormats, RefuseFilesOfMatlab) {
+  const std::vector<std::function<void()>> calls{[] { (void)read_recordings_mat("a.mat", "", {}); },
+                                                 [] { write_recordings_mat("a.mat", {}); },
+                                                 [] { (void)read_mat_numbers("a.mat", "x"); },
+                                                 [] { (void)read_mat_array("a.mat", "x"); },
+                                                 [] { (void)read_mat_text("a.mat", "x"); },
+                                                 [] { (void)mat_fields("a.mat", ""); },
+                                                 [] { (void)mat_count("a.mat", "x"); },
+                                                 [] { (void)mat73_tree("a.mat", {}); }};
+  for (const auto& call : calls) {
+    EXPECT_EQ(message(call),
+              "a.mat: is a file of MATLAB, without which this microslip was built. Take another "
+              "format, or build it with -DMICROSLIP_WITH_MAT=ON.");
+  }
+}
+
+}  // namespace
+}  // namespace microslip::absent_formats_test
