@@ -10,11 +10,31 @@
 #include <string>
 #include <utility>
 
+#include "validation/bounds.hpp"
+
 /// @file
 /// What a test measures, for docs/validation.md: kept as a property of the test, which
-/// `--gtest_output=json` writes and scripts/update_validation reads. It asserts nothing.
+/// `--gtest_output=json` writes and scripts/update_validation reads. It is held to the bounds that
+/// tests/validation/figures.toml states for it.
 
 namespace microslip::test {
+
+/// Of a figure of the test that runs.
+inline validation::Bounds figure_bounds(const std::string& name) {
+  const ::testing::TestInfo& test = *::testing::UnitTest::GetInstance()->current_test_info();
+  return validation::bounds_of(
+      fmt::format("{}.{}.{}", MICROSLIP_TEST_FOLDER, test.test_suite_name(), test.name()), name);
+}
+
+inline void expect_at_most(const std::string& name, double value) {
+  const auto bound = figure_bounds(name).at_most;
+  if (bound) EXPECT_LE(value, *bound) << name << " in figures.toml";
+}
+
+inline void expect_at_least(const std::string& name, double value) {
+  const auto bound = figure_bounds(name).at_least;
+  if (bound) EXPECT_GE(value, *bound) << name << " in figures.toml";
+}
 
 /// One figure of the test that runs, by its name with unit, `name [unit]`. Given again, the one of
 /// both is kept that `keep(a, b)` returns; one that is not a number is kept whatever comes.
@@ -31,11 +51,13 @@ void record_figure(const std::string& name, double value, const Keep& keep) {
 /// The largest of what is given in the test.
 inline void record_largest(const std::string& name, double value) {
   record_figure(name, value, [](double a, double b) { return std::max(a, b); });
+  expect_at_most(name, value);
 }
 
 /// The smallest of what is given in the test.
 inline void record_smallest(const std::string& name, double value) {
   record_figure(name, value, [](double a, double b) { return std::min(a, b); });
+  expect_at_least(name, value);
 }
 
 /// The sum of what is given in the test.
