@@ -27,7 +27,10 @@ Recordings large_recordings() {
 }
 
 [[noreturn]] void work_for_ever() {
-  for (volatile int i = 0;; i = i + 1) {
+  volatile unsigned rounds = 0;  // or the compiler takes the loop for one that ends
+  for (;;) {
+    const unsigned before = rounds;
+    rounds = before + 1;
   }
 }
 

@@ -28,12 +28,16 @@ inline validation::Bounds figure_bounds(const std::string& name) {
 
 inline void expect_at_most(const std::string& name, double value) {
   const auto bound = figure_bounds(name).at_most;
-  if (bound) EXPECT_LE(value, *bound) << name << " in figures.toml";
+  if (bound) {
+    EXPECT_LE(value, *bound) << name << " in figures.toml";
+  }
 }
 
 inline void expect_at_least(const std::string& name, double value) {
   const auto bound = figure_bounds(name).at_least;
-  if (bound) EXPECT_GE(value, *bound) << name << " in figures.toml";
+  if (bound) {
+    EXPECT_GE(value, *bound) << name << " in figures.toml";
+  }
 }
 
 /// One figure of the test that runs, by its name with unit, `name [unit]`. Given again, the one of
