@@ -2,10 +2,12 @@
 #include "demo_beam.hpp"
 
 #include <string>
+#include <vector>
 
 #include "demo_data.hpp"
 #include "microslip/io/levels_file.hpp"
-#include "microslip/report/identification_figures.hpp"
+#include "microslip/report/density_figure.hpp"
+#include "microslip/report/level_figures.hpp"
 #include "progress_bar.hpp"
 
 namespace microslip::app {
@@ -28,13 +30,14 @@ Identification demonstrate_beam(DemoFolder& folder) {
   Identification found = identify(file.levels, kBeamStiffness, options);
   folder.add(kFolder + "/levels.csv", std::string(kBrakeReussLevels));
   folder.add_identification(kFolder, found, options, file.file, kBrakeReussLevels);
-  folder.draw_both(kFolder + "/dissipation",
-                   dissipation_figure("Brake–Reuß beam: dissipation", file.levels, found));
-  folder.draw_both(kFolder + "/density",
-                   density_figure("Brake–Reuß beam: slip-force density", found, nullptr));
-  folder.add_report(kFolder, "Brake–Reuß beam",
-                    "Eight measured levels of a bolted joint, as an equivalent joint between drive "
-                    "point and ground with linear damping beside it");
+  folder.add_report(
+      {kFolder, "Brake–Reuß beam",
+       "Eight measured levels of a bolted joint, as an equivalent joint between drive point and "
+       "ground with linear damping beside it",
+       [](const ExperimentResults& results) -> std::vector<DemoPicture> {
+         return {{"dissipation", dissipation_figure(results)},
+                 {"density", density_figure(results)}};
+       }});
   return found;
 }
 

@@ -49,25 +49,38 @@ std::string DemoFolder::provenance(const std::string& folder,
   return provenance_of(call_.command_line, named);
 }
 
-void DemoFolder::add_report(const std::string& folder, const std::string& title,
-                            const std::string& subtitle) {
-  reports_.push_back({folder, title, subtitle});
-  make_folder(path_of(folder));
+void DemoFolder::add_report(const DemoReport& report) {
+  reports_.push_back(report);
+  make_folder(path_of(report.folder));
   check_output(report_paths().back(), kReportKind);
 }
 
 std::vector<std::string> DemoFolder::report_paths() const {
   std::vector<std::string> paths;
-  for (const Report& report : reports_) paths.push_back(path_of(report.folder + "/report.html"));
+  for (const DemoReport& report : reports_)
+    paths.push_back(path_of(report.folder + "/report.html"));
   return paths;
 }
 
-void DemoFolder::write_report(const Report& report) const {
+void DemoFolder::write_report(const DemoReport& report) {
   ExperimentResults results = read_experiment(path_of(report.folder), kRecordsOverTime,
                                               progress_bar("recordings", call_.quiet));
   results.title = report.title;
   results.subtitle = report.subtitle;
-  write_file(path_of(report.folder + "/report.html"), report_html(std::move(results), call_));
+  OutputFiles outputs;
+  for (const DemoPicture& picture : report.pictures(results)) {
+    const std::string name = report.folder + "/" + picture.name;
+    const auto add = [&](const char* ending, PictureFormat format) {
+      outputs.add(path_of(name + ending),
+                  std::visit([&](const auto& figure) { return draw(figure, format, picture.size); },
+                             picture.figure));
+    };
+    add(".svg", PictureFormat::kSvg);
+    add(".png", PictureFormat::kPng);
+    pictures_.push_back(name);
+  }
+  outputs.add(path_of(report.folder + "/report.html"), report_html(std::move(results), call_));
+  outputs.commit();
 }
 
 std::vector<std::string> DemoFolder::commit() {
@@ -82,7 +95,7 @@ std::vector<std::string> DemoFolder::commit() {
     write_recordings(outputs, prepared(name), std::span(&recording, 1), RecordingFormat::kCsv);
   }
   outputs.commit();
-  for (const Report& report : reports_) write_report(report);
+  for (const DemoReport& report : reports_) write_report(report);
   return pictures_;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "command.hpp"
@@ -12,13 +13,30 @@
 #include "microslip/io/output_folders.hpp"
 #include "microslip/report/gnuplot.hpp"
 #include "microslip/signal/recording.hpp"
+#include "microslip/workflow/experiment_results.hpp"
 
 namespace microslip::app {
 
 /// The seed of everything that the demonstration draws.
 inline constexpr std::uint64_t kDemoSeed = 1;
 
-/// Everything that goes into the folder of the demonstration, written at once at the end.
+/// A picture of what a folder of the demonstration holds.
+struct DemoPicture {
+  std::string name;  ///< in the folder, without ending
+  std::variant<Figure, FigureGrid> figure;
+  PictureSize size = {};
+};
+
+/// A report of a folder, and the pictures beside it.
+struct DemoReport {
+  std::string folder;  ///< name
+  std::string title;
+  std::string subtitle;
+  std::vector<DemoPicture> (*pictures)(const ExperimentResults&);
+};
+
+/// Everything that goes into the folder of the demonstration, written at once at the end; what is
+/// drawn of it follows.
 class DemoFolder {
  public:
   /// Makes the folder where it is missing. @throws FileError  where that fails.
@@ -42,34 +60,22 @@ class DemoFolder {
   [[nodiscard]] std::string provenance(const std::string& folder,
                                        const std::vector<std::string>& inputs) const;
 
-  /// A report of a folder of the demonstration, written last.
-  void add_report(const std::string& folder, const std::string& title, const std::string& subtitle);
-
-  template <typename Picture>
-  void draw_both(const std::string& name, const Picture& picture, PictureSize size = {}) {
-    add(name + ".svg", draw(picture, PictureFormat::kSvg, size));
-    add(name + ".png", draw(picture, PictureFormat::kPng, size));
-    pictures_.push_back(name);
-  }
+  /// Drawn last, from the files in its folder.
+  void add_report(const DemoReport& report);
 
   [[nodiscard]] const Call& call() const { return call_; }
 
-  /// Writes all files, then the reports of them. @return the names of the pictures, without ending.
+  /// Writes all files, then the pictures and reports of them. @return the names of the pictures,
+  /// without ending.
   std::vector<std::string> commit();
 
   /// Of the reports, in the order of add_report().
   [[nodiscard]] std::vector<std::string> report_paths() const;
 
  private:
-  struct Report {
-    std::string folder;  ///< name
-    std::string title;
-    std::string subtitle;
-  };
-
   void make_folder(const std::string& path);
   [[nodiscard]] std::string path_of(const std::string& name) const;
-  void write_report(const Report& report) const;
+  void write_report(const DemoReport& report);
 
   std::string path_;
   const Call& call_;
@@ -77,7 +83,7 @@ class DemoFolder {
   std::vector<std::pair<std::string, std::string>> files_;  // name and content
   std::vector<std::pair<std::string, Recording>> recordings_;
   std::vector<std::string> pictures_;
-  std::vector<Report> reports_;
+  std::vector<DemoReport> reports_;
 };
 
 }  // namespace microslip::app

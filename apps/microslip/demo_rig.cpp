@@ -33,6 +33,7 @@ void add_tables(DemoFolder& folder, const RigDemonstration& done) {
     folder.add(kFolder + name, table.str());
   };
   add_predicted("/verification.csv", verification_table(done.verification.records));
+  add_predicted("/verification_harmonics.csv", harmonics_table(done.verification.records));
   add_predicted("/verification_histories.csv", histories_table(done.verification.records));
   for (std::size_t i = 0; i < records.names.size(); ++i) {
     folder.add(kFolder + "/" + records.names[i], records.recordings[i]);
@@ -52,11 +53,11 @@ RigDemonstration demonstrate_rig(DemoFolder& folder) {
                   kDemoSeed, [&](const char* what) { return progress_bar(what, quiet); });
   folder.add(kFolder + "/levels.csv", done.levels_text);
   folder.add_identification(kFolder, done.found, done.options, done.levels.file, done.levels_text);
-  draw_rig(folder, kFolder, done, done.levels.levels);
   add_tables(folder, done);
-  folder.add_report(kFolder, "Reference rig",
-                    "A virtual frictional-support test with shaker, force control and noise; the "
-                    "joint is known, and the reduction never reads it");
+  folder.add_report({kFolder, "Reference rig",
+                     "A virtual frictional-support test with shaker, force control and noise; the "
+                     "joint is known, and the reduction never reads it",
+                     rig_pictures});
   return done;
 }
 

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
+#include <vector>
 
-#include "demo_rig.hpp"
-#include "microslip/observe/levels.hpp"
+#include "demo_folder.hpp"
+#include "microslip/workflow/experiment_results.hpp"
 
 namespace microslip::app {
 
-/// The pictures of the chain, from the test to the prediction, beside the truth.
-/// @param name    of the folder in that of the demonstration.
-/// @param levels  that the joint was identified by.
-void draw_rig(DemoFolder& folder, const std::string& name, const RigDemonstration& done,
-              const Levels& levels);
+/// The pictures of the demonstrated rig, of what its folder holds.
+std::vector<DemoPicture> rig_pictures(const ExperimentResults& results);
 
 }  // namespace microslip::app

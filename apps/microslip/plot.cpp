@@ -35,7 +35,7 @@ int run(const PlotArguments& options, const Call& call) {
   check_output(out, kind_of(format));
 
   const PaperPicture picture =
-      draw_named(figure, input, paper_options(options, figure, input), format,
+      draw_named(figure, input, figure_options(options, figure, input), format,
                  {.width_mm = options.width_mm, .grey = options.grey});
   write_file(out, picture.bytes);
   if (!call.quiet && out != "-") {

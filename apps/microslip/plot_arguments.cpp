@@ -113,8 +113,8 @@ PictureFormat format_of(const PlotArguments& options) {
                    "Leave out --format.");
 }
 
-PaperOptions paper_options(const PlotArguments& options, const NamedFigure& figure,
-                           const ResultInput& input) {
+FigureOptions figure_options(const PlotArguments& options, const NamedFigure& figure,
+                             const ResultInput& input) {
   if ((options.log || options.linear) && !figure.has_amplitude(input)) {
     throw InputError(options.log ? "--log" : "--linear", InputState{"given"},
                      fmt::format("{} has no axis of an amplitude here", figure.name),
@@ -124,10 +124,10 @@ PaperOptions paper_options(const PlotArguments& options, const NamedFigure& figu
     throw InputError("--other", "'" + options.others.front() + "'",
                      fmt::format("{} draws no other joints here", figure.name), "Leave it out.");
   }
-  PaperOptions paper{.others = other_joints(options.others)};
-  if (options.log) paper.scale = AmplitudeScale::kLog;
-  if (options.linear) paper.scale = AmplitudeScale::kLinear;
-  return paper;
+  FigureOptions made{.others = other_joints(options.others)};
+  if (options.log) made.scale = AmplitudeScale::kLog;
+  if (options.linear) made.scale = AmplitudeScale::kLinear;
+  return made;
 }
 
 }  // namespace microslip::app

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "microslip/report/figure_options.hpp"
 #include "microslip/report/gnuplot.hpp"
 #include "microslip/report/named_figures.hpp"
-#include "microslip/report/paper_figures.hpp"
 
 namespace microslip::app {
 
@@ -36,7 +36,7 @@ void add_plot_arguments(CLI::App& command, PlotArguments& options);
 [[nodiscard]] PictureFormat format_of(const PlotArguments& options);
 
 /// @throws InputError  for what the figure does not take.
-[[nodiscard]] PaperOptions paper_options(const PlotArguments& options, const NamedFigure& figure,
-                                         const ResultInput& input);
+[[nodiscard]] FigureOptions figure_options(const PlotArguments& options, const NamedFigure& figure,
+                                           const ResultInput& input);
 
 }  // namespace microslip::app

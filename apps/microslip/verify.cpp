@@ -45,7 +45,9 @@ void write_outputs(const VerifyOptions& options, const VerifiedRecordings& verif
   OutputFiles outputs;
   add_tables(verified, options.tables, command, outputs);
   if (!options.picture.empty()) {
-    const FigureGrid figure = verification_figure(verified.batch.records);
+    ExperimentResults results;
+    add_verified(verified.batch.records, results);
+    const FigureGrid figure = verification_figure(results);
     outputs.add(options.picture, draw(figure, picture_format("--picture", options.picture),
                                       verification_size(figure)));
   }

@@ -44,8 +44,8 @@ microslip::Figure empty_figure() {
   figure.title = "Loops of an Iwan joint";
   figure.subtitle =
       "steady cycles of rising amplitude, and the virgin curve on which their tips lie";
-  figure.x = {.label = "displacement x [µm]"};
-  figure.y = {.label = "force f [N]"};
+  figure.x = {.label = "displacement x", .unit = "µm"};
+  figure.y = {.label = "force f", .unit = "N"};
   figure.legend = microslip::Legend::kRight;
   return figure;
 }

@@ -75,8 +75,8 @@ double share_at_slope_three(const Joint& joint) {
 microslip::FigureGrid picture_of(const Joint& joint, const Curve& curve) {
   microslip::Figure loss;
   loss.title = "Dissipation";
-  loss.x = {.label = "force amplitude f [N]", .log = true};
-  loss.y = {.label = "dissipation per cycle D [J]", .log = true};
+  loss.x = {.label = "force amplitude f", .unit = "N", .log = true};
+  loss.y = {.label = "dissipation per cycle D", .unit = "J", .log = true};
   std::vector<double> power(curve.force.size());
   std::ranges::transform(curve.force, power.begin(), [&](double f) {
     return curve.loss.front() * std::pow(f / curve.force.front(), 2.5);
@@ -91,8 +91,8 @@ microslip::FigureGrid picture_of(const Joint& joint, const Curve& curve) {
 
   microslip::Figure slope;
   slope.title = "Slope of log D over log f";
-  slope.x = {.label = "force amplitude over macro-slip force f/f_y [1]", .log = true};
-  slope.y = {.label = "slope [1]", .range = microslip::AxisRange{2.0, 6.0}};
+  slope.x = {.label = "force amplitude over macro-slip force f/f_y", .unit = "1", .log = true};
+  slope.y = {.label = "slope", .unit = "1", .range = microslip::AxisRange{2.0, 6.0}};
   const std::vector<double> share = scaled(curve.force, joint.macroslip_force());
   slope.layers.emplace_back(microslip::LineLayer{
       {share.front(), share.back()},

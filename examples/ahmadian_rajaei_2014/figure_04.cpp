@@ -121,8 +121,8 @@ std::vector<double> damping_of(const std::vector<PeakOf>& peaks) {
 microslip::FigureGrid picture_of(const Sweep& sweep) {
   microslip::Figure responses;
   responses.title = "Receptance at constant displacement X";
-  responses.x = {.label = "frequency [Hz]"};
-  responses.y = {.label = "receptance X/F [m/N]", .log = true};
+  responses.x = {.label = "frequency", .unit = "Hz"};
+  responses.y = {.label = "receptance X/F", .unit = "m/N", .log = true};
   for (std::size_t i = 0; i < sweep.curves.size(); ++i) {
     microslip::LineLayer line;
     for (const SteadyVibration& point : sweep.curves[i].points) {
@@ -135,8 +135,8 @@ microslip::FigureGrid picture_of(const Sweep& sweep) {
   }
   microslip::Figure damping;
   damping.title = "Their half-power damping";
-  damping.x = {.label = "displacement amplitude X [m]", .log = true};
-  damping.y = {.label = "damping ratio ζ [%]"};
+  damping.x = {.label = "displacement amplitude X", .unit = "m", .log = true};
+  damping.y = {.label = "damping ratio ζ", .unit = "%"};
   const std::vector<double> fine =
       equal_ratios(sweep.amplitude.front(), sweep.amplitude.back(), 200);
   std::vector<double> expected(fine.size());

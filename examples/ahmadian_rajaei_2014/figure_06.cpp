@@ -4,7 +4,8 @@
 
 #include "figures.hpp"
 #include "microslip/base/units.hpp"
-#include "microslip/report/rig_figures.hpp"
+#include "microslip/report/level_figures.hpp"
+#include "microslip/workflow/recordings_reduction.hpp"
 
 namespace ahmadian_rajaei {
 namespace {
@@ -25,8 +26,9 @@ Reproduction figure_06(const Experiment& experiment) {
   const std::vector<double> resonance = column(experiment, &ReducedLevel::resonance_frequency);
   const std::vector<double> drive = column(experiment, &ReducedLevel::frequency);
 
-  microslip::Figure figure =
-      microslip::resonance_figure("Resonance over level", experiment.levels, "g");
+  microslip::Figure figure = microslip::resonance_figure(
+      {.levels = microslip::measured_levels(experiment.levels)}, {.response_unit = "g"});
+  figure.title = "Resonance over level";
   figure.subtitle = "first bending mode of the beam on its frictional support";
   Reproduction made{.name = "fig_06", .title = "Resonance over level", .picture = figure};
   microslip::CsvWriter table;

@@ -6,6 +6,7 @@
 #include <complex>
 #include <numbers>
 #include <span>
+#include <utility>
 
 #include "curves.hpp"
 #include "figures.hpp"
@@ -70,10 +71,12 @@ Reproduction figure_07(const Experiment& experiment) {
   const VirtualLevel& highest = experiment.test.levels.back();
   const RecordedForce before = recorded_force(experiment, highest.uncontrolled, 0);
   const RecordedForce after = recorded_force(experiment, highest.controlled, 1);
+  microslip::FigureGrid picture =
+      microslip::force_control_figure(experiment.test.levels, kHarmonics, {.response_unit = "g"});
+  picture.title = "Control of the force";
   Reproduction made{.name = "fig_07",
                     .title = "Force before and after the control of its harmonics",
-                    .picture = microslip::force_control_figure(
-                        "Control of the force", experiment.test.levels, kHarmonics, "g")};
+                    .picture = std::move(picture)};
   made.size = {.width = 1500, .height = 480};
   CurveTable histories({{"time", microslip::kTime}, {"force", microslip::kForce}});
   histories.add("before control", {before.time, before.force});

@@ -7,7 +7,8 @@
 #include "curves.hpp"
 #include "figures.hpp"
 #include "microslip/joint/dissipation.hpp"
-#include "microslip/report/rig_figures.hpp"
+#include "microslip/report/level_figures.hpp"
+#include "microslip/workflow/recordings_reduction.hpp"
 
 namespace ahmadian_rajaei {
 namespace {
@@ -46,17 +47,17 @@ double largest_error(const Energies& energies) {
 }
 
 microslip::FigureGrid picture_of(const Experiment& experiment) {
-  microslip::Figure share =
-      microslip::linear_share_figure("Share of the linear loss", experiment.levels);
-  share.layers.emplace_back(microslip::LineLayer{
-      {0.0, experiment.levels.back().amplitude.value / kMicrometre},
-      {15.0, 15.0},
+  const microslip::ExperimentResults results{
+      .levels = microslip::measured_levels(experiment.levels), .truth = experiment.truth};
+  microslip::FigureOptions options;
+  options.beside = {microslip::LineLayer{
+      {0.0, experiment.levels.back().amplitude.value},
+      {0.15, 0.15},
       "15 %, the paper's at high level",
-      {.colour = microslip::kGrey, .style = microslip::LineStyle::kDashed, .width = 1.4}});
+      {.colour = microslip::kGrey, .style = microslip::LineStyle::kDashed, .width = 1.4}}};
   return {"Where the energy goes",
           2,
-          {microslip::energies_figure("Energy per cycle", experiment.levels, &experiment.truth),
-           share}};
+          {microslip::energies_figure(results), microslip::linear_share_figure(results, options)}};
 }
 
 }  // namespace

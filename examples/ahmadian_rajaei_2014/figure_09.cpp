@@ -104,8 +104,8 @@ microslip::PointLayer slopes_by_differences(const microslip::Levels& levels) {
 microslip::Figure slope_figure(const Answers& answers, const Lines& lines) {
   microslip::Figure figure;
   figure.title = "Slope of the dissipation";
-  figure.x = {.label = "joint amplitude A [µm]"};
-  figure.y = {.label = "slope D′ [N]"};
+  figure.x = {.label = "joint amplitude A", .unit = "µm"};
+  figure.y = {.label = "slope D′", .unit = "N"};
   figure.layers.emplace_back(slopes_by_differences(answers.levels));
   for (std::size_t i = kPaper + 1; i < lines.slope.size(); ++i) {
     figure.layers.emplace_back(microslip::LineLayer{scaled(lines.amplitude, kMicrometre),
@@ -123,9 +123,10 @@ microslip::LineLayer density_line(const Lines& lines, std::size_t i) {
 microslip::Figure empty_density_figure(const char* title, const Lines& lines) {
   microslip::Figure figure;
   figure.title = title;
-  figure.x = {.label = "slip force f* [N]",
+  figure.x = {.label = "slip force f*",
+              .unit = "N",
               .range = microslip::AxisRange{0.0, 1.03 * lines.slip_force.back()}};
-  figure.y = {.label = "density φ [1/kN]"};
+  figure.y = {.label = "density φ", .unit = "1/kN"};
   return figure;
 }
 

@@ -89,12 +89,12 @@ microslip::FigureGrid picture_of(const Loop& truth, const std::vector<Regenerate
   const std::vector<double> x = scaled(truth.displacement, kMicrometre);
   microslip::Figure all;
   all.title = "Regenerated loops";
-  all.x = {.label = "displacement u [µm]"};
-  all.y = {.label = "force [N]"};
+  all.x = {.label = "displacement u", .unit = "µm"};
+  all.y = {.label = "force", .unit = "N"};
   microslip::Figure apart;
   apart.title = "Difference to the loop of the true joint";
   apart.x = all.x;
-  apart.y = {.label = "force difference [N]"};
+  apart.y = {.label = "force difference", .unit = "N"};
   for (const auto& [name, force, stroke] : loops) {
     all.layers.emplace_back(microslip::LoopLayer{x, force, name, stroke});
     std::vector<double> difference(force.size());

@@ -14,6 +14,7 @@
 #include "figures.hpp"
 #include "microslip/report/verification_figure.hpp"
 #include "microslip/rig/verification.hpp"
+#include "microslip/workflow/recordings_verification.hpp"
 
 namespace ahmadian_rajaei {
 namespace {
@@ -99,7 +100,9 @@ Reproduction figure_11(const Grid& grid, const Experiment& experiment) {
                           acceleration.predicted_history});
     add_findings(made, verified, level, rig, most_apart);
   }
-  microslip::FigureGrid picture = microslip::verification_figure(records, "g");
+  microslip::ExperimentResults results;
+  microslip::add_verified(records, results);
+  microslip::FigureGrid picture = microslip::verification_figure(results, {.response_unit = "g"});
   picture.title = "Response predicted by the identified joint and seven modes";
   made.size = microslip::verification_size(picture);
   made.picture = std::move(picture);

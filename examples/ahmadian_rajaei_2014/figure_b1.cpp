@@ -92,16 +92,16 @@ const Case kCases[] = {
 microslip::Figure loops_figure() {
   microslip::Figure figure;
   figure.title = "Loops under p = 1 + 0.9 sin² 2πt";
-  figure.x = {.label = "displacement x [m]"};
-  figure.y = {.label = "force f [N]"};
+  figure.x = {.label = "displacement x", .unit = "m"};
+  figure.y = {.label = "force f", .unit = "N"};
   return figure;
 }
 
 microslip::Figure densities_figure() {
   microslip::Figure figure;
   figure.title = "Density from the return branch, p neglected";
-  figure.x = {.label = "slip force f* [N]"};
-  figure.y = {.label = "density φ [1/N]"};
+  figure.x = {.label = "slip force f*", .unit = "N"};
+  figure.y = {.label = "density φ", .unit = "1/N"};
   // From right to left: with AVX-512, GCC 12.2 writes constants {a, a, 0, 0} as {a, a, a, a}.
   figure.layers.emplace_back(microslip::LineLayer{{kAmplitude, kLargest, kLargest, 0.0},
                                                   {0.0, 0.0, kDensity, kDensity},

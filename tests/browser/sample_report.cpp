@@ -42,58 +42,47 @@ ReportFigure points_and_lines() {
   const std::vector<double> d = mapped(a, [](double x) { return 1e-3 * std::pow(x, 2.4); });
   std::vector<double> broken = d;
   broken[40] = kNan;
+  PointLayer measured{.x = a, .y = d, .legend = "measured", .colour = kBlack};
+  measured.y_error = mapped(d, [](double v) { return 0.05 * v; });
+  BandLayer band{.x = a, .legend = kLink};
+  band.lower = mapped(d, [](double v) { return v > 10.0 ? 0.8 * v : 0.0; });
+  band.upper = mapped(d, [](double v) { return 1.2 * v; });
   return {
-      .title = "Dissipation",
-      .caption = "Points with bars, a line with a gap, an area.",
-      .x = {.label = "amplitude A", .unit = "µm", .log = true, .log_switch = true},
-      .y = {.label = "energy per cycle", .unit = "mJ", .log = true, .log_switch = true},
-      .choices = {{"",
-                   {{.name = "measured",
-                     .kind = TraceKind::kPoints,
-                     .x = a,
-                     .y = d,
-                     .y_std = mapped(d, [](double v) { return 0.05 * v; }),
-                     .stroke = {.colour = kBlack}},
-                    {.name = "identified", .x = a, .y = broken, .stroke = {.colour = kBlue}},
-                    {.name = kLink,
-                     .kind = TraceKind::kBand,
-                     .x = a,
-                     .lower = mapped(d, [](double v) { return v > 10.0 ? 0.8 * v : 0.0; }),
-                     .upper = mapped(d, [](double v) { return 1.2 * v; }),
-                     .stroke = {.colour = kBlue}},
-                    {.name = "kA of the lowest level", .kind = TraceKind::kMarker, .x = {10.0}}}}}};
+      .figure = {.title = "Dissipation",
+                 .caption = "Points with bars, a line with a gap, an area.",
+                 .x = {.label = "amplitude A", .unit = "µm", .log = true, .log_switch = true},
+                 .y = {.label = "energy per cycle", .unit = "mJ", .log = true, .log_switch = true},
+                 .layers = {measured, LineLayer{a, broken, "identified"}, band,
+                            MarkerLayer{.x = 10.0, .label = "kA of the lowest level"}}}};
 }
 
 ReportFigure loops() {
-  ReportFigure figure{.title = "Loops",
-                      .x = {.label = "displacement", .unit = "µm"},
-                      .y = {.label = "force", .unit = "N"},
-                      .choices = {{"", {}}}};
+  ReportFigure figure{.figure = {.title = "Loops",
+                                 .x = {.label = "displacement", .unit = "µm"},
+                                 .y = {.label = "force", .unit = "N"}}};
   for (int i = 0; i < 3; ++i) {
-    ReportTrace loop{.name = "loop " + std::to_string(i) + (i == 0 ? kLink : ""),
-                     .kind = TraceKind::kLoop};
-    loop.stroke.colour = i;
+    LoopLayer loop{.legend = "loop " + std::to_string(i) + (i == 0 ? kLink : ""),
+                   .stroke = {.colour = i}};
     for (int j = 0; j < 100; ++j) {
       const double angle = 2.0 * std::numbers::pi * j / 100.0;
       loop.x.push_back(300.0 * std::cos(angle));
       loop.y.push_back(40.0 * std::cos(angle + 0.1 * (i + 1)));
     }
-    figure.choices[0].traces.push_back(std::move(loop));
+    figure.figure.layers.emplace_back(std::move(loop));
   }
   return figure;
 }
 
 ReportFigure history(const std::string& title, const std::string& unit) {
-  ReportFigure figure{.title = title,
+  ReportFigure figure{.figure = {.title = title,
+                                 .x = {.label = "time", .unit = "s"},
+                                 .y = {.label = "signal", .unit = unit}},
                       .chart = ChartKind::kTimeHistory,
-                      .x = {.label = "time", .unit = "s"},
-                      .y = {.label = "signal", .unit = unit},
                       .choose = "Level",
-                      .choices = {},
                       .wide = true};
   for (int level = 1; level <= 3; ++level) {
-    ReportTrace one{.name = kHostile, .stroke = {.colour = kBlue}};
-    ReportTrace other{.name = kLink, .stroke = {.colour = kVermillion}};
+    LineLayer one{.legend = kHostile, .stroke = {.colour = kBlue}};
+    LineLayer other{.legend = kLink, .stroke = {.colour = kVermillion}};
     for (int i = 0; i < 300; ++i) {
       one.x.push_back(1e-4 * i);
       one.y.push_back(level * std::sin(0.0419 * i));
@@ -107,13 +96,14 @@ ReportFigure history(const std::string& title, const std::string& unit) {
 }
 
 ReportFigure harmonics() {
-  ReportFigure figure{.title = "Harmonics of the force",
-                      .x = {.label = "harmonic", .unit = "1"},
-                      .y = {.label = "share", .unit = "%", .log = true, .log_switch = true},
-                      .choose = "Level"};
+  ReportFigure figure{
+      .figure = {.title = "Harmonics of the force",
+                 .x = {.label = "harmonic", .unit = "1"},
+                 .y = {.label = "share", .unit = "%", .log = true, .log_switch = true}},
+      .choose = "Level"};
   for (int level = 1; level <= 3; ++level) {
-    ReportTrace before{.name = "before", .kind = TraceKind::kBars, .stroke = {.colour = kGrey}};
-    ReportTrace after{.name = "after", .kind = TraceKind::kBars, .stroke = {.colour = kBlue}};
+    BarLayer before{.legend = "before", .colour = kGrey};
+    BarLayer after{.legend = "after", .colour = kBlue};
     for (int n = 2; n <= 10; ++n) {
       before.x.push_back(n);
       before.y.push_back(8.0 * level / n);

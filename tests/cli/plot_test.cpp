@@ -168,7 +168,7 @@ TEST(plot, AFolderAsTheReportTakesIt) {
   expect_parts(svg_of(box, {"test", "--figure", "constant-response"}),
                {label("acceleration over force [m/s²/N]"), label("2 m/s²"), label("10 m/s²")});
   expect_parts(svg_of(box, {"test", "--figure", "verification"}),
-               {label("(a) 2 m/s², 50.00 Hz"), label("NRMSE 2.0 %")});
+               {label("(a) 2 m/s², 50.00 Hz"), label("NRMSE 2.0 %, noise 1.0 %")});
   expect_parts(svg_of(box, {"test", "--figure", "density"}), {label("truth")});
   EXPECT_EQ(circles(svg_of(box, {"test", "--figure", "stiffness"})), 4U);
 }
@@ -272,7 +272,7 @@ TEST(plot, AFolderOfFoldersNamesThem) {
   const Sandbox box;
   std::filesystem::create_directories(box.file("demo/none"));
   expect_refused(box, {"plot", "demo"},
-                 {"IN = 'demo'; holds nothing of which there is a figure.",
+                 {"input = 'demo'; holds nothing of which there is a figure.",
                   "Name a folder that holds levels.csv or joint.json"});
   for (const std::string name : {"b", "a"}) {
     std::filesystem::create_directory(box.file("demo/" + name));

@@ -74,7 +74,7 @@ const ReportFigure& figure(const ReportDocument& document, std::string_view titl
   for (const ReportSection& part : document.sections) {
     for (const ReportBlock& block : part.blocks) {
       const auto* found = std::get_if<ReportFigure>(&block);
-      if (found != nullptr && found->title == title) return *found;
+      if (found != nullptr && found->figure.title == title) return *found;
     }
   }
   ADD_FAILURE() << "no figure " << title;
@@ -83,11 +83,32 @@ const ReportFigure& figure(const ReportDocument& document, std::string_view titl
 
 const ReportFigure& figure(const ReportDocument&& document, std::string_view title) = delete;
 
-const ReportTrace& trace(const ReportFigure& in, std::string_view name) {
-  const std::vector<ReportTrace>& traces = in.choices.at(in.chosen).traces;
-  const auto found = std::ranges::find(traces, name, &ReportTrace::name);
-  if (found == traces.end()) throw std::runtime_error("no trace " + std::string(name));
-  return *found;
+/// The points of a line, marks, bars or a band.
+struct Drawn {
+  std::vector<double> x;
+  std::vector<double> y;  // the upper edge of a band
+  bool shown = true;
+};
+
+Drawn drawn(const Layer& layer) {
+  return std::visit(
+      [](const auto& concrete) -> Drawn {
+        if constexpr (requires { concrete.y; }) {
+          return {concrete.x, concrete.y, concrete.shown};
+        } else if constexpr (requires { concrete.upper; }) {
+          return {concrete.x, concrete.upper, concrete.shown};
+        } else {
+          return {{concrete.x}, {}};
+        }
+      },
+      layer);
+}
+
+Drawn trace(const ReportFigure& in, std::string_view name) {
+  const std::vector<Layer>& layers = chosen_layers(in);
+  const auto found = std::ranges::find(layers, name, name_of);
+  if (found == layers.end()) throw std::runtime_error("no trace " + std::string(name));
+  return drawn(*found);
 }
 
 double largest(const std::vector<double>& values) {
@@ -186,11 +207,11 @@ TEST(ExperimentReport, EnergiesAreInMillijoulesOverMicrometres) {
   const ExperimentResults results = exact_results();
   const ReportDocument document = experiment_report(results);
   const ReportFigure& energies = figure(document, "Energies per cycle");
-  const ReportTrace& input = trace(energies, "input energy");
+  const Drawn input = trace(energies, "input energy");
   EXPECT_DOUBLE_EQ(input.x.back(), 300.0);
   EXPECT_DOUBLE_EQ(input.y.back(), 1e3 * results.levels->input_energy.back());
-  EXPECT_EQ(energies.x.unit, "µm");
-  EXPECT_EQ(energies.y.unit, "mJ");
+  EXPECT_EQ(energies.figure.x.unit, "µm");
+  EXPECT_EQ(energies.figure.y.unit, "mJ");
   const ReportFigure& share = figure(document, "Share of the linear loss");
   EXPECT_DOUBLE_EQ(trace(share, "linear loss").y[0], 50.0);
 }
@@ -206,7 +227,7 @@ TEST(ExperimentReport, DensityAndSlopeOfAUniformJoint) {
   EXPECT_NEAR(trace(slope, "identified joint").y.back(), 2.0 * 30.0 * 30.0 / 40.0, 1e-9);
   // Between levels h = 15 µm apart the slope of the quadratic D′ is right to k²h²/(6·40) N = 9e-3
   // N.
-  const ReportTrace& differences = trace(slope, "differences");
+  const Drawn differences = trace(slope, "differences");
   const double middle = 1e-6 * differences.x.back() * kStiffness;
   EXPECT_NEAR(differences.y.back(), 2.0 * middle * middle / 40.0, 1e-2);
 }
@@ -224,7 +245,7 @@ TEST(ExperimentReport, ErrorOfTheReductionWhereTheTruthIsKnown) {
   exact.levels.secant_stiffness.clear();
   results.true_levels = exact;
   const ReportDocument document = experiment_report(results);
-  const ReportTrace& error = trace(figure(document, "Error of the reduction"), "D");
+  const Drawn error = trace(figure(document, "Error of the reduction"), "D");
   ASSERT_EQ(error.x.size(), kLevels - 1);
   EXPECT_NEAR(error.y[6], 2.0, 1e-12);  // %
   EXPECT_NEAR(error.y[5], 0.0, 1e-12);
@@ -236,8 +257,8 @@ TEST(ExperimentReport, LoopsAreClosedAndOfTheDissipation) {
   ASSERT_EQ(loops.choices.size(), 4);
   EXPECT_EQ(loops.choices[0].name, "300 µm");
   EXPECT_EQ(loops.choices[2].name, "150 µm");
-  ASSERT_EQ(loops.choices[0].traces.size(), 5);  // identified, three splines, truth
-  const ReportTrace& loop = trace(loops, "identified joint");
+  ASSERT_EQ(loops.choices[0].layers.size(), 5);  // identified, three splines, truth
+  const Drawn loop = trace(loops, "identified joint");
   double area = 0.0;
   for (std::size_t i = 0; i < loop.x.size(); ++i) {
     const std::size_t next = (i + 1) % loop.x.size();
@@ -253,15 +274,15 @@ TEST(ExperimentReport, LoopsAreClosedAndOfTheDissipation) {
 TEST(ExperimentReport, DensitiesAlongThePath) {
   const ReportDocument document = experiment_report(exact_results());
   const ReportFigure& path = figure(document, "Density along the path");
-  ASSERT_EQ(path.choices[0].traces.size(), 5);
+  ASSERT_EQ(path.figure.layers.size(), 5);
   double last = 0.0;
-  for (const ReportTrace& one : path.choices[0].traces) {
-    const std::size_t comma = one.name.find(", ");
-    const double freedom = std::stod(one.name.substr(comma + 2));
-    EXPECT_GE(freedom, last) << one.name;
+  for (const Layer& one : path.figure.layers) {
+    const std::size_t comma = name_of(one).find(", ");
+    const double freedom = std::stod(name_of(one).substr(comma + 2));
+    EXPECT_GE(freedom, last) << name_of(one);
     last = freedom;
   }
-  EXPECT_TRUE(contains(path.choices[0].traces[2].name, "chosen λ"));
+  EXPECT_TRUE(contains(name_of(path.figure.layers[2]), "chosen λ"));
 }
 
 // A joint identified with a fixed λ is compared with others by that λ.
@@ -270,8 +291,8 @@ TEST(ExperimentReport, TheOptionsOfTheJointAreThoseOfThePath) {
   results.options.inversion.lambda = 12.5;
   const ReportDocument document = experiment_report(results);
   const ReportFigure& path = figure(document, "Path of the smoothing parameter");
-  EXPECT_TRUE(contains(path.choices[0].traces[1].name, "chosen: λ = 12.5,"))
-      << path.choices[0].traces[1].name;
+  EXPECT_TRUE(contains(name_of(path.figure.layers[1]), "chosen: λ = 12.5,"))
+      << name_of(path.figure.layers[1]);
 }
 
 // βA² with β = 50 J/m² on top of the exact D.
@@ -285,9 +306,10 @@ TEST(ExperimentReport, LinearDampingIsShownAndTakenOff) {
   }
   const ReportDocument document = experiment_report(results);
   const ReportFigure& energies = figure(document, "Energies per cycle");
-  EXPECT_NEAR(trace(energies, "linear damping βA²").y.back(), 1e3 * kBeta * 9e-8, 1e-12);  // mJ
-  EXPECT_NEAR(trace(energies, "identified joint and linear damping").y.back(),
-              1e3 * levels.dissipation.back(), 1e-9);
+  const double total = trace(energies, "with damping βA²").y.back();
+  EXPECT_NEAR(total - trace(energies, "identified joint").y.back(), 1e3 * kBeta * 9e-8,
+              1e-12);  // mJ
+  EXPECT_NEAR(total, 1e3 * levels.dissipation.back(), 1e-9);
   EXPECT_LT(largest(trace(figure(document, "Residuals of D"), "levels").y), 1e-10);  // %
   const ReportFigure& loss = figure(document, "Loss factor of the joint");
   EXPECT_NEAR(trace(loss, "measured").y[0], trace(loss, "identified joint").y[0], 1e-12);
@@ -328,14 +350,14 @@ TEST(ExperimentReport, ShowsAtoms) {
       << summary_text(document);
   const ReportFigure& density = figure(document, "Slip-force density");
   EXPECT_EQ(trace(density, "atom").x, std::vector<double>{25.0});
-  EXPECT_TRUE(contains(density.caption, "An atom")) << density.caption;
+  EXPECT_TRUE(contains(density.figure.caption, "An atom")) << density.figure.caption;
 }
 
 // Three levels are too few for the methods.
 TEST(ExperimentReport, LoopsSayNothingOfSplinesThatAreNotDrawn) {
   ExperimentResults results = exact_results();
   const ReportDocument whole = experiment_report(results);
-  EXPECT_TRUE(contains(figure(whole, "Regenerated loops").caption, "spline"));
+  EXPECT_TRUE(contains(figure(whole, "Regenerated loops").figure.caption, "spline"));
   const Levels all = results.levels->levels;
   results.levels = MeasuredLevels{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -343,7 +365,7 @@ TEST(ExperimentReport, LoopsSayNothingOfSplinesThatAreNotDrawn) {
     results.levels->levels.dissipation.push_back(all.dissipation[i]);
   }
   const ReportDocument few = experiment_report(results);
-  EXPECT_FALSE(contains(figure(few, "Regenerated loops").caption, "spline"));
+  EXPECT_FALSE(contains(figure(few, "Regenerated loops").figure.caption, "spline"));
 }
 
 TEST(ExperimentReport, AParametricModelHasNoSmoothing) {
@@ -466,7 +488,7 @@ TEST(ExperimentReport, ScatterOfTheAmplitudeCountsThroughTheSlope) {
   const ReportFigure& residuals = figure(document, "Standardised residuals");
   // By ± σ_A, which is a third of a percent: 1e-5 off the slope.
   EXPECT_NEAR(trace(residuals, "levels").y[0], std::sqrt(0.5), 1e-5);
-  EXPECT_TRUE(contains(residuals.caption, "Their rms is 0.71")) << residuals.caption;
+  EXPECT_TRUE(contains(residuals.figure.caption, "Their rms is 0.71")) << residuals.figure.caption;
 }
 
 TEST(ExperimentReport, ResidualsInStandardDeviations) {
@@ -477,7 +499,7 @@ TEST(ExperimentReport, ResidualsInStandardDeviations) {
     levels.dissipation[i] += (i % 2 == 0 ? 0.5 : -1.5) * levels.dissipation_std[i];
   }
   const ReportDocument document = experiment_report(results);
-  const ReportTrace& residuals = trace(figure(document, "Standardised residuals"), "levels");
+  const Drawn residuals = trace(figure(document, "Standardised residuals"), "levels");
   EXPECT_NEAR(residuals.y[0], 0.5, 1e-9);
   EXPECT_NEAR(residuals.y[1], -1.5, 1e-9);
 }
@@ -515,7 +537,8 @@ TEST(ExperimentReport, TheFrequencyOfTheDriveWhereThatIsAllThatIsKnown) {
   const ReportDocument document = experiment_report(results);
   const ReportFigure& resonance = figure(document, "Resonance frequency");
   EXPECT_EQ(trace(resonance, "drive").y.size(), kLevels);
-  EXPECT_TRUE(contains(resonance.caption, "The frequency of the drive")) << resonance.caption;
+  EXPECT_TRUE(contains(resonance.figure.caption, "The frequency of the drive"))
+      << resonance.figure.caption;
 }
 
 TEST(ExperimentReport, ADistortionOfZeroIsBelowTheNoise) {
@@ -631,9 +654,12 @@ TEST(ExperimentReport, PredictionsAndTheWorstOfThem) {
   EXPECT_EQ(table.marked, (std::vector<std::size_t>{1}));
   EXPECT_NEAR(trace(figure(document, "Amplitude error"), "force").y[0], 1.0, 1e-12);  // %
   EXPECT_DOUBLE_EQ(trace(figure(document, "Phase error"), "force").y[0], 3.0);        // mrad
-  const ReportFigure& misfit = figure(document, "Misfit of the prediction");
-  EXPECT_EQ(trace(misfit, "acc1").x, (std::vector{1.0, 2.0}));
-  EXPECT_EQ(trace(misfit, "acc1, noise").y, (std::vector{0.5, 25.0}));
+  ReportFigure misfit = figure(document, "Misfit of the prediction");
+  ASSERT_EQ(misfit.choices.size(), 2U);
+  EXPECT_EQ(misfit.choices[1].name, "acc1");
+  misfit.chosen = 1;
+  EXPECT_EQ(trace(misfit, "prediction").x, (std::vector{1.0, 2.0}));
+  EXPECT_EQ(trace(misfit, "noise alone").y, (std::vector{0.5, 25.0}));
   const auto& certainty = std::get<ReportFacts>(section(document, "Summary").blocks.back());
   EXPECT_EQ(certainty.facts.back().second,
             "at most 16.6 % beyond the noise (acc1, b.csv); NRMSE with the noise at most 30.0 %");
@@ -660,7 +686,7 @@ TEST(ExperimentReport, LevelsThatNoMethodTakesAreShownAllTheSame) {
   ExperimentResults results = exact_results();
   results.levels->levels.dissipation.assign(kLevels, 0.0);
   const ReportDocument document = experiment_report(results);
-  EXPECT_EQ(figure(document, "Energies per cycle").choices[0].traces[1].y.size(), kLevels);
+  EXPECT_EQ(trace(figure(document, "Energies per cycle"), "linear loss").y.size(), kLevels);
   bool said = false;
   for (const ReportBlock& block : section(document, "Summary").blocks) {
     const auto* warnings = std::get_if<ReportWarnings>(&block);
@@ -698,8 +724,7 @@ TEST(ExperimentReport, ResponsesWithoutTheirAmplitudesInTheLevels) {
   ExperimentResults results = all_results();
   results.levels->response_amplitude.clear();
   const ReportDocument document = experiment_report(results);
-  EXPECT_EQ(figure(document, "Frequency responses at constant response").choices[0].traces.size(),
-            2U);
+  EXPECT_EQ(figure(document, "Frequency responses at constant response").figure.layers.size(), 2U);
 }
 
 }  // namespace

@@ -59,9 +59,10 @@ TEST(FigureFault, Looks) {
 }
 
 TEST(FigureFault, NothingToDraw) {
-  EXPECT_EQ(fault(Figure{}), "layers.size() = 0; a figure needs a line, a loop, points or a band");
+  EXPECT_EQ(fault(Figure{}),
+            "layers.size() = 0; a figure needs a line, a loop, points, a band or bars");
   EXPECT_EQ(fault(MarkerLayer{.x = 1.0}),
-            "layers.size() = 0; a figure needs a line, a loop, points or a band");
+            "layers.size() = 0; a figure needs a line, a loop, points, a band or bars");
   EXPECT_EQ(
       fault(Figure{.y = {.log = true}, .layers = {LineLayer{.x = {1.0, 2.0}, .y = {0.0, -1.0}}}}),
       "layers = no positive value; a logarithmic axis shows positive values only. Make the "
@@ -85,7 +86,7 @@ TEST(FigureFault, Grids) {
   EXPECT_EQ(input_fault([] {
               check_figure(FigureGrid{.panels = {density_figure(), {}}});
             }),
-            "panels[1].layers.size() = 0; a figure needs a line, a loop, points or a band");
+            "panels[1].layers.size() = 0; a figure needs a line, a loop, points, a band or bars");
 }
 
 TEST(DrawnPieces, ALogarithmicAxisBreaksALine) {

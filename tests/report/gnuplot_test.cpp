@@ -96,6 +96,23 @@ TEST(GnuplotScript, HoldsTheDataInOrder) {
   EXPECT_TRUE(contains(script, "$data_0_2 using 1:2:5:6 with yerrorbars"));
 }
 
+// Two layers share 0.76 of a step of 1: from −0.38 to 0 and from 0 to 0.38 beside each number. The
+// lower end of a bar is 0 or, on a logarithmic axis, the end of that; a bar of 0 has no place there.
+TEST(GnuplotScript, BarsOfLayersStandSideBySide) {
+  Figure figure{
+      .y = {.range = AxisRange{0.1, 10.0}},
+      .layers = {BarLayer{.x = {2.0, 3.0}, .y = {5.0, 0.0}, .legend = "before"},
+                 BarLayer{.x = {2.0, 3.0}, .y = {1.0, 2.0}, .legend = "hidden", .shown = false},
+                 BarLayer{.x = {2.0, 3.0}, .y = {1.0, 0.5}, .legend = "after"}}};
+  const std::string linear = svg_script(figure);
+  EXPECT_TRUE(contains(linear, "EOD\n2 5 1.62 2 0 5\n3 0 2.62 3 0 0\nEOD\n")) << linear;
+  EXPECT_TRUE(contains(linear, "EOD\n2 1 2 2.38 0 1\n3 0.5 3 3.38 0 0.5\nEOD\n")) << linear;
+  EXPECT_TRUE(contains(linear, "with boxxyerror"));
+  EXPECT_FALSE(contains(linear, "hidden"));
+  figure.y.log = true;
+  EXPECT_TRUE(contains(svg_script(figure), "EOD\n2 5 1.62 2 0.1 5\nEOD\n"));
+}
+
 TEST(GnuplotScript, NamesTerminalAndTexts) {
   const std::string script = svg_script(density_figure());
   EXPECT_EQ(
@@ -210,7 +227,7 @@ TEST(GnuplotScriptFault, SizesAndFigures) {
             }),
             "width = 99; must be 100 to 10000 px");
   EXPECT_EQ(input_fault([] { return svg_script({}); }),
-            "layers.size() = 0; a figure needs a line, a loop, points or a band");
+            "layers.size() = 0; a figure needs a line, a loop, points, a band or bars");
 }
 
 TEST(Draw, Svg) {

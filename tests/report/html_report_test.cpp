@@ -20,10 +20,11 @@ namespace {
 const std::string kHostile = "</title></script><script>harm()</script>";
 
 ReportDocument sample() {
-  const ReportFigure figure{.title = "Loss " + kHostile,
-                            .x = {.label = "A", .unit = "µm"},
-                            .y = {.label = "D", .unit = "mJ"},
-                            .choices = {{"", {{.name = kHostile, .x = {1.0}, .y = {1.0}}}}}};
+  const ReportFigure figure{
+      .figure = {.title = "Loss " + kHostile,
+                 .x = {.label = "A", .unit = "µm"},
+                 .y = {.label = "D", .unit = "mJ"},
+                 .layers = {LineLayer{.x = {1.0}, .y = {1.0}, .legend = kHostile}}}};
   const ReportTable table{.title = "Levels",
                           .columns = {{"source"}, {"f", "Hz", 5}, {"n", "1", 0}},
                           .rows = {{kHostile, 55.7, 3.0}, {"b", 0.000123456, 12.0}},
@@ -119,10 +120,11 @@ TEST(HtmlReport, AFigureThatCannotBeDrawnHasNoPicture) {
 
 /// Figures with a picture of some bytes each.
 ReportDocument figures(std::size_t count) {
-  const ReportFigure figure{.title = "Loss",
-                            .x = {.label = "A", .unit = "µm"},
-                            .y = {.label = "D", .unit = "mJ"},
-                            .choices = {{"", {{.name = "a", .x = {1.0}, .y = {1.0}}}}}};
+  const ReportFigure figure{
+      .figure = {.title = "Loss",
+                 .x = {.label = "A", .unit = "µm"},
+                 .y = {.label = "D", .unit = "mJ"},
+                 .layers = {LineLayer{.x = {1.0}, .y = {1.0}, .legend = "a"}}}};
   return {.title = "Many", .sections = {{"One", std::vector<ReportBlock>(count, figure)}}};
 }
 

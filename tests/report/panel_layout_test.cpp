@@ -122,10 +122,19 @@ TEST(PanelLayout, ALegendInsideStaysInItsCorner) {
   EXPECT_LT(layout.legend_box.top, layout.axes.bottom + 0.5 * layout.axes.height());
 }
 
+TEST(PanelLayout, LayersWithOneLegendShareItsEntry) {
+  Figure figure = density_figure();
+  figure.layers.emplace_back(LineLayer{.x = {0.0}, .y = {0.0}, .legend = "truth"});
+  figure.layers.emplace_back(
+      LineLayer{.x = {0.0}, .y = {0.0}, .legend = "of a page alone", .shown = false});
+  EXPECT_EQ(panel_layout(figure, kSpace).legend.size(), 3U);
+}
+
 TEST(PanelLayout, ALegendThatIsTooLongSaysHowMuchIsLeftOut) {
   Figure figure = density_figure();
   for (int i = 0; i < 200; ++i) {
-    figure.layers.emplace_back(LineLayer{.x = {0.0}, .y = {0.0}, .legend = "one of very many"});
+    figure.layers.emplace_back(
+        LineLayer{.x = {0.0}, .y = {0.0}, .legend = "one of many " + std::to_string(i)});
   }
   for (const Legend legend : {Legend::kBelow, Legend::kRight, Legend::kTopLeft}) {
     figure.legend = legend;
@@ -175,7 +184,7 @@ TEST(PanelLayout, KeepsTheMarginsThatAreAskedFor) {
 }
 
 TEST(PanelLayout, NumbersOfALowAxisAreAsDenseAsTheyFit) {
-  const Figure figure{.y = {.label = "force [N]"},
+  const Figure figure{.y = {.label = "force", .unit = "N"},
                       .layers = {LineLayer{.x = {0.0, 1.0}, .y = {0.0, 100.0}}}};
   const PanelLayout layout =
       panel_layout(figure, {.left = 0.0, .bottom = 0.0, .right = 400.0, .top = 190.0});

@@ -101,10 +101,10 @@ TEST(PaperPicture, GivesLinesOfOneColourlessLookOtherDashes) {
   EXPECT_EQ(kinds.size(), 4U);
 }
 
-// The second of each joint has no name, and the dashes of the first.
+// The second of each joint shares the entry of the first, and its dashes.
 TEST(PaperPicture, LinesOfOneJointLookAlike) {
   FigureGrid grid{"", 1, {Figure{}}};
-  for (const std::string name : {"a", "", "b", ""}) {
+  for (const std::string name : {"a", "a", "b", "b"}) {
     const int colour = grid.panels[0].layers.size() < 2 ? kBlack : kBlue;
     grid.panels[0].layers.emplace_back(
         LineLayer{{0.0, 1.0}, {0.0, 1.0}, name, {.colour = colour, .style = LineStyle::kDotted}});

@@ -32,26 +32,26 @@ void expect_near(const Numbers& found, const Numbers& expected) {
 }
 
 TEST(PaperResponse, AtOneForceIsTheDisplacement) {
-  const FigureGrid grid = paper_response({{10.0, 11.0}, {0.5, 0.5}, {2e-3, 1e-3}, {0.5, 2.0}});
+  const FigureGrid grid = response_figure({{10.0, 11.0}, {0.5, 0.5}, {2e-3, 1e-3}, {0.5, 2.0}});
   ASSERT_EQ(grid.panels.size(), 2U);
   EXPECT_EQ(grid.columns, 1U);
-  EXPECT_EQ(grid.panels[0].y.label, "displacement amplitude [mm]");
+  EXPECT_EQ(axis_text(grid.panels[0].y), "displacement amplitude [mm]");
   EXPECT_TRUE(grid.panels[0].y.log);
   expect_near(line(grid.panels[0]).y, {2.0, 1.0});
-  EXPECT_EQ(grid.panels[1].y.label, "phase lag [°]");
+  EXPECT_EQ(axis_text(grid.panels[1].y), "phase lag [°]");
   EXPECT_TRUE(grid.panels[1].y.degrees);
   expect_near(line(grid.panels[1]).y, {0.5 * 180.0 / std::numbers::pi, 360.0 / std::numbers::pi});
 }
 
 TEST(PaperResponse, AtOneResponseIsOverTheForce) {
-  const FigureGrid grid = paper_response({{10.0, 11.0}, {0.5, 0.25}, {1e-3, 1e-3}, {0.5, 2.0}});
-  EXPECT_EQ(grid.panels[0].y.label, "displacement over force [mm/N]");
+  const FigureGrid grid = response_figure({{10.0, 11.0}, {0.5, 0.25}, {1e-3, 1e-3}, {0.5, 2.0}});
+  EXPECT_EQ(axis_text(grid.panels[0].y), "displacement over force [mm/N]");
   expect_near(line(grid.panels[0]).y, {2.0, 4.0});
 }
 
 TEST(PaperResponse, ThePhaseDoesNotJumpByATurn) {
   const FigureGrid grid =
-      paper_response({{10.0, 11.0, 12.0}, {1.0, 1.0, 1.0}, {1.0, 1.0, 1.0}, {3.0, -3.0, -0.1}});
+      response_figure({{10.0, 11.0, 12.0}, {1.0, 1.0, 1.0}, {1.0, 1.0, 1.0}, {3.0, -3.0, -0.1}});
   const double degrees = 180.0 / std::numbers::pi;
   expect_near(line(grid.panels[1]).y,
               {3.0 * degrees, 360.0 - 3.0 * degrees, 360.0 - 0.1 * degrees});
@@ -59,22 +59,22 @@ TEST(PaperResponse, ThePhaseDoesNotJumpByATurn) {
 
 TEST(PaperBackbone, IsOverTheAmplitude) {
   const PredictedBackbone backbone{{1e-6, 1e-3}, {50.0, 40.0}, {0.01, 0.03}};
-  const FigureGrid grid = paper_backbone(backbone);
-  EXPECT_EQ(grid.panels[0].x.label, "displacement amplitude [mm]");
+  const FigureGrid grid = backbone_figure(backbone);
+  EXPECT_EQ(axis_text(grid.panels[0].x), "displacement amplitude [mm]");
   EXPECT_TRUE(grid.panels[0].x.log) << "three decades";
   EXPECT_EQ(line(grid.panels[0]).y, (Numbers{50.0, 40.0}));
-  EXPECT_EQ(grid.panels[1].y.label, "damping ratio ζ [%]");
+  EXPECT_EQ(axis_text(grid.panels[1].y), "damping ratio ζ [%]");
   expect_near(line(grid.panels[1]).y, {1.0, 3.0});
-  EXPECT_FALSE(paper_backbone(backbone, {.scale = AmplitudeScale::kLinear}).panels[1].x.log);
+  EXPECT_FALSE(backbone_figure(backbone, {.scale = AmplitudeScale::kLinear}).panels[1].x.log);
 }
 
 TEST(PaperDissipationCurve, HasThePanelsOfTheTable) {
   const FigureGrid grid =
-      paper_dissipation(DissipationCurve{{1e-6, 2e-6}, {1e-9, 4e-9}, {1e5, 9e4}, {0.1, 0.2}});
+      joint_figures(DissipationCurve{{1e-6, 2e-6}, {1e-9, 4e-9}, {1e5, 9e4}, {0.1, 0.2}});
   ASSERT_EQ(grid.panels.size(), 3U);
   EXPECT_FALSE(grid.panels[0].x.log) << "less than a decade";
   expect_near(line(grid.panels[0]).y, {1.0, 4.0});
-  EXPECT_EQ(grid.panels[0].y.label, "dissipation per cycle D [nJ]");
+  EXPECT_EQ(axis_text(grid.panels[0].y), "dissipation per cycle D [nJ]");
   EXPECT_EQ(line(grid.panels[2]).y, (Numbers{0.1, 0.2}));
 }
 
@@ -84,15 +84,15 @@ TEST(PaperHistory, HasAPanelAQuantity) {
                                            {"acc1", "acceleration", "m/s^2", time, {3.0, 4.0}},
                                            {"acc2", "acceleration", "m/s^2", time, {5.0, 6.0}},
                                            {"odd", "odd", "", time, {7.0, 8.0}}};
-  const FigureGrid grid = paper_history(signals);
+  const FigureGrid grid = histories_figure(signals);
   ASSERT_EQ(grid.panels.size(), 3U);
   EXPECT_EQ(grid.columns, 1U);
-  EXPECT_EQ(grid.panels[0].y.label, "force [N]");
+  EXPECT_EQ(axis_text(grid.panels[0].y), "force [N]");
   EXPECT_EQ(line(grid.panels[0]).legend, "") << "the axis names it";
-  EXPECT_EQ(grid.panels[1].y.label, "acceleration [m/s²]");
+  EXPECT_EQ(axis_text(grid.panels[1].y), "acceleration [m/s²]");
   EXPECT_EQ(line(grid.panels[1], 1).legend, "acc2");
   EXPECT_EQ(line(grid.panels[1], 1).y, (Numbers{5.0, 6.0}));
-  EXPECT_EQ(grid.panels[2].y.label, "odd [?]");
+  EXPECT_EQ(axis_text(grid.panels[2].y), "odd [?]");
 }
 
 TEST(PaperHistory, TwoUnitsHaveTwoAxes) {
@@ -100,11 +100,11 @@ TEST(PaperHistory, TwoUnitsHaveTwoAxes) {
   const std::vector<HistorySignal> signals{{"p", "", "Pa", time, {1.0, 2.0}},
                                            {"e", "", "m/s", time, {3.0, 4.0}},
                                            {"q", "", "Pa", time, {5.0, 6.0}}};
-  const FigureGrid grid = paper_history(signals);
+  const FigureGrid grid = histories_figure(signals);
   ASSERT_EQ(grid.panels.size(), 2U);
-  EXPECT_EQ(grid.panels[0].y.label, "signal [Pa]");
+  EXPECT_EQ(axis_text(grid.panels[0].y), "signal [Pa]");
   EXPECT_EQ(line(grid.panels[0], 1).legend, "q");
-  EXPECT_EQ(grid.panels[1].y.label, "velocity [m/s]");
+  EXPECT_EQ(axis_text(grid.panels[1].y), "velocity [m/s]");
 }
 
 TEST(PaperHistory, KeepsPeaksOfALongRecord) {
@@ -113,7 +113,7 @@ TEST(PaperHistory, KeepsPeaksOfALongRecord) {
   for (std::size_t i = 0; i < kSamples; ++i) signal.time[i] = 1e-4 * static_cast<double>(i);
   signal.values[777] = 5.0;
   signal.values[55555] = -3.0;
-  const FigureGrid grid = paper_history(std::vector<HistorySignal>{signal});
+  const FigureGrid grid = histories_figure(std::vector<HistorySignal>{signal});
   const LineLayer& thin = line(grid.panels[0]);
   EXPECT_LE(thin.x.size(), 4000U);
   const auto peak = std::ranges::max_element(thin.y);
@@ -124,19 +124,19 @@ TEST(PaperHistory, KeepsPeaksOfALongRecord) {
 }
 
 TEST(PaperPath, IsForceOverDisplacement) {
-  const Figure figure = paper_path({0.0, 1e-4, -1e-4}, {0.0, 5.0, -5.0});
-  EXPECT_EQ(figure.x.label, "joint displacement [µm]");
+  const Figure figure = path_figure({0.0, 1e-4, -1e-4}, {0.0, 5.0, -5.0});
+  EXPECT_EQ(axis_text(figure.x), "joint displacement [µm]");
   expect_near(line(figure).x, {0.0, 100.0, -100.0});
 }
 
 TEST(PredictionFigures, RefuseWhatIsEmptyOrUneven) {
-  EXPECT_TRUE(contains(input_fault([] { return paper_response({}); }), "x.size() = 0"));
+  EXPECT_TRUE(contains(input_fault([] { return response_figure({}); }), "x.size() = 0"));
   EXPECT_TRUE(contains(input_fault([] {
-                         return paper_backbone({{1.0}, {1.0, 2.0}, {1.0}});
+                         return backbone_figure({{1.0}, {1.0, 2.0}, {1.0}});
                        }),
                        "y.size() = 2"));
-  EXPECT_TRUE(contains(input_fault([] { return paper_history({}); }), "needs a signal"));
-  EXPECT_TRUE(contains(input_fault([] { return paper_path({1.0}, {}); }), "y.size() = 0"));
+  EXPECT_TRUE(contains(input_fault([] { return histories_figure({}); }), "needs a signal"));
+  EXPECT_TRUE(contains(input_fault([] { return path_figure({1.0}, {}); }), "y.size() = 0"));
 }
 
 }  // namespace

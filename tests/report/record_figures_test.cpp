@@ -32,24 +32,26 @@ TEST(RecordFigures, EightChannelsOfAQuantityAtMostAndTheCaptionSaysSo) {
   const ReportSection section = signals_of(record_of(200));
   ASSERT_EQ(section.blocks.size(), 3);
   const auto& accelerations = std::get<ReportFigure>(section.blocks[0]);
-  ASSERT_EQ(accelerations.choices[0].traces.size(), 8);
-  EXPECT_EQ(accelerations.choices[0].traces[7].name, "a8");
-  EXPECT_EQ(accelerations.caption, "The first 8 of the 200 channels of the record are shown.");
+  ASSERT_EQ(accelerations.choices[0].layers.size(), 8);
+  EXPECT_EQ(name_of(accelerations.choices[0].layers[7]), "a8");
+  EXPECT_EQ(accelerations.figure.caption,
+            "The first 8 of the 200 channels of the record are shown.");
   const auto& force = std::get<ReportFigure>(section.blocks[1]);
-  EXPECT_EQ(force.choices[0].traces.size(), 1);
-  EXPECT_EQ(force.caption, "");
+  EXPECT_EQ(force.choices[0].layers.size(), 1);
+  EXPECT_EQ(force.figure.caption, "");
   const auto& harmonics = std::get<ReportFigure>(section.blocks[2]);
-  EXPECT_EQ(harmonics.choices[0].traces.size(), 9);  // with the line of 1 %
-  EXPECT_TRUE(test::contains(harmonics.caption, "The first 8 of the 200 channels"))
-      << harmonics.caption;
+  EXPECT_EQ(harmonics.choices[0].layers.size(), 9);  // with the line of 1 %
+  EXPECT_TRUE(test::contains(harmonics.figure.caption, "The first 8 of the 200 channels"))
+      << harmonics.figure.caption;
 }
 
 TEST(RecordFigures, AllOfFewChannels) {
   const ReportSection section = signals_of(record_of(8));
   const auto& accelerations = std::get<ReportFigure>(section.blocks[0]);
-  EXPECT_EQ(accelerations.choices[0].traces.size(), 8);
-  EXPECT_EQ(accelerations.caption, "");
-  EXPECT_FALSE(test::contains(std::get<ReportFigure>(section.blocks[2]).caption, "channels"));
+  EXPECT_EQ(accelerations.choices[0].layers.size(), 8);
+  EXPECT_EQ(accelerations.figure.caption, "");
+  EXPECT_FALSE(
+      test::contains(std::get<ReportFigure>(section.blocks[2]).figure.caption, "channels"));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "report/support.hpp"
 
@@ -16,11 +17,11 @@ using test::input_fault;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-ReportFigure figure_with(ReportTrace trace) {
-  return {.title = "F",
-          .x = {.label = "A", .unit = "m"},
-          .y = {.label = "D", .unit = "J"},
-          .choices = {{"", {std::move(trace)}}}};
+ReportFigure figure_with(Layer layer) {
+  return {.figure = {.title = "F",
+                     .x = {.label = "A", .unit = "m"},
+                     .y = {.label = "D", .unit = "J"},
+                     .layers = {std::move(layer)}}};
 }
 
 std::string fault(ReportBlock block) {
@@ -28,45 +29,54 @@ std::string fault(ReportBlock block) {
   return input_fault([&] { check_report(document); });
 }
 
-std::string trace_fault(ReportTrace trace) { return fault(figure_with(std::move(trace))); }
+std::string layer_fault(Layer layer) { return fault(figure_with(std::move(layer))); }
 
-constexpr const char* kTrace = "sections[0].blocks[0].choices[0].traces[0]";
+const std::string kBlock = "sections[0].blocks[0].";
+const std::string kLayer = kBlock + "figure.layers[0]";
 
-TEST(ReportDocument, AcceptsEveryKindOfTrace) {
-  EXPECT_EQ(trace_fault({.name = "a", .x = {1.0, 2.0}, .y = {1.0, kNan}}), "no error");
-  EXPECT_EQ(
-      trace_fault(
-          {.name = "a", .kind = TraceKind::kBand, .x = {1.0}, .lower = {0.0}, .upper = {0.0}}),
-      "no error");
-  EXPECT_EQ(trace_fault({.name = "a", .kind = TraceKind::kMarker, .x = {1.0}}), "no error");
+// A value along y that is no number is a gap.
+TEST(ReportDocument, AcceptsEveryKindOfLayer) {
+  const std::vector<double> two = {1.0, 2.0};
+  const std::vector<double> gap = {1.0, kNan};
+  EXPECT_EQ(layer_fault(LineLayer{.x = two, .y = gap}), "no error");
+  EXPECT_EQ(layer_fault(PointLayer{.x = two, .y = gap}), "no error");
+  EXPECT_EQ(layer_fault(BarLayer{.x = two, .y = gap}), "no error");
+  EXPECT_EQ(layer_fault(LoopLayer{.x = two, .y = two}), "no error");
+  EXPECT_EQ(layer_fault(BandLayer{.x = {1.0}, .lower = {0.0}, .upper = {0.0}}), "no error");
+  EXPECT_EQ(layer_fault(MarkerLayer{.x = 1.0}), "no error");
 }
 
-TEST(ReportDocumentFault, Traces) {
-  const std::string name = kTrace;
-  EXPECT_EQ(trace_fault({.name = "a"}), name + ".x.size() = 0; must be 1 or more");
-  EXPECT_EQ(trace_fault({.name = "a", .x = {1.0}, .y = {1.0}, .stroke = {.colour = -1}}),
-            name + ".stroke.colour = -1; must be 0 or more");
-  EXPECT_EQ(trace_fault({.name = "a", .x = {1.0}}), name + ".y.size() = 0; must be 1");
-  EXPECT_EQ(trace_fault({.name = "a", .x = {kNan}, .y = {1.0}}),
-            name + ".x[0] = nan; must be finite");
-  EXPECT_EQ(trace_fault({.name = "a", .x = {1.0}, .y = {1.0}, .y_std = {-1.0}}),
-            name + ".y_std[0] = -1; must be 0 or more");
-  EXPECT_EQ(
-      trace_fault(
-          {.name = "a", .kind = TraceKind::kBand, .x = {1.0}, .lower = {1.0}, .upper = {0.5}}),
-      name + ".upper[0] = 0.5; must be at least the 1 of lower");
+TEST(ReportDocumentFault, Layers) {
+  EXPECT_EQ(layer_fault(LineLayer{}),
+            kLayer + ".x.size() = 0; must be 1 or more. Leave an empty layer out.");
+  EXPECT_EQ(layer_fault(LineLayer{.x = {1.0}, .y = {1.0}, .stroke = {.colour = -1}}),
+            kLayer + ".colour = -1; must not be negative");
+  EXPECT_EQ(layer_fault(LineLayer{.x = {1.0}}), kLayer + ".y.size() = 0; must be the 1 of x");
+  EXPECT_EQ(layer_fault(LineLayer{.x = {kNan}, .y = {1.0}}),
+            kLayer + ".x[0] = nan; must be finite, at most 1e100 in magnitude");
+  EXPECT_EQ(layer_fault(PointLayer{.x = {1.0}, .y = {1.0}, .y_error = {-1.0}}),
+            kLayer + ".y_error[0] = -1; must not be negative");
+  EXPECT_EQ(layer_fault(BandLayer{.x = {1.0}, .lower = {1.0}, .upper = {0.5}}),
+            kLayer + ".upper[0] = 0.5; must not be below lower[0] = 1");
+  EXPECT_EQ(layer_fault(BarLayer{.x = {1.5}, .y = {1.0}}),
+            kLayer + ".x[0] = 1.5; must be a whole number");
 }
 
 TEST(ReportDocumentFault, Figures) {
-  ReportFigure figure = figure_with({.name = "a", .x = {1.0}, .y = {1.0}});
-  figure.y.unit = "";
-  EXPECT_EQ(fault(figure), "sections[0].blocks[0].y.unit = ''; must not be empty");
-  figure.y.unit = "J";
+  const Layer line = LineLayer{.x = {1.0}, .y = {1.0}};
+  ReportFigure figure = figure_with(line);
+  figure.figure.y.unit = "";
+  EXPECT_EQ(fault(figure), kBlock + "figure.y.unit = ''; must not be empty");
+  figure.figure.y.unit = "J";
+  figure.choices = {{"one", {line}}};
+  EXPECT_EQ(fault(figure), kBlock + "figure.layers.size() = 1; must be 0");
+  figure.figure.layers.clear();
+  EXPECT_EQ(fault(figure), "no error");
   figure.chosen = 1;
-  EXPECT_EQ(fault(figure), "sections[0].blocks[0].chosen = 1; must be below the 1 choices");
+  EXPECT_EQ(fault(figure), kBlock + "chosen = 1; must be below the 1 choices");
   figure.chosen = 0;
-  figure.choices[0].traces.clear();
-  EXPECT_EQ(fault(figure), "sections[0].blocks[0].choices[0].traces.size() = 0; must be 1 or more");
+  figure.choices[0].layers.clear();
+  EXPECT_EQ(fault(figure), kBlock + "choices[0].layers.size() = 0; must be 1 or more");
 }
 
 TEST(ReportDocumentFault, TablesAndSections) {

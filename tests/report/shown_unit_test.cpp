@@ -59,7 +59,7 @@ TEST(ShowX, ScalesAllLayersBarsAndTheRange) {
       MarkerLayer{.x = 5e-5},
   };
   show_x(figure, "amplitude", "m");
-  EXPECT_EQ(figure.x.label, "amplitude [µm]");
+  EXPECT_EQ(axis_text(figure.x), "amplitude [µm]");
   EXPECT_DOUBLE_EQ(figure.x.range->to, 400.0);
   EXPECT_DOUBLE_EQ(std::get<LineLayer>(figure.layers[0]).x[0], 100.0);
   EXPECT_DOUBLE_EQ(std::get<PointLayer>(figure.layers[1]).x[0], 300.0);
@@ -78,7 +78,7 @@ TEST(ShowY, ScalesBandsAndBarsAndLeavesMarkers) {
       MarkerLayer{.x = 5.0},
   };
   show_y(figure, "D", "J");
-  EXPECT_EQ(figure.y.label, "D [mJ]");
+  EXPECT_EQ(axis_text(figure.y), "D [mJ]");
   EXPECT_DOUBLE_EQ(std::get<PointLayer>(figure.layers[0]).y[0], 2.0);
   EXPECT_DOUBLE_EQ(std::get<PointLayer>(figure.layers[0]).y_error[0], 0.1);
   EXPECT_DOUBLE_EQ(std::get<BandLayer>(figure.layers[1]).lower[0], 1.0);

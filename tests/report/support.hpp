@@ -22,8 +22,8 @@ inline bool contains(const std::string& text, const std::string& part) {
 inline Figure density_figure() {
   return {.title = "Distribution density φ(f*)",
           .subtitle = "90 levels",
-          .x = {.label = "slip force f* [N]"},
-          .y = {.label = "density φ [1/N]"},
+          .x = {.label = "slip force f*", .unit = "N"},
+          .y = {.label = "density φ", .unit = "1/N"},
           .layers = {BandLayer{.x = {0.0, 10.0, 20.0},
                                .lower = {0.05, 0.02, 0.0},
                                .upper = {0.15, 0.06, 0.02},

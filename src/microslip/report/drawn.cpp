@@ -8,8 +8,8 @@
 namespace microslip {
 namespace {
 
-template <class LineOrLoop>
-Piece all_places(const LineOrLoop& layer) {
+template <class LayerOfPoints>
+Piece all_places(const LayerOfPoints& layer) {
   Piece places;
   places.reserve(layer.x.size() + 1);
   for (std::size_t i = 0; i < layer.x.size(); ++i) {
@@ -52,12 +52,24 @@ Piece places_of(const BandLayer& layer) {
   return places;
 }
 
+Piece places_of(const BarLayer& layer) {
+  Piece places = all_places(layer);
+  for (Place& place : places) {
+    place.x_low -= kHalfOfBars;
+    place.x_high += kHalfOfBars;
+    place.y_low = std::min(place.y, 0.0);
+    place.y_high = std::max(place.y, 0.0);
+  }
+  return places;
+}
+
 Piece places_of(const MarkerLayer& /*layer*/) { return {}; }
 
 }  // namespace
 
 std::vector<Piece> drawn_pieces(const Layer& layer, bool log_x, bool log_y) {
   std::vector<Piece> pieces;
+  if (!is_shown(layer)) return pieces;
   Piece piece;
   for (const Place& place :
        std::visit([](const auto& concrete) { return places_of(concrete); }, layer)) {

@@ -13,7 +13,11 @@ namespace microslip {
 /// Where zero begins on a logarithmic axis.
 inline constexpr double kSmallestOnLog = 1e-100;
 
-/// A point of a line or of marks with the ends of its bars, or the two edges of a band at x. On a
+/// Half of the width of all bars at a whole number.
+inline constexpr double kHalfOfBars = 0.38;
+
+/// A point of a line or of marks with the ends of its bars, the two edges of a band at x, or the
+/// room of the bars at x from the axis up to y. On a
 /// logarithmic axis the low ends may be below kSmallestOnLog: they go to the end of the axis.
 struct Place {
   double x;
@@ -28,7 +32,7 @@ struct Place {
 using Piece = std::vector<Place>;
 
 /// The layer without what has no place on a logarithmic axis, split there; a loop ends where it
-/// begins. Nothing for a marker. The layer must keep the rules of check_figure().
+/// begins. Nothing for a marker and for what is not shown. The layer must keep the rules of check_figure().
 [[nodiscard]] std::vector<Piece> drawn_pieces(const Layer& layer, bool log_x, bool log_y);
 
 /// Whether there is a place in any layer.

@@ -33,41 +33,6 @@ std::vector<ReportSection> with_list_of_missing(std::vector<ReportSection> all) 
 
 }  // namespace
 
-ReportAxis amplitude_axis(bool log) {
-  return {.label = "amplitude A", .unit = "µm", .log = log, .log_switch = true};
-}
-
-std::vector<ReportTrace> curves_of_joints(const ExperimentResults& results, JointQuantity quantity,
-                                          double unit, bool damped) {
-  const std::vector<double> amplitude = curve_amplitudes(results.levels->levels);
-  std::vector<ReportTrace> traces;
-  const auto add = [&](const char* name, const Joint& joint, double beta, Stroke stroke) {
-    traces.push_back({.name = name,
-                      .x = in_unit(amplitude, kMicrometre),
-                      .y = in_unit(joint_curve(joint, quantity, amplitude, beta), unit),
-                      .stroke = stroke});
-  };
-  if (results.joint) {
-    const double beta = damped ? results.joint->linear_damping.value_or(0.0) : 0.0;
-    add(beta > 0.0 ? "identified joint and linear damping" : kFoundName, results.joint->joint, beta,
-        kFound);
-  }
-  if (results.truth) {
-    add("truth", *results.truth, damped ? results.true_linear_damping : 0.0, kTruth);
-  }
-  return traces;
-}
-
-ReportTrace at_levels(const ExperimentResults& results, std::string name, std::vector<double> value,
-                      std::vector<double> std, int colour) {
-  return {.name = std::move(name),
-          .kind = TraceKind::kPoints,
-          .x = in_unit(results.levels->levels.amplitude, kMicrometre),
-          .y = std::move(value),
-          .y_std = std::move(std),
-          .stroke = {.colour = colour}};
-}
-
 ReportDocument experiment_report(ExperimentResults results) {
   check_results(results);
   std::optional<MethodComparison> methods;

@@ -42,11 +42,12 @@ void check_stroke(const std::string& layer, const Stroke& stroke) {
 
 /// A column of a layer: finite numbers, as many as there are x.
 void check_column(const std::string& layer, std::string_view name,
-                  const std::vector<double>& column, std::size_t count) {
+                  const std::vector<double>& column, std::size_t count, bool gaps = false) {
   const std::string what = fmt::format("{}.{}", layer, name);
   require(column.size() == count, what + ".size()", static_cast<double>(column.size()),
           fmt::format("must be the {} of x", count));
   for (std::size_t i = 0; i < column.size(); ++i) {
+    if (gaps && !std::isfinite(column[i])) continue;
     check_number(fmt::format("{}[{}]", what, i), column[i]);
   }
 }
@@ -67,22 +68,22 @@ void check_error(const std::string& layer, std::string_view name, const std::vec
 }
 
 template <class LineOrLoop>
-void check_layer(const std::string& name, const LineOrLoop& layer) {
+void check_layer(const std::string& name, const LineOrLoop& layer, bool gaps) {
   check_x(name, layer.x);
-  check_column(name, "y", layer.y, layer.x.size());
+  check_column(name, "y", layer.y, layer.x.size(), gaps);
   check_stroke(name, layer.stroke);
 }
 
-void check_layer(const std::string& name, const PointLayer& layer) {
+void check_layer(const std::string& name, const PointLayer& layer, bool gaps) {
   check_x(name, layer.x);
-  check_column(name, "y", layer.y, layer.x.size());
+  check_column(name, "y", layer.y, layer.x.size(), gaps);
   check_error(name, "x_error", layer.x_error, layer.x.size());
   check_error(name, "y_error", layer.y_error, layer.x.size());
   check_colour(name, layer.colour);
   check_positive(name + ".size", layer.size);
 }
 
-void check_layer(const std::string& name, const BandLayer& layer) {
+void check_layer(const std::string& name, const BandLayer& layer, bool /*gaps*/) {
   check_x(name, layer.x);
   check_column(name, "lower", layer.lower, layer.x.size());
   check_column(name, "upper", layer.upper, layer.x.size());
@@ -93,7 +94,17 @@ void check_layer(const std::string& name, const BandLayer& layer) {
   check_colour(name, layer.colour);
 }
 
-void check_layer(const std::string& name, const MarkerLayer& layer) {
+void check_layer(const std::string& name, const BarLayer& layer, bool gaps) {
+  check_x(name, layer.x);
+  check_column(name, "y", layer.y, layer.x.size(), gaps);
+  for (std::size_t i = 0; i < layer.x.size(); ++i) {
+    require(layer.x[i] == std::round(layer.x[i]), fmt::format("{}.x[{}]", name, i), layer.x[i],
+            "must be a whole number");
+  }
+  check_colour(name, layer.colour);
+}
+
+void check_layer(const std::string& name, const MarkerLayer& layer, bool /*gaps*/) {
   check_number(name + ".x", layer.x);
   check_stroke(name, layer.stroke);
 }
@@ -112,10 +123,10 @@ void check_axis(const std::string& name, const FigureAxis& axis) {
 void check_drawn(const std::string& prefix, const Figure& figure) {
   std::size_t shapes = 0;
   for (const Layer& layer : figure.layers) {
-    shapes += std::holds_alternative<MarkerLayer>(layer) ? 0 : 1;
+    shapes += is_shown(layer) && !std::holds_alternative<MarkerLayer>(layer) ? 1 : 0;
   }
   require(shapes > 0, prefix + "layers.size()", static_cast<double>(shapes),
-          "a figure needs a line, a loop, points or a band");
+          "a figure needs a line, a loop, points, a band or bars");
   if (!anything_drawn(figure)) {
     throw InputError(prefix + "layers", "no positive value",
                      "a logarithmic axis shows positive values only", "Make the axis linear.");
@@ -125,14 +136,54 @@ void check_drawn(const std::string& prefix, const Figure& figure) {
 void check_panel(const std::string& prefix, const Figure& figure) {
   check_axis(prefix + "x", figure.x);
   check_axis(prefix + "y", figure.y);
-  for (std::size_t i = 0; i < figure.layers.size(); ++i) {
-    const std::string name = fmt::format("{}layers[{}]", prefix, i);
-    std::visit([&](const auto& layer) { check_layer(name, layer); }, figure.layers[i]);
-  }
+  check_layers(prefix, figure.layers, false);
   check_drawn(prefix, figure);
 }
 
 }  // namespace
+
+std::string axis_text(const FigureAxis& axis) {
+  return axis.unit.empty() ? axis.label : fmt::format("{} [{}]", axis.label, axis.unit);
+}
+
+const std::string& legend_of(const Layer& layer) {
+  return std::visit(
+      [](const auto& concrete) -> const std::string& {
+        if constexpr (requires { concrete.legend; }) {
+          return concrete.legend;
+        } else {
+          return concrete.label;
+        }
+      },
+      layer);
+}
+
+const std::string& name_of(const Layer& layer) {
+  return std::visit(
+      [&](const auto& concrete) -> const std::string& {
+        if constexpr (requires { concrete.name; }) {
+          if (!concrete.name.empty()) return concrete.name;
+        }
+        return legend_of(layer);
+      },
+      layer);
+}
+
+bool is_shown(const Layer& layer) {
+  return std::visit(
+      [](const auto& concrete) {
+        if constexpr (requires { concrete.shown; }) return concrete.shown;
+        return true;
+      },
+      layer);
+}
+
+void check_layers(const std::string& prefix, const std::vector<Layer>& layers, bool gaps) {
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const std::string name = fmt::format("{}layers[{}]", prefix, i);
+    std::visit([&](const auto& layer) { check_layer(name, layer, gaps); }, layers[i]);
+  }
+}
 
 void check_figure(const Figure& figure) { check_panel("", figure); }
 

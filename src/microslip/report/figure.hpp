@@ -8,9 +8,10 @@
 #include <vector>
 
 /// @file
-/// What a figure shows, apart from how it is drawn (report/gnuplot). Values are drawn as they are
-/// given: a caller who wants µm on an axis scales the data and says µm in the label. Texts are
-/// UTF-8 and shown as they are, without markup.
+/// What a figure shows, apart from how it is drawn: on paper by gnuplot (report/gnuplot), on a page
+/// by its scripts (report/html_report). Values are drawn as they are given: a caller who wants µm on
+/// an axis scales the data and names µm as its unit. Texts are UTF-8 and shown as they are, without
+/// markup.
 
 namespace microslip {
 
@@ -35,11 +36,16 @@ struct AxisRange {
 
 /// One axis of a figure.
 struct FigureAxis {
-  std::string label = {};               ///< with the unit: "slip force f* [N]"
-  bool log = false;                     ///< to base 10
+  std::string label = {};               ///< without its unit: "slip force f*"
+  std::string unit = {};                ///< "N"; "1" for a number; may be empty
+  bool log = false;                     ///< to base 10; on a page, at first
+  bool log_switch = false;              ///< lets the reader of a page change that
   bool degrees = false;                 ///< linear, with ticks at multiples of 15, 45 or 90
   std::optional<AxisRange> range = {};  ///< ≥ 1e-100 where log; without one, what the layers cover
 };
+
+/// "slip force f* [N]"; the label alone where there is no unit.
+[[nodiscard]] std::string axis_text(const FigureAxis& axis);
 
 /// How a line is drawn.
 enum class LineStyle { kSolid, kDashed, kDotted, kDashDotted, kLongDashed };
@@ -51,45 +57,69 @@ struct Stroke {
   double width = 1.8;                   ///< px of a picture at its nominal size; > 0
 };
 
-/// A line through the points, in their order. An empty `legend` keeps a layer out of the legend.
+// Of all layers but markers: layers with the same `legend` share its entry, an empty one keeps a
+// layer out of it. `name` says more than the legend where the reader of a page points at the layer;
+// empty where it says the same. A layer that is not `shown` is on a page alone, where the reader
+// turns it on.
+
+/// A line through the points, in their order.
 struct LineLayer {
-  std::vector<double> x;    ///< in the unit of the axis
-  std::vector<double> y;    ///< one an x
-  std::string legend = {};  ///< of the layer; empty: not in the legend
-  Stroke stroke = {};       ///< of the line
+  std::vector<double> x = {};  ///< in the unit of the axis
+  std::vector<double> y = {};  ///< one an x
+  std::string legend = {};     ///< see above
+  Stroke stroke = {};          ///< of the line
+  std::string name = {};       ///< see above
+  bool shown = true;           ///< see above
 };
 
 /// As a line, with the last point joined to the first: a hysteresis loop.
 struct LoopLayer {
-  std::vector<double> x;    ///< in the unit of the axis
-  std::vector<double> y;    ///< one an x
-  std::string legend = {};  ///< of the layer; empty: not in the legend
-  Stroke stroke = {};       ///< of the line
+  std::vector<double> x = {};  ///< in the unit of the axis
+  std::vector<double> y = {};  ///< one an x
+  std::string legend = {};     ///< see above
+  Stroke stroke = {};          ///< of the line
+  std::string name = {};       ///< see above
+  bool shown = true;           ///< see above
 };
 
 /// Marks, circles for the first colour and other shapes for the next ones, with bars from x −
 /// x_error to x + x_error and from y − y_error to y + y_error.
 struct PointLayer {
-  std::vector<double> x;             ///< in the unit of the axis
-  std::vector<double> y;             ///< one an x
+  std::vector<double> x = {};        ///< in the unit of the axis
+  std::vector<double> y = {};        ///< one an x
   std::vector<double> x_error = {};  ///< none, or one an x, ≥ 0
   std::vector<double> y_error = {};  ///< none, or one an x, ≥ 0
-  std::string legend = {};           ///< of the layer; empty: not in the legend
+  std::string legend = {};           ///< see above
   int colour = kBlue;                ///< ≥ 0
-  double size = 1.0;                 ///< of the marks, relative; > 0
-  bool open = false;                 ///< outlines, through which a line can be seen
+  double size = 1.0;                 ///< of the marks on paper, relative; > 0
+  bool open = false;                 ///< on paper, outlines through which a line can be seen
+  std::string name = {};             ///< see above
+  bool shown = true;                 ///< see above
 };
 
 /// The translucent area between `lower` and `upper`.
 struct BandLayer {
-  std::vector<double> x;      ///< in the unit of the axis
-  std::vector<double> lower;  ///< one an x
-  std::vector<double> upper;  ///< one an x, ≥ lower
-  std::string legend = {};    ///< of the layer; empty: not in the legend
-  int colour = kBlue;         ///< ≥ 0
+  std::vector<double> x = {};      ///< in the unit of the axis
+  std::vector<double> lower = {};  ///< one an x
+  std::vector<double> upper = {};  ///< one an x, ≥ lower
+  std::string legend = {};         ///< see above
+  int colour = kBlue;              ///< ≥ 0
+  std::string name = {};           ///< see above
+  bool shown = true;               ///< see above
 };
 
-/// A vertical line across the figure, with a label above it.
+/// Bars from the axis up to y at whole numbers: harmonics. Those of several layers at one x stand
+/// side by side.
+struct BarLayer {
+  std::vector<double> x = {};  ///< whole numbers
+  std::vector<double> y = {};  ///< one an x
+  std::string legend = {};     ///< see above
+  int colour = kBlue;          ///< ≥ 0
+  std::string name = {};       ///< see above
+  bool shown = true;           ///< see above
+};
+
+/// A vertical line across the figure, with a label above it; on a page it is the legend too.
 struct MarkerLayer {
   double x = 0.0;          ///< in the unit of the axis
   std::string label = {};  ///< above the line; may be empty
@@ -97,7 +127,7 @@ struct MarkerLayer {
 };
 
 /// Anything that can be drawn on a pair of axes.
-using Layer = std::variant<LineLayer, LoopLayer, PointLayer, BandLayer, MarkerLayer>;
+using Layer = std::variant<LineLayer, LoopLayer, PointLayer, BandLayer, BarLayer, MarkerLayer>;
 
 /// Where the legend goes. Below and on the right it covers no data, however long it is.
 enum class Legend { kBelow, kRight, kTopLeft, kTopRight, kBottomLeft, kBottomRight, kNone };
@@ -110,6 +140,7 @@ enum class Legend { kBelow, kRight, kTopLeft, kTopRight, kBottomLeft, kBottomRig
 struct Figure {
   std::string title = {};          ///< above the figure; may be empty
   std::string subtitle = {};       ///< below the title, smaller; may be empty
+  std::string caption = {};        ///< what is to be seen, a sentence or two; below it on a page
   FigureAxis x = {};               ///< the horizontal one
   FigureAxis y = {};               ///< the vertical one
   std::vector<Layer> layers = {};  ///< from back to front; one at least that is no marker
@@ -123,8 +154,17 @@ struct FigureGrid {
   std::vector<Figure> panels = {};  ///< row by row; one at least
 };
 
+/// A layer's entry in the legend, the label of a marker.
+[[nodiscard]] const std::string& legend_of(const Layer& layer);
+
+/// Its name, or its legend where it has none.
+[[nodiscard]] const std::string& name_of(const Layer& layer);
+
+/// Of a marker always.
+[[nodiscard]] bool is_shown(const Layer& layer);
+
 /// Checks what the comments above demand, that all numbers are finite and at most 1e100 in
-/// magnitude, that there is a layer other than a marker, and that a value is left to draw on each
+/// magnitude, that a layer other than a marker is shown, and that a value is left to draw on each
 /// logarithmic axis.
 /// @throws InputError  naming the layer, counted from 0, and the value.
 void check_figure(const Figure& figure);
@@ -132,5 +172,12 @@ void check_figure(const Figure& figure);
 /// Checks each panel, and that there is one.
 /// @throws InputError  as above, naming the panel, counted from 0.
 void check_figure(const FigureGrid& grid);
+
+/// Checks layers alone.
+/// @param prefix  before "layers" in messages.
+/// @param layers  each by itself.
+/// @param gaps    whether y of lines, loops, points and bars may be no finite number.
+/// @throws InputError  as above.
+void check_layers(const std::string& prefix, const std::vector<Layer>& layers, bool gaps);
 
 }  // namespace microslip

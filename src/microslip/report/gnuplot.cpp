@@ -207,17 +207,17 @@ void set_pdf_date(std::string& picture) {
 }
 
 /// What the picture is called: its title or, without one, what it shows.
-std::string name_of(const Figure& figure) {
+std::string title_of(const Figure& figure) {
   if (!figure.title.empty() || figure.y.label.empty()) return figure.title;
-  return fmt::format("{} over {}", figure.y.label, figure.x.label);
+  return fmt::format("{} over {}", axis_text(figure.y), axis_text(figure.x));
 }
 
-std::string name_of(const FigureGrid& grid) {
+std::string title_of(const FigureGrid& grid) {
   if (!grid.title.empty()) return grid.title;
   std::string name;
   for (Figure panel : grid.panels) {
     panel.title.clear();  // "(a)" says little
-    name += (name.empty() ? "" : "; ") + name_of(panel);
+    name += (name.empty() ? "" : "; ") + title_of(panel);
   }
   return name;
 }
@@ -230,7 +230,7 @@ std::string draw_any(const FigureOrGrid& figure, PictureFormat format, PictureSi
     set_svg_size(picture, size, style.pixels_per_inch);
     set_svg_fonts(picture);
     escape_svg_texts(picture);
-    set_svg_title(picture, name_of(figure));
+    set_svg_title(picture, title_of(figure));
   }
   if (format == PictureFormat::kPdf) set_pdf_date(picture);
   return picture;

@@ -237,15 +237,18 @@ class PanelWriter {
     line("set label '' at {} point {} front", at(middle, y, space_), marks_of(layer));
   }
 
-  void append_sample(const BandLayer& layer, double x, double y) {
+  template <class BandOrBar>
+  requires(!requires(const BandOrBar& layer) {
+    layer.stroke;
+  }) void append_sample(const BandOrBar& layer, double x, double y) {
     append_rectangle({.left = x, .bottom = y - 5.0, .right = x + kSampleWidth, .top = y + 5.0},
-                     fill_of(layer));
+                     fill_of(layer.colour));
   }
 
   void append_sample(const MarkerLayer& /*layer*/, double /*x*/, double /*y*/) {}
 
-  [[nodiscard]] std::string fill_of(const BandLayer& layer) const {
-    return fmt::format("fillcolor rgb '{}' fillstyle transparent solid {}", colour_of(layer.colour),
+  [[nodiscard]] std::string fill_of(int colour) const {
+    return fmt::format("fillcolor rgb '{}' fillstyle transparent solid {}", colour_of(colour),
                        kBandOpacity);
   }
 
@@ -280,7 +283,30 @@ class PanelWriter {
     const std::string data = append_data(pieces, [&](const Place& place) {
       line("{} {} {}", place.x, on_axis(place.y_low, figure_.y, layout_.ranges.y), place.y_high);
     });
-    return fmt::format("{} using 1:2:3 with filledcurves {} noborder", data, fill_of(layer));
+    return fmt::format("{} using 1:2:3 with filledcurves {} noborder", data, fill_of(layer.colour));
+  }
+
+  std::string element(const BarLayer& layer, const std::vector<Piece>& pieces) {
+    const auto [from, to] = side_by_side(layer);
+    const std::string data = append_data(pieces, [&](const Place& place) {
+      line("{} {} {} {} {} {}", place.x, place.y, place.x + from, place.x + to,
+           on_axis(place.y_low, figure_.y, layout_.ranges.y), place.y_high);
+    });
+    return fmt::format("{} using 1:2:3:4:5:6 with boxxyerror {} border linecolor rgb '{}'", data,
+                       fill_of(layer.colour), colour_of(layer.colour));
+  }
+
+  /// Where a layer has its bar beside a whole number.
+  [[nodiscard]] std::pair<double, double> side_by_side(const BarLayer& layer) const {
+    double count = 0.0;
+    double before = 0.0;
+    for (const Layer& other : figure_.layers) {
+      const auto* bars = std::get_if<BarLayer>(&other);
+      if (bars == &layer) before = count;
+      if (bars != nullptr && bars->shown) ++count;
+    }
+    const double width = 2.0 * kHalfOfBars / count;
+    return {before * width - kHalfOfBars, (before + 1.0) * width - kHalfOfBars};
   }
 
   /// Has no pieces; it is drawn by append_markers().

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -44,16 +46,6 @@ std::vector<LegendText> first_texts(const std::vector<LegendText>& texts, std::s
   std::vector<LegendText> first(texts.begin(), texts.begin() + static_cast<std::ptrdiff_t>(count));
   first.push_back({.layer = {}, .lines = {fmt::format("\u2026 {} more", texts.size() - count)}});
   return first;
-}
-
-const std::string& legend_of(const Layer& layer) {
-  static const std::string none;
-  return std::visit(
-      [](const auto& concrete) -> const std::string& {
-        if constexpr (requires { concrete.legend; }) return concrete.legend;
-        return none;
-      },
-      layer);
 }
 
 /// Where the columns start, from the left of the legend.
@@ -99,8 +91,12 @@ std::vector<LegendEntry> all_rows(const std::vector<LegendText>& texts, const Bo
 std::vector<LegendText> legend_texts(const Figure& figure, double width) {
   std::vector<LegendText> texts;
   if (figure.legend == Legend::kNone) return texts;
+  std::set<std::string_view> told;
   for (std::size_t i = 0; i < figure.layers.size(); ++i) {
-    auto lines = wrapped(legend_of(figure.layers[i]), width - kSampleWidth - kTextGap, kSmallFont);
+    const Layer& layer = figure.layers[i];
+    if (std::holds_alternative<MarkerLayer>(layer) || !is_shown(layer)) continue;
+    if (!told.insert(legend_of(layer)).second) continue;
+    auto lines = wrapped(legend_of(layer), width - kSampleWidth - kTextGap, kSmallFont);
     if (!lines.empty()) texts.push_back({.layer = i, .lines = std::move(lines)});
   }
   return texts;

@@ -2,74 +2,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstddef>
-#include <ranges>
 #include <string>
 #include <utility>
-#include <vector>
 
+#include "microslip/report/compared_loops.hpp"
 #include "microslip/report/sections.hpp"
-#include "microslip/workflow/other_methods.hpp"
+#include "microslip/report/shown_unit.hpp"
 
 namespace microslip {
 namespace {
 
-constexpr std::size_t kHalfLoop = 120;  // points
-
-struct LoopJoint {
-  std::string name;
-  Joint joint;
-  Stroke stroke;
-};
-
-/// Spline joints around the λ of cross-validation. [AR14 Fig. 10]
-void add_splines(const MethodComparison& methods, std::vector<LoopJoint>& joints) {
-  int colour = kGreen;
-  for (auto& [factor, found] : varied_splines(methods)) {
-    const std::string name =
-        factor == 1.0 ? "spline, λ by cross-validation" : fmt::format("spline, {:g} λ", factor);
-    joints.push_back({name, std::move(found.joint), {.colour = colour++, .width = 1.3}});
-  }
-}
-
-/// All joints but the first are compared with it.
-struct ComparedLoops {
-  std::vector<ReportChoice> loops;
-  std::vector<ReportChoice> differences;
-};
-
-ComparedLoops compare(const std::vector<LoopJoint>& joints, double highest) {
-  ComparedLoops all;
-  for (const double amplitude : loop_amplitudes(highest)) {
-    const std::string name = fmt::format("{:.4g} µm", amplitude / kMicrometre);
-    all.loops.push_back({name, {}});
-    all.differences.push_back({name, {}});
-    const SteadyLoop base = steady_loop(joints.front().joint, amplitude, kHalfLoop);
-    const auto add = [&](ReportChoice& choice, const LoopJoint& named, std::vector<double> force) {
-      choice.traces.push_back({.name = named.name,
-                               .kind = TraceKind::kLoop,
-                               .x = in_unit(base.displacement, kMicrometre),
-                               .y = std::move(force),
-                               .stroke = named.stroke});
-    };
-    add(all.loops.back(), joints.front(), base.force);
-    for (const LoopJoint& named : joints | std::views::drop(1)) {
-      const SteadyLoop loop = steady_loop(named.joint, amplitude, kHalfLoop);
-      add(all.loops.back(), named, loop.force);
-      add(all.differences.back(), named, force_difference(loop, base));
-    }
-  }
-  return all;
-}
-
-ReportFigure figure_of(std::string title, std::string caption, std::string force,
-                       std::vector<ReportChoice> loops) {
-  return {.title = std::move(title),
-          .caption = std::move(caption),
-          .x = {.label = "displacement", .unit = "µm"},
-          .y = {.label = std::move(force), .unit = "N"},
-          .choose = "Amplitude",
-          .choices = std::move(loops)};
+ReportFigure figure_of(std::string title, std::string caption, const char* force,
+                       std::vector<FigureChoice> loops) {
+  ReportFigure figure{
+      .figure = {.title = std::move(title), .caption = std::move(caption)},
+      .choose = "Amplitude",
+      .choices = std::move(loops),
+  };
+  show_x(figure, kLoopDisplacement, "m");
+  show_y(figure, force, "N");
+  return figure;
 }
 
 }  // namespace
@@ -83,20 +35,26 @@ ReportSection loops_section(const ExperimentResults& results,
         ReportMissing{"No loops, which need an amplitude: no levels.csv in this folder.", ""});
     return section;
   }
-  std::vector<LoopJoint> joints = {{kFoundName, results.joint->joint, kFound}};
-  if (methods) add_splines(*methods, joints);
-  if (results.truth) joints.push_back({"truth", *results.truth, kTruth});
-  ComparedLoops all = compare(joints, std::ranges::max(results.levels->levels.amplitude));
+  const std::vector<DrawnJoint> joints = joints_to_compare(results, methods);
+  std::vector<FigureChoice> loops;
+  std::vector<FigureChoice> differences;
+  for (const double amplitude :
+       loop_amplitudes(std::ranges::max(results.levels->levels.amplitude))) {
+    ComparedLoops compared = compared_loops(joints, amplitude);
+    const std::string name = fmt::format("{:.4g} µm", amplitude / kMicrometre);
+    loops.push_back({name, std::move(compared.loops)});
+    differences.push_back({name, std::move(compared.differences)});
+  }
   section.blocks.emplace_back(
       figure_of("Regenerated loops",
                 methods ? "With the smoothing of the spline a hundred times weaker and stronger: "
                           "where the loops coincide, they do not depend on it. [AR14 Fig. 10]"
                         : "Steady loops of one amplitude.",
-                "force", std::move(all.loops)));
+                kLoopForce, std::move(loops)));
   if (joints.size() > 1) {
     section.blocks.emplace_back(figure_of("Difference to the identified joint",
                                           "Force of each loop less that of the identified joint.",
-                                          "force difference", std::move(all.differences)));
+                                          "force difference", std::move(differences)));
   }
   return section;
 }

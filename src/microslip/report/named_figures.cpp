@@ -9,6 +9,9 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/text.hpp"
+#include "microslip/report/density_figure.hpp"
+#include "microslip/report/level_figures.hpp"
+#include "microslip/report/loops_figure.hpp"
 #include "microslip/report/prediction_figures.hpp"
 #include "microslip/report/rig_figures.hpp"
 #include "microslip/report/verification_figure.hpp"
@@ -16,11 +19,17 @@
 namespace microslip {
 namespace {
 
-FigureGrid alone(Figure figure) { return {"", 1, {std::move(figure)}}; }
+/// Without the titles, which are for the caption of a paper.
+FigureGrid untitled(FigureGrid grid) {
+  for (Figure& panel : grid.panels) panel.title.clear();
+  return grid;
+}
+
+FigureGrid alone(Figure figure) { return untitled({"", 1, {std::move(figure)}}); }
 
 /// A figure of the results of a test.
-template <Figure (*Make)(const ExperimentResults&, const PaperOptions&)>
-FigureGrid of_test(const ResultInput& input, const PaperOptions& options) {
+template <Figure (*Make)(const ExperimentResults&, const FigureOptions&)>
+FigureGrid of_test(const ResultInput& input, const FigureOptions& options) {
   return alone(Make(input.test, options));
 }
 
@@ -35,30 +44,32 @@ bool has_secant(const ResultInput& input) {
   return has_levels(input) && !input.test.levels->levels.secant_stiffness.empty();
 }
 
-FigureGrid density(const ResultInput& input, const PaperOptions& options) {
-  if (!input.density) return alone(paper_density(input.test, options));
-  return alone(paper_density(*input.density, options));
+FigureGrid density(const ResultInput& input, const FigureOptions& options) {
+  if (!input.density) return alone(density_figure(input.test, options));
+  return alone(density_figure(*input.density, options));
 }
 
-FigureGrid loops(const ResultInput& input, const PaperOptions& options) {
-  if (!input.path) return alone(paper_loops(input.test, options));
-  return alone(paper_path(input.path->displacement, input.path_force));
+FigureGrid loops(const ResultInput& input, const FigureOptions& options) {
+  if (!input.path) return alone(loops_figure(input.test, options));
+  return alone(path_figure(input.path->displacement, input.path_force));
 }
 
-FigureGrid force_control(const ResultInput& input, const PaperOptions& /*options*/) {
-  FigureGrid grid = force_control_figure("", input.test.force_control);
-  for (Figure& panel : grid.panels) panel.title.clear();  // that is for the caption
-  return grid;
+FigureGrid resonance(const ResultInput& input, const FigureOptions& options) {
+  return alone(resonance_figure(input.test, options));
 }
 
-FigureGrid verification(const ResultInput& input, const PaperOptions& options) {
-  if (input.test.predictions.empty()) return paper_deviations(input.test, options);
-  return verification_figure(input.test);
+FigureGrid force_control(const ResultInput& input, const FigureOptions& options) {
+  return untitled(force_control_figure(input.test.force_control, options));
 }
 
-FigureGrid dissipation_of(const ResultInput& input, const PaperOptions& options) {
-  if (!input.dissipation) return paper_dissipation(input.test, options);
-  return paper_dissipation(*input.dissipation, options);
+FigureGrid verification(const ResultInput& input, const FigureOptions& options) {
+  if (!input.test.predictions.empty()) return verification_figure(input.test, options);
+  return {"", 3, deviation_figures(input.test, options)};
+}
+
+FigureGrid dissipation_of(const ResultInput& input, const FigureOptions& options) {
+  if (!input.dissipation) return untitled(joint_figures(input.test, options));
+  return joint_figures(*input.dissipation, options);
 }
 
 bool always(const ResultInput& /*input*/) { return true; }
@@ -92,44 +103,42 @@ bool has_joint_curves(const ResultInput& input) { return has_joint(input) && !in
 
 constexpr std::array<NamedFigure, 13> kFigures = {{
     {"energies", "input energy, linear loss and joint dissipation over the amplitude", "levels.csv",
-     has_levels, always, always, of_test<paper_energies>},
+     has_levels, always, always, of_test<energies_figure>},
     {"density", "slip-force density with its band", "joint.json or density.csv", has_density, never,
      always, density},
     {"loops", "hysteresis loops of the joint at four amplitudes", "joint.json or a CSV of loop",
      has_loops, never, has_steady_loops, loops},
     {"resonance", "frequency over the response or the amplitude", "levels.csv with frequency [Hz]",
-     has_resonance, always, never, of_test<paper_resonance>},
+     has_resonance, always, never, resonance},
     {"stiffness", "secant stiffness over the amplitude",
      "joint.json or levels.csv with secant_stiffness [N/m]", has_stiffness, always, always,
-     of_test<paper_stiffness>},
+     of_test<stiffness_figure>},
     {"damping", "loss factor of the joint, or damping ratio of a ring-down, over the amplitude",
      "joint.json or levels.csv with secant_stiffness [N/m]", has_damping, always, has_stiffness,
-     of_test<paper_damping>},
+     of_test<damping_figure>},
     {"force-control", "harmonics of the force before and after their control", "force_control.csv",
      [](const ResultInput& input) { return !input.test.force_control.empty(); }, never, never,
      force_control},
     {"constant-response", "frequency responses at constant response, predicted",
      "rig.toml, joint.json, levels.csv with response_amplitude [m/s^2]",
      [](const ResultInput& input) { return !input.test.responses.empty(); }, never, never,
-     [](const ResultInput& input, const PaperOptions& /*options*/) {
-       return alone(paper_constant_response(input.test));
-     }},
+     of_test<constant_response_figure>},
     {"verification", "recorded and predicted signals, or the error of each channel",
      "verification.csv or histories", has_verification, has_deviations, never, verification},
     {"response", "frequency response, amplitude and phase", "CSV of frf",
      [](const ResultInput& input) { return input.response.has_value(); }, never, never,
-     [](const ResultInput& input, const PaperOptions& /*options*/) {
-       return paper_response(*input.response);
+     [](const ResultInput& input, const FigureOptions& /*options*/) {
+       return response_figure(*input.response);
      }},
     {"backbone", "resonance frequency and damping ratio over the amplitude", "CSV of backbone",
      [](const ResultInput& input) { return input.backbone.has_value(); }, always, never,
-     [](const ResultInput& input, const PaperOptions& options) {
-       return paper_backbone(*input.backbone, options);
+     [](const ResultInput& input, const FigureOptions& options) {
+       return backbone_figure(*input.backbone, options);
      }},
     {"history", "signals over time", "CSV of march or a recording",
      [](const ResultInput& input) { return !input.history.empty(); }, never, never,
-     [](const ResultInput& input, const PaperOptions& /*options*/) {
-       return paper_history(input.history);
+     [](const ResultInput& input, const FigureOptions& /*options*/) {
+       return histories_figure(input.history);
      }},
     {"dissipation", "dissipation, secant stiffness and loss factor over the amplitude",
      "joint.json or a CSV of dissipation", has_dissipation, always, has_joint_curves,
@@ -156,10 +165,10 @@ const NamedFigure& only_figure(const ResultInput& input) {
   const std::vector<const NamedFigure*> figures = possible(input);
   if (figures.size() == 1) return *figures.front();
   if (figures.empty()) {
-    throw InputError("IN", in_quotes(input.name), "holds nothing of which there is a figure",
+    throw InputError("input", in_quotes(input.name), "holds nothing of which there is a figure",
                      choice_text(input));
   }
-  throw InputError("--figure", InputState{"not given"}, "must name one of several figures",
+  throw InputError("`figure`", InputState{"not given"}, "must name one of several figures",
                    choice_text(input));
 }
 
@@ -167,12 +176,12 @@ const NamedFigure& only_figure(const ResultInput& input) {
 /// "panels[0].layers[1].x[3]", for instance.
 InputError named(const InputError& error, const ResultInput& input, const FigureGrid* grid) {
   const std::string& name = error.name();
-  if (name.starts_with("--")) return error;
+  if (name.starts_with("`")) return error;
   const std::string panels = "panels[";
   std::string part = name.starts_with("layers") ? "value" : name;
   if (grid && name.starts_with(panels)) {
     const Figure& panel = grid->panels.at(std::stoul(name.substr(panels.size())));
-    part = name.find(".x") != std::string::npos ? panel.x.label : panel.y.label;
+    part = name.find(".x") != std::string::npos ? axis_text(panel.x) : axis_text(panel.y);
   }
   return error.renamed(fmt::format("{}: {}", input.name, part));
 }
@@ -186,14 +195,14 @@ const NamedFigure& find_figure(const std::string& name, const ResultInput& input
   const auto found = std::ranges::find_if(
       kFigures, [&](const NamedFigure& figure) { return figure.name == name; });
   if (found != kFigures.end() && found->has(input)) return *found;
-  throw InputError("--figure", "'" + name + "'",
+  throw InputError("`figure`", "'" + name + "'",
                    found == kFigures.end() ? "there is no such figure"
                                            : fmt::format("it needs {}", found->needs),
                    choice_text(input));
 }
 
 PaperPicture draw_named(const NamedFigure& figure, const ResultInput& input,
-                        const PaperOptions& options, PictureFormat format,
+                        const FigureOptions& options, PictureFormat format,
                         const PaperPrint& print) {
   FigureGrid grid;
   try {

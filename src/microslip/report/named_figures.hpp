@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "microslip/report/figure.hpp"
-#include "microslip/report/paper_figures.hpp"
+#include "microslip/report/figure_options.hpp"
 #include "microslip/report/paper_picture.hpp"
 #include "microslip/workflow/result_input.hpp"
 
@@ -20,7 +20,7 @@ struct NamedFigure {
   bool (*has)(const ResultInput&);            ///< whether there is the data
   bool (*has_amplitude)(const ResultInput&);  ///< an axis that may be linear or logarithmic
   bool (*takes_others)(const ResultInput&);   ///< draws other joints too
-  FigureGrid (*make)(const ResultInput&, const PaperOptions&);
+  FigureGrid (*make)(const ResultInput&, const FigureOptions&);
 };
 
 /// All of them, in the order of the help.
@@ -34,7 +34,7 @@ struct NamedFigure {
 /// The figure for paper. @throws InputError  naming the file and, where it can, the axis of a value
 /// that cannot be drawn; as draw_for_paper().
 [[nodiscard]] PaperPicture draw_named(const NamedFigure& figure, const ResultInput& input,
-                                      const PaperOptions& options, PictureFormat format,
+                                      const FigureOptions& options, PictureFormat format,
                                       const PaperPrint& print);
 
 }  // namespace microslip

@@ -142,7 +142,7 @@ class LayoutMaker {
     layout_.y_ticks =
         axis_ticks(layout_.ranges.y, figure_.y.log, height, true, kSmallFont, figure_.y.degrees);
     y_lines_ =
-        wrapped(figure_.y.label, std::max(height, kLabelShare * inner_.height()), kLabelFont);
+        wrapped(axis_text(figure_.y), std::max(height, kLabelShare * inner_.height()), kLabelFont);
     axes.left += height_of(y_lines_, kLabelFont) + (y_lines_.empty() ? 0.0 : kLabelGap) +
                  widest_label(layout_.y_ticks) + kTickGap;
     label_shift_ = std::max(least_.left - axes.left, 0.0);
@@ -176,7 +176,7 @@ class LayoutMaker {
       layout_.legend = legend_rows(legend_texts(figure_, room.width()), room, legend);
     }
     const double label_bottom = inner_.bottom + legend + (legend > 0.0 ? kLabelGap : 0.0);
-    const auto lines = wrapped(figure_.x.label, axes.width(), kLabelFont);
+    const auto lines = wrapped(axis_text(figure_.x), axes.width(), kLabelFont);
     const double label_top = label_bottom + height_of(lines, kLabelFont);
     axes.bottom =
         label_top + (lines.empty() ? 0.0 : 0.5 * kLabelGap) + line_height(kSmallFont) + kTickGap;

@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -35,27 +37,6 @@ constexpr double kPageHeight = 240.0;  // mm
 constexpr double kLowestAxes = 60.0;   // px
 constexpr double kTall = 4000.0;       // higher than any panel, px
 
-/// A line or loop; without a name in the legend it belongs to the one before it of the same stroke.
-struct DrawnStroke {
-  Stroke* stroke = nullptr;
-  bool named = false;
-};
-
-DrawnStroke stroke_of(Layer& layer) {
-  return std::visit(
-      [](auto& concrete) -> DrawnStroke {
-        if constexpr (requires { concrete.stroke, concrete.legend; }) {
-          return {&concrete.stroke, !concrete.legend.empty()};
-        }
-        return {};
-      },
-      layer);
-}
-
-bool are_same(const Stroke& a, const Stroke& b) {
-  return a.colour == b.colour && a.style == b.style && a.width == b.width;
-}
-
 void letter_panels(FigureGrid& grid) {
   if (grid.panels.size() < 2) return;
   for (std::size_t i = 0; i < grid.panels.size(); ++i) {
@@ -65,27 +46,36 @@ void letter_panels(FigureGrid& grid) {
   }
 }
 
+/// The style of a line or loop; nothing of other layers.
+LineStyle* style_of(Layer& layer) {
+  return std::visit(
+      [](auto& concrete) -> LineStyle* {
+        if constexpr (requires { concrete.stroke, concrete.legend; }) {
+          return &concrete.stroke.style;
+        }
+        return nullptr;
+      },
+      layer);
+}
+
+/// Lines of one entry in the legend stay alike.
 void tell_lines_apart(Figure& figure) {
   constexpr std::array kStyles = {LineStyle::kSolid, LineStyle::kDashed, LineStyle::kDashDotted,
                                   LineStyle::kLongDashed, LineStyle::kDotted};
   std::vector<LineStyle> used;
   std::vector<LineStyle*> same;
+  std::map<std::string, LineStyle*> named;
   std::vector<std::pair<LineStyle*, const LineStyle*>> followers;
-  const Stroke* leader = nullptr;
   for (Layer& layer : figure.layers) {
-    const auto [stroke, named] = stroke_of(layer);
-    if (stroke == nullptr) continue;
-    if (!named) {
-      if (leader && are_same(*leader, *stroke)) {
-        followers.emplace_back(&stroke->style, &leader->style);
-      }
-      continue;
-    }
-    leader = stroke;
-    if (std::ranges::find(used, stroke->style) == used.end()) {
-      used.push_back(stroke->style);
+    LineStyle* style = style_of(layer);
+    if (style == nullptr || legend_of(layer).empty()) continue;
+    const auto [first, is_new] = named.try_emplace(legend_of(layer), style);
+    if (!is_new) {
+      followers.emplace_back(style, first->second);
+    } else if (std::ranges::find(used, *style) == used.end()) {
+      used.push_back(*style);
     } else {
-      same.push_back(&stroke->style);
+      same.push_back(style);
     }
   }
   std::size_t next = 0;

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
-#include "microslip/report/paper_parts.hpp"
+#include "microslip/report/figure_parts.hpp"
 #include "microslip/report/shown_unit.hpp"
 
 namespace microslip {
@@ -113,7 +113,7 @@ Figure history_panel(std::span<const HistorySignal> signals, const AxisOfSignals
 
 }  // namespace
 
-FigureGrid paper_response(const PredictedResponse& response) {
+FigureGrid response_figure(const PredictedResponse& response) {
   Figure amplitude = is_constant(response.force)
                          ? panel_of(response.frequency, response.displacement)
                          : panel_of(response.frequency, over_force(response));
@@ -131,7 +131,7 @@ FigureGrid paper_response(const PredictedResponse& response) {
   return {"", 1, {std::move(amplitude), std::move(phase)}};
 }
 
-FigureGrid paper_backbone(const PredictedBackbone& backbone, const PaperOptions& options) {
+FigureGrid backbone_figure(const PredictedBackbone& backbone, const FigureOptions& options) {
   const bool log = is_log(options, reaches_far(backbone.displacement));
   constexpr const char* kLabel = "displacement amplitude";
   Figure frequency = over_amplitude(backbone.displacement, backbone.frequency, log, kLabel);
@@ -141,7 +141,7 @@ FigureGrid paper_backbone(const PredictedBackbone& backbone, const PaperOptions&
   return {"", 2, {std::move(frequency), std::move(damping)}};
 }
 
-FigureGrid paper_dissipation(const DissipationCurve& curve, const PaperOptions& options) {
+FigureGrid joint_figures(const DissipationCurve& curve, const FigureOptions& options) {
   const bool log = is_log(options, reaches_far(curve.amplitude));
   constexpr const char* kLabel = "joint amplitude A";
   Figure energy = over_amplitude(curve.amplitude, curve.dissipation, log, kLabel);
@@ -154,7 +154,7 @@ FigureGrid paper_dissipation(const DissipationCurve& curve, const PaperOptions& 
   return {"", 3, {std::move(energy), std::move(secant), std::move(loss)}};
 }
 
-FigureGrid paper_history(std::span<const HistorySignal> signals) {
+FigureGrid histories_figure(std::span<const HistorySignal> signals) {
   std::vector<AxisOfSignals> axes;
   for (const HistorySignal& signal : signals) {
     if (std::ranges::find(axes, axis_of(signal)) == axes.end()) axes.push_back(axis_of(signal));
@@ -167,7 +167,7 @@ FigureGrid paper_history(std::span<const HistorySignal> signals) {
   return grid;
 }
 
-Figure paper_path(const std::vector<double>& displacement, const std::vector<double>& force) {
+Figure path_figure(const std::vector<double>& displacement, const std::vector<double>& force) {
   Figure figure = panel_of(displacement, force);
   show_x(figure, "joint displacement", "m");
   show_y(figure, "joint force", "N");

@@ -6,37 +6,37 @@
 #include <vector>
 
 #include "microslip/report/figure.hpp"
-#include "microslip/report/paper_figures.hpp"
+#include "microslip/report/figure_options.hpp"
 #include "microslip/workflow/result_input.hpp"
 
 /// @file
-/// What a model predicts, as figures for papers (report/paper_figures). All values are SI.
+/// What a model predicts, as figures. All values are SI.
 
 namespace microslip {
 
 /// Displacement, or displacement over force where the force varies, and phase over the frequency,
 /// one below the other. @throws InputError  without points, or where lengths differ.
-[[nodiscard]] FigureGrid paper_response(const PredictedResponse& response);
+[[nodiscard]] FigureGrid response_figure(const PredictedResponse& response);
 
 /// Frequency and damping ratio over the amplitude, side by side.
 /// @throws InputError  without points, or where lengths differ.
-[[nodiscard]] FigureGrid paper_backbone(const PredictedBackbone& backbone,
-                                        const PaperOptions& options = {});
+[[nodiscard]] FigureGrid backbone_figure(const PredictedBackbone& backbone,
+                                         const FigureOptions& options = {});
 
 /// D, k_eq and loss factor over the amplitude, side by side.
 /// @throws InputError  without points, or where lengths differ.
-[[nodiscard]] FigureGrid paper_dissipation(const DissipationCurve& curve,
-                                           const PaperOptions& options = {});
+[[nodiscard]] FigureGrid joint_figures(const DissipationCurve& curve,
+                                       const FigureOptions& options = {});
 
 /// The signals over time, those of one quantity and unit on one pair of axes, below each other; in
 /// two columns where there are four quantities or more. A line of more points than paper can show
 /// is drawn by the lowest and highest of each 1/2000 of its length.
 /// @throws InputError  without signals, or where lengths differ.
-[[nodiscard]] FigureGrid paper_history(std::span<const HistorySignal> signals);
+[[nodiscard]] FigureGrid histories_figure(std::span<const HistorySignal> signals);
 
 /// Force over displacement along a path. @throws InputError  without points, or where lengths
 /// differ.
-[[nodiscard]] Figure paper_path(const std::vector<double>& displacement,
-                                const std::vector<double>& force);
+[[nodiscard]] Figure path_figure(const std::vector<double>& displacement,
+                                 const std::vector<double>& force);
 
 }  // namespace microslip

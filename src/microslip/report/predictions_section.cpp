@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "microslip/report/figure_parts.hpp"
 #include "microslip/report/record_figures.hpp"
+#include "microslip/report/rig_figures.hpp"
+#include "microslip/report/scales.hpp"
 #include "microslip/report/sections.hpp"
+#include "microslip/report/shown_unit.hpp"
 
 namespace microslip {
 namespace {
@@ -59,70 +61,51 @@ ReportTable misfit_table(const std::vector<ChannelMisfit>& comparisons) {
   return table;
 }
 
-using ValueOf = std::function<double(const ChannelMisfit&)>;
+/// NRMSE and noise, a choice a channel.
+ReportFigure misfit_figure(const ExperimentResults& results) {
+  ReportFigure figure{.choose = "Channel", .wide = true};
+  for (Figure& channel : deviation_figures(results)) {
+    figure.choices.push_back({channel.title, std::move(channel.layers)});
+    figure.figure = std::move(channel);
+  }
+  figure.figure.title = "Misfit of the prediction";
+  figure.figure.caption =
+      "NRMSE of a channel, and what its noise makes of it: what the best Fourier series leaves. "
+      "Points on their noise have no error of the model that the noise would show.";
+  figure.figure.layers.clear();
+  return figure;
+}
 
 /// A value of each channel over the response.
-std::vector<ReportTrace> over_response(const std::vector<ChannelMisfit>& comparisons,
-                                       const ValueOf& value) {
-  std::vector<ReportTrace> traces;
+ReportFigure over_response(const std::vector<ChannelMisfit>& comparisons, std::string title,
+                           std::string caption, const ShownUnit& unit,
+                           double (*value)(const ChannelMisfit&)) {
+  Figure figure{.title = std::move(title), .caption = std::move(caption)};
   int colour = kBlue;
   for (const std::string& channel : channels_of(comparisons)) {
-    ReportTrace trace{.name = channel, .kind = TraceKind::kPoints, .stroke = {.colour = colour++}};
+    PointLayer points{.legend = channel, .colour = colour++};
     for (const ChannelMisfit& row : comparisons) {
       if (row.channel != channel) continue;
-      trace.x.push_back(row.response_amplitude);
-      trace.y.push_back(value(row));
+      points.x.push_back(row.response_amplitude);
+      points.y.push_back(value(row) / unit.size);
     }
-    traces.push_back(std::move(trace));
+    figure.layers.emplace_back(std::move(points));
   }
-  return traces;
-}
-
-ReportAxis response_axis() {
-  return {.label = "response at the exciter", .unit = "m/s²", .log_switch = true};
-}
-
-ReportFigure misfit_figure(const std::vector<ChannelMisfit>& comparisons) {
-  std::vector<ReportTrace> traces = over_response(
-      comparisons, [](const ChannelMisfit& row) { return row.noise_share / kPercent; });
-  for (ReportTrace& trace : traces) {
-    trace.name += ", noise";
-    trace.group = "noise of the channel";
-    trace.kind = TraceKind::kLine;
-    trace.stroke = {.colour = kGrey, .width = 1.2};
-  }
-  for (ReportTrace& trace :
-       over_response(comparisons, [](const ChannelMisfit& row) { return row.nrmse / kPercent; })) {
-    traces.push_back(std::move(trace));
-  }
-  return {.title = "Misfit of the prediction",
-          .caption =
-              "NRMSE of each channel, and what its noise makes of it: what the best Fourier series "
-              "leaves. Points on their line have no error of the model that the noise would show.",
-          .x = response_axis(),
-          .y = {.label = "NRMSE", .unit = "%", .log = true, .log_switch = true},
-          .choices = {{"", std::move(traces)}},
-          .wide = true};
+  show_response(figure, {}, false);
+  figure.y = {.label = "error of the first harmonic", .unit = unit.text};
+  return {.figure = std::move(figure)};
 }
 
 ReportFigure amplitude_figure(const std::vector<ChannelMisfit>& comparisons) {
-  return {.title = "Amplitude error",
-          .caption = "First harmonic predicted over recorded, less 1.",
-          .x = response_axis(),
-          .y = {.label = "amplitude error", .unit = "%"},
-          .choices = {{"", over_response(comparisons, [](const ChannelMisfit& row) {
-                         return (row.amplitude_ratio - 1.0) / kPercent;
-                       })}}};
+  return over_response(comparisons, "Amplitude error",
+                       "First harmonic predicted over recorded, less 1.", {"%", kPercent},
+                       [](const ChannelMisfit& row) { return row.amplitude_ratio - 1.0; });
 }
 
 ReportFigure phase_figure(const std::vector<ChannelMisfit>& comparisons) {
-  return {.title = "Phase error",
-          .caption = "First harmonic, predicted less recorded.",
-          .x = response_axis(),
-          .y = {.label = "phase error", .unit = "mrad"},
-          .choices = {{"", over_response(comparisons, [](const ChannelMisfit& row) {
-                         return row.phase_error / kMilliradian;
-                       })}}};
+  return over_response(comparisons, "Phase error", "First harmonic, predicted less recorded.",
+                       {"mrad", kMilliradian},
+                       [](const ChannelMisfit& row) { return row.phase_error; });
 }
 
 }  // namespace
@@ -145,7 +128,7 @@ ReportSection predictions_section(const ExperimentResults& results) {
                        "recorded frequency and response, against the record: verify again."});
   add_records(section, results, results.predictions, kPredictedNames);
   if (!results.comparisons.empty()) {
-    section.blocks.emplace_back(misfit_figure(results.comparisons));
+    section.blocks.emplace_back(misfit_figure(results));
     section.blocks.emplace_back(amplitude_figure(results.comparisons));
     section.blocks.emplace_back(phase_figure(results.comparisons));
     section.blocks.emplace_back(misfit_table(results.comparisons));

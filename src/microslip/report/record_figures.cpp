@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <iterator>
 #include <ranges>
 #include <string_view>
 #include <utility>
 
+#include "microslip/report/harmonic_parts.hpp"
 #include "microslip/report/scales.hpp"
 #include "microslip/report/sections.hpp"
 #include "microslip/report/shown_unit.hpp"
@@ -53,23 +55,29 @@ std::string label_of(const std::string& source, const ExperimentResults& results
   return std::string(name);
 }
 
+/// The other ones are in front of all recorded ones.
+struct SignalLayers {
+  std::vector<Layer> recorded;
+  std::vector<Layer> other;
+};
+
 /// The two curves of a signal.
 void add_signal(const SignalPair& signal, const RecordNames& names, int colour, double scale,
-                std::vector<ReportTrace>& traces) {
+                SignalLayers& layers) {
   const bool compares = !signal.other.empty();
-  traces.push_back(
-      {.name = with(signal.name, names.recorded),
-       .x = in_unit(signal.time, kMillisecond),
-       .y = in_unit(signal.recorded, scale),
-       .stroke = {.colour = colour, .width = compares && names.other_shown ? 3.2 : 1.6}});
+  layers.recorded.emplace_back(
+      LineLayer{.x = in_unit(signal.time, kMillisecond),
+                .y = in_unit(signal.recorded, scale),
+                .legend = with(signal.name, names.recorded),
+                .stroke = {.colour = colour, .width = compares && names.other_shown ? 3.2 : 1.6}});
   if (!compares) return;
-  traces.push_back(
-      {.name = with(signal.name, names.other),
-       .group = names.other,
-       .x = in_unit(signal.other_time, kMillisecond),
-       .y = in_unit(signal.other, scale),
-       .stroke = {.colour = names.other_colour, .style = LineStyle::kDashed, .width = 1.2},
-       .shown = names.other_shown || signal.unit == "N"});
+  layers.other.emplace_back(
+      LineLayer{.x = in_unit(signal.other_time, kMillisecond),
+                .y = in_unit(signal.other, scale),
+                .legend = names.other,
+                .stroke = {.colour = names.other_colour, .style = LineStyle::kDashed, .width = 1.2},
+                .name = with(signal.name, names.other),
+                .shown = names.other_shown || signal.unit == "N"});
 }
 
 /// "8 of the 200 channels are shown.", where a record has more than a figure shows.
@@ -86,42 +94,42 @@ ReportFigure history_figure(const ExperimentResults& results,
   const auto [shown, scale] = unit_of_signal(unit);
   std::string title = quantity_of_unit(unit);
   title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
-  ReportFigure figure{.title = title + " over time",
+  ReportFigure figure{.figure = {.title = title + " over time",
+                                 .x = {.label = "time", .unit = "ms"},
+                                 .y = {.label = quantity_of_unit(unit), .unit = shown}},
                       .chart = ChartKind::kTimeHistory,
-                      .x = {.label = "time", .unit = "ms"},
-                      .y = {.label = quantity_of_unit(unit), .unit = shown},
                       .choose = "Record",
                       .wide = true};
   std::size_t most = 0;
   for (const LevelRecord& record : records) {
-    ReportChoice choice{label_of(record.source, results), {}};
+    SignalLayers layers;
     int colour = kBlue;
     std::size_t channels = 0;
     for (const SignalPair& signal : record.signals) {
       if (signal.unit != unit || ++channels > kMostChannels) continue;
-      add_signal(signal, names, colour, scale, choice.traces);
+      add_signal(signal, names, colour, scale, layers);
       ++colour;
       if (!signal.other.empty() && colour % kColours == names.other_colour) ++colour;
     }
-    // In front of all recorded ones.
-    std::ranges::stable_partition(choice.traces,
-                                  [](const ReportTrace& trace) { return trace.group.empty(); });
-    if (!choice.traces.empty()) figure.choices.push_back(std::move(choice));
+    std::ranges::move(layers.other, std::back_inserter(layers.recorded));
+    if (!layers.recorded.empty()) {
+      figure.choices.push_back({label_of(record.source, results), std::move(layers.recorded)});
+    }
     most = std::max(most, channels);
   }
-  figure.caption = left_out_text(most);
+  figure.figure.caption = left_out_text(most);
   figure.chosen = figure.choices.empty() ? 0 : figure.choices.size() - 1;
   return figure;
 }
 
 /// From the second harmonic on, in % of the first.
-ReportTrace overtones(const std::string& name, const std::vector<double>& harmonics, int colour) {
-  ReportTrace trace{.name = name, .kind = TraceKind::kBars, .stroke = {.colour = colour}};
+BarLayer overtones(std::string name, const std::vector<double>& harmonics, int colour) {
+  BarLayer bars{.legend = std::move(name), .colour = colour};
   for (std::size_t i = 1; i < harmonics.size(); ++i) {
-    trace.x.push_back(static_cast<double>(i + 1));
-    trace.y.push_back(harmonics[i] / harmonics[0] / kPercent);
+    bars.x.push_back(static_cast<double>(i + 1));
+    bars.y.push_back(harmonics[i] / harmonics[0] / kPercent);
   }
-  return trace;
+  return bars;
 }
 
 bool has_overtones(const std::vector<double>& harmonics) {
@@ -131,57 +139,49 @@ bool has_overtones(const std::vector<double>& harmonics) {
 ReportFigure harmonics_figure(const ExperimentResults& results,
                               const std::vector<LevelRecord>& records, const RecordNames& names) {
   ReportFigure figure{
-      .title = "Harmonics",
-      .caption =
-          "Amplitudes of the harmonics from the second, in percent of the "
-          "first. The line is at 1 %, to which the published test held the force.",
-      .x = {.label = "harmonic", .unit = "1"},
-      .y = {.label = "share of the first", .unit = "%", .log = true, .log_switch = true},
+      .figure =
+          {.title = "Harmonics",
+           .caption = "Amplitudes of the harmonics from the second, in percent of the "
+                      "first. The line is at 1 %, to which the published test held the force.",
+           .y = {.label = "share of the first", .unit = "%", .log = true, .log_switch = true}},
       .choose = "Record",
       .wide = true};
+  std::size_t last = 2;  // harmonic
   std::size_t most = 0;
   for (const LevelRecord& record : records) {
     // Pairs of all channels at once are hard to read: those of the force come first.
     const bool compares = std::ranges::any_of(
         record.harmonics, [](const HarmonicsPair& channel) { return !channel.other.empty(); });
-    ReportChoice choice{label_of(record.source, results), {}};
+    FigureChoice choice{label_of(record.source, results), {}};
     int colour = kBlue;
-    double last = 2.0;
     most = std::max(most, record.harmonics.size());
     for (const HarmonicsPair& channel : record.harmonics | std::views::take(kMostChannels)) {
       const bool is_force = channel.unit == "N";
       const auto add = [&](const std::vector<double>& values, const char* name, int paint) {
         if (!has_overtones(values)) return;
-        choice.traces.push_back(overtones(with(channel.name, name), values, paint));
-        choice.traces.back().shown = is_force || !compares;
-        last = std::max(last, choice.traces.back().x.back());
+        BarLayer bars = overtones(with(channel.name, name), values, paint);
+        bars.shown = is_force || !compares;
+        last = std::max(last, values.size());
+        choice.layers.emplace_back(std::move(bars));
       };
       if (is_force || names.other_shown) add(channel.other, names.other, names.other_colour);
       add(channel.recorded, names.recorded, colour);
       ++colour;
       if (!channel.other.empty() && colour % kColours == names.other_colour) ++colour;
     }
-    if (choice.traces.empty()) continue;
-    choice.traces.push_back(one_percent(1.4, last + 0.6));
-    figure.choices.push_back(std::move(choice));
+    if (!choice.layers.empty()) figure.choices.push_back(std::move(choice));
+  }
+  figure.figure.x = harmonic_axis(2, last);
+  const AxisRange range = *figure.figure.x.range;
+  for (FigureChoice& choice : figure.choices) {
+    choice.layers.emplace_back(one_percent(range.from, range.to));
   }
   figure.chosen = figure.choices.empty() ? 0 : figure.choices.size() - 1;
-  figure.x.range = harmonics_range(figure.choices);
-  if (most > kMostChannels) figure.caption += " " + left_out_text(most);
+  if (most > kMostChannels) figure.figure.caption += " " + left_out_text(most);
   return figure;
 }
 
 }  // namespace
-
-AxisRange harmonics_range(const std::vector<ReportChoice>& choices) {
-  double last = 2.0;
-  for (const ReportChoice& choice : choices) {
-    for (const ReportTrace& trace : choice.traces) {
-      if (trace.kind == TraceKind::kBars) last = std::max(last, trace.x.back());
-    }
-  }
-  return {1.4, last + 0.6};
-}
 
 void add_records(ReportSection& section, const ExperimentResults& results,
                  const std::vector<LevelRecord>& records, const RecordNames& names) {
@@ -190,13 +190,6 @@ void add_records(ReportSection& section, const ExperimentResults& results,
   }
   ReportFigure harmonics = harmonics_figure(results, records, names);
   if (!harmonics.choices.empty()) section.blocks.emplace_back(std::move(harmonics));
-}
-
-ReportTrace one_percent(double from, double to) {
-  return {.name = "1 %",
-          .x = {from, to},
-          .y = {1.0, 1.0},
-          .stroke = {.colour = kGrey, .style = LineStyle::kDashed, .width = 1.2}};
 }
 
 }  // namespace microslip

@@ -28,10 +28,4 @@ inline constexpr RecordNames kPredictedNames = {"recorded", "predicted", kBlack,
 void add_records(ReportSection& section, const ExperimentResults& results,
                  const std::vector<LevelRecord>& records, const RecordNames& names);
 
-/// Of the harmonics from the second that these bars show.
-[[nodiscard]] AxisRange harmonics_range(const std::vector<ReportChoice>& choices);
-
-/// The line of the distortion that a controlled force may have.
-[[nodiscard]] ReportTrace one_percent(double from, double to);
-
 }  // namespace microslip

@@ -9,6 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "microslip/report/text_layout.hpp"
@@ -18,8 +21,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 6> kKinds = {"line", "points", "band",
-                                                    "loop", "bars",   "marker"};
 constexpr std::array<std::string_view, 5> kStyles = {"solid", "dash", "dot", "dashdot", "longdash"};
 
 /// More digits than any sensor has, in half the bytes.
@@ -50,7 +51,7 @@ Json axis_values(const std::vector<double>& x) {
   return {{"from", x.front()}, {"step", step}, {"count", x.size()}};
 }
 
-Json as_json(const ReportAxis& axis) {
+Json as_json(const FigureAxis& axis) {
   Json json{{"label", shown_text(axis.label)},
             {"unit", shown_text(axis.unit)},
             {"log", axis.log},
@@ -59,48 +60,86 @@ Json as_json(const ReportAxis& axis) {
   return json;
 }
 
-/// Curves of one figure often have the same x, which is half of their data: the number of the
-/// first.
-Json x_of(const std::vector<ReportTrace>& traces, std::size_t index) {
-  for (std::size_t i = 0; i < index; ++i) {
-    if (traces[i].x.size() > 1 && traces[i].x == traces[index].x) return {{"of", i}};
-  }
-  return axis_values(traces[index].x);
+std::vector<double> x_of(const Layer& layer) {
+  return std::visit(
+      [](const auto& concrete) -> std::vector<double> {
+        if constexpr (std::is_same_v<decltype(concrete), const MarkerLayer&>) {
+          return {concrete.x};
+        } else {
+          return concrete.x;
+        }
+      },
+      layer);
 }
 
-Json as_json(const std::vector<ReportTrace>& traces, std::size_t index) {
-  const ReportTrace& trace = traces[index];
-  Json json{{"name", shown_text(trace.name)},
-            {"group", shown_text(legend_of(trace))},
-            {"kind", kKinds[static_cast<std::size_t>(trace.kind)]},
-            {"colour", trace.stroke.colour % kColours},
-            {"style", kStyles[static_cast<std::size_t>(trace.stroke.style)]},
-            {"width", trace.stroke.width},
-            {"shown", trace.shown},
-            {"x", x_of(traces, index)}};
-  if (!trace.y.empty()) json["y"] = numbers(trace.y);
-  if (!trace.y_std.empty()) json["yStd"] = numbers(trace.y_std);
-  if (trace.kind == TraceKind::kBand) {
-    json["lower"] = numbers(trace.lower);
-    json["upper"] = numbers(trace.upper);
+/// Curves of one figure often have the same x, which is half of their data: the number of the
+/// first.
+Json x_data(const std::vector<Layer>& layers, std::size_t index) {
+  const std::vector<double> x = x_of(layers[index]);
+  for (std::size_t i = 0; i < index; ++i) {
+    if (x.size() > 1 && x_of(layers[i]) == x) return {{"of", i}};
   }
+  return axis_values(x);
+}
+
+void add_stroke(Json& json, const char* kind, const Stroke& stroke) {
+  json["kind"] = kind;
+  json["colour"] = stroke.colour % kColours;
+  json["style"] = kStyles.at(static_cast<std::size_t>(stroke.style));
+  json["width"] = stroke.width;
+}
+
+void add_look(Json& json, const LineLayer& layer) { add_stroke(json, "line", layer.stroke); }
+void add_look(Json& json, const LoopLayer& layer) { add_stroke(json, "loop", layer.stroke); }
+void add_look(Json& json, const MarkerLayer& layer) { add_stroke(json, "marker", layer.stroke); }
+void add_look(Json& json, const BarLayer& layer) {
+  add_stroke(json, "bars", {.colour = layer.colour});
+}
+
+void add_look(Json& json, const PointLayer& layer) {
+  add_stroke(json, "points", {.colour = layer.colour});
+  if (!layer.x_error.empty()) json["xStd"] = numbers(layer.x_error);
+  if (!layer.y_error.empty()) json["yStd"] = numbers(layer.y_error);
+}
+
+void add_look(Json& json, const BandLayer& layer) {
+  add_stroke(json, "band", {.colour = layer.colour});
+  json["lower"] = numbers(layer.lower);
+  json["upper"] = numbers(layer.upper);
+}
+
+Json as_json(const std::vector<Layer>& layers, std::size_t index) {
+  const Layer& layer = layers[index];
+  Json json{{"name", shown_text(name_of(layer))},
+            {"group", shown_text(legend_of(layer))},
+            {"shown", is_shown(layer)},
+            {"x", x_data(layers, index)}};
+  std::visit(
+      [&json](const auto& concrete) {
+        add_look(json, concrete);
+        if constexpr (requires { concrete.y; }) json["y"] = numbers(concrete.y);
+      },
+      layer);
   return json;
+}
+
+Json as_json(const FigureChoice& choice) {
+  Json traces = Json::array();
+  for (std::size_t i = 0; i < choice.layers.size(); ++i) {
+    traces.push_back(as_json(choice.layers, i));
+  }
+  return {{"name", shown_text(choice.name)}, {"traces", std::move(traces)}};
 }
 
 Json as_json(const ReportFigure& figure, std::size_t section) {
   Json choices = Json::array();
-  for (const ReportChoice& choice : figure.choices) {
-    Json traces = Json::array();
-    for (std::size_t i = 0; i < choice.traces.size(); ++i) {
-      traces.push_back(as_json(choice.traces, i));
-    }
-    choices.push_back({{"name", shown_text(choice.name)}, {"traces", std::move(traces)}});
-  }
+  for (const FigureChoice& choice : figure.choices) choices.push_back(as_json(choice));
+  if (choices.empty()) choices.push_back(as_json(FigureChoice{"", figure.figure.layers}));
   return {{"section", section},
-          {"title", shown_text(figure.title)},
+          {"title", shown_text(figure.figure.title)},
           {"chart", figure.chart == ChartKind::kTimeHistory ? "time" : "plot"},
-          {"x", as_json(figure.x)},
-          {"y", as_json(figure.y)},
+          {"x", as_json(figure.figure.x)},
+          {"y", as_json(figure.figure.y)},
           {"choose", shown_text(figure.choose)},
           {"chosen", figure.chosen},
           {"choices", std::move(choices)}};

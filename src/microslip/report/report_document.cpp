@@ -3,9 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "microslip/base/error.hpp"
 
@@ -19,64 +18,28 @@ void check_size(const std::string& name, std::size_t size, std::size_t expected)
   }
 }
 
-void check_finite(const std::string& name, const std::vector<double>& values) {
-  const auto bad = std::ranges::find_if_not(values, [](double v) { return std::isfinite(v); });
-  if (bad != values.end()) {
-    throw InputError(fmt::format("{}[{}]", name, bad - values.begin()), *bad, "must be finite");
-  }
-}
-
-void check_band(const std::string& name, const ReportTrace& trace) {
-  check_size(name + ".lower", trace.lower.size(), trace.x.size());
-  check_size(name + ".upper", trace.upper.size(), trace.x.size());
-  check_finite(name + ".lower", trace.lower);
-  check_finite(name + ".upper", trace.upper);
-  for (std::size_t i = 0; i < trace.x.size(); ++i) {
-    if (trace.upper[i] < trace.lower[i]) {
-      throw InputError(fmt::format("{}.upper[{}]", name, i), trace.upper[i],
-                       fmt::format("must be at least the {} of lower", trace.lower[i]));
-    }
-  }
-}
-
-void check_trace(const std::string& name, const ReportTrace& trace) {
-  if (trace.stroke.colour < 0) {
-    throw InputError(name + ".stroke.colour", trace.stroke.colour, "must be 0 or more");
-  }
-  if (trace.x.empty()) throw InputError(name + ".x.size()", "0", "must be 1 or more");
-  check_finite(name + ".x", trace.x);
-  if (trace.kind == TraceKind::kBand) return check_band(name, trace);
-  if (trace.kind == TraceKind::kMarker) return check_size(name + ".x", trace.x.size(), 1);
-  check_size(name + ".y", trace.y.size(), trace.x.size());
-  if (!trace.y_std.empty()) check_size(name + ".y_std", trace.y_std.size(), trace.x.size());
-  check_finite(name + ".y_std", trace.y_std);
-  for (std::size_t i = 0; i < trace.y_std.size(); ++i) {
-    if (trace.y_std[i] < 0.0) {
-      throw InputError(fmt::format("{}.y_std[{}]", name, i), trace.y_std[i], "must be 0 or more");
-    }
-  }
-}
-
-void check_axis(const std::string& name, const ReportAxis& axis) {
+void check_axis_texts(const std::string& name, const FigureAxis& axis) {
   for (const auto& [what, text] : {std::pair{".label", &axis.label}, {".unit", &axis.unit}}) {
     if (text->empty()) throw InputError(name + what, "''", "must not be empty");
   }
 }
 
+void check_content(const std::string& name, const std::vector<Layer>& layers) {
+  if (layers.empty()) throw InputError(name + "layers.size()", "0", "must be 1 or more");
+  check_layers(name, layers, true);
+}
+
 void check_part(const std::string& name, const ReportFigure& figure) {
-  check_axis(name + ".x", figure.x);
-  check_axis(name + ".y", figure.y);
+  check_axis_texts(name + ".figure.x", figure.figure.x);
+  check_axis_texts(name + ".figure.y", figure.figure.y);
+  if (figure.choices.empty()) return check_content(name + ".figure.", figure.figure.layers);
+  check_size(name + ".figure.layers", figure.figure.layers.size(), 0);
   if (figure.chosen >= figure.choices.size()) {
     throw InputError(name + ".chosen", fmt::format("{}", figure.chosen),
                      fmt::format("must be below the {} choices", figure.choices.size()));
   }
   for (std::size_t i = 0; i < figure.choices.size(); ++i) {
-    const std::string choice = fmt::format("{}.choices[{}]", name, i);
-    const std::vector<ReportTrace>& traces = figure.choices[i].traces;
-    if (traces.empty()) throw InputError(choice + ".traces.size()", "0", "must be 1 or more");
-    for (std::size_t j = 0; j < traces.size(); ++j) {
-      check_trace(fmt::format("{}.traces[{}]", choice, j), traces[j]);
-    }
+    check_content(fmt::format("{}.choices[{}].", name, i), figure.choices[i].layers);
   }
 }
 
@@ -90,6 +53,10 @@ template <typename Other>
 void check_part(const std::string& /*name*/, const Other& /*block*/) {}
 
 }  // namespace
+
+const std::vector<Layer>& chosen_layers(const ReportFigure& figure) {
+  return figure.choices.empty() ? figure.figure.layers : figure.choices.at(figure.chosen).layers;
+}
 
 void check_report(const ReportDocument& document) {
   if (document.sections.empty()) throw InputError("sections.size()", "0", "must be 1 or more");

@@ -18,49 +18,10 @@
 
 namespace microslip {
 
-/// "label [unit]" as the axis reads.
-struct ReportAxis {
-  std::string label;                    ///< of the axis, without unit
-  std::string unit;                     ///< "1" for a number
-  bool log = false;                     ///< to base 10, at first
-  bool log_switch = false;              ///< lets the reader change that
-  std::optional<AxisRange> range = {};  ///< on a linear axis; without one, what the traces cover
-};
-
-/// How a trace is drawn.
-enum class TraceKind {
-  kLine,    ///< through the points, in their order
-  kPoints,  ///< marks, with bars of ± one standard deviation where `y_std` is given
-  kBand,    ///< the area between `lower` and `upper`
-  kLoop,    ///< a line whose last point is joined to the first
-  kBars,    ///< from the axis up to y
-  kMarker,  ///< a vertical line at x[0] across the figure
-};
-
-/// One thing drawn on a pair of axes. An infinite or undefined y is a gap.
-struct ReportTrace {
-  std::string name;  ///< in the legend, unless there is a group
-  /// Traces with one share an entry of the legend; without it, `name` is it.
-  std::string group = {};
-  TraceKind kind = TraceKind::kLine;  ///< how it is drawn
-  std::vector<double> x = {};         ///< finite
-  std::vector<double> y = {};         ///< one an x; empty for a band and a marker
-  std::vector<double> lower = {};     ///< of a band: one an x, finite
-  std::vector<double> upper = {};     ///< of a band: one an x, finite, ≥ lower
-  std::vector<double> y_std = {};     ///< of points: none, or one an x, ≥ 0 and finite
-  Stroke stroke = {};                 ///< of lines, bands, bars and markers
-  bool shown = true;                  ///< at first; the reader turns traces on and off
-};
-
-/// What the legend calls it.
-[[nodiscard]] inline const std::string& legend_of(const ReportTrace& trace) {
-  return trace.group.empty() ? trace.name : trace.group;
-}
-
 /// One of several contents of a figure: that of a level, for instance.
-struct ReportChoice {
-  std::string name;                      ///< its name in the menu
-  std::vector<ReportTrace> traces = {};  ///< what is drawn then
+struct FigureChoice {
+  std::string name;                ///< its name in the menu
+  std::vector<Layer> layers = {};  ///< what is drawn then
 };
 
 /// How a figure is drawn on the screen.
@@ -69,19 +30,20 @@ enum class ChartKind {
   kTimeHistory,  ///< lines over time, many points; those of a section share their cursor
 };
 
-/// Axes and what is drawn on them. With several choices the reader picks one; figures of a section
-/// with the same `choose` change together, where they have a choice of that name.
+/// A figure on a page. With choices the reader picks one, and the figure itself has no layers;
+/// figures of a section with the same `choose` change together, where they have a choice of that
+/// name. Values along y that are not finite are gaps.
 struct ReportFigure {
-  std::string title;                       ///< above the figure
-  std::string caption = {};                ///< what is to be seen, a sentence or two
+  Figure figure = {};                      ///< its axes have labels and units
   ChartKind chart = ChartKind::kPlot;      ///< how it is drawn on the screen
-  ReportAxis x = {};                       ///< the horizontal axis
-  ReportAxis y = {};                       ///< the vertical axis
   std::string choose = {};                 ///< what is chosen: "Level"
-  std::vector<ReportChoice> choices = {};  ///< one at least
+  std::vector<FigureChoice> choices = {};  ///< none, or what the reader chooses from
   std::size_t chosen = 0;                  ///< at first; the one in the printed picture
   bool wide = false;                       ///< over the width of the page
 };
+
+/// What is drawn at first.
+[[nodiscard]] const std::vector<Layer>& chosen_layers(const ReportFigure& figure);
 
 /// A column of a table.
 struct ReportColumn {
@@ -147,7 +109,7 @@ struct ReportDocument {
 
 /// Checks what the comments above demand, that there is a section, and that each figure has an axis
 /// label with a unit and something to draw.
-/// @throws InputError  naming the section, the figure and the trace, counted from 0, and the value.
+/// @throws InputError  naming the section, the block and the layer, counted from 0, and the value.
 void check_report(const ReportDocument& document);
 
 }  // namespace microslip

@@ -176,15 +176,16 @@ class Page {
     html_ +=
         fmt::format("<figure id=\"figure-{}\" class=\"figure{}{}\" data-figure=\"{}\">\n", figures_,
                     wide ? " wide" : "", picture.empty() ? " no-picture" : "", figures_);
-    html_ += fmt::format("<div class=\"head\"><h3>{}</h3></div>\n", html_text(figure.title));
-    if (const std::string& chosen = figure.choices.at(figure.chosen).name; !chosen.empty()) {
+    html_ += fmt::format("<div class=\"head\"><h3>{}</h3></div>\n", html_text(figure.figure.title));
+    if (!figure.choices.empty()) {
       html_ += fmt::format("<p class=\"chosen\">{}: {}</p>\n", html_text(figure.choose),
-                           html_text(chosen));
+                           html_text(figure.choices.at(figure.chosen).name));
     }
     html_ += fmt::format("<div class=\"canvas\">{}", picture.empty() ? kNoPicture : picture);
     html_ += fmt::format("<div class=\"chart\" role=\"img\" aria-label=\"{}\"></div></div>\n",
                          alternative);
-    html_ += fmt::format("<figcaption>{}</figcaption>\n</figure>\n", html_text(figure.caption));
+    html_ +=
+        fmt::format("<figcaption>{}</figcaption>\n</figure>\n", html_text(figure.figure.caption));
     ++figures_;
   }
 

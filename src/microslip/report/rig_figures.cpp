@@ -5,194 +5,200 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/units.hpp"
-#include "microslip/joint/dissipation.hpp"
-#include "microslip/report/harmonic_bars.hpp"
+#include "microslip/report/figure_parts.hpp"
+#include "microslip/report/harmonic_parts.hpp"
 #include "microslip/report/scales.hpp"
+#include "microslip/report/shown_unit.hpp"
 #include "microslip/workflow/level_records.hpp"
 
 namespace microslip {
 namespace {
 
-constexpr double kMostDistortion = 0.01;  // of the force [AR14]
-constexpr int kBefore = kVermillion;
+constexpr int kBefore = kPurple;
 constexpr int kAfter = kBlue;
+constexpr const char* kBeforeName = "before control";
+constexpr const char* kAfterName = "after control";
+constexpr const char* kOverFirst = "harmonic over the first";
 
-constexpr const char* kAmplitudeLabel = "joint amplitude A [µm]";
-
-FigureAxis response_axis(const std::string& unit) {
-  return {.label = fmt::format("acceleration amplitude at the exciter [{}]", unit)};
+std::string response_text(double response, const std::string& unit) {
+  return fmt::format("{:.3g} {}", response / parse_unit(unit, kAcceleration).factor(), unit);
 }
 
-double size_of(const std::string& unit) { return parse_unit(unit, kAcceleration).factor(); }
-
-LineLayer force_history(const DrivenVibration& driven, const char* name, int colour) {
-  Curve curve = force_over_cycle(driven, 400);
-  return {in_unit(std::move(curve.x), kMillisecond), std::move(curve.y), name, {.colour = colour}};
-}
-
-/// The first harmonic, and the others over it, %.
-std::vector<double> heights_of(const std::vector<double>& shares) {
-  std::vector<double> heights = {1.0 / kPercent};
-  for (const double share : shares) heights.push_back(share / kPercent);
-  return heights;
-}
-
-LineLayer asked_for(double from, double to) {
-  return {{from, to},
-          {kMostDistortion / kPercent, kMostDistortion / kPercent},
-          "1 %, asked for",
-          {.colour = kGrey, .style = LineStyle::kDashed, .width = 1.2}};
-}
-
-Figure force_histories(LineLayer before, LineLayer after) {
-  Figure figure;
-  figure.title = "Force at the highest level";
-  figure.x = {.label = "time [ms]"};
-  figure.y = {.label = "force [N]"};
-  figure.layers = {std::move(before), std::move(after)};
-  return figure;
-}
-
-Figure force_harmonics(const ForceControlLevel& level, const std::string& unit) {
-  Figure figure;
-  figure.title = "Its harmonics";
-  figure.x = harmonic_axis(level.before.size() + 1);
-  figure.x.label += fmt::format(", at {:.3g} {}", level.response, unit);
-  figure.y = {.label = "harmonic over the first [%]", .log = true, .range = AxisRange{1e-3, 200.0}};
-  add_harmonic_bars(figure, heights_of(level.before), BarSide::kLeft, kBefore, "before control");
-  add_harmonic_bars(figure, heights_of(level.after), BarSide::kRight, kAfter, "after");
-  figure.layers.emplace_back(asked_for(figure.x.range->from, figure.x.range->to));
-  return figure;
-}
-
-Figure force_distortions(std::span<const ForceControlLevel> levels, const std::string& unit) {
-  LineLayer before{{}, {}, "before control", {.colour = kBefore}};
-  LineLayer after{{}, {}, "after", {.colour = kAfter}};
-  const auto largest = [](const std::vector<double>& shares) {
-    return shares.empty() ? 0.0 : std::ranges::max(shares) / kPercent;
-  };
-  for (const ForceControlLevel& level : levels) {
-    for (auto* line : {&before, &after}) line->x.push_back(level.response / size_of(unit));
-    before.y.push_back(largest(level.before));
-    after.y.push_back(largest(level.after));
-  }
-  Figure figure;
-  figure.title = "Largest harmonic, from the second";
-  figure.x = response_axis(unit);
-  figure.y = {.label = "harmonic over the first [%]", .log = true};
-  figure.layers = {asked_for(before.x.front(), before.x.back()), before, after};
-  return figure;
-}
-
-LineLayer curve_of(const ResponseCurve& curve, std::string name, Stroke stroke) {
-  LineLayer line{{}, {}, std::move(name), stroke};
-  for (const SteadyVibration& point : curve.points) {
-    line.x.push_back(point.frequency());
-    line.y.push_back(point.response / point.force_amplitude);
-  }
+LineLayer over_force(double response, const std::vector<double>& frequency,
+                     const std::vector<double>& force, std::string legend, const Stroke& stroke) {
+  LineLayer line{frequency, {}, std::move(legend), stroke};
+  for (const double f : force) line.y.push_back(response / f);
   return line;
+}
+
+/// The levels of the test, each near the top of its curve.
+void add_measured(Figure& figure, const ExperimentResults& results) {
+  if (!results.levels) return;
+  const MeasuredLevels& test = *results.levels;
+  if (test.frequency.empty() || test.force_amplitude.empty() || test.response_amplitude.empty()) {
+    return;
+  }
+  PointLayer points{.x = test.frequency,
+                    .y = test.response_amplitude,
+                    .legend = "measured levels",
+                    .colour = kBlack,
+                    .size = 0.6};
+  for (std::size_t i = 0; i < points.y.size(); ++i) points.y[i] /= test.force_amplitude[i];
+  figure.layers.emplace_back(std::move(points));
+}
+
+Figure force_histories(const VirtualLevel& level) {
+  Figure figure{.title = "Force at the highest level"};
+  const auto add = [&](const DrivenVibration& driven, const char* name, int colour) {
+    Curve curve = force_over_cycle(driven, 400);
+    figure.layers.emplace_back(
+        LineLayer{std::move(curve.x), std::move(curve.y), name, {.colour = colour}});
+  };
+  add(level.uncontrolled, kBeforeName, kBefore);
+  add(level.controlled, kAfterName, kAfter);
+  show_x(figure, "time", "s");
+  show_y(figure, "force", "N");
+  return figure;
+}
+
+bool has_positive(const std::vector<double>& values) {
+  return std::ranges::any_of(values, [](double value) { return value > 0.0; });
+}
+
+Figure deviations_of(const std::string& channel, const std::vector<ChannelMisfit>& comparisons,
+                     const FigureOptions& options) {
+  PointLayer nrmse{.legend = "prediction", .colour = kBlack, .open = true};
+  PointLayer noise{.legend = "noise alone", .colour = kOrange, .size = 0.6};
+  for (const ChannelMisfit& row : comparisons) {
+    if (row.channel != channel) continue;
+    nrmse.x.push_back(row.response_amplitude);
+    nrmse.y.push_back(row.nrmse);
+    noise.y.push_back(row.noise_share);
+  }
+  noise.x = nrmse.x;
+  const bool log_x = has_positive(nrmse.x);
+  const bool log_y = has_positive(nrmse.y) || has_positive(noise.y);
+  Figure figure{.title = channel, .layers = {std::move(noise), std::move(nrmse)}};
+  show_response(figure, options, true);
+  show_y(figure, "rms error over rms", "%");
+  figure.x.log = figure.x.log && log_x;
+  figure.y.log = log_y;
+  figure.y.log_switch = true;
+  return figure;
 }
 
 }  // namespace
 
-Figure resonance_figure(const std::string& title, std::span<const ReducedLevel> levels,
-                        const std::string& unit) {
-  PointLayer drive{.x = {}, .y = {}, .legend = "drive", .colour = kGrey, .size = 0.6};
-  LineLayer resonance{{}, {}, "resonance, by the measured phase", {.colour = kBlue}};
-  for (const ReducedLevel& level : levels) {
-    drive.x.push_back(level.response_amplitude / size_of(unit));
-    drive.y.push_back(level.frequency);
-    resonance.y.push_back(level.resonance_frequency);
+Figure constant_response_figure(const ExperimentResults& results, const FigureOptions& options) {
+  if (results.responses.empty()) {
+    throw_missing("responses", "the figure needs responses of a rig with a joint");
   }
-  resonance.x = drive.x;
-  Figure figure;
-  figure.title = title;
-  figure.x = response_axis(unit);
-  figure.y = {.label = "frequency [Hz]"};
-  figure.layers = {drive, resonance};
-  return figure;
-}
-
-Figure energies_figure(const std::string& title, std::span<const ReducedLevel> levels,
-                       const Joint* truth) {
-  LineLayer input{{}, {}, "input", {.colour = kBlack}};
-  LineLayer linear{{}, {}, "linear loss", {.colour = kOrange, .style = LineStyle::kDashed}};
-  LineLayer expected{{}, {}, "true joint", {.colour = kVermillion}};
-  PointLayer joint{
-      .x = {}, .y = {}, .legend = "joint: input less linear loss", .colour = kBlue, .size = 0.6};
-  for (const ReducedLevel& level : levels) {
-    if (!(level.dissipation.value > 0.0)) continue;
-    input.x.push_back(level.amplitude.value / kMicrometre);
-    input.y.push_back(level.input_energy.value / kMillijoule);
-    linear.y.push_back(level.linear_dissipation / kMillijoule);
-    joint.y.push_back(level.dissipation.value / kMillijoule);
-    if (truth) expected.y.push_back(dissipation(*truth, level.amplitude.value) / kMillijoule);
-  }
-  linear.x = joint.x = expected.x = input.x;
-  Figure figure;
-  figure.title = title;
-  figure.x = {.label = kAmplitudeLabel, .log = true};
-  figure.y = {.label = "energy per cycle [mJ]", .log = true};
-  figure.layers = {input, linear};
-  if (truth) figure.layers.emplace_back(expected);
-  figure.layers.emplace_back(joint);
-  return figure;
-}
-
-Figure linear_share_figure(const std::string& title, std::span<const ReducedLevel> levels) {
-  LineLayer share{{}, {}, "measured", {.colour = kOrange}};
-  for (const ReducedLevel& level : levels) {
-    share.x.push_back(level.amplitude.value / kMicrometre);
-    share.y.push_back(level.linear_dissipation / level.input_energy.value / kPercent);
-  }
-  Figure figure;
-  figure.title = title;
-  figure.x = {.label = kAmplitudeLabel};
-  figure.y = {.label = "linear loss over input [%]", .range = AxisRange{0.0, 100.0}};
-  figure.layers = {share};
-  return figure;
-}
-
-FigureGrid force_control_figure(const std::string& title, std::span<const VirtualLevel> levels,
-                                std::size_t harmonics, const std::string& unit) {
-  const std::vector<ForceControlLevel> controls = force_controls(levels, harmonics);
-  const VirtualLevel& highest = levels.back();
-  return {title,
-          3,
-          {force_histories(force_history(highest.uncontrolled, "before control", kBefore),
-                           force_history(highest.controlled, "after", kAfter)),
-           force_harmonics(controls.back(), unit), force_distortions(controls, unit)}};
-}
-
-FigureGrid force_control_figure(const std::string& title, std::span<const ForceControlLevel> levels,
-                                const std::string& unit) {
-  if (levels.empty()) throw InputError("levels.size()", 0, "the figure needs a force control");
-  std::vector<ForceControlLevel> sorted(levels.begin(), levels.end());
-  std::ranges::stable_sort(sorted, {}, &ForceControlLevel::response);
-  return {title, 2, {force_harmonics(sorted.back(), unit), force_distortions(sorted, unit)}};
-}
-
-Figure constant_response_figure(const std::string& title, std::span<const NamedResponse> responses,
-                                const std::string& unit) {
-  Figure figure;
-  figure.title = title;
-  figure.x = {.label = "frequency [Hz]"};
-  figure.y = {.label = "response over force [" + unit + "]", .log = true};
+  Figure figure{
+      .title = "Frequency responses at constant response",
+      .caption =
+          "Predicted by the identified joint in the rig. At a constant response the structure "
+          "is equivalent-linear: the peak falls in frequency, and the damping rises. [AR14 Fig. "
+          "4]"};
+  add_measured(figure, results);
   int colour = kBlue;
-  for (const NamedResponse& response : responses) {
-    figure.layers.emplace_back(curve_of(response.predicted, response.name, {.colour = colour}));
-    if (!response.expected.points.empty()) {
-      figure.layers.emplace_back(curve_of(
-          response.expected, "", {.colour = kBlack, .style = LineStyle::kDotted, .width = 1.4}));
-    }
-    ++colour;
+  for (const ConstantResponse& response : results.responses) {
+    figure.layers.emplace_back(over_force(response.response, response.frequency, response.force,
+                                          response_text(response.response, options.response_unit),
+                                          {.colour = colour++}));
   }
+  for (const ConstantResponse& response : results.responses) {
+    if (response.true_frequency.empty()) continue;
+    LineLayer truth =
+        over_force(response.response, response.true_frequency, response.true_force, "true joint",
+                   {.colour = kBlack, .style = LineStyle::kDotted, .width = 1.2});
+    truth.name = response_text(response.response, options.response_unit) + ", true joint";
+    figure.layers.emplace_back(std::move(truth));
+  }
+  show_x(figure, "frequency", "Hz");
+  show_y(figure, "acceleration over force", "m/s²/N");
+  figure.y.log = figure.y.log_switch = true;
   return figure;
+}
+
+Figure force_distortion_figure(std::span<const ForceControlLevel> levels,
+                               const FigureOptions& options) {
+  PointLayer before{.legend = kBeforeName, .colour = kBefore};
+  PointLayer after{.legend = kAfterName, .colour = kAfter};
+  for (const ForceControlLevel& level : levels) {
+    if (level.before.empty()) continue;
+    before.x.push_back(level.response);
+    before.y.push_back(std::ranges::max(level.before) / kPercent);
+    after.y.push_back(std::ranges::max(level.after) / kPercent);
+  }
+  if (before.x.empty()) throw InputError("levels.size()", 0, "the figure needs a force control");
+  after.x = before.x;
+  const auto [lowest, highest] = std::ranges::minmax(before.x);
+  Figure figure{.title = "Force control over the levels",
+                .caption =
+                    "The largest harmonic of the force from the second, in percent of the first. "
+                    "[AR14 Fig. 7]",
+                .y = {.label = kOverFirst, .unit = "%", .log = true, .log_switch = true},
+                .layers = {one_percent(lowest, highest), std::move(before), std::move(after)}};
+  show_response(figure, options, false);
+  return figure;
+}
+
+Figure force_harmonics_figure(const ForceControlLevel& level) {
+  BarLayer before{.legend = kBeforeName, .colour = kBefore};
+  BarLayer after{.legend = kAfterName, .colour = kAfter};
+  for (std::size_t i = 0; i < level.before.size(); ++i) {
+    before.x.push_back(static_cast<double>(i + 2));
+    before.y.push_back(level.before[i] / kPercent);
+    after.y.push_back(level.after[i] / kPercent);
+  }
+  after.x = before.x;
+  Figure figure{.title = "Harmonics of the force",
+                .caption = "At one level, in percent of the first. [AR14 Fig. 7]",
+                .x = harmonic_axis(2, level.before.size() + 1),
+                .y = {.label = kOverFirst, .unit = "%", .log = true, .log_switch = true}};
+  figure.layers = {std::move(before), std::move(after),
+                   one_percent(figure.x.range->from, figure.x.range->to)};
+  return figure;
+}
+
+FigureGrid force_control_figure(std::span<const ForceControlLevel> levels,
+                                const FigureOptions& options) {
+  Figure distortions = force_distortion_figure(levels, options);
+  const ForceControlLevel& highest =
+      *std::ranges::max_element(levels, {}, [](const ForceControlLevel& level) {
+        return std::pair(!level.before.empty(), level.response);
+      });
+  Figure harmonics = force_harmonics_figure(highest);
+  harmonics.title =
+      "Harmonics of the force at " + response_text(highest.response, options.response_unit);
+  return {"", 2, {std::move(harmonics), std::move(distortions)}};
+}
+
+FigureGrid force_control_figure(std::span<const VirtualLevel> levels, std::size_t harmonics,
+                                const FigureOptions& options) {
+  FigureGrid grid = force_control_figure(force_controls(levels, harmonics), options);
+  grid.panels.insert(grid.panels.begin(), force_histories(levels.back()));
+  grid.columns = 3;
+  return grid;
+}
+
+std::vector<Figure> deviation_figures(const ExperimentResults& results,
+                                      const FigureOptions& options) {
+  if (results.comparisons.empty()) throw_missing("comparisons", "the figure needs a verification");
+  std::vector<std::string> channels;
+  std::vector<Figure> figures;
+  for (const ChannelMisfit& row : results.comparisons) {
+    if (std::ranges::find(channels, row.channel) != channels.end()) continue;
+    channels.push_back(row.channel);
+    figures.push_back(deviations_of(row.channel, results.comparisons, options));
+  }
+  return figures;
 }
 
 }  // namespace microslip

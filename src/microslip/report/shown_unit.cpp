@@ -10,6 +10,7 @@
 #include <span>
 #include <type_traits>
 #include <variant>
+#include <vector>
 
 namespace microslip {
 namespace {
@@ -75,19 +76,58 @@ void change_y(Layer& layer, const Change& change) {
       layer);
 }
 
-template <class ChangeAll>
-void show_axis(FigureAxis& axis, std::string_view label, std::string_view si_unit,
-               const ChangeAll& change_all) {
+/// All layers over a pair of axes.
+std::vector<Layer*> layers_in(Figure& figure) {
+  std::vector<Layer*> layers;
+  for (Layer& layer : figure.layers) layers.push_back(&layer);
+  return layers;
+}
+
+std::vector<Layer*> layers_in(ReportFigure& figure) {
+  std::vector<Layer*> layers = layers_in(figure.figure);
+  for (FigureChoice& choice : figure.choices) {
+    for (Layer& layer : choice.layers) layers.push_back(&layer);
+  }
+  return layers;
+}
+
+/// Calls `change` with each vector of values over the axis.
+template <class Change>
+void change_along(FigureAxis Figure::*axis, const std::vector<Layer*>& layers,
+                  const Change& change) {
+  for (Layer* layer : layers) {
+    if (axis == &Figure::x) {
+      change_x(*layer, change);
+    } else {
+      change_y(*layer, change);
+    }
+  }
+}
+
+double largest_along(FigureAxis Figure::*axis, const std::vector<Layer*>& layers) {
   double largest = 0.0;
-  change_all([&](std::span<double> values) {
-    for (const double value : values) largest = std::max(largest, std::abs(value));
+  change_along(axis, layers, [&](std::span<double> values) {
+    for (const double value : values) {
+      if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+    }
   });
-  const ShownUnit unit = shown_unit(si_unit, largest);
-  change_all([&](std::span<double> values) {
+  return largest;
+}
+
+void show_along(FigureAxis Figure::*along, Figure& figure, const std::vector<Layer*>& layers,
+                std::string_view label, const ShownUnit& unit) {
+  change_along(along, layers, [&](std::span<double> values) {
     for (double& value : values) value /= unit.size;
   });
+  FigureAxis& axis = figure.*along;
   if (axis.range) axis.range = AxisRange{axis.range->from / unit.size, axis.range->to / unit.size};
-  axis.label = axis_label(label, unit);
+  axis.label = label;
+  axis.unit = unit.text;
+}
+
+void show_as_suits(FigureAxis Figure::*along, Figure& figure, const std::vector<Layer*>& layers,
+                   std::string_view label, std::string_view si_unit) {
+  show_along(along, figure, layers, label, shown_unit(si_unit, largest_along(along, layers)));
 }
 
 }  // namespace
@@ -118,20 +158,24 @@ std::string quantity_of_unit(std::string_view si_unit) {
   return "signal";
 }
 
-std::string axis_label(std::string_view label, const ShownUnit& unit) {
-  return fmt::format("{} [{}]", label, unit.text);
-}
-
 void show_x(Figure& figure, std::string_view label, std::string_view si_unit) {
-  show_axis(figure.x, label, si_unit, [&](const auto& change) {
-    for (Layer& layer : figure.layers) change_x(layer, change);
-  });
+  show_as_suits(&Figure::x, figure, layers_in(figure), label, si_unit);
 }
 
 void show_y(Figure& figure, std::string_view label, std::string_view si_unit) {
-  show_axis(figure.y, label, si_unit, [&](const auto& change) {
-    for (Layer& layer : figure.layers) change_y(layer, change);
-  });
+  show_as_suits(&Figure::y, figure, layers_in(figure), label, si_unit);
+}
+
+void show_x(Figure& figure, std::string_view label, const ShownUnit& unit) {
+  show_along(&Figure::x, figure, layers_in(figure), label, unit);
+}
+
+void show_x(ReportFigure& figure, std::string_view label, std::string_view si_unit) {
+  show_as_suits(&Figure::x, figure.figure, layers_in(figure), label, si_unit);
+}
+
+void show_y(ReportFigure& figure, std::string_view label, std::string_view si_unit) {
+  show_as_suits(&Figure::y, figure.figure, layers_in(figure), label, si_unit);
 }
 
 }  // namespace microslip

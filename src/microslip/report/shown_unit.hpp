@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "microslip/report/figure.hpp"
+#include "microslip/report/report_document.hpp"
 
 /// @file
 /// Units in which values read well on an axis. Internal to report.
@@ -26,12 +26,16 @@ struct ShownUnit {
 /// What has the SI unit, as the reader calls it: "force" of "N"; "signal" of others.
 [[nodiscard]] std::string quantity_of_unit(std::string_view si_unit);
 
-/// "label [unit]".
-[[nodiscard]] std::string axis_label(std::string_view label, const ShownUnit& unit);
-
 /// Turns the x of all layers, with their bars and the range of the axis, from SI to the unit that
 /// suits the largest of them, and labels the axis. The same of y.
 void show_x(Figure& figure, std::string_view label, std::string_view si_unit);
 void show_y(Figure& figure, std::string_view label, std::string_view si_unit);
+
+/// The same of x in a unit that is given.
+void show_x(Figure& figure, std::string_view label, const ShownUnit& unit);
+
+/// The same of all that the reader of a page chooses from, in one unit.
+void show_x(ReportFigure& figure, std::string_view label, std::string_view si_unit);
+void show_y(ReportFigure& figure, std::string_view label, std::string_view si_unit);
 
 }  // namespace microslip

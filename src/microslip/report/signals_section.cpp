@@ -5,71 +5,35 @@
 #include <cstddef>
 #include <utility>
 
+#include "microslip/report/figure_parts.hpp"
 #include "microslip/report/record_figures.hpp"
+#include "microslip/report/rig_figures.hpp"
 #include "microslip/report/sections.hpp"
+#include "microslip/report/shown_unit.hpp"
 
 namespace microslip {
 namespace {
 
-/// The largest harmonic of the force at each level. [AR14 Fig. 7]
-ReportFigure control_figure(const std::vector<ForceControlLevel>& levels) {
-  ReportTrace before{
-      .name = "before control", .kind = TraceKind::kPoints, .stroke = {.colour = kPurple}};
-  ReportTrace after{
-      .name = "after control", .kind = TraceKind::kPoints, .stroke = {.colour = kBlue}};
+ReportFigure control_harmonics_figure(const std::vector<ForceControlLevel>& levels) {
+  ReportFigure figure{.choose = "Level"};
   for (const ForceControlLevel& level : levels) {
     if (level.before.empty()) continue;
-    before.x.push_back(level.response);
-    before.y.push_back(std::ranges::max(level.before) / kPercent);
-    after.y.push_back(std::ranges::max(level.after) / kPercent);
+    figure.figure = force_harmonics_figure(level);
+    figure.choices.push_back({level.level, std::move(figure.figure.layers)});
   }
-  after.x = before.x;
-  const auto [lowest, highest] = std::ranges::minmax(before.x);
-  return {.title = "Force control over the levels",
-          .caption =
-              "The largest harmonic of the force from the second, in percent of the first. "
-              "[AR14 Fig. 7]",
-          .x = {.label = "response at the exciter", .unit = "m/s²", .log_switch = true},
-          .y = {.label = "largest harmonic", .unit = "%", .log = true, .log_switch = true},
-          .choices = {{"", {before, after, one_percent(lowest, highest)}}}};
-}
-
-ReportFigure control_harmonics_figure(const std::vector<ForceControlLevel>& levels) {
-  ReportFigure figure{
-      .title = "Harmonics of the force",
-      .caption = "At one level, in percent of the first.",
-      .x = {.label = "harmonic", .unit = "1"},
-      .y = {.label = "share of the first", .unit = "%", .log = true, .log_switch = true},
-      .choose = "Level"};
-  for (const ForceControlLevel& level : levels) {
-    ReportTrace before{
-        .name = "before control", .kind = TraceKind::kBars, .stroke = {.colour = kPurple}};
-    ReportTrace after{
-        .name = "after control", .kind = TraceKind::kBars, .stroke = {.colour = kBlue}};
-    for (std::size_t i = 0; i < level.before.size(); ++i) {
-      before.x.push_back(static_cast<double>(i + 2));
-      before.y.push_back(level.before[i] / kPercent);
-      after.y.push_back(level.after[i] / kPercent);
-    }
-    after.x = before.x;
-    if (before.x.empty()) continue;
-    const ReportTrace limit = one_percent(1.4, before.x.back() + 0.6);
-    figure.choices.push_back({level.level, {before, after, limit}});
-  }
-  figure.x.range = harmonics_range(figure.choices);
-  figure.chosen = figure.choices.empty() ? 0 : figure.choices.size() - 1;
+  figure.chosen = figure.choices.size() - 1;
+  figure.figure.layers.clear();
   return figure;
 }
 
-ReportFigure distortion_figure(const ExperimentResults& results) {
-  ReportFigure figure{
+Figure distortion_figure(const MeasuredLevels& levels) {
+  Figure figure{
       .title = "Distortion of the force",
       .caption = "All harmonics of the force from the second over the first, at each level.",
-      .x = amplitude_axis(),
-      .y = {.label = "distortion", .unit = "%", .log_switch = true},
-      .choices = {{"",
-                   {at_levels(results, "force", in_unit(results.levels->force_distortion, kPercent),
-                              {}, kBlue)}}}};
+      .layers = {at_levels(levels, {levels.force_distortion, {}}, "force", kBlue)}};
+  show_amplitude(figure, {}, false);
+  show_y(figure, "distortion", "%");
+  figure.y.log_switch = true;
   return figure;
 }
 
@@ -114,7 +78,8 @@ ReportSection signals_section(const ExperimentResults& results) {
   if (controlled) {
     section.blocks.emplace_back(ReportText{
         "The force before and after the harmonics of the drive were corrected, at every level."});
-    section.blocks.emplace_back(control_figure(results.force_control));
+    section.blocks.emplace_back(
+        ReportFigure{.figure = force_distortion_figure(results.force_control)});
     section.blocks.emplace_back(control_harmonics_figure(results.force_control));
   } else if (results.levels || !results.records.empty()) {
     if (is_virtual(results)) {
@@ -124,7 +89,7 @@ ReportSection signals_section(const ExperimentResults& results) {
           "microslip measure rig.toml --out DIR --before-control"});
     }
     if (results.levels && !results.levels->force_distortion.empty()) {
-      section.blocks.emplace_back(distortion_figure(results));
+      section.blocks.emplace_back(ReportFigure{.figure = distortion_figure(*results.levels)});
     }
   }
   return section;

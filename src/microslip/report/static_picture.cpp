@@ -7,23 +7,15 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <set>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace microslip {
 namespace {
 
-std::string axis_text(const ReportAxis& axis) {
-  return fmt::format("{} [{}]", axis.label, axis.unit);
-}
-
-FigureAxis figure_axis(const ReportAxis& axis) {
-  return {.label = axis_text(axis), .log = axis.log, .range = axis.log ? std::nullopt : axis.range};
-}
-
-/// From and to of the points of a trace without a gap between them.
+/// From and to of the points of a layer without a gap between them.
 std::vector<std::pair<std::size_t, std::size_t>> runs(const std::vector<double>& y) {
   std::vector<std::pair<std::size_t, std::size_t>> found;
   for (std::size_t i = 0; i < y.size(); ++i) {
@@ -34,64 +26,46 @@ std::vector<std::pair<std::size_t, std::size_t>> runs(const std::vector<double>&
   return found;
 }
 
-std::vector<double> part(const std::vector<double>& values, std::size_t from, std::size_t to) {
-  if (values.empty()) return {};
-  return {values.begin() + static_cast<std::ptrdiff_t>(from),
-          values.begin() + static_cast<std::ptrdiff_t>(to)};
+/// Keeps those from, to and every `step`-th of them; none stays none.
+void cut(std::vector<double>& values, std::size_t from, std::size_t to, std::size_t step = 1) {
+  if (values.empty()) return;
+  std::size_t kept = 0;
+  for (std::size_t i = from; i < to; i += step) values[kept++] = values[i];
+  values.resize(kept);
 }
 
-Layer layer_of(const ReportTrace& trace, std::size_t from, std::size_t to,
-               const std::string& legend) {
-  std::vector<double> x = part(trace.x, from, to);
-  std::vector<double> y = part(trace.y, from, to);
-  switch (trace.kind) {
-    case TraceKind::kLine:
-      return LineLayer{x, y, legend, trace.stroke};
-    case TraceKind::kLoop:
-      return LoopLayer{x, y, legend, trace.stroke};
-    default:
-      break;
+template <class LayerOfPoints>
+void cut_all(LayerOfPoints& layer, std::size_t from, std::size_t to, std::size_t step = 1) {
+  for (auto* values : {&layer.x, &layer.y}) cut(*values, from, to, step);
+  if constexpr (requires { layer.y_error; }) {
+    for (auto* values : {&layer.x_error, &layer.y_error}) cut(*values, from, to, step);
   }
-  return PointLayer{.x = x,
-                    .y = y,
-                    .y_error = part(trace.y_std, from, to),
-                    .legend = legend,
-                    .colour = trace.stroke.colour,
-                    .size = 0.9};
 }
 
 /// Hundreds of marks cover each other, and each is many bytes of a picture.
-ReportTrace thinned(const ReportTrace& trace) {
+void thin(PointLayer& points) {
   constexpr std::size_t kMost = 100;
-  if (trace.kind != TraceKind::kPoints || trace.x.size() <= kMost) return trace;
-  const std::size_t step = (trace.x.size() + kMost - 1) / kMost;
-  ReportTrace thin = trace;
-  thin.name = fmt::format("{}, one of {} points", legend_of(trace), step);
-  thin.group.clear();
-  for (auto* values : {&thin.x, &thin.y, &thin.y_std}) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < values->size(); i += step) (*values)[kept++] = (*values)[i];
-    values->resize(kept);
-  }
-  return thin;
+  if (points.x.size() <= kMost) return;
+  const std::size_t step = (points.x.size() + kMost - 1) / kMost;
+  points.legend += fmt::format(", one of {} points", step);
+  cut_all(points, 0, points.x.size(), step);
 }
 
-/// @param named  gets what it is called in the legend, where that is not there yet.
-void add_layers(const ReportTrace& trace, std::set<std::string>& named,
-                std::vector<Layer>& layers) {
-  if (trace.kind == TraceKind::kMarker) {
-    layers.emplace_back(MarkerLayer{.x = trace.x[0], .label = trace.name});
-    return;
-  }
-  if (trace.kind == TraceKind::kBand) {
-    layers.emplace_back(
-        BandLayer{trace.x, trace.lower, trace.upper, trace.name, trace.stroke.colour});
-    return;
-  }
-  for (const auto& [from, to] : runs(trace.y)) {
-    const bool is_new = named.insert(legend_of(trace)).second;
-    layers.push_back(layer_of(trace, from, to, is_new ? legend_of(trace) : ""));
-  }
+/// Without its gaps.
+void add_pieces(Layer layer, std::vector<Layer>& layers) {
+  std::visit(
+      [&](auto& concrete) {
+        if constexpr (requires { concrete.y; }) {
+          for (const auto& [from, to] : runs(concrete.y)) {
+            auto piece = concrete;
+            cut_all(piece, from, to);
+            layers.emplace_back(std::move(piece));
+          }
+        } else {
+          layers.emplace_back(std::move(concrete));
+        }
+      },
+      layer);
 }
 
 std::pair<double, double> range_of(const std::vector<double>& values) {
@@ -104,64 +78,46 @@ std::pair<double, double> range_of(const std::vector<double>& values) {
   return range;
 }
 
-std::string trace_text(const ReportTrace& trace, const ReportFigure& figure) {
-  if (trace.kind == TraceKind::kMarker) {
-    return fmt::format("{} at {:.3g} {}", trace.name, trace.x[0], figure.x.unit);
+std::string layer_text(const Layer& layer, const Figure& figure) {
+  if (const auto* marker = std::get_if<MarkerLayer>(&layer)) {
+    return fmt::format("{} at {:.3g} {}", marker->label, marker->x, figure.x.unit);
   }
-  const bool band = trace.kind == TraceKind::kBand;
-  const double lowest = range_of(band ? trace.lower : trace.y).first;
-  const double highest = range_of(band ? trace.upper : trace.y).second;
-  if (lowest > highest) return trace.name + " without a value";
-  return fmt::format("{} from {:.3g} to {:.3g} {}", trace.name, lowest, highest, figure.y.unit);
-}
-
-/// Those at one x stand side by side.
-void add_bars(const std::vector<const ReportTrace*>& traces, std::vector<Layer>& layers) {
-  constexpr double kOfAStep = 0.76;
-  const double width = kOfAStep / static_cast<double>(traces.size());
-  double left = -0.5 * kOfAStep;
-  for (const ReportTrace* trace : traces) {
-    std::string legend = trace->name;
-    for (std::size_t i = 0; i < trace->x.size(); ++i) {
-      const double height = trace->y[i];
-      if (!std::isfinite(height)) continue;
-      const std::vector<double> x = {trace->x[i] + left, trace->x[i] + left + width};
-      layers.emplace_back(BandLayer{x, {0.0, 0.0}, {height, height}, legend, trace->stroke.colour});
-      layers.emplace_back(LineLayer{x, {height, height}, "", {.colour = trace->stroke.colour}});
-      legend.clear();
-    }
-    left += width;
-  }
+  const auto [lowest, highest] = std::visit(
+      [](const auto& concrete) -> std::pair<double, double> {
+        if constexpr (requires { concrete.lower; }) {
+          return {range_of(concrete.lower).first, range_of(concrete.upper).second};
+        } else if constexpr (requires { concrete.y; }) {
+          return range_of(concrete.y);
+        } else {
+          return {0.0, 0.0};
+        }
+      },
+      layer);
+  if (lowest > highest) return name_of(layer) + " without a value";
+  return fmt::format("{} from {:.3g} to {:.3g} {}", name_of(layer), lowest, highest, figure.y.unit);
 }
 
 }  // namespace
 
 Figure static_picture(const ReportFigure& figure) {
-  Figure picture;
-  picture.x = figure_axis(figure.x);
-  picture.y = figure_axis(figure.y);
-  std::set<std::string> named;
-  std::vector<const ReportTrace*> bars;
-  for (const ReportTrace& trace : figure.choices.at(figure.chosen).traces) {
-    if (!trace.shown) continue;
-    if (trace.kind == TraceKind::kBars) {
-      bars.push_back(&trace);
-    } else {
-      add_layers(thinned(trace), named, picture.layers);
-    }
+  Figure picture = figure.figure;
+  picture.title.clear();
+  picture.layers.clear();
+  for (Layer layer : chosen_layers(figure)) {
+    if (auto* points = std::get_if<PointLayer>(&layer)) thin(*points);
+    add_pieces(std::move(layer), picture.layers);
   }
-  add_bars(bars, picture.layers);
   return picture;
 }
 
 std::string picture_text(const ReportFigure& figure) {
-  const ReportChoice& choice = figure.choices.at(figure.chosen);
+  const Figure& drawn = figure.figure;
   std::string text =
-      fmt::format("{}: {} over {}", figure.title, axis_text(figure.y), axis_text(figure.x));
-  if (!choice.name.empty()) text += fmt::format(", {}", choice.name);
+      fmt::format("{}: {} over {}", drawn.title, axis_text(drawn.y), axis_text(drawn.x));
+  if (!figure.choices.empty()) text += fmt::format(", {}", figure.choices.at(figure.chosen).name);
   text += ".";
-  for (const ReportTrace& trace : choice.traces) {
-    if (trace.shown) text += fmt::format(" {}.", trace_text(trace, figure));
+  for (const Layer& layer : chosen_layers(figure)) {
+    if (is_shown(layer)) text += fmt::format(" {}.", layer_text(layer, drawn));
   }
   return text;
 }

@@ -9,11 +9,11 @@
 
 namespace microslip {
 
-/// The chosen content on the axes as they are at first; traces that are not shown, and what has no
-/// place on a logarithmic axis, are left out. Bars are those of whole numbers.
+/// The chosen content without headings, which the page has. Gaps split a layer; of many marks some
+/// are drawn, and the legend says so.
 [[nodiscard]] Figure static_picture(const ReportFigure& figure);
 
-/// What the figure shows, for those who do not see it: axes, and each trace with its range.
+/// What the figure shows, for those who do not see it: axes, and each layer with its range.
 [[nodiscard]] std::string picture_text(const ReportFigure& figure);
 
 }  // namespace microslip

@@ -78,6 +78,8 @@ struct HarmonicsPair {
   std::string unit;              ///< SI
   std::vector<double> recorded;  ///< amplitudes
   std::vector<double> other;     ///< empty, or as many
+  /// Of real and imaginary part; empty where it is not known.
+  std::vector<double> recorded_std = {};
 };
 
 /// What the force control did at a level. [AR14 Fig. 7]

@@ -23,6 +23,7 @@ struct PairOfColumns {
   std::string unit;
   std::vector<double> recorded;
   std::vector<double> other;
+  std::vector<double> recorded_std;  // empty where there is no such column
 };
 
 std::vector<PairOfColumns> pairs_of(const CsvTable& table, const std::string& recorded,
@@ -33,7 +34,8 @@ std::vector<PairOfColumns> pairs_of(const CsvTable& table, const std::string& re
     const std::optional<Unit> unit = find_unit(column.unit.value_or(""));
     if (!name || !unit) continue;
     pairs.push_back({*name, si_unit(unit->dimension), table.numbers(column.name, unit->dimension),
-                     table.numbers(*name + "_" + other, unit->dimension)});
+                     table.numbers(*name + "_" + other, unit->dimension),
+                     table.numbers_if_present(column.name + "_std", unit->dimension)});
   }
   return pairs;
 }
@@ -82,6 +84,7 @@ void add_harmonics(const CsvTable& table, const std::string& recorded, const std
       }
       list.back().recorded.push_back(pair.recorded[i]);
       list.back().other.push_back(pair.other[i]);
+      if (!pair.recorded_std.empty()) list.back().recorded_std.push_back(pair.recorded_std[i]);
     }
   }
 }

@@ -19,7 +19,8 @@ namespace microslip {
                                                     const std::string& recorded,
                                                     const std::string& other);
 
-/// Of `source, harmonic [1], <channel>_<recorded> [unit], <channel>_<other> [unit]…`, added to the
+/// Of `source, harmonic [1], <channel>_<recorded> [unit], <channel>_<other> [unit]…`, with
+/// <channel>_<recorded>_std where it is there, added to the
 /// entries of the same sources, which are made where they are missing.
 /// @throws FormatError  where a column is missing.
 void add_harmonics(const CsvTable& table, const std::string& recorded, const std::string& other,

@@ -19,6 +19,7 @@
 #include "microslip/workflow/named_recordings.hpp"
 #include "microslip/workflow/named_rig.hpp"
 #include "microslip/workflow/reduction_text.hpp"
+#include "microslip/workflow/result_tables.hpp"
 
 namespace microslip {
 namespace {
@@ -135,6 +136,10 @@ std::vector<ReducedLevel> writable_levels(const std::vector<ReducedLevel>& level
 }
 
 }  // namespace
+
+MeasuredLevels measured_levels(std::span<const ReducedLevel> levels) {
+  return levels_of({"levels", reduction_table(levels).str()});
+}
 
 ReducedRecordings reduce_recordings(const RecordingsReduction& options) {
   constexpr std::size_t kLargestRig = std::size_t{1} << 20U;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "microslip/io/recordings.hpp"
 #include "microslip/rig/reduction.hpp"
 #include "microslip/rig/reduction_batch.hpp"
+#include "microslip/workflow/experiment_results.hpp"
 #include "microslip/workflow/provenance.hpp"
 
 /// @file
@@ -40,6 +42,9 @@ struct ReducedRecordings {
 ///                                             faulty is skipped; those of the rig name its file.
 /// @throws Cancelled  as the progress says.
 [[nodiscard]] ReducedRecordings reduce_recordings(const RecordingsReduction& options);
+
+/// As levels.csv holds them. @param levels  with D > 0. @throws InputError  as its reader.
+[[nodiscard]] MeasuredLevels measured_levels(std::span<const ReducedLevel> levels);
 
 /// The text of levels.csv: levels with D ≥ 0, version and command, digests of what was read, and
 /// what is to be looked at.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "microslip/io/recordings.hpp"
 #include "microslip/rig/verification.hpp"
 #include "microslip/rig/verification_batch.hpp"
+#include "microslip/workflow/experiment_results.hpp"
 #include "microslip/workflow/provenance.hpp"
 
 /// @file
@@ -41,6 +43,10 @@ struct VerifiedRecordings {
 ///                                             faulty is skipped; those of the rig name its file.
 /// @throws Cancelled  as the progress says.
 [[nodiscard]] VerifiedRecordings verify_recordings(const RecordingsVerification& options);
+
+/// Adds predictions and comparisons as the tables hold them, with finer histories of the prediction
+/// and the standard errors of the harmonics beside them.
+void add_verified(std::span<const Verification> records, ExperimentResults& results);
 
 /// The tables that are written; "-" is standard output, an empty path none.
 struct VerificationTables {

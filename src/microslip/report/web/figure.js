@@ -115,6 +115,7 @@ class FigureView {
 
   fillLegend() {
     const entries = new Map(this.state.traces.map((trace) => [trace.group, trace]).reverse());
+    entries.delete('');  // what has no legend cannot be turned off
     this.legend.replaceChildren(...[...entries].reverse().map(([name, trace]) => {
       const made = button('', 'Show or hide', () => this.toggle(name, made));
       made.append(swatch(trace), element('span', {textContent: name}));

@@ -96,9 +96,9 @@ class PlotChart {
     // Open ones, through which a curve of a model can be seen.
     const many = trace.x.length > 40;
     const marks = {marker: {color: colour, symbol: many ? 'circle-open' : 'circle', size: many ? 5.5 : 6}};
-    if (trace.yStd) {
-      marks.error_y = {type: 'data', array: trace.yStd, color: colour, thickness: 1, width: 2};
-    }
+    const bars = (array) => ({type: 'data', array, color: colour, thickness: 1, width: 2});
+    if (trace.xStd) marks.error_x = bars(trace.xStd);
+    if (trace.yStd) marks.error_y = bars(trace.yStd);
     return marks;
   }
 
@@ -134,7 +134,11 @@ class PlotChart {
 
   ranges() {
     const {logX, logY} = this.state;
-    const range = (axis, log) => (axis.range && !log ? axis.range : null);
+    // That of the scale at first.
+    const range = (axis, log) => {
+      if (!axis.range || log !== axis.log) return null;
+      return log ? axis.range.map(Math.log10) : axis.range;
+    };
     const x = range(this.figure.x, logX) ?? this.aboutOne('x', logX);
     const y = range(this.figure.y, logY) ?? this.positiveRange() ?? this.aboutOne('y', logY);
     return {'xaxis.range': x, 'xaxis.autorange': x === null, 'yaxis.range': y, 'yaxis.autorange': y === null};

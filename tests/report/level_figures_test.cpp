@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/paper_figures.hpp"
+#include "microslip/report/level_figures.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -13,9 +13,12 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
+#include "microslip/report/density_figure.hpp"
+#include "microslip/report/loops_figure.hpp"
+#include "microslip/report/rig_figures.hpp"
 #include "report/support.hpp"
 
-namespace microslip::paper_figures_test {
+namespace microslip::level_figures_test {
 namespace {
 
 using test::contains;
@@ -78,10 +81,10 @@ MeasuredLevels two_levels() {
   return made;
 }
 
-TEST(PaperEnergies, ShowsTheLevelsAndTheJointInReadableUnits) {
-  const Figure figure = paper_energies(results());
-  EXPECT_EQ(figure.x.label, "joint amplitude A [µm]");
-  EXPECT_EQ(figure.y.label, "energy per cycle [µJ]");
+TEST(EnergiesFigure, ShowsTheLevelsAndTheJointInReadableUnits) {
+  const Figure figure = energies_figure(results());
+  EXPECT_EQ(axis_text(figure.x), "joint amplitude A [µm]");
+  EXPECT_EQ(axis_text(figure.y), "energy per cycle [µJ]");
   EXPECT_TRUE(figure.x.log && figure.y.log);
   expect_near(layer<PointLayer>(figure, "input energy").y, {5.0, 400.0});
   expect_near(layer<PointLayer>(figure, "linear loss").y, {3.0, 100.0});
@@ -95,18 +98,18 @@ TEST(PaperEnergies, ShowsTheLevelsAndTheJointInReadableUnits) {
   EXPECT_NO_THROW(check_figure(figure));
 }
 
-TEST(PaperEnergies, OfAmplitudesAndDissipationsAlone) {
+TEST(EnergiesFigure, OfAmplitudesAndDissipationsAlone) {
   ExperimentResults bare;
   bare.levels = two_levels();
-  const Figure figure = paper_energies(bare);
+  const Figure figure = energies_figure(bare);
   ASSERT_EQ(figure.layers.size(), 1U);
   EXPECT_TRUE(layer<PointLayer>(figure, "joint, D").y_error.empty());
 }
 
-TEST(PaperEnergies, AddsTheLinearDampingThatWasIdentified) {
+TEST(EnergiesFigure, AddsTheLinearDampingThatWasIdentified) {
   ExperimentResults damped = results();
   damped.joint->linear_damping = 30.0;
-  const Figure figure = paper_energies(damped);
+  const Figure figure = energies_figure(damped);
   const auto& joint = layer<LineLayer>(figure, "identified joint");
   const auto& total = layer<LineLayer>(figure, "with damping βA²");
   // 30 J/m² times (100 µm)² are 0.3 µJ.
@@ -114,21 +117,36 @@ TEST(PaperEnergies, AddsTheLinearDampingThatWasIdentified) {
   EXPECT_EQ(layer<PointLayer>(figure, "D, with damping βA²").y.size(), 2U);
 }
 
-TEST(PaperEnergies, TakesTheScaleThatIsAskedFor) {
-  const Figure figure = paper_energies(results(), {.scale = AmplitudeScale::kLinear});
+// Input 5 µJ and 400 µJ, of which the linear damping takes 3 µJ and 100 µJ.
+TEST(LinearShareFigure, IsPercentOfTheInput) {
+  FigureOptions options;
+  options.beside = {LineLayer{{0.0, 1e-4}, {0.15, 0.15}, "15 %"}};
+  const Figure figure = linear_share_figure(results(), options);
+  EXPECT_EQ(axis_text(figure.y), "linear loss over input energy [%]");
+  expect_near(layer<PointLayer>(figure, "linear loss").y, {60.0, 25.0});
+  expect_near(layer<PointLayer>(figure, "linear loss").x, {20.0, 100.0});
+  expect_near(layer<LineLayer>(figure, "15 %").y, {15.0, 15.0});
+  EXPECT_EQ(figure.y.range->to, 100.0);
+  ExperimentResults bare;
+  bare.levels = two_levels();
+  EXPECT_TRUE(contains(input_fault([&] { return linear_share_figure(bare); }), "linear loss"));
+}
+
+TEST(EnergiesFigure, TakesTheScaleThatIsAskedFor) {
+  const Figure figure = energies_figure(results(), {.scale = AmplitudeScale::kLinear});
   EXPECT_FALSE(figure.x.log || figure.y.log);
 }
 
-TEST(PaperDensity, HasBandTruthOthersAndWhereLevelsAre) {
+TEST(DensityFigure, HasBandTruthOthersAndWhereLevelsAre) {
   ExperimentResults known = results();
   known.truth = uniform_joint();
   known.joint->band_confidence = 0.9;
   known.joint->band_slip_force = {1.0, 2.0, 10.0};
   known.joint->band_lower = {0.0, 0.04, 0.04};
   known.joint->band_upper = {1.0, 0.06, 0.06};
-  const Figure figure = paper_density(known, {.others = {{"fit", uniform_joint()}}});
-  EXPECT_EQ(figure.x.label, "slip force f* [N]");
-  EXPECT_EQ(figure.y.label, "density φ [1/kN]");
+  const Figure figure = density_figure(known, {.others = {{"fit", uniform_joint()}}});
+  EXPECT_EQ(axis_text(figure.x), "slip force f* [N]");
+  EXPECT_EQ(axis_text(figure.y), "density φ [1/kN]");
   // Below the lowest level the band is an assumption.
   EXPECT_EQ(layer<BandLayer>(figure, "90 % band").x, (Numbers{2.0, 10.0}));
   expect_near(layer<BandLayer>(figure, "90 % band").upper, {60.0, 60.0});
@@ -143,25 +161,25 @@ TEST(PaperDensity, HasBandTruthOthersAndWhereLevelsAre) {
   EXPECT_NO_THROW(check_figure(figure));
 }
 
-TEST(PaperDensity, LeavesOutWhatIsInfiniteAtZero) {
+TEST(DensityFigure, LeavesOutWhatIsInfiniteAtZero) {
   ExperimentResults power;
   power.joint = IdentifiedJoint{.joint = Joint::four_parameter(400.0, 252660.0, -0.5, 1.0)};
-  const Figure figure = paper_density(power);
+  const Figure figure = density_figure(power);
   // Its atom at the end is no part of a density: half of k at β = 1, χ = −0.5.
   EXPECT_GT(layer<LineLayer>(figure, "joint without its atoms, 50.0 % of k").x.front(), 0.0);
   EXPECT_NO_THROW(check_figure(figure));
 }
 
-TEST(PaperDensity, RefusesAJointThatCannotSlip) {
+TEST(DensityFigure, RefusesAJointThatCannotSlip) {
   ExperimentResults spring;
   spring.joint = IdentifiedJoint{.joint = Joint(1e5, SlipDensity())};
-  EXPECT_TRUE(contains(input_fault([&] { return paper_density(spring); }), "a part slips"));
+  EXPECT_TRUE(contains(input_fault([&] { return density_figure(spring); }), "a part slips"));
 }
 
-TEST(PaperLoops, EndAtTheVirginCurve) {
-  const Figure figure = paper_loops(results());
-  EXPECT_EQ(figure.x.label, "joint displacement [µm]");
-  EXPECT_EQ(figure.y.label, "joint force [N]");
+TEST(LoopsFigure, EndAtTheVirginCurve) {
+  const Figure figure = loops_figure(results());
+  EXPECT_EQ(axis_text(figure.x), "joint displacement [µm]");
+  EXPECT_EQ(axis_text(figure.y), "joint force [N]");
   for (const double amplitude : {100.0, 75.0, 50.0, 25.0}) {
     const auto& loop = layer<LoopLayer>(figure, "A = " + fmt::format("{:g}", amplitude) + " µm");
     EXPECT_NEAR(std::ranges::max(loop.x), amplitude, 1e-9);
@@ -170,113 +188,135 @@ TEST(PaperLoops, EndAtTheVirginCurve) {
   }
 }
 
-TEST(PaperLoops, WithoutLevelsReachTheMacroSlip) {
+TEST(LoopsFigure, WithoutLevelsReachTheMacroSlip) {
   ExperimentResults only;
   only.joint = IdentifiedJoint{.joint = uniform_joint()};
-  const Figure figure = paper_loops(only);
+  const Figure figure = loops_figure(only);
   // 20 N over 1e5 N/m are 200 µm; the force is then 10 N, all that the sliders carry.
   EXPECT_NEAR(std::ranges::max(layer<LoopLayer>(figure, "A = 240 µm").y), 10.0, 1e-9);
 }
 
-TEST(PaperResonance, IsOverTheResponseWhereThatIsKnown) {
-  const Figure figure = paper_resonance(results());
-  EXPECT_EQ(figure.x.label, "exciter acceleration [m/s²]");
+TEST(ResonanceFigure, IsOverTheResponseWhereThatIsKnown) {
+  const Figure figure = resonance_figure(results());
+  EXPECT_EQ(axis_text(figure.x), "exciter acceleration [m/s²]");
   EXPECT_EQ(layer<PointLayer>(figure, "drive").y, (Numbers{50.0, 49.0}));
   EXPECT_EQ(layer<PointLayer>(figure, "resonance").x, (Numbers{1.0, 5.0}));
   ExperimentResults other = results();
+  other.backbone = JointBackbone{{2e-5, 1e-4}, {50.1, 49.1}, {0.01, 0.02}};
+  const Figure beside = resonance_figure(other, {}, FrequencyOver::kAmplitude);
+  EXPECT_EQ(axis_text(beside.x), "joint amplitude A [µm]");
+  EXPECT_EQ(layer<LineLayer>(beside, "predicted by the joint").y, (Numbers{50.1, 49.1}));
+  expect_near(layer<PointLayer>(beside, "resonance").x, {20.0, 100.0});
+  const Figure in_g = resonance_figure(other, {.response_unit = "g"});
+  EXPECT_EQ(axis_text(in_g.x), "exciter acceleration [g]");
+  expect_near(layer<PointLayer>(in_g, "drive").x, {1.0 / 9.80665, 5.0 / 9.80665});
+  EXPECT_THROW((void)resonance_figure(other, {.response_unit = "mm"}), InputError);
   other.levels->response_amplitude.clear();
-  EXPECT_EQ(paper_resonance(other).x.label, "joint amplitude A [µm]");
+  EXPECT_EQ(axis_text(resonance_figure(other).x), "joint amplitude A [µm]");
   other.levels->frequency.clear();
   other.levels->resonance_frequency.clear();
-  EXPECT_TRUE(contains(input_fault([&] { return paper_resonance(other); }), "frequencies"));
+  EXPECT_TRUE(contains(input_fault([&] { return resonance_figure(other); }), "frequencies"));
 }
 
-TEST(PaperStiffness, ShowsSecantsWithTheirBars) {
-  const Figure figure = paper_stiffness(results());
-  EXPECT_EQ(figure.y.label, "secant stiffness k_eq [kN/m]");
+TEST(StiffnessFigure, ShowsSecantsWithTheirBars) {
+  const Figure figure = stiffness_figure(results());
+  EXPECT_EQ(axis_text(figure.y), "secant stiffness k_eq [kN/m]");
   EXPECT_FALSE(figure.x.log || figure.y.log);
   expect_near(layer<PointLayer>(figure, "measured").y, {90.0, 50.0});
   expect_near(layer<PointLayer>(figure, "measured").y_error, {0.9, 0.5});
-  EXPECT_TRUE(paper_stiffness(results(), {.scale = AmplitudeScale::kLog}).x.log);
+  EXPECT_TRUE(stiffness_figure(results(), {.scale = AmplitudeScale::kLog}).x.log);
 }
 
 // D holds βA² beside what the joint dissipates, and the loss factor is that of the joint.
-TEST(PaperDamping, IsOfTheJointAlone) {
+TEST(DampingFigure, IsOfTheJointAlone) {
   ExperimentResults damped = results();
   damped.joint->linear_damping = 1000.0;
-  const Figure figure = paper_damping(damped);
+  const Figure figure = damping_figure(damped);
   EXPECT_NEAR(layer<PointLayer>(figure, "measured").y[0],
               (2e-6 - 1000.0 * 4e-10) / (std::numbers::pi * 9e4 * 4e-10), 1e-12);
 }
 
 // D 5 %, k 1 % and A 1 %: the deviations of D, of k and twice that of A, squared and added.
-TEST(PaperDamping, PropagatesStandardDeviations) {
-  const Figure figure = paper_damping(results());
+TEST(DampingFigure, PropagatesStandardDeviations) {
+  const Figure figure = damping_figure(results());
   const auto& points = layer<PointLayer>(figure, "measured");
   const double loss = 2e-6 / (std::numbers::pi * 9e4 * 4e-10);
   EXPECT_NEAR(points.y[0], loss, 1e-12);
   EXPECT_NEAR(points.y_error[0], loss * std::sqrt(0.05 * 0.05 + 0.01 * 0.01 + 0.02 * 0.02), 1e-12);
 }
 
-TEST(PaperDamping, OfARingDownIsTheDampingRatio) {
+TEST(DampingFigure, OfARingDownIsTheDampingRatio) {
   ExperimentResults decay;
   decay.levels = two_levels();
   decay.levels->damping_ratio = {0.01, 0.02};
-  const Figure figure = paper_damping(decay);
-  EXPECT_EQ(figure.y.label, "damping ratio ζ of the mode [%]");
+  const Figure figure = damping_figure(decay);
+  EXPECT_EQ(axis_text(figure.y), "damping ratio ζ of the mode [%]");
   expect_near(std::get<PointLayer>(figure.layers[0]).y, {1.0, 2.0});
 }
 
-TEST(PaperDissipation, HasThreePanels) {
-  const FigureGrid grid = paper_dissipation(results());
+TEST(JointFigures, HasThreePanels) {
+  const FigureGrid grid = joint_figures(results());
   ASSERT_EQ(grid.panels.size(), 3U);
-  EXPECT_EQ(grid.panels[0].y.label, "dissipation per cycle D [µJ]");
-  EXPECT_EQ(grid.panels[2].y.label, "loss factor η [1]");
+  EXPECT_EQ(axis_text(grid.panels[0].y), "dissipation per cycle D [µJ]");
+  EXPECT_EQ(axis_text(grid.panels[2].y), "loss factor η [1]");
   EXPECT_NO_THROW(check_figure(grid));
 }
 
-TEST(PaperConstantResponse, IsAccelerationOverForce) {
+TEST(ConstantResponseFigure, IsAccelerationOverForce) {
   ExperimentResults made;
   made.responses = {{2.0, {50.0, 51.0}, {0.5, 0.25}}};
-  const Figure figure = paper_constant_response(made);
-  EXPECT_EQ(figure.y.label, "acceleration over force [m/s²/N]");
+  const Figure figure = constant_response_figure(made);
+  EXPECT_EQ(axis_text(figure.y), "acceleration over force [m/s²/N]");
   EXPECT_EQ(layer<LineLayer>(figure, "2 m/s²").y, (Numbers{4.0, 8.0}));
   EXPECT_EQ(figure.layers.size(), made.responses.size());
 }
 
-TEST(PaperConstantResponse, OfTheTruthBeside) {
+TEST(ConstantResponseFigure, OfTheTruthBeside) {
   ExperimentResults made;
   made.responses = {{2.0, {54.0, 55.0}, {0.5, 0.25}, {54.5, 55.5}, {0.4, 0.2}},
                     {4.0, {54.0, 55.0}, {1.0, 0.5}, {54.5, 55.5}, {0.8, 0.4}}};
-  const Figure figure = paper_constant_response(made);
+  const Figure figure = constant_response_figure(made);
   ASSERT_EQ(figure.layers.size(), 4U);
-  EXPECT_EQ(layer<LineLayer>(figure, "truth").x, (Numbers{54.5, 55.5}));
-  EXPECT_EQ(layer<LineLayer>(figure, "truth").y, (Numbers{5.0, 10.0}));
-  EXPECT_EQ(std::get<LineLayer>(figure.layers[3]).legend, "");
+  EXPECT_EQ(layer<LineLayer>(figure, "true joint").x, (Numbers{54.5, 55.5}));
+  EXPECT_EQ(layer<LineLayer>(figure, "true joint").y, (Numbers{5.0, 10.0}));
+  EXPECT_EQ(layer<LineLayer>(figure, "true joint").stroke.style, LineStyle::kDotted);
+  EXPECT_EQ(legend_of(figure.layers[3]), "true joint") << "one entry for both";
+  EXPECT_EQ(name_of(figure.layers[3]), "4 m/s², true joint");
 }
 
-TEST(PaperDeviations, HasAPanelAChannel) {
+// Response over force at the frequency of the level.
+TEST(ConstantResponseFigure, OfTheLevelsBeside) {
+  ExperimentResults made = results();
+  made.levels->force_amplitude = {0.5, 4.0};
+  made.responses = {{2.0, {50.0, 51.0}, {0.5, 0.25}}};
+  const Figure figure = constant_response_figure(made, {.response_unit = "g"});
+  EXPECT_EQ(layer<PointLayer>(figure, "measured levels").x, (Numbers{50.0, 49.0}));
+  EXPECT_EQ(layer<PointLayer>(figure, "measured levels").y, (Numbers{2.0, 1.25}));
+  EXPECT_EQ(layer<LineLayer>(figure, "0.204 g").y, (Numbers{4.0, 8.0}));
+}
+
+TEST(DeviationFigures, HasAPanelAChannel) {
   ExperimentResults made;
   made.comparisons = {{"a", "force", "converged", 50.0, 1.0, 0.02, 0.01, 1.0, 0.0},
                       {"a", "acc1", "converged", 50.0, 1.0, 0.04, 0.03, 1.0, 0.0},
                       {"b", "force", "converged", 49.0, 2.0, 0.06, 0.05, 1.0, 0.0}};
-  const FigureGrid grid = paper_deviations(made);
-  ASSERT_EQ(grid.panels.size(), 2U);
-  EXPECT_EQ(grid.panels[0].title, "force");
-  expect_near(layer<PointLayer>(grid.panels[0], "prediction").y, {2.0, 6.0});
-  expect_near(layer<PointLayer>(grid.panels[0], "noise alone").y, {1.0, 5.0});
-  expect_near(layer<PointLayer>(grid.panels[0], "prediction").x, {1.0, 2.0});
+  const std::vector<Figure> figures = deviation_figures(made);
+  ASSERT_EQ(figures.size(), 2U);
+  EXPECT_EQ(figures[0].title, "force");
+  expect_near(layer<PointLayer>(figures[0], "prediction").y, {2.0, 6.0});
+  expect_near(layer<PointLayer>(figures[0], "noise alone").y, {1.0, 5.0});
+  expect_near(layer<PointLayer>(figures[0], "prediction").x, {1.0, 2.0});
 }
 
-TEST(PaperFigures, SayWhatIsMissing) {
-  EXPECT_TRUE(contains(input_fault([] { return paper_energies({}); }), "needs levels"));
+TEST(FiguresOfATest, SayWhatIsMissing) {
+  EXPECT_TRUE(contains(input_fault([] { return energies_figure({}); }), "needs levels"));
   EXPECT_TRUE(
-      contains(input_fault([] { return paper_density(ExperimentResults{}); }), "needs a joint"));
-  EXPECT_TRUE(contains(input_fault([] { return paper_loops({}); }), "needs a joint"));
-  EXPECT_TRUE(contains(input_fault([] { return paper_stiffness({}); }), "needs a joint"));
-  EXPECT_TRUE(contains(input_fault([] { return paper_constant_response({}); }), "responses"));
-  EXPECT_TRUE(contains(input_fault([] { return paper_deviations({}); }), "verification"));
+      contains(input_fault([] { return density_figure(ExperimentResults{}); }), "needs a joint"));
+  EXPECT_TRUE(contains(input_fault([] { return loops_figure({}); }), "needs a joint"));
+  EXPECT_TRUE(contains(input_fault([] { return stiffness_figure({}); }), "needs a joint"));
+  EXPECT_TRUE(contains(input_fault([] { return constant_response_figure({}); }), "responses"));
+  EXPECT_TRUE(contains(input_fault([] { return deviation_figures({}); }), "verification"));
 }
 
 }  // namespace
-}  // namespace microslip::paper_figures_test
+}  // namespace microslip::level_figures_test
