@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
@@ -12,7 +11,6 @@
 #include <exception>
 #include <memory>
 #include <new>
-#include <numeric>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -20,6 +18,7 @@
 
 #include "command.hpp"
 #include "microslip/base/error.hpp"
+#include "microslip/io/closest_name.hpp"
 #include "microslip/io/temporaries.hpp"
 #include "microslip/io/write_error.hpp"
 #include "microslip/workflow/nothing_found.hpp"
@@ -72,35 +71,14 @@ int complain(int status, std::string_view message) {
   return status;
 }
 
-/// Letters to insert, remove or replace (Levenshtein).
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
-
 /// An option that the subcommand does not have, and the one that was probably meant.
 std::string unknown_option(const CLI::App& command, const std::string& argument) {
-  constexpr std::size_t kMostEdits = 3;
   const std::string name = argument.substr(0, argument.find('='));
-  std::string nearest;
-  std::size_t least = kMostEdits + 1;
+  std::vector<std::string> known;
   for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& known : option->get_lnames()) {
-      const std::size_t edits = edit_distance(name, "--" + known);
-      if (edits >= least) continue;
-      least = edits;
-      nearest = "--" + known;
-    }
+    for (const std::string& one : option->get_lnames()) known.push_back("--" + one);
   }
+  const std::string_view nearest = microslip::closest_name(name, {known.begin(), known.end()});
   return fmt::format("There is no option {}{}", name,
                      nearest.empty() ? "" : fmt::format("; {} is near", nearest));
 }

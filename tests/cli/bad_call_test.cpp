@@ -56,13 +56,14 @@ TEST(BadCall, MissingOrSuperfluous) {
             {"--path", "--amplitude"}},
            {{"dissipation", "joint.json", "--out", "c.csv"}, {"--amplitude is required"}},
            {{"demo", "here"}, {"here", "microslip demo --help"}}});
-  expect_all_refused(
-      kIdentify, {{{"more.csv"}, {"more.csv"}},
-                  {{"--bogus"}, {"--bogus", "microslip identify --help"}},
-                  {{"--dissipation-gain", "5%"}, {"There is no option --dissipation-gain. Run"}},
-                  {{"--bands=20", "--loss-factr-std", "5%"},
-                   {"There is no option --loss-factr-std; --loss-factor-std is near"}},
-                  {{"--stiffness", "2e5"}, {"--stiffness"}}});
+  expect_all_refused(kIdentify,
+                     {{{"more.csv"}, {"more.csv"}},
+                      {{"--bogus"}, {"--bogus", "microslip identify --help"}},
+                      {{"--dissipation-gain", "5%"},
+                       {"There is no option --dissipation-gain; --dissipation-gain-std is near"}},
+                      {{"--bands=20", "--loss-factr-std", "5%"},
+                       {"There is no option --loss-factr-std; --loss-factor-std is near"}},
+                      {{"--stiffness", "2e5"}, {"--stiffness"}}});
 }
 
 TEST(BadCall, Stiffness) {
