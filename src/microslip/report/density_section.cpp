@@ -17,6 +17,7 @@ namespace microslip {
 namespace {
 
 constexpr Stroke kSpline = {.colour = kGreen, .width = 1.4};
+constexpr const char* kSplineName = "smoothing spline";
 
 /// What other methods make of the levels.
 FigureOptions method_options(const MethodComparison& methods, const std::string& used) {
@@ -24,7 +25,7 @@ FigureOptions method_options(const MethodComparison& methods, const std::string&
   if (used != "inversion") options.others.push_back({"inversion", methods.inversion.joint});
   const SignedDensity& spline = methods.spline.density;
   const SignedDensity& differences = methods.differences;
-  options.beside = {LineLayer{spline.slip_force, spline.density, "smoothing spline", kSpline},
+  options.beside = {LineLayer{spline.slip_force, spline.density, kSplineName, kSpline},
                     PointLayer{.x = differences.slip_force,
                                .y = differences.density,
                                .legend = "differences",
@@ -37,6 +38,9 @@ Figure density_with_methods(const ExperimentResults& results,
                             const std::optional<MethodComparison>& methods) {
   if (!methods) return density_figure(results);
   Figure figure = density_figure(results, method_options(*methods, results.joint->method));
+  // A joint of atoms alone has no density beside which the others would be drawn.
+  if (std::ranges::find(figure.layers, kSplineName, legend_of) == figure.layers.end())
+    return figure;
   figure.caption +=
       " A natural spline ends at 0 whatever the joint does. Unsmoothed differences are hidden at "
       "first.";
@@ -50,8 +54,7 @@ void add_measured_slopes(Figure& figure, const MethodComparison& methods) {
                                         .y = slopes.differences.y,
                                         .legend = "differences",
                                         .colour = kGrey});
-  figure.layers.emplace_back(
-      LineLayer{slopes.spline.x, slopes.spline.y, "smoothing spline", kSpline});
+  figure.layers.emplace_back(LineLayer{slopes.spline.x, slopes.spline.y, kSplineName, kSpline});
 }
 
 std::string slope_caption(const ExperimentResults& results) {
