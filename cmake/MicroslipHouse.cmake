@@ -35,6 +35,10 @@ function(microslip_add_folder name)
   add_library(microslip_folder_${name} OBJECT ${folder_PRIVATE} ${folder_PUBLIC} ${folder_INTERNAL})
   target_include_directories(microslip_folder_${name} PRIVATE "${tree}/private")
   target_link_libraries(microslip_folder_${name} PRIVATE microslip_headers_${name} ${folder_LINKS})
+  # Nobody replaces a function of the library by one of another: GCC may inline position-independent ones, as
+  # Clang does.
+  target_compile_options(microslip_folder_${name}
+                         PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
   set_target_properties(
     microslip_folder_${name}
     PROPERTIES POSITION_INDEPENDENT_CODE ON
