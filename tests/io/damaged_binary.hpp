@@ -17,9 +17,12 @@ namespace microslip::test {
 
 inline constexpr int kDamagedFiles = 10000;
 
-/// Fewer where each file takes a process of its own, all of them where MICROSLIP_ALL_DAMAGED_FILES
-/// is set.
+/// Fewer where each file takes a process of its own, a fifth of these under the sanitizers, whose
+/// processes start slowly; all of them where MICROSLIP_ALL_DAMAGED_FILES is set.
 inline int damaged_files(int fewer) {
+#ifdef __SANITIZE_ADDRESS__
+  fewer /= 5;
+#endif
   return std::getenv("MICROSLIP_ALL_DAMAGED_FILES") == nullptr ? fewer : kDamagedFiles;
 }
 
