@@ -7,13 +7,14 @@
 # of its name: the headers themselves lie beside their sources, public and private in one folder.
 
 # microslip_add_folder(<name>
+#   [LIGHT]                 its own work takes no time to speak of: optimised less, as that takes long
 #   [USES <folder>...]      whose public headers this one may include
 #   [LINKS <target>...]     libraries outside of this project, for the folder alone
 #   PUBLIC <header>...      installed, and seen by who uses the folder
 #   [INTERNAL <header>...]  seen by other folders, but not installed
 #   PRIVATE <file>...)      sources, and headers for the folder alone
 function(microslip_add_folder name)
-  cmake_parse_arguments(PARSE_ARGV 1 folder "" "" "USES;LINKS;PUBLIC;INTERNAL;PRIVATE")
+  cmake_parse_arguments(PARSE_ARGV 1 folder "LIGHT" "" "USES;LINKS;PUBLIC;INTERNAL;PRIVATE")
   set(tree "${PROJECT_BINARY_DIR}/include/${name}")
 
   set(private_headers ${folder_PRIVATE})
@@ -39,6 +40,9 @@ function(microslip_add_folder name)
   # Clang does.
   target_compile_options(microslip_folder_${name}
                          PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
+  if(folder_LIGHT)
+    target_compile_options(microslip_folder_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
   set_target_properties(
     microslip_folder_${name}
     PROPERTIES POSITION_INDEPENDENT_CODE ON
