@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "command.hpp"
 #include "identify_arguments.hpp"
@@ -16,22 +17,35 @@
 namespace microslip::app {
 namespace {
 
-int run(const IdentifyArguments& arguments, const Call& call) {
-  check_output(arguments.out, kJointKind);
-  if (!arguments.density_csv.empty()) check_output(arguments.density_csv, kDensityKind);
-  const LevelsIdentification options = identification_options(arguments, call.quiet);
-  const IdentifiedLevels done = identify_levels(options);
+/// Writes what was asked for, and tells of it.
+int finish(const IdentifyArguments& arguments, const Call& call, const Identification& found,
+           std::string joint, const std::string& summary) {
   OutputFiles outputs;
-  outputs.add(arguments.out, joint_text(done.found, options.options, done.input, call.command_line,
-                                        options.texts));
-  if (!arguments.density_csv.empty()) outputs.add(arguments.density_csv, density_csv(done.found));
+  outputs.add(arguments.out, std::move(joint));
+  if (!arguments.density_csv.empty()) outputs.add(arguments.density_csv, density_csv(found));
   outputs.commit();
   if (!call.quiet) {
     const bool data_on_stdout = arguments.out == "-" || arguments.density_csv == "-";
-    fmt::print(data_on_stdout ? stderr : stdout, "{}",
-               with_option_names(describe_identified_levels(options, done)));
+    fmt::print(data_on_stdout ? stderr : stdout, "{}", with_option_names(summary));
   }
-  return done.found.summary.converged() ? kDone : kNotConverged;
+  return found.summary.converged() ? kDone : kNotConverged;
+}
+
+int run(const IdentifyArguments& arguments, const Call& call) {
+  check_output(arguments.out, kJointKind);
+  if (!arguments.density_csv.empty()) check_output(arguments.density_csv, kDensityKind);
+  if (kind_of_evidence(arguments) == EvidenceKind::kRecord) {
+    const RecordsIdentification options = records_options(arguments, call.quiet);
+    const IdentifiedRecords done = identify_records(options);
+    return finish(arguments, call, done.found, joint_text(options, done, call.command_line),
+                  describe_identified_records(done));
+  }
+  const LevelsIdentification options = levels_options(arguments, call.quiet);
+  const IdentifiedLevels done = identify_levels(options);
+  return finish(
+      arguments, call, done.found,
+      joint_text(done.found, options.options, done.input, call.command_line, options.texts),
+      describe_identified_levels(options, done));
 }
 
 }  // namespace
@@ -39,21 +53,27 @@ int run(const IdentifyArguments& arguments, const Call& call) {
 void add_identify(CLI::App& program, Call& call) {
   auto options = std::make_shared<IdentifyArguments>();
   CLI::App* command = program.add_subcommand(
-      "identify", "Slip-force density of a joint from its measured dissipation");
+      "identify",
+      "Slip-force density of a joint from its measured dissipation, or from forces on a path");
   command
-      ->add_option("levels", options->levels,
-                   "CSV, one row a level: amplitude [m], dissipation [J]; used when there: "
+      ->add_option("evidence", options->evidence,
+                   "Levels: CSV, one row a level: amplitude [m], dissipation [J]; used when there: "
                    "amplitude_std, dissipation_std, secant_stiffness [N/m], secant_stiffness_std; "
-                   "resonance_frequency or frequency [Hz], which the joint is held against")
+                   "resonance_frequency or frequency [Hz], which the joint is held against. Or "
+                   "recordings of force and displacement of the joint over time, one or more; told "
+                   "by the content")
       ->required()
-      ->type_name(kCsvValue);
+      ->type_name(kRecordingValue);
   add_identify_arguments(*command, *options);
   command->add_flag("--quiet", call.quiet, "No summary, no progress");
   add_examples(*command, {"microslip identify levels.csv --stiffness 1.7e5 --out joint.json",
                           "microslip identify levels.csv --stiffness 1.7e5 --bands 1000 \\",
                           "          --out joint.json --density-csv density.csv",
                           "microslip identify levels.csv --stiffness 170kN/m --method spline \\",
-                          "          --smoothing p=0.99999 --smoothing-unit mm --out joint.json"});
+                          "          --smoothing p=0.99999 --smoothing-unit mm --out joint.json",
+                          "microslip identify record.csv --out joint.json",
+                          "microslip identify record.csv --force f --displacement u \\",
+                          "          --start unknown --out joint.json"});
   command->callback(
       [options, &call] { call.run = [options, &call] { return run(*options, call); }; });
 }

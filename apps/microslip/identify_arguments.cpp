@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <span>
 #include <string_view>
 
 #include "command.hpp"
@@ -36,7 +37,12 @@ std::vector<std::string> names_of(const Map& map) {
 }
 
 double stiffness_of(const IdentifyArguments& options) {
-  const double k = parse_quantity("--stiffness", options.stiffness, kStiffness);
+  if (!options.stiffness) {
+    throw InputError("--stiffness", InputState{"missing"},
+                     "must be given with levels: slip forces are k times A",
+                     "Give the stiffness of the stuck joint, for instance from a low-level test.");
+  }
+  const double k = parse_quantity("--stiffness", *options.stiffness, kStiffness);
   if (k > 0.0 && !(k >= kSmallestStiffness && k <= kLargestStiffness)) {
     throw InputError("--stiffness", k, "must be from 1e-6 to 1e15 N/m", "Check its unit.");
   }
@@ -119,6 +125,59 @@ IdentificationOptions library_options(const IdentifyArguments& options, bool qui
   return all;
 }
 
+/// Refuses what belongs to the other kind of evidence, where it is given.
+class Foreign {
+ public:
+  explicit Foreign(std::string_view rule) : rule_(rule) {}
+
+  void refuse(std::string_view option, const std::string& value, std::string_view usual,
+              std::string_view remedy = "Leave it out.") const {
+    if (value != usual) throw InputError(option, in_quotes(value), rule_, remedy);
+  }
+  void refuse(std::string_view option, bool given,
+              std::string_view remedy = "Leave it out.") const {
+    if (given) throw InputError(option, InputState{"given"}, rule_, remedy);
+  }
+
+ private:
+  std::string rule_;
+};
+
+void refuse_options_of_records(const IdentifyArguments& options) {
+  const Foreign of_records("belongs to records of force and displacement, and these are levels");
+  of_records.refuse("--force", options.force, "");
+  of_records.refuse("--displacement", options.displacement, "");
+  of_records.refuse("--start", options.start, "auto");
+  of_records.refuse("--viscous", options.viscous, "none",
+                    "--linear-damping fit finds a linear damping of levels.");
+  of_records.refuse("--samples", options.samples.has_value(), "--bands N gives levels a band.");
+  of_records.refuse("--assume-units", !options.reading.assumed_units.empty());
+  of_records.refuse("--allow-truncated", options.reading.allow_truncated);
+}
+
+void refuse_options_of_levels(const IdentifyArguments& options) {
+  const Foreign of_levels("belongs to levels, and this is a record of force and displacement");
+  of_levels.refuse("--method", options.method, "inversion");
+  of_levels.refuse("--smoothing", options.smoothing, "gcv",
+                   "The smoothing of records is drawn with the density.");
+  of_levels.refuse("--smoothing-unit", options.smoothing_unit.has_value());
+  of_levels.refuse("--linear-damping", options.linear_damping, "none",
+                   "--viscous fit finds a viscous part of a record.");
+  of_levels.refuse("--inner-reversals", options.inner_reversals, "leave-out");
+  of_levels.refuse("--atom", options.atom);
+  of_levels.refuse("--bands", options.bands, "0",
+                   "The density of records has a band, of --samples draws.");
+  of_levels.refuse("--dissipation-gain-std", options.dissipation_gain, "0");
+  of_levels.refuse("--amplitude-gain-std", options.amplitude_gain, "0");
+  of_levels.refuse("--loss-factor-std", options.loss_factor, "0");
+  of_levels.refuse("--fit", options.fit, "none");
+}
+
+std::optional<PathStart> start_of(const IdentifyArguments& options) {
+  if (options.start == "auto") return std::nullopt;
+  return options.start == "virgin" ? PathStart::kVirgin : PathStart::kUnknown;
+}
+
 void add_output_options(CLI::App& command, IdentifyArguments& options) {
   command
       .add_option("--out", options.out, "Joint model to write, joint.json; - is standard output")
@@ -187,27 +246,86 @@ void add_band_options(CLI::App& command, IdentifyArguments& options) {
       ->capture_default_str();
 }
 
+void add_record_options(CLI::App& command, IdentifyArguments& options) {
+  command.add_option("--force", options.force,
+                     "Records: channel of the force; else the only force there is");
+  command.add_option("--displacement", options.displacement,
+                     "Records: channel of the displacement; else the only one there is");
+  command
+      .add_option("--start", options.start,
+                  "Records: state at the first sample. virgin: no slip yet, and no force but an "
+                  "offset; unknown: its first turns tell nothing; auto: as it shows")
+      ->check(CLI::IsMember({"auto", "virgin", "unknown"}))
+      ->capture_default_str();
+  command
+      .add_option("--viscous", options.viscous,
+                  "Records: fit finds a force c times the velocity beside the friction")
+      ->check(CLI::IsMember({"none", "fit"}))
+      ->capture_default_str();
+  command
+      .add_option("--samples", options.samples,
+                  "Records: draws that the density is the mean of, and its band; 1000 without it")
+      ->type_name("UINT");
+  add_recording_arguments(command, options.reading);
+}
+
 }  // namespace
 
 void add_identify_arguments(CLI::App& command, IdentifyArguments& arguments) {
-  command
-      .add_option("--stiffness", arguments.stiffness,
-                  "k of the stuck joint, in N/m or with a unit: slip forces are k times A")
-      ->required();
+  command.add_option("--stiffness", arguments.stiffness,
+                     "k of the stuck joint, in N/m or with a unit: slip forces are k times A. "
+                     "Levels need it; records find it");
   add_output_options(command, arguments);
   add_method_options(command, arguments);
   add_band_options(command, arguments);
+  add_record_options(command, arguments);
 }
 
-LevelsIdentification identification_options(const IdentifyArguments& arguments, bool quiet) {
+EvidenceKind kind_of_evidence(const IdentifyArguments& arguments) {
+  const EvidenceKind first = evidence_kind(arguments.evidence.front());
+  for (const std::string& path : std::span(arguments.evidence).subspan(1)) {
+    if (evidence_kind(path) != first) {
+      throw InputError(path, InputState{first == EvidenceKind::kLevels ? "a record" : "levels"},
+                       fmt::format("must be of the kind of {}", arguments.evidence.front()),
+                       "Identify from one kind of evidence at a time.");
+    }
+    if (first == EvidenceKind::kLevels) {
+      throw InputError(path, InputState{"a second table of levels"}, "must be the only one",
+                       "Put the levels of one joint into one table.");
+    }
+  }
+  return first;
+}
+
+LevelsIdentification levels_options(const IdentifyArguments& arguments, bool quiet) {
+  refuse_options_of_records(arguments);
   LevelsIdentification all;
-  all.levels = arguments.levels;
+  all.levels = arguments.evidence.front();
   all.texts = {arguments.smoothing, arguments.smoothing_unit, arguments.inner_reversals,
                errors_of(arguments)};
   if (arguments.bands == "0") check_unused(arguments, all.texts.common_errors);
   all.options = library_options(arguments, quiet);
   all.stiffness = stiffness_of(arguments);
   all.use_inner_reversals = arguments.inner_reversals == "use";
+  return all;
+}
+
+RecordsIdentification records_options(const IdentifyArguments& arguments, bool quiet) {
+  constexpr std::uint64_t kFewest = 100;
+  constexpr std::uint64_t kMost = 100'000;  // more memory than use
+  refuse_options_of_levels(arguments);
+  RecordsIdentification all;
+  all.records = arguments.evidence;
+  all.channels = {arguments.force, arguments.displacement};
+  if (arguments.stiffness) all.stiffness = stiffness_of(arguments);
+  all.start = start_of(arguments);
+  all.options.viscous = arguments.viscous == "fit";
+  all.options.draws =
+      parse_whole_number("--samples", arguments.samples.value_or("1000"), kFewest, kMost);
+  all.options.seed = parse_whole_number("--seed", arguments.seed.value_or("1"), 0,
+                                        std::numeric_limits<std::uint64_t>::max());
+  all.options.progress = progress_bar("draws", quiet);
+  all.reading = read_options(arguments.reading, progress_bar("reading", quiet));
   return all;
 }
 

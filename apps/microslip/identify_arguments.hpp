@@ -4,15 +4,19 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "microslip/workflow/evidence_kind.hpp"
 #include "microslip/workflow/levels_identification.hpp"
+#include "microslip/workflow/records_identification.hpp"
+#include "recording_arguments.hpp"
 
 namespace microslip::app {
 
 /// The options of `identify` as they are typed.
 struct IdentifyArguments {
-  std::string levels;
-  std::string stiffness;
+  std::vector<std::string> evidence;
+  std::optional<std::string> stiffness;
   std::string out;
   std::string density_csv;
   std::string method = "inversion";
@@ -27,13 +31,27 @@ struct IdentifyArguments {
   std::string loss_factor = "0";
   std::string fit = "none";
   std::string inner_reversals = "leave-out";
+  // Of records.
+  std::string force;
+  std::string displacement;
+  std::string start = "auto";
+  std::string viscous = "none";
+  std::optional<std::string> samples;
+  RecordingArguments reading;
 };
 
-/// All but the levels and --quiet.
+/// All but the evidence and --quiet.
 void add_identify_arguments(CLI::App& command, IdentifyArguments& arguments);
 
-/// @throws InputError  where one cannot be read, or they do not go together.
-[[nodiscard]] LevelsIdentification identification_options(const IdentifyArguments& arguments,
-                                                          bool quiet);
+/// What all of the files hold.
+/// @throws InputError  where they are of several kinds, or several are levels.
+[[nodiscard]] EvidenceKind kind_of_evidence(const IdentifyArguments& arguments);
+
+/// @throws InputError  where one cannot be read, they do not go together, or one belongs to
+///                     records.
+[[nodiscard]] LevelsIdentification levels_options(const IdentifyArguments& arguments, bool quiet);
+
+/// @throws InputError  likewise, where one belongs to levels.
+[[nodiscard]] RecordsIdentification records_options(const IdentifyArguments& arguments, bool quiet);
 
 }  // namespace microslip::app

@@ -46,8 +46,8 @@ TEST(BadCall, OfTheProgram) {
 
 TEST(BadCall, MissingOrSuperfluous) {
   expect_all_refused(
-      {}, {{{"identify"}, {"levels is required", "microslip identify --help"}},
-           {{"identify", "levels.csv"}, {"--stiffness is required"}},
+      {}, {{{"identify"}, {"evidence is required", "microslip identify --help"}},
+           {{"identify", "levels.csv"}, {"--out is required"}},
            {{"identify", "levels.csv", "--stiffness", "1"}, {"--out is required"}},
            {{"identify", "levels.csv", "--out"}, {"--out"}},
            {{"loop", "joint.json", "--out", "l.csv"}, {"--path or --amplitude is required"}},

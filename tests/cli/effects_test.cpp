@@ -150,6 +150,19 @@ std::string two_modes(const std::string& decay) {
                   [](double x, double y) { return fmt::format("{:.17g}", x + y); });
 }
 
+/// Two sensors of each quantity at a joint: the second ones read 10 % more.
+std::string two_records() {
+  const ForceRecord record = sample_record();
+  std::string text = "time [s],u1 [m],u2 [m],f1 [N],f2 [N]\n";
+  for (std::size_t i = 0; i < record.size(); ++i) {
+    const double u = record.displacement[i];
+    const double f = record.force[i];
+    text += fmt::format("{:.6f},{:.9g},{:.9g},{:.9g},{:.9g}\n",
+                        record.time_step * static_cast<double>(i), u, 1.1 * u, f, 1.1 * f);
+  }
+  return text;
+}
+
 /// The files from which every call starts: those of docs/file_formats.md, records of their rig, and
 /// what the options are about that only files with a fault need.
 const Files& inputs() {
@@ -186,6 +199,10 @@ const Files& inputs() {
         written.at("decay.uff").substr(0, written.at("decay.uff").size() * 7 / 8);
     all["unitless_decay.csv"] =
         std::regex_replace(all["decay.csv"], std::regex(" \\[[^\\]]*\\]"), "");
+    all["record.csv"] = record_text(sample_record());
+    all["two_records.csv"] = two_records();
+    all["unitless_record.csv"] = record_text(sample_record(), "time [s],u,f");
+    all["cut_record.csv"] = all.at("record.csv").substr(0, all.at("record.csv").rfind(','));
     written =
         run(all, words("frf model.toml --force 50 --frequency 10:20 --out frf.csv --quiet")).files;
     all["frf.csv"] = written.at("frf.csv");

@@ -105,6 +105,7 @@ TEST(Help, IsForShortOptionsToo) {
 TEST(Help, ExamplesRun) {
   const Sandbox box({{"levels.csv", sample_levels_text()},
                      {"path.csv", "displacement [m]\n0\n1e-4\n-1e-4\n"},
+                     {"record.csv", record_text(sample_record())},
                      {"decay.csv", sample_decay_text()}});
   for (const std::string subcommand : {"identify", "loop", "dissipation", "ringdown"}) {
     const std::vector<Arguments> calls = examples(help_of(subcommand));

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,6 +15,7 @@
 #include "microslip/io/levels_file.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/observe/levels.hpp"
+#include "support/force_records.hpp"
 
 /// @file
 /// Inputs that the program takes.
@@ -44,6 +49,23 @@ inline Levels sample_levels() {
 }
 
 inline std::string sample_levels_text() { return levels_table(sample_levels()).str(); }
+
+/// Force and displacement of that joint on a random path of up to 240 µm.
+inline ForceRecord sample_record(std::uint64_t seed = 1) {
+  const std::vector<double> path = testing::random_motion(3000, 2.4e-4, seed);
+  return testing::simulated_record(sample_joint(), path, seed, {});
+}
+
+/// As CSV.
+inline std::string record_text(const ForceRecord& record,
+                               const std::string& header = "time [s],u [um],f [N]") {
+  std::string text = header + "\n";
+  for (std::size_t i = 0; i < record.size(); ++i) {
+    text += fmt::format("{:.6f},{:.9g},{:.9g}\n", record.time_step * static_cast<double>(i),
+                        1e6 * record.displacement[i], record.force[i]);
+  }
+  return text;
+}
 
 /// A decay as an accelerometer would see it: damping falls with the amplitude and the frequency
 /// rises.

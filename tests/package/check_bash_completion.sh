@@ -59,7 +59,7 @@ expect 'differences inversion spline' identify --method =
 
 # Files by their ending, in capitals or not, and folders on the way to them.
 expect 'joint.json results two words' loop ''
-expect 'LOUD.CSV levels.csv my levels.csv results two words' identify ''
+expect 'LOUD.CSV levels.csv my levels.csv results test.h5 test.mat test.uff two words' identify ''
 expect 'my levels.csv' identify 'my\ '
 expect 'my levels.csv' identify '"my '
 expect 'two words/deep.csv' identify 'two\ words/'
@@ -75,6 +75,6 @@ expect 'notes.txt' identify no # none of the ending: what there is
 expect '' identify levels.csv --stiffness ''
 expect '' loop joint.json --amplitude 1um : ''
 expect 'joint.json' dissipation --amplitude 1um : 300um : 50 j
-expect '' identify levels.csv '' # all arguments are there
+expect '' dissipation joint.json '' # all arguments are there
 
 exit $failed

@@ -68,7 +68,7 @@ done
 expect 'differences inversion spline' 'microslip identify --method '
 expect 'differences inversion spline' 'microslip identify levels.csv --method='
 expect 'joint.json results' 'microslip loop '
-expect 'LOUD.CSV levels.csv results' 'microslip identify '
+expect 'LOUD.CSV levels.csv results test.uff' 'microslip identify '
 expect 'levels.csv' 'microslip dissipation joint.json --out l'
 expect 'results' 'microslip demo --out '
 expect 'LOUD.CSV levels.csv results test.uff' 'microslip reduce rig.toml '

@@ -6,21 +6,12 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
+#include "microslip/identify/quantiles.hpp"
 
 namespace microslip {
 namespace {
 
 constexpr std::size_t kFewestSamples = 20;
-std::pair<double, double> quantiles(std::vector<double>& values, double confidence) {
-  std::ranges::sort(values);
-  const auto at = [&](double share) {
-    const double position = share * static_cast<double>(values.size() - 1);
-    const auto low = static_cast<std::size_t>(position);
-    const std::size_t high = std::min(low + 1, values.size() - 1);
-    return values[low] + (position - static_cast<double>(low)) * (values[high] - values[low]);
-  };
-  return {at(0.5 * (1.0 - confidence)), at(0.5 * (1.0 + confidence))};
-}
 
 }  // namespace
 
@@ -52,7 +43,7 @@ DensityBands density_bands(const InversionResult& result, const BandOptions& opt
   std::vector<double> values(samples.size());
   const auto quantiles_of = [&](const auto& read) {
     std::ranges::transform(samples, values.begin(), read);
-    return quantiles(values, options.confidence);
+    return quantile_pair(values, options.confidence);
   };
   for (std::size_t j = 0; j < result.slip_force.size(); ++j) {
     const auto [lower, upper] =

@@ -6,6 +6,7 @@
 #include "microslip/base/summary.hpp"
 #include "microslip/identify/bands.hpp"
 #include "microslip/identify/inversion.hpp"
+#include "microslip/identify/record_inversion.hpp"
 #include "microslip/observe/level_evidence.hpp"
 
 namespace microslip {
@@ -53,6 +54,15 @@ namespace microslip {
 [[nodiscard]] std::vector<Warning> diagnose(const InversionResult& result,
                                             const LevelEvidence& evidence, double stiffness,
                                             const InversionOptions& options);
+
+/// What records give reason to say, of each that is not of a joint of the kind that is sought:
+///   * `rate_dependent`  the force follows the velocity;
+///   * `asymmetric`      it is other to one side than to the other;
+///   * `dead_zone`       it is missing about zero;
+///   * `drifts`          it grows or falls over the record;
+///   * `offset_drifts`   its zero moves;
+///   * `not_masing`      branches of different ranges do not lie on one curve.
+[[nodiscard]] std::vector<Warning> diagnose(const RecordInversionResult& result);
 
 /// What bands give reason to say: `bands_not_converged`, where samples did not.
 [[nodiscard]] std::vector<Warning> diagnose(const DensityBands& bands);

@@ -227,6 +227,10 @@ const SignedDensity* Identification::differences() const {
   return std::get_if<SignedDensity>(&free);
 }
 
+const RecordInversionResult* Identification::records() const {
+  return std::get_if<RecordInversionResult>(&free);
+}
+
 Identification identify(const LevelEvidence& evidence, double stiffness,
                         const IdentificationOptions& options) {
   options.check();
@@ -241,6 +245,22 @@ Identification identify(const LevelEvidence& evidence, double stiffness,
   found.warnings = std::move(warnings);
   found.covered_from = stiffness * evidence.levels().amplitude.front();
   found.covered_to = stiffness * evidence.levels().amplitude.back();
+  return found;
+}
+
+Identification identify(std::span<const RecordEvidence> evidence, std::optional<double> stiffness,
+                        const RecordInversionOptions& options) {
+  RecordInversionResult result = invert_records(evidence, stiffness, options);
+  Identification found(IdentificationMethod::kInversion, result.joint());
+  read_density_of_joint(found);
+  DensityBand band = result.density_band();
+  found.lower = std::move(band.lower);
+  found.upper = std::move(band.upper);
+  found.covered_from = result.stiffness.mean * result.resolved_from;
+  found.covered_to = result.stiffness.mean * result.slip_displacement.back();
+  found.summary = result.summary;
+  append(found.warnings, diagnose(result));
+  found.free = std::move(result);
   return found;
 }
 

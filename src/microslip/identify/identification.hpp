@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -13,6 +14,7 @@
 #include "microslip/identify/bands.hpp"
 #include "microslip/identify/inversion.hpp"
 #include "microslip/identify/parametric.hpp"
+#include "microslip/identify/record_inversion.hpp"
 #include "microslip/identify/spline_density.hpp"
 #include "microslip/identify/stiffness_evidence.hpp"
 #include "microslip/joint/joint.hpp"
@@ -22,7 +24,7 @@ namespace microslip {
 
 /// How a density is found from levels.
 enum class IdentificationMethod {
-  kInversion,    ///< invert(): the one to use
+  kInversion,    ///< invert() of levels, invert_records() of records: the one to use
   kSpline,       ///< density_by_spline(), [AR14 Fig. 9]
   kDifferences,  ///< density_by_differences(), a baseline
 };
@@ -50,10 +52,10 @@ struct InvertedDensity {
 
 /// A free density, by the method that found it; none where a parametric model was asked for and the
 /// levels are too few for more.
-using FreeDensity =
-    std::variant<std::monostate, InvertedDensity, SplineDensityResult, SignedDensity>;
+using FreeDensity = std::variant<std::monostate, InvertedDensity, SplineDensityResult,
+                                 SignedDensity, RecordInversionResult>;
 
-/// A joint from levels, and what its user must know of it.
+/// A joint from levels or records, and what its user must know of it.
 struct Identification {
   /// @param used   the method.
   /// @param found  its joint.
@@ -61,8 +63,9 @@ struct Identification {
 
   IdentificationMethod method;  ///< that was used
   Joint joint;  ///< the identified density, or the parametric model that was asked for
-  double covered_from = 0.0;  ///< kA_min, N: below it the levels tell two moments of φ only
-  double covered_to = 0.0;    ///< kA_max, N: above it they tell nothing
+  /// kA_min, N: below it levels tell two moments of φ only; of records what their noise hides
+  double covered_from = 0.0;
+  double covered_to = 0.0;  ///< kA_max, N: above it they tell nothing
 
   /// The density of `joint` at points for plots, with its band where there is one.
   std::vector<double> slip_force;  ///< N
@@ -79,6 +82,7 @@ struct Identification {
   [[nodiscard]] const DensityBands* bands() const;          ///< in `free`; null without
   [[nodiscard]] const SplineDensityResult* spline() const;  ///< in `free`; null likewise
   [[nodiscard]] const SignedDensity* differences() const;   ///< in `free`; null likewise
+  [[nodiscard]] const RecordInversionResult* records() const;  ///< in `free`; null for levels
 
   /// Measured k_eq and frequencies held against `joint`.
   StiffnessEvidence stiffness = {};
@@ -98,5 +102,14 @@ struct Identification {
 /// @throws Cancelled   as density_bands().
 [[nodiscard]] Identification identify(const LevelEvidence& evidence, double stiffness,
                                       const IdentificationOptions& options = {});
+
+/// Force–displacement records to joint: see invert_records(). k is found where it is not given.
+/// @param evidence   of one joint.
+/// @param stiffness  k of the stuck joint, N/m, where it is known.
+/// @param options    how it is solved.
+/// @throws InputError  as invert_records(). @throws Cancelled  likewise.
+[[nodiscard]] Identification identify(std::span<const RecordEvidence> evidence,
+                                      std::optional<double> stiffness = {},
+                                      const RecordInversionOptions& options = {});
 
 }  // namespace microslip

@@ -201,6 +201,12 @@ std::optional<double> covered_to(const JointFile& file) {
 std::optional<double> identified_damping(const JointFile& file) {
   for (const auto& [name, value] : file.identification) {
     const double* number = std::get_if<double>(&value);
+    if (name == kViscousKey && number != nullptr && *number > 0.0) {
+      throw InputError(fmt::format("identification.{}", name), *number,
+                       "must be 0: predictions have no viscous part of a joint",
+                       "Identify the joint without it, or take it into the structure's damping "
+                       "and remove the key.");
+    }
     if (name == kLinearDampingKey && number != nullptr) return *number;
   }
   return std::nullopt;

@@ -31,9 +31,14 @@ inline constexpr std::string_view kLinearDampingKey = "linear_damping_J_per_m2";
 /// The largest β that is read, J/m²: beyond all that joins.
 inline constexpr double kLargestLinearDamping = 1e15;
 
+/// The key of c in an identification, N s/m: a viscous part that was found beside the friction.
+inline constexpr std::string_view kViscousKey = "viscous_N_s_per_m";
+
 /// β of D = … + βA², J/m²: the loss beside slip that the identification found with the joint;
 /// nothing where the file does not say. A prediction by the joint adds it
 /// (StructuralJoint::linear_damping).
+/// @throws InputError  where it found a viscous part c > 0, too: no prediction has that yet, and
+///                     one without it would be wrong without a word.
 [[nodiscard]] std::optional<double> identified_damping(const JointFile& file);
 
 /// A joint from the text of a joint.json.

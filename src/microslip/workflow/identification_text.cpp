@@ -78,6 +78,31 @@ std::string describe_inversion(const Identification& found) {
   return text;
 }
 
+std::string band_text(const Estimate& estimate, double confidence) {
+  return fmt::format("{:.0f} % band {:.5g} to {:.5g}", 100.0 * confidence, estimate.lower,
+                     estimate.upper);
+}
+
+/// What stands for the stiffness where records told it.
+std::string describe_records(const RecordInversionResult& result) {
+  std::string text = line("elastic remainder",
+                          fmt::format("{:.5g} N/m, {}", result.elastic_stiffness.mean,
+                                      band_text(result.elastic_stiffness, result.confidence)));
+  if (result.viscous) {
+    text += line("viscous part", fmt::format("{:.5g} N s/m, {}", result.viscous->mean,
+                                             band_text(*result.viscous, result.confidence)));
+  }
+  return text + line("draws", fmt::format("{}", result.draws.size()));
+}
+
+std::string describe_stiffness(const Identification& found) {
+  std::string text = fmt::format("{:.6g} N/m", found.joint.stiffness());
+  if (found.records() && !found.records()->stiffness_known) {
+    text += ", " + band_text(found.records()->stiffness, found.records()->confidence);
+  }
+  return line("stiffness k", text);
+}
+
 std::string describe_parameters(const ParametricResult& fit) {
   std::string text;
   for (const FittedParameter& parameter : fit.parameters) {
@@ -155,6 +180,61 @@ void add_bands(const Identification& found, NamedValues& record) {
   record.emplace_back("band_upper_per_N", found.upper);
 }
 
+/// Each departure of each record, found or not.
+void add_verdicts(const RecordInversionResult& result, NamedValues& record) {
+  std::vector<std::string> departure;
+  std::vector<std::string> found;
+  std::vector<double> number;
+  std::vector<double> share;
+  std::vector<double> noise;
+  for (std::size_t r = 0; r < result.records.size(); ++r) {
+    for (const RecordVerdict& verdict : result.records[r].verdicts) {
+      departure.emplace_back(to_string(verdict.departure));
+      found.emplace_back(verdict.broken ? "broken" : "held");
+      number.push_back(static_cast<double>(r + 1));
+      share.push_back(verdict.share);
+      noise.push_back(verdict.noise);
+    }
+  }
+  record.emplace_back("verdict_departure", list_of_texts(departure));
+  record.emplace_back("verdict", list_of_texts(found));
+  record.emplace_back("verdict_record", std::move(number));
+  record.emplace_back("verdict_share", std::move(share));
+  record.emplace_back("verdict_noise", std::move(noise));
+}
+
+/// Of the draws from the posterior of records.
+void add_records(const Identification& found, NamedValues& record) {
+  const RecordInversionResult& result = *found.records();
+  const auto add = [&](const std::string& name, const Estimate& estimate) {
+    record.emplace_back(name, estimate.mean);
+    record.emplace_back("band_" + name, std::vector<double>{estimate.lower, estimate.upper});
+  };
+  if (!result.stiffness_known) add("stiffness_N_per_m", result.stiffness);
+  add("elastic_stiffness_N_per_m", result.elastic_stiffness);
+  if (result.viscous) add(std::string(kViscousKey), *result.viscous);
+  record.emplace_back("reference_exponent", result.reference_exponent);
+  const auto of_records = [&](const std::string& name, double RecordFit::*member) {
+    std::vector<double> values;
+    for (const RecordFit& fit : result.records) values.push_back(fit.*member);
+    record.emplace_back(name, std::move(values));
+  };
+  of_records("scatter_force_N", &RecordFit::scatter);
+  of_records("correlation", &RecordFit::correlation);
+  of_records("unexplained", &RecordFit::unexplained);
+  std::vector<std::string> start;
+  for (const RecordFit& fit : result.records) {
+    start.emplace_back(fit.start == PathStart::kVirgin ? "virgin" : "unknown");
+  }
+  record.emplace_back("start", list_of_texts(start));
+  add_verdicts(result, record);
+  record.emplace_back("band_confidence", result.confidence);
+  record.emplace_back("band_samples", static_cast<double>(result.draws.size()));
+  record.emplace_back("band_slip_force_N", found.slip_force);
+  record.emplace_back("band_lower_per_N", found.lower);
+  record.emplace_back("band_upper_per_N", found.upper);
+}
+
 void add_path(const InversionResult& result, NamedValues& record) {
   std::vector<double> lambda;
   std::vector<double> edf;
@@ -203,11 +283,13 @@ std::string describe_identification(const Identification& found, std::size_t lev
   const SlipDensity& density = joint.density();
   std::string text = "Identified joint\n";
   text += line("method", method_name(found));
-  text += line("levels", fmt::format("{}", level_count));
-  text += line("stiffness k", fmt::format("{:.6g} N/m", joint.stiffness()));
+  text += line(found.records() ? "records" : "levels", fmt::format("{}", level_count));
+  text += describe_stiffness(found);
   text += line("slip forces covered",
                fmt::format("{:.4g} to {:.4g} N", found.covered_from, found.covered_to));
-  if (found.inversion() && !found.parametric) {
+  if (found.records()) {
+    text += describe_records(*found.records());
+  } else if (found.inversion() && !found.parametric) {
     text += describe_inversion(found);
   } else {
     if (found.parametric) text += describe_parameters(*found.parametric);
@@ -250,7 +332,8 @@ NamedValues record_of_identification(const Identification& found) {
   }
   if (found.parametric) add_parameters(*found.parametric, record);
   add_stiffness(found.stiffness, record);
-  if (!found.lower.empty()) add_bands(found, record);
+  if (found.records()) add_records(found, record);
+  if (found.bands()) add_bands(found, record);
   record.emplace_back("warnings", list_of(found.warnings, &Warning::code));
   record.emplace_back("warning_texts", list_of(found.warnings, &Warning::text));
   return record;

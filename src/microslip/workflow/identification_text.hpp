@@ -13,7 +13,7 @@
 namespace microslip {
 
 /// What was identified, how sure it is and what to worry about; some twenty lines.
-/// @param level_count  of the levels as read, or as merged where only that is known.
+/// @param level_count  of the levels as read, or as merged where only that is known; of records.
 [[nodiscard]] std::string describe_identification(const Identification& found,
                                                   std::size_t level_count);
 

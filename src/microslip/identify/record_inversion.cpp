@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/identify/record_inversion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/base/interpolation.hpp"
+#include "microslip/base/random.hpp"
+#include "microslip/base/stopwatch.hpp"
+#include "microslip/identify/posterior_chain.hpp"
+#include "microslip/identify/quantiles.hpp"
+#include "microslip/identify/record_departures.hpp"
+#include "microslip/identify/record_model.hpp"
+#include "microslip/identify/record_settling.hpp"
+#include "microslip/identify/signed_density.hpp"
+
+namespace microslip {
+namespace {
+
+/// Draws until the chain has forgotten its start, over those that are kept.
+constexpr std::size_t kForgetting = 5;
+constexpr std::size_t kFewestReversals = 2;
+constexpr std::size_t kFewestDraws = 100;
+/// A record may give back this share of the work that goes to and fro: noise.
+constexpr double kMostGiven = 1e-2;
+
+/// A joint takes work, and its force pulls back.
+void check_sign(const RecordEvidence& evidence) {
+  const std::vector<double>& u = evidence.path().displacement;
+  const std::vector<double>& f = evidence.measured().force;
+  double work = 0.0;
+  double moved = 0.0;
+  double mean = 0.0;
+  for (const double value : f) mean += value / static_cast<double>(f.size());
+  for (std::size_t i = 1; i < u.size(); ++i) {
+    const double step = (0.5 * (f[i] + f[i - 1]) - mean) * (u[i] - u[i - 1]);
+    work += step;
+    moved += std::abs(step);
+  }
+  double together = 0.0;
+  for (std::size_t i = 0; i < u.size(); ++i) together += (f[i] - mean) * (u[i] - u.front());
+  if (together > 0.0 && work > -kMostGiven * moved) return;
+  throw InputError("work over the record, J", work,
+                   "must be positive, and the force must rise with the displacement: a joint "
+                   "takes energy",
+                   "Change the sign of one channel, or take the channels of this joint.");
+}
+
+/// Reads draws of coefficients as joints.
+class DrawReader {
+ public:
+  DrawReader(const RecordModel& model, const ScaledRecords& records)
+      : records_(records),
+        density_(model.density_matrix() * (records.stiffness / records.length)),
+        area_(records.stiffness * model.area_row()),
+        elastic_(records.stiffness * model.elastic_row()),
+        viscous_(records.stiffness * model.viscous_row()) {}
+
+  [[nodiscard]] StiffnessDraw read(const Eigen::VectorXd& x) const {
+    StiffnessDraw draw;
+    const Eigen::VectorXd psi = density_ * x;
+    draw.density.push_back(psi(0));
+    draw.density.insert(draw.density.end(), psi.begin(), psi.end());
+    draw.stiffness = records_.stiffness_known ? records_.stiffness : (area_ + elastic_).dot(x);
+    draw.viscous = viscous_.dot(x);
+    return draw;
+  }
+
+  [[nodiscard]] double elastic(const Eigen::VectorXd& x) const {
+    return records_.stiffness_known ? records_.stiffness - area_.dot(x) : elastic_.dot(x);
+  }
+
+ private:
+  const ScaledRecords& records_;
+  Eigen::MatrixXd density_;
+  Eigen::VectorXd area_;
+  Eigen::VectorXd elastic_;
+  Eigen::VectorXd viscous_;
+};
+
+Estimate estimate_of(std::vector<double> values, double confidence) {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  const double mean = sum / static_cast<double>(values.size());
+  const auto [lower, upper] = quantile_pair(values, confidence);
+  return {mean, lower, upper};
+}
+
+/// Draws, and what is read of all of them. @return the mean of the coefficients.
+Eigen::VectorXd draw_all(const SettledRecords& settled, const ScaledRecords& records,
+                         const RecordInversionOptions& options, RecordInversionResult& result) {
+  const DrawReader reader(settled.model, records);
+  PosteriorChain chain(settled.model.problem(), settled.best.lambda, settled.best.solution.x);
+  RandomStream random(options.seed, 0);
+  for (std::size_t i = 0; i < options.draws / kForgetting; ++i) chain.next(random);
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(settled.best.solution.x.size());
+  std::vector<double> elastic;
+  for (std::size_t i = 0; i < options.draws; ++i) {
+    const Eigen::VectorXd& x = chain.next(random);
+    mean += x;
+    result.draws.push_back(reader.read(x));
+    elastic.push_back(reader.elastic(x));
+    if (options.progress && !options.progress(i + 1, options.draws)) throw Cancelled();
+  }
+  mean /= static_cast<double>(options.draws);
+  result.elastic_stiffness = estimate_of(std::move(elastic), options.confidence);
+  return mean;
+}
+
+void summarise_draws(const RecordInversionOptions& options, RecordInversionResult& result) {
+  std::vector<double> values(result.draws.size());
+  const auto of_draws = [&](const auto& read) {
+    std::ranges::transform(result.draws, values.begin(), read);
+    return estimate_of(values, options.confidence);
+  };
+  for (std::size_t j = 0; j < result.slip_displacement.size(); ++j) {
+    const Estimate psi = of_draws([j](const StiffnessDraw& draw) { return draw.density[j]; });
+    result.density.push_back(psi.mean);
+    result.lower.push_back(psi.lower);
+    result.upper.push_back(psi.upper);
+  }
+  result.stiffness = of_draws([](const StiffnessDraw& draw) { return draw.stiffness; });
+  if (!options.viscous) return;
+  result.viscous = of_draws([](const StiffnessDraw& draw) { return draw.viscous; });
+}
+
+void read_records(const SettledRecords& settled, const ScaledRecords& records,
+                  const Eigen::VectorXd& x, RecordInversionResult& result) {
+  const double force = records.stiffness * records.length;
+  for (std::size_t r = 0; r < records.records.size(); ++r) {
+    RecordFit fit;
+    fit.start = records.records[r].start();
+    fit.scatter = force * settled.settings.scatter[r];
+    fit.correlation = settled.settings.correlation[r];
+    const Eigen::VectorXd left = force * settled.model.residual(r, x);
+    fit.residual.assign(left.begin(), left.end());
+    fit.unexplained = left.norm() / (force * settled.model.force_norm(r));
+    const Eigen::VectorXd offset = force * settled.model.offsets(r, x);
+    fit.offset.assign(offset.begin(), offset.end());
+    fit.verdicts = judge_record(settled, records, r);
+    result.records.push_back(std::move(fit));
+  }
+}
+
+void summarise(const SmoothingPoint& best, Summary& summary) {
+  constexpr double kWanted = QuadraticProgram::kMostKktResidual;
+  const QuadraticProgram::Solution& solution = best.solution;
+  summary.method = "posterior of force–displacement records";
+  summary.residual = solution.kkt_residual;
+  summary.iterations = solution.exchanges;
+  summary.stop = solution.optimal() ? Stop::kConverged : Stop::kNoProgress;
+  summary.reason =
+      solution.optimal()
+          ? fmt::format("optimality conditions of its start hold to {:.0e} or rounding", kWanted)
+          : fmt::format("optimality conditions of its start hold to {:.0e} only, {:.0e} wanted",
+                        solution.kkt_residual, kWanted);
+}
+
+Joint joint_from(const std::vector<double>& slip_displacement, const std::vector<double>& psi,
+                 double stiffness) {
+  PiecewiseLinearPart part;
+  for (std::size_t j = 0; j < psi.size(); ++j) {
+    part.slip_force.push_back(stiffness * slip_displacement[j]);
+    part.density.push_back(psi[j] / (stiffness * stiffness));
+  }
+  return {stiffness, SlipDensity({std::move(part)})};
+}
+
+}  // namespace
+
+void RecordInversionOptions::check() const {
+  if (coefficients < 10) throw InputError("coefficients", coefficients, "must be 10 or more");
+  if (draws < kFewestDraws) {
+    throw InputError("number of draws", static_cast<double>(draws),
+                     fmt::format("must be {} or more", kFewestDraws), "1000 give smooth bands.");
+  }
+  if (!(confidence > 0.0 && confidence < 1.0)) {
+    throw InputError("confidence", confidence, "must be between 0 and 1");
+  }
+}
+
+Joint RecordInversionResult::joint() const {
+  return joint_from(slip_displacement, density, stiffness.mean);
+}
+
+Joint RecordInversionResult::joint_of_draw(std::size_t index) const {
+  return joint_from(slip_displacement, draws.at(index).density, draws.at(index).stiffness);
+}
+
+DensityBand RecordInversionResult::density_band() const {
+  std::vector<std::vector<double>> densities(slip_displacement.size());
+  for (const StiffnessDraw& draw : draws) {
+    const double k = draw.stiffness;
+    for (std::size_t j = 0; j < slip_displacement.size(); ++j) {
+      const double at = slip_displacement[j] * stiffness.mean / k;
+      densities[j].push_back(interpolate(slip_displacement, draw.density, at) / (k * k));
+    }
+  }
+  DensityBand band;
+  for (std::vector<double>& values : densities) {
+    const auto [lower, upper] = quantile_pair(values, confidence);
+    band.lower.push_back(lower);
+    band.upper.push_back(upper);
+  }
+  return band;
+}
+
+void check_records(std::span<const RecordEvidence> evidence,
+                   const RecordInversionOptions& options) {
+  if (evidence.empty()) throw InputError("number of records", 0.0, "must be 1 or more");
+  for (const RecordEvidence& one : evidence) {
+    const auto reversals = static_cast<double>(one.rows().reversals);
+    if (one.rows().reversals < kFewestReversals) {
+      throw InputError(
+          "number of reversals of the displacement", reversals,
+          fmt::format("must be {} or more: slip shows where a path turns back", kFewestReversals),
+          "Record a cycle at least.");
+    }
+    if (one.rows().rows.size() < kFewestRecordSamples) {
+      throw InputError("number of samples after the first turns",
+                       static_cast<double>(one.rows().rows.size()),
+                       fmt::format("must be {} or more", kFewestRecordSamples),
+                       "Record more cycles, or begin with a joint that has not slipped.");
+    }
+    check_sign(one);
+    if (options.viscous && one.measured().time_step == 0.0) {
+      throw InputError("time step", 0.0, "must be known to find a viscous part");
+    }
+  }
+}
+
+RecordInversionResult invert_records(std::span<const RecordEvidence> evidence,
+                                     std::optional<double> stiffness,
+                                     const RecordInversionOptions& options) {
+  Stopwatch watch;
+  options.check();
+  if (stiffness) check_stiffness(*stiffness);
+  check_records(evidence, options);
+  const ScaledRecords records(evidence, stiffness);
+  const SettledRecords settled = settle_records(records, options.coefficients, options.viscous);
+
+  RecordInversionResult result;
+  summarise(settled.best, result.summary);
+  result.summary.timings.push_back(watch.lap("noise and smoothing"));
+  result.confidence = options.confidence;
+  result.stiffness_known = stiffness.has_value();
+  result.resolved_from = records.length * records.lowest;
+  result.reference_exponent = settled.settings.exponent;
+  result.slip_displacement.push_back(0.0);
+  for (const double s : settled.model.basis().knots()) {
+    result.slip_displacement.push_back(records.length * s);
+  }
+  const Eigen::VectorXd mean = draw_all(settled, records, options, result);
+  summarise_draws(options, result);
+  read_records(settled, records, mean, result);
+  result.summary.timings.push_back(watch.lap("draws"));
+  result.summary.wall_seconds = watch.seconds();
+  return result;
+}
+
+}  // namespace microslip

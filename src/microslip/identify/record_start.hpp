@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "microslip/observe/record_evidence.hpp"
+
+namespace microslip {
+
+/// The state in which a record begins, as it shows: virgin where a virgin joint explains the
+/// samples that one of unknown state cannot, as well as the others. Where too little is left of a
+/// record without them, it is virgin by assumption.
+struct RecordStart {
+  PathStart start = PathStart::kVirgin;  ///< to be taken
+  bool shown = true;                     ///< false: assumed
+  /// Of the samples that tell, by a virgin joint, over the scatter of the others; 0 where assumed.
+  double early_misfit = 0.0;
+};
+
+/// @param evidence  of any start. @throws InputError  as invert_records().
+[[nodiscard]] RecordStart shown_start(const RecordEvidence& evidence);
+
+}  // namespace microslip

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/observe/path_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace microslip {
+namespace {
+
+/// The first row after a turn is this much shorter than others: the sliders of the smallest slip
+/// displacement slip there.
+constexpr double kShortRow = 0.25;
+constexpr double kFullRowAfter = 8.0;  ///< lengths of a row from the turn
+
+/// Samples at which a path turns by more than the threshold, the first and the last among them.
+std::vector<std::size_t> turning_samples(std::span<const double> path, double threshold) {
+  std::vector<std::size_t> turns = {0};
+  std::size_t extreme = 0;  // the furthest since the last turn
+  double direction = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const double beyond = path[i] - path[extreme];
+    if (direction == 0.0) {
+      if (std::abs(path[i] - path[0]) <= threshold) continue;
+      direction = path[i] > path[0] ? 1.0 : -1.0;
+      extreme = i;
+    } else if (direction * beyond >= 0.0) {
+      extreme = i;
+    } else if (-direction * beyond > threshold) {
+      turns.push_back(extreme);
+      direction = -direction;
+      extreme = i;
+    }
+  }
+  if (turns.back() + 1 < path.size()) turns.push_back(path.size() - 1);
+  return turns;
+}
+
+/// What the joint remembers of its path: the reversals that still matter, and from where the virgin
+/// curve goes.
+class Walk {
+ public:
+  Walk(PathStart start, double first) : start_(start), origin_(first), low_(first), high_(first) {}
+
+  /// Goes on to u in a direction. @return whether the stretches behind changed.
+  bool move(double u, double direction) {
+    bool changed = false;
+    while (turns_.size() >= 2 && direction * (u - turns_[turns_.size() - 2]) > 0.0 &&
+           (turns_.size() > 2 || start_ == PathStart::kVirgin)) {
+      turns_.resize(turns_.size() - 2);
+      changed = true;
+    }
+    if (start_ == PathStart::kVirgin) {
+      const bool passed =
+          turns_.size() == 1 && direction * (u - origin_) > std::abs(turns_.front() - origin_);
+      if (passed) turns_.clear();
+      return changed || passed;
+    }
+    const bool grows = u > high_ || u < low_;
+    if (grows) turns_.clear();
+    changed = changed || grows != growing_;
+    growing_ = growing_ || grows;
+    low_ = std::min(low_, u);
+    high_ = std::max(high_, u);
+    return changed;
+  }
+
+  /// Turns at u.
+  void turn(double u) {
+    if (start_ == PathStart::kUnknown && growing_) {
+      origin_ = 0.5 * (low_ + high_);
+      turns_ = {u == high_ ? low_ : high_, u};
+      growing_ = false;
+      ++group_;
+      return;
+    }
+    turns_.push_back(u);
+  }
+
+  /// Whether the force of all sliders is known but for an offset.
+  [[nodiscard]] bool known() const { return start_ == PathStart::kVirgin || !growing_; }
+  [[nodiscard]] std::size_t group() const { return group_; }
+  [[nodiscard]] double origin() const { return origin_; }
+  [[nodiscard]] double last_turn() const { return turns_.empty() ? origin_ : turns_.back(); }
+
+  /// The stretch to u.
+  [[nodiscard]] PathStretch stretch_to(double u, double direction) const {
+    if (turns_.empty()) return {u > origin_ ? 1.0 : -1.0, std::abs(u - origin_)};
+    return {2.0 * direction, 0.5 * std::max(0.0, direction * (u - turns_.back()))};
+  }
+
+  /// The stretches up to the last turn.
+  [[nodiscard]] std::vector<PathStretch> behind() const {
+    std::vector<PathStretch> all;
+    for (std::size_t i = 0; i < turns_.size(); ++i) {
+      const double from = i == 0 ? origin_ : turns_[i - 1];
+      const double length = turns_[i] - from;
+      const double sign = length > 0.0 ? 1.0 : -1.0;
+      all.push_back(i == 0 ? PathStretch{sign, std::abs(length)}
+                           : PathStretch{2.0 * sign, 0.5 * std::abs(length)});
+    }
+    return all;
+  }
+
+ private:
+  PathStart start_;
+  double origin_;
+  double low_;
+  double high_;
+  std::vector<double> turns_;
+  // Before the first turn nothing is known.
+  bool growing_ = true;
+  std::size_t group_ = 0;
+};
+
+/// Collects samples into rows.
+class RowBuilder {
+ public:
+  RowBuilder(std::span<const double> path, std::span<const double> force, double length,
+             PathRows& out)
+      : path_(path), force_(force), length_(length), out_(out) {}
+
+  /// Ends the row; what lies behind the next is new.
+  void end_stretch() {
+    end_row();
+    turns_.reset();
+  }
+
+  void add(std::size_t sample, double direction, const Walk& walk) {
+    const double u = path_[sample];
+    const double from_turn = std::abs(u - walk.last_turn());
+    const double most = length_ * std::clamp(from_turn / (kFullRowAfter * length_), kShortRow, 1.0);
+    if (count_ > 0 && std::abs(u - path_[row_.first]) > most) end_row();
+    if (!turns_) {
+      turns_ = out_.turns.size();
+      out_.turns.push_back(walk.behind());
+      for (const PathStretch& one : out_.turns.back()) {
+        out_.reach = std::max(out_.reach, one.half_range);
+      }
+    }
+    const PathStretch stretch = walk.stretch_to(u, direction);
+    out_.reach = std::max(out_.reach, stretch.half_range);
+    if (count_ == 0) {
+      row_ = {};
+      row_.first = sample;
+      row_.group = walk.group();
+      row_.turns = *turns_;
+      row_.last.coefficient = stretch.coefficient;
+      sum_ = square_ = 0.0;
+    }
+    ++count_;
+    sum_ += stretch.half_range;
+    square_ += stretch.half_range * stretch.half_range;
+    row_.displacement += u - walk.origin();
+    row_.force += force_[sample];
+    row_.velocity += velocity(sample);
+  }
+
+  void end_row() {
+    if (count_ == 0) return;
+    const auto n = static_cast<double>(count_);
+    row_.count = count_;
+    row_.last.half_range = sum_ / n;
+    row_.variance = std::max(0.0, square_ / n - row_.last.half_range * row_.last.half_range);
+    row_.displacement /= n;
+    row_.force /= n;
+    row_.velocity /= n;
+    out_.rows.push_back(row_);
+    count_ = 0;
+  }
+
+ private:
+  [[nodiscard]] double velocity(std::size_t i) const {
+    const std::size_t before = i == 0 ? 0 : i - 1;
+    const std::size_t after = std::min(path_.size() - 1, i + 1);
+    return (path_[after] - path_[before]) / static_cast<double>(after - before);
+  }
+
+  std::span<const double> path_;
+  std::span<const double> force_;
+  double length_;
+  PathRows& out_;
+  PathRow row_;
+  std::size_t count_ = 0;
+  double sum_ = 0.0;
+  double square_ = 0.0;
+  std::optional<std::size_t> turns_;
+};
+
+/// A tenth of the half ranges between turns lies below.
+double tenth_of_ranges(std::span<const double> path, const std::vector<std::size_t>& turns) {
+  std::vector<double> ranges;
+  for (std::size_t i = 1; i < turns.size(); ++i) {
+    ranges.push_back(0.5 * std::abs(path[turns[i]] - path[turns[i - 1]]));
+  }
+  const auto tenth = ranges.begin() + static_cast<std::ptrdiff_t>(ranges.size() / 10);
+  std::ranges::nth_element(ranges, tenth);
+  return *tenth;
+}
+
+double travel(std::span<const double> path) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i) sum += std::abs(path[i] - path[i - 1]);
+  return sum;
+}
+
+}  // namespace
+
+PathRows path_rows(std::span<const double> path, std::span<const double> force, PathStart start,
+                   double threshold, std::size_t most_rows) {
+  PathRows out;
+  const std::vector<std::size_t> turns = turning_samples(path, threshold);
+  out.reversals = turns.size() - 2;
+  out.shortest = tenth_of_ranges(path, turns);
+  RowBuilder builder(path, force, travel(path) / static_cast<double>(most_rows), out);
+  Walk walk(start, path.front());
+  for (std::size_t k = 1; k < turns.size(); ++k) {
+    const double direction = path[turns[k]] > path[turns[k - 1]] ? 1.0 : -1.0;
+    for (std::size_t i = turns[k - 1] + (k > 1 ? 1 : 0); i <= turns[k]; ++i) {
+      if (walk.move(path[i], direction)) builder.end_stretch();
+      if (walk.known()) builder.add(i, direction, walk);
+    }
+    builder.end_stretch();
+    walk.turn(path[turns[k]]);
+  }
+  for (PathRow& row : out.rows) row.group -= start == PathStart::kUnknown ? 1 : 0;
+  out.groups = out.rows.empty() ? 0 : out.rows.back().group + 1;
+  return out;
+}
+
+}  // namespace microslip

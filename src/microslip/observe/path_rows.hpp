@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "microslip/observe/force_record.hpp"
+
+namespace microslip {
+
+/// In which state a joint is when its record begins.
+enum class PathStart {
+  /// No slider has slipped: the force is that of the virgin curve from the first sample on.
+  kVirgin,
+  /// Nobody knows. Sliders of slip displacement x* below half the range of the path so far have
+  /// slipped once at least, so that their force is known; the others are stuck, with a force that
+  /// is constant but for the motion until the range grows: a group of samples with an offset of its
+  /// own. Samples while it grows tell nothing.
+  kUnknown,
+};
+
+/// c·v(h): a stretch of the path by the virgin curve v of half its range (Masing).
+struct PathStretch {
+  double coefficient = 0.0;  ///< c: ±1 on the virgin curve, ±2 after a reversal
+  double half_range = 0.0;   ///< h, m; ≥ 0
+};
+
+/// Samples in a row on one stretch of the path, together. The force of a joint there,
+///
+///     F = F₀ + Σ_turns c v(h) + c v(h̄) − ½ c var(h) ψ(h̄),
+///
+/// with ψ(x*) the stiffness density and v(h) = K_e h + ∫ min(h, x*) ψ dx* the virgin curve.
+struct PathRow {
+  std::size_t first = 0;      ///< sample
+  std::size_t count = 0;      ///< of samples
+  std::size_t group = 0;      ///< rows of one offset F₀
+  std::size_t turns = 0;      ///< index into PathRows::turns
+  PathStretch last = {};      ///< c and h̄ of the stretch that the samples lie on
+  double variance = 0.0;      ///< of h over the samples, m²
+  double displacement = 0.0;  ///< mean of u from where the joint is without force, m
+  double velocity = 0.0;      ///< mean of u̇, m a sample
+  double force = 0.0;         ///< mean of F, N
+};
+
+/// A path as rows that are linear in the stiffness density.
+struct PathRows {
+  std::vector<PathRow> rows = {};                    ///< in order of time
+  std::vector<std::vector<PathStretch>> turns = {};  ///< the stretches behind a row
+  std::size_t groups = 0;                            ///< of rows with one offset
+  double reach = 0.0;         ///< largest half range of any stretch, m: beyond it nothing slips
+  double shortest = 0.0;      ///< a tenth of the half ranges between turns lies below, m
+  std::size_t reversals = 0;  ///< of the whole path
+};
+
+/// Rows of a path by Madelung's rules.
+/// @param path       displacement of each sample, m.
+/// @param force      of each sample, N.
+/// @param start      the state that it begins in.
+/// @param threshold  turns smaller than this are held together, m; ≥ 0.
+/// @param most_rows  about so many rows at most; more samples make rows of several.
+[[nodiscard]] PathRows path_rows(std::span<const double> path, std::span<const double> force,
+                                 PathStart start, double threshold, std::size_t most_rows);
+
+}  // namespace microslip

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/observe/smoothed_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <numbers>
+#include <unsupported/Eigen/FFT>
+
+#include "microslip/base/median.hpp"
+
+namespace microslip {
+namespace {
+
+/// P of a line is the mean over its neighbours up to this ratio of frequencies, these at least.
+constexpr double kNeighbourRatio = 1.1;
+constexpr std::size_t kFewestLines = 6;
+/// Median over mean of the exponential distribution that the power of noise has.
+constexpr double kMedianOfPower = std::numbers::ln2;
+constexpr std::size_t kLeastPad = 32;
+
+/// The next length of which a Fourier transform is quick: factors 2, 3 and 5 alone, even.
+std::size_t quick_length(std::size_t n) {
+  for (n += n % 2;; n += 2) {
+    std::size_t left = n;
+    for (const std::size_t factor : {2U, 3U, 5U}) {
+      while (left % factor == 0) left /= factor;
+    }
+    if (left == 1) return n;
+  }
+}
+
+/// The path less the line through its ends, and beyond them its odd reflection, which fades out:
+/// periodic without a jump.
+struct Periodic {
+  std::vector<double> values;
+  std::size_t first = 0;  ///< of the path in it
+  double start = 0.0;     ///< of the line
+  double slope = 0.0;     ///< a sample
+
+  explicit Periodic(std::span<const double> path) {
+    const std::size_t n = path.size();
+    start = path.front();
+    slope = (path.back() - path.front()) / static_cast<double>(n - 1);
+    const std::size_t pad = std::min(n - 1, std::max(kLeastPad, n / 16));
+    const std::size_t length = quick_length(n + 2 * pad);
+    first = (length - n) / 2;
+    values.assign(length, 0.0);
+    for (std::size_t i = 0; i < n; ++i) values[first + i] = path[i] - line(i);
+    for (std::size_t i = 1; i <= pad; ++i) {
+      const double phase = static_cast<double>(i) / static_cast<double>(pad);
+      const double taper = 0.5 + 0.5 * std::cos(std::numbers::pi * phase);
+      values[first - i] = -taper * values[first + i];
+      values[first + n - 1 + i] = -taper * values[first + n - 1 - i];
+    }
+  }
+
+  [[nodiscard]] double line(std::size_t i) const { return start + slope * static_cast<double>(i); }
+};
+
+/// Mean power about each line.
+std::vector<double> smoothed_power(const std::vector<std::complex<double>>& spectrum) {
+  const std::size_t n = spectrum.size();
+  std::vector<double> sum(n + 1, 0.0);
+  for (std::size_t i = 0; i < n; ++i) sum[i + 1] = sum[i] + std::norm(spectrum[i]);
+  std::vector<double> power(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto reach =
+        static_cast<std::size_t>(static_cast<double>(i) * (1.0 - 1.0 / kNeighbourRatio));
+    const std::size_t beside = std::max(kFewestLines, reach);
+    const std::size_t from = i > beside ? i - beside : 0;
+    const std::size_t to = std::min(n, i + beside + 1);
+    power[i] = (sum[to] - sum[from]) / static_cast<double>(to - from);
+  }
+  return power;
+}
+
+double noise_power(const std::vector<std::complex<double>>& spectrum) {
+  std::vector<double> upper;
+  for (std::size_t i = 3 * spectrum.size() / 4; i < spectrum.size(); ++i) {
+    upper.push_back(std::norm(spectrum[i]));
+  }
+  return median(std::move(upper)) / kMedianOfPower;
+}
+
+}  // namespace
+
+SmoothedPath smooth_path(std::span<const double> displacement) {
+  const Periodic periodic(displacement);
+  const std::size_t n = periodic.values.size();
+  Eigen::FFT<double> fft(Eigen::default_fft_impl<double>(), Eigen::FFT<double>::HalfSpectrum);
+  std::vector<std::complex<double>> spectrum;
+  fft.fwd(spectrum, periodic.values);
+
+  const double noise = noise_power(spectrum);
+  const std::vector<double> power = smoothed_power(spectrum);
+  double kept = 0.0;
+  for (std::size_t i = 0; i < spectrum.size(); ++i) {
+    const double gain = power[i] > noise ? 1.0 - noise / power[i] : 0.0;
+    spectrum[i] *= gain;
+    kept += gain * gain;
+  }
+  std::vector<double> values(n);
+  fft.inv(values, spectrum, static_cast<Eigen::Index>(n));
+
+  SmoothedPath result;
+  result.displacement.resize(displacement.size());
+  for (std::size_t i = 0; i < displacement.size(); ++i) {
+    result.displacement[i] = values[periodic.first + i] + periodic.line(i);
+  }
+  result.noise = std::sqrt(noise / static_cast<double>(n));
+  result.left = result.noise * std::sqrt(kept / static_cast<double>(spectrum.size()));
+  return result;
+}
+
+}  // namespace microslip

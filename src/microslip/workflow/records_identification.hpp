@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "microslip/identify/identification.hpp"
+#include "microslip/identify/record_start.hpp"
+#include "microslip/io/named_values.hpp"
+#include "microslip/io/recordings.hpp"
+#include "microslip/observe/force_record.hpp"
+
+/// @file
+/// Recordings of force and displacement to joint.json and density.csv.
+
+namespace microslip {
+
+/// Which channels of a recording are those of a joint.
+struct JointChannels {
+  std::string force = {};         ///< name; empty for the only force there is
+  std::string displacement = {};  ///< name; empty for the only displacement there is
+};
+
+/// Force and displacement of a recording.
+/// @throws InputError  naming recording and channel: missing, not the only one, of another
+///                     quantity, complex, not over time or not evenly spaced in it.
+[[nodiscard]] ForceRecord force_record(const Recording& recording, const JointChannels& channels);
+
+/// What is to be identified, and how.
+struct RecordsIdentification {
+  std::vector<std::string> records;      ///< paths of recordings of one joint
+  JointChannels channels = {};           ///< of each of them
+  std::optional<double> stiffness = {};  ///< k of the stuck joint, N/m; found without it
+  std::optional<PathStart> start = {};   ///< of each of them; by what it shows without it
+  RecordInversionOptions options = {};   ///< of the method
+  RecordingReadOptions reading = {};     ///< of the recordings
+};
+
+/// What came of it. Vectors of records have one entry each, in the order of `found.records()`.
+struct IdentifiedRecords {
+  std::vector<std::string> source = {};  ///< of each record
+  std::vector<RecordStart> start = {};   ///< of each record; shown where nobody said it
+  std::vector<InputHash> inputs = {};    ///< the files
+  Identification found;                  ///< with warnings of the files, too
+};
+
+/// Reads the recordings and identifies the joint.
+/// @throws FileError, FormatError  as read_recordings().
+/// @throws InputError  as force_record() and identify(); where there is no recording.
+/// @throws Cancelled   as the progress of the options says.
+[[nodiscard]] IdentifiedRecords identify_records(const RecordsIdentification& options);
+
+/// The text of joint.json.
+/// @param options  that it was found with.
+/// @param done     what was found.
+/// @param command  that the file is made by.
+[[nodiscard]] std::string joint_text(const RecordsIdentification& options,
+                                     const IdentifiedRecords& done, std::string_view command);
+
+/// The summary.
+[[nodiscard]] std::string describe_identified_records(const IdentifiedRecords& done);
+
+}  // namespace microslip

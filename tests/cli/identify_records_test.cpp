@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// `identify` of force–displacement records.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/run_program.hpp"
+#include "cli/samples.hpp"
+#include "microslip/io/density_file.hpp"
+#include "microslip/io/sha256.hpp"
+#include "support/force_records.hpp"
+
+namespace microslip::cli_test::identify_records_test {
+namespace {
+
+using nlohmann::json;
+
+Sandbox sandbox() { return Sandbox{{"record.csv", record_text(sample_record())}}; }
+
+json identification(const Sandbox& box, const std::string& file = "joint.json") {
+  return json::parse(box.get(file)).at("identification");
+}
+
+const Arguments kIdentify{"identify", "record.csv", "--out", "joint.json"};
+
+TEST(identify_records, FindsJointAndStiffness) {
+  const Sandbox box = sandbox();
+  const Outcome done = expect_done(box, with(kIdentify, {"--density-csv", "density.csv"}));
+  const Joint found = read_joint(box.file("joint.json")).joint;
+  EXPECT_NEAR(found.stiffness() / kSampleStiffness, 1.0, 0.02);
+  EXPECT_LE(testing::error_of_density(found, sample_joint(), kSampleStiffness * 2.4e-4), 0.15);
+  const json file = identification(box);
+  EXPECT_EQ(file.at("status"), "converged");
+  EXPECT_EQ(file.at("start"), json({"virgin"}));
+  EXPECT_EQ(file.at("band_samples"), 1000);
+  EXPECT_LT(file.at("band_stiffness_N_per_m").at(0), kSampleStiffness);
+  EXPECT_GT(file.at("band_stiffness_N_per_m").at(1), kSampleStiffness);
+  EXPECT_NE(done.out.find("95 % band"), std::string::npos) << done.out;
+  EXPECT_NE(done.out.find("record.csv"), std::string::npos) << done.out;
+  const DensityTable table = parse_density(box.get("density.csv"), "density.csv");
+  EXPECT_EQ(table.lower.size(), table.density.size());
+}
+
+TEST(identify_records, SaysWhereItsInputsCameFrom) {
+  const Sandbox box = sandbox();
+  expect_done(box, kIdentify);
+  const json provenance = json::parse(box.get("joint.json")).at("provenance");
+  EXPECT_EQ(provenance.at("inputs").at(0).at("file"), "record.csv");
+  EXPECT_EQ(provenance.at("inputs").at(0).at("sha256"), sha256(box.get("record.csv")));
+  EXPECT_EQ(provenance.at("seed"), 1);
+}
+
+TEST(identify_records, TakesSeveralInAnyFormat) {
+  const Sandbox box = sandbox();
+  box.put("other.csv", record_text(sample_record(2)));
+  expect_done(box, {"convert", "other.csv", "other.uff"});
+  expect_done(box, {"identify", "record.csv", "other.uff", "--out", "both.json"});
+  expect_done(box, kIdentify);
+  const auto width = [&](const std::string& file) {
+    const json band = identification(box, file).at("band_stiffness_N_per_m");
+    return band.at(1).get<double>() - band.at(0).get<double>();
+  };
+  EXPECT_EQ(identification(box, "both.json").at("scatter_force_N").size(), 2U);
+  EXPECT_LT(width("both.json"), width("joint.json"));
+}
+
+TEST(identify_records, ChoosesChannels) {
+  const Sandbox box;
+  ForceRecord record = sample_record();
+  std::string text = "time [s],u1 [um],u2 [um],f1 [N],f2 [N]\n";
+  for (std::size_t i = 0; i < record.size(); ++i) {
+    text += fmt::format("{:.6f},{:.9g},{:.9g},{:.9g},{:.9g}\n", 1e-3 * static_cast<double>(i),
+                        1e6 * record.displacement[i], 1.0 + std::sin(0.1 * static_cast<double>(i)),
+                        0.5, record.force[i]);
+  }
+  box.put("record.csv", text);
+  expect_refused(box, kIdentify, {"record.csv", "force", "there 2 times", "'f1'", "--force"});
+  expect_refused(box, with(kIdentify, {"--force", "f2"}), {"displacement", "--displacement"});
+  expect_refused(box, with(kIdentify, {"--force", "u1", "--displacement", "u1"}), {"u1", "force"});
+  expect_refused(box, with(kIdentify, {"--force", "f3", "--displacement", "u1"}),
+                 {"f3", "missing"});
+  expect_refused(box, with(kIdentify, {"--force", "f1", "--displacement", "u1"}),
+                 {"record.csv", "force", "change"});
+  expect_done(box, with(kIdentify, {"--force", "f2", "--displacement", "u1"}));
+}
+
+TEST(identify_records, RefusesWhatIsNoRecordOfAJoint) {
+  const Sandbox box = sandbox();
+  ForceRecord swapped = sample_record();
+  for (double& value : swapped.force) value = -value;
+  box.put("swapped.csv", record_text(swapped));
+  expect_refused(box, {"identify", "swapped.csv", "--out", "j.json"}, {"swapped.csv", "sign"});
+
+  ForceRecord ramp = sample_record();
+  for (std::size_t i = 0; i < ramp.size(); ++i) {
+    ramp.displacement[i] = 1e-7 * static_cast<double>(i);
+  }
+  box.put("ramp.csv", record_text(ramp));
+  expect_refused(box, {"identify", "ramp.csv", "--out", "j.json"}, {"ramp.csv", "reversals"});
+
+  box.put("unitless.csv", record_text(sample_record(), "time [s],u,f"));
+  expect_refused(box, {"identify", "unitless.csv", "--out", "j.json"}, {"--assume-units"});
+  expect_done(box, {"identify", "unitless.csv", "--assume-units", "u=um", "--assume-units", "f=N",
+                    "--out", "j.json"});
+}
+
+TEST(identify_records, KeepsKindsOfEvidenceApart) {
+  const Sandbox box = sandbox();
+  box.put("levels.csv", sample_levels_text());
+  expect_refused(box, {"identify", "record.csv", "levels.csv", "--out", "j.json"},
+                 {"levels.csv", "levels", "record.csv"});
+  expect_refused(box,
+                 {"identify", "levels.csv", "levels.csv", "--stiffness", "1.7e5", "--out", "j"},
+                 {"second"});
+  expect_refused(box, {"identify", "levels.csv", "--out", "j.json"}, {"--stiffness", "missing"});
+  const Arguments levels{"identify", "levels.csv", "--stiffness", "1.7e5", "--out", "j.json"};
+  for (const Arguments& more :
+       {Arguments{"--force", "f"}, Arguments{"--displacement", "u"}, Arguments{"--start", "virgin"},
+        Arguments{"--viscous", "fit"}, Arguments{"--samples", "200"}}) {
+    expect_refused(box, with(levels, more), {more.front(), "records"});
+  }
+  for (const Arguments& more :
+       {Arguments{"--method", "spline"}, Arguments{"--smoothing", "lambda=1"},
+        Arguments{"--linear-damping", "fit"}, Arguments{"--inner-reversals", "use"},
+        Arguments{"--atom"}, Arguments{"--bands", "100"}, Arguments{"--fit", "uniform"}}) {
+    expect_refused(box, with(kIdentify, more), {more.front(), "levels"});
+  }
+}
+
+// A prediction without a part that was found would be wrong without a word.
+TEST(identify_records, RefusesToPredictWithoutAViscousPart) {
+  const Sandbox box;
+  ForceRecord record = sample_record();
+  const std::vector<double> path = record.displacement;
+  for (std::size_t i = 1; i + 1 < record.size(); ++i) {
+    record.force[i] += 40.0 * (path[i + 1] - path[i - 1]) / (2.0 * record.time_step);
+  }
+  box.put("record.csv", record_text(record));
+  expect_done(box, with(kIdentify, {"--viscous", "fit"}));
+  EXPECT_GT(identification(box).at("viscous_N_s_per_m"), 10.0);
+  expect_refused(box, {"dissipation", "joint.json", "--amplitude", "1um:100um:5", "--out", "d.csv"},
+                 {"viscous_N_s_per_m"});
+}
+
+}  // namespace
+}  // namespace microslip::cli_test::identify_records_test

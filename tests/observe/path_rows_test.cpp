@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/observe/path_rows.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "microslip/joint/joint.hpp"
+#include "microslip/observe/record_rows.hpp"
+#include "support/force_records.hpp"
+#include "support/random_path.hpp"
+
+namespace microslip::path_rows_test {
+namespace {
+
+constexpr double kLength = 1e-4;    // X, m
+constexpr double kStiffness = 3e5;  // k = k₀, N/m
+constexpr std::size_t kAllRows = 1'000'000'000;
+
+const std::vector<double> kKnots{0.02, 0.1, 0.3, 0.7, 1.0};
+const std::vector<double> kDensity{0.9, 1.1, 0.4, 1.0, 0.3};  // p at the knots: area 0.7
+
+/// The same density as a joint, whose Memory follows other rules than the rows: a stack of forces.
+Joint joint() {
+  PiecewiseLinearPart part;
+  part.slip_force.push_back(0.0);
+  part.density.push_back(kDensity.front() / (kStiffness * kLength));
+  for (std::size_t j = 0; j < kKnots.size(); ++j) {
+    part.slip_force.push_back(kStiffness * kLength * kKnots[j]);
+    part.density.push_back(kDensity[j] / (kStiffness * kLength));
+  }
+  return {kStiffness, SlipDensity({part})};
+}
+
+double remainder_of(const Joint& joint) {
+  return joint.stiffness() * joint.density().elastic_remainder();
+}
+
+/// What the rows make of the density, N.
+std::vector<double> predicted(const PathRows& path, const Joint& joint) {
+  const Eigen::MatrixXd rows = stop_rows(path, kLength, kKnots);
+  const Eigen::VectorXd p = Eigen::Map<const Eigen::VectorXd>(
+      kDensity.data(), static_cast<Eigen::Index>(kDensity.size()));
+  const Eigen::VectorXd scaled = kStiffness * kLength * (rows * p);
+  std::vector<double> force;
+  for (std::size_t i = 0; i < path.rows.size(); ++i) {
+    force.push_back(scaled(static_cast<Eigen::Index>(i)) +
+                    remainder_of(joint) * path.rows[i].displacement);
+  }
+  return force;
+}
+
+/// The path between its samples, so that rows have some.
+std::vector<double> refined(const std::vector<double>& path, std::size_t pieces) {
+  std::vector<double> fine = {path.front()};
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    for (std::size_t j = 1; j <= pieces; ++j) {
+      const double share = static_cast<double>(j) / static_cast<double>(pieces);
+      fine.push_back(path[i - 1] + share * (path[i] - path[i - 1]));
+    }
+  }
+  return fine;
+}
+
+std::vector<double> from_zero(std::vector<double> path) {
+  path.insert(path.begin(), 0.0);
+  return path;
+}
+
+// Rounding of forces of 10 N over sums of some hundred stretches.
+TEST(PathRows, OfAVirginJointAreTheForcesOfItsMemory) {
+  const Joint truth = joint();
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
+    const std::vector<double> path = from_zero(testing::random_path(seed, 400, 1.5 * kLength, 4));
+    const std::vector<double> force = testing::forces_on(truth, path);
+    const PathRows rows = path_rows(path, force, PathStart::kVirgin, 0.0, kAllRows);
+    const std::vector<double> found = predicted(rows, truth);
+    EXPECT_EQ(rows.groups, 1U);
+    for (std::size_t i = 0; i < rows.rows.size(); ++i) {
+      ASSERT_NEAR(found[i], rows.rows[i].force, 2e-11) << "seed " << seed << " row " << i;
+    }
+  }
+}
+
+TEST(PathRows, HaveEverySampleOnce) {
+  const std::vector<double> path = refined(from_zero(testing::random_path(7, 100, kLength, 3)), 20);
+  const PathRows rows = path_rows(path, path, PathStart::kVirgin, 0.0, 500);
+  std::size_t next = 0;
+  for (const PathRow& row : rows.rows) {
+    EXPECT_EQ(row.first, next);
+    next += row.count;
+  }
+  EXPECT_EQ(next, path.size());
+}
+
+// v is cubic between knots, so that the mean over a row of h is v(h̄) − ½ψ var(h) but for the third
+// moment: an order of 3 in the length of a row, down to the corners at the ends of the density.
+TEST(PathRows, OfSeveralSamplesConvergeToTheMeanForce) {
+  const Joint truth = joint();
+  const std::vector<double> path =
+      refined(from_zero(testing::random_path(11, 60, 0.9 * kLength, 1)), 3000);
+  const std::vector<double> force = testing::forces_on(truth, path);
+  std::vector<double> errors;
+  std::vector<double> sizes;
+  for (const std::size_t most : {125U, 2000U}) {
+    const PathRows rows = path_rows(path, force, PathStart::kVirgin, 0.0, most);
+    EXPECT_LE(rows.rows.size(), 3 * most);
+    const std::vector<double> found = predicted(rows, truth);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < rows.rows.size(); ++i) {
+      largest = std::max(largest, std::abs(found[i] - rows.rows[i].force));
+    }
+    errors.push_back(largest);
+    sizes.push_back(static_cast<double>(rows.rows.size()));
+  }
+  const double order = std::log(errors[0] / errors[1]) / std::log(sizes[1] / sizes[0]);
+  EXPECT_GT(order, 2.5);       // 2.9: the shorter rows behind turns do not shrink in proportion
+  EXPECT_LT(errors[1], 2e-7);  // of 10 N
+}
+
+// Before the record the joint went where it liked, within half the range that the record then has.
+TEST(PathRows, FromAnUnknownStateDifferByAConstantInEachGroup) {
+  const Joint truth = joint();
+  for (const std::uint64_t seed : {21U, 22U, 23U}) {
+    std::vector<double> whole = from_zero(testing::random_path(seed, 40, 0.4 * kLength, 3));
+    const std::size_t before = whole.size();
+    const std::vector<double> later = testing::random_path(seed + 100, 400, 1.3 * kLength, 3);
+    whole.insert(whole.end(), later.begin(), later.end());
+    const std::vector<double> forces = testing::forces_on(truth, whole);
+    const auto skip = static_cast<std::ptrdiff_t>(before);
+    const std::vector<double> path(whole.begin() + skip, whole.end());
+    const std::vector<double> force(forces.begin() + skip, forces.end());
+
+    const PathRows rows = path_rows(path, force, PathStart::kUnknown, 0.0, kAllRows);
+    const std::vector<double> found = predicted(rows, truth);
+    ASSERT_GT(rows.rows.size(), path.size() / 4);
+    std::vector<double> offset(rows.groups, std::nan(""));
+    for (std::size_t i = 0; i < rows.rows.size(); ++i) {
+      const PathRow& row = rows.rows[i];
+      double& of_group = offset[row.group];
+      const double left = row.force - found[i];
+      if (std::isnan(of_group)) of_group = left;
+      ASSERT_NEAR(left, of_group, 3e-11) << "seed " << seed << " sample " << row.first;
+    }
+  }
+}
+
+TEST(PathRows, HoldSmallTurnsTogether) {
+  // A rise of 100 with turns of 1 on it.
+  std::vector<double> path;
+  for (int i = 0; i <= 400; ++i) path.push_back(0.25 * i + (i % 8 < 4 ? 0.0 : -1.0));
+  for (int i = 0; i <= 400; ++i) path.push_back(100.0 - 0.25 * i);
+  const PathRows all = path_rows(path, path, PathStart::kVirgin, 0.0, 1000);
+  const PathRows held = path_rows(path, path, PathStart::kVirgin, 2.0, 1000);
+  EXPECT_GT(all.reversals, 90U);
+  EXPECT_EQ(held.reversals, 1U);
+  EXPECT_DOUBLE_EQ(held.reach, 100.0);
+}
+
+}  // namespace
+}  // namespace microslip::path_rows_test
