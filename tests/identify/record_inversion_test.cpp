@@ -132,6 +132,18 @@ TEST(RecordInversion, SeesWhetherAJointHadSlipped) {
   }
 }
 
+// A thousand samples in one row, or more, know its force to far below what the path is known to.
+TEST(RecordInversion, TakesAJointThatRestedForVirgin) {
+  std::vector<double> path(4000, 0.0);
+  const std::vector<double> motion = random_motion(16000, testing::kLargestAmplitude, 13, 3);
+  path.insert(path.end(), motion.begin(), motion.end());
+  const ForceRecord record =
+      simulated_record(testing::decaying_power_law(), path, 14, {.force = 2e-3});
+  const RecordStart start = shown_start(RecordEvidence(record, PathStart::kVirgin));
+  EXPECT_EQ(start.start, PathStart::kVirgin) << start.early_misfit;
+  EXPECT_TRUE(start.shown);
+}
+
 /// rms of what a joint misses of the force of a record beyond an offset, N.
 double missed(const Joint& joint, const RecordEvidence& record) {
   const std::vector<double> predicted = testing::forces_on(joint, record.path().displacement);

@@ -6,12 +6,13 @@
 namespace microslip {
 
 /// The state in which a record begins, as it shows: virgin where a virgin joint explains the
-/// samples that one of unknown state cannot, as well as the others. Where too little is left of a
+/// samples that one of unknown state cannot, to twice the scatter of the others and 0.4 % of the
+/// force. Where too little is left of a
 /// record without them, it is virgin by assumption.
 struct RecordStart {
   PathStart start = PathStart::kVirgin;  ///< to be taken
   bool shown = true;                     ///< false: assumed
-  /// Of the samples that tell, by a virgin joint, over the scatter of the others; 0 where assumed.
+  /// rms of those samples about a virgin joint, over that scatter; 0 where assumed.
   double early_misfit = 0.0;
 };
 
