@@ -37,18 +37,18 @@ std::vector<std::string> names_of(const Map& map) {
 }
 
 double stiffness_of(const IdentifyArguments& options) {
+  constexpr std::string_view kRemedy =
+      "Give the stiffness of the stuck joint, for instance from a low-level test.";
   if (!options.stiffness) {
     throw InputError("--stiffness", InputState{"missing"},
-                     "must be given with levels: slip forces are k times A",
-                     "Give the stiffness of the stuck joint, for instance from a low-level test.");
+                     "must be given with levels: slip forces are k times A", kRemedy);
   }
   const double k = parse_quantity("--stiffness", *options.stiffness, kStiffness);
   if (k > 0.0 && !(k >= kSmallestStiffness && k <= kLargestStiffness)) {
     throw InputError("--stiffness", k, "must be from 1e-6 to 1e15 N/m", "Check its unit.");
   }
   if (!(k > 0.0)) {
-    throw InputError("--stiffness", k, "must be above 0 N/m",
-                     "Give the stiffness of the stuck joint, for instance from a low-level test.");
+    throw InputError("--stiffness", k, "must be above 0 N/m", kRemedy);
   }
   return k;
 }
@@ -81,13 +81,17 @@ CommonErrors errors_of(const IdentifyArguments& options) {
           .loss_factor_std = relative_std("--loss-factor-std", options.loss_factor)};
 }
 
+std::uint64_t seed_of(const IdentifyArguments& options) {
+  return parse_whole_number("--seed", options.seed.value_or("1"), 0,
+                            std::numeric_limits<std::uint64_t>::max());
+}
+
 /// What belongs to the band of the free density; nothing where none was asked for.
 std::optional<BandOptions> bands_of(const IdentifyArguments& options, bool quiet) {
   constexpr std::uint64_t kFewest = 20;
   constexpr std::uint64_t kMost = 1'000'000;  // more memory than use
   BandOptions bands;
-  bands.seed = parse_whole_number("--seed", options.seed.value_or("1"), 0,
-                                  std::numeric_limits<std::uint64_t>::max());
+  bands.seed = seed_of(options);
   if (options.bands == "0") return std::nullopt;
   bands.samples = parse_whole_number("--bands", options.bands, kFewest, kMost,
                                      "1000 give a smooth band, 0 gives none.");
@@ -322,8 +326,7 @@ RecordsIdentification records_options(const IdentifyArguments& arguments, bool q
   all.options.viscous = arguments.viscous == "fit";
   all.options.draws =
       parse_whole_number("--samples", arguments.samples.value_or("1000"), kFewest, kMost);
-  all.options.seed = parse_whole_number("--seed", arguments.seed.value_or("1"), 0,
-                                        std::numeric_limits<std::uint64_t>::max());
+  all.options.seed = seed_of(arguments);
   all.options.progress = progress_bar("draws", quiet);
   all.reading = read_options(arguments.reading, progress_bar("reading", quiet));
   return all;

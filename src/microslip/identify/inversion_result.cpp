@@ -66,14 +66,8 @@ void read_path(const InversionModel& model, InversionResult& result) {
 void summarise(const InversionModel& model, Summary& summary) {
   const QuadraticProgram::Solution& solution = model.solution().solution;
   summary.method = "regularised convex inversion";
-  summary.residual = solution.kkt_residual;
   for (const SmoothingPoint& point : model.path) summary.iterations += point.solution.exchanges;
-  constexpr double kWanted = QuadraticProgram::kMostKktResidual;
-  const bool solved = solution.optimal();
-  summary.stop = solved ? Stop::kConverged : Stop::kNoProgress;
-  summary.reason = solved ? fmt::format("optimality conditions hold to {:.0e} or rounding", kWanted)
-                          : fmt::format("optimality conditions hold to {:.0e} only, {:.0e} wanted",
-                                        solution.kkt_residual, kWanted);
+  read_optimality(solution, "optimality conditions", summary);
 }
 
 void read_scatter(const InversionModel& model, const ScaledLevels& levels,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/identify/quadratic_program.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -174,6 +176,17 @@ QuadraticProgram::Solution QuadraticProgram::solve(const Eigen::MatrixXd& hessia
   solution.kkt_residual = kkt_residual(hessian, linear, solution);
   solution.x = solution.x.cwiseMax(0.0);
   return solution;
+}
+
+void read_optimality(const QuadraticProgram::Solution& solution, std::string_view what,
+                     Summary& summary) {
+  constexpr double kWanted = QuadraticProgram::kMostKktResidual;
+  const bool solved = solution.optimal();
+  summary.residual = solution.kkt_residual;
+  summary.stop = solved ? Stop::kConverged : Stop::kNoProgress;
+  summary.reason = solved ? fmt::format("{} hold to {:.0e} or rounding", what, kWanted)
+                          : fmt::format("{} hold to {:.0e} only, {:.0e} wanted", what,
+                                        solution.kkt_residual, kWanted);
 }
 
 }  // namespace microslip

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string_view>
 #include <vector>
+
+#include "microslip/base/summary.hpp"
 
 /// @file
 /// The convex quadratic program of the inversion. Internal: the installed headers do not include
@@ -72,5 +75,10 @@ class QuadraticProgram {
   Eigen::VectorXd slack_;
   double slack_rounding_ = 0.0;
 };
+
+/// What a summary says of a solution: whether (KKT) holds, and to what.
+/// @param what  that the reason begins with, as "optimality conditions".
+void read_optimality(const QuadraticProgram::Solution& solution, std::string_view what,
+                     Summary& summary);
 
 }  // namespace microslip

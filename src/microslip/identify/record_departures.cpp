@@ -98,8 +98,7 @@ MatrixXd columns_of(RecordDeparture departure, const RowSignals& of) {
       columns << of.time, of.time.cwiseAbs2();
       break;
     case RecordDeparture::kRange:
-      columns.resize(g.size(), 1);
-      columns << of.velocity.array().sign().matrix().cwiseProduct(of.range).cwiseProduct(of.range);
+      columns = of.velocity.array().sign() * of.range.array().square();
       break;
   }
   return columns;
@@ -118,6 +117,7 @@ class Joined {
     design_ = problem.design()(Eigen::all, free);
     ridge_ = problem.hessian(settled.best.lambda)(free, free) - design_.transpose() * design_;
     residual_ = problem.data() - problem.design() * solution.x;
+    factor();
   }
 
   void add(const MatrixXd& columns) {
@@ -128,6 +128,7 @@ class Joined {
     MatrixXd ridge = MatrixXd::Zero(design_.cols(), design_.cols());
     ridge.topLeftCorner(before, before) = ridge_;
     ridge_ = std::move(ridge);
+    factor();
   }
 
   /// What columns would explain.
@@ -137,9 +138,7 @@ class Joined {
     double gain = 0.0;    // of the weighted sum of squares, in those of noise
   };
   [[nodiscard]] Explained explain(const MatrixXd& columns) const {
-    const Eigen::LDLT<MatrixXd> normal(design_.transpose() * design_ + ridge_);
-    const MatrixXd beside = columns - design_ * normal.solve(design_.transpose() * columns);
-    const VectorXd left = residual_ - design_ * normal.solve(design_.transpose() * residual_);
+    const MatrixXd beside = columns - design_ * normal_.solve(design_.transpose() * columns);
     const MatrixXd gram = beside.transpose() * columns;
     const Eigen::LDLT<MatrixXd> own(gram);
     Explained found;
@@ -147,16 +146,23 @@ class Joined {
     found.coefficients = own.solve(score);
     const double explained = found.coefficients.dot(score);
     const double variance =
-        std::max(left.squaredNorm() - explained, 0.0) / static_cast<double>(left.size());
+        std::max(left_ - explained, 0.0) / static_cast<double>(residual_.size());
     found.covariance = variance * own.solve(MatrixXd::Identity(gram.rows(), gram.rows()));
     found.gain = variance > 0.0 ? explained / variance : 0.0;
     return found;
   }
 
  private:
+  void factor() {
+    normal_.compute(design_.transpose() * design_ + ridge_);
+    left_ = (residual_ - design_ * normal_.solve(design_.transpose() * residual_)).squaredNorm();
+  }
+
   MatrixXd design_;
   MatrixXd ridge_;
   VectorXd residual_;
+  Eigen::LDLT<MatrixXd> normal_;  // of them
+  double left_ = 0.0;             // weighted sum of squares, without further columns
 };
 
 /// The columns of one record among the rows of all.

@@ -16,7 +16,6 @@
 #include "microslip/identify/record_departures.hpp"
 #include "microslip/identify/record_model.hpp"
 #include "microslip/identify/record_settling.hpp"
-#include "microslip/identify/signed_density.hpp"
 
 namespace microslip {
 namespace {
@@ -147,27 +146,9 @@ void read_records(const SettledRecords& settled, const ScaledRecords& records,
 }
 
 void summarise(const SmoothingPoint& best, Summary& summary) {
-  constexpr double kWanted = QuadraticProgram::kMostKktResidual;
-  const QuadraticProgram::Solution& solution = best.solution;
   summary.method = "posterior of force–displacement records";
-  summary.residual = solution.kkt_residual;
-  summary.iterations = solution.exchanges;
-  summary.stop = solution.optimal() ? Stop::kConverged : Stop::kNoProgress;
-  summary.reason =
-      solution.optimal()
-          ? fmt::format("optimality conditions of its start hold to {:.0e} or rounding", kWanted)
-          : fmt::format("optimality conditions of its start hold to {:.0e} only, {:.0e} wanted",
-                        solution.kkt_residual, kWanted);
-}
-
-Joint joint_from(const std::vector<double>& slip_displacement, const std::vector<double>& psi,
-                 double stiffness) {
-  PiecewiseLinearPart part;
-  for (std::size_t j = 0; j < psi.size(); ++j) {
-    part.slip_force.push_back(stiffness * slip_displacement[j]);
-    part.density.push_back(psi[j] / (stiffness * stiffness));
-  }
-  return {stiffness, SlipDensity({std::move(part)})};
+  summary.iterations = best.solution.exchanges;
+  read_optimality(best.solution, "optimality conditions of its start", summary);
 }
 
 }  // namespace
@@ -184,11 +165,13 @@ void RecordInversionOptions::check() const {
 }
 
 Joint RecordInversionResult::joint() const {
-  return joint_from(slip_displacement, density, stiffness.mean);
-}
-
-Joint RecordInversionResult::joint_of_draw(std::size_t index) const {
-  return joint_from(slip_displacement, draws.at(index).density, draws.at(index).stiffness);
+  const double k = stiffness.mean;
+  PiecewiseLinearPart part;
+  for (std::size_t j = 0; j < density.size(); ++j) {
+    part.slip_force.push_back(k * slip_displacement[j]);
+    part.density.push_back(density[j] / (k * k));
+  }
+  return {k, SlipDensity({std::move(part)})};
 }
 
 DensityBand RecordInversionResult::density_band() const {

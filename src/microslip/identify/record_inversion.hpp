@@ -108,8 +108,6 @@ struct RecordInversionResult {
   [[nodiscard]] Joint joint() const;
   /// The band of φ at the slip forces of joint(), 1/N: draws have stiffnesses of their own.
   [[nodiscard]] DensityBand density_band() const;
-  /// That of a draw. @param index  below the number of draws.
-  [[nodiscard]] Joint joint_of_draw(std::size_t index) const;
 };
 
 /// Checks that records are forces of a joint on a path that turns: twice at least, with samples to

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "microslip/identify/eigen_view.hpp"
 #include "microslip/observe/record_rows.hpp"
 
 namespace microslip {
@@ -66,8 +65,7 @@ RecordModel::Block RecordModel::block_of(const RecordEvidence& record) const {
     block.design.col(size) = displacement;
   }
   if (pass_.viscous) {
-    const double step = record.measured().time_step;
-    block.design.rightCols(1) = velocity / (step > 0.0 ? step : 1.0);
+    block.design.rightCols(1) = velocity / record.measured().time_step;
   }
   return block;
 }

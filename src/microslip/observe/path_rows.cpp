@@ -58,9 +58,10 @@ class Walk {
       return changed || passed;
     }
     const bool grows = u > high_ || u < low_;
-    if (grows) turns_.clear();
-    changed = changed || grows != growing_;
-    growing_ = growing_ || grows;
+    if (grows && !growing_) {
+      turns_.clear();
+      growing_ = changed = true;
+    }
     low_ = std::min(low_, u);
     high_ = std::max(high_, u);
     return changed;
@@ -206,6 +207,10 @@ double travel(std::span<const double> path) {
 }
 
 }  // namespace
+
+std::string_view to_string(PathStart start) {
+  return start == PathStart::kVirgin ? "virgin" : "unknown";
+}
 
 PathRows path_rows(std::span<const double> path, std::span<const double> force, PathStart start,
                    double threshold, std::size_t most_rows) {

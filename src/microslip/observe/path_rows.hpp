@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "microslip/observe/force_record.hpp"
@@ -19,6 +20,9 @@ enum class PathStart {
   /// own. Samples while it grows tell nothing.
   kUnknown,
 };
+
+/// "virgin" or "unknown".
+[[nodiscard]] std::string_view to_string(PathStart start);
 
 /// c·v(h): a stretch of the path by the virgin curve v of half its range (Masing).
 struct PathStretch {

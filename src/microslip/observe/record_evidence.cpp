@@ -33,6 +33,7 @@ RecordEvidence::RecordEvidence(ForceRecord measured, PathStart start)
 
 RecordEvidence RecordEvidence::from(PathStart start) const {
   RecordEvidence other = *this;
+  if (start == start_) return other;
   other.start_ = start;
   other.rows_ = rows_of(measured_, path_, start);
   return other;

@@ -16,14 +16,6 @@ std::string name_of(const Recording& recording, std::string_view channel) {
   return fmt::format("{}: channel '{}'", recording.source, channel);
 }
 
-std::string names_of_channels(const Recording& recording) {
-  std::string names;
-  for (const Channel& channel : recording.channels) {
-    names += (names.empty() ? "'" : ", '") + channel.name + "'";
-  }
-  return names.empty() ? "none" : names;
-}
-
 [[noreturn]] void throw_missing(const Recording& recording, std::string_view name) {
   throw InputError(name_of(recording, name), InputState{"missing"},
                    fmt::format("the recording has {}", names_of_channels(recording)),
@@ -87,6 +79,14 @@ void check_channel(const Recording& recording, const Channel& channel, std::size
 }
 
 }  // namespace
+
+std::string names_of_channels(const Recording& recording) {
+  std::string names;
+  for (const Channel& channel : recording.channels) {
+    names += (names.empty() ? "'" : ", '") + channel.name + "'";
+  }
+  return names.empty() ? "none" : names;
+}
 
 const Channel& Recording::channel(std::string_view name) const {
   const auto found = std::ranges::find(channels, name, &Channel::name);

@@ -81,6 +81,9 @@ struct Recording {
   void assume_unit(std::string_view name, const Unit& unit);
 };
 
+/// The names of its channels in quotes, between commas; "none" without any.
+[[nodiscard]] std::string names_of_channels(const Recording& recording);
+
 /// Checks that the recording is whole: a channel and two points at least, names unique and not
 /// empty, lengths equal, a step above 0 or values that rise, everything finite.
 /// @throws InputError  naming the source, the channel and the value.

@@ -160,6 +160,12 @@ void add_stiffness(const StiffnessEvidence& evidence, NamedValues& record) {
   record.emplace_back("equivalent_joint_error_Hz", frequency.equivalent_joint_error);
 }
 
+void add_band_edges(const Identification& found, NamedValues& record) {
+  record.emplace_back("band_slip_force_N", found.slip_force);
+  record.emplace_back("band_lower_per_N", found.lower);
+  record.emplace_back("band_upper_per_N", found.upper);
+}
+
 void add_bands(const Identification& found, NamedValues& record) {
   const DensityBands& bands = *found.bands();
   const auto pair = [](const std::pair<double, double>& ends) {
@@ -175,9 +181,7 @@ void add_bands(const Identification& found, NamedValues& record) {
   if (found.inversion()->atom_slip_force) {
     record.emplace_back("band_atom_weight", pair(bands.atom_weight));
   }
-  record.emplace_back("band_slip_force_N", found.slip_force);
-  record.emplace_back("band_lower_per_N", found.lower);
-  record.emplace_back("band_upper_per_N", found.upper);
+  add_band_edges(found, record);
 }
 
 /// Each departure of each record, found or not.
@@ -224,15 +228,13 @@ void add_records(const Identification& found, NamedValues& record) {
   of_records("unexplained", &RecordFit::unexplained);
   std::vector<std::string> start;
   for (const RecordFit& fit : result.records) {
-    start.emplace_back(fit.start == PathStart::kVirgin ? "virgin" : "unknown");
+    start.emplace_back(to_string(fit.start));
   }
   record.emplace_back("start", list_of_texts(start));
   add_verdicts(result, record);
   record.emplace_back("band_confidence", result.confidence);
   record.emplace_back("band_samples", static_cast<double>(result.draws.size()));
-  record.emplace_back("band_slip_force_N", found.slip_force);
-  record.emplace_back("band_lower_per_N", found.lower);
-  record.emplace_back("band_upper_per_N", found.upper);
+  add_band_edges(found, record);
 }
 
 void add_path(const InversionResult& result, NamedValues& record) {

@@ -9,6 +9,7 @@
 
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/recording_file.hpp"
+#include "microslip/io/sha256.hpp"
 
 namespace microslip {
 
@@ -23,6 +24,10 @@ std::vector<Recording> read_named_recordings(const std::string& path,
     recording.source = several ? fmt::format("{}:{}", name, recording.source) : name;
   }
   return std::move(found.recordings);
+}
+
+std::string recording_sha256(const std::string& path) {
+  return sha256(read_file(part_of_file(path).file));
 }
 
 std::vector<Warning> joined_warnings(const std::vector<std::vector<Warning>>& warnings) {

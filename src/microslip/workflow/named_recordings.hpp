@@ -21,6 +21,10 @@ namespace microslip {
                                                            const RecordingReadOptions& options,
                                                            std::vector<Warning>& warnings);
 
+/// SHA-256 of the whole file that a recording is of, or a part of.
+/// @param path  no "-". @throws FileError  where it cannot be read.
+[[nodiscard]] std::string recording_sha256(const std::string& path);
+
 /// What the readers of many recordings had to forgive, in one list, without what is said twice; of
 /// very many the first, and how many there are.
 [[nodiscard]] std::vector<Warning> joined_warnings(

@@ -43,7 +43,7 @@ std::string short_call(const std::string& line, const std::vector<std::string>& 
 
 /// Of a recording that was read; of standard input, which cannot be read again, nothing.
 std::string digest_of(const std::string& path) {
-  return path == "-" ? std::string() : sha256(read_file(part_of_file(path).file));
+  return path == "-" ? std::string() : recording_sha256(path);
 }
 
 /// Version, call, and digests of what was read. That of many recordings is what

@@ -11,22 +11,13 @@
 #include "microslip/base/percent.hpp"
 #include "microslip/base/units.hpp"
 #include "microslip/base/version.hpp"
-#include "microslip/io/input_file.hpp"
 #include "microslip/io/joint_file.hpp"
-#include "microslip/io/recording_file.hpp"
-#include "microslip/io/sha256.hpp"
 #include "microslip/workflow/identification_text.hpp"
 #include "microslip/workflow/named_recordings.hpp"
 #include "microslip/workflow/summary_text.hpp"
 
 namespace microslip {
 namespace {
-
-std::string names_of(const Recording& recording) {
-  std::vector<std::string> names;
-  for (const Channel& channel : recording.channels) names.push_back("'" + channel.name + "'");
-  return fmt::format("{}", fmt::join(names, ", "));
-}
 
 /// The channel of that name, or the only one of that quantity.
 std::string channel_of(const Recording& recording, const std::string& name,
@@ -43,7 +34,7 @@ std::string channel_of(const Recording& recording, const std::string& name,
       "must be there once",
       fmt::format("The channels are {}; choose by `{}`, and give units that the file lacks by "
                   "`assume_units`.",
-                  names_of(recording), option));
+                  names_of_channels(recording), option));
 }
 
 std::vector<double> values_of(const Recording& recording, const std::string& name,
@@ -52,7 +43,7 @@ std::vector<double> values_of(const Recording& recording, const std::string& nam
   return {values.begin(), values.end()};
 }
 
-/// Recordings of all files, and which file each is of.
+/// Recordings of all files.
 struct ReadRecords {
   std::vector<Recording> recordings;
   std::vector<Warning> warnings;
@@ -88,13 +79,9 @@ RecordStart start_of(const RecordEvidence& evidence, const RecordsIdentification
 std::vector<InputHash> hashes_of(const std::vector<std::string>& paths) {
   std::vector<InputHash> hashes;
   for (const std::string& path : paths) {
-    hashes.push_back({path, sha256(read_file(part_of_file(path).file))});
+    hashes.push_back({path, recording_sha256(path)});
   }
   return hashes;
-}
-
-std::string_view name_of(PathStart start) {
-  return start == PathStart::kVirgin ? "virgin" : "unknown";
 }
 
 NamedValues record_of_options(const RecordsIdentification& options) {
@@ -103,7 +90,7 @@ NamedValues record_of_options(const RecordsIdentification& options) {
   record.emplace_back("force", options.channels.force);
   record.emplace_back("displacement", options.channels.displacement);
   record.emplace_back("start",
-                      std::string(options.start ? name_of(*options.start) : "as it shows"));
+                      std::string(options.start ? to_string(*options.start) : "as it shows"));
   record.emplace_back("viscous", options.options.viscous ? "fit" : "none");
   record.emplace_back("samples", static_cast<double>(options.options.draws));
   return record;
