@@ -74,8 +74,9 @@ class ModelFolder {
     test::put(folder_.file("joint.json"), joint_text(0.25));
   }
 
-  [[nodiscard]] ModelFile parse(const std::string& text) const {
-    return parse_model(text, folder_.file("model.toml"));
+  [[nodiscard]] ModelFile parse(const std::string& text,
+                                JointsToFind to_find = JointsToFind::kRefused) const {
+    return parse_model(text, folder_.file("model.toml"), to_find);
   }
 
   /// Of the error, from the name of the file on, without its folder.
@@ -195,6 +196,27 @@ TEST(ModelFile, JointFilesMayBeAbsolute) {
 }
 
 // ---- Each value of the text in turn is left out or replaced. ----
+
+TEST(ModelFile, AJointToBeFoundHasAStiffnessAndNoFile) {
+  const ModelFolder folder;
+  const std::string text = edited(kText, "file = \"b.json\"", "stiffness_N_per_m = 9e5");
+  const ModelFile file = folder.parse(text, JointsToFind::kAllowed);
+  EXPECT_EQ(file.to_find, std::vector<std::size_t>{1});
+  EXPECT_EQ(file.joint_files[1], "");
+  const Joint& spring = file.structure.joints()[1].joint;
+  EXPECT_EQ(spring.stiffness(), 9e5);
+  EXPECT_EQ(spring.density().total().zeroth, 0.0);
+  EXPECT_TRUE(folder.parse(kText, JointsToFind::kAllowed).to_find.empty());
+
+  expect_contains(folder.message(text), "Find it first, by calibrate", text);
+  const std::string both =
+      edited(kText, "file = \"b.json\"", "file = \"b.json\"\nstiffness_N_per_m = 9e5");
+  expect_contains(folder.message(both), "expected file or stiffness_N_per_m, found both", both);
+  for (const std::string value : {"0", "-1", "1e16", "nan", "\"k\""}) {
+    const std::string wrong = edited(kText, "file = \"b.json\"", "stiffness_N_per_m = " + value);
+    EXPECT_THROW((void)folder.parse(wrong, JointsToFind::kAllowed), InputError) << value;
+  }
+}
 
 TEST(ModelFileFault, EachMissingKey) {
   const ModelFolder folder;

@@ -31,6 +31,7 @@ constexpr double kLargestLossFactor = 1e3;   // 1
 constexpr double kLargestShape = 1e9;        // kg^−½, the tip of a mass of 1e-18 kg
 constexpr double kSmallestShape = 1e-9;      // kg^−½
 constexpr double kLargestStiffness = 1e15;   // N/m, that of a joint
+constexpr double kSmallestStiffness = 1e-6;  // N/m, of a joint that is to be found
 constexpr double kLargestCompliance = 1e15;  // m/N
 constexpr double kLargestHarmonic = 1e6;     // 1
 constexpr double kLargestShortening = 1e18;  // 1/(kg m)
@@ -197,43 +198,75 @@ std::vector<double> read_shortening(const TomlTable& table, std::size_t modes) {
                                 modes * modes));
 }
 
-/// Where a joint comes from.
+/// A joint, and where it comes from.
 struct JointSource {
-  std::string file;
+  std::string file;  ///< empty for a joint that is to be found
+  Joint joint;
   std::optional<double> covered_to;          ///< N
   std::optional<double> identified_damping;  ///< J/m²
 };
 
+constexpr std::string_view kStiffnessKey = "stiffness_N_per_m";
+
+/// A spring in place of a joint that is to be found.
+JointSource read_joint_to_find(const TomlTable& table, JointsToFind to_find) {
+  if (to_find == JointsToFind::kRefused) {
+    throw FormatError(table.place(kStiffnessKey), "a joint with the key file",
+                      "one that is to be found, with stiffness_N_per_m in its place",
+                      "Find it first, by calibrate, or name its joint.json.");
+  }
+  const double stiffness = table.number(kStiffnessKey);
+  if (!(stiffness >= kSmallestStiffness && stiffness <= kLargestStiffness)) {
+    throw InputError(
+        table.name(kStiffnessKey), stiffness,
+        fmt::format("must be from {:g} to {:g}", kSmallestStiffness, kLargestStiffness),
+        "Give the stiffness of the stuck joint.");
+  }
+  return {"", Joint(stiffness, SlipDensity()), {}, {}};
+}
+
+JointSource read_joint_source(const TomlTable& table, std::string_view model,
+                              JointsToFind to_find) {
+  if (table.has(kStiffnessKey) && table.has("file")) {
+    throw FormatError(table.place(kStiffnessKey), "file or stiffness_N_per_m", "both",
+                      "A joint.json has the stiffness of its joint.");
+  }
+  if (table.has(kStiffnessKey)) return read_joint_to_find(table, to_find);
+  std::string path = joint_path(table, model);
+  JointFile content = read_joint_of(table, path);
+  return {std::move(path), std::move(content.joint), covered_to(content),
+          identified_damping(content)};
+}
+
 /// The joint itself comes from its file, and its linear damping where the model does not say.
-StructuralJoint read_joint_table(const TomlTable& table, std::string name, const JointFile& file,
-                                 std::size_t modes) {
+StructuralJoint read_joint_table(const TomlTable& table, std::string name,
+                                 const JointSource& source, std::size_t modes) {
   StructuralJoint result{
       .name = std::move(name),
-      .joint = file.joint,
+      .joint = source.joint,
       .shape = read_shape(table, modes),
       .spring_in_modes = read_optional(table, "spring_in_modes_N_per_m", kLargestStiffness),
       .series_compliance = read_optional(table, "series_compliance_m_per_N", kLargestCompliance),
       .shortening = read_shortening(table, modes),
       .linear_damping = read_optional(table, kLinearDampingKey, kLargestLinearDamping,
-                                      identified_damping(file).value_or(0.0))};
+                                      source.identified_damping.value_or(0.0))};
   if (std::ranges::all_of(result.shortening, is_zero)) require_motion(table, result.shape);
   return result;
 }
 
-void read_joints(const TomlTable& top, std::string_view file, std::size_t modes,
-                 std::vector<StructuralJoint>& joints, std::vector<JointSource>& sources) {
+void read_joints(const TomlTable& top, std::string_view file, JointsToFind to_find,
+                 std::size_t modes, std::vector<StructuralJoint>& joints,
+                 std::vector<JointSource>& sources) {
   if (!top.has("joint")) return;
   const std::vector<TomlTable> tables = top.tables("joint");
   for (const TomlTable& table : tables) {
-    table.allow_only({"file", "shape", "name", "spring_in_modes_N_per_m",
+    table.allow_only({"file", kStiffnessKey, "shape", "name", "spring_in_modes_N_per_m",
                       "series_compliance_m_per_N", "shortening_per_kg_m", kLinearDampingKey});
     std::string name = tables.size() == 1 ? "joint" : fmt::format("joint{}", joints.size() + 1);
     if (table.has("name")) name = table.text("name");
     check_name(table, name, joints, "joint");
-    std::string path = joint_path(table, file);
-    const JointFile content = read_joint_of(table, path);
-    sources.push_back({std::move(path), covered_to(content), identified_damping(content)});
-    joints.push_back(read_joint_table(table, std::move(name), content, modes));
+    sources.push_back(read_joint_source(table, file, to_find));
+    joints.push_back(read_joint_table(table, std::move(name), sources.back(), modes));
   }
 }
 
@@ -292,7 +325,7 @@ std::string read_response(const TomlTable& top, const ModalModel& model) {
   return read_point(response, model);
 }
 
-ModelFile read_tables(const TomlTable& top, std::string_view file) {
+ModelFile read_tables(const TomlTable& top, std::string_view file, JointsToFind to_find) {
   top.allow_only({"schema", "structure", "joint", "excitation", "response"});
   LinearPart linear = read_structure(top.table("structure"));
   std::vector<Excitation> excitations = read_excitations(top, linear.model);
@@ -300,13 +333,14 @@ ModelFile read_tables(const TomlTable& top, std::string_view file) {
       top.has("response") ? read_response(top, linear.model) : excitations.front().point;
   std::vector<StructuralJoint> joints;
   std::vector<JointSource> sources;
-  read_joints(top, file, linear.model.size(), joints, sources);
+  read_joints(top, file, to_find, linear.model.size(), joints, sources);
   try {
     ModelFile model{JointedStructure(std::move(linear.model), std::move(joints),
                                      std::move(excitations), linear.law),
                     std::move(response),
                     {}};
     for (JointSource& source : sources) {
+      if (source.file.empty()) model.to_find.push_back(model.joint_files.size());
       model.joint_files.push_back(std::move(source.file));
       model.covered_to.push_back(source.covered_to);
       model.identified_damping.push_back(source.identified_damping);
@@ -319,15 +353,15 @@ ModelFile read_tables(const TomlTable& top, std::string_view file) {
 
 }  // namespace
 
-ModelFile parse_model(std::string_view text, std::string_view file) {
+ModelFile parse_model(std::string_view text, std::string_view file, JointsToFind to_find) {
   const toml::table content = parse_toml(text, file);
   const TomlTable top(content, file);
   check_schema(top.place("schema"), top.text("schema"), kModelKind, "a model");
-  return read_tables(top, file);
+  return read_tables(top, file, to_find);
 }
 
-ModelFile read_model(const std::string& path) {
-  return parse_model(read_file(path, kLargestModelFile), input_name(path));
+ModelFile read_model(const std::string& path, JointsToFind to_find) {
+  return parse_model(read_file(path, kLargestModelFile), input_name(path), to_find);
 }
 
 }  // namespace microslip

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,7 +19,8 @@
 ///                       damping, ζ = η/2) or loss_factor = […] (hysteretic, η), one a mode or one
 ///                       for all
 ///     [[structure.point]] name, shape = […]; one at least
-///     [[joint]]         file, shape = […]: of the relative displacement across the joint;
+///     [[joint]]         file, shape = […]: of the relative displacement across the joint; in place
+///                       of file stiffness_N_per_m (k) for a joint that is still to be found;
 ///                       optional: name, spring_in_modes_N_per_m, series_compliance_m_per_N,
 ///                       shortening_per_kg_m = […] (Γ by rows), linear_damping_J_per_m2 (β; without
 ///                       the key that of the joint file's identification); any number of them, also
@@ -44,19 +46,31 @@ struct ModelFile {
   /// identified_damping() of each joint's file, J/m²; fewer where they are not known. What the
   /// model uses is linear_damping of its joints.
   std::vector<std::optional<double>> identified_damping = {};
+  /// Indices of the joints that have a stiffness and no file, rising: springs that do not slip
+  /// stand in for them, and their joint_files are empty.
+  std::vector<std::size_t> to_find = {};
+};
+
+/// Whether a model may hold joints that are still to be found.
+enum class JointsToFind {
+  kRefused,  ///< a prediction needs them
+  kAllowed,  ///< for those who find them
 };
 
 /// Reads the joint files too.
 /// @param text  the file's whole text.
 /// @param file  its folder is where those are sought; the current one where it has none.
+/// @param to_find  whether joints may have a stiffness in place of a file.
 /// @throws FormatError  for text that is no TOML, another schema, keys unknown or missing; for a
-///                      joint file as parse_joint().
+///                      joint file as parse_joint(); for a joint to be found where that is refused.
 /// @throws InputError   naming `model.toml:12:3: joint[1].shape` for a value of a wrong type or one
 ///                      that breaks a rule; for a joint file as parse_joint().
 /// @throws FileError    naming `model.toml:12:3: joint[1].file` where that cannot be read.
-[[nodiscard]] ModelFile parse_model(std::string_view text, std::string_view file);
+[[nodiscard]] ModelFile parse_model(std::string_view text, std::string_view file,
+                                    JointsToFind to_find = JointsToFind::kRefused);
 
 /// parse_model() of a file; "-" is standard input. @throws FileError, FormatError, InputError
-[[nodiscard]] ModelFile read_model(const std::string& path);
+[[nodiscard]] ModelFile read_model(const std::string& path,
+                                   JointsToFind to_find = JointsToFind::kRefused);
 
 }  // namespace microslip
