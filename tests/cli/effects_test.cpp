@@ -22,8 +22,12 @@
 #include "cli/samples.hpp"
 #include "command.hpp"
 #include "documents/description.hpp"
+#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/io/csv_writer.hpp"
+#include "microslip/io/model_file.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
+#include "support/jointed_records.hpp"
 
 namespace microslip::cli_test::effects_test {
 namespace {
@@ -165,6 +169,37 @@ std::string two_records() {
 
 /// The files from which every call starts: those of docs/file_formats.md, records of their rig, and
 /// what the options are about that only files with a fault need.
+/// structure.toml with joints that slip.
+JointedStructure slipping_structure(const std::string& model_text) {
+  const ModelFile model = parse_model(model_text, "structure.toml", JointsToFind::kAllowed);
+  std::vector<StructuralJoint> joints(model.structure.joints().begin(),
+                                      model.structure.joints().end());
+  for (StructuralJoint& joint : joints) {
+    joint.joint = testing::humped_joint(joint.joint.stiffness(), 20.0, 0.01);
+  }
+  return JointedStructure(
+      model.structure.linear(), joints,
+      {model.structure.excitations().begin(), model.structure.excitations().end()},
+      model.structure.damping());
+}
+
+/// Its steady vibration in the second mode.
+std::string steady_record(const JointedStructure& structure) {
+  const VibrationResult vibration =
+      HarmonicBalance(structure, {"tip"}).solve(kPhaseResonance, {Quantity::kResponse, 3e-5}, 1);
+  const Recording record =
+      testing::record_of(structure, vibration.vibration, {"tip", "end"}, 1,
+                         {.rate = 2048.0, .force_noise = 2e-4, .acceleration_noise = 5e-4});
+  CsvWriter writer;
+  std::vector<double> time;
+  for (std::size_t i = 0; i < record.size(); ++i) time.push_back(record.axis.at(i));
+  writer.add_numbers("time", kTime, time);
+  writer.add_numbers("force", kForce, record.channels[0].values);
+  writer.add_numbers("acc1", kAcceleration, record.channels[1].values);
+  writer.add_numbers("acc2", kAcceleration, record.channels[2].values);
+  return writer.str();
+}
+
 const Files& inputs() {
   static const Files files = [] {
     Files all = documented_files();
@@ -172,6 +207,8 @@ const Files& inputs() {
     all["driven_levels.csv"] = heard_levels({"frequency"});
     all["heard_levels.csv"] = heard_levels({"frequency", "resonance_frequency"});
     all["decay.csv"] = sample_decay_text();
+    const JointedStructure slipping = slipping_structure(all.at("structure.toml"));
+    all["steady.csv"] = steady_record(slipping);
     all["noise.csv"] = "time [s], nothing [V]\n0,1\n1,2\n2,3\n";
     all["other_force.csv"] = "time [s],force [N]\n0,0\n0.01,50\n0.02,0\n";
     all["damped.json"] =
@@ -342,7 +379,8 @@ TEST(EffectsTable, HasEveryOption) {
 
 TEST(EffectsTable, HasEveryKeyOfTheDocumentedFiles) {
   const std::map<std::string, std::string> files = documented_files();
-  for (const char* name : {"rig.toml", "modes.toml", "model.toml", "joint.json", "four.json"}) {
+  for (const char* name :
+       {"rig.toml", "modes.toml", "structure.toml", "model.toml", "joint.json", "four.json"}) {
     for (const std::string& key : keys_in(files.at(name))) {
       EXPECT_TRUE(has_row(name, key)) << name << " " << key << kAddRow;
     }

@@ -137,6 +137,8 @@ Arguments expanded(const Arguments& call) {
   for (const std::string& word : call) {
     if (word == "level_*.csv") {
       result.insert(result.end(), {"level_1.csv", "level_2.csv"});
+    } else if (word == "mode1_*.csv") {
+      result.emplace_back("mode1_1.csv");
     } else {
       result.push_back(word);
     }
@@ -146,6 +148,7 @@ Arguments expanded(const Arguments& call) {
 
 TEST(Help, ExamplesWithRecordingsRun) {
   const std::string rig = MICROSLIP_EXAMPLES "/reference_rig/";
+  const std::string structure = MICROSLIP_TEST_DATA "/two_joints/";
   const std::string modes = MICROSLIP_EXAMPLES "/brake_reuss_beam/rig.toml";
   for (const std::string subcommand : {"convert", "reduce"}) {
     const std::vector<Arguments> calls = examples(help_of(subcommand));
@@ -154,6 +157,8 @@ TEST(Help, ExamplesWithRecordingsRun) {
                        {"modes.toml", test::get(modes)},
                        {"level_1.csv", test::get(rig + "recordings/level_01.csv")},
                        {"level_2.csv", test::get(rig + "recordings/level_12.csv")},
+                       {"model.toml", test::get(structure + "model.toml")},
+                       {"mode1_1.csv", test::get(structure + "recordings/mode1_level16.csv")},
                        {"logger.csv", "time,acc1\n0,1\n0.5,0\n1,-1\n"},
                        {"sweep.csv",
                         "frequency [Hz],force [N],acceleration [m/s^2],phase [deg]\n"

@@ -17,6 +17,8 @@ TEST(FileKind, KnowsTheFilesOfTheProgram) {
   EXPECT_EQ(file_kind("# a rig\n\nschema = \"microslip.rig/1\"\n[beam]"), kRigKind);
   EXPECT_EQ(file_kind("\xEF\xBB\xBFschema='microslip.rig/1' # a rig\r\n"), kRigKind);
   EXPECT_EQ(file_kind("# c\namplitude [um],dissipation [J],source\n1,2,"), kLevelsKind);
+  EXPECT_EQ(file_kind("mode [1],displacement [m],frequency [Hz],damping_ratio [1]\n1,2,3,4"),
+            kModalLevelsKind);
   EXPECT_EQ(
       file_kind("amplitude [m],force [N],dissipation [J],secant_stiffness [N/m],loss_factor [1]\n"),
       kDissipationKind);

@@ -218,6 +218,33 @@ TEST(ModelFile, AJointToBeFoundHasAStiffnessAndNoFile) {
   }
 }
 
+// Whoever predicts leaves them alone.
+TEST(ModelFile, MayTellTheChannelsOfRecordings) {
+  const ModelFolder folder;
+  EXPECT_EQ(folder.parse(kText).force_channels, (std::vector<std::string>{"", ""}));
+  EXPECT_TRUE(folder.parse(kText).accelerometers.empty());
+  const std::string sensors =
+      edited(kText, "harmonics = [1.0, 0.05]", "channel = \"force\"\nharmonics = [1.0, 0.05]") +
+      "[[accelerometer]]\nchannel = \"acc1\"\npoint = \"tip\"\n"
+      "[[accelerometer]]\nchannel = \"acc2\"\npoint = \"root\"\n";
+  const ModelFile file = folder.parse(sensors);
+  EXPECT_EQ(file.force_channels, (std::vector<std::string>{"force", ""}));
+  ASSERT_EQ(file.accelerometers.size(), 2U);
+  EXPECT_EQ(file.accelerometers[1].channel, "acc2");
+  EXPECT_EQ(file.accelerometers[1].point, "root");
+  const auto refused = [&](const std::string& before, const std::string& after,
+                           const std::string& part) {
+    const std::string wrong = edited(sensors, before, after);
+    expect_contains(folder.message(wrong), part, wrong);
+  };
+  refused("\"acc2\"", "\"acc1\"", "accelerometer[1].channel = 'acc1'; must be a channel");
+  refused("\"acc2\"", "\"force\"", "accelerometer[1].channel = 'force'");
+  refused("\"acc2\"", "\"\"", "accelerometer[1].channel");
+  refused("\"acc2\"\npoint = \"root\"", "\"acc2\"\npoint = \"rot\"", "Is it to be 'root'?");
+  refused("\"acc2\"\n", "\"acc2\"\nposition_m = 1\n", "position_m");
+  refused("channel = \"acc1\"\n", "", "channel");
+}
+
 TEST(ModelFileFault, EachMissingKey) {
   const ModelFolder folder;
   const std::set<std::string> optional{"joint[0].name",

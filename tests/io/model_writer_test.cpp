@@ -117,6 +117,17 @@ TEST(ModelWriter, KeepsTheHarmonicsOfTheForces) {
   }
 }
 
+TEST(ModelWriter, KeepsTheChannelsOfRecordings) {
+  ModelFile model = two_modes(DampingLaw::kViscous);
+  model.force_channels = {"force", ""};
+  model.accelerometers = {{"acc1", "tip"}, {"acc2", "a \\ back'slash"}};
+  const ModelFile again = parse_model(format_model(model), "model.toml");
+  EXPECT_EQ(again.force_channels, model.force_channels);
+  ASSERT_EQ(again.accelerometers.size(), 2U);
+  EXPECT_EQ(again.accelerometers[1].channel, "acc2");
+  EXPECT_EQ(again.accelerometers[1].point, "a \\ back'slash");
+}
+
 TEST(ModelWriter, BeginsWithTheComment) {
   const std::string text = format_model(two_modes(DampingLaw::kViscous), "one\ntwo \x1b three");
   EXPECT_EQ(text.substr(0, text.find("schema")), "# one\n# two   three\n");

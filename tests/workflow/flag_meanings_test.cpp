@@ -18,7 +18,7 @@ const std::filesystem::path kRoot = std::filesystem::path(MICROSLIP_EXAMPLES).pa
 /// Codes as they stand in a source: a text follows them, or they are named constants.
 void collect(const std::string& source, std::set<std::string>& codes) {
   static const std::regex kBesideText(
-      R"re((?:[{?]|add_flag\(\s*\w+,)\s*"([a-z]+(?:_[a-z]+)*)"(?: : "([a-z_]+)")?,\s*(?:fmt::format\(|"[A-Z]))re");
+      R"re((?:[{?]|add_flag(?:_once)?\(\s*[\w.]+,)\s*"([a-z]+(?:_[a-z]+)*)"(?: : "([a-z_]+)")?,\s*(?:fmt::format\(|"[A-Z]))re");
   static const std::regex kNamed(R"re(string_view k\w+ = "([a-z]+(?:_[a-z]+)+)";)re");
   for (const std::regex* pattern : {&kBesideText, &kNamed}) {
     for (std::sregex_iterator found(source.begin(), source.end(), *pattern), end; found != end;

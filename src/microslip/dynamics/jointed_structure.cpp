@@ -91,11 +91,7 @@ Eigen::MatrixXd stiffness_matrix(const ModalModel& linear,
   return matrix;
 }
 
-/// Of a stuck joint with what lies in series.
-double stuck_stiffness(const StructuralJoint& joint) {
-  const double k = joint.joint.stiffness();
-  return k / (1.0 + k * joint.series_compliance);
-}
+double stuck_stiffness(const StructuralJoint& joint) { return joint.stuck_stiffness(); }
 
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& matrix) {
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly)
@@ -142,6 +138,11 @@ void check_excitations(const std::vector<Excitation>& excitations, const ModalMo
 }
 
 }  // namespace
+
+double StructuralJoint::stuck_stiffness() const {
+  const double k = joint.stiffness();
+  return k / (1.0 + k * series_compliance);
+}
 
 JointedStructure::JointedStructure(ModalModel linear, std::vector<StructuralJoint> joints,
                                    std::vector<Excitation> excitations, DampingLaw damping)

@@ -42,6 +42,9 @@ struct StructuralJoint {
   std::vector<double> shortening = {};
 
   double linear_damping = 0.0;  ///< β, J/m²: loses βA² a cycle of amplitude A beside F; ≥ 0, finite
+
+  /// k/(1 + kc), N/m: of the stuck joint with what lies in series.
+  [[nodiscard]] double stuck_stiffness() const;
 };
 
 /// A periodic force at a point, f(t) = A Re Σ_n s_n e^{inωt}. The force amplitude A, N, is common

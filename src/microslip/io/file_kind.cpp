@@ -24,6 +24,7 @@ struct TableKind {
 };
 
 constexpr std::array kTableKinds{
+    TableKind{kModalLevelsKind, {"mode", "displacement", "frequency"}},
     TableKind{kVerificationKind, {"channel", "NRMSE", "noise_share"}},
     TableKind{kHarmonicsKind, {"source", "harmonic", "frequency"}},
     TableKind{kForceControlKind, {"level", "force_before", "force_after"}},

@@ -13,6 +13,8 @@ inline constexpr std::string_view kModelKind = "microslip.model/1";   ///< model
 inline constexpr std::string_view kLevelsKind = "a table of levels";  ///< levels.csv
 /// of `microslip ringdown` without modal mass
 inline constexpr std::string_view kDampingLevelsKind = "a table of damping ratios";
+/// modal_levels.csv
+inline constexpr std::string_view kModalLevelsKind = "a table of modal levels";
 inline constexpr std::string_view kDensityKind = "a table of a density";  ///< of parse_density()
 /// of `microslip dissipation`
 inline constexpr std::string_view kDissipationKind = "a table of a dissipation curve";

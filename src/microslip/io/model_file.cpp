@@ -307,11 +307,37 @@ std::vector<std::complex<double>> read_harmonics(const TomlTable& table) {
   return harmonics;
 }
 
-std::vector<Excitation> read_excitations(const TomlTable& top, const ModalModel& model) {
+/// The name of a channel. No two the same.
+std::string read_channel(const TomlTable& table, std::vector<std::string>& names) {
+  std::string channel = table.text("channel");
+  if (channel.empty() || std::ranges::find(names, channel) != names.end()) {
+    throw InputError(table.name("channel"), in_quotes(channel),
+                     "must be a channel of the recordings, and no two the same");
+  }
+  return names.emplace_back(std::move(channel));
+}
+
+std::vector<PointSensor> read_accelerometers(const TomlTable& top, const ModalModel& model,
+                                             std::vector<std::string> names) {
+  std::vector<PointSensor> sensors;
+  if (!top.has("accelerometer")) return sensors;
+  for (const TomlTable& table : top.tables("accelerometer")) {
+    table.allow_only({"channel", "point"});
+    std::string channel = read_channel(table, names);
+    sensors.push_back({std::move(channel), read_point(table, model)});
+  }
+  return sensors;
+}
+
+/// @param channels  of their forces, empty where one is not told.
+std::vector<Excitation> read_excitations(const TomlTable& top, const ModalModel& model,
+                                         std::vector<std::string>& channels) {
   std::vector<Excitation> excitations;
+  std::vector<std::string> names;
   for (const TomlTable& table : top.one_or_more("excitation")) {
-    table.allow_only({"point", "harmonics", "phase_rad"});
+    table.allow_only({"point", "harmonics", "phase_rad", "channel"});
     std::string point = read_point(table, model);
+    channels.push_back(table.has("channel") ? read_channel(table, names) : std::string());
     excitations.push_back({std::move(point), read_harmonics(table)});
   }
   if (!excitations.empty()) return excitations;
@@ -326,9 +352,11 @@ std::string read_response(const TomlTable& top, const ModalModel& model) {
 }
 
 ModelFile read_tables(const TomlTable& top, std::string_view file, JointsToFind to_find) {
-  top.allow_only({"schema", "structure", "joint", "excitation", "response"});
+  top.allow_only({"schema", "structure", "joint", "excitation", "response", "accelerometer"});
   LinearPart linear = read_structure(top.table("structure"));
-  std::vector<Excitation> excitations = read_excitations(top, linear.model);
+  std::vector<std::string> channels;
+  std::vector<Excitation> excitations = read_excitations(top, linear.model, channels);
+  std::vector<PointSensor> sensors = read_accelerometers(top, linear.model, channels);
   std::string response =
       top.has("response") ? read_response(top, linear.model) : excitations.front().point;
   std::vector<StructuralJoint> joints;
@@ -345,6 +373,8 @@ ModelFile read_tables(const TomlTable& top, std::string_view file, JointsToFind 
       model.covered_to.push_back(source.covered_to);
       model.identified_damping.push_back(source.identified_damping);
     }
+    model.force_channels = std::move(channels);
+    model.accelerometers = std::move(sensors);
     return model;
   } catch (const InputError& error) {  // what concerns several keys
     throw error.renamed(fmt::format("{}: {}", file, error.name()));

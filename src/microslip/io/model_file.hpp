@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "microslip/dynamics/jointed_structure.hpp"
+#include "microslip/rig/point_sensor.hpp"
 
 /// @file
 /// model.toml, schema microslip.model/1: a structure with joints, for the prediction of its
@@ -27,8 +28,9 @@
 ///                       none
 ///     [excitation]      point; optional: harmonics = […] (amplitude of harmonic n over the force
 ///                       amplitude) and phase_rad = […] (its phase, a lead); or several as
-///                       [[excitation]]
+///                       [[excitation]]; optional channel: that of the force in recordings
 ///     [response]        point; optional, else that of the first excitation
+///     [[accelerometer]] channel, point: of recordings of the structure; optional
 ///
 /// `file` is a joint.json, relative to the folder of the model. A joint without a name is called
 /// "joint", or by its number "joint1", "joint2", … where there are several. StructuralJoint and
@@ -49,6 +51,9 @@ struct ModelFile {
   /// Indices of the joints that have a stiffness and no file, rising: springs that do not slip
   /// stand in for them, and their joint_files are empty.
   std::vector<std::size_t> to_find = {};
+  /// Of recordings: the channel of the force of each excitation, empty where it is not told.
+  std::vector<std::string> force_channels = {};
+  std::vector<PointSensor> accelerometers = {};  ///< of recordings; predictions do not use them
 };
 
 /// Whether a model may hold joints that are still to be found.

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <numbers>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "microslip/base/error.hpp"
@@ -58,7 +59,7 @@ void write_joint(const ModelFile& model, std::size_t number, TomlLines& lines) {
   if (says_damping(model, number)) lines.add(kLinearDampingKey, joint.linear_damping);
 }
 
-void write_excitation(const Excitation& excitation, TomlLines& lines) {
+void write_excitation(const Excitation& excitation, const std::string& channel, TomlLines& lines) {
   std::vector<double> amplitude;
   std::vector<double> phase;
   for (const std::complex<double>& harmonic : excitation.harmonics) {
@@ -67,6 +68,7 @@ void write_excitation(const Excitation& excitation, TomlLines& lines) {
   }
   lines.element("excitation");
   lines.add("point", excitation.point);
+  if (!channel.empty()) lines.add("channel", channel);
   if (excitation.harmonics == std::vector<std::complex<double>>{1.0}) return;
   lines.add("harmonics", amplitude);
   lines.add("phase_rad", phase);
@@ -85,11 +87,18 @@ std::string format_model(const ModelFile& model, std::string_view comment) {
   lines.add("schema", kModelKind);
   write_structure(model.structure, lines);
   for (std::size_t i = 0; i < joints.size(); ++i) write_joint(model, i, lines);
-  for (const Excitation& excitation : model.structure.excitations()) {
-    write_excitation(excitation, lines);
+  const std::span<const Excitation> excitations = model.structure.excitations();
+  for (std::size_t i = 0; i < excitations.size(); ++i) {
+    const bool told = i < model.force_channels.size();
+    write_excitation(excitations[i], told ? model.force_channels[i] : std::string(), lines);
   }
   lines.table("response");
   lines.add("point", model.response);
+  for (const PointSensor& sensor : model.accelerometers) {
+    lines.element("accelerometer");
+    lines.add("channel", sensor.channel);
+    lines.add("point", sensor.point);
+  }
   return std::move(lines).str();
 }
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
+#include "microslip/rig/loop_stiffness.hpp"
 #include "microslip/signal/cycle_energy.hpp"
 #include "microslip/signal/turning_points.hpp"
 
@@ -18,35 +18,6 @@ constexpr double kSamePlace = 1e-3;
 bool is_at_exciter(const Rig& rig, const RigSensor& sensor) {
   if (!rig.beam()) return sensor.shape == rig.modes()->excitation;
   return std::abs(sensor.position - rig.excitation.position) <= kSamePlace * rig.beam()->length;
-}
-
-/// k_eq of the loop that force and displacement draw, as if the displacement had been harmonic: the
-/// joint is rate-independent, so the loop does not change when it is passed through at another
-/// pace,
-///
-///     k_eq = (1/πA) ∮ f cos θ dθ,     u = middle + A cos θ,     |dθ| = |u̇| dt/(A |sin θ|),
-///
-/// and its harmonics, 2 % in the reference rig at its highest level, do not matter. At a turning
-/// point |u̇|/(A |sin θ|) tends to √(|ü|/A).
-double loop_stiffness(const FourierSeries& force, const FourierSeries& displacement) {
-  constexpr int kPoints = 256;
-  constexpr double kTurning = 1e-4;  // sin θ below which u̇/sin θ would lose its digits
-  const PeakToPeak range = peak_to_peak(displacement);
-  const double amplitude = range.amplitude();
-  const FourierSeries velocity = derivative(displacement);
-  const FourierSeries acceleration = derivative(velocity);
-  double sum = 0.0;
-  for (int i = 0; i < kPoints; ++i) {
-    const double t = displacement.period() * i / kPoints;
-    const double cosine =
-        std::clamp((displacement.periodic_value(t) - range.middle()) / amplitude, -1.0, 1.0);
-    const double sine = std::sqrt(1.0 - cosine * cosine);
-    const double turning = sine > kTurning
-                               ? std::abs(velocity.periodic_value(t)) / (amplitude * sine)
-                               : std::sqrt(std::abs(acceleration.periodic_value(t)) / amplitude);
-    sum += force.periodic_value(t) * cosine * turning;
-  }
-  return sum * displacement.period() / (kPoints * std::numbers::pi * amplitude);
 }
 
 }  // namespace

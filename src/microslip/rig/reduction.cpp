@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <utility>
 
 #include "microslip/base/error.hpp"
 #include "microslip/rig/record_analysis.hpp"
+#include "microslip/rig/record_flags.hpp"
 #include "microslip/rig/reduced_level.hpp"
 #include "microslip/rig/reduction_flags.hpp"
 #include "microslip/signal/cycle_energy.hpp"
@@ -30,15 +30,6 @@ double std_of(const std::vector<CycleResult>& cycles, Quantity quantity, double 
   if (values.empty()) return otherwise;
   const double error = scatter(values).standard_error;
   return std::isfinite(error) ? error : otherwise;
-}
-
-/// Harmonics 2 … H of the force over the first, less what noise alone makes of them.
-double distortion_of(const FourierSeries& force, std::span<const double> harmonic_std) {
-  double square = 0.0;
-  for (std::size_t n = 2; n <= force.order(); ++n) {
-    square += std::norm(force.c(n)) - 2.0 * harmonic_std[n - 1] * harmonic_std[n - 1];
-  }
-  return std::sqrt(std::max(square, 0.0)) / std::abs(force.c(1));
 }
 
 /// Noise of u: that of the vibrometer, or of the accelerometer that sees the joint most,
@@ -130,7 +121,7 @@ ReducedLevel reduced_level(const RecordAnalysis& record, const Reducer& reducer)
   level.resonance_frequency = natural_frequency(reducer.state(), record.whole.motion.softening);
   level.force_amplitude = std::abs(record.fit.series[0].c(1));
   level.response_amplitude = std::abs(record.whole.exciter_acceleration.c(1));
-  level.force_distortion = distortion_of(record.fit.series[0], record.fit.harmonic_std[0]);
+  level.force_distortion = force_distortion_of(record.fit.series[0], record.fit.harmonic_std[0]);
   level.misfit = *std::ranges::max_element(record.whole.motion.misfit);
   level.cycles = record.fit.cycles;
   set_joint(level, record, reducer.state().stiffness > 0.0);

@@ -10,17 +10,12 @@
 
 #include "microslip/base/percent.hpp"
 #include "microslip/base/plausibility.hpp"
-#include "microslip/signal/signal_quality.hpp"
+#include "microslip/rig/record_flags.hpp"
 
 namespace microslip {
 namespace {
 
-constexpr double kFewCycles = 10.0;
 constexpr double kTelling = 3.0;  // standard deviations
-/// The largest of 1e9 residuals of normal noise is at 6 of its standard deviations.
-constexpr double kSpike = 8.0;
-/// A noisy cycle is not one out of step.
-constexpr double kTellingPhase = 5.0;  // standard deviations
 /// Of the drive in the rig's first mode: beyond, the rig is not the one that was measured.
 constexpr double kFarFromMode = 1.5;
 constexpr double kMostAboveStuck = 1.1;
@@ -28,7 +23,7 @@ constexpr double kMostAboveStuck = 1.1;
 constexpr double kTellingEnergy = 1e-6;
 
 void add_flag(ReducedLevel& level, std::string_view code, std::string_view text) {
-  if (!level.has_flag(code)) level.flags.push_back({std::string(code), std::string(text)});
+  add_flag_once(level.flags, code, text);
 }
 
 // ---- Of the level. ----
@@ -100,13 +95,6 @@ void flag_energies(ReducedLevel& level) {
                   level.input_energy.value, sum.value));
 }
 
-void flag_force(ReducedLevel& level, double most) {
-  if (level.force_distortion <= most) return;
-  add_flag(level, "force_distortion",
-           fmt::format("Harmonics of the force are {} of the fundamental, above {:.2g} %.",
-                       percent_text(level.force_distortion), 100.0 * most));
-}
-
 // ---- Of the rig. ----
 
 void flag_frequency(ReducedLevel& level, const StickState& state) {
@@ -142,61 +130,6 @@ void flag_vibrometer(ReducedLevel& level, const Rig& rig, const CycleResult& cyc
                   rig.vibrometer->channel, std::abs(ratio), std::abs(std::arg(ratio))));
 }
 
-// ---- Of the record. ----
-
-/// A jump of the phase, lost samples, a drive whose frequency wanders: some cycle is out of step
-/// with the whole record.
-void flag_phase(ReducedLevel& level, const RecordAnalysis& record, std::size_t signal,
-                double most) {
-  const std::complex<double> whole = record.fit.series[signal].c(1);
-  double largest = 0.0;
-  double when = 0.0;
-  for (std::size_t b = 0; b < record.cycles.block.size(); ++b) {
-    const double phase = std::abs(std::arg(record.cycles.block[b][signal].c(1) / whole));
-    if (phase <= largest) continue;
-    largest = phase;
-    when = record.cycles.middle[b];
-  }
-  const double cycles = static_cast<double>(record.cycles.block.size());
-  const double noise = record.fit.residual_rms[signal] / std::abs(whole) *
-                       std::sqrt(2.0 * cycles / static_cast<double>(record.fit.points));
-  if (largest <= std::max(most, kTellingPhase * noise)) return;
-  add_flag(
-      level, "phase_unsteady",
-      fmt::format("No steady state: at {:.4g} s channel '{}' is {:.2g} rad out of step with the "
-                  "whole record. Are samples missing, or does the drive's frequency wander?",
-                  when, record.signals.names[signal], largest));
-}
-
-void flag_spike(ReducedLevel& level, const RecordAnalysis& record, std::size_t signal) {
-  const double ratio = record.fit.residual_peak[signal] / record.fit.residual_rms[signal];
-  // Residuals that are rounding are not noise.
-  const bool rounding = record.fit.residual_peak[signal] < 1e-6 * rms(record.fit.series[signal]);
-  if (!(ratio > kSpike) || rounding) return;
-  add_flag(level, "spike",
-           fmt::format("At {:.6g} s channel '{}' is off by {:.3g} times the rms of its residuals.",
-                       record.recording.axis.at(record.fit.peak_point[signal]),
-                       record.signals.names[signal], ratio));
-}
-
-void flag_signals(ReducedLevel& level, const RecordAnalysis& record, double most_phase) {
-  const RecordSignals& signals = record.signals;
-  for (std::size_t j = 0; j < signals.names.size(); ++j) {
-    flag_phase(level, record, j, most_phase);
-    flag_spike(level, record, j);
-    const SignalQuality quality = signal_quality(record.recording.axis, signals.values, record.fit,
-                                                 record.cycles, j, signals.names[j]);
-    for (const Warning& warning : quality.warnings) add_flag(level, warning.code, warning.text);
-  }
-  for (const Warning& warning : record.fit.warnings) add_flag(level, warning.code, warning.text);
-  if (!record.recording.axis.even()) {
-    add_flag(level, "uneven_sampling", "The samples are not evenly spaced.");
-  }
-  if (record.fit.cycles >= kFewCycles) return;
-  add_flag(level, "few_cycles",
-           fmt::format("{:.1f} cycles: their scatter says little.", record.fit.cycles));
-}
-
 }  // namespace
 
 void add_flags(ReducedLevel& level, const RecordAnalysis& record, const Reducer& reducer) {
@@ -212,8 +145,8 @@ void add_flags(ReducedLevel& level, const RecordAnalysis& record, const Reducer&
   flag_values(level);
   flag_secant_stiffness(level, state.stiffness);
   flag_energies(level);
-  flag_force(level, options.most_distortion);
-  flag_signals(level, record, options.most_phase);
+  flag_force_distortion(level.flags, level.force_distortion, options.most_distortion);
+  flag_record(level.flags, record, options.most_phase);
 }
 
 }  // namespace microslip

@@ -8,7 +8,7 @@
 namespace microslip {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 42> kMeanings = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 47> kMeanings = {{
     {"amplitude_drift", "no steady state: the amplitude wanders"},
     {"amplitude_rises", "the decay was left where its amplitude rises"},
     {"beats", "a second oscillation near the mode moves the damping by more than 2 %"},
@@ -20,8 +20,11 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 42> kMeaning
     {"dissipation_in_noise", "D is below three standard deviations"},
     {"dissipation_negative", "the input is below the linear loss: the level is left out"},
     {"dropout", "a channel was lost for some time"},
-    {"energies_differ", "the input energy by Fourier coefficients is not that by the samples"},
+    {"energies_differ",
+     "energies that must agree do not: the input by Fourier coefficients and by samples, or the "
+     "joints together by their forces and by the balance"},
     {"far_from_first_mode", "the drive is more than a factor 1.5 off the first mode of the rig"},
+    {"far_from_mode", "the drive is more than a fifth off the mode with stuck joints"},
     {"few_cycles", "the record has fewer than 10 cycles"},
     {"force_distortion",
      "harmonics of the force above 1 % of the fundamental: D is right all the same, damping by "
@@ -33,15 +36,22 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 42> kMeaning
     {"implausible_value",
      "a displacement above 1 m, or a loss above 1 MJ a cycle: a unit is wrong"},
     {"inner_reversals", "the joint turns more than twice a cycle: D is not that of one loop"},
+    {"joint_in_noise", "D of a joint is below three standard deviations"},
+    {"joint_not_seen",
+     "the accelerometers do not show all that the joints do: there they are taken to stick"},
     {"linear_loss_exceeds_all", "levels whose loss is below the linear one were left out"},
     {"macro_slip", "all that can slip does: D tells no more of the density"},
     {"mode_lost", "the decay was left where its mode was lost"},
-    {"model_misfit", "the modes of the rig leave more than 5 % of an accelerometer unexplained"},
+    {"model_misfit", "the modes leave more than 5 % of an accelerometer unexplained"},
     {"neighbour_leaks", "other modes move the damping by more than 2 %"},
+    {"off_resonance",
+     "the drive was off the resonance by more than three standard deviations; the frequency is "
+     "that of the resonance"},
     {"order_reduced", "fewer harmonics were fitted than asked for"},
     {"other_peaks", "the spectrum has other peaks near the mode"},
     {"phase_unsteady", "no steady state: samples are missing, or the drive wanders"},
     {"prediction_not_converged", "the steady vibration was not found"},
+    {"resonance_not_found", "no phase resonance is near: the frequency is that of the drive"},
     {"resonance_off",
      "the predicted resonance is off by more than a tenth of its half-power width"},
     {"secant_above_stuck", "k_eq above 1.1 k"},

@@ -13,58 +13,16 @@
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/recording_file.hpp"
 #include "microslip/io/reduction_file.hpp"
-#include "microslip/io/sha256.hpp"
 #include "microslip/io/stepped_sine_file.hpp"
 #include "microslip/rig/stepped_sine.hpp"
 #include "microslip/workflow/named_recordings.hpp"
 #include "microslip/workflow/named_rig.hpp"
+#include "microslip/workflow/recordings_provenance.hpp"
 #include "microslip/workflow/reduction_text.hpp"
 #include "microslip/workflow/result_tables.hpp"
 
 namespace microslip {
 namespace {
-
-/// More recordings than this share one digest.
-constexpr std::size_t kMostNamed = 4;
-
-/// The call. Of many recordings the first and the last stand for all: one name after the other,
-/// they would make a line that nobody reads.
-std::string short_call(const std::string& line, const std::vector<std::string>& names) {
-  if (names.size() <= kMostNamed) return line;
-  const std::size_t first = line.find(names.front());
-  const std::size_t last = line.rfind(names.back());
-  if (first == std::string::npos || last == std::string::npos || last <= first) return line;
-  const std::size_t begin = first + names.front().size();
-  const std::string between = line.substr(begin, last - begin);
-  const bool names_only =
-      between.find('\'') == std::string::npos && between.find(" -") == std::string::npos;
-  return names_only ? line.substr(0, begin) + " ... " + line.substr(last) : line;
-}
-
-/// Of a recording that was read; of standard input, which cannot be read again, nothing.
-std::string digest_of(const std::string& path) {
-  return path == "-" ? std::string() : recording_sha256(path);
-}
-
-/// Version, call, and digests of what was read. That of many recordings is what
-/// `sha256sum RECORDINGS | sha256sum` says.
-std::string reduction_provenance(const ReducedRecordings& reduced, const std::string& command) {
-  const std::vector<std::string>& digests = reduced.digests;
-  std::string text = provenance_of(short_call(command, reduced.recordings), {reduced.rig});
-  std::string list;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < digests.size(); ++i) {
-    if (digests[i].empty()) continue;
-    const std::string file = part_of_file(reduced.recordings[i]).file;
-    list += fmt::format("{}  {}\n", digests[i], file);
-    ++count;
-    if (digests.size() <= kMostNamed) text += fmt::format("\n{}: sha256 {}", file, digests[i]);
-  }
-  if (digests.size() > kMostNamed && count > 0) {
-    text += fmt::format("\n{} recordings: sha256sum | sha256sum {}", count, sha256(list));
-  }
-  return text;
-}
 
 /// Stepped-sine tables have no scatter: a column that only some levels could have would be missing
 /// in all.
@@ -160,7 +118,8 @@ std::string levels_text(const ReducedRecordings& reduced, const std::string& com
   const ReductionBatch& batch = reduced.batch;
   check_any_left("reduced", reduced.recordings.size(), batch.levels.size(), batch.rejected);
   CsvWriter table = reduction_table(writable_levels(batch.levels));
-  table.add_comment(reduction_provenance(reduced, command));
+  table.add_comment(
+      recordings_provenance(command, reduced.rig, reduced.recordings, reduced.digests));
   add_warnings(joined_warnings(reduced.warnings), table);
   add_warnings(reduction_warnings(batch), table);
   return table.str();

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "microslip/rig/fitted_record.hpp"
+#include "microslip/rig/joints_observer.hpp"
+#include "microslip/rig/modal_reduction.hpp"
+
+/// @file
+/// What is to be looked at in a modal level. Internal to rig.
+
+namespace microslip {
+
+/// A reduced record, as the flags need it.
+struct ModalRecord {
+  const FittedRecord& record;
+  const JointsObserver& observer;
+  const std::vector<double>& misfit;  ///< one an accelerometer
+  bool resonance_found = true;
+};
+
+/// Adds the flags that ModalReducer documents to a level whose values are set.
+void add_flags(ModalLevel& level, const ModalRecord& record, const ModalReducer& reducer);
+
+}  // namespace microslip
