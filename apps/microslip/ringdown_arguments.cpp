@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "command.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/workflow/quantity_text.hpp"
@@ -103,11 +104,70 @@ void add_level_options(CLI::App& command, RingdownArguments& options) {
                      "--stick-frequency");
 }
 
+void add_modal_options(CLI::App& command, RingdownArguments& options) {
+  command
+      .add_option("--model", options.model,
+                  "Structure with joints, model.toml: its modes are sought near their frequencies "
+                  "with stuck joints, and modal_levels.csv is written")
+      ->type_name(kTomlValue);
+  command
+      .add_option("--sensor", options.sensors,
+                  "CHANNEL=POINT: the sensor of a channel is at that point of the model; repeated, "
+                  "in place of [[accelerometer]] of model.toml")
+      ->allow_extra_args(false);
+  command
+      .add_option("--mode", options.modes,
+                  "Mode, from 1, whose modal levels are written; repeated with --model, else all "
+                  "that can be followed; without --model the number for the table, the (first) "
+                  "sensor being at the response point")
+      ->check(CLI::Range(1, 100000))
+      ->allow_extra_args(false);
+}
+
+/// Modal levels have the damping of the whole mode: what takes something off it has no place.
+void check_modal(const RingdownArguments& options) {
+  const auto refuse = [](std::string_view option, const std::string& value, std::string_view with) {
+    if (value.empty()) return;
+    throw InputError(option, value, "must not be given with " + std::string(with));
+  };
+  constexpr std::string_view kModal = "--mode or --model: modal levels have the damping of all";
+  refuse("--modal-mass", options.modal_mass, kModal);
+  if (parse_quantity("--joint-ratio", options.joint_ratio, kDimensionless) != 1.0) {
+    refuse("--joint-ratio", options.joint_ratio, kModal);
+  }
+  check_damping_alone(options);
+  if (options.model.empty()) {
+    refuse("--sensor", options.sensors.empty() ? "" : options.sensors.front(),
+           "no --model, which has the points");
+    return;
+  }
+  constexpr std::string_view kModel = "--model, which says it";
+  refuse("--channel", options.channels.empty() ? "" : options.channels.front(), kModel);
+  refuse("--frequency", options.frequency, kModel);
+  refuse("--band", options.band, kModel);
+}
+
 }  // namespace
 
 void add_ringdown_arguments(CLI::App& command, RingdownArguments& arguments) {
   add_analysis_options(command, arguments);
   add_level_options(command, arguments);
+  add_modal_options(command, arguments);
+}
+
+bool is_modal(const RingdownArguments& arguments) {
+  return !arguments.model.empty() || !arguments.modes.empty() || !arguments.sensors.empty();
+}
+
+ModalDecayReduction modal_decay_options(const RingdownArguments& arguments) {
+  check_modal(arguments);
+  return {.recording = arguments.recording,
+          .model = arguments.model,
+          .sensors = arguments.sensors,
+          .channels = arguments.channels,
+          .modes = arguments.modes,
+          .analysis = analysis_options(arguments),
+          .reading = read_options(arguments.reading)};
 }
 
 DecayReduction decay_options(const RingdownArguments& arguments) {

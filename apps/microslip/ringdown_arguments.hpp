@@ -2,10 +2,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "microslip/workflow/decay_reduction.hpp"
+#include "microslip/workflow/modal_decay.hpp"
 #include "recording_arguments.hpp"
 
 namespace microslip::app {
@@ -24,6 +26,9 @@ struct RingdownArguments {
   std::string loss_factor = "0";
   std::string stick_frequency;
   std::string joint_stiffness;
+  std::string model;
+  std::vector<std::string> sensors;
+  std::vector<std::size_t> modes;
   RecordingArguments reading;
 };
 
@@ -32,5 +37,12 @@ void add_ringdown_arguments(CLI::App& command, RingdownArguments& arguments);
 
 /// @throws InputError  where one cannot be read, or belongs to another that was not given.
 [[nodiscard]] DecayReduction decay_options(const RingdownArguments& arguments);
+
+/// Whether modal levels are asked for.
+[[nodiscard]] bool is_modal(const RingdownArguments& arguments);
+
+/// The same for modal levels.
+/// @throws InputError  where one cannot be read, or is of no use for them.
+[[nodiscard]] ModalDecayReduction modal_decay_options(const RingdownArguments& arguments);
 
 }  // namespace microslip::app

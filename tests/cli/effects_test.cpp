@@ -23,6 +23,7 @@
 #include "command.hpp"
 #include "documents/description.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/dynamics/march.hpp"
 #include "microslip/io/csv_writer.hpp"
 #include "microslip/io/model_file.hpp"
 #include "microslip/joint/dissipation.hpp"
@@ -200,6 +201,20 @@ std::string steady_record(const JointedStructure& structure) {
   return writer.str();
 }
 
+/// Its decay from a deflection in the first and the second mode.
+std::string free_decay(const JointedStructure& structure) {
+  LoadHistory loads;
+  for (int i = 0; i < 4096; ++i) loads.time.push_back(i / 1024.0);
+  MarchOptions options{.points = {"tip", "end"}, .estimate_error = false};
+  options.start.displacement = {2e-4, 2e-5, 0.0};
+  const MarchResult decay = march(structure, loads, options);
+  CsvWriter writer;
+  writer.add_numbers("time", kTime, decay.time);
+  writer.add_numbers("acc1", kAcceleration, decay.points[0].acceleration);
+  writer.add_numbers("acc2", kAcceleration, decay.points[1].acceleration);
+  return writer.str();
+}
+
 const Files& inputs() {
   static const Files files = [] {
     Files all = documented_files();
@@ -209,6 +224,7 @@ const Files& inputs() {
     all["decay.csv"] = sample_decay_text();
     const JointedStructure slipping = slipping_structure(all.at("structure.toml"));
     all["steady.csv"] = steady_record(slipping);
+    all["blow.csv"] = free_decay(slipping);
     all["noise.csv"] = "time [s], nothing [V]\n0,1\n1,2\n2,3\n";
     all["other_force.csv"] = "time [s],force [N]\n0,0\n0.01,50\n0.02,0\n";
     all["damped.json"] =

@@ -102,11 +102,23 @@ TEST(Help, IsForShortOptionsToo) {
   EXPECT_EQ(expect_done(box, {"-h"}).out, expect_done(box, {"--help"}).out);
 }
 
+/// A decay as two accelerometers see it.
+std::string seen_twice(const std::string& decay) {
+  std::istringstream lines(decay);
+  std::string text = "time [s],acc1 [m/s^2],acc2 [m/s^2]\n";
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) text += line + line.substr(line.find(',')) + "\n";
+  return text;
+}
+
 TEST(Help, ExamplesRun) {
   const Sandbox box({{"levels.csv", sample_levels_text()},
                      {"path.csv", "displacement [m]\n0\n1e-4\n-1e-4\n"},
                      {"record.csv", record_text(sample_record())},
-                     {"decay.csv", sample_decay_text()}});
+                     {"decay.csv", sample_decay_text()},
+                     {"model.toml", test::get(MICROSLIP_TEST_DATA "/two_joints/model.toml")},
+                     {"blow.csv", seen_twice(sample_decay_text({.frequency = 33.2}))}});
   for (const std::string subcommand : {"identify", "loop", "dissipation", "ringdown"}) {
     const std::vector<Arguments> calls = examples(help_of(subcommand));
     EXPECT_FALSE(calls.empty()) << subcommand;

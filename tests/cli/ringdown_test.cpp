@@ -276,5 +276,39 @@ TEST(ringdown, SaysWhenTheDecayEndsEarly) {
   EXPECT_TRUE(flags == "amplitude_rises" || flags == "mode_lost") << flags;
 }
 
+// Modal levels have the mode's number first and the damping of all.
+TEST(ringdown, WritesModalLevels) {
+  const Sandbox box = sandbox();
+  const Outcome run =
+      expect_done(box, {"ringdown", "decay.csv", "--mode", "3", "--out", "modal_levels.csv"});
+  EXPECT_NE(run.out.find("mode 3"), std::string::npos) << run.out;
+  expect_done(box, {"ringdown", "decay.csv", "--out", "damping.csv"});
+  const CsvTable modal(box.get("modal_levels.csv"), "modal_levels.csv");
+  const CsvTable damping(box.get("damping.csv"), "damping.csv");
+  EXPECT_EQ(modal.numbers("mode", kDimensionless).front(), 3.0);
+  EXPECT_EQ(modal.numbers("displacement", kLength), damping.numbers("amplitude", kLength));
+  EXPECT_EQ(modal.numbers("damping_ratio", kDimensionless),
+            damping.numbers("damping_ratio", kDimensionless));
+  EXPECT_FALSE(modal.has("dissipation"));
+}
+
+TEST(ringdown, RefusesWhatModalLevelsDoNotNeed) {
+  const Sandbox box = sandbox();
+  const auto refused = [&](const Arguments& more, const std::string& part) {
+    const Outcome run = box.run(with({"ringdown", "decay.csv", "--out", "m.csv"}, more));
+    EXPECT_EQ(run.status, 2);
+    EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
+  };
+  refused({"--mode", "1", "--modal-mass", "1"}, "--modal-mass = 1; must not be given with --mode");
+  refused({"--mode", "1", "--joint-ratio", "2"}, "--joint-ratio = 2; must not be given");
+  refused({"--mode", "1", "--loss-factor", "0.1"}, "--loss-factor = 0.1");
+  refused({"--sensor", "a=b"}, "--sensor = a=b; must not be given with no --model");
+  refused({"--model", "m.toml", "--channel", "acc1"}, "--channel = acc1; must not be given");
+  refused({"--model", "m.toml", "--frequency", "50"}, "--frequency = 50; must not be given");
+  refused({"--model", "m.toml", "--band", "5:50"}, "--band = 5:50; must not be given");
+  refused({"--mode", "1", "--mode", "2"}, "Give a --model for several");
+  refused({"--model", "m.toml"}, "m.toml");
+}
+
 }  // namespace
 }  // namespace microslip::cli_test::ringdown_test

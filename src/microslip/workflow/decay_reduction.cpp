@@ -12,6 +12,8 @@
 #include "microslip/io/levels_file.hpp"
 #include "microslip/io/recording_file.hpp"
 #include "microslip/io/text.hpp"
+#include "microslip/workflow/decay_signal.hpp"
+#include "microslip/workflow/decay_text.hpp"
 #include "microslip/workflow/model_text.hpp"
 #include "microslip/workflow/provenance.hpp"
 #include "microslip/workflow/summary_text.hpp"
@@ -19,117 +21,19 @@
 namespace microslip {
 namespace {
 
-/// One decay: channels of one recording, one at least.
-struct DecaySignal {
-  const Recording* recording;
-  std::vector<std::string> channels;
-};
-
-bool is_motion(const Recording& recording, const Channel& channel) {
-  return recording.axis.dimension == kTime && channel.imaginary.empty() && channel.dimension &&
-         (*channel.dimension == kLength || *channel.dimension == kVelocity ||
-          *channel.dimension == kAcceleration);
-}
-
-/// The channel of that name, or the only motion there is.
-DecaySignal choose_signal(const std::vector<Recording>& recordings, const std::string& name,
-                          const std::string& file) {
-  std::vector<DecaySignal> fits;
-  std::string names;
-  for (const Recording& recording : recordings) {
-    for (const Channel& channel : recording.channels) {
-      if (name.empty() ? is_motion(recording, channel) : channel.name == name) {
-        fits.push_back({&recording, {channel.name}});
-      }
-      names += (names.empty() ? "'" : ", '") + channel.name + "'";
-    }
-  }
-  if (fits.size() == 1) return fits.front();
-  const std::string what =
-      fmt::format("{}: {}", file, name.empty() ? "motion" : "channel " + in_quotes(name));
-  const std::string state = fits.empty() ? "missing" : fmt::format("there {} times", fits.size());
-  throw InputError(what, InputState{state},
-                   name.empty() ? "must have one channel of displacement, velocity or acceleration "
-                                  "over time"
-                                : "must be there once",
-                   fmt::format("The channels are {}; choose by `channel`, and give units that the "
-                               "file lacks by `assume_units`.",
-                               names.empty() ? "none" : names));
-}
-
-/// The channels of those names, all of one recording.
-DecaySignal choose_signals(const std::vector<Recording>& recordings,
-                           const std::vector<std::string>& names, const std::string& file) {
-  if (names.empty()) return choose_signal(recordings, "", file);
-  DecaySignal signal = choose_signal(recordings, names.front(), file);
-  for (const std::string& name : std::span(names).subspan(1)) {
-    const DecaySignal other = choose_signal(recordings, name, file);
-    if (other.recording != signal.recording) {
-      throw InputError(fmt::format("{}: channel {}", file, in_quotes(name)), "of another recording",
-                       fmt::format("must be recorded with {}: one blow", in_quotes(names.front())));
-    }
-    signal.channels.push_back(name);
-  }
-  return signal;
-}
-
-/// What holds for the whole decay: what single levels say of themselves is among their own flags.
-std::string codes_of(const std::vector<Warning>& warnings) {
-  std::string codes;
-  for (const Warning& warning : warnings) {
-    constexpr std::string_view kOfLevels[] = {"beats", "neighbour_leaks", "sensors_differ",
-                                              "shape_moves", "steady_tone"};
-    if (std::ranges::find(kOfLevels, warning.code) != std::end(kOfLevels)) continue;
-    if ((" " + codes + " ").find(" " + warning.code + " ") != std::string::npos) continue;
-    codes += (codes.empty() ? "" : " ") + warning.code;
-  }
-  return codes;
-}
-
 std::vector<std::string> flags_of(const ReducedDecay& reduced) {
-  const std::string all = codes_of(reduced.warnings);
+  const std::string all = codes_of_decay(reduced.warnings);
   std::vector<std::string> flags = reduced.levels.flags;
   for (std::string& own : flags) own += (own.empty() || all.empty() ? "" : " ") + all;
   return flags;
 }
 
-std::string start_text(const RingDown& decay) {
-  std::string text = fmt::format("{:.5g} s, ", decay.start);
-  switch (decay.start_by) {
-    case DecayStart::kGiven:
-      return text + "given";
-    case DecayStart::kRecord:
-      return text + "the beginning of the record: no blow is in it";
-    case DecayStart::kBlow:
-      return text + fmt::format("1.5 periods behind the blow at {:.5g} s", *decay.blow);
-    case DecayStart::kFall:
-      break;
-  }
-  return text + "where the mode begins to fall";
-}
-
-std::string band_text(const RingDown& decay, bool given) {
-  return fmt::format("{:.6g}:{:.6g} Hz, {}", decay.band.first, decay.band.second,
-                     given ? "given" : "by the neighbouring modes and the damping");
-}
-
-std::string sensors_text(const RingDown& decay) {
-  std::string text;
-  for (const RingDownSensor& sensor : decay.sensors) {
-    text += (text.empty() ? "" : ", ") + sensor.name;
-    if (&sensor == &decay.sensors.front()) continue;
-    text += fmt::format(" ({:.4g} of its amplitude, {:.2g} % apart over the decay)", sensor.ratio,
-                        100.0 * sensor.ratio_range);
-  }
-  return text;
-}
-
 /// What is said of the decay above the levels.
 std::string comment_of(const ReducedDecay& reduced, std::string_view command) {
   std::string text = heading_of(command);
-  text += "\nsensors: " + sensors_text(reduced.decay);
-  text += "\nfree decay from: " + start_text(reduced.decay);
-  text += "\nband: " + band_text(reduced.decay, reduced.band_given);
+  text += "\nsensors: " + decay_sensors_text(reduced.decay);
+  text += "\nfree decay from: " + decay_start_text(reduced.decay);
+  text += "\nband: " + decay_band_text(reduced.decay, reduced.band_given);
   text += "\nended: " + reduced.decay.summary.reason;
   return with_warnings(std::move(text), reduced.warnings);
 }
@@ -187,10 +91,10 @@ std::string describe_decay(const ReducedDecay& reduced) {
     return fmt::format("{:.4g} to {:.4g}", values.front(), values.back());
   };
   std::string text = "Ring-down\n";
-  text += line("recording", fmt::format("{}, {}", reduced.source, sensors_text(decay)));
+  text += line("recording", fmt::format("{}, {}", reduced.source, decay_sensors_text(decay)));
   text += line("method", decay.summary.method);
-  text += line("free decay from", start_text(decay));
-  text += line("band", band_text(decay, reduced.band_given));
+  text += line("free decay from", decay_start_text(decay));
+  text += line("band", decay_band_text(decay, reduced.band_given));
   text += line("decay used",
                fmt::format("{:.4g} to {:.4g} s, {}", decay.from, decay.to, decay.summary.reason));
   text += line("levels", fmt::format("{}, by falling amplitude", levels.amplitude.size()));

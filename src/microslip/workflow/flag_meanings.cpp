@@ -8,7 +8,7 @@
 namespace microslip {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 47> kMeanings = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 49> kMeanings = {{
     {"amplitude_drift", "no steady state: the amplitude wanders"},
     {"amplitude_rises", "the decay was left where its amplitude rises"},
     {"beats", "a second oscillation near the mode moves the damping by more than 2 %"},
@@ -43,6 +43,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 47> kMeaning
     {"macro_slip", "all that can slip does: D tells no more of the density"},
     {"mode_lost", "the decay was left where its mode was lost"},
     {"model_misfit", "the modes leave more than 5 % of an accelerometer unexplained"},
+    {"modes_modulate",
+     "other modes of the decay move the joints by more than a tenth of what this one does"},
     {"neighbour_leaks", "other modes move the damping by more than 2 %"},
     {"off_resonance",
      "the drive was off the resonance by more than three standard deviations; the frequency is "
@@ -60,6 +62,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 47> kMeaning
     {"sensors_differ",
      "damping or frequency of two sensors differs by more than twice its standard deviation"},
     {"several_resonances", "the phase of the sweep passes resonance more than once"},
+    {"shape_assumed",
+     "no sensor is at the response point: the ratio is that of the shape with stuck joints"},
     {"shape_moves", "a ratio of amplitudes between sensors is not the same all along"},
     {"signal_constant", "a channel does not move"},
     {"spike", "single samples are far off"},
