@@ -329,6 +329,7 @@ RecordsIdentification records_options(const IdentifyArguments& arguments, bool q
   all.options.seed = seed_of(arguments);
   all.options.progress = progress_bar("draws", quiet);
   all.reading = read_options(arguments.reading, progress_bar("reading", quiet));
+  all.assumed_units = arguments.reading.assumed_units;
   return all;
 }
 

@@ -19,12 +19,12 @@ namespace {
 int run(const PlotArguments& options, const Call& call) {
   const PictureFormat format = format_of(options);
   if (!options.out.empty()) check_output(options.out, kind_of(format));
-  ResultInput input = read_result(options.in);
+  ResultInput input = read_result(options.in, options.record.value_or(1));
   const NamedFigure& figure = find_figure(options.figure, input);
   if (!options.time.empty()) {
-    if (input.history.empty()) {
+    if (input.history.empty() && !figure.of_record) {
       throw InputError("--time", in_quotes(options.time),
-                       fmt::format("cuts the figure history, not {}", figure.name),
+                       fmt::format("cuts a history or a record, and {} is none", figure.name),
                        "Leave it out.");
     }
     const auto [from, to] = parse_interval("--time", options.time, kTime);
@@ -59,6 +59,7 @@ void add_plot(CLI::App& program, Call& call) {
   command->add_flag("--quiet", call.quiet, "No summary, no progress");
   add_examples(*command, {"microslip plot test --figure energies --format pdf",
                           "microslip plot joint.json --figure loops --grey --out loops.pdf",
+                          "microslip plot joint.json --figure force --time 2:3 --format pdf",
                           "microslip plot frf.csv --figure response --width-mm 140 --out frf.svg"});
   command->footer(command->get_footer() + figures_help());
   command->callback(

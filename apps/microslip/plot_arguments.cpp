@@ -47,7 +47,11 @@ std::vector<std::string> figure_names() {
 
 void add_look_options(CLI::App& command, PlotArguments& options) {
   command.add_option("--time", options.time,
-                     "FROM:TO of a history, in s or with units; without it all of it");
+                     "FROM:TO of a history or a record, in s or with units; without it all of it");
+  command
+      .add_option("--record", options.record,
+                  "Which record that the joint was identified from: 1 without it")
+      ->check(CLI::Range(1, 1'000'000));
   command
       .add_option("--width-mm", options.width_mm,
                   "Width in mm: 90 fills a column, 190 a page; letters stay 8 points high. "
@@ -118,6 +122,11 @@ FigureOptions figure_options(const PlotArguments& options, const NamedFigure& fi
   if ((options.log || options.linear) && !figure.has_amplitude(input)) {
     throw InputError(options.log ? "--log" : "--linear", InputState{"given"},
                      fmt::format("{} has no axis of an amplitude here", figure.name),
+                     "Leave it out.");
+  }
+  if (options.record && !figure.of_record) {
+    throw InputError("--record", fmt::format("{}", *options.record),
+                     fmt::format("chooses a record, and {} is not of one", figure.name),
                      "Leave it out.");
   }
   if (!options.others.empty() && !figure.takes_others(input)) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ struct PlotArguments {
   std::vector<std::string> others;
   std::optional<double> width_mm;
   std::string time;
+  std::optional<std::size_t> record;
   bool grey = false;
   bool log = false;
   bool linear = false;

@@ -256,6 +256,11 @@ const Files& inputs() {
     all["two_records.csv"] = two_records();
     all["unitless_record.csv"] = record_text(sample_record(), "time [s],u,f");
     all["cut_record.csv"] = all.at("record.csv").substr(0, all.at("record.csv").rfind(','));
+    all["other_record.csv"] = record_text(sample_record(2));
+    written = run(all, words("identify record.csv other_record.csv --samples 100 --out "
+                             "identified_record.json --quiet"))
+                  .files;
+    all["identified_record.json"] = written.at("identified_record.json");
     written =
         run(all, words("frf model.toml --force 50 --frequency 10:20 --out frf.csv --quiet")).files;
     all["frf.csv"] = written.at("frf.csv");

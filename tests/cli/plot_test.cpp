@@ -353,7 +353,7 @@ TEST(plot, RefusesOptionsThatDoNotFit) {
   expect_refused(box, {"plot", "frf.csv", "--figure", "response", "--other", "joint.json"},
                  {"--other = 'joint.json'", "draws no other joints"});
   expect_refused(box, {"plot", "levels.csv", "--figure", "energies", "--time", "0:1"},
-                 {"--time = '0:1'", "cuts the figure history, not energies"});
+                 {"--time = '0:1'", "cuts a history or a record, and energies is none"});
   expect_refused(box, {"plot", "record.csv", "--figure", "history", "--time", "5:6"},
                  {"--time", "reaches from 0 to 0.3 s"});
 }

@@ -19,6 +19,13 @@
 namespace microslip {
 namespace {
 
+constexpr const char* kOfLevels =
+    "Below kA of the lowest level the levels tell two moments of φ only, above that of the highest "
+    "nothing. [AR14 Fig. 9]";
+constexpr const char* kOfRecords =
+    "Below the first line the noise of the displacement hides what slips, and φ goes on smoothly "
+    "from there; beyond the second, k times the largest half range, nothing slipped.";
+
 /// What belongs to the slip forces that the levels cover.
 std::vector<double> covered(const DensityCurve& curve, const std::vector<double>& slip_force,
                             const std::vector<double>& values) {
@@ -68,8 +75,9 @@ void add_band(Figure& figure, const DensityCurve& curve) {
 }
 
 void add_range(Figure& figure, const DensityCurve& curve) {
-  add_marker(figure, curve.covered_from, "kA of lowest level");
-  add_marker(figure, curve.covered_to, "kA of highest level");
+  add_marker(figure, curve.covered_from, curve.of_records ? "told from" : "kA of lowest level");
+  add_marker(figure, curve.covered_to,
+             curve.of_records ? "k × largest half range" : "kA of highest level");
   for (std::size_t i = 0; i < curve.atom_slip_force.size() && i < kMostAtomsShown; ++i) {
     add_marker(figure, curve.atom_slip_force[i], "atom");
   }
@@ -83,9 +91,7 @@ void add_range(Figure& figure, const DensityCurve& curve) {
 Figure figure_of(const DensityCurve& curve, std::span<const DrawnJoint> others,
                  const FigureOptions& options) {
   Figure figure{.title = "Slip-force density",
-                .caption =
-                    "Below kA of the lowest level the levels tell two moments of φ only, above "
-                    "that of the highest nothing. [AR14 Fig. 9]"};
+                .caption = curve.of_records ? kOfRecords : kOfLevels};
   const double end = curve.covered_to.value_or(curve.slip_force.back());
   add_band(figure, curve);
   figure.layers.emplace_back(LineLayer{covered(curve, curve.slip_force, curve.slip_force),
@@ -152,7 +158,8 @@ DensityCurve density_curve_of(const IdentifiedJoint& found) {
           .covered_from = found.covered_from,
           .covered_to = found.covered_to,
           .atom_slip_force = found.joint.density().atoms().slip_force,
-          .name = density_name(joint_name(found), found.joint)};
+          .name = density_name(joint_name(found), found.joint),
+          .of_records = found.by_records.has_value()};
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/report/density_figure.hpp"
+#include "microslip/report/force_figures.hpp"
 #include "microslip/report/level_figures.hpp"
 #include "microslip/report/loops_figure.hpp"
 #include "microslip/report/prediction_figures.hpp"
@@ -47,6 +48,11 @@ bool has_secant(const ResultInput& input) {
 FigureGrid density(const ResultInput& input, const FigureOptions& options) {
   if (!input.density) return alone(density_figure(input.test, options));
   return alone(density_figure(*input.density, options));
+}
+
+template <FigureGrid (*Make)(const ExperimentResults&, const FigureOptions&)>
+FigureGrid panels_of_test(const ResultInput& input, const FigureOptions& options) {
+  return untitled(Make(input.test, options));
 }
 
 FigureGrid loops(const ResultInput& input, const FigureOptions& options) {
@@ -101,7 +107,10 @@ bool has_verification(const ResultInput& input) {
 bool has_dissipation(const ResultInput& input) { return has_joint(input) || input.dissipation; }
 bool has_joint_curves(const ResultInput& input) { return has_joint(input) && !input.dissipation; }
 
-constexpr std::array<NamedFigure, 13> kFigures = {{
+bool has_record(const ResultInput& input) { return !input.test.force_paths.empty(); }
+constexpr const char* kNeedsRecord = "joint.json and a recording that it was identified from";
+
+constexpr std::array<NamedFigure, 16> kFigures = {{
     {"energies", "input energy, linear loss and joint dissipation over the amplitude", "levels.csv",
      has_levels, always, always, of_test<energies_figure>},
     {"density", "slip-force density with its band", "joint.json or density.csv", has_density, never,
@@ -143,6 +152,12 @@ constexpr std::array<NamedFigure, 13> kFigures = {{
     {"dissipation", "dissipation, secant stiffness and loss factor over the amplitude",
      "joint.json or a CSV of dissipation", has_dissipation, always, has_joint_curves,
      dissipation_of},
+    {"force", "force of a record over time, measured and found, and the difference", kNeedsRecord,
+     has_record, never, never, panels_of_test<record_force_figure>, true},
+    {"record-loops", "force of a record over its displacement, measured and found", kNeedsRecord,
+     has_record, never, never, of_test<record_loops_figure>, true},
+    {"residuals", "measured less found force of a record, over time and displacement", kNeedsRecord,
+     has_record, never, never, panels_of_test<residuals_figure>, true},
 }};
 
 std::vector<const NamedFigure*> possible(const ResultInput& input) {
@@ -195,10 +210,11 @@ const NamedFigure& find_figure(const std::string& name, const ResultInput& input
   const auto found = std::ranges::find_if(
       kFigures, [&](const NamedFigure& figure) { return figure.name == name; });
   if (found != kFigures.end() && found->has(input)) return *found;
+  const bool lacks_record = found != kFigures.end() && found->of_record && !input.no_record.empty();
   throw InputError("`figure`", "'" + name + "'",
                    found == kFigures.end() ? "there is no such figure"
                                            : fmt::format("it needs {}", found->needs),
-                   choice_text(input));
+                   lacks_record ? input.no_record : choice_text(input));
 }
 
 PaperPicture draw_named(const NamedFigure& figure, const ResultInput& input,

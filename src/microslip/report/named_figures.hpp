@@ -21,6 +21,7 @@ struct NamedFigure {
   bool (*has_amplitude)(const ResultInput&);  ///< an axis that may be linear or logarithmic
   bool (*takes_others)(const ResultInput&);   ///< draws other joints too
   FigureGrid (*make)(const ResultInput&, const FigureOptions&);
+  bool of_record = false;  ///< of one record that a joint was identified from, over time
 };
 
 /// All of them, in the order of the help.

@@ -46,46 +46,59 @@ void letter_panels(FigureGrid& grid) {
   }
 }
 
-/// The style of a line or loop; nothing of other layers.
-LineStyle* style_of(Layer& layer) {
+/// The stroke of a line or loop; nothing of other layers.
+Stroke* stroke_of(Layer& layer) {
   return std::visit(
-      [](auto& concrete) -> LineStyle* {
+      [](auto& concrete) -> Stroke* {
         if constexpr (requires { concrete.stroke, concrete.legend; }) {
-          return &concrete.stroke.style;
+          return &concrete.stroke;
         }
         return nullptr;
       },
       layer);
 }
 
+/// Whether a line looks like one of those that are drawn: of that style, and hardly wider or
+/// narrower.
+bool looks_like_one_of(const std::vector<Stroke>& used, const Stroke& stroke) {
+  constexpr double kMuchWider = 2.5;
+  return std::ranges::any_of(used, [&](const Stroke& other) {
+    const auto [narrow, wide] = std::minmax(other.width, stroke.width);
+    return other.style == stroke.style && wide < kMuchWider * narrow;
+  });
+}
+
 /// Lines of one entry in the legend stay alike.
 void tell_lines_apart(Figure& figure) {
   constexpr std::array kStyles = {LineStyle::kSolid, LineStyle::kDashed, LineStyle::kDashDotted,
                                   LineStyle::kLongDashed, LineStyle::kDotted};
-  std::vector<LineStyle> used;
-  std::vector<LineStyle*> same;
-  std::map<std::string, LineStyle*> named;
-  std::vector<std::pair<LineStyle*, const LineStyle*>> followers;
+  std::vector<Stroke> used;
+  std::vector<Stroke*> same;
+  std::map<std::string, Stroke*> named;
+  std::vector<std::pair<Stroke*, const Stroke*>> followers;
   for (Layer& layer : figure.layers) {
-    LineStyle* style = style_of(layer);
-    if (style == nullptr || legend_of(layer).empty()) continue;
-    const auto [first, is_new] = named.try_emplace(legend_of(layer), style);
+    Stroke* stroke = stroke_of(layer);
+    if (stroke == nullptr || legend_of(layer).empty()) continue;
+    const auto [first, is_new] = named.try_emplace(legend_of(layer), stroke);
     if (!is_new) {
-      followers.emplace_back(style, first->second);
-    } else if (std::ranges::find(used, *style) == used.end()) {
-      used.push_back(*style);
+      followers.emplace_back(stroke, first->second);
+    } else if (looks_like_one_of(used, *stroke)) {
+      same.push_back(stroke);
     } else {
-      same.push_back(style);
+      used.push_back(*stroke);
     }
   }
   std::size_t next = 0;
-  for (LineStyle* style : same) {
-    while (next < kStyles.size() && std::ranges::find(used, kStyles.at(next)) != used.end()) ++next;
+  const auto is_used = [&used](LineStyle style) {
+    return std::ranges::find(used, style, &Stroke::style) != used.end();
+  };
+  for (Stroke* stroke : same) {
+    while (next < kStyles.size() && is_used(kStyles.at(next))) ++next;
     if (next == kStyles.size()) used.clear();  // all are in use: from the first again
     next %= kStyles.size();
-    *style = kStyles.at(next++);
+    stroke->style = kStyles.at(next++);
   }
-  for (const auto& [style, leading] : followers) *style = *leading;
+  for (const auto& [stroke, leading] : followers) stroke->style = leading->style;
 }
 
 /// The height of a row: that of the highest panel, with what stands above and below its axes.

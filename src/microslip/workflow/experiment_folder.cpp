@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <iterator>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -21,6 +24,7 @@
 #include "microslip/io/rig_file.hpp"
 #include "microslip/io/sha256.hpp"
 #include "microslip/workflow/experiment_recordings.hpp"
+#include "microslip/workflow/force_paths.hpp"
 #include "microslip/workflow/level_records.hpp"
 #include "microslip/workflow/record_tables.hpp"
 #include "microslip/workflow/recorded_options.hpp"
@@ -54,7 +58,9 @@ std::string name_of_folder(const std::string& folder) {
 /// Reads the files of a folder into results.
 class FolderReader {
  public:
-  explicit FolderReader(std::string folder) : folder_(std::move(folder)) {}
+  /// @param records  of force and displacement that are read. @param progress  told of them.
+  FolderReader(std::string folder, std::span<const std::size_t> records, const Progress& progress)
+      : folder_(std::move(folder)), records_(records), progress_(progress) {}
 
   ExperimentResults read() {
     results_.title = name_of_folder(folder_);
@@ -83,6 +89,7 @@ class FolderReader {
       const JointFile file = parse_joint(input->text, input->path);
       results_.joint = joint_of(file, input->path);
       if (file.provenance) note_provenance(*file.provenance);
+      read_records(file);
     }
     if (results_.joint) read_density();
     if (const auto input = find("truth_joint.json")) {
@@ -90,6 +97,15 @@ class FolderReader {
       results_.truth = file.joint;
       results_.true_linear_damping = identified_damping(file).value_or(0.0);
     }
+  }
+
+  /// The recordings that the joint was identified from.
+  void read_records(const JointFile& file) {
+    if (records_.empty() || !results_.joint->by_records) return;
+    ForcePaths found = read_force_paths(file, folder_, records_, progress_);
+    results_.force_paths = std::move(found.paths);
+    std::ranges::move(found.files, std::back_inserter(results_.files));
+    std::ranges::move(found.warnings, std::back_inserter(results_.warnings));
   }
 
   /// Its band is the joint's where joint.json has none.
@@ -168,7 +184,7 @@ class FolderReader {
   void note_input(const InputHash& hash) {
     results_.provenance.emplace_back("identified from",
                                      fmt::format("{} (SHA-256 {})", hash.file, hash.sha256));
-    identified_from_ = hash.sha256;
+    identified_from_.push_back(hash.sha256);
   }
 
   void read_levels() {
@@ -176,7 +192,8 @@ class FolderReader {
       results_.levels = levels_of(*input);
       reduced_with_ = hashes_in(*input);
       if (takes_all_levels_) results_.levels->left_out.clear();
-      const bool same = sha256(input->text) == identified_from_;
+      const bool same =
+          std::ranges::find(identified_from_, sha256(input->text)) != identified_from_.end();
       if (results_.joint) results_.joint->from_these_levels = same;
       if (!identified_from_.empty() && !same) {
         results_.warnings.push_back({"joint_from_other_levels",
@@ -226,9 +243,11 @@ class FolderReader {
   }
 
   std::string folder_;
+  std::span<const std::size_t> records_;
+  const Progress& progress_;
   ExperimentResults results_;
-  std::vector<std::string> reduced_with_;  ///< hashes that levels.csv tells
-  std::string identified_from_;            ///< SHA-256
+  std::vector<std::string> reduced_with_;     ///< hashes that levels.csv tells
+  std::vector<std::string> identified_from_;  ///< SHA-256 of each input
   bool takes_all_levels_ = false;
 };
 
@@ -260,7 +279,9 @@ ExperimentResults read_experiment(const std::string& folder, std::size_t records
     throw FileError(folder, "is no folder",
                     "Name the folder that holds levels.csv and joint.json.");
   }
-  ExperimentResults results = FolderReader(folder).read();
+  std::vector<std::size_t> first(records);
+  std::iota(first.begin(), first.end(), std::size_t{0});
+  ExperimentResults results = FolderReader(folder, first, progress).read();
   if (records > 0) add_recordings(folder, records, progress, results);
   return results;
 }

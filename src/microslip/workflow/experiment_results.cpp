@@ -62,6 +62,14 @@ void check_lengths(const LevelRecord& record) {
   }
 }
 
+void check_lengths(const ForcePath& path) {
+  const std::size_t count = path.time.size();
+  check_same(path.source + ".displacement", path.displacement.size(), count);
+  check_same(path.source + ".path", path.path.size(), count);
+  check_same(path.source + ".force", path.force.size(), count);
+  check_same(path.source + ".found", path.found.size(), count);
+}
+
 void check_lengths(const ConstantResponse& response) {
   check_same("force", response.force.size(), response.frequency.size());
   check_same("true_force", response.true_force.size(), response.true_frequency.size());
@@ -79,6 +87,7 @@ void check_results(const ExperimentResults& results) {
   if (results.true_backbone) check_lengths(*results.true_backbone);
   for (const LevelRecord& record : results.records) check_lengths(record);
   for (const LevelRecord& record : results.predictions) check_lengths(record);
+  for (const ForcePath& path : results.force_paths) check_lengths(path);
   for (const ConstantResponse& response : results.responses) check_lengths(response);
   for (const ForceControlLevel& level : results.force_control) {
     check_same("force_control.after", level.after.size(), level.before.size());

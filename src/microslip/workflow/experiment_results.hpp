@@ -35,18 +35,69 @@ struct MeasuredLevels {
   std::vector<bool> left_out = {};               ///< of the identification: inner reversals
 };
 
+/// A departure from the kind of joint, as it was looked for in a record.
+struct DepartureFound {
+  std::string departure = {};  ///< its code: "rate_dependent"
+  double share = 0.0;          ///< of the force, that it explains beside the joint, 1
+  double noise = 0.0;          ///< that it would of noise alone, 1
+  bool broken = false;         ///< whether it is there
+};
+
+/// What the identification says of a record of force and displacement.
+struct RecordFound {
+  std::string source = {};                    ///< its file, as its call named it
+  std::string start = {};                     ///< "virgin" or "unknown": the state it begins in
+  std::string start_from = {};                ///< who says so: "shown", "given", "assumed"
+  double scatter = 0.0;                       ///< of the force of one sample, N
+  double correlation = 0.0;                   ///< of neighbouring residuals, 1
+  double unexplained = 0.0;                   ///< rms of residuals over that of the force, 1
+  std::vector<double> offset = {};            ///< F₀ of each group of samples, N
+  std::vector<DepartureFound> verdicts = {};  ///< the weightiest first
+};
+
+/// A value with the ends of its band.
+struct BandedValue {
+  double value = 0.0;  ///< in the unit of all three
+  double lower = 0.0;  ///< end of the band
+  double upper = 0.0;  ///< the other end
+};
+
+/// What an identification from records of force and displacement says.
+struct FoundByRecords {
+  std::optional<BandedValue> stiffness = {};  ///< k, N/m; nothing where it was given
+  std::optional<BandedValue> elastic = {};    ///< K_e, N/m
+  std::optional<BandedValue> viscous = {};    ///< c, N s/m; nothing where it was not sought
+  std::optional<double> draws = {};           ///< of the posterior
+  std::vector<RecordFound> records = {};      ///< one a record
+};
+
+/// A record of force and displacement, and what the joint makes of its path. Vectors of one length.
+struct ForcePath {
+  std::size_t record = 0;                 ///< of FoundByRecords::records
+  std::string source = {};                ///< its file, with the recording where it holds several
+  std::vector<double> time = {};          ///< s
+  std::vector<double> displacement = {};  ///< as recorded, m
+  std::vector<double> path = {};          ///< without its noise, m
+  std::vector<double> force = {};         ///< as recorded, N
+  std::vector<double> found = {};         ///< of the joint with the offset, N; NaN where not known
+  double displacement_noise = 0.0;        ///< standard deviation of a sample, m
+  std::size_t reversals = 0;              ///< of the path
+};
+
 /// A joint with what its identification said. A joint without a method was not identified as far as
 /// its file tells, and the report does not say so.
 struct IdentifiedJoint {
-  Joint joint;                                ///< as identified
-  std::string method = {};                    ///< "inversion"
-  std::string status = {};                    ///< "converged"
-  bool from_these_levels = false;             ///< identified from the levels of the results
-  std::optional<double> covered_from = {};    ///< kA_min, N
-  std::optional<double> covered_to = {};      ///< kA_max, N
-  std::optional<double> linear_damping = {};  ///< β of D = … + βA², J/m²
-  std::vector<std::string> warnings = {};     ///< codes
-  std::optional<double> scatter = {};         ///< of D of its levels, in the unit that follows
+  Joint joint;                                    ///< as identified
+  std::string method = {};                        ///< "inversion"
+  std::string status = {};                        ///< "converged"
+  bool from_these_levels = false;                 ///< identified from the levels of the results
+  std::optional<double> covered_from = {};        ///< kA_min, N
+  std::optional<double> covered_to = {};          ///< kA_max, N
+  std::optional<double> linear_damping = {};      ///< β of D = … + βA², J/m²
+  std::vector<std::string> warnings = {};         ///< codes
+  std::vector<std::string> warning_texts = {};    ///< one a code, or none
+  std::optional<FoundByRecords> by_records = {};  ///< of an identification from records
+  std::optional<double> scatter = {};             ///< of D of its levels, in the unit that follows
   bool scatter_is_relative = true;            ///< to D; in the standard deviations given otherwise
   std::optional<double> secant_scatter = {};  ///< of k_eq, in the standard deviations given
   std::optional<double> lambda = {};          ///< its smoothing, as its method scales it
@@ -160,6 +211,7 @@ struct ExperimentResults {
   std::optional<JointBackbone> true_backbone = {};    ///< of a virtual test
   std::vector<ChannelMisfit> comparisons = {};        ///< one a channel and record
   std::vector<LevelRecord> predictions = {};          ///< recorded, and predicted as the other
+  std::vector<ForcePath> force_paths = {};  ///< records that the joint was identified from, or some
   /// Whether comparisons and predictions are those of the joint and the rig of the results.
   bool predictions_are_of_this_joint = true;
   std::vector<SourceFile> files = {};  ///< that were read

@@ -207,6 +207,20 @@ void add_verdicts(const RecordInversionResult& result, NamedValues& record) {
   record.emplace_back("verdict_noise", std::move(noise));
 }
 
+/// F₀ of each group of each record.
+void add_offsets(const RecordInversionResult& result, NamedValues& record) {
+  std::vector<double> offset;
+  std::vector<double> number;
+  for (std::size_t r = 0; r < result.records.size(); ++r) {
+    for (const double value : result.records[r].offset) {
+      offset.push_back(value);
+      number.push_back(static_cast<double>(r + 1));
+    }
+  }
+  record.emplace_back("offset_force_N", std::move(offset));
+  record.emplace_back("offset_record", std::move(number));
+}
+
 /// Of the draws from the posterior of records.
 void add_records(const Identification& found, NamedValues& record) {
   const RecordInversionResult& result = *found.records();
@@ -226,6 +240,7 @@ void add_records(const Identification& found, NamedValues& record) {
   of_records("scatter_force_N", &RecordFit::scatter);
   of_records("correlation", &RecordFit::correlation);
   of_records("unexplained", &RecordFit::unexplained);
+  add_offsets(result, record);
   std::vector<std::string> start;
   for (const RecordFit& fit : result.records) {
     start.emplace_back(to_string(fit.start));

@@ -46,6 +46,7 @@ std::vector<double> values_of(const Recording& recording, const std::string& nam
 /// Recordings of all files.
 struct ReadRecords {
   std::vector<Recording> recordings;
+  std::vector<double> input;  // number of the file of each, from 1
   std::vector<Warning> warnings;
 };
 
@@ -55,6 +56,7 @@ ReadRecords read_all(const RecordsIdentification& options) {
   for (const std::string& path : options.records) {
     std::vector<Recording> found =
         read_named_recordings(path, options.reading, warnings.emplace_back());
+    all.input.insert(all.input.end(), found.size(), static_cast<double>(warnings.size()));
     std::ranges::move(found, std::back_inserter(all.recordings));
   }
   all.warnings = joined_warnings(warnings);
@@ -93,7 +95,26 @@ NamedValues record_of_options(const RecordsIdentification& options) {
                       std::string(options.start ? to_string(*options.start) : "as it shows"));
   record.emplace_back("viscous", options.options.viscous ? "fit" : "none");
   record.emplace_back("samples", static_cast<double>(options.options.draws));
+  record.emplace_back("assume_units", list_of_texts(options.assumed_units));
+  record.emplace_back("allow_truncated", options.reading.allow_truncated ? "yes" : "no");
   return record;
+}
+
+/// Where the start of a record is known from.
+std::string_view origin_of(const RecordStart& start, const RecordsIdentification& options) {
+  if (options.start) return "given";
+  const bool shown = start.start == PathStart::kUnknown || start.shown;
+  return shown ? "shown" : "assumed";
+}
+
+/// Which recordings the records are, and who says in which state they begin.
+void add_sources(const RecordsIdentification& options, const IdentifiedRecords& done,
+                 NamedValues& record) {
+  std::vector<std::string> start_from;
+  for (const RecordStart& start : done.start) start_from.emplace_back(origin_of(start, options));
+  record.emplace_back("start_from", list_of_texts(start_from));
+  record.emplace_back("record_source", list_of_texts(done.source));
+  record.emplace_back("record_input", done.input);
 }
 
 std::string describe_start(const RecordStart& start) {
@@ -145,6 +166,7 @@ IdentifiedRecords identify_records(const RecordsIdentification& options) {
     source.push_back(recording.source);
   }
   IdentifiedRecords done{.source = std::move(source),
+                         .input = std::move(read.input),
                          .start = std::move(start),
                          .inputs = hashes_of(options.records),
                          .found = identify(evidence, options.stiffness, options.options)};
@@ -161,7 +183,9 @@ std::string joint_text(const RecordsIdentification& options, const IdentifiedRec
   provenance.inputs = done.inputs;
   provenance.options = record_of_options(options);
   provenance.seed = options.options.seed;
-  return format_joint({done.found.joint, provenance, record_of_identification(done.found)});
+  NamedValues identification = record_of_identification(done.found);
+  add_sources(options, done, identification);
+  return format_joint({done.found.joint, provenance, std::move(identification)});
 }
 
 std::string describe_identified_records(const IdentifiedRecords& done) {

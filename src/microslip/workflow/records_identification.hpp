@@ -36,11 +36,14 @@ struct RecordsIdentification {
   std::optional<PathStart> start = {};   ///< of each of them; by what it shows without it
   RecordInversionOptions options = {};   ///< of the method
   RecordingReadOptions reading = {};     ///< of the recordings
+  /// The texts of the units that `reading` assumes, for joint.json.
+  std::vector<std::string> assumed_units = {};
 };
 
 /// What came of it. Vectors of records have one entry each, in the order of `found.records()`.
 struct IdentifiedRecords {
   std::vector<std::string> source = {};  ///< of each record
+  std::vector<double> input = {};        ///< number of the file of each record, from 1
   std::vector<RecordStart> start = {};   ///< of each record; shown where nobody said it
   std::vector<InputHash> inputs = {};    ///< the files
   Identification found;                  ///< with warnings of the files, too

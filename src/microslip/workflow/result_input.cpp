@@ -15,8 +15,10 @@
 #include "microslip/io/density_file.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/input_file.hpp"
+#include "microslip/io/joint_file.hpp"
 #include "microslip/io/recording_file.hpp"
 #include "microslip/workflow/experiment_folder.hpp"
+#include "microslip/workflow/force_paths.hpp"
 
 namespace microslip {
 namespace {
@@ -143,13 +145,65 @@ bool add_text(const std::string& kind, const std::string& text, const std::strin
   return true;
 }
 
+/// A record that the joint in a file was identified from.
+void add_record(const JointFile& file, const std::string& folder, std::size_t record,
+                ResultInput& input) {
+  const std::optional<IdentifiedJoint>& joint = input.test.joint;
+  if (!joint || !joint->by_records) return;
+  const std::size_t count = joint->by_records->records.size();
+  if (record < 1 || record > count) {
+    throw InputError("`record`", static_cast<double>(record),
+                     fmt::format("must be from 1 to {}, the records of {}", count, input.name));
+  }
+  const std::size_t index = record - 1;
+  ForcePaths found = read_force_paths(file, folder, {&index, 1});
+  input.test.force_paths = std::move(found.paths);
+  if (!found.warnings.empty()) input.no_record = found.warnings.front().text;
+}
+
+/// What lies beside a file.
+std::string folder_of(const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+/// The part of a history, or of a record, between two times.
+class TimeCut {
+ public:
+  TimeCut(const std::vector<double>& time, double from, double to) {
+    for (std::size_t i = 0; i < time.size(); ++i) {
+      if (time[i] >= from && time[i] <= to) kept_.push_back(i);
+    }
+  }
+
+  [[nodiscard]] std::size_t size() const { return kept_.size(); }
+
+  void apply(std::vector<double>& values) const {
+    for (std::size_t i = 0; i < kept_.size(); ++i) values[i] = values[kept_[i]];
+    values.resize(kept_.size());
+  }
+
+ private:
+  std::vector<std::size_t> kept_;  // rising
+};
+
+TimeCut cut_of(const ResultInput& input, const std::vector<double>& time, double from, double to) {
+  TimeCut cut(time, from, to);
+  if (cut.size() >= 2) return cut;
+  throw InputError("`time`", fmt::format("{:g}:{:g}", from, to),
+                   fmt::format("must hold two samples or more of {}, which reaches from {:g} to "
+                               "{:g} s",
+                               input.name, time.front(), time.back()));
+}
+
 }  // namespace
 
-ResultInput read_result(const std::string& path) {
+ResultInput read_result(const std::string& path, std::size_t record) {
   ResultInput input{.name = input_name(path)};
   std::error_code none;
   if (path != "-" && std::filesystem::is_directory(path, none)) {
     input.test = read_experiment(path);
+    if (input.test.joint) add_record(read_joint(path + "/joint.json"), path, record, input);
     const std::string density = path + "/density.csv";
     if (!input.test.joint && std::filesystem::is_regular_file(density, none)) {
       input.density = density_of(read_file(density), density);
@@ -160,7 +214,12 @@ ResultInput read_result(const std::string& path) {
   // What is no table or model of this program may be a recording of any size.
   const std::string head = path == "-" ? read_file(path) : read_kind_head(path);
   const std::string kind = file_kind(head);
-  if (add_text(kind, path == "-" ? head : read_file(path), input.name, input)) return input;
+  if (add_text(kind, path == "-" ? head : read_file(path), input.name, input)) {
+    if (kind == kJointKind && path != "-") {
+      add_record(read_joint(path), folder_of(path), record, input);
+    }
+    return input;
+  }
   if (path == "-") {
     throw InputError("IN", "standard input", "must be a table or a joint of this program",
                      "Name a recording by its file.");
@@ -171,20 +230,17 @@ ResultInput read_result(const std::string& path) {
 
 void cut_history(ResultInput& input, double from, double to) {
   for (HistorySignal& signal : input.history) {
-    HistorySignal cut{signal.name, signal.quantity, signal.unit, {}, {}};
-    for (std::size_t i = 0; i < signal.time.size(); ++i) {
-      if (signal.time[i] < from || signal.time[i] > to) continue;
-      cut.time.push_back(signal.time[i]);
-      cut.values.push_back(signal.values[i]);
+    const TimeCut cut = cut_of(input, signal.time, from, to);
+    for (auto* values : {&signal.time, &signal.values}) cut.apply(*values);
+  }
+  for (ForcePath& path : input.test.force_paths) {
+    const double before = static_cast<double>(path.time.size());
+    const TimeCut cut = cut_of(input, path.time, from, to);
+    for (auto* values : {&path.time, &path.displacement, &path.path, &path.force, &path.found}) {
+      cut.apply(*values);
     }
-    if (cut.time.size() < 2) {
-      throw InputError(
-          "`time`", fmt::format("{:g}:{:g}", from, to),
-          fmt::format("must hold two samples or more of {}, which reaches from {:g} to "
-                      "{:g} s",
-                      input.name, signal.time.front(), signal.time.back()));
-    }
-    signal = std::move(cut);
+    const double share = static_cast<double>(path.time.size()) / before;
+    path.reversals = static_cast<std::size_t>(static_cast<double>(path.reversals) * share);
   }
 }
 

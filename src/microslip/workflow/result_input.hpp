@@ -22,6 +22,7 @@ struct DensityCurve {
   std::optional<double> covered_to = {};     ///< kA of the highest level, N
   std::vector<double> atom_slip_force = {};  ///< N; marked
   std::string name = "identified";           ///< in the legend
+  bool of_records = false;                   ///< covered by records, not by levels
 };
 
 /// Steady vibrations over frequency; one length.
@@ -69,15 +70,18 @@ struct ResultInput {
   std::vector<double> path_force = {};               ///< N, one a point of the path
   std::vector<HistorySignal> history = {};           ///< of a CSV of march, or a recording
   std::size_t left_out = 0;                          ///< channels beyond those that a figure holds
+  std::string no_record = {};  ///< why a record of a joint is not there, a sentence
 };
 
 /// @param path  a folder as read_experiment() takes it, a table or model of this program, a
 ///              recording, or "-" for a table or model on standard input.
-/// @throws FileError, FormatError, InputError  as the readers of these.
-[[nodiscard]] ResultInput read_result(const std::string& path);
+/// @param record  which of the records, from 1, that a joint was identified from.
+/// @throws FileError, FormatError, InputError  as the readers of these; where the joint has fewer
+///         records.
+[[nodiscard]] ResultInput read_result(const std::string& path, std::size_t record = 1);
 
-/// Keeps the history between two times.
-/// @param input  with a history.
+/// Keeps the history, or the record of a joint, between two times.
+/// @param input  with one of them.
 /// @param from   s.
 /// @param to     s.
 /// @throws InputError  naming --time where hardly any is

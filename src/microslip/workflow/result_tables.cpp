@@ -16,6 +16,7 @@
 #include "microslip/base/units.hpp"
 #include "microslip/io/csv.hpp"
 #include "microslip/io/levels_file.hpp"
+#include "microslip/workflow/found_by_records.hpp"
 #include "microslip/workflow/record_entries.hpp"
 
 namespace microslip {
@@ -106,6 +107,8 @@ IdentifiedJoint joint_of(const JointFile& file, const std::string& path) {
                         .covered_to = number_in(record, "covered_to_N"),
                         .linear_damping = number_in(record, "linear_damping_J_per_m2"),
                         .warnings = texts_in(record, "warnings"),
+                        .warning_texts = texts_in(record, "warning_texts"),
+                        .by_records = found_by_records(file, path),
                         .scatter = of_dissipation ? of_dissipation : number_in(record, "scatter"),
                         .scatter_is_relative = text_in(record, "scatter_of") != "dissipation_std",
                         .secant_scatter = number_in(record, "scatter_secant"),

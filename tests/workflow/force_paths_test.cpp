@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+// Records beside the joint that was identified from them.
+
+#include "microslip/workflow/force_paths.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/support.hpp"
+#include "microslip/io/output_files.hpp"
+#include "microslip/workflow/found_by_records.hpp"
+#include "microslip/workflow/records_identification.hpp"
+#include "support/force_records.hpp"
+#include "support/messages.hpp"
+
+namespace microslip::force_paths_test {
+namespace {
+
+constexpr double kReach = 2.4e-4;  // m
+constexpr double kStep = 1e-3;     // s
+
+Joint known_joint() {
+  return {1.7e5, SlipDensity({UniformPart{.from = 0.0, .to = 60.0, .weight = 0.8}})};
+}
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b,
+                          std::size_t from = 0) {
+  double largest = 0.0;
+  for (std::size_t i = from; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+/// The path that the evidence has, from where the joint is virgin.
+std::vector<double> from_rest(const RecordEvidence& evidence) {
+  std::vector<double> path = evidence.path().displacement;
+  const double first = path.front();
+  for (double& u : path) u -= first;
+  return path;
+}
+
+// Memory goes another way: it keeps turns and evaluates the branch. Both see the same path; what is
+// left is rounding, of turns that are held together, too.
+TEST(ForcePaths, HaveTheForceOfTheJointAtEachSample) {
+  const std::vector<double> path = testing::random_motion(4000, kReach, 3);
+  const RecordEvidence smoothed({path, testing::forces_on(known_joint(), path), kStep},
+                                PathStart::kVirgin);
+  std::vector<double> force = testing::forces_on(known_joint(), from_rest(smoothed));
+  const double largest = std::ranges::max(force);
+  for (double& value : force) value += 7.0;  // an offset
+  const RecordEvidence evidence({path, force, kStep}, PathStart::kVirgin);
+  EXPECT_LE(largest_difference(found_force(evidence, known_joint(), 0.0), force), 1e-9 * largest);
+}
+
+TEST(ForcePaths, AddAViscousPart) {
+  const std::vector<double> path = testing::random_motion(4000, kReach, 3);
+  const RecordEvidence evidence({path, testing::forces_on(known_joint(), path), kStep},
+                                PathStart::kVirgin);
+  const std::vector<double> moved = from_rest(evidence);
+  constexpr double kViscous = 30.0;  // N s/m
+  const std::vector<double> with = found_force(evidence, known_joint(), kViscous);
+  const std::vector<double> without = found_force(evidence, known_joint(), 0.0);
+  std::vector<double> expected;
+  std::vector<double> difference;
+  double mean = 0.0;  // goes into the offset
+  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+    expected.push_back(kViscous * (moved[i + 1] - moved[i - 1]) / (2.0 * kStep));
+    difference.push_back(with[i] - without[i]);
+    mean += (difference.back() - expected.back()) / static_cast<double>(path.size() - 2);
+  }
+  for (double& value : difference) value -= mean;
+  EXPECT_LE(largest_difference(difference, expected), 1e-9 * std::ranges::max(expected));
+}
+
+// A joint that had slipped before: nothing is known until the path has turned, and all from its
+// largest range on.
+TEST(ForcePaths, KnowNothingBeforeTheFirstTurnOfASlippedJoint) {
+  const std::vector<double> whole = testing::random_motion(6000, kReach, 4);
+  const std::vector<double> all = testing::forces_on(known_joint(), whole);
+  const std::vector<double> path(whole.begin() + 3000, whole.end());
+  const std::vector<double> force(all.begin() + 3000, all.end());
+  const RecordEvidence evidence({path, force, kStep}, PathStart::kUnknown);
+  const std::vector<double> found = found_force(evidence, known_joint(), 0.0);
+  EXPECT_TRUE(std::isnan(found.front()));
+  const auto [low, high] = std::ranges::minmax_element(path);
+  const auto grown = static_cast<std::size_t>(std::max(low, high) - path.begin());
+  ASSERT_LT(grown + 100, path.size());
+  EXPECT_LE(largest_difference(found, force, grown + 1), 1e-3 * std::ranges::max(force));
+}
+
+/// Two recordings, and the joint.json of both.
+class Identified : public ::testing::Test {
+ protected:
+  Identified() {
+    for (const std::string name : {"a.csv", "b.csv"}) {
+      const std::vector<double> path =
+          testing::random_motion(3000, kReach, name == "a.csv" ? 1 : 2);
+      write(name, testing::simulated_record(known_joint(), path, 5, {}, kStep));
+    }
+    RecordsIdentification options{.records = {folder.file("a.csv"), folder.file("b.csv")}};
+    options.options.draws = 100;
+    text = joint_text(options, identify_records(options), "identify");
+    file = parse_joint(text, "joint.json");
+  }
+
+  void write(const std::string& name, const ForceRecord& record) const {
+    std::string csv = "time [s],u [um],f [N]\n";
+    for (std::size_t i = 0; i < record.size(); ++i) {
+      csv += fmt::format("{:.6f},{:.9g},{:.9g}\n", kStep * static_cast<double>(i),
+                         1e6 * record.displacement[i], record.force[i]);
+    }
+    write_file(folder.file(name), csv);
+  }
+
+  [[nodiscard]] ForcePaths read(const std::vector<std::size_t>& records) const {
+    return read_force_paths(file, folder.file("."), records);
+  }
+
+  test::TemporaryFolder folder;
+  std::string text;
+  JointFile file{known_joint(), {}, {}};
+};
+
+TEST_F(Identified, SaysWhatTheReportNeeds) {
+  const std::optional<FoundByRecords> found = found_by_records(file, "joint.json");
+  ASSERT_TRUE(found);
+  ASSERT_EQ(found->records.size(), 2U);
+  ASSERT_TRUE(found->stiffness);
+  EXPECT_LT(found->stiffness->lower, found->stiffness->value);
+  EXPECT_GT(found->stiffness->upper, found->stiffness->value);
+  EXPECT_FALSE(found->viscous);
+  EXPECT_EQ(found->draws, 100.0);
+  for (const RecordFound& record : found->records) {
+    EXPECT_EQ(record.verdicts.size(), kRecordDepartures.size());
+    EXPECT_EQ(record.start, "virgin");
+    EXPECT_EQ(record.start_from, "shown");
+    ASSERT_EQ(record.offset.size(), 1U);
+    // The record has an offset of 2 % of its largest force, some 30 N.
+    EXPECT_NEAR(record.offset[0], 0.02 * 30.0, 0.02);
+  }
+  EXPECT_EQ(found->records[1].source, folder.file("b.csv"));
+}
+
+// What the identification says is left must be left by the force that is drawn: of rows of samples
+// it is, by their number, less.
+TEST_F(Identified, LeavesTheResidualThatTheIdentificationHad) {
+  const ForcePaths found = read({0, 1});
+  ASSERT_EQ(found.paths.size(), 2U);
+  EXPECT_TRUE(found.warnings.empty());
+  ASSERT_EQ(found.files.size(), 2U);
+  EXPECT_EQ(found.files[1].name, "b.csv");
+  const double scatter = found_by_records(file, "")->records[0].scatter;
+  const ForcePath& path = found.paths[0];
+  EXPECT_EQ(path.source, "a.csv");
+  double square = 0.0;
+  for (std::size_t i = 0; i < path.force.size(); ++i) {
+    square += std::pow(path.force[i] - path.found[i], 2);
+  }
+  // 3000 samples tell their deviation to 1.3 %; four of that.
+  EXPECT_NEAR(std::sqrt(square / 3000.0) / scatter, 1.0, 0.06);
+  EXPECT_NEAR(path.displacement_noise / (2e-4 * kReach), 1.0, 0.1);
+}
+
+TEST_F(Identified, FindsRecordsByTheirContent) {
+  std::filesystem::create_directory(folder.file("recordings"));
+  std::filesystem::rename(folder.file("a.csv"), folder.file("recordings/a.csv"));
+  const ForcePaths moved = read({0});
+  ASSERT_EQ(moved.files.size(), 1U);
+  EXPECT_EQ(moved.files[0].name, "recordings/a.csv");
+
+  write("b.csv", {std::vector<double>(20, 0.0), std::vector<double>(20, 1.0), kStep});
+  const ForcePaths changed = read({0, 1});
+  EXPECT_EQ(changed.paths.size(), 1U);
+  ASSERT_EQ(changed.warnings.size(), 1U);
+  EXPECT_EQ(changed.warnings[0].code, "record_changed");
+
+  std::filesystem::remove(folder.file("b.csv"));
+  const ForcePaths missing = read({1});
+  ASSERT_EQ(missing.warnings.size(), 1U);
+  EXPECT_EQ(missing.warnings[0].code, "record_missing");
+  EXPECT_NE(missing.warnings[0].text.find("b.csv"), std::string::npos);
+}
+
+TEST_F(Identified, NamesTheKeyThatDoesNotFit) {
+  const auto fault = [&](const std::string& key, const NamedValue& value) {
+    JointFile broken = file;
+    for (auto& [name, old] : broken.identification) {
+      if (name == key) old = value;
+    }
+    return test::message_or("no error", [&] { (void)found_by_records(broken, "j.json"); });
+  };
+  for (const std::string key : {"correlation", "unexplained", "verdict_share", "verdict_noise",
+                                "offset_record", "band_stiffness_N_per_m"}) {
+    const std::string message = fault(key, std::vector<double>{1.0});
+    EXPECT_NE(message.find("j.json: identification." + key), std::string::npos) << message;
+  }
+  const std::string message = fault("verdict_record", std::vector<double>(12, 3.0));
+  EXPECT_NE(message.find("from 1 to the 2"), std::string::npos) << message;
+}
+
+}  // namespace
+}  // namespace microslip::force_paths_test
