@@ -82,7 +82,8 @@ void add_report(CLI::App& program, Call& call) {
   command
       ->add_option(
           "DIR", options->folder,
-          "Folder with any of rig.toml, levels.csv, joint.json, density.csv; recordings "
+          "Folder with any of rig.toml, levels.csv, joint.json, density.csv; the recordings of "
+          "force and displacement that joint.json was identified from; recordings "
           "level_* and before_control_*, also in recordings/; force_control.csv, truth.csv, "
           "truth_joint.json; verification.csv, verification_histories.csv, "
           "verification_harmonics.csv")
@@ -94,8 +95,8 @@ void add_report(CLI::App& program, Call& call) {
   command->add_option("--title", options->title, "Its title; without one, the name of the folder");
   command
       ->add_option("--records", options->records,
-                   "So many recordings are shown over time; all are by their harmonics where a "
-                   "page holds them")
+                   "So many recordings are shown over time; all of a rig are by their harmonics "
+                   "where a page holds them")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command->add_flag("--no-pictures", options->no_pictures,

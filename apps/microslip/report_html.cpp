@@ -9,10 +9,23 @@
 #include "microslip/base/version.hpp"
 #include "microslip/report/experiment_report.hpp"
 #include "microslip/report/html_report.hpp"
+#include "option_names.hpp"
 
 namespace microslip::app {
 
+namespace {
+
+/// The reader knows options as they are typed.
+void name_options(ExperimentResults& results) {
+  for (Warning& warning : results.warnings) warning.text = with_option_names(warning.text);
+  if (!results.joint) return;
+  for (std::string& text : results.joint->warning_texts) text = with_option_names(text);
+}
+
+}  // namespace
+
 std::string report_html(ExperimentResults results, const Call& call, bool pictures) {
+  name_options(results);
   results.provenance.insert(results.provenance.begin(),
                             {{"report made by", fmt::format("microslip {}", kVersion)},
                              {"report command", call.command_line}});

@@ -727,5 +727,145 @@ TEST(ExperimentReport, ResponsesWithoutTheirAmplitudesInTheLevels) {
   EXPECT_EQ(figure(document, "Frequency responses at constant response").figure.layers.size(), 2U);
 }
 
+/// A joint of two records, the second of which rubs faster one way than the other.
+ExperimentResults record_results() {
+  ExperimentResults results;
+  results.title = "Records";
+  IdentifiedJoint joint{.joint = uniform_joint(),
+                        .method = "inversion",
+                        .status = "converged",
+                        .covered_from = 1.5,
+                        .covered_to = 30.0,
+                        .warnings = {"asymmetric", "asymmetric"},
+                        .warning_texts = {"record 1: one", "record 2: two"},
+                        .band_confidence = 0.95,
+                        .band_slip_force = {0.0, 15.0, 30.0},
+                        .band_lower = {0.02, 0.02, 0.02},
+                        .band_upper = {0.03, 0.03, 0.03}};
+  FoundByRecords& found = joint.by_records.emplace();
+  found.stiffness = BandedValue{kStiffness, 0.98 * kStiffness, 1.02 * kStiffness};
+  found.elastic = BandedValue{0.0, 0.0, 100.0};
+  for (const bool second : {false, true}) {
+    RecordFound& record = found.records.emplace_back();
+    record = {.source = second ? "lab/b.csv" : "lab/a.csv",
+              .start = "virgin",
+              .start_from = "shown",
+              .scatter = 0.1,
+              .unexplained = second ? 0.04 : 0.01,
+              .offset = {0.5}};
+    record.verdicts = {{"asymmetric", second ? 0.03 : 0.02, 0.001, true},
+                       {"drifts", second ? 0.001 : 0.002, 0.001, false}};
+  }
+  for (const std::size_t number : {0U, 1U}) {
+    ForcePath& path = results.force_paths.emplace_back();
+    path.record = number;
+    path.source = number == 0 ? "a.csv" : "b.csv";
+    path.reversals = 4;
+    for (int i = 0; i < 400; ++i) {
+      path.time.push_back(0.01 * i);
+      path.path.push_back(1e-4 * std::sin(0.05 * i));
+      path.force.push_back(1e5 * path.path.back());
+      path.found.push_back(i < 20 ? std::nan("") : path.force.back() - 0.1);
+    }
+    path.displacement = path.path;
+  }
+  results.joint = joint;
+  return results;
+}
+
+const ReportTable& table(const ReportDocument& document, std::string_view title) {
+  static const ReportTable kNone;
+  for (const ReportSection& part : document.sections) {
+    for (const ReportBlock& block : part.blocks) {
+      const auto* found = std::get_if<ReportTable>(&block);
+      if (found != nullptr && found->title == title) return *found;
+    }
+  }
+  ADD_FAILURE() << "no table " << title;
+  return kNone;
+}
+
+TEST(ReportOfRecords, BeginsWithDensityVerdictsAndWarnings) {
+  const ReportDocument document = experiment_report(record_results());
+  EXPECT_EQ(titles_of(document),
+            (std::vector<std::string>{"Summary", "Force along the record", "Measured loops",
+                                      "Dissipation and stiffness", "Records", "Provenance"}));
+  const ReportSection& summary = document.sections.front();
+  const auto& facts = std::get<ReportFacts>(summary.blocks[1]);
+  EXPECT_EQ(facts.facts[0], (std::pair<std::string, std::string>{"stuck stiffness k, 95 % band",
+                                                                 "100.0 ± 2.0 kN/m"}));
+  EXPECT_EQ(facts.facts[2],
+            (std::pair<std::string, std::string>{"force unexplained, at most", "4.0 %"}));
+  EXPECT_EQ(facts.facts[3], (std::pair<std::string, std::string>{"departures found", "1 of 2"}));
+  const auto& warnings = std::get<ReportWarnings>(summary.blocks[2]).warnings;
+  ASSERT_EQ(warnings.size(), 2U) << "one of each record, of the same code";
+  EXPECT_EQ(warnings[1].text, "record 2: two");
+  EXPECT_EQ(std::get<ReportFigure>(summary.blocks[3]).figure.title, "Slip-force density");
+  EXPECT_TRUE(std::get<ReportTable>(summary.blocks[4]).beside);
+}
+
+TEST(ReportOfRecords, ShowsEachDepartureWhereItStandsOutMost) {
+  const ReportDocument document = experiment_report(record_results());
+  const ReportTable& verdicts = table(document, "Is it a joint of this kind?");
+  ASSERT_EQ(verdicts.rows.size(), 2U);
+  EXPECT_EQ(verdicts.marked, (std::vector<std::size_t>{0}));
+  EXPECT_TRUE(contains(std::get<std::string>(verdicts.rows[0][0]), "asymmetry"));
+  EXPECT_EQ(verdicts.rows[0][1], ReportCell(2.0));
+  EXPECT_EQ(verdicts.rows[0][2], ReportCell(3.0)) << "%";
+  EXPECT_EQ(verdicts.rows[0][4], ReportCell("yes"));
+  EXPECT_EQ(verdicts.rows[1][1], ReportCell(1.0));
+  EXPECT_EQ(table(document, "What was looked for, record by record").rows.size(), 4U);
+  EXPECT_EQ(table(document, "Records").rows[1][1], ReportCell("b.csv"));
+}
+
+// A reader without a script sees the drawn pictures; a gap is where the joint is not known yet.
+TEST(ReportOfRecords, DrawsMeasuredAgainstFound) {
+  const ReportDocument document = experiment_report(record_results());
+  const ReportFigure& force = figure(document, "Force over time");
+  ASSERT_EQ(force.choices.size(), 2U);
+  EXPECT_EQ(force.choices[1].name, "2: b.csv");
+  EXPECT_EQ(trace(force, "measured").x.size(), 400U);
+  EXPECT_EQ(trace(force, "identified joint").x.size(), 380U);
+  const Drawn residual = trace(figure(document, "Residual over time"), "residual");
+  ASSERT_EQ(residual.y.size(), 380U);
+  const double unit = figure(document, "Residual over time").figure.y.unit == "mN" ? 1e3 : 1.0;
+  EXPECT_NEAR(residual.y[7], 0.1 * unit, 1e-9 * unit);
+  EXPECT_EQ(trace(figure(document, "Measured and found loops"), "measured").x.size(), 400U);
+  // The residual is the same both ways.
+  for (const char* mean : {"mean while it rises", "mean while it falls"}) {
+    EXPECT_NEAR(trace(figure(document, "Residual over displacement"), mean).y.front(), 0.1 * unit,
+                1e-9 * unit);
+  }
+  for (const char* title :
+       {"Dissipation of the joint", "Secant stiffness", "Loss factor of the joint"}) {
+    EXPECT_FALSE(chosen_layers(figure(document, title)).empty()) << title;
+  }
+}
+
+TEST(ReportOfRecords, SaysThatRecordingsAreMissing) {
+  ExperimentResults results = record_results();
+  results.force_paths.clear();
+  const ReportDocument document = experiment_report(results);
+  EXPECT_TRUE(contains(missing_in(document), "No forces and no loops"));
+  EXPECT_EQ(table(document, "Records").rows.size(), 2U);
+  EXPECT_TRUE(std::isnan(std::get<double>(table(document, "Records").rows[0][2])));
+}
+
+TEST(ReportOfRecords, ComesWithTheLevelsOfTheFolder) {
+  ExperimentResults results = record_results();
+  results.levels = exact_levels();
+  const std::vector<std::string> titles = titles_of(experiment_report(results));
+  for (const char* title : {"Force along the record", "Levels", "Energies", "Density"}) {
+    EXPECT_NE(std::ranges::find(titles, title), titles.end()) << title;
+  }
+}
+
+TEST(TestReportFault, LengthsOfARecordDiffer) {
+  ExperimentResults results = record_results();
+  results.force_paths[1].found.pop_back();
+  EXPECT_EQ(input_fault([&] { (void)experiment_report(results); }),
+            "b.csv.found.size() = 399; must be 400, that of what belongs to it");
+}
+
 }  // namespace
 }  // namespace microslip::experiment_report_test

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/report/record_sections.hpp"
 #include "microslip/report/sections.hpp"
 #include "microslip/workflow/other_methods.hpp"
 
@@ -31,6 +32,41 @@ std::vector<ReportSection> with_list_of_missing(std::vector<ReportSection> all) 
   return all;
 }
 
+/// Whether the folder holds a test by levels, or a part of one.
+bool has_test(const ExperimentResults& results) {
+  return results.levels || !results.records.empty() || !results.comparisons.empty() ||
+         !results.predictions.empty() || !results.force_control.empty();
+}
+
+std::vector<ReportSection> sections_of(const ExperimentResults& results,
+                                       const std::optional<MethodComparison>& methods) {
+  const bool of_records = results.joint && results.joint->by_records;
+  std::vector<ReportSection> all;
+  const auto add = [&all](ReportSection section) { all.push_back(std::move(section)); };
+  if (of_records) {
+    add(record_summary_section(results));
+    add(record_force_section(results));
+    add(record_loops_section(results));
+    if (!results.levels) add(derived_section(results));
+    add(records_section(results));
+  } else {
+    add(summary_section(results, methods));
+  }
+  if (!of_records || has_test(results)) {
+    add(levels_section(results));
+    add(signals_section(results));
+    add(energies_section(results));
+    add(density_section(results, methods));
+    add(loops_section(results, methods));
+    add(stiffness_section(results));
+    add(responses_section(results));
+    add(predictions_section(results));
+    add(rig_section(results));
+  }
+  add(provenance_section(results));
+  return all;
+}
+
 }  // namespace
 
 ReportDocument experiment_report(ExperimentResults results) {
@@ -43,14 +79,9 @@ ReportDocument experiment_report(ExperimentResults results) {
         {"no_other_methods",
          fmt::format("The levels were not evaluated again, for comparison: {}", error.what())});
   }
-  return {
-      .title = results.title,
-      .subtitle = results.subtitle,
-      .sections = with_list_of_missing(
-          {summary_section(results, methods), levels_section(results), signals_section(results),
-           energies_section(results), density_section(results, methods),
-           loops_section(results, methods), stiffness_section(results), responses_section(results),
-           predictions_section(results), rig_section(results), provenance_section(results)})};
+  return {.title = results.title,
+          .subtitle = results.subtitle,
+          .sections = with_list_of_missing(sections_of(results, methods))};
 }
 
 }  // namespace microslip

@@ -14,8 +14,8 @@
 namespace microslip {
 namespace {
 
-constexpr Stroke kMeasuredForce = {.colour = kSkyBlue, .width = 2.8};
-constexpr Stroke kFoundForce = {.colour = kBlack, .width = 0.8};
+constexpr Stroke kMeasuredForce = {.colour = kGrey, .width = 3.0};
+constexpr Stroke kFoundForce = {.colour = kBlue, .width = 1.1};
 constexpr Stroke kResidual = {.colour = kBlue, .width = 1.0};
 constexpr Stroke kScatter = {.colour = kGrey, .style = LineStyle::kDashed, .width = 1.2};
 

@@ -64,6 +64,7 @@ struct ReportTable {
   std::vector<std::vector<ReportCell>> rows =
       {};                                ///< each as long as `columns`; a NaN is an empty cell
   std::vector<std::size_t> marked = {};  ///< rows to be looked at, rising
+  bool beside = false;                   ///< stands beside the figure before it where there is room
 };
 
 /// Names with values, in two columns.

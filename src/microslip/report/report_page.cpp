@@ -36,8 +36,14 @@ std::string rounded(double number, int digits) {
   return fmt::format("{:.{}f}", number, std::max(digits - 1 - exponent, 0));
 }
 
-/// Those over the width of the page: two that follow each other stand side by side, and one that is
-/// left has the width for itself.
+/// Whether it stands among figures.
+bool is_beside(const ReportBlock& block) {
+  const auto* table = std::get_if<ReportTable>(&block);
+  return table && table->beside;
+}
+
+/// Those over the width of the page: two that follow each other stand side by side, as a figure and
+/// the table that belongs beside it do, and one that is left has the width for itself.
 std::set<const ReportFigure*> wide_figures(const ReportSection& section) {
   std::set<const ReportFigure*> wide;
   const ReportFigure* alone = nullptr;
@@ -47,7 +53,9 @@ std::set<const ReportFigure*> wide_figures(const ReportSection& section) {
   };
   for (const ReportBlock& block : section.blocks) {
     const auto* figure = std::get_if<ReportFigure>(&block);
-    if (!figure || figure->wide) {
+    if (alone && is_beside(block)) {
+      alone = nullptr;
+    } else if (!figure || figure->wide) {
       widen();
       if (figure) wide.insert(figure);
     } else {
@@ -70,7 +78,8 @@ class Page {
     html_ += fmt::format("<section id=\"{0}\" aria-labelledby=\"{0}-title\">\n", id);
     html_ += fmt::format("<h2 id=\"{}-title\">{}</h2>\n", id, html_text(section.title));
     for (const ReportBlock& block : section.blocks) {
-      group_figures(std::holds_alternative<ReportFigure>(block));
+      group_figures(std::holds_alternative<ReportFigure>(block) ||
+                    (in_figures_ && is_beside(block)));
       std::visit([this](const auto& content) { write(content); }, block);
     }
     group_figures(false);

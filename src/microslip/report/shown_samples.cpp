@@ -9,8 +9,8 @@
 namespace microslip {
 namespace {
 
-/// Lowest and highest of four signals, of which many are the same samples.
-constexpr std::size_t kPerStretch = 8;
+/// Lowest and highest of three signals.
+constexpr std::size_t kPerStretch = 6;
 /// Of half a cycle, at which a loop is still round.
 constexpr double kPerBranch = 60.0;
 
@@ -44,7 +44,7 @@ std::vector<std::size_t> shown_samples(const ForcePath& path, RecordPart part, s
   for (std::size_t s = 0; s < stretches; ++s) {
     const RecordPart stretch{part.begin + s * count / stretches,
                              part.begin + (s + 1) * count / stretches};
-    for (const auto* values : {&path.displacement, &path.force, &path.found, &residual}) {
+    for (const auto* values : {&path.displacement, &path.force, &residual}) {
       add_extremes(*values, stretch, samples);
     }
   }

@@ -19,7 +19,7 @@ struct RecordPart {
 };
 
 /// Those of the part, all or at most so many: of each stretch the lowest and the highest of
-/// displacement, force, found force and residual, so that nothing that stands out is lost.
+/// displacement, force and residual, so that nothing that stands out is lost.
 /// @param most  ≥ 16.
 [[nodiscard]] std::vector<std::size_t> shown_samples(const ForcePath& path, RecordPart part,
                                                      std::size_t most);

@@ -152,6 +152,21 @@ class FolderReader {
     }
   }
 
+  void note_option(const std::string& name, const NamedValue& value) {
+    std::string text = "not given";
+    if (const auto* number = std::get_if<double>(&value)) {
+      text = fmt::format("{:g}", *number);
+    } else if (const auto* words = std::get_if<std::string>(&value)) {
+      if (!words->empty()) text = *words;
+    } else if (const auto* list = std::get_if<JsonText>(&value)) {
+      const std::vector<std::string> texts = texts_of(*list);
+      if (!texts.empty()) text = fmt::format("{}", fmt::join(texts, ", "));
+    } else {
+      return;
+    }
+    results_.provenance.emplace_back("option " + name, text);
+  }
+
   void note_provenance(const Provenance& provenance) {
     results_.files.back().made_by = provenance.command;
     results_.provenance.emplace_back("joint identified by",
@@ -160,13 +175,7 @@ class FolderReader {
     if (provenance.seed) {
       results_.provenance.emplace_back("seed", fmt::format("{}", *provenance.seed));
     }
-    for (const auto& [name, value] : provenance.options) {
-      if (const auto* number = std::get_if<double>(&value)) {
-        results_.provenance.emplace_back("option " + name, fmt::format("{:g}", *number));
-      } else if (const auto* text = std::get_if<std::string>(&value)) {
-        results_.provenance.emplace_back("option " + name, *text);
-      }
-    }
+    for (const auto& [name, value] : provenance.options) note_option(name, value);
     for (const InputHash& hash : provenance.inputs) note_input(hash);
     takes_all_levels_ = std::ranges::any_of(provenance.options, [](const auto& option) {
       return option.first == "inner_reversals" && option.second == NamedValue("use");

@@ -82,6 +82,17 @@ std::vector<Warning> flags_of_predictions(const std::vector<ChannelMisfit>& comp
   return warnings;
 }
 
+/// With their texts, where the file has them.
+std::vector<Warning> said_by_identification(const IdentifiedJoint& joint) {
+  std::vector<Warning> said;
+  for (std::size_t i = 0; i < joint.warnings.size(); ++i) {
+    said.push_back({joint.warnings[i], i < joint.warning_texts.size()
+                                           ? joint.warning_texts[i]
+                                           : "Said by the identification:"});
+  }
+  return said;
+}
+
 }  // namespace
 
 std::size_t used_count(const MeasuredLevels& test) {
@@ -143,8 +154,13 @@ std::vector<Warning> warnings_of(const ExperimentResults& results,
     for (const Warning& warning : methods->warnings) add(warning.code, warning.text);
   }
   if (results.joint) {
-    for (const std::string& code : results.joint->warnings)
-      add(code, "Said by the identification:");
+    for (const Warning& warning : said_by_identification(*results.joint)) {
+      if (results.joint->by_records) {
+        all.push_back(warning);
+      } else {
+        add(warning.code, "Said by the identification:");
+      }
+    }
   }
   for (const auto& [code, text] : flags_of_predictions(results.comparisons)) add(code, text);
   if (results.levels) {

@@ -34,7 +34,8 @@ namespace microslip {
 
 /// Each warning once: of the files, of a joint that misses the levels or that they contradict, of
 /// the methods, flags of predictions and of levels. The texts where the levels tell them again,
-/// else the codes as the files have them.
+/// else the codes as the files have them; of an identification from records all that it said, of
+/// each record.
 /// @param methods  of these results, where there is one.
 [[nodiscard]] std::vector<Warning> warnings_of(const ExperimentResults& results,
                                                const std::optional<MethodComparison>& methods);

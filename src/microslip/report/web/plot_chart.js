@@ -93,9 +93,10 @@ class PlotChart {
   }
 
   marks(trace, colour) {
-    // Open ones, through which a curve of a model can be seen.
-    const many = trace.x.length > 40;
-    const marks = {marker: {color: colour, symbol: many ? 'circle-open' : 'circle', size: many ? 5.5 : 6}};
+    // Open ones, through which a curve of a model can be seen; dots where hundreds are a cloud.
+    const many = trace.x.length > 40 && trace.x.length <= 400;
+    const size = trace.x.length > 400 ? 2.5 : many ? 5.5 : 6;
+    const marks = {marker: {color: colour, symbol: many ? 'circle-open' : 'circle', size}};
     const bars = (array) => ({type: 'data', array, color: colour, thickness: 1, width: 2});
     if (trace.xStd) marks.error_x = bars(trace.xStd);
     if (trace.yStd) marks.error_y = bars(trace.yStd);
