@@ -261,6 +261,7 @@ const Files& inputs() {
                              "identified_record.json --quiet"))
                   .files;
     all["identified_record.json"] = written.at("identified_record.json");
+    all["lab/joint.json"] = written.at("identified_record.json");
     written =
         run(all, words("frf model.toml --force 50 --frequency 10:20 --out frf.csv --quiet")).files;
     all["frf.csv"] = written.at("frf.csv");

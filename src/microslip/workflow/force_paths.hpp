@@ -37,7 +37,7 @@ struct ForcePaths {
 /// @param file     of the joint, with what its identification says.
 /// @param folder   that it lies in.
 /// @param records  numbers of those that are wanted, from 0; others are not read.
-/// @param progress of the records read.
+/// @param progress  of the records read.
 /// @throws Cancelled
 [[nodiscard]] ForcePaths read_force_paths(const JointFile& file, const std::string& folder,
                                           std::span<const std::size_t> records,
