@@ -206,9 +206,10 @@ ReportSection record_loops_section(const ExperimentResults& results) {
 ReportSection derived_section(const ExperimentResults& results) {
   ReportSection section{.title = "Dissipation and stiffness", .blocks = {}};
   if (!(results.joint->joint.density().largest_slip_force() > 0.0)) return section;
-  section.blocks.emplace_back(ReportText{
+  section.blocks.emplace_back(ReportText{fmt::format(
       "What the joint does in steady vibration, up to the largest half range of the records: "
-      "computed from its density, not measured."});
+      "computed from its density, not measured{}.",
+      results.joint->by_records->viscous ? ", and without the viscous part" : "")});
   for (Figure& figure : joint_figures(results).panels) {
     figure.legend = Legend::kBelow;
     section.blocks.emplace_back(ReportFigure{.figure = std::move(figure)});
