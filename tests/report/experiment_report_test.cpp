@@ -826,6 +826,8 @@ TEST(ReportOfRecords, DrawsMeasuredAgainstFound) {
   EXPECT_EQ(force.choices[1].name, "2: b.csv");
   EXPECT_EQ(trace(force, "measured").x.size(), 400U);
   EXPECT_EQ(trace(force, "identified joint").x.size(), 380U);
+  EXPECT_TRUE(contains(force.figure.caption, "gaps"));
+  EXPECT_FALSE(contains(force.figure.caption, "highest and lowest"));
   const Drawn residual = trace(figure(document, "Residual over time"), "residual");
   ASSERT_EQ(residual.y.size(), 380U);
   const double unit = figure(document, "Residual over time").figure.y.unit == "mN" ? 1e3 : 1.0;
@@ -840,6 +842,18 @@ TEST(ReportOfRecords, DrawsMeasuredAgainstFound) {
        {"Dissipation of the joint", "Secant stiffness", "Loss factor of the joint"}) {
     EXPECT_FALSE(chosen_layers(figure(document, title)).empty()) << title;
   }
+}
+
+// A part of a record may be at rest, and without a known state.
+TEST(ReportOfRecords, DrawsAPartAtRest) {
+  ExperimentResults results = record_results();
+  ForcePath& path = results.force_paths[0];
+  std::ranges::fill(path.path, 0.0);
+  path.displacement = path.path;
+  std::ranges::fill(results.force_paths[1].found, std::nan(""));
+  const ReportDocument document = experiment_report(results);
+  const ReportFigure& residual = figure(document, "Residual over displacement");
+  EXPECT_EQ(trace(residual, "mean while it falls").x.size(), 1U) << "all at one displacement";
 }
 
 TEST(ReportOfRecords, SaysThatRecordingsAreMissing) {

@@ -55,7 +55,8 @@ class BinnedMeans {
   BinnedMeans(double low, double high) : low_(low), width_((high - low) / kBins) {}
 
   void add(double u, double value) {
-    const auto bin = static_cast<std::size_t>(std::clamp((u - low_) / width_, 0.0, kBins - 1.0));
+    const double at = width_ > 0.0 ? (u - low_) / width_ : 0.0;  // a part may be at rest
+    const auto bin = static_cast<std::size_t>(std::clamp(at, 0.0, kBins - 1.0));
     sum_[bin] += value;
     ++count_[bin];
   }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -42,16 +43,27 @@ ReportFigure of_records(const ExperimentResults& results, Figure figure, const M
   return shown;
 }
 
-std::string thinning_text(const ExperimentResults& results) {
+/// What of the records is not drawn, and why.
+std::string not_drawn_text(const ExperimentResults& results) {
   const std::size_t most = most_samples(results);
-  const bool thinned = std::ranges::any_of(
-      results.force_paths, [most](const ForcePath& path) { return path.time.size() > most; });
-  return thinned ? fmt::format(
-                       "Of a record of more than {} samples those are drawn that are "
-                       "highest and lowest in their stretch of time; the figures are of "
-                       "all.",
-                       most)
-                 : std::string();
+  std::string text;
+  const auto is_long = [most](const ForcePath& path) { return path.time.size() > most; };
+  if (std::ranges::any_of(results.force_paths, is_long)) {
+    text = fmt::format(
+        "Of a record of more than {} samples those are drawn that are highest and lowest in their "
+        "stretch of time; numbers are of all samples. ",
+        most);
+  }
+  const auto has_gaps = [](const ForcePath& path) {
+    return std::ranges::any_of(path.found, [](double force) { return std::isnan(force); });
+  };
+  if (std::ranges::any_of(results.force_paths, has_gaps)) {
+    text +=
+        "The line of the joint has gaps where its state is not known: it had slipped before, and "
+        "moves beyond all that was recorded. ";
+  }
+  if (!text.empty()) text.pop_back();
+  return text;
 }
 
 std::string parts_text(const ExperimentResults& results) {
@@ -154,7 +166,7 @@ ReportSection record_force_section(const ExperimentResults& results) {
                     results.force_paths.size(), results.joint->by_records->records.size())});
   }
   ReportFigure force =
-      of_records(results, {.title = "Force over time", .caption = thinning_text(results)},
+      of_records(results, {.title = "Force over time", .caption = not_drawn_text(results)},
                  [most](const ForcePath& path) { return force_layers(path, most); });
   show_x(force, "time", "s");
   show_y(force, kLoopForce, "N");
