@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/observe/record_evidence.hpp"
 
-#include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace microslip {
 namespace {
 
-/// Turns of noise are smaller than so many of its standard deviations.
-constexpr double kTurnDeviations = 6.0;
-
 PathRows rows_of(const ForceRecord& record, const SmoothedPath& path, PathStart start) {
-  const auto [low, high] = std::ranges::minmax(path.displacement);
-  const double rounding = 64.0 * std::numeric_limits<double>::epsilon() * (high - low);
-  return path_rows(path.displacement, record.force, start,
-                   std::max(kTurnDeviations * path.left, rounding), RecordEvidence::kMostRows);
+  return path_rows(path.displacement, record.force, start, path.smallest_turn(),
+                   RecordEvidence::kMostRows);
 }
 
 const ForceRecord& checked(const ForceRecord& record) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <unsupported/Eigen/FFT>
 
@@ -19,6 +20,8 @@ constexpr std::size_t kFewestLines = 6;
 /// Median over mean of the exponential distribution that the power of noise has.
 constexpr double kMedianOfPower = std::numbers::ln2;
 constexpr std::size_t kLeastPad = 32;
+/// Turns of noise are smaller than so many of its standard deviations.
+constexpr double kTurnDeviations = 6.0;
 
 /// The next length of which a Fourier transform is quick: factors 2, 3 and 5 alone, even.
 std::size_t quick_length(std::size_t n) {
@@ -85,6 +88,12 @@ double noise_power(const std::vector<std::complex<double>>& spectrum) {
 }
 
 }  // namespace
+
+double SmoothedPath::smallest_turn() const {
+  const auto [low, high] = std::ranges::minmax(displacement);
+  const double rounding = 64.0 * std::numeric_limits<double>::epsilon() * (high - low);
+  return std::max(kTurnDeviations * left, rounding);
+}
 
 SmoothedPath smooth_path(std::span<const double> displacement) {
   const Periodic periodic(displacement);

@@ -11,6 +11,9 @@ struct SmoothedPath {
   std::vector<double> displacement = {};  ///< m; one a sample
   double noise = 0.0;                     ///< standard deviation of a measured sample, m
   double left = 0.0;                      ///< of it what is left in `displacement`, m
+
+  /// Turns smaller than this are those of noise, or of rounding, m.
+  [[nodiscard]] double smallest_turn() const;
 };
 
 /// Takes the noise from a path: small turns that only noise makes would be loops of their own, and

@@ -8,7 +8,7 @@
 namespace microslip {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 49> kMeanings = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 52> kMeanings = {{
     {"amplitude_drift", "no steady state: the amplitude wanders"},
     {"amplitude_rises", "the decay was left where its amplitude rises"},
     {"beats", "a second oscillation near the mode moves the damping by more than 2 %"},
@@ -26,6 +26,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 49> kMeaning
     {"far_from_first_mode", "the drive is more than a factor 1.5 off the first mode of the rig"},
     {"far_from_mode", "the drive is more than a fifth off the mode with stuck joints"},
     {"few_cycles", "the record has fewer than 10 cycles"},
+    {"few_samples", "a cycle of fewer than 40 samples: chords of them make D too small"},
     {"force_distortion",
      "harmonics of the force above 1 % of the fundamental: D is right all the same, damping by "
      "half-power and predictions for a sine are not"},
@@ -41,11 +42,13 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 49> kMeaning
      "the accelerometers do not show all that the joints do: there they are taken to stick"},
     {"linear_loss_exceeds_all", "levels whose loss is below the linear one were left out"},
     {"macro_slip", "all that can slip does: D tells no more of the density"},
+    {"mean_moves", "the means of cycles alike move to one side"},
     {"mode_lost", "the decay was left where its mode was lost"},
     {"model_misfit", "the modes leave more than 5 % of an accelerometer unexplained"},
     {"modes_modulate",
      "other modes of the decay move the joints by more than a tenth of what this one does"},
     {"neighbour_leaks", "other modes move the damping by more than 2 %"},
+    {"not_closed", "the force does not come back with the displacement: drift, rate or wear"},
     {"off_resonance",
      "the drive was off the resonance by more than three standard deviations; the frequency is "
      "that of the resonance"},

@@ -3,87 +3,20 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <span>
 #include <utility>
 
-#include "microslip/base/error.hpp"
 #include "microslip/base/percent.hpp"
-#include "microslip/base/units.hpp"
 #include "microslip/base/version.hpp"
 #include "microslip/io/joint_file.hpp"
 #include "microslip/workflow/identification_text.hpp"
-#include "microslip/workflow/named_recordings.hpp"
 #include "microslip/workflow/summary_text.hpp"
 
 namespace microslip {
 namespace {
 
-/// The channel of that name, or the only one of that quantity.
-std::string channel_of(const Recording& recording, const std::string& name,
-                       const Dimension& dimension, std::string_view option) {
-  if (!name.empty()) return name;
-  std::vector<std::string> fits;
-  for (const Channel& channel : recording.channels) {
-    if (channel.dimension == dimension) fits.push_back(channel.name);
-  }
-  if (fits.size() == 1) return fits.front();
-  throw InputError(
-      fmt::format("{}: channel of {}", recording.source, dimension_name(dimension)),
-      InputState{fits.empty() ? "missing" : fmt::format("there {} times", fits.size())},
-      "must be there once",
-      fmt::format("The channels are {}; choose by `{}`, and give units that the file lacks by "
-                  "`assume_units`.",
-                  names_of_channels(recording), option));
-}
-
-std::vector<double> values_of(const Recording& recording, const std::string& name,
-                              const Dimension& dimension) {
-  const std::span<const double> values = recording.signal(name, dimension);
-  return {values.begin(), values.end()};
-}
-
-/// Recordings of all files.
-struct ReadRecords {
-  std::vector<Recording> recordings;
-  std::vector<double> input;  // number of the file of each, from 1
-  std::vector<Warning> warnings;
-};
-
-ReadRecords read_all(const RecordsIdentification& options) {
-  ReadRecords all;
-  std::vector<std::vector<Warning>> warnings;
-  for (const std::string& path : options.records) {
-    std::vector<Recording> found =
-        read_named_recordings(path, options.reading, warnings.emplace_back());
-    all.input.insert(all.input.end(), found.size(), static_cast<double>(warnings.size()));
-    std::ranges::move(found, std::back_inserter(all.recordings));
-  }
-  all.warnings = joined_warnings(warnings);
-  return all;
-}
-
-/// What a record is at fault for names it.
-template <typename Call>
-void of_record(const std::string& source, const Call& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    throw error.renamed(fmt::format("{}: {}", source, error.name()));
-  }
-}
-
 RecordStart start_of(const RecordEvidence& evidence, const RecordsIdentification& options) {
   if (options.start) return {*options.start, false, 0.0};
   return shown_start(evidence);
-}
-
-std::vector<InputHash> hashes_of(const std::vector<std::string>& paths) {
-  std::vector<InputHash> hashes;
-  for (const std::string& path : paths) {
-    hashes.push_back({path, recording_sha256(path)});
-  }
-  return hashes;
 }
 
 NamedValues record_of_options(const RecordsIdentification& options) {
@@ -134,41 +67,26 @@ std::string describe_record(const std::string& source, const RecordStart& start,
 
 }  // namespace
 
-ForceRecord force_record(const Recording& recording, const JointChannels& channels) {
-  const std::string force = channel_of(recording, channels.force, kForce, "force");
-  const std::string displacement =
-      channel_of(recording, channels.displacement, kLength, "displacement");
-  ForceRecord record;
-  record.force = values_of(recording, force, kForce);
-  record.displacement = values_of(recording, displacement, kLength);
-  if (!recording.axis.even()) {
-    throw InputError(recording.source + ": time", InputState{"not evenly spaced"},
-                     "must be evenly spaced to tell motion from noise",
-                     "Resample the recording at its mean rate.");
-  }
-  record.time_step = recording.axis.step;
-  return record;
-}
-
 IdentifiedRecords identify_records(const RecordsIdentification& options) {
-  ReadRecords read = read_all(options);
+  ForceRecords read = read_force_records(options.records, options.channels, options.reading);
   std::vector<RecordEvidence> evidence;
   std::vector<std::string> source;
+  std::vector<double> input;
   std::vector<RecordStart> start;
-  for (const Recording& recording : read.recordings) {
-    const ForceRecord record = force_record(recording, options.channels);
-    of_record(recording.source, [&] {
-      const RecordEvidence virgin(record, PathStart::kVirgin);
+  for (NamedForceRecord& one : read.records) {
+    of_record(one.source, [&] {
+      const RecordEvidence virgin(std::move(one.record), PathStart::kVirgin);
       start.push_back(start_of(virgin, options));
       evidence.push_back(virgin.from(start.back().start));
       check_records({&evidence.back(), 1}, options.options);
     });
-    source.push_back(recording.source);
+    source.push_back(one.source);
+    input.push_back(one.input);
   }
   IdentifiedRecords done{.source = std::move(source),
-                         .input = std::move(read.input),
+                         .input = std::move(input),
                          .start = std::move(start),
-                         .inputs = hashes_of(options.records),
+                         .inputs = std::move(read.inputs),
                          .found = identify(evidence, options.stiffness, options.options)};
   done.found.warnings.insert(done.found.warnings.begin(), read.warnings.begin(),
                              read.warnings.end());

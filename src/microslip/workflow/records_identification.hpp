@@ -10,23 +10,12 @@
 #include "microslip/identify/record_start.hpp"
 #include "microslip/io/named_values.hpp"
 #include "microslip/io/recordings.hpp"
-#include "microslip/observe/force_record.hpp"
+#include "microslip/workflow/force_records.hpp"
 
 /// @file
 /// Recordings of force and displacement to joint.json and density.csv.
 
 namespace microslip {
-
-/// Which channels of a recording are those of a joint.
-struct JointChannels {
-  std::string force = {};         ///< name; empty for the only force there is
-  std::string displacement = {};  ///< name; empty for the only displacement there is
-};
-
-/// Force and displacement of a recording.
-/// @throws InputError  naming recording and channel: missing, not the only one, of another
-///                     quantity, complex, not over time or not evenly spaced in it.
-[[nodiscard]] ForceRecord force_record(const Recording& recording, const JointChannels& channels);
 
 /// What is to be identified, and how.
 struct RecordsIdentification {
@@ -51,7 +40,7 @@ struct IdentifiedRecords {
 
 /// Reads the recordings and identifies the joint.
 /// @throws FileError, FormatError  as read_recordings().
-/// @throws InputError  as force_record() and identify(); where there is no recording.
+/// @throws InputError  as read_force_records() and identify(); where there is no recording.
 /// @throws Cancelled   as the progress of the options says.
 [[nodiscard]] IdentifiedRecords identify_records(const RecordsIdentification& options);
 

@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/observe/record_cycles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <utility>
+
+#include "microslip/observe/turning_samples.hpp"
+
+namespace microslip {
+namespace {
+
+/// Ranges within this share of each other are the same, beside the noise;
+constexpr double kAlike = 1e-4;
+/// and those within this share close again, where no larger cycle holds them.
+constexpr double kAsLarge = 0.03;
+/// The range before them may lack less: where a path goes beyond its last turns, the joint leaves the
+/// branch for the one outside, an error of first order.
+constexpr double kGrows = 5e-3;
+/// A record that begins at a turn of what is this share of its whole range, at least, was cut out of
+/// cycles alike, where its force comes back to this share of its range beside the noise.
+constexpr double kLoopAlone = 0.9;
+constexpr double kForceReturns = 0.01;
+/// A cycle is flagged where it misses by this share, and by so many deviations.
+constexpr double kMostGap = 0.02;
+constexpr double kGapDeviations = 5.0;
+/// Fewer samples show no shape; of n, chords make D too small by 6.6/n² [polygon in an ellipse].
+constexpr std::size_t kFewestPoints = 12;
+constexpr std::size_t kEnoughPoints = 40;
+/// D below so many deviations is in the noise.
+constexpr double kResolved = 3.0;
+/// Noise below this share of the range of the signal is that of digits, or of its own kinks.
+constexpr double kLeastNoise = 2e-5;
+/// Of a branch, by which its tangent at the tip is taken.
+constexpr double kTipShare = 0.125;
+/// The mean of a cycle moves by more than this share of its amplitude, so many times in a row.
+constexpr double kMeanMoved = 0.02;
+constexpr std::size_t kMovesInARow = 2;
+
+double range_of(std::span<const double> values) {
+  const auto [low, high] = std::ranges::minmax(values);
+  return high - low;
+}
+
+double noise_or_none(double noise, std::span<const double> values) {
+  return noise > kLeastNoise * range_of(values) ? noise : 0.0;
+}
+
+/// A place of a loop.
+struct Vertex {
+  double displacement;
+  double force;
+};
+
+/// A loop as a closed polygon: down or up to the turn, and back.
+struct Loop {
+  std::vector<Vertex> vertices;  // the last is beside the first
+  std::size_t turn = 0;          // index of b
+};
+
+/// √(1 − x²) and its integral.
+double half_circle(double x) { return std::sqrt(std::max(0.0, 1.0 - x * x)); }
+double under_half_circle(double x) { return 0.5 * (x * half_circle(x) + std::asin(x)); }
+
+/// D and k_eq as sums of forces by weights.
+struct LoopWeights {
+  std::vector<double> dissipation;  // m
+  std::vector<double> secant;       // 1/m
+};
+
+/// Of a force that is straight in u between vertices. With S = √(1 − x²), x = (u − ū)/A, ∮ F cos θ dθ
+/// is ∫ F dS along the first branch less that along the second; and ∫ F dS = [F S] − F′ ∫ S dx.
+LoopWeights weights_of(const Loop& loop, double mean, double amplitude) {
+  const std::size_t n = loop.vertices.size();
+  LoopWeights weights{std::vector<double>(n, 0.0), std::vector<double>(n, 0.0)};
+  const double down = loop.vertices[loop.turn].displacement < mean ? 1.0 : -1.0;
+  const auto place = [&](std::size_t i) {
+    return std::clamp((loop.vertices[i].displacement - mean) / amplitude, -1.0, 1.0);
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t next = (i + 1) % n;
+    const double step = loop.vertices[next].displacement - loop.vertices[i].displacement;
+    weights.dissipation[i] += 0.5 * step;
+    weights.dissipation[next] += 0.5 * step;
+    const double from = place(i);
+    const double to = place(next);
+    const double width = to - from;
+    // S between close places, where differences of its integral would cancel.
+    const double between = std::abs(width) > 1e-7
+                               ? (under_half_circle(to) - under_half_circle(from)) / width
+                               : half_circle(0.5 * (from + to));
+    const double sign = (i < loop.turn ? 1.0 : -1.0) * down / (std::numbers::pi * amplitude);
+    weights.secant[i] += sign * (between - half_circle(from));
+    weights.secant[next] += sign * (half_circle(to) - between);
+  }
+  return weights;
+}
+
+double norm(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value * value;
+  return std::sqrt(sum);
+}
+
+/// Walks over a path and takes cycles off it as they close.
+class CycleFinder {
+ public:
+  explicit CycleFinder(const RecordEvidence& evidence)
+      : path_(evidence.path().displacement),
+        force_(evidence.measured().force),
+        path_left_(evidence.path().left),
+        whole_(range_of(path_)),
+        same_(evidence.path().smallest_turn()),
+        skip_(path_.size(), 0),
+        inner_(path_.size(), 0) {
+    const SmoothedPath force = smooth_path(force_);
+    found_.force_noise = noise_or_none(force.noise, force_);
+    found_.path_noise = noise_or_none(evidence.path().noise, path_);
+    for (const std::size_t turn : turning_samples(path_, same_)) {
+      turns_.push_back(turn);
+      while (take_closed()) {
+      }
+    }
+    take_nearly_closed();
+  }
+
+  RecordCycles take() && { return std::move(found_); }
+
+ private:
+  [[nodiscard]] double range(std::size_t i) const {
+    return std::abs(path_[turns_[i]] - path_[turns_[i + 1]]);
+  }
+
+  /// Takes the cycle that the last turn closes. @return false where it closes none.
+  bool take_closed() {
+    const std::size_t n = turns_.size();
+    if (n < 4) return false;
+    const double own = range(n - 3);
+    const double least = (1.0 - kAlike) * own - same_;
+    if (range(n - 4) < least || range(n - 2) < least) return false;
+    const std::size_t a = turns_[n - 3];
+    const std::size_t b = turns_[n - 2];
+    std::size_t last = turns_[n - 1];
+    RecordCycle cycle = measure(loop_of(a, b, last), a, b, last);
+    cycle.inner = inner_of(a, last);
+    skip_[a] = last;
+    inner_[a] = cycle.inner + 1;
+    keep(std::move(cycle));
+    turns_[n - 3] = turns_[n - 1];
+    turns_.resize(n - 2);
+    return true;
+  }
+
+  /// Of the turns that are left, whose ranges rise and then fall, those that are nearly as large as
+  /// their neighbours: no larger cycle will close around them.
+  void take_nearly_closed() {
+    for (std::size_t i = 0; i + 2 < turns_.size(); ++i) {
+      const double as_large = (1.0 - kAsLarge) * range(i);
+      if (range(i + 1) < as_large) continue;
+      std::size_t last = turns_[i + 2];
+      const Loop loop = loop_of(turns_[i], turns_[i + 1], last);
+      RecordCycle cycle = measure(loop, turns_[i], turns_[i + 1], last);
+      const bool cut_out = i == 0 && as_large > kLoopAlone * whole_ && force_returns(cycle, loop);
+      if (!cut_out && (i == 0 || range(i - 1) < (1.0 - kGrows) * range(i))) continue;
+      cycle.inner = inner_of(cycle.first, last);
+      keep(std::move(cycle));
+      ++i;  // the way back is no branch of another
+    }
+  }
+
+  /// Its vertices without closed cycles. @param last  the next turn; becomes the end of the cycle.
+  [[nodiscard]] Loop loop_of(std::size_t a, std::size_t b, std::size_t& last) const {
+    Loop loop;
+    const double start = path_[a];
+    const double up = path_[a] > path_[b] ? 1.0 : -1.0;
+    for (std::size_t i = a; i < b; i = next(i)) loop.vertices.push_back({path_[i], force_[i]});
+    loop.turn = loop.vertices.size();
+    std::size_t before = b;
+    for (std::size_t i = b; i <= last; before = i, i = next(i)) {
+      if (up * (path_[i] - start) >= 0.0) {
+        const double share = (start - path_[before]) / (path_[i] - path_[before]);
+        loop.vertices.push_back({start, force_[before] + share * (force_[i] - force_[before])});
+        last = i;
+        break;
+      }
+      loop.vertices.push_back({path_[i], force_[i]});
+    }
+    return loop;
+  }
+
+  [[nodiscard]] std::size_t next(std::size_t i) const { return skip_[i] > i ? skip_[i] : i + 1; }
+
+  [[nodiscard]] std::size_t inner_of(std::size_t a, std::size_t last) const {
+    std::size_t count = 0;
+    for (std::size_t i = a; i < last; i = next(i)) count += skip_[i] > i ? inner_[i] : 0;
+    return count;
+  }
+
+  [[nodiscard]] RecordCycle measure(const Loop& loop, std::size_t a, std::size_t b,
+                                    std::size_t last) const {
+    RecordCycle cycle;
+    cycle.first = a;
+    cycle.turn = b;
+    cycle.last = last;
+    cycle.points = loop.vertices.size();
+    cycle.amplitude = 0.5 * std::abs(path_[a] - path_[b]);
+    cycle.mean_displacement = 0.5 * (path_[a] + path_[b]);
+    cycle.mean_force = 0.5 * (force_[a] + force_[b]);
+    const LoopWeights weights = weights_of(loop, cycle.mean_displacement, cycle.amplitude);
+    for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
+      const double force = loop.vertices[i].force - cycle.mean_force;
+      cycle.dissipation += weights.dissipation[i] * force;
+      cycle.secant_stiffness += weights.secant[i] * force;
+    }
+    // An error of u is one of the force of the stuck joint, nearly.
+    const double noise = std::hypot(found_.force_noise, cycle.secant_stiffness * found_.path_noise);
+    cycle.amplitude_std = found_.path_noise > 0.0 ? path_left_ / std::numbers::sqrt2 : 0.0;
+    cycle.dissipation_std = noise * norm(weights.dissipation);
+    cycle.secant_stiffness_std = noise * norm(weights.secant);
+    cycle.gap = gap_of(loop);
+    return cycle;
+  }
+
+  /// Of the force at a, along the tangent where the path lacks of it.
+  [[nodiscard]] static double gap_of(const Loop& loop) {
+    const Vertex& start = loop.vertices.front();
+    const Vertex& end = loop.vertices.back();
+    const double lacks = end.displacement - start.displacement;
+    return end.force - start.force - (lacks == 0.0 ? 0.0 : last_slope(loop) * lacks);
+  }
+
+  /// Chord of the last eighth of the second branch.
+  [[nodiscard]] static double last_slope(const Loop& loop) {
+    const Vertex& end = loop.vertices.back();
+    const double whole = end.displacement - loop.vertices[loop.turn].displacement;
+    std::size_t i = loop.vertices.size() - 1;
+    while (i > loop.turn &&
+           (end.displacement - loop.vertices[i].displacement) / whole < kTipShare) {
+      --i;
+    }
+    const Vertex& from = loop.vertices[i];
+    return (end.force - from.force) / (end.displacement - from.displacement);
+  }
+
+  [[nodiscard]] static double force_range(const Loop& loop) {
+    const auto [low, high] = std::ranges::minmax_element(loop.vertices, {}, &Vertex::force);
+    return high->force - low->force;
+  }
+
+  /// Deviation of gap_of().
+  [[nodiscard]] double gap_noise(const RecordCycle& cycle) const {
+    return std::numbers::sqrt2 *
+           std::hypot(found_.force_noise, cycle.secant_stiffness * found_.path_noise);
+  }
+
+  [[nodiscard]] bool force_returns(const RecordCycle& cycle, const Loop& loop) const {
+    return std::abs(cycle.gap) < kForceReturns * force_range(loop) + 2.0 * gap_noise(cycle);
+  }
+
+  void keep(RecordCycle cycle) {
+    if (cycle.points < kFewestPoints) {
+      ++found_.coarse;
+      return;
+    }
+    if (cycle.points < kEnoughPoints) cycle.flags.emplace_back(kFewSamples);
+    const double most =
+        std::max(kMostGap * 2.0 * cycle.amplitude * std::abs(cycle.secant_stiffness),
+                 kGapDeviations * gap_noise(cycle));
+    if (std::abs(cycle.gap) > most) cycle.flags.emplace_back(kNotClosed);
+    found_.cycles.push_back(std::move(cycle));
+  }
+
+  const std::vector<double>& path_;
+  const std::vector<double>& force_;
+  double path_left_;
+  double whole_;  // range of the path
+  double same_;   // places that are no further apart are the same
+  std::vector<std::size_t> turns_;
+  std::vector<std::size_t> skip_;   // of the first sample of a closed cycle: its last
+  std::vector<std::size_t> inner_;  // of the same: itself and those inside
+  RecordCycles found_;
+};
+
+/// Leaves out what is in the noise.
+void leave_unresolved_out(RecordCycles& found) {
+  for (const RecordCycle& cycle : found.cycles) {
+    if (cycle.has_flag(kNotClosed) || cycle.dissipation >= kResolved * cycle.dissipation_std) {
+      continue;
+    }
+    found.smallest = std::max(found.smallest, cycle.amplitude);
+  }
+  const auto out = [&](const RecordCycle& cycle) {
+    return cycle.amplitude <= found.smallest || !(cycle.dissipation > 0.0) ||
+           !(cycle.secant_stiffness > 0.0);
+  };
+  found.unresolved = std::erase_if(found.cycles, out);
+}
+
+/// Whether the mean moves from one cycle to the next, which begins where that ends and is as large.
+/// @return −1, 0 or 1.
+int moved(const RecordCycle& before, const RecordCycle& cycle) {
+  const bool alike = std::abs(cycle.amplitude - before.amplitude) < kAsLarge * cycle.amplitude;
+  const bool next = cycle.first >= before.last && cycle.first + before.first < 2 * before.last;
+  if (!alike || !next) return 0;
+  const double by = cycle.mean_displacement - before.mean_displacement;
+  if (std::abs(by) < kMeanMoved * cycle.amplitude) return 0;
+  return by > 0.0 ? 1 : -1;
+}
+
+void flag_moving_means(std::vector<RecordCycle>& cycles) {
+  std::size_t in_a_row = 0;
+  int direction = 0;
+  for (std::size_t i = 1; i < cycles.size(); ++i) {
+    const int now = moved(cycles[i - 1], cycles[i]);
+    in_a_row = now == 0 ? 0 : now == direction ? in_a_row + 1 : 1;
+    direction = now;
+    if (in_a_row >= kMovesInARow) cycles[i].flags.emplace_back(kMeanMoves);
+  }
+}
+
+std::vector<double> column_of(std::span<const RecordCycles> records, double RecordCycle::*value) {
+  std::vector<double> values;
+  for (const RecordCycles& record : records) {
+    for (const RecordCycle& cycle : record.cycles) values.push_back(cycle.*value);
+  }
+  return values;
+}
+
+bool all_have(std::span<const RecordCycles> records, double RecordCycles::*noise) {
+  return std::ranges::all_of(records, [&](const RecordCycles& one) { return one.*noise > 0.0; });
+}
+
+}  // namespace
+
+bool RecordCycle::has_flag(std::string_view code) const {
+  return std::ranges::find(flags, code) != flags.end();
+}
+
+RecordCycles record_cycles(const RecordEvidence& evidence) {
+  RecordCycles found = CycleFinder(evidence).take();
+  leave_unresolved_out(found);
+  std::ranges::sort(found.cycles, {}, &RecordCycle::first);
+  flag_moving_means(found.cycles);
+  return found;
+}
+
+Levels levels_of_cycles(std::span<const RecordCycles> records) {
+  Levels levels;
+  levels.amplitude = column_of(records, &RecordCycle::amplitude);
+  levels.dissipation = column_of(records, &RecordCycle::dissipation);
+  levels.secant_stiffness = column_of(records, &RecordCycle::secant_stiffness);
+  const bool of_path = all_have(records, &RecordCycles::path_noise);
+  if (of_path) levels.amplitude_std = column_of(records, &RecordCycle::amplitude_std);
+  if (!of_path && !all_have(records, &RecordCycles::force_noise)) return levels;
+  levels.dissipation_std = column_of(records, &RecordCycle::dissipation_std);
+  levels.secant_stiffness_std = column_of(records, &RecordCycle::secant_stiffness_std);
+  return levels;
+}
+
+}  // namespace microslip

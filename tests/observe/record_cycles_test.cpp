@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/observe/record_cycles.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "microslip/joint/dissipation.hpp"
+#include "microslip/joint/secant.hpp"
+#include "support/densities.hpp"
+#include "support/force_records.hpp"
+
+namespace microslip::record_cycles_test {
+namespace {
+
+using testing::forces_on;
+using testing::simulated_record;
+
+constexpr double kNone = 0.0;
+const testing::RecordNoise kExact{kNone, kNone, kNone};
+
+/// A path from turn to turn by half cosines, of so many samples each.
+std::vector<double> path_through(const std::vector<double>& turns, std::size_t samples) {
+  std::vector<double> path;
+  for (std::size_t k = 1; k < turns.size(); ++k) {
+    for (std::size_t i = 0; i < samples; ++i) {
+      const double phase = std::numbers::pi * static_cast<double>(i) / static_cast<double>(samples);
+      path.push_back(turns[k] + (turns[k - 1] - turns[k]) * (0.5 + 0.5 * std::cos(phase)));
+    }
+  }
+  path.push_back(turns.back());
+  return path;
+}
+
+RecordCycles cycles_of(const ForceRecord& record) {
+  return record_cycles(RecordEvidence(record, PathStart::kVirgin));
+}
+
+RecordCycles exact_cycles(const Joint& joint, const std::vector<double>& path) {
+  return cycles_of(simulated_record(joint, path, 1, kExact));
+}
+
+void expect_levels_of(const Joint& joint, const RecordCycle& cycle, double relative) {
+  const double a = cycle.amplitude;
+  EXPECT_NEAR(cycle.dissipation / dissipation(joint, a), 1.0, relative) << a;
+  EXPECT_NEAR(cycle.secant_stiffness / secant_stiffness(joint, a), 1.0, relative) << a;
+}
+
+// Chords of 800 samples a cycle cut 2(π/800)² or so off a loop.
+TEST(RecordCycles, AreLevelsOfTheJoint) {
+  const Joint joint = testing::reference_joint();
+  const RecordCycles found = exact_cycles(
+      joint, path_through({0, 1e-4, -1e-4, 1e-4, -1e-4, 2e-4, -2e-4, 2e-4, -2e-4}, 400));
+  ASSERT_EQ(found.cycles.size(), 2U);
+  EXPECT_NEAR(found.cycles[0].amplitude, 1e-4, 1e-12);
+  EXPECT_NEAR(found.cycles[1].amplitude, 2e-4, 1e-12);
+  for (const RecordCycle& cycle : found.cycles) {
+    expect_levels_of(joint, cycle, 5e-5);
+    EXPECT_TRUE(cycle.flags.empty());
+    EXPECT_EQ(cycle.inner, 0U);
+  }
+}
+
+// k_eq is that of a sine whatever the waveform: here triangles and a path with flat tops.
+TEST(RecordCycles, DoNotDependOnTheWaveform) {
+  const Joint joint = testing::power_law();
+  const std::vector<double> sine = path_through({0, 1.5e-4, -1.5e-4, 1.5e-4, -1.5e-4}, 500);
+  for (const double power : {1.0, 0.4}) {
+    std::vector<double> path = sine;
+    for (double& u : path) {
+      const double x = std::asin(std::clamp(u / 1.5e-4, -1.0, 1.0)) / (0.5 * std::numbers::pi);
+      u = 1.5e-4 * std::copysign(std::pow(std::abs(x), power), x);
+    }
+    const RecordCycles found = exact_cycles(joint, path);
+    ASSERT_EQ(found.cycles.size(), 1U);
+    expect_levels_of(joint, found.cycles[0], 2e-3);
+  }
+}
+
+// Two inner cycles are levels of their own, and the outer one is one without them.
+TEST(RecordCycles, TakeInnerCyclesOut) {
+  const Joint joint = testing::reference_joint();
+  const std::vector<double> turns{0, 3e-4, -3e-4, 1e-4, -0.5e-4, 2e-4, 1.2e-4, 3e-4, -3e-4};
+  const RecordCycles found = exact_cycles(joint, path_through(turns, 400));
+  ASSERT_EQ(found.cycles.size(), 3U);
+  EXPECT_EQ(found.cycles[0].inner, 2U);
+  EXPECT_NEAR(found.cycles[0].amplitude, 3e-4, 1e-12);
+  EXPECT_NEAR(found.cycles[1].amplitude, 0.75e-4, 1e-12);
+  EXPECT_NEAR(found.cycles[2].amplitude, 0.4e-4, 1e-12);
+  EXPECT_NEAR(found.cycles[2].mean_displacement, 1.6e-4, 1e-12);
+  for (const RecordCycle& cycle : found.cycles) expect_levels_of(joint, cycle, 2e-4);
+}
+
+// In a decay no cycle comes back to where it began: what lacks is closed.
+TEST(RecordCycles, CloseThoseOfADecay) {
+  const Joint joint = testing::reference_joint();
+  std::vector<double> turns{0.0};
+  for (int k = 0; k < 20; ++k) turns.push_back((k % 2 == 0 ? 3e-4 : -3e-4) * std::pow(0.985, k));
+  const RecordCycles found = exact_cycles(joint, path_through(turns, 300));
+  ASSERT_GE(found.cycles.size(), 8U);
+  for (const RecordCycle& cycle : found.cycles) {
+    expect_levels_of(joint, cycle, 1e-3);
+    EXPECT_TRUE(cycle.flags.empty());
+  }
+}
+
+// Where the amplitude grows by a third no slider of the largest slip displacement had slipped before.
+TEST(RecordCycles, AreNotWhatDoesNotClose) {
+  const Joint joint = testing::uniform_to_range_end();
+  const RecordCycles found =
+      exact_cycles(joint, path_through({0, 1e-4, -1.4e-4, 1.9e-4, -2.5e-4, 3e-4}, 300));
+  EXPECT_EQ(found.cycles.size(), 0U);
+}
+
+TEST(RecordCycles, TakeOneLoopFromTipToTip) {
+  const Joint joint = testing::reference_joint();
+  std::vector<double> path = path_through({0, 2e-4, -2e-4, 2e-4}, 400);
+  ForceRecord record = simulated_record(joint, path, 1, kExact);
+  record.displacement.erase(record.displacement.begin(), record.displacement.begin() + 400);
+  record.force.erase(record.force.begin(), record.force.begin() + 400);
+  const RecordCycles found = cycles_of(record);
+  ASSERT_EQ(found.cycles.size(), 1U);
+  expect_levels_of(joint, found.cycles[0], 1e-4);
+}
+
+/// Standardised errors of the levels of random records.
+struct Errors {
+  std::vector<double> dissipation;
+  std::vector<double> secant;
+};
+
+Errors errors_of(const Joint& joint, const RecordCycles& found) {
+  Errors errors;
+  for (const RecordCycle& cycle : found.cycles) {
+    const double a = cycle.amplitude;
+    errors.dissipation.push_back((cycle.dissipation - dissipation(joint, a)) /
+                                 cycle.dissipation_std);
+    errors.secant.push_back((cycle.secant_stiffness - secant_stiffness(joint, a)) /
+                            cycle.secant_stiffness_std);
+  }
+  return errors;
+}
+
+double rms(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value * value;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+// 30 cycles of each of five amplitudes: the deviations are those that the errors have. A tenth of a
+// hundred errors' rms is 7 %.
+TEST(RecordCycles, KnowTheirNoise) {
+  const Joint joint = testing::reference_joint();
+  std::vector<double> turns{0.0};
+  for (const double a : {0.4e-4, 1e-4, 1.6e-4, 2.2e-4, 2.8e-4}) {
+    for (int k = 0; k < 60; ++k) turns.push_back(k % 2 == 0 ? a : -a);
+  }
+  const ForceRecord record = simulated_record(joint, path_through(turns, 100), 7);
+  const RecordCycles found = cycles_of(record);
+  EXPECT_NEAR(static_cast<double>(found.cycles.size()), 145.0, 3.0);
+  const Errors errors = errors_of(joint, found);
+  EXPECT_NEAR(rms(errors.dissipation), 1.0, 0.2);
+  EXPECT_NEAR(rms(errors.secant), 1.0, 0.2);
+}
+
+TEST(RecordCycles, OfRandomPathsAreLevelsOfTheJoint) {
+  const Joint joint = testing::reference_joint();
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const std::vector<double> path = testing::random_motion(16000, 3e-4, seed, 4);
+    const RecordCycles found = cycles_of(simulated_record(joint, path, seed));
+    EXPECT_GE(found.cycles.size(), 20U);
+    const Errors errors = errors_of(joint, found);
+    EXPECT_NEAR(rms(errors.dissipation), 1.0, 0.4) << seed;
+    EXPECT_NEAR(rms(errors.secant), 1.0, 0.4) << seed;
+  }
+}
+
+// Records of another program, virgin at the start, of a joint whose D and k_eq are in closed form.
+TEST(RecordCycles, OfIndependentRecordsAreLevelsOfTheirJoint) {
+  const Joint joint = testing::record_joint();
+  for (const auto& [name, count] : std::vector<std::pair<std::string, std::size_t>>{
+           {"sines", 16}, {"random", 30}, {"earthquake", 60}}) {
+    const RecordCycles found = cycles_of(testing::reference_record(name));
+    EXPECT_GE(found.cycles.size(), count) << name;
+    const Errors errors = errors_of(joint, found);
+    EXPECT_NEAR(rms(errors.dissipation), 1.0, 0.35) << name;
+    EXPECT_NEAR(rms(errors.secant), 1.0, 0.35) << name;
+  }
+}
+
+TEST(RecordCycles, AreLevelsOfSeveralRecords) {
+  const Joint joint = testing::reference_joint();
+  const ForceRecord exact =
+      simulated_record(joint, path_through({0, 1e-4, -1e-4, 1e-4, -1e-4}, 100), 1, kExact);
+  const ForceRecord noisy =
+      simulated_record(joint, path_through({0, 2e-4, -2e-4, 2e-4, -2e-4}, 100), 1);
+  const std::vector<RecordCycles> both{cycles_of(exact), cycles_of(noisy)};
+  EXPECT_TRUE(levels_of_cycles(both).dissipation_std.empty());
+  const std::vector<RecordCycles> one{cycles_of(noisy)};
+  const Levels levels = levels_of_cycles(one);
+  EXPECT_EQ(levels.dissipation_std.size(), levels.size());
+  EXPECT_EQ(levels.amplitude_std.size(), levels.size());
+  check_levels(levels);
+}
+
+TEST(RecordCycles, FlagWhatMoves) {
+  const Joint joint = testing::reference_joint();
+  std::vector<double> turns{0.0};
+  for (int k = 0; k < 12; ++k) turns.push_back((k % 2 == 0 ? 2e-4 : -2e-4) + 1.2e-5 * k);
+  const RecordCycles moving = exact_cycles(joint, path_through(turns, 100));
+  ASSERT_GE(moving.cycles.size(), 4U);
+  EXPECT_TRUE(moving.cycles.back().has_flag(kMeanMoves));
+  EXPECT_FALSE(moving.cycles.front().has_flag(kMeanMoves));
+
+  ForceRecord drifting = simulated_record(
+      joint, path_through({0, 2e-4, -2e-4, 2e-4, -2e-4, 2e-4, -2e-4}, 100), 1, kExact);
+  for (std::size_t i = 0; i < drifting.size(); ++i)
+    drifting.force[i] += 0.01 * static_cast<double>(i);
+  const RecordCycles open = cycles_of(drifting);
+  ASSERT_EQ(open.cycles.size(), 2U);
+  for (const RecordCycle& cycle : open.cycles) {
+    EXPECT_TRUE(cycle.has_flag(kNotClosed));
+    EXPECT_NEAR(cycle.gap, 2.0, 0.05);
+  }
+}
+
+TEST(RecordCycles, LeaveOutWhatIsInTheNoise) {
+  const Joint joint = testing::reference_joint();
+  std::vector<double> turns{0.0};
+  for (const double a : {2e-6, 2e-4}) {
+    for (int k = 0; k < 20; ++k) turns.push_back(k % 2 == 0 ? a : -a);
+  }
+  const RecordCycles found =
+      cycles_of(simulated_record(joint, path_through(turns, 100), 3, {.displacement = 1e-4}));
+  EXPECT_EQ(found.cycles.size(), 9U);
+  EXPECT_GE(found.unresolved, 8U);
+  EXPECT_NEAR(found.smallest, 2e-6, 1e-7);
+}
+
+TEST(RecordCycles, SayHowFewSamplesTheyHave) {
+  const Joint joint = testing::reference_joint();
+  const std::vector<double> turns{0, 2e-4, -2e-4, 2e-4, -2e-4, 2e-4};
+  EXPECT_TRUE(exact_cycles(joint, path_through(turns, 10)).cycles.front().has_flag(kFewSamples));
+  EXPECT_GE(exact_cycles(joint, path_through(turns, 5)).coarse, 1U);
+}
+
+}  // namespace
+}  // namespace microslip::record_cycles_test
