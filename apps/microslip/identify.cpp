@@ -34,8 +34,9 @@ int finish(const IdentifyArguments& arguments, const Call& call, const Identific
 int run(const IdentifyArguments& arguments, const Call& call) {
   check_output(arguments.out, kJointKind);
   if (!arguments.density_csv.empty()) check_output(arguments.density_csv, kDensityKind);
-  if (kind_of_evidence(arguments) == EvidenceKind::kRecord) {
-    const RecordsIdentification options = records_options(arguments, call.quiet);
+  const EvidenceFiles files = evidence_files(arguments);
+  if (!files.one_table()) {
+    const RecordsIdentification options = records_options(arguments, files, call.quiet);
     const IdentifiedRecords done = identify_records(options);
     return finish(arguments, call, done.found, joint_text(options, done, call.command_line),
                   describe_identified_records(done));
@@ -56,12 +57,13 @@ void add_identify(CLI::App& program, Call& call) {
       "identify",
       "Slip-force density of a joint from its measured dissipation, or from forces on a path");
   command
-      ->add_option("evidence", options->evidence,
-                   "Levels: CSV, one row a level: amplitude [m], dissipation [J]; used when there: "
-                   "amplitude_std, dissipation_std, secant_stiffness [N/m], secant_stiffness_std; "
-                   "resonance_frequency or frequency [Hz], which the joint is held against. Or "
-                   "recordings of force and displacement of the joint over time, one or more; told "
-                   "by the content")
+      ->add_option(
+          "evidence", options->evidence,
+          "Levels: CSV, one row a level: amplitude [m], dissipation [J]; used when there: "
+          "amplitude_std, dissipation_std, secant_stiffness [N/m], secant_stiffness_std; "
+          "resonance_frequency or frequency [Hz], which the joint is held against. Or "
+          "recordings of force and displacement of the joint over time; told by the content. "
+          "Several files, of both kinds or one, are taken together")
       ->required()
       ->type_name(kRecordingValue);
   add_identify_arguments(*command, *options);
@@ -72,6 +74,7 @@ void add_identify(CLI::App& program, Call& call) {
                           "microslip identify levels.csv --stiffness 170kN/m --method spline \\",
                           "          --smoothing p=0.99999 --smoothing-unit mm --out joint.json",
                           "microslip identify record.csv --out joint.json",
+                          "microslip identify record.csv levels.csv --out joint.json",
                           "microslip identify record.csv --force f --displacement u \\",
                           "          --start unknown --out joint.json"});
   command->callback(

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <span>
 #include <string_view>
 
 #include "command.hpp"
@@ -147,34 +146,43 @@ class Foreign {
   std::string rule_;
 };
 
-void refuse_options_of_records(const IdentifyArguments& options) {
+void refuse_options_of_recordings(const IdentifyArguments& options) {
   const Foreign of_records("belongs to records of force and displacement, and these are levels");
   of_records.refuse("--force", options.force, "");
   of_records.refuse("--displacement", options.displacement, "");
   of_records.refuse("--start", options.start, "auto");
   of_records.refuse("--viscous", options.viscous, "none",
-                    "--linear-damping fit finds a linear damping of levels.");
-  of_records.refuse("--samples", options.samples.has_value(), "--bands N gives levels a band.");
+                    "--linear-damping fit finds a linear damping of one table of levels.");
   of_records.refuse("--assume-units", !options.reading.assumed_units.empty());
   of_records.refuse("--allow-truncated", options.reading.allow_truncated);
 }
 
-void refuse_options_of_levels(const IdentifyArguments& options) {
-  const Foreign of_levels("belongs to levels, and this is a record of force and displacement");
+void refuse_options_of_records(const IdentifyArguments& options) {
+  refuse_options_of_recordings(options);
+  const Foreign of_records("belongs to records of force and displacement, and these are levels");
+  of_records.refuse("--samples", options.samples.has_value(), "--bands N gives levels a band.");
+}
+
+void refuse_options_of_levels(const IdentifyArguments& options, const EvidenceFiles& files) {
+  const Foreign of_levels(files.levels.empty()
+                              ? "belongs to levels, and this is a record of force and displacement"
+                              : "belongs to one table of levels by itself");
   of_levels.refuse("--method", options.method, "inversion");
   of_levels.refuse("--smoothing", options.smoothing, "gcv",
-                   "The smoothing of records is drawn with the density.");
+                   "The smoothing is drawn with the density.");
   of_levels.refuse("--smoothing-unit", options.smoothing_unit.has_value());
   of_levels.refuse("--linear-damping", options.linear_damping, "none",
                    "--viscous fit finds a viscous part of a record.");
-  of_levels.refuse("--inner-reversals", options.inner_reversals, "leave-out");
   of_levels.refuse("--atom", options.atom);
   of_levels.refuse("--bands", options.bands, "0",
-                   "The density of records has a band, of --samples draws.");
+                   "The density has a band anyway, of --samples draws.");
   of_levels.refuse("--dissipation-gain-std", options.dissipation_gain, "0");
   of_levels.refuse("--amplitude-gain-std", options.amplitude_gain, "0");
   of_levels.refuse("--loss-factor-std", options.loss_factor, "0");
   of_levels.refuse("--fit", options.fit, "none");
+  if (files.levels.empty()) {
+    of_levels.refuse("--inner-reversals", options.inner_reversals, "leave-out");
+  }
 }
 
 std::optional<PathStart> start_of(const IdentifyArguments& options) {
@@ -268,7 +276,8 @@ void add_record_options(CLI::App& command, IdentifyArguments& options) {
       ->capture_default_str();
   command
       .add_option("--samples", options.samples,
-                  "Records: draws that the density is the mean of, and its band; 1000 without it")
+                  "Records, or several files: draws that the density is the mean of, and its band; "
+                  "1000 without it")
       ->type_name("UINT");
   add_recording_arguments(command, options.reading);
 }
@@ -278,27 +287,19 @@ void add_record_options(CLI::App& command, IdentifyArguments& options) {
 void add_identify_arguments(CLI::App& command, IdentifyArguments& arguments) {
   command.add_option("--stiffness", arguments.stiffness,
                      "k of the stuck joint, in N/m or with a unit: slip forces are k times A. "
-                     "Levels need it; records find it");
+                     "Levels alone need it; records find it");
   add_output_options(command, arguments);
   add_method_options(command, arguments);
   add_band_options(command, arguments);
   add_record_options(command, arguments);
 }
 
-EvidenceKind kind_of_evidence(const IdentifyArguments& arguments) {
-  const EvidenceKind first = evidence_kind(arguments.evidence.front());
-  for (const std::string& path : std::span(arguments.evidence).subspan(1)) {
-    if (evidence_kind(path) != first) {
-      throw InputError(path, InputState{first == EvidenceKind::kLevels ? "a record" : "levels"},
-                       fmt::format("must be of the kind of {}", arguments.evidence.front()),
-                       "Identify from one kind of evidence at a time.");
-    }
-    if (first == EvidenceKind::kLevels) {
-      throw InputError(path, InputState{"a second table of levels"}, "must be the only one",
-                       "Put the levels of one joint into one table.");
-    }
+EvidenceFiles evidence_files(const IdentifyArguments& arguments) {
+  EvidenceFiles files;
+  for (const std::string& path : arguments.evidence) {
+    (evidence_kind(path) == EvidenceKind::kLevels ? files.levels : files.records).push_back(path);
   }
-  return first;
+  return files;
 }
 
 LevelsIdentification levels_options(const IdentifyArguments& arguments, bool quiet) {
@@ -314,14 +315,18 @@ LevelsIdentification levels_options(const IdentifyArguments& arguments, bool qui
   return all;
 }
 
-RecordsIdentification records_options(const IdentifyArguments& arguments, bool quiet) {
+RecordsIdentification records_options(const IdentifyArguments& arguments,
+                                      const EvidenceFiles& files, bool quiet) {
   constexpr std::uint64_t kFewest = 100;
   constexpr std::uint64_t kMost = 100'000;  // more memory than use
-  refuse_options_of_levels(arguments);
+  refuse_options_of_levels(arguments, files);
+  if (files.records.empty()) refuse_options_of_recordings(arguments);
   RecordsIdentification all;
-  all.records = arguments.evidence;
+  all.records = files.records;
+  all.levels = files.levels;
+  all.use_inner_reversals = arguments.inner_reversals == "use";
   all.channels = {arguments.force, arguments.displacement};
-  if (arguments.stiffness) all.stiffness = stiffness_of(arguments);
+  if (arguments.stiffness || files.records.empty()) all.stiffness = stiffness_of(arguments);
   all.start = start_of(arguments);
   all.options.viscous = arguments.viscous == "fit";
   all.options.draws =

@@ -43,15 +43,26 @@ struct IdentifyArguments {
 /// All but the evidence and --quiet.
 void add_identify_arguments(CLI::App& command, IdentifyArguments& arguments);
 
-/// What all of the files hold.
-/// @throws InputError  where they are of several kinds, or several are levels.
-[[nodiscard]] EvidenceKind kind_of_evidence(const IdentifyArguments& arguments);
+/// The files of each kind.
+struct EvidenceFiles {
+  std::vector<std::string> levels;
+  std::vector<std::string> records;
 
+  /// Whether there is one table of levels and nothing else.
+  [[nodiscard]] bool one_table() const { return levels.size() == 1 && records.empty(); }
+};
+
+/// Told by their content. @throws FileError, FormatError  as evidence_kind().
+[[nodiscard]] EvidenceFiles evidence_files(const IdentifyArguments& arguments);
+
+/// Of one table of levels.
 /// @throws InputError  where one cannot be read, they do not go together, or one belongs to
 ///                     records.
 [[nodiscard]] LevelsIdentification levels_options(const IdentifyArguments& arguments, bool quiet);
 
-/// @throws InputError  likewise, where one belongs to levels.
-[[nodiscard]] RecordsIdentification records_options(const IdentifyArguments& arguments, bool quiet);
+/// Of records, of these and levels, or of several tables of levels.
+/// @throws InputError  likewise, where one belongs to one table of levels by itself.
+[[nodiscard]] RecordsIdentification records_options(const IdentifyArguments& arguments,
+                                                    const EvidenceFiles& files, bool quiet);
 
 }  // namespace microslip::app

@@ -109,14 +109,50 @@ TEST(identify_records, RefusesWhatIsNoRecordOfAJoint) {
                     "--out", "j.json"});
 }
 
-TEST(identify_records, KeepsKindsOfEvidenceApart) {
+TEST(identify_records, TakesLevelsWithThem) {
   const Sandbox box = sandbox();
   box.put("levels.csv", sample_levels_text());
-  expect_refused(box, {"identify", "record.csv", "levels.csv", "--out", "j.json"},
-                 {"levels.csv", "levels", "record.csv"});
-  expect_refused(box,
-                 {"identify", "levels.csv", "levels.csv", "--stiffness", "1.7e5", "--out", "j"},
-                 {"second"});
+  expect_done(box, kIdentify);
+  const Outcome done =
+      expect_done(box, {"identify", "levels.csv", "record.csv", "--out", "both.json"});
+  EXPECT_NE(done.out.find("posterior of records and levels"), std::string::npos) << done.out;
+  EXPECT_NE(done.out.find("levels.csv"), std::string::npos) << done.out;
+  const json both = identification(box, "both.json");
+  EXPECT_EQ(both.at("levels_verdict"), json({"held"}));
+  EXPECT_EQ(both.at("levels_scatter").size(), 1U);
+  EXPECT_EQ(json::parse(box.get("both.json")).at("provenance").at("inputs").size(), 2U);
+  const auto error = [&](const std::string& file) {
+    return testing::error_of_density(read_joint(box.file(file)).joint, sample_joint(),
+                                     kSampleStiffness * 2e-4);
+  };
+  EXPECT_LT(error("both.json"), error("joint.json"));
+
+  // Of another joint: said by name, in the file too.
+  Levels other = sample_levels();
+  for (double& d : other.dissipation) d *= 1.4;
+  box.put("other.csv", levels_table(other).str());
+  expect_done(box, {"identify", "record.csv", "other.csv", "--out", "j.json", "--quiet"});
+  EXPECT_NE(box.get("j.json").find("other.csv: its D"), std::string::npos) << box.get("j.json");
+}
+
+TEST(identify_records, TakesSeveralTablesOfLevels) {
+  const Sandbox box = sandbox();
+  box.put("levels.csv", sample_levels_text());
+  box.put("more.csv", sample_levels_text());
+  const Arguments both{"identify", "levels.csv", "more.csv", "--out", "j.json"};
+  expect_refused(box, both, {"--stiffness", "missing"});
+  const Outcome done = expect_done(box, with(both, {"--stiffness", "1.7e5"}));
+  EXPECT_NE(done.out.find("tables of levels"), std::string::npos) << done.out;
+  expect_refused(box, with(both, {"--stiffness", "1.7e5", "--force", "f"}), {"--force", "records"});
+  expect_refused(box, with(both, {"--stiffness", "1.7e5", "--fit", "uniform"}),
+                 {"--fit", "one table"});
+  box.put("more.csv", "amplitude [m],dissipation [J]\n1e-4,-1\n");
+  expect_refused(box, with(both, {"--stiffness", "1.7e5"}), {"more.csv", "dissipation"});
+}
+
+TEST(identify_records, KeepsOptionsOfEvidenceApart) {
+  const Sandbox box = sandbox();
+  box.put("levels.csv", sample_levels_text());
   expect_refused(box, {"identify", "levels.csv", "--out", "j.json"}, {"--stiffness", "missing"});
   const Arguments levels{"identify", "levels.csv", "--stiffness", "1.7e5", "--out", "j.json"};
   for (const Arguments& more :

@@ -55,14 +55,20 @@ namespace microslip {
                                             const LevelEvidence& evidence, double stiffness,
                                             const InversionOptions& options);
 
-/// What records give reason to say, of each that is not of a joint of the kind that is sought:
+/// What records and levels together give reason to say. Of each record that is not of a joint of the
+/// kind that is sought:
 ///   * `rate_dependent`  the force follows the velocity;
 ///   * `asymmetric`      it is other to one side than to the other;
 ///   * `dead_zone`       it is missing about zero;
 ///   * `drifts`          it grows or falls over the record;
 ///   * `offset_drifts`   its zero moves;
-///   * `not_masing`      branches of different ranges do not lie on one curve.
-[[nodiscard]] std::vector<Warning> diagnose(const RecordInversionResult& result);
+///   * `not_masing`      branches of different ranges do not lie on one curve;
+/// and of each table of levels that is of another joint than all else:
+///   * `levels_contradict`  D differs, by more than four times the noise and 3 %;
+///   * `secant_differs`     k_eq does, by as much of the noise and 1 %.
+/// @param evidence  that it was found from: its names.
+[[nodiscard]] std::vector<Warning> diagnose(const RecordInversionResult& result,
+                                            const JointEvidence& evidence);
 
 /// What bands give reason to say: `bands_not_converged`, where samples did not.
 [[nodiscard]] std::vector<Warning> diagnose(const DensityBands& bands);

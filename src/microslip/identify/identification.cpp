@@ -178,6 +178,23 @@ void judge_stiffness(const LevelEvidence& levels, Identification& found) {
   }
 }
 
+/// Of the levels by themselves and of their stiffness, named. What other evidence makes up for is
+/// not said.
+std::vector<Warning> warnings_of_table(const JointEvidence& evidence, std::size_t table,
+                                       const Joint& joint) {
+  const LevelEvidence& levels = evidence.levels[table];
+  std::vector<Warning> warnings = diagnose(levels);
+  std::erase_if(warnings, [](const Warning& warning) {
+    return warning.code == "few_levels" || warning.code == "narrow_range";
+  });
+  append(warnings, diagnose(stiffness_evidence(levels, joint), joint));
+  if (const auto order = judge_order(levels, joint)) append(warnings, diagnose({*order}));
+  for (Warning& warning : warnings) {
+    warning.text = fmt::format("{}: {}", evidence.name_of_levels(table), warning.text);
+  }
+  return warnings;
+}
+
 }  // namespace
 
 std::string_view to_string(IdentificationMethod method) {
@@ -241,6 +258,9 @@ Identification identify(const LevelEvidence& evidence, double stiffness,
                                   : by_method(evidence, stiffness, options);
   if (options.fit) replace_by_fit(evidence, stiffness, options, found);
   judge_stiffness(evidence, found);
+  found.verdicts = judge_levels(evidence, found.joint, found.linear_damping.value_or(0.0),
+                                found.stiffness, found.warnings);
+  append(found.warnings, diagnose(found.verdicts));
   append(warnings, std::move(found.warnings));
   found.warnings = std::move(warnings);
   found.covered_from = stiffness * evidence.levels().amplitude.front();
@@ -250,7 +270,12 @@ Identification identify(const LevelEvidence& evidence, double stiffness,
 
 Identification identify(std::span<const RecordEvidence> evidence, std::optional<double> stiffness,
                         const RecordInversionOptions& options) {
-  RecordInversionResult result = invert_records(evidence, stiffness, options);
+  return identify({.records = evidence}, stiffness, options);
+}
+
+Identification identify(const JointEvidence& evidence, std::optional<double> stiffness,
+                        const RecordInversionOptions& options) {
+  RecordInversionResult result = invert_together(evidence, stiffness, options);
   Identification found(IdentificationMethod::kInversion, result.joint());
   read_density_of_joint(found);
   DensityBand band = result.density_band();
@@ -259,7 +284,10 @@ Identification identify(std::span<const RecordEvidence> evidence, std::optional<
   found.covered_from = result.stiffness.mean * result.resolved_from;
   found.covered_to = result.stiffness.mean * result.slip_displacement.back();
   found.summary = result.summary;
-  append(found.warnings, diagnose(result));
+  append(found.warnings, diagnose(result, evidence));
+  for (std::size_t t = 0; t < evidence.levels.size(); ++t) {
+    append(found.warnings, warnings_of_table(evidence, t, found.joint));
+  }
   found.free = std::move(result);
   return found;
 }

@@ -13,6 +13,8 @@
 #include "microslip/base/summary.hpp"
 #include "microslip/identify/bands.hpp"
 #include "microslip/identify/inversion.hpp"
+#include "microslip/identify/joint_evidence.hpp"
+#include "microslip/identify/level_verdicts.hpp"
 #include "microslip/identify/parametric.hpp"
 #include "microslip/identify/record_inversion.hpp"
 #include "microslip/identify/spline_density.hpp"
@@ -24,7 +26,7 @@ namespace microslip {
 
 /// How a density is found from levels.
 enum class IdentificationMethod {
-  kInversion,    ///< invert() of levels, invert_records() of records: the one to use
+  kInversion,    ///< invert() of levels, invert_together() of all else: the one to use
   kSpline,       ///< density_by_spline(), [AR14 Fig. 9]
   kDifferences,  ///< density_by_differences(), a baseline
 };
@@ -82,10 +84,13 @@ struct Identification {
   [[nodiscard]] const DensityBands* bands() const;          ///< in `free`; null without
   [[nodiscard]] const SplineDensityResult* spline() const;  ///< in `free`; null likewise
   [[nodiscard]] const SignedDensity* differences() const;   ///< in `free`; null likewise
-  [[nodiscard]] const RecordInversionResult* records() const;  ///< in `free`; null for levels
+  [[nodiscard]] const RecordInversionResult* records()
+      const;  ///< in `free`; null for one table of levels
 
   /// Measured k_eq and frequencies held against `joint`.
   StiffnessEvidence stiffness = {};
+  /// Whether one table of levels is of a joint of this kind; of records see `records()`.
+  std::vector<LevelDepartureVerdict> verdicts = {};
 
   std::vector<Warning> warnings;  ///< of the levels, the method and the stiffness, see diagnose()
   Summary summary;                ///< of the method
@@ -102,6 +107,16 @@ struct Identification {
 /// @throws Cancelled   as density_bands().
 [[nodiscard]] Identification identify(const LevelEvidence& evidence, double stiffness,
                                       const IdentificationOptions& options = {});
+
+/// Records and tables of levels of one joint together: see invert_together(). Frequencies of the
+/// levels are held against the joint as in the other case.
+/// @param evidence   of one joint.
+/// @param stiffness  k of the stuck joint, N/m, where it is known; needed without records.
+/// @param options    how it is solved.
+/// @throws InputError  as invert_together(). @throws Cancelled  likewise.
+[[nodiscard]] Identification identify(const JointEvidence& evidence,
+                                      std::optional<double> stiffness = {},
+                                      const RecordInversionOptions& options = {});
 
 /// Force–displacement records to joint: see invert_records(). k is found where it is not given.
 /// @param evidence   of one joint.

@@ -43,24 +43,42 @@ DepartureText text_of(RecordDeparture departure) {
           "Identify from motions of one size by themselves."};
 }
 
+Warning contradiction(const std::string& name, std::string_view what, const LevelVerdict& verdict) {
+  return {
+      what == "D" ? "levels_contradict" : "secant_differs",
+      fmt::format("{}: its {} is off that of the joint of all other evidence by {}, where noise "
+                  "would make {}: another joint, load or gain. Identify from each by itself.",
+                  name, what, percent_text(verdict.share), percent_text(verdict.noise))};
+}
+
 }  // namespace
 
 std::string_view to_string(RecordDeparture departure) { return text_of(departure).code; }
 
-std::vector<Warning> diagnose(const RecordInversionResult& result) {
+std::vector<Warning> diagnose(const RecordInversionResult& result, const JointEvidence& evidence) {
   std::vector<Warning> warnings;
   for (std::size_t r = 0; r < result.records.size(); ++r) {
     for (const RecordVerdict& verdict : result.records[r].verdicts) {
       if (!verdict.broken) continue;
       const DepartureText text = text_of(verdict.departure);
       const std::string which =
-          result.records.size() > 1 ? fmt::format("record {}: ", r + 1) : std::string();
+          result.records.size() > 1 ? evidence.name_of_record(r) + ": " : std::string();
       warnings.push_back(
           {std::string(text.code),
            fmt::format("{}not a joint of this kind: {} of the force {}, where noise would make "
                        "{}. {}",
                        which, percent_text(verdict.share), text.what, percent_text(verdict.noise),
                        text.remedy)});
+    }
+  }
+  for (std::size_t t = 0; t < result.levels.size(); ++t) {
+    const LevelFit& fit = result.levels[t];
+    const std::string name = evidence.name_of_levels(t);
+    if (fit.dissipation_verdict && fit.dissipation_verdict->broken) {
+      warnings.push_back(contradiction(name, "D", *fit.dissipation_verdict));
+    }
+    if (fit.secant_verdict && fit.secant_verdict->broken) {
+      warnings.push_back(contradiction(name, "k_eq", *fit.secant_verdict));
     }
   }
   return warnings;

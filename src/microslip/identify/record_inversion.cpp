@@ -11,6 +11,7 @@
 #include "microslip/base/interpolation.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/base/stopwatch.hpp"
+#include "microslip/identify/level_agreement.hpp"
 #include "microslip/identify/posterior_chain.hpp"
 #include "microslip/identify/quantiles.hpp"
 #include "microslip/identify/record_departures.hpp"
@@ -145,8 +146,44 @@ void read_records(const SettledRecords& settled, const ScaledRecords& records,
   }
 }
 
-void summarise(const SmoothingPoint& best, Summary& summary) {
-  summary.method = "posterior of force–displacement records";
+void read_levels(const SettledRecords& settled, const JointEvidence& evidence,
+                 const Eigen::VectorXd& x, std::optional<double> stiffness,
+                 const RecordInversionOptions& options, RecordInversionResult& result) {
+  for (std::size_t t = 0; t < evidence.levels.size(); ++t) {
+    LevelFit fit;
+    fit.scatter = settled.settings.levels[t].scatter;
+    fit.scatter_is_relative = !evidence.levels[t].dissipation_std_given();
+    fit.value = settled.model.levels_of(t, x);
+    fit.deviation = settled.model.level_deviations(t);
+    const LevelAgreement agreement =
+        agreement_of_levels(evidence, t, stiffness, options.coefficients);
+    fit.dissipation_verdict = agreement.dissipation;
+    fit.secant_verdict = agreement.secant;
+    result.levels.push_back(std::move(fit));
+  }
+}
+
+/// Levels alone tell no k, nor a viscous part.
+void check_evidence(const JointEvidence& evidence, std::optional<double> stiffness,
+                    const RecordInversionOptions& options) {
+  if (!evidence.records.empty() || evidence.levels.empty()) {
+    check_records(evidence.records, options);
+    return;
+  }
+  if (!stiffness) {
+    throw InputError("stiffness", InputState{"missing"},
+                     "must be given with levels alone: slip forces are k times A",
+                     "Give k, or a record of force and displacement, which tells it.");
+  }
+  if (options.viscous) {
+    throw InputError("viscous part", InputState{"sought"}, "needs a record of force over time");
+  }
+}
+
+void summarise(const JointEvidence& evidence, const SmoothingPoint& best, Summary& summary) {
+  summary.method = evidence.levels.empty()    ? "posterior of force–displacement records"
+                   : evidence.records.empty() ? "posterior of tables of levels"
+                                              : "posterior of records and levels";
   summary.iterations = best.solution.exchanges;
   read_optimality(best.solution, "optimality conditions of its start", summary);
 }
@@ -219,15 +256,21 @@ void check_records(std::span<const RecordEvidence> evidence,
 RecordInversionResult invert_records(std::span<const RecordEvidence> evidence,
                                      std::optional<double> stiffness,
                                      const RecordInversionOptions& options) {
+  return invert_together({.records = evidence}, stiffness, options);
+}
+
+RecordInversionResult invert_together(const JointEvidence& evidence,
+                                      std::optional<double> stiffness,
+                                      const RecordInversionOptions& options) {
   Stopwatch watch;
   options.check();
   if (stiffness) check_stiffness(*stiffness);
-  check_records(evidence, options);
-  const ScaledRecords records(evidence, stiffness);
-  const SettledRecords settled = settle_records(records, options.coefficients, options.viscous);
+  check_evidence(evidence, stiffness, options);
+  const ScaledRecords records(evidence, stiffness, options.coefficients);
+  const SettledRecords settled = settle_records(records, options.viscous);
 
   RecordInversionResult result;
-  summarise(settled.best, result.summary);
+  summarise(evidence, settled.best, result.summary);
   result.summary.timings.push_back(watch.lap("noise and smoothing"));
   result.confidence = options.confidence;
   result.stiffness_known = stiffness.has_value();
@@ -239,8 +282,10 @@ RecordInversionResult invert_records(std::span<const RecordEvidence> evidence,
   }
   const Eigen::VectorXd mean = draw_all(settled, records, options, result);
   summarise_draws(options, result);
-  read_records(settled, records, mean, result);
   result.summary.timings.push_back(watch.lap("draws"));
+  read_records(settled, records, mean, result);
+  read_levels(settled, evidence, mean, stiffness, options, result);
+  result.summary.timings.push_back(watch.lap("verdicts"));
   result.summary.wall_seconds = watch.seconds();
   return result;
 }

@@ -11,7 +11,9 @@
 
 #include "microslip/base/progress.hpp"
 #include "microslip/base/summary.hpp"
+#include "microslip/identify/joint_evidence.hpp"
 #include "microslip/joint/joint.hpp"
+#include "microslip/observe/level_evidence.hpp"
 #include "microslip/observe/record_evidence.hpp"
 
 namespace microslip {
@@ -87,6 +89,23 @@ struct RecordFit {
   std::vector<RecordVerdict> verdicts = {};  ///< of each departure; the weightiest first
 };
 
+/// What was found of levels against the joint of all other evidence.
+struct LevelVerdict {
+  double share = 0.0;   ///< rms relative difference of D or k_eq, weighted by 1/variance, 1
+  double noise = 0.0;   ///< that errors of both would make, 1
+  bool broken = false;  ///< whether they are of another joint
+};
+
+/// What came of one table of levels.
+struct LevelFit {
+  LevelScatter scatter = {};        ///< as LevelEvidence has it: σ is by it
+  bool scatter_is_relative = true;  ///< that of D, to D; else to the standard deviations given
+  LevelRows value = {};             ///< found, J and N/m; of LevelEvidence::levels()
+  LevelRows deviation = {};         ///< σ that they were weighted by, J and N/m
+  std::optional<LevelVerdict> dissipation_verdict = {};  ///< nothing without other evidence
+  std::optional<LevelVerdict> secant_verdict = {};       ///< nor where k_eq was not measured
+};
+
 /// What invert_records() found: the mean of the draws, with bands of them.
 struct RecordInversionResult {
   std::vector<double> slip_displacement = {};  ///< knots x*, m; from 0 to the largest half range
@@ -99,6 +118,7 @@ struct RecordInversionResult {
   std::optional<Estimate> viscous = {};        ///< c, N s/m
   double reference_exponent = 0.0;        ///< χ₀ of the prior: ψ ∝ x*^χ₀ costs nothing
   std::vector<RecordFit> records = {};    ///< one a record
+  std::vector<LevelFit> levels = {};      ///< one a table of levels
   std::vector<StiffnessDraw> draws = {};  ///< each a feasible joint
   double confidence = 0.0;                ///< of the bands
   double resolved_from = 0.0;             ///< smallest slip displacement that the records tell, m
@@ -140,5 +160,19 @@ void check_records(std::span<const RecordEvidence> evidence,
 [[nodiscard]] RecordInversionResult invert_records(std::span<const RecordEvidence> evidence,
                                                    std::optional<double> stiffness = {},
                                                    const RecordInversionOptions& options = {});
+
+/// The same from records and levels together, or from several tables of levels. D of a level is
+/// linear in ψ, too, whatever k is, and so is k_eq = K_e + ∫ g(x*/A) ψ dx* [level_rows.hpp], which
+/// counts in full: with records k is found, else it must be given. Rows of levels have σ of
+/// LevelEvidence; their scatter is that of their residuals. Each table is also held against the joint
+/// of all other evidence: see LevelVerdict. Common errors of levels are not among what is drawn.
+/// @param evidence   of one joint.
+/// @param stiffness  k of the stuck joint, N/m, where it is known; needed without records.
+/// @param options    how it is solved.
+/// @throws InputError  naming what breaks a rule.
+/// @throws Cancelled   as the progress callback says.
+[[nodiscard]] RecordInversionResult invert_together(const JointEvidence& evidence,
+                                                    std::optional<double> stiffness = {},
+                                                    const RecordInversionOptions& options = {});
 
 }  // namespace microslip

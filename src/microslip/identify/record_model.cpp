@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
+#include "microslip/identify/eigen_view.hpp"
+#include "microslip/observe/level_rows.hpp"
 #include "microslip/observe/record_rows.hpp"
 
 namespace microslip {
@@ -19,28 +22,50 @@ constexpr double kLowestDeviations = 3.0;
 
 }  // namespace
 
-ScaledRecords::ScaledRecords(std::span<const RecordEvidence> evidence, std::optional<double> known)
-    : records(evidence), stiffness_known(known.has_value()), length(0.0), stiffness(0.0) {
-  double finest = 0.0;
+ScaledRecords::ScaledRecords(const JointEvidence& evidence, std::optional<double> known,
+                             int coefficients_of_density)
+    : records(evidence.records),
+      levels(evidence.levels),
+      coefficients(coefficients_of_density),
+      stiffness_known(known.has_value()),
+      length(0.0),
+      stiffness(0.0) {
+  double finest = std::numeric_limits<double>::infinity();
   for (const RecordEvidence& one : records) {
     length = std::max(length, one.rows().reach);
     for (const PathRow& row : one.rows().rows) {
       stiffness = std::max(stiffness, std::abs(row.force) / one.rows().reach);
     }
-    const double resolved = kLowestDeviations * one.path().left;
-    finest = finest == 0.0 ? resolved : std::min(finest, resolved);
+    finest = std::min(finest, kLowestDeviations * one.path().left);
+  }
+  for (const LevelEvidence& one : levels) {
+    length = std::max(length, one.levels().amplitude.back());
+    finest = std::min(finest, one.levels().amplitude.front());
   }
   if (known) stiffness = *known;
   lowest = std::clamp(finest / length, kLeastLowest, kMostLowest);
+
+  const InversionBasis basis(lowest, 1.0, 0.0, coefficients);
+  for (const RecordEvidence& one : records) {
+    stop.push_back(stop_rows(one.rows(), length, basis.knots()));
+  }
+  for (const LevelEvidence& one : levels) {
+    const Eigen::VectorXd amplitude = view_of(one.levels().amplitude) / length;
+    dissipation.push_back(dissipation_rows(amplitude, basis.knots()));
+    softening.push_back(one.levels().secant_stiffness.empty()
+                            ? Eigen::MatrixXd(0, dissipation.back().cols())
+                            : softening_rows(amplitude, basis.knots()));
+  }
 }
 
-RecordModel::Block RecordModel::block_of(const RecordEvidence& record) const {
+RecordModel::Block RecordModel::block_of(std::size_t index) const {
+  const RecordEvidence& record = records_->records[index];
   const PathRows& path = record.rows();
   const auto rows = static_cast<Eigen::Index>(path.rows.size());
   const Eigen::Index size = basis_.size();
   Block block;
-  block.design.resize(rows, size + (records_->stiffness_known ? 0 : 1) + (pass_.viscous ? 1 : 0));
-  block.design.leftCols(size) = stop_rows(path, records_->length, basis_.knots()) * basis_.nodal();
+  block.design.resize(rows, columns_);
+  block.design.leftCols(size) = records_->stop[index] * basis_.nodal();
   block.data.resize(rows);
   block.force.resize(rows);
   block.count.resize(rows);
@@ -70,6 +95,51 @@ RecordModel::Block RecordModel::block_of(const RecordEvidence& record) const {
   return block;
 }
 
+Eigen::MatrixXd RecordModel::dissipation_matrix(const Eigen::MatrixXd& dissipation) const {
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(dissipation.rows(), columns_);
+  matrix.leftCols(basis_.size()) = theta_scale_ * (dissipation * basis_.nodal());
+  return matrix;
+}
+
+// k_eq = K_e + ∫ψ − ∫(1 − g)ψ.
+Eigen::MatrixXd RecordModel::secant_matrix(const Eigen::MatrixXd& softening) const {
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(softening.rows(), columns_);
+  matrix.leftCols(basis_.size()) = -theta_scale_ * (softening * basis_.nodal());
+  if (records_->stiffness_known) return matrix;
+  return matrix.rowwise() + (area_row() + elastic_row()).transpose();
+}
+
+// Noise in A acts through the slope of D, close to that of the power law d ∝ a^(3+χ₀).
+RecordModel::LevelBlock RecordModel::level_block(std::size_t table) const {
+  const LevelEvidence& evidence = records_->levels[table];
+  const LevelPass& pass = pass_.levels[table];
+  const Levels& levels = evidence.levels();
+  LevelPrediction prediction;
+  prediction.value = {pass.dissipation, levels.secant_stiffness};
+  for (std::size_t i = 0; i < evidence.size() && evidence.amplitude_std_counts(); ++i) {
+    prediction.change.dissipation.push_back((3.0 + pass_.exponent) * pass.dissipation[i] *
+                                            levels.amplitude_std[i] / levels.amplitude[i]);
+  }
+  LevelBlock block;
+  block.deviation = evidence.deviations(prediction, pass.scatter);
+  const auto of_d = static_cast<Eigen::Index>(evidence.size());
+  const auto of_k = static_cast<Eigen::Index>(levels.secant_stiffness.size());
+  block.design.resize(of_d + of_k, columns_);
+  block.data.resize(of_d + of_k);
+  block.weight.resize(of_d + of_k);
+  block.design.topRows(of_d) = dissipation_matrix(records_->dissipation[table]);
+  block.data.head(of_d) = view_of(levels.dissipation) / records_->energy();
+  block.weight.head(of_d) =
+      records_->energy() * view_of(block.deviation.dissipation).cwiseInverse();
+  if (of_k == 0) return block;
+  block.design.bottomRows(of_k) = secant_matrix(records_->softening[table]);
+  block.data.tail(of_k) =
+      (view_of(levels.secant_stiffness) / records_->stiffness).array() - secant_given();
+  block.weight.tail(of_k) =
+      records_->stiffness * view_of(block.deviation.secant_stiffness).cwiseInverse();
+  return block;
+}
+
 /// Takes the offset of each group from columns of rows: their mean, each row as often as it has
 /// samples.
 void RecordModel::centre(const Block& block, Eigen::Ref<Eigen::MatrixXd> columns) {
@@ -95,18 +165,10 @@ void RecordModel::whiten(const Block& block, double scatter, double correlation,
   }
 }
 
-RecordModel::RecordModel(const ScaledRecords& records, const RecordPass& pass)
-    : records_(&records),
-      pass_(pass),
-      basis_(records.lowest, 1.0, pass.exponent, pass.coefficients) {
-  Eigen::Index rows = 0;
-  for (const RecordEvidence& record : records.records) {
-    blocks_.push_back(block_of(record));
-    rows += blocks_.back().design.rows();
-  }
-  const Eigen::Index columns = blocks_.front().design.cols();
-  // θ of 1 is a joint of which half the stiffness slips; c of 1 makes as much force as the joint.
+// θ of 1 is a joint of which half the stiffness slips; c of 1 makes as much force as the joint.
+void RecordModel::add_blocks() {
   theta_scale_ = 0.5 / basis_.area().sum();
+  for (std::size_t r = 0; r < records_->records.size(); ++r) blocks_.push_back(block_of(r));
   if (pass_.viscous) {
     double largest = 0.0;
     for (const Block& block : blocks_) {
@@ -114,51 +176,99 @@ RecordModel::RecordModel(const ScaledRecords& records, const RecordPass& pass)
     }
     viscous_scale_ = largest > 0.0 ? 1.0 / largest : 1.0;
   }
+  Eigen::Index rows = 0;
+  for (Block& block : blocks_) {
+    block.design.leftCols(basis_.size()) *= theta_scale_;
+    if (pass_.viscous) block.design.rightCols(1) *= viscous_scale_;
+    rows += block.design.rows();
+  }
+  for (std::size_t t = 0; t < records_->levels.size(); ++t) {
+    levels_.push_back(level_block(t));
+    levels_.back().first = rows;
+    rows += levels_.back().design.rows();
+  }
+}
 
-  Eigen::MatrixXd design(rows, columns);
+void RecordModel::set_problem() {
+  Eigen::Index rows = 0;
+  for (const Block& block : blocks_) rows += block.design.rows();
+  for (const LevelBlock& block : levels_) rows += block.design.rows();
+  Eigen::MatrixXd design(rows, columns_);
   Eigen::VectorXd data(rows);
   Eigen::Index at = 0;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    Block& block = blocks_[b];
-    block.design.leftCols(basis_.size()) *= theta_scale_;
-    if (pass_.viscous) block.design.rightCols(1) *= viscous_scale_;
-    const Eigen::Index n = block.design.rows();
-    Eigen::MatrixXd both(n, columns + 1);
-    both << block.design, block.data;
-    centre(block, both);
-    whiten(block, pass.scatter[b], pass.correlation[b], both);
-    design.middleRows(at, n) = both.leftCols(columns);
+    const Eigen::Index n = blocks_[b].design.rows();
+    Eigen::MatrixXd both(n, columns_ + 1);
+    both << blocks_[b].design, blocks_[b].data;
+    centre(blocks_[b], both);
+    whiten(blocks_[b], pass_.scatter[b], pass_.correlation[b], both);
+    design.middleRows(at, n) = both.leftCols(columns_);
     data.segment(at, n) = both.rightCols(1);
     at += n;
   }
-  Eigen::MatrixXd penalty = Eigen::MatrixXd::Zero(basis_.size() - 2, columns);
+  for (const LevelBlock& block : levels_) {
+    const Eigen::Index n = block.design.rows();
+    design.middleRows(at, n) = block.weight.asDiagonal() * block.design;
+    data.segment(at, n) = block.weight.cwiseProduct(block.data);
+    at += n;
+  }
+  Eigen::MatrixXd penalty = Eigen::MatrixXd::Zero(basis_.size() - 2, columns_);
   penalty.leftCols(basis_.size()) = basis_.second_differences();
   const Eigen::VectorXd budget =
-      records.stiffness_known ? area_row() : Eigen::VectorXd::Zero(columns);
+      records_->stiffness_known ? area_row() : Eigen::VectorXd::Zero(columns_);
   problem_.emplace(std::move(design), std::move(data), std::move(penalty), budget,
-                   2 + columns - basis_.size());
+                   2 + columns_ - basis_.size());
+}
+
+RecordModel::RecordModel(const ScaledRecords& records, const RecordPass& pass)
+    : records_(&records),
+      pass_(pass),
+      basis_(records.lowest, 1.0, pass.exponent, records.coefficients),
+      columns_(basis_.size() + (records.stiffness_known ? 0 : 1) + (pass.viscous ? 1 : 0)) {
+  add_blocks();
+  set_problem();
+}
+
+LevelRows RecordModel::levels_of(std::size_t table, const Eigen::VectorXd& x) const {
+  const LevelBlock& block = levels_[table];
+  const Eigen::VectorXd found = block.design * x;
+  LevelRows rows;
+  const std::size_t of_d = records_->levels[table].size();
+  for (Eigen::Index i = 0; i < found.size(); ++i) {
+    if (static_cast<std::size_t>(i) < of_d) {
+      rows.dissipation.push_back(records_->energy() * found(i));
+    } else {
+      rows.secant_stiffness.push_back(records_->stiffness * (found(i) + secant_given()));
+    }
+  }
+  return rows;
+}
+
+Eigen::VectorXd RecordModel::level_residual(std::size_t table, const Eigen::VectorXd& x) const {
+  const LevelBlock& block = levels_[table];
+  return block.weight.cwiseProduct(block.data - block.design * x);
 }
 
 Eigen::MatrixXd RecordModel::density_matrix() const {
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(basis_.nodal().rows(), blocks_[0].design.cols());
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(basis_.nodal().rows(), columns_);
   matrix.leftCols(basis_.size()) = theta_scale_ * basis_.nodal();
   return matrix;
 }
 
 Eigen::VectorXd RecordModel::area_row() const {
-  Eigen::VectorXd row = Eigen::VectorXd::Zero(blocks_[0].design.cols());
+  Eigen::VectorXd row = Eigen::VectorXd::Zero(columns_);
   row.head(basis_.size()) = theta_scale_ * basis_.area();
   return row;
 }
 
 Eigen::VectorXd RecordModel::elastic_row() const {
-  Eigen::VectorXd row = Eigen::VectorXd::Zero(blocks_[0].design.cols());
+  Eigen::VectorXd row = Eigen::VectorXd::Zero(columns_);
   if (!records_->stiffness_known) row(basis_.size()) = 1.0;
   return row;
 }
 
 Eigen::VectorXd RecordModel::viscous_row() const {
-  Eigen::VectorXd row = Eigen::VectorXd::Zero(blocks_[0].design.cols());
+  Eigen::VectorXd row = Eigen::VectorXd::Zero(columns_);
   if (pass_.viscous) row(row.size() - 1) = viscous_scale_;
   return row;
 }

@@ -15,6 +15,8 @@ constexpr int kNoisePasses = 2;
 /// Of a first guess of the scatter, over the largest force.
 constexpr double kFirstScatter = 1e-2;
 constexpr double kMostCorrelation = 0.95;
+/// No levels are exact to more than this, of D or of the deviations given.
+constexpr double kLeastLevelScatter = 1e-6;
 /// χ₀ that are tried beside 0. What slips below the resolution of a record follows from it, and k with it:
 /// a power law that goes on to zero has more stiffness there than a density that levels off.
 constexpr std::array kPowers = {-0.25, -0.5, -0.75};
@@ -28,6 +30,43 @@ SettledRecords run_pass(const ScaledRecords& records, const RecordPass& settings
   std::vector<SmoothingPoint> path = problem.path(problem.lambda_grid(kPathPoints));
   pass.best = std::move(path[choose(path, SmoothingRule::kReml, most)]);
   return pass;
+}
+
+/// The scatter of rows, in units of what was assumed: by what they leave beyond their degrees of
+/// freedom. 1 where they leave none.
+double scatter_of(double square, double rows, double leverage) {
+  const double freedom = rows - leverage;
+  return freedom < 1.0 ? 1.0 : std::sqrt(square / freedom);
+}
+
+/// What the residuals of levels tell of their scatter, where D of the fit is what it is a share of.
+void read_level_noise(const SettledRecords& pass, const ScaledRecords& records, RecordPass& next) {
+  if (records.levels.empty()) return;
+  const Eigen::VectorXd leverage = pass.model.problem().leverage(pass.best);
+  for (std::size_t t = 0; t < records.levels.size(); ++t) {
+    const LevelEvidence& evidence = records.levels[t];
+    const Eigen::VectorXd left = pass.model.level_residual(t, pass.best.solution.x);
+    const auto of_d = static_cast<Eigen::Index>(evidence.size());
+    const Eigen::Index of_k = left.size() - of_d;
+    const Eigen::VectorXd own = leverage.segment(pass.model.first_row(t), left.size());
+    LevelPass& found = next.levels[t];
+    const double repeats = evidence.repeat_sum(pass.model.level_deviations(t));
+    found.scatter.dissipation = std::max(
+        kLeastLevelScatter, found.scatter.dissipation *
+                                scatter_of(left.head(of_d).squaredNorm() + repeats,
+                                           static_cast<double>(of_d) + evidence.repeat_freedom(),
+                                           own.head(of_d).sum()));
+    if (of_k > 0) {
+      const double least = evidence.secant_std_given()
+                               ? kLeastLevelScatter
+                               : LevelEvidence::kLeastSecantScatter * records.stiffness;
+      found.scatter.secant_stiffness =
+          std::max(least, found.scatter.secant_stiffness * scatter_of(left.tail(of_k).squaredNorm(),
+                                                                      static_cast<double>(of_k),
+                                                                      own.tail(of_k).sum()));
+    }
+    found.dissipation = pass.model.levels_of(t, pass.best.solution.x).dissipation;
+  }
 }
 
 /// What the residual of each record tells of its noise.
@@ -50,14 +89,19 @@ void read_noise(const SettledRecords& pass, const ScaledRecords& records, Record
 
 }  // namespace
 
-SettledRecords settle_records(const ScaledRecords& records, int coefficients, bool viscous) {
+SettledRecords settle_records(const ScaledRecords& records, bool viscous) {
   RecordPass settings;
-  settings.coefficients = coefficients;
   settings.viscous = viscous;
+  for (const LevelEvidence& levels : records.levels) {
+    settings.levels.push_back(
+        {levels.expected_scatter(records.stiffness), levels.typical().value.dissipation});
+  }
   settings.scatter.assign(records.records.size(), kFirstScatter);
   settings.correlation.assign(records.records.size(), 0.0);
   for (int i = 0; i < kNoisePasses; ++i) {
-    read_noise(run_pass(records, settings), records, settings);
+    const SettledRecords pass = run_pass(records, settings);
+    read_noise(pass, records, settings);
+    read_level_noise(pass, records, settings);
   }
   SettledRecords best = run_pass(records, settings);
   double lowest = best.best.likelihood;

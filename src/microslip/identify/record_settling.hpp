@@ -19,10 +19,8 @@ struct SettledRecords {
 
 /// The model to draw from: scatter and correlation are those of its own residuals, and χ₀ is 0
 /// unless the likelihood asks strongly for a power law.
-/// @param records       must outlive the result.
-/// @param coefficients  of the density.
-/// @param viscous       whether c u̇ is sought too.
-[[nodiscard]] SettledRecords settle_records(const ScaledRecords& records, int coefficients,
-                                            bool viscous);
+/// @param records  must outlive the result.
+/// @param viscous  whether c u̇ is sought too.
+[[nodiscard]] SettledRecords settle_records(const ScaledRecords& records, bool viscous);
 
 }  // namespace microslip

@@ -31,8 +31,8 @@ struct Left {
 };
 
 Left left_of(const RecordEvidence& evidence) {
-  const ScaledRecords records(std::span(&evidence, 1), {});
-  const SettledRecords settled = settle_records(records, kCoefficients, false);
+  const ScaledRecords records({.records = std::span(&evidence, 1)}, {}, kCoefficients);
+  const SettledRecords settled = settle_records(records, false);
   const double force = records.stiffness * records.length;
   const Eigen::VectorXd& x = settled.best.solution.x;
   return {force * settled.model.residual(0, x), force * settled.settings.scatter.front(),

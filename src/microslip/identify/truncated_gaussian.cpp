@@ -15,6 +15,9 @@ constexpr double kQuarterPeriod = 0.5 * std::numbers::pi;
 constexpr double kInside = 1e-3;
 /// A limit just left is not met again at once: that would be rounding.
 constexpr double kJustLeft = 1e-9;
+/// Where the mean lies far beyond many limits a trajectory meets them a hundred thousand times: it
+/// ends after so many, wherever it is.
+constexpr int kMostReflections = 1000;
 
 }  // namespace
 
@@ -73,7 +76,7 @@ const Eigen::VectorXd& TruncatedGaussian::next(RandomStream& random) {
   velocity_of_limits_ = limits_ * velocity_;
   double left = kQuarterPeriod;
   Eigen::Index last = -1;
-  while (true) {
+  for (int count = 0; count <= kMostReflections; ++count) {
     const Hit hit = next_hit(left, last);
     const double c = std::cos(hit.time);
     const double s = std::sin(hit.time);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -46,6 +48,39 @@ std::string describe_offset(const Identification& found) {
       "k_eq of the joint",
       fmt::format("{} of k {} the measured, ± {}", percent_text(std::abs(secant.offset) / k),
                   secant.offset > 0.0 ? "below" : "above", percent_text(secant.offset_std / k)));
+}
+
+/// Which assumptions are broken, before anything is said of a density.
+std::string describe_broken(const Identification& found) {
+  std::vector<std::string> codes;
+  const auto add = [&](std::string_view code) {
+    if (std::ranges::find(codes, code) == codes.end()) codes.emplace_back(code);
+  };
+  for (const LevelDepartureVerdict& verdict : found.verdicts) {
+    if (verdict.broken) add(to_string(verdict.departure));
+  }
+  if (found.records()) {
+    for (const RecordFit& record : found.records()->records) {
+      for (const RecordVerdict& verdict : record.verdicts) {
+        if (verdict.broken) add(to_string(verdict.departure));
+      }
+    }
+  }
+  if (codes.empty()) return {};
+  return line("verdict", fmt::format("NOT A JOINT OF THIS KIND: {}", fmt::join(codes, ", "))) +
+         line("", "what follows is the joint of the kind that is nearest; see the warnings");
+}
+
+/// What levels were tested for, each with its number and what noise makes of it.
+std::string describe_verdicts(const Identification& found) {
+  std::string text;
+  for (const LevelDepartureVerdict& verdict : found.verdicts) {
+    text += line(text.empty() ? "tested" : "",
+                 fmt::format("{}: {} of {}, noise {}, {}", to_string(verdict.departure),
+                             percent_text(verdict.share), verdict.quantity,
+                             percent_text(verdict.noise), verdict.broken ? "broken" : "held"));
+  }
+  return text;
 }
 
 /// How far the measured frequencies are from what the joint can make of a resonance.
@@ -101,6 +136,12 @@ std::string describe_stiffness(const Identification& found) {
     text += ", " + band_text(found.records()->stiffness, found.records()->confidence);
   }
   return line("stiffness k", text);
+}
+
+std::string_view name_of_count(const Identification& found) {
+  if (!found.records()) return "levels";
+  if (found.records()->levels.empty()) return "records";
+  return found.records()->records.empty() ? "tables of levels" : "records and tables";
 }
 
 std::string describe_parameters(const ParametricResult& fit) {
@@ -221,6 +262,59 @@ void add_offsets(const RecordInversionResult& result, NamedValues& record) {
   record.emplace_back("offset_record", std::move(number));
 }
 
+/// Each departure that one table of levels can show, found or not.
+void add_level_verdicts(const Identification& found, NamedValues& record) {
+  if (found.verdicts.empty()) return;
+  std::vector<std::string> departure;
+  std::vector<std::string> verdict;
+  std::vector<double> share;
+  std::vector<double> noise;
+  for (const LevelDepartureVerdict& one : found.verdicts) {
+    departure.emplace_back(to_string(one.departure));
+    verdict.emplace_back(one.broken ? "broken" : "held");
+    share.push_back(one.share);
+    noise.push_back(one.noise);
+  }
+  record.emplace_back("verdict_departure", list_of_texts(departure));
+  record.emplace_back("verdict", list_of_texts(verdict));
+  record.emplace_back("verdict_share", std::move(share));
+  record.emplace_back("verdict_noise", std::move(noise));
+}
+
+/// Tables of levels beside records, each held against all else.
+void add_tables(const RecordInversionResult& result, NamedValues& record) {
+  if (result.levels.empty()) return;
+  std::vector<double> scatter;
+  std::vector<std::string> scatter_of;
+  std::vector<double> table;
+  std::vector<std::string> quantity;
+  std::vector<std::string> found;
+  std::vector<double> share;
+  std::vector<double> noise;
+  for (std::size_t t = 0; t < result.levels.size(); ++t) {
+    const LevelFit& fit = result.levels[t];
+    scatter.push_back(fit.scatter.dissipation);
+    scatter_of.emplace_back(fit.scatter_is_relative ? "dissipation" : "dissipation_std");
+    const auto add = [&](const std::optional<LevelVerdict>& verdict, const char* name) {
+      if (!verdict) return;
+      table.push_back(static_cast<double>(t + 1));
+      quantity.emplace_back(name);
+      found.emplace_back(verdict->broken ? "broken" : "held");
+      share.push_back(verdict->share);
+      noise.push_back(verdict->noise);
+    };
+    add(fit.dissipation_verdict, "dissipation");
+    add(fit.secant_verdict, "secant_stiffness");
+  }
+  record.emplace_back("levels_scatter", std::move(scatter));
+  record.emplace_back("levels_scatter_of", list_of_texts(scatter_of));
+  record.emplace_back("levels_verdict_table", std::move(table));
+  record.emplace_back("levels_verdict_quantity", list_of_texts(quantity));
+  record.emplace_back("levels_verdict", list_of_texts(found));
+  record.emplace_back("levels_verdict_share", std::move(share));
+  record.emplace_back("levels_verdict_noise", std::move(noise));
+}
+
 /// Of the draws from the posterior of records.
 void add_records(const Identification& found, NamedValues& record) {
   const RecordInversionResult& result = *found.records();
@@ -247,6 +341,7 @@ void add_records(const Identification& found, NamedValues& record) {
   }
   record.emplace_back("start", list_of_texts(start));
   add_verdicts(result, record);
+  add_tables(result, record);
   record.emplace_back("band_confidence", result.confidence);
   record.emplace_back("band_samples", static_cast<double>(result.draws.size()));
   add_band_edges(found, record);
@@ -298,9 +393,9 @@ void add_parameters(const ParametricResult& fit, NamedValues& record) {
 std::string describe_identification(const Identification& found, std::size_t level_count) {
   const Joint& joint = found.joint;
   const SlipDensity& density = joint.density();
-  std::string text = "Identified joint\n";
+  std::string text = "Identified joint\n" + describe_broken(found);
   text += line("method", method_name(found));
-  text += line(found.records() ? "records" : "levels", fmt::format("{}", level_count));
+  text += line(name_of_count(found), fmt::format("{}", level_count));
   text += describe_stiffness(found);
   text += line("slip forces covered",
                fmt::format("{:.4g} to {:.4g} N", found.covered_from, found.covered_to));
@@ -313,6 +408,7 @@ std::string describe_identification(const Identification& found, std::size_t lev
     text += describe_offset(found);
   }
   text += describe_frequencies(found);
+  text += describe_verdicts(found);
   text += line("stiffness slipped",
                fmt::format("{:.1f} % (elastic remainder {:.1f} %)", 100.0 * density.total().zeroth,
                            100.0 * density.elastic_remainder()));
@@ -349,6 +445,7 @@ NamedValues record_of_identification(const Identification& found) {
   }
   if (found.parametric) add_parameters(*found.parametric, record);
   add_stiffness(found.stiffness, record);
+  add_level_verdicts(found, record);
   if (found.records()) add_records(found, record);
   if (found.bands()) add_bands(found, record);
   record.emplace_back("warnings", list_of(found.warnings, &Warning::code));

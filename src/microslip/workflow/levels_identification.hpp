@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "microslip/identify/identification.hpp"
+#include "microslip/workflow/level_table.hpp"
 #include "microslip/workflow/provenance.hpp"
 #include "microslip/workflow/recorded_options.hpp"
 
@@ -15,10 +16,6 @@
 /// levels.csv to joint.json and density.csv.
 
 namespace microslip {
-
-/// Far beyond every joint something else was measured or labelled, N/m.
-inline constexpr double kSmallestStiffness = 1e-6;
-inline constexpr double kLargestStiffness = 1e15;  ///< N/m
 
 /// What is to be identified, and how.
 struct LevelsIdentification {
@@ -39,8 +36,7 @@ struct IdentifiedLevels {
 };
 
 /// Reads the levels and identifies the joint.
-/// @throws FileError, FormatError  as parse_levels(), at the cell that no joint can have, and where
-///                                 all levels have inner reversals.
+/// @throws FileError, FormatError  as read_level_table().
 /// @throws InputError  as identify(); what the levels are at fault for names their file.
 /// @throws Cancelled   as the progress of the options says.
 [[nodiscard]] IdentifiedLevels identify_levels(const LevelsIdentification& options);

@@ -8,7 +8,9 @@
 #include "microslip/base/percent.hpp"
 #include "microslip/base/version.hpp"
 #include "microslip/io/joint_file.hpp"
+#include "microslip/io/sha256.hpp"
 #include "microslip/workflow/identification_text.hpp"
+#include "microslip/workflow/level_table.hpp"
 #include "microslip/workflow/summary_text.hpp"
 
 namespace microslip {
@@ -30,6 +32,9 @@ NamedValues record_of_options(const RecordsIdentification& options) {
   record.emplace_back("samples", static_cast<double>(options.options.draws));
   record.emplace_back("assume_units", list_of_texts(options.assumed_units));
   record.emplace_back("allow_truncated", options.reading.allow_truncated ? "yes" : "no");
+  if (!options.levels.empty()) {
+    record.emplace_back("inner_reversals", options.use_inner_reversals ? "use" : "leave-out");
+  }
   return record;
 }
 
@@ -65,31 +70,72 @@ std::string describe_record(const std::string& source, const RecordStart& start,
                               fit.scatter, percent_text(fit.unexplained)));
 }
 
-}  // namespace
+std::string describe_table(const std::string& path, std::size_t count, const LevelFit& fit) {
+  return line("levels", shortened(path, 56)) +
+         line("", fmt::format("{}, D scatters by {}", counted(count, "level"),
+                              fit.scatter_is_relative
+                                  ? percent_text(fit.scatter.dissipation)
+                                  : fmt::format("{:.2f} of the standard deviations given",
+                                                fit.scatter.dissipation)));
+}
 
-IdentifiedRecords identify_records(const RecordsIdentification& options) {
-  ForceRecords read = read_force_records(options.records, options.channels, options.reading);
-  std::vector<RecordEvidence> evidence;
+/// What was read.
+struct Gathered {
+  std::vector<RecordEvidence> records;
   std::vector<std::string> source;
   std::vector<double> input;
   std::vector<RecordStart> start;
+  std::vector<LevelEvidence> levels;
+  std::vector<std::string> tables;
+  std::vector<std::size_t> counts;
+  std::vector<InputHash> inputs;
+  std::vector<Warning> warnings;
+};
+
+void gather_records(const RecordsIdentification& options, Gathered& all) {
+  ForceRecords read = read_force_records(options.records, options.channels, options.reading);
   for (NamedForceRecord& one : read.records) {
     of_record(one.source, [&] {
       const RecordEvidence virgin(std::move(one.record), PathStart::kVirgin);
-      start.push_back(start_of(virgin, options));
-      evidence.push_back(virgin.from(start.back().start));
-      check_records({&evidence.back(), 1}, options.options);
+      all.start.push_back(start_of(virgin, options));
+      all.records.push_back(virgin.from(all.start.back().start));
+      check_records({&all.records.back(), 1}, options.options);
     });
-    source.push_back(one.source);
-    input.push_back(one.input);
+    all.source.push_back(one.source);
+    all.input.push_back(one.input);
   }
-  IdentifiedRecords done{.source = std::move(source),
-                         .input = std::move(input),
-                         .start = std::move(start),
-                         .inputs = std::move(read.inputs),
-                         .found = identify(evidence, options.stiffness, options.options)};
-  done.found.warnings.insert(done.found.warnings.begin(), read.warnings.begin(),
-                             read.warnings.end());
+  all.inputs = std::move(read.inputs);
+  all.warnings = std::move(read.warnings);
+}
+
+void gather_levels(const RecordsIdentification& options, Gathered& all) {
+  for (const std::string& path : options.levels) {
+    LevelTable table = read_level_table(path, {.use_inner_reversals = options.use_inner_reversals});
+    of_record(path, [&] { all.levels.emplace_back(table.used.levels); });
+    all.tables.push_back(path);
+    all.counts.push_back(table.used.levels.size());
+    all.inputs.push_back({path, sha256(table.input.text)});
+    for (const Warning& warning : table.warnings) {
+      all.warnings.push_back({warning.code, path + ": " + warning.text});
+    }
+  }
+}
+
+}  // namespace
+
+IdentifiedRecords identify_records(const RecordsIdentification& options) {
+  Gathered all;
+  gather_records(options, all);
+  gather_levels(options, all);
+  IdentifiedRecords done{.source = all.source,
+                         .input = std::move(all.input),
+                         .tables = all.tables,
+                         .levels = std::move(all.counts),
+                         .start = std::move(all.start),
+                         .inputs = std::move(all.inputs),
+                         .found = identify({all.records, all.levels, all.source, all.tables},
+                                           options.stiffness, options.options)};
+  done.found.warnings.insert(done.found.warnings.begin(), all.warnings.begin(), all.warnings.end());
   return done;
 }
 
@@ -107,10 +153,13 @@ std::string joint_text(const RecordsIdentification& options, const IdentifiedRec
 }
 
 std::string describe_identified_records(const IdentifiedRecords& done) {
-  std::string text = describe_identification(done.found, done.source.size());
+  std::string text = describe_identification(done.found, done.source.size() + done.tables.size());
   std::string records;
   for (std::size_t r = 0; r < done.source.size(); ++r) {
     records += describe_record(done.source[r], done.start[r], done.found.records()->records[r]);
+  }
+  for (std::size_t t = 0; t < done.tables.size(); ++t) {
+    records += describe_table(done.tables[t], done.levels[t], done.found.records()->levels[t]);
   }
   return text + records;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,18 +14,21 @@
 #include "microslip/workflow/force_records.hpp"
 
 /// @file
-/// Recordings of force and displacement to joint.json and density.csv.
+/// Recordings of force and displacement, and tables of levels with them, to joint.json and
+/// density.csv.
 
 namespace microslip {
 
 /// What is to be identified, and how.
 struct RecordsIdentification {
-  std::vector<std::string> records;      ///< paths of recordings of one joint
-  JointChannels channels = {};           ///< of each of them
-  std::optional<double> stiffness = {};  ///< k of the stuck joint, N/m; found without it
-  std::optional<PathStart> start = {};   ///< of each of them; by what it shows without it
-  RecordInversionOptions options = {};   ///< of the method
-  RecordingReadOptions reading = {};     ///< of the recordings
+  std::vector<std::string> records = {};  ///< paths of recordings of one joint
+  std::vector<std::string> levels = {};   ///< paths of tables of its levels, levels.csv
+  JointChannels channels = {};            ///< of each of them
+  std::optional<double> stiffness = {};   ///< k of the stuck joint, N/m; found without it
+  std::optional<PathStart> start = {};    ///< of each of them; by what it shows without it
+  RecordInversionOptions options = {};    ///< of the method
+  RecordingReadOptions reading = {};      ///< of the recordings
+  bool use_inner_reversals = false;       ///< of the levels, as LevelTableOptions
   /// The texts of the units that `reading` assumes, for joint.json.
   std::vector<std::string> assumed_units = {};
 };
@@ -33,13 +37,15 @@ struct RecordsIdentification {
 struct IdentifiedRecords {
   std::vector<std::string> source = {};  ///< of each record
   std::vector<double> input = {};        ///< number of the file of each record, from 1
+  std::vector<std::string> tables = {};  ///< of each table of levels: its file
+  std::vector<std::size_t> levels = {};  ///< of each: how many were used
   std::vector<RecordStart> start = {};   ///< of each record; shown where nobody said it
   std::vector<InputHash> inputs = {};    ///< the files
   Identification found;                  ///< with warnings of the files, too
 };
 
-/// Reads the recordings and identifies the joint.
-/// @throws FileError, FormatError  as read_recordings().
+/// Reads recordings and levels and identifies the joint.
+/// @throws FileError, FormatError  as read_recordings() and read_level_table().
 /// @throws InputError  as read_force_records() and identify(); where there is no recording.
 /// @throws Cancelled   as the progress of the options says.
 [[nodiscard]] IdentifiedRecords identify_records(const RecordsIdentification& options);

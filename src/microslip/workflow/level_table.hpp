@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "microslip/base/summary.hpp"
+#include "microslip/io/levels_file.hpp"
+#include "microslip/workflow/provenance.hpp"
+
+/// @file
+/// A levels.csv as an identification takes it.
+
+namespace microslip {
+
+/// Far beyond every joint something else was measured or labelled, N/m.
+inline constexpr double kSmallestStiffness = 1e-6;
+inline constexpr double kLargestStiffness = 1e15;  ///< N/m
+
+/// What is taken of it.
+struct LevelTableOptions {
+  /// Takes levels with inner reversals, too, whose D is not that of one loop [AR14 (7)].
+  bool use_inner_reversals = false;
+  bool linear_dissipation = false;  ///< W_lin must be there
+};
+
+/// The levels of a file.
+struct LevelTable {
+  NamedInput input;                        ///< as read
+  LevelsFile used = {};                    ///< those to identify from
+  std::vector<std::size_t> reversed = {};  ///< lines of those with inner reversals
+  std::vector<Warning> warnings = {};      ///< of flags; the last of inner reversals
+};
+
+/// @throws FileError, FormatError  as parse_levels(), at the cell that no joint can have, and where
+///                                 all levels have inner reversals.
+[[nodiscard]] LevelTable read_level_table(const std::string& path,
+                                          const LevelTableOptions& options = {});
+
+}  // namespace microslip

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Forces on paths that others measured or computed.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/run_program.hpp"
+#include "support/reference_csv.hpp"
+
+namespace microslip::cli_test::external_records_test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+class ExternalRecords : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const char* folder = std::getenv("MICROSLIP_DATA_DIR");
+    if (folder == nullptr) GTEST_SKIP() << "MICROSLIP_DATA_DIR is not set";
+    folder_ = folder;
+  }
+
+  [[nodiscard]] fs::path external(const std::string& name) const { return folder_ / name; }
+
+  [[nodiscard]] json identification() const {
+    return json::parse(box_.get("joint.json")).at("identification");
+  }
+
+  fs::path folder_;
+  Sandbox box_;
+};
+
+/// A history of another code, of ten nested springs without noise: MASTODON, idaholab/mastodon,
+/// LGPL-2.1; its stress over twice the strain zx.
+TEST_F(ExternalRecords, NestedSpringsAreAJointOfThisKind) {
+  const fs::path file = external("mastodon_isoil/data_file_hysteresis.csv");
+  if (!fs::exists(file)) GTEST_SKIP() << file << " is not there";
+  const testing::ReferenceTable table(file.string());
+  const std::vector<double>& strain = table["strain_zx_el"];
+  const std::vector<double>& stress = table["stress_zx_el"];
+  std::string text = "time [s],u [m],f [N]\n";
+  for (std::size_t i = 0; i < strain.size(); ++i) {
+    text += fmt::format("{},{},{}\n", 0.01 * static_cast<double>(i), 2.0 * strain[i], stress[i]);
+  }
+  box_.put("history.csv", text);
+  expect_done(box_, {"identify", "history.csv", "--out", "joint.json"});
+  const json found = identification();
+  EXPECT_TRUE(found.at("warnings").empty()) << found.at("warning_texts");
+  EXPECT_LE(found.at("unexplained").at(0).get<double>(), 5e-3);
+}
+
+/// A banded rotary friction damper with backlash, a sine of 0.5 Hz at three amplitudes:
+/// ARTS-Laboratory, Dataset-Friction-Damper-with-Backlash, data/dataset-2, CC BY-SA 4.0.
+TEST_F(ExternalRecords, AFrictionDamperWithBacklashIsNone) {
+  for (const char* amplitude : {"0.5", "1", "1.5"}) {
+    const fs::path file = external(fmt::format("friction_damper/sine_0.5Hz_{}in.csv", amplitude));
+    if (!fs::exists(file)) GTEST_SKIP() << file << " is not there";
+    fs::copy_file(file, box_.file("damper.csv"), fs::copy_options::overwrite_existing);
+    const Outcome done = expect_done(
+        box_, {"identify", "damper.csv", "--out", "joint.json", "--density-csv", "density.csv"});
+    EXPECT_LT(done.out.find("NOT A JOINT OF THIS KIND: dead_zone"), done.out.find("density"))
+        << done.out;
+    const json warnings = identification().at("warnings");
+    EXPECT_NE(std::ranges::find(warnings, "dead_zone"), warnings.end()) << warnings;
+    EXPECT_NE(box_.get("density.csv").find("# warning: dead_zone: not a joint of this kind"),
+              std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace microslip::cli_test::external_records_test
