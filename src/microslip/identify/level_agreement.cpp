@@ -85,8 +85,9 @@ class Predicted {
 
 LevelAgreement agreement_of_levels(const JointEvidence& evidence, std::size_t table,
                                    std::optional<double> known, int coefficients) {
+  // Another table may be the one that is wrong.
   std::vector<LevelEvidence> rest;
-  for (std::size_t t = 0; t < evidence.levels.size(); ++t) {
+  for (std::size_t t = 0; t < evidence.levels.size() && evidence.records.empty(); ++t) {
     if (t != table) rest.push_back(evidence.levels[t]);
   }
   if (evidence.records.empty() && (rest.empty() || !known)) return {};

@@ -8,11 +8,11 @@
 #include "microslip/identify/record_inversion.hpp"
 
 /// @file
-/// Whether a table of levels is of the joint that all else is of.
+/// Whether a table of levels is of the joint of the records, or without any of all other tables.
 
 namespace microslip {
 
-/// What the joint of all other evidence says of a table of levels, against what was measured: D, and
+/// What the joint of that evidence says of a table of levels, against what was measured: D, and
 /// k_eq where it was measured. Levels beyond the reach of the others are not judged.
 struct LevelAgreement {
   std::optional<LevelVerdict> dissipation;

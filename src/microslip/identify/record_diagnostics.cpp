@@ -44,11 +44,10 @@ DepartureText text_of(RecordDeparture departure) {
 }
 
 Warning contradiction(const std::string& name, std::string_view what, const LevelVerdict& verdict) {
-  return {
-      what == "D" ? "levels_contradict" : "secant_differs",
-      fmt::format("{}: its {} is off that of the joint of all other evidence by {}, where noise "
-                  "would make {}: another joint, load or gain. Identify from each by itself.",
-                  name, what, percent_text(verdict.share), percent_text(verdict.noise))};
+  return {what == "D" ? "levels_contradict" : "secant_differs",
+          fmt::format("{}: its {} is off that of the joint of the other files by {}, where noise "
+                      "would make {}: another joint, load or gain. Identify from each by itself.",
+                      name, what, percent_text(verdict.share), percent_text(verdict.noise))};
 }
 
 }  // namespace

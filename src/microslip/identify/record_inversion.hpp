@@ -89,7 +89,7 @@ struct RecordFit {
   std::vector<RecordVerdict> verdicts = {};  ///< of each departure; the weightiest first
 };
 
-/// What was found of levels against the joint of all other evidence.
+/// What was found of levels against the joint of the records, or without any of all other tables.
 struct LevelVerdict {
   double share = 0.0;   ///< rms relative difference of D or k_eq, weighted by 1/variance, 1
   double noise = 0.0;   ///< that errors of both would make, 1
@@ -165,7 +165,7 @@ void check_records(std::span<const RecordEvidence> evidence,
 /// linear in ψ, too, whatever k is, and so is k_eq = K_e + ∫ g(x*/A) ψ dx* [level_rows.hpp], which
 /// counts in full: with records k is found, else it must be given. Rows of levels have σ of
 /// LevelEvidence; their scatter is that of their residuals. Each table is also held against the joint
-/// of all other evidence: see LevelVerdict. Common errors of levels are not among what is drawn.
+/// of the records, or without any of all other tables: see LevelVerdict. Common errors of levels are not among what is drawn.
 /// @param evidence   of one joint.
 /// @param stiffness  k of the stuck joint, N/m, where it is known; needed without records.
 /// @param options    how it is solved.
