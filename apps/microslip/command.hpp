@@ -38,6 +38,7 @@ inline constexpr std::array<ExitStatusText, 4> kExitStatusTexts = {{
 /// What an argument is called in the help (CLI::Option::type_name) where it names a file or a
 /// folder. The completion of the shells offers names with this ending.
 inline constexpr const char* kCsvValue = "FILE.csv";
+inline constexpr const char* kHdf5Value = "FILE.h5";
 inline constexpr const char* kJsonValue = "FILE.json";
 inline constexpr const char* kTomlValue = "FILE.toml";
 inline constexpr const char* kHtmlValue = "FILE.html";

@@ -5,10 +5,11 @@
 #include <cstdio>
 #include <memory>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include "command.hpp"
 #include "identify_arguments.hpp"
+#include "microslip/base/error.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/workflow/identification_text.hpp"
@@ -18,10 +19,12 @@ namespace microslip::app {
 namespace {
 
 /// Writes what was asked for, and tells of it.
+/// @param samples  of joint_samples.h5; empty where that was not asked for.
 int finish(const IdentifyArguments& arguments, const Call& call, const Identification& found,
-           std::string joint, const std::string& summary) {
+           const std::string& joint, const std::string& samples, const std::string& summary) {
   OutputFiles outputs;
-  outputs.add(arguments.out, std::move(joint));
+  outputs.add(arguments.out, joint);
+  if (!samples.empty()) outputs.add(arguments.samples_out, samples);
   if (!arguments.density_csv.empty()) outputs.add(arguments.density_csv, density_csv(found));
   outputs.commit();
   if (!call.quiet) {
@@ -32,13 +35,21 @@ int finish(const IdentifyArguments& arguments, const Call& call, const Identific
 }
 
 int run(const IdentifyArguments& arguments, const Call& call) {
-  check_output(arguments.out, kJointKind);
-  if (!arguments.density_csv.empty()) check_output(arguments.density_csv, kDensityKind);
+  std::vector<PlannedOutput> outputs{{arguments.out, kJointKind}};
+  if (!arguments.density_csv.empty()) outputs.push_back({arguments.density_csv, kDensityKind});
+  if (!arguments.samples_out.empty()) outputs.push_back({arguments.samples_out, kSamplesKind});
+  check_outputs(outputs);
+  const bool keep = !arguments.samples_out.empty();
+  if (arguments.samples_out == "-") {
+    throw InputError("--samples-out", "'-'", "must be a file: what is written is not text",
+                     "Name it, for instance joint_samples.h5.");
+  }
   const EvidenceFiles files = evidence_files(arguments);
   if (!files.one_table()) {
     const RecordsIdentification options = records_options(arguments, files, call.quiet);
     const IdentifiedRecords done = identify_records(options);
     return finish(arguments, call, done.found, joint_text(options, done, call.command_line),
+                  keep ? samples_bytes(options, done, call.command_line) : "",
                   describe_identified_records(done));
   }
   const LevelsIdentification options = levels_options(arguments, call.quiet);
@@ -46,6 +57,9 @@ int run(const IdentifyArguments& arguments, const Call& call) {
   return finish(
       arguments, call, done.found,
       joint_text(done.found, options.options, done.input, call.command_line, options.texts),
+      keep ? samples_bytes(done.found, options.options, done.input, call.command_line,
+                           options.texts, arguments.samples_out)
+           : "",
       describe_identified_levels(options, done));
 }
 
@@ -75,6 +89,8 @@ void add_identify(CLI::App& program, Call& call) {
                           "          --smoothing p=0.99999 --smoothing-unit mm --out joint.json",
                           "microslip identify record.csv --out joint.json",
                           "microslip identify record.csv levels.csv --out joint.json",
+                          "microslip identify record.csv --samples 2000 \\",
+                          "          --samples-out joint_samples.h5 --out joint.json",
                           "microslip identify record.csv --force f --displacement u \\",
                           "          --start unknown --out joint.json"});
   command->callback(

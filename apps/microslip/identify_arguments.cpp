@@ -62,12 +62,29 @@ double relative_std(std::string_view option, const std::string& text) {
   return gain;
 }
 
+/// Draws of the posterior of levels, by the newer name of the option or the older one.
+struct DrawCount {
+  std::string_view option;
+  std::string text;
+  [[nodiscard]] bool none() const { return text == "0"; }
+};
+
+DrawCount draws_of_levels(const IdentifyArguments& options) {
+  if (!options.samples) return {"--bands", options.bands};
+  if (options.bands != "0") {
+    throw InputError("--bands", in_quotes(options.bands), "is the same number as --samples",
+                     "Leave one of them out.");
+  }
+  return {"--samples", *options.samples};
+}
+
 /// What only a band shows is refused without one, not ignored.
 void check_unused(const IdentifyArguments& options, const CommonErrors& errors) {
   const auto refuse = [](std::string_view option, const std::string& text) {
     throw InputError(option, in_quotes(text), "belongs to a band, and --bands is 0",
-                     "Ask for samples, for instance --bands 1000, or leave it out.");
+                     "Ask for samples, for instance --samples 1000, or leave it out.");
   };
+  if (!options.samples_out.empty()) refuse("--samples-out", options.samples_out);
   if (options.seed) refuse("--seed", *options.seed);
   if (errors.dissipation_gain_std > 0.0) refuse("--dissipation-gain-std", options.dissipation_gain);
   if (errors.amplitude_gain_std > 0.0) refuse("--amplitude-gain-std", options.amplitude_gain);
@@ -91,8 +108,9 @@ std::optional<BandOptions> bands_of(const IdentifyArguments& options, bool quiet
   constexpr std::uint64_t kMost = 1'000'000;  // more memory than use
   BandOptions bands;
   bands.seed = seed_of(options);
-  if (options.bands == "0") return std::nullopt;
-  bands.samples = parse_whole_number("--bands", options.bands, kFewest, kMost,
+  const DrawCount draws = draws_of_levels(options);
+  if (draws.none()) return std::nullopt;
+  bands.samples = parse_whole_number(draws.option, draws.text, kFewest, kMost,
                                      "1000 give a smooth band, 0 gives none.");
   bands.progress = progress_bar("bands", quiet);
   return bands;
@@ -112,7 +130,7 @@ void check_method(const IdentifyArguments& options) {
   };
   if (options.method == "inversion" && !fit) return;
   if (options.atom) refuse("--atom");
-  if (options.bands != "0") refuse("--bands");
+  if (const DrawCount draws = draws_of_levels(options); !draws.none()) refuse(draws.option);
   if (options.linear_damping == "fit" && !fit) refuse("--linear-damping fit");
 }
 
@@ -157,12 +175,6 @@ void refuse_options_of_recordings(const IdentifyArguments& options) {
   of_records.refuse("--allow-truncated", options.reading.allow_truncated);
 }
 
-void refuse_options_of_records(const IdentifyArguments& options) {
-  refuse_options_of_recordings(options);
-  const Foreign of_records("belongs to records of force and displacement, and these are levels");
-  of_records.refuse("--samples", options.samples.has_value(), "--bands N gives levels a band.");
-}
-
 void refuse_options_of_levels(const IdentifyArguments& options, const EvidenceFiles& files) {
   const Foreign of_levels(files.levels.empty()
                               ? "belongs to levels, and this is a record of force and displacement"
@@ -174,8 +186,7 @@ void refuse_options_of_levels(const IdentifyArguments& options, const EvidenceFi
   of_levels.refuse("--linear-damping", options.linear_damping, "none",
                    "--viscous fit finds a viscous part of a record.");
   of_levels.refuse("--atom", options.atom);
-  of_levels.refuse("--bands", options.bands, "0",
-                   "The density has a band anyway, of --samples draws.");
+  of_levels.refuse("--bands", options.bands, "0", "--samples N is its name for both.");
   of_levels.refuse("--dissipation-gain-std", options.dissipation_gain, "0");
   of_levels.refuse("--amplitude-gain-std", options.amplitude_gain, "0");
   of_levels.refuse("--loss-factor-std", options.loss_factor, "0");
@@ -229,8 +240,16 @@ void add_method_options(CLI::App& command, IdentifyArguments& options) {
 
 void add_band_options(CLI::App& command, IdentifyArguments& options) {
   command
-      .add_option("--bands", options.bands,
-                  "Samples of the 95 % band; 0 for none, 1000 for a smooth one")
+      .add_option("--samples", options.samples,
+                  "Draws from all densities that the measurements leave possible, and of the 95 % "
+                  "band. Levels: none without it, 1000 for a smooth band; records: their mean is "
+                  "the density, 1000 without it")
+      ->type_name("UINT");
+  command
+      .add_option("--samples-out", options.samples_out,
+                  "The draws as joints, to be kept: joint_samples.h5, HDF5")
+      ->type_name(kHdf5Value);
+  command.add_option("--bands", options.bands, "Levels: the older name of --samples; 0 for none")
       ->type_name("UINT")
       ->capture_default_str();
   command.add_option("--seed", options.seed, "Seed of the samples; 1 without it")
@@ -238,13 +257,11 @@ void add_band_options(CLI::App& command, IdentifyArguments& options) {
   command
       .add_option("--dissipation-gain-std", options.dissipation_gain,
                   "Relative gain error of D that all levels share, for the band [1]; also in %")
-      ->needs("--bands")
       ->type_name("FLOAT")
       ->capture_default_str();
   command
       .add_option("--amplitude-gain-std", options.amplitude_gain,
                   "Relative gain error of A that all levels share, for the band [1]; also in %")
-      ->needs("--bands")
       ->type_name("FLOAT")
       ->capture_default_str();
   command
@@ -253,7 +270,6 @@ void add_band_options(CLI::App& command, IdentifyArguments& options) {
           "Relative error of the structure's loss factor, and so of the linear loss that was "
           "taken from D, for the band [1]; also in %; needs the column linear_dissipation "
           "[J]")
-      ->needs("--bands")
       ->type_name("FLOAT")
       ->capture_default_str();
 }
@@ -274,11 +290,6 @@ void add_record_options(CLI::App& command, IdentifyArguments& options) {
                   "Records: fit finds a force c times the velocity beside the friction")
       ->check(CLI::IsMember({"none", "fit"}))
       ->capture_default_str();
-  command
-      .add_option("--samples", options.samples,
-                  "Records, or several files: draws that the density is the mean of, and its band; "
-                  "1000 without it")
-      ->type_name("UINT");
   add_recording_arguments(command, options.reading);
 }
 
@@ -303,12 +314,12 @@ EvidenceFiles evidence_files(const IdentifyArguments& arguments) {
 }
 
 LevelsIdentification levels_options(const IdentifyArguments& arguments, bool quiet) {
-  refuse_options_of_records(arguments);
+  refuse_options_of_recordings(arguments);
   LevelsIdentification all;
   all.levels = arguments.evidence.front();
   all.texts = {arguments.smoothing, arguments.smoothing_unit, arguments.inner_reversals,
-               errors_of(arguments)};
-  if (arguments.bands == "0") check_unused(arguments, all.texts.common_errors);
+               errors_of(arguments), arguments.samples_out};
+  if (draws_of_levels(arguments).none()) check_unused(arguments, all.texts.common_errors);
   all.options = library_options(arguments, quiet);
   all.stiffness = stiffness_of(arguments);
   all.use_inner_reversals = arguments.inner_reversals == "use";
@@ -332,6 +343,7 @@ RecordsIdentification records_options(const IdentifyArguments& arguments,
   all.options.draws =
       parse_whole_number("--samples", arguments.samples.value_or("1000"), kFewest, kMost);
   all.options.seed = seed_of(arguments);
+  all.samples_out = arguments.samples_out;
   all.options.progress = progress_bar("draws", quiet);
   all.reading = read_options(arguments.reading, progress_bar("reading", quiet));
   all.assumed_units = arguments.reading.assumed_units;

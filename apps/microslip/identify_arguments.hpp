@@ -25,6 +25,8 @@ struct IdentifyArguments {
   std::string linear_damping = "none";
   bool atom = false;
   std::string bands = "0";
+  std::optional<std::string> samples;  // of levels the same
+  std::string samples_out;
   std::optional<std::string> seed;
   std::string dissipation_gain = "0";
   std::string amplitude_gain = "0";
@@ -36,7 +38,6 @@ struct IdentifyArguments {
   std::string displacement;
   std::string start = "auto";
   std::string viscous = "none";
-  std::optional<std::string> samples;
   RecordingArguments reading;
 };
 

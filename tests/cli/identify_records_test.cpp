@@ -12,6 +12,7 @@
 #include "cli/run_program.hpp"
 #include "cli/samples.hpp"
 #include "microslip/io/density_file.hpp"
+#include "microslip/io/joint_samples_file.hpp"
 #include "microslip/io/sha256.hpp"
 #include "support/force_records.hpp"
 
@@ -155,9 +156,8 @@ TEST(identify_records, KeepsOptionsOfEvidenceApart) {
   box.put("levels.csv", sample_levels_text());
   expect_refused(box, {"identify", "levels.csv", "--out", "j.json"}, {"--stiffness", "missing"});
   const Arguments levels{"identify", "levels.csv", "--stiffness", "1.7e5", "--out", "j.json"};
-  for (const Arguments& more :
-       {Arguments{"--force", "f"}, Arguments{"--displacement", "u"}, Arguments{"--start", "virgin"},
-        Arguments{"--viscous", "fit"}, Arguments{"--samples", "200"}}) {
+  for (const Arguments& more : {Arguments{"--force", "f"}, Arguments{"--displacement", "u"},
+                                Arguments{"--start", "virgin"}, Arguments{"--viscous", "fit"}}) {
     expect_refused(box, with(levels, more), {more.front(), "records"});
   }
   for (const Arguments& more :
@@ -165,6 +165,24 @@ TEST(identify_records, KeepsOptionsOfEvidenceApart) {
         Arguments{"--linear-damping", "fit"}, Arguments{"--inner-reversals", "use"},
         Arguments{"--atom"}, Arguments{"--bands", "100"}, Arguments{"--fit", "uniform"}}) {
     expect_refused(box, with(kIdentify, more), {more.front(), "levels"});
+  }
+}
+
+TEST(identify_records, KeepsTheDraws) {
+  const Sandbox box = sandbox();
+  expect_done(box, with(kIdentify, {"--samples", "200", "--samples-out", "draws.h5"}));
+  const JointSamples draws = read_joint_samples(box.file("draws.h5"));
+  EXPECT_EQ(draws.size(), 200U);
+  EXPECT_EQ(draws.method, "posterior of records");
+  const json file = json::parse(box.get("joint.json"));
+  EXPECT_EQ(file.at("provenance").at("options").at("samples_out"), "draws.h5");
+  // The joint is their mean, and the band of k is theirs.
+  double mean = 0.0;
+  for (const double k : draws.stiffness) mean += k / 200.0;
+  const double found = file.at("stiffness_N_per_m");
+  EXPECT_NEAR(mean, found, 1e-9 * found);
+  for (std::size_t i = 0; i < draws.size(); ++i) {
+    EXPECT_LE(draws.joint(i).density().total().zeroth, 1.0 + 1e-12);
   }
 }
 

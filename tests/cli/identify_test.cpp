@@ -12,6 +12,7 @@
 #include "microslip/base/version.hpp"
 #include "microslip/identify/identification.hpp"
 #include "microslip/io/density_file.hpp"
+#include "microslip/io/joint_samples_file.hpp"
 #include "microslip/io/sha256.hpp"
 #include "microslip/joint/secant.hpp"
 
@@ -158,13 +159,63 @@ TEST(identify, WritesTheBand) {
   const json found = record(box, "identification");
   EXPECT_EQ(found.at("band_confidence"), 0.95);
   EXPECT_EQ(found.at("band_samples"), 40);
-  EXPECT_EQ(found.at("band_samples_not_converged"), 0);
+  EXPECT_EQ(found.at("band_samples_effective"), expected.bands()->effective_samples);
   EXPECT_EQ(numbers(found.at("band_area")),
             (std::vector<double>{expected.bands()->area.first, expected.bands()->area.second}));
   EXPECT_EQ(numbers(found.at("band_slip_force_N")), expected.slip_force);
   EXPECT_EQ(numbers(found.at("band_lower_per_N")), expected.lower);
   EXPECT_EQ(numbers(found.at("band_upper_per_N")), expected.upper);
   EXPECT_NE(run.out.find("95 % band"), std::string::npos) << run.out;
+}
+
+// The draws that the band is of, as many by either name of the option.
+TEST(identify, KeepsTheDraws) {
+  const Sandbox box = sandbox();
+  expect_done(box, identify_with({"--samples", "40", "--seed", "7", "--samples-out", "draws.h5"}));
+  const JointSamples draws = read_joint_samples(box.file("draws.h5"));
+  EXPECT_EQ(draws.size(), 40U);
+  EXPECT_EQ(draws.seed, 7U);
+  EXPECT_EQ(draws.method, "posterior of levels");
+  const json provenance = record(box, "provenance");
+  EXPECT_EQ(provenance.at("options").at("bands"), 40);
+  EXPECT_EQ(provenance.at("options").at("samples_out"), "draws.h5");
+  ASSERT_TRUE(draws.provenance);
+  EXPECT_EQ(draws.provenance->command, provenance.at("command"));
+  EXPECT_EQ(draws.provenance->inputs.at(0).sha256, provenance.at("inputs").at(0).at("sha256"));
+
+  IdentificationOptions options;
+  options.bands = BandOptions{.samples = 40, .seed = 7, .progress = {}};
+  const Identification expected =
+      identify(LevelEvidence(sample_levels()), kSampleStiffness, options);
+  const auto& inverted = std::get<InvertedDensity>(expected.free);
+  for (const std::size_t i : {0U, 39U}) {
+    const Joint joint = draws.joint(i);
+    EXPECT_EQ(joint.stiffness(), kSampleStiffness);
+    const double area = inverted.samples[i].area;
+    EXPECT_NEAR(joint.density().total().zeroth, area, 1e-9 * area);
+  }
+  expect_done(box, identify_with({"--bands", "40", "--seed", "7", "--samples-out", "same.h5"}));
+  EXPECT_EQ(read_joint_samples(box.file("same.h5")).stiffness_density, draws.stiffness_density);
+}
+
+// Another file in HDF5 is not replaced by them.
+TEST(identify, KeepsDrawsApartFromOtherFiles) {
+  const Sandbox box = sandbox();
+  box.put("data.h5", std::string("\x89HDF\r\n\x1A\n", 8) + "a recording");
+  for (const auto& [more, text] : std::vector<std::pair<Arguments, std::string>>{
+           {{"--samples", "40", "--samples-out", "data.h5"}, "data.h5"},
+           {{"--samples-out", "draws.h5"}, "--samples-out = 'draws.h5'"},
+           {{"--samples", "40", "--samples-out", "-"}, "--samples-out = '-'"},
+           {{"--samples", "40", "--bands", "40"}, "the same number as --samples"},
+           {{"--samples", "5"}, "--samples = '5'"},
+           {{"--samples", "40", "--fit", "uniform"}, "does not go with --samples"},
+           {{"--samples", "40", "--samples-out", "joint.json"}, "joint.json"}}) {
+    const Outcome run = box.run(identify_with(more));
+    EXPECT_EQ(run.status, 2) << run.out;
+    EXPECT_NE(run.err.find(text), std::string::npos) << run.err;
+    EXPECT_FALSE(box.has("joint.json"));
+    EXPECT_FALSE(box.has("draws.h5"));
+  }
 }
 
 /// Frequencies that rise by 1 %, and k_eq 20 % of k below the joint's.

@@ -77,32 +77,33 @@ TEST(AnyArgument, OfLevels) {
 // A posterior that was changed by hand; an empty one.
 TEST(AnyArgument, OfSamplesOfTheDensity) {
   const InversionResult good = invert(good_levels(), kStiffness);
-  EXPECT_NO_THROW((void)good.posterior.sample(1, 0));
-  EXPECT_NO_THROW((void)good.posterior.sample(1, static_cast<std::size_t>(-1)));
+  EXPECT_NO_THROW((void)good.posterior.samples(static_cast<std::uint64_t>(-1), 1));
+  EXPECT_TRUE(good.posterior.samples(1, 0).empty());
   for (const double std : {kNaN, kInfinity, -0.1, 0.5}) {
     EXPECT_THROW((void)density_bands(good, {.confidence = std - 0.5}), InputError);
     DensityPosterior posterior = good.posterior;
     posterior.common_errors.dissipation_gain_std = std;
-    EXPECT_THROW((void)posterior.sample(1, 0), InputError);
+    EXPECT_THROW((void)posterior.samples(1, 20), InputError);
   }
   EXPECT_THROW((void)density_bands(good, {.samples = 0}), InputError);
 
   const std::vector<DensityPosterior> bad = [&] {
-    std::vector<DensityPosterior> all(10, good.posterior);
+    std::vector<DensityPosterior> all(11, good.posterior);
     all[0] = DensityPosterior{};
-    all[1].smoothing.clear();
+    all[1].smoothing.least = 0.0;
     all[2].density.values.pop_back();
-    all[3].information.columns = 0;
-    all[4].data.pop_back();
+    all[3].dissipation.factor.columns = 0;
+    all[4].dissipation.data.pop_back();
     all[5].penalty.columns = 7;
     all[6].common_errors.loss_factor_std = 0.1;  // without the losses of the levels
-    all[7].degrees_of_freedom = kNaN;
-    all[8].smoothing.front().coefficients.clear();
+    all[7].dissipation.count = kNaN;
+    all[8].start.clear();
     all[9].slip_force.clear();
+    all[10].smoothing.most = kNaN;
     return all;
   }();
   for (const DensityPosterior& posterior : bad) {
-    EXPECT_THROW((void)posterior.sample(1, 0), InputError);
+    EXPECT_THROW((void)posterior.samples(1, 20), InputError);
     InversionResult result = good;
     result.posterior = posterior;
     EXPECT_THROW((void)density_bands(result, {}), InputError);

@@ -11,7 +11,6 @@
 #include <functional>
 #include <iostream>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,20 +61,19 @@ double standard_deviation(const std::vector<double>& values) {
 }
 
 // A nominal 95 % band covers the truth 95 % of the time, in simulation: 90 levels with 1 % of
-// noise, 60 data sets a density (one data set's coverage is 0 or 1 along a good part of the range,
-// so fewer would scatter by more than a point), 100 samples each.
+// noise, 20 data sets a density (one data set's coverage is 0 or 1 along a good part of the range,
+// so fewer would scatter by more than two points), 250 draws each.
 double mean_coverage(const std::vector<testing::NamedJoint>& truths, double least) {
-  constexpr std::uint64_t kSets = 60;
+  constexpr std::uint64_t kSets = 20;
   double mean = 0.0;
   for (const auto& [name, truth] : truths) {
     double covered = 0.0;
     for (std::uint64_t draw = 0; draw < kSets; ++draw) {
       const InversionResult result = invert(testing::noisy_levels(truth, draw), kStiffness);
-      const DensityBands bands = density_bands(result, band_options(100, draw));
+      const DensityBands bands = density_bands(result, band_options(250, draw));
       covered += coverage(result, bands, truth) / static_cast<double>(kSets);
     }
     EXPECT_GE(covered, least) << name;
-    EXPECT_LE(covered, 0.995) << name;
     mean += covered / static_cast<double>(truths.size());
     test::record_largest(name + " [1]", covered);
     std::cout << "  coverage, " << name << ": " << covered << '\n';
@@ -83,41 +81,40 @@ double mean_coverage(const std::vector<testing::NamedJoint>& truths, double leas
   return mean;
 }
 
-// No band is right for kinks and for smooth densities alike: 0.90 to 0.995 for each, 0.90 to 0.99 in
-// the mean.
 TEST(Bands, CoverTheTruth) {
   MICROSLIP_OF_RELEASE_ALONE();
-  const double mean = mean_coverage(testing::all_truths(), 0.90);
-  EXPECT_GE(mean, 0.90);
-  EXPECT_LE(mean, 0.99);
+  const double mean = mean_coverage(testing::all_truths(), 0.88);
+  EXPECT_GE(mean, 0.93);
+  EXPECT_LE(mean, 0.985);
   test::record_largest("mean [1]", mean);
 }
 
-// 0.84 to 0.98. The least is that of the ramp, which ends at once: every smooth density is wrong
-// around the jump, and its band does not know of it.
+// The least are those of the ramp, which ends at once, and of narrow peaks: densities that are
+// smooth nearly everywhere are wrong there, and the band knows of it in part.
 TEST(Bands, CoverDensitiesThatNothingWasChosenOn) {
   MICROSLIP_OF_RELEASE_ALONE();
-  const double mean = mean_coverage(testing::unseen_truths(), 0.80);
+  const double mean = mean_coverage(testing::unseen_truths(), 0.85);
   EXPECT_GE(mean, 0.90);
   test::record_largest("mean [1]", mean);
 }
 
-// Sample i is a function of (seed, i) alone: the number of threads cannot change a bit.
+// Draw i is a function of (seed, i) alone: the number of threads cannot change a bit. 300 are of two
+// chains.
 TEST(Bands, SameOnAnyNumberOfThreads) {
   const InversionResult result =
       invert(testing::noisy_levels(testing::reference_joint(), 1), kStiffness);
-  const DensityBands many = density_bands(result, band_options(200));
-  BandOptions options = band_options(200);
+  const DensityBands many = density_bands(result, band_options(300));
+  BandOptions options = band_options(300);
   options.execution = Execution::serial();
   const DensityBands one = density_bands(result, options);
   EXPECT_EQ(one.lower, many.lower);
   EXPECT_EQ(one.upper, many.upper);
   EXPECT_EQ(one.area, many.area);
-  const DensityBands other = density_bands(result, band_options(200, 2));
+  const DensityBands other = density_bands(result, band_options(300, 2));
   EXPECT_NE(other.lower, one.lower);
 }
 
-// The quantiles of DensityPosterior::sample(0 … n − 1), by the definition of a linear interpolation between
+// The quantiles of the draws, or those from 0 on where they are closer, by the definition of a linear interpolation between
 // order statistics (type 7 of Hyndman & Fan).
 TEST(Bands, AreQuantilesOfTheSamplesAndHoldTheEstimate) {
   const Joint truth = testing::reference_joint();
@@ -130,16 +127,19 @@ TEST(Bands, AreQuantilesOfTheSamplesAndHoldTheEstimate) {
   EXPECT_EQ(bands.samples, 21U);
   EXPECT_EQ(bands.confidence, 0.8);
   ASSERT_EQ(bands.lower.size(), result.slip_force.size());
-  std::vector<DensitySample> samples;
-  for (std::size_t i = 0; i < 21; ++i) samples.push_back(result.posterior.sample(options.seed, i));
+  const std::vector<DensitySample> samples = result.posterior.samples(options.seed, 21);
   const auto expect_quantiles = [&](const std::function<double(const DensitySample&)>& read,
                                     double lower, double upper,
                                     std::optional<double> estimate = {}) {
     std::vector<double> values;
     for (const DensitySample& sample : samples) values.push_back(read(sample));
     std::ranges::sort(values);
-    EXPECT_DOUBLE_EQ(lower, std::min(values[2], estimate.value_or(values[2])));
-    EXPECT_DOUBLE_EQ(upper, std::max(values[18], estimate.value_or(values[18])));
+    // Of densities the interval from 0 on holds 17 of them.
+    const bool from_zero = estimate && values[16] <= values[18] - values[2];
+    const double from = from_zero ? 0.0 : values[2];
+    const double to = from_zero ? values[16] : values[18];
+    EXPECT_DOUBLE_EQ(lower, std::min(from, estimate.value_or(from)));
+    EXPECT_DOUBLE_EQ(upper, std::max(to, estimate.value_or(to)));
   };
   for (std::size_t j = 0; j < result.slip_force.size(); ++j) {
     expect_quantiles([&](const DensitySample& s) { return s.density[j]; }, bands.lower[j],
@@ -159,8 +159,7 @@ TEST(Bands, SamplesAreFeasible) {
       const LevelEvidence evidence(testing::noisy_levels(truth, 3),
                                    {.dissipation_gain_std = gain, .amplitude_gain_std = gain});
       const InversionResult result = invert(evidence, kStiffness);
-      for (std::size_t i = 0; i < 50; ++i) {
-        const DensitySample sample = result.posterior.sample(1, i);
+      for (const DensitySample& sample : result.posterior.samples(1, 50)) {
         const SlipDensity density({PiecewiseLinearPart{result.slip_force, sample.density}});
         EXPECT_LE(density.total().zeroth, 1.0 + 1e-9) << name;
         EXPECT_NEAR(density.total().zeroth, sample.area, 1e-9) << name;
@@ -169,17 +168,23 @@ TEST(Bands, SamplesAreFeasible) {
   }
 }
 
-// A posterior that was spoilt, so that the equations of its samples overflow: they do not converge,
-// which is counted and not taken for a solution. None of the ordinary ones fails.
-TEST(Bands, CountSamplesThatDoNotConverge) {
+// A posterior that was spoilt, so that its equations overflow, is refused.
+TEST(Bands, RefuseAPosteriorThatOverflows) {
   InversionResult spoilt = invert(testing::noisy_levels(testing::reference_joint(), 3), kStiffness);
-  for (PossibleSmoothing& one : spoilt.posterior.smoothing) one.lambda = 1e307;
-  const DensityBands bands = density_bands(spoilt, band_options(40));
-  EXPECT_EQ(bands.not_converged, 40U);
-  EXPECT_TRUE(std::ranges::all_of(bands.upper, [](double v) { return std::isfinite(v); }));
+  spoilt.posterior.smoothing = {1e307, 1e307, 1e307};
+  EXPECT_THROW((void)density_bands(spoilt, band_options(40)), InputError);
+}
+
+// Draws that are too much alike are counted for what they are worth; none of the ordinary ones is.
+TEST(Bands, KnowHowManyIndependentDrawsTheyAreWorth) {
   for (const auto& [name, truth] : testing::all_truths()) {
     const InversionResult result = invert(testing::noisy_levels(truth, 3), kStiffness);
-    EXPECT_EQ(density_bands(result, band_options(40)).not_converged, 0U) << name;
+    std::vector<DensitySample> samples = result.posterior.samples(1, 250);
+    const DensityBands bands = density_bands(result, samples, 0.95);
+    EXPECT_GE(bands.effective_samples, 0.03 * 250.0) << name;
+    EXPECT_LE(bands.effective_samples, 250.0) << name;
+    for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = samples[i / 50 * 50];
+    EXPECT_LE(density_bands(result, samples, 0.95).effective_samples, 0.03 * 250.0) << name;
   }
 }
 
@@ -203,9 +208,8 @@ TEST(Bands, GainErrorsWidenThem) {
     errors.dissipation_gain_std = dissipation_gain;
     errors.amplitude_gain_std = amplitude_gain;
     std::vector<double> areas;
-    for (std::size_t i = 0; i < 1000; ++i) {
-      areas.push_back(area_below(result.posterior.sample(1, i).density) /
-                      area_below(result.density));
+    for (const DensitySample& sample : result.posterior.samples(1, 1000)) {
+      areas.push_back(area_below(sample.density) / area_below(result.density));
     }
     return standard_deviation(areas);
   };
@@ -229,9 +233,9 @@ TEST(Bands, DissipationGainScalesASample) {
   const Joint truth =
       testing::sampled_joint([](double f) { return testing::bell(f, 15, 5); }, 60, 0.5);
   InversionResult result = invert(testing::noisy_levels(truth, 5), kStiffness);
-  const DensitySample plain = result.posterior.sample(1, 7);
+  const DensitySample plain = result.posterior.samples(1, 8).back();
   result.posterior.common_errors.dissipation_gain_std = 0.1;
-  const DensitySample gained = result.posterior.sample(1, 7);
+  const DensitySample gained = result.posterior.samples(1, 8).back();
   const double ratio = gained.area / plain.area;
   EXPECT_GT(std::abs(ratio - 1.0), 1e-3);
   for (std::size_t j = 0; j < plain.density.size(); ++j) {

@@ -411,9 +411,11 @@ TEST(Diagnostics, InnerSolutionsAreCounted) {
             std::string::npos);
   DensityBands bands;
   bands.samples = 200;
+  bands.effective_samples = 20.0;
   EXPECT_TRUE(diagnose(bands).empty());
-  bands.not_converged = 7;
-  EXPECT_NE(text_of(diagnose(bands), "bands_not_converged").find("7 of 200 samples"),
+  bands.effective_samples = 5.0;
+  EXPECT_NE(text_of(diagnose(bands), "bands_not_converged")
+                .find("200 samples of the band tell as much as 5 independent ones"),
             std::string::npos);
 }
 

@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
-#include <array>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +11,9 @@
 #include <vector>
 
 #include "microslip/base/random.hpp"
-#include "microslip/identify/smoothing_path.hpp"
+#include "support/effort.hpp"
+#include "support/figures.hpp"
+#include "support/ranks.hpp"
 
 namespace microslip::posterior_chain_test {
 namespace {
@@ -23,13 +23,10 @@ using Eigen::VectorXd;
 
 constexpr Eigen::Index kSize = 8;
 constexpr Eigen::Index kRows = 120;
+constexpr double kLeastLambda = 1e-2;
+constexpr double kMostLambda = 1e3;
 
-/// A prior of which draws are simple: with L = 1 and x ≥ 0, x_j = |z_j|/√λ. Data that tell some
-/// coefficients well, others little.
-SmoothingProblem problem(const MatrixXd& design, const VectorXd& data) {
-  return {design, data, MatrixXd::Identity(kSize, kSize), VectorXd::Zero(kSize), 0};
-}
-
+/// Data that tell some coefficients well, others little.
 MatrixXd design() {
   MatrixXd matrix(kRows, kSize);
   for (Eigen::Index i = 0; i < kRows; ++i) {
@@ -41,77 +38,106 @@ MatrixXd design() {
   return matrix;
 }
 
-/// p of the hypothesis that ranks from 0 to the last bin are equally frequent.
-double uniformity(const std::vector<int>& counts) {
-  double total = 0.0;
-  for (const int count : counts) total += count;
-  const double expected = total / static_cast<double>(counts.size());
-  double sum = 0.0;
-  for (const int count : counts) sum += (count - expected) * (count - expected) / expected;
-  const boost::math::chi_squared distribution(static_cast<double>(counts.size() - 1));
-  return boost::math::cdf(boost::math::complement(distribution, sum));
+/// A prior of which draws are simple: with L = 1 and x ≥ 0, x_j = |z_j|/√(λl_j).
+ChainTarget target(const VectorXd& data) {
+  ChainTarget target;
+  target.rows.push_back({.design = design(), .data = data, .count = kRows});
+  target.penalty = MatrixXd::Identity(kSize, kSize);
+  target.limits = {kSize, VectorXd::Zero(kSize)};
+  target.least_lambda = kLeastLambda;
+  target.most_lambda = kMostLambda;
+  return target;
 }
 
-// Simulation-based calibration [Talts et al., arXiv 1804.06788]: of truths that are drawn from the
-// prior, the rank among draws from the posterior of their data is uniform. Ranks of λ, of single
-// coefficients, and of what they sum up to. The scale of the scatter is 1 in truth; its own prior,
-// which is improper, matters to O(1/rows).
+// Ranks of λ, of single coefficients, and of what they sum up to. The smoothness changes from node
+// to node, here from coefficient to coefficient, by factors of e³, of which the product is 1. The
+// scale of the scatter is 1 in truth; its own prior, which is improper, matters to O(1/rows).
 TEST(PosteriorChain, HasUniformRanks) {
+  MICROSLIP_OF_RELEASE_ALONE();
   constexpr int kTruths = 1000;
-  constexpr int kKept = 39;  // 40 ranks, two a bin
-  constexpr int kThin = 8;   // neighbours are alike
+  constexpr std::size_t kKept = 19;  // 20 ranks
+  constexpr int kThin = 3;           // neighbours are alike
   constexpr std::size_t kBins = 20;
-  const MatrixXd matrix = design();
-  const std::vector<double> ends = problem(matrix, VectorXd::Zero(kRows)).lambda_grid(2);
-  const double most = std::log(ends.front());
-  const double least = std::log(ends.back());
-  std::array<std::vector<int>, 4> ranks;
-  ranks.fill(std::vector<int>(kBins, 0));
+  std::vector<testing::RankHistogram> ranks;
+  for (const char* name : {"lambda", "first", "last", "sum"})
+    ranks.emplace_back(name, kKept, kBins);
   for (std::uint64_t truth = 0; truth < kTruths; ++truth) {
     RandomStream random(31, truth);
-    const double lambda = std::exp(least + (most - least) * random.uniform());
+    const double lambda = kLeastLambda * std::pow(kMostLambda / kLeastLambda, random.uniform());
+    VectorXd local(kSize);
+    for (double& value : local) value = 3.0 * random.normal();
+    local = (local.array() - local.mean()).exp().matrix();
     VectorXd x(kSize);
-    for (double& value : x) value = std::abs(random.normal()) / std::sqrt(lambda);
-    VectorXd data = matrix * x;
+    for (Eigen::Index j = 0; j < kSize; ++j) {
+      x(j) = std::abs(random.normal()) / std::sqrt(lambda * local(j));
+    }
+    VectorXd data = design() * x;
     for (double& value : data) value += random.normal();
 
-    const SmoothingProblem given = problem(matrix, data);
-    PosteriorChain chain(given, lambda, x);
-    std::array<int, 4> rank{};
-    for (int i = 0; i < kKept; ++i) {
-      for (int j = 0; j < kThin; ++j) chain.next(random);
+    const ChainTarget given = target(data);
+    PosteriorChain chain(given, {VectorXd::Ones(kSize), 1.0, {1.0}});
+    chain.settle(random);
+    std::vector<std::size_t> rank(ranks.size(), 0);
+    for (std::size_t i = 0; i < kKept; ++i) {
+      for (int j = 1; j < kThin; ++j) chain.next(random);
       const VectorXd& draw = chain.next(random);
       rank[0] += chain.lambda() < lambda ? 1 : 0;
       rank[1] += draw(0) < x(0) ? 1 : 0;
       rank[2] += draw(kSize - 1) < x(kSize - 1) ? 1 : 0;
       rank[3] += draw.sum() < x.sum() ? 1 : 0;
     }
-    for (std::size_t k = 0; k < rank.size(); ++k) {
-      ++ranks[k][static_cast<std::size_t>(rank[k]) * kBins / (kKept + 1)];
-    }
+    for (std::size_t k = 0; k < rank.size(); ++k) ranks[k].add(rank[k]);
   }
-  const std::array<std::string, 4> names = {"lambda", "first", "last", "sum"};
-  for (std::size_t k = 0; k < ranks.size(); ++k) {
-    EXPECT_GT(uniformity(ranks[k]), 0.01) << names[k];
+  for (const testing::RankHistogram& one : ranks) {
+    EXPECT_GT(one.uniformity(), 0.01) << one.name();
+    test::record_smallest("uniform ranks, p [1]", one.uniformity());
   }
 }
 
+double mean_scale(const ChainTarget& given) {
+  RandomStream random(33, 0);
+  PosteriorChain chain(given, {VectorXd::Ones(kSize), 1.0, {1.0}});
+  chain.settle(random);
+  double mean = 0.0;
+  for (int i = 0; i < 500; ++i) {
+    chain.next(random);
+    mean += chain.scale() / 500.0;
+  }
+  return mean;
+}
+
+// 112 degrees of freedom are good to 1/√224 = 7 %; three of these.
 TEST(PosteriorChain, FindsTheScaleOfTheScatter) {
-  const MatrixXd matrix = design();
   RandomStream random(32, 0);
-  VectorXd data = matrix * VectorXd::Constant(kSize, 20.0);
+  VectorXd data = design() * VectorXd::Constant(kSize, 20.0);
   constexpr double kTruth = 3.0;
   for (double& value : data) value += kTruth * random.normal();
-  const SmoothingProblem given = problem(matrix, data);
-  PosteriorChain chain(given, 1.0, VectorXd::Ones(kSize));
-  for (int i = 0; i < 200; ++i) chain.next(random);
+  ChainTarget given = target(data);
+  EXPECT_NEAR(mean_scale(given), kTruth, 0.2 * kTruth);
+  given.rows.front().least_scale = 8.0;
+  EXPECT_GE(mean_scale(given), 8.0);
+}
+
+// Two coefficients that data know to 1e-6 in sum, of which the prior would let the difference be 1:
+// between their limits there is room for 1e-6 of a standard deviation. Their mean is half the sum,
+// by symmetry; uniform between 0 and the sum, one of them is good to 1/√(12·500) of it; four times
+// that.
+TEST(PosteriorChain, GoesOnBetweenNarrowLimits) {
+  ChainTarget narrow;
+  constexpr double kSum = 1e-6;
+  narrow.rows.push_back({.design = MatrixXd::Constant(1, 2, 1e8),
+                         .data = VectorXd::Constant(1, 1e8 * kSum),
+                         .count = 1e4,
+                         .least_scale = 1.0});
+  narrow.penalty = MatrixXd::Identity(2, 2);
+  narrow.limits = {2, VectorXd::Zero(2)};
+  narrow.least_lambda = narrow.most_lambda = 1.0;
+  RandomStream random(34, 0);
+  PosteriorChain chain(narrow, {VectorXd::Constant(2, 0.5 * kSum), 1.0, {1.0}});
+  chain.settle(random);
   double mean = 0.0;
-  for (int i = 0; i < 1000; ++i) {
-    chain.next(random);
-    mean += chain.scale() / 1000.0;
-  }
-  // 112 degrees of freedom are good to 1/√224 = 7 %; three of these.
-  EXPECT_NEAR(mean, kTruth, 0.2 * kTruth);
+  for (int i = 0; i < 500; ++i) mean += chain.next(random)(0) / 500.0;
+  EXPECT_NEAR(mean, 0.5 * kSum, 0.1 * kSum);
 }
 
 }  // namespace

@@ -28,12 +28,16 @@ struct Moments {
   MatrixXd second;
 };
 
-Moments moments(TruncatedGaussian chain, Eigen::Index size, std::uint64_t seed) {
+Moments moments(const MatrixXd& hessian, const VectorXd& linear, const VectorXd& budget, VectorXd x,
+                std::uint64_t seed) {
+  const Eigen::Index size = linear.size();
+  TruncatedGaussian gaussian({size, budget});
+  gaussian.set(hessian, linear);
   RandomStream random(seed, 0);
   Moments found{VectorXd::Zero(size), MatrixXd::Zero(size, size)};
-  for (int i = 0; i < 100; ++i) chain.next(random);
+  for (int i = 0; i < 100; ++i) gaussian.move(x, random);
   for (int i = 0; i < kDraws; ++i) {
-    const VectorXd& x = chain.next(random);
+    gaussian.move(x, random);
     found.mean += x / kDraws;
     found.second += x * x.transpose() / kDraws;
   }
@@ -45,7 +49,7 @@ constexpr double kBound = 0.012;
 TEST(TruncatedGaussian, OfOneSideHasTheMomentsOfTheHalfNormal) {
   MatrixXd hessian = MatrixXd::Identity(1, 1) * 4.0;  // deviation 1/2
   const Moments found =
-      moments({hessian, VectorXd::Zero(1), VectorXd::Zero(1), VectorXd::Zero(1)}, 1, 1);
+      moments(hessian, VectorXd::Zero(1), VectorXd::Zero(1), VectorXd::Zero(1), 1);
   EXPECT_NEAR(found.mean(0), 0.5 * std::sqrt(2.0 / std::numbers::pi), 0.5 * kBound);
   EXPECT_NEAR(found.second(0, 0), 0.25, 0.25 * 2.0 * kBound);
 }
@@ -54,9 +58,8 @@ TEST(TruncatedGaussian, OfOneSideHasTheMomentsOfTheHalfNormal) {
 TEST(TruncatedGaussian, FarFromItsMeanHasTheMomentsOfTheTail) {
   const double density = std::exp(-2.0) / std::sqrt(2.0 * std::numbers::pi);
   const double beyond = 0.5 * std::erfc(2.0 / std::numbers::sqrt2);
-  const Moments found = moments(
-      {MatrixXd::Identity(1, 1), VectorXd::Constant(1, -2.0), VectorXd::Zero(1), VectorXd::Zero(1)},
-      1, 2);
+  const Moments found = moments(MatrixXd::Identity(1, 1), VectorXd::Constant(1, -2.0),
+                                VectorXd::Zero(1), VectorXd::Zero(1), 2);
   EXPECT_NEAR(found.mean(0), -2.0 + density / beyond, 0.4 * kBound);
 }
 
@@ -68,7 +71,7 @@ TEST(TruncatedGaussian, OfTwoAlikeHasTheMeanOfTheQuadrant) {
     covariance << 1.0, rho, rho, 1.0;
     const MatrixXd hessian = covariance.inverse();
     const Moments found =
-        moments({hessian, VectorXd::Zero(2), VectorXd::Zero(2), VectorXd::Ones(2)}, 2, 3);
+        moments(hessian, VectorXd::Zero(2), VectorXd::Zero(2), VectorXd::Ones(2), 3);
     const double share = 0.25 + std::asin(rho) / (2.0 * std::numbers::pi);
     const double expected = (1.0 + rho) / (2.0 * std::sqrt(2.0 * std::numbers::pi)) / share;
     EXPECT_NEAR(found.mean(0), expected, kBound) << rho;
@@ -79,9 +82,8 @@ TEST(TruncatedGaussian, OfTwoAlikeHasTheMeanOfTheQuadrant) {
 // So wide that the budget alone limits, to 0.5 %: uniform on a triangle, of mean 1/3 and mean square
 // 1/6.
 TEST(TruncatedGaussian, WithinABudgetIsUniformWhereTheGaussianIsFlat) {
-  const Moments found = moments({1e-2 * MatrixXd::Identity(2, 2), VectorXd::Zero(2),
-                                 VectorXd::Ones(2), VectorXd::Constant(2, 0.2)},
-                                2, 4);
+  const Moments found = moments(1e-2 * MatrixXd::Identity(2, 2), VectorXd::Zero(2),
+                                VectorXd::Ones(2), VectorXd::Constant(2, 0.2), 4);
   for (const int i : {0, 1}) {
     EXPECT_NEAR(found.mean(i), 1.0 / 3.0, 0.01);
     EXPECT_NEAR(found.second(i, i), 1.0 / 6.0, 0.01);
@@ -98,21 +100,53 @@ TEST(TruncatedGaussian, StaysWithinItsLimits) {
   VectorXd linear(kSize);
   for (double& value : linear) value = 5.0 * random.normal();
   const VectorXd budget = VectorXd::Constant(kSize, 0.1);
-  TruncatedGaussian chain(hessian, linear, budget, VectorXd::Constant(kSize, 0.1));
+  TruncatedGaussian chain({kSize, budget});
+  chain.set(hessian, linear);
+  VectorXd x = VectorXd::Constant(kSize, 0.1);
   for (int i = 0; i < 5000; ++i) {
-    const VectorXd& x = chain.next(random);
-    ASSERT_GE(x.minCoeff(), -1e-9);
+    chain.move(x, random);
+    ASSERT_GE(x.minCoeff(), 0.0);
     ASSERT_LE(budget.dot(x), 1.0 + 1e-9);
   }
+}
+
+// ∫ exp(−½xᵀHx + gᵀx) dx = (2π)^(n/2) |H|^−½ exp(½gᵀH⁻¹g): H of two numbers, g = (1, 2).
+TEST(TruncatedGaussian, KnowsItsIntegralWithoutLimits) {
+  TruncatedGaussian chain({2, VectorXd::Zero(2)});
+  MatrixXd hessian(2, 2);
+  hessian << 3.0, 1.0, 1.0, 2.0;
+  VectorXd linear(2);
+  linear << 1.0, 2.0;
+  chain.set(hessian, linear);
+  // |H| = 5, H⁻¹g = (0, 1).
+  EXPECT_NEAR(chain.log_integral(), 0.5 * 2.0 - 0.5 * std::log(5.0), 1e-14);
+  EXPECT_NEAR(chain.standard_deviation()(0), std::sqrt(0.4), 1e-14);
+  EXPECT_NEAR(chain.standard_deviation()(1), std::sqrt(0.6), 1e-14);
+}
+
+// A coefficient without a limit beside one that has one.
+TEST(TruncatedGaussian, LimitsTheFirstCoefficientsAlone) {
+  TruncatedGaussian chain({1, VectorXd::Zero(2)});
+  chain.set(MatrixXd::Identity(2, 2), VectorXd::Zero(2));
+  RandomStream random(7, 0);
+  VectorXd x = VectorXd::Ones(2);
+  int negative = 0;
+  for (int i = 0; i < 4000; ++i) {
+    chain.move(x, random);
+    ASSERT_GE(x(0), 0.0);
+    negative += x(1) < 0.0 ? 1 : 0;
+  }
+  EXPECT_NEAR(negative, 2000, 4 * 32);  // √4000/2 = 32
 }
 
 TEST(TruncatedGaussian, RepeatsWithItsSeed) {
   const auto draw = [](std::uint64_t seed) {
     RandomStream random(seed, 0);
-    TruncatedGaussian chain(MatrixXd::Identity(3, 3), VectorXd::Ones(3), VectorXd::Zero(3),
-                            VectorXd::Ones(3));
-    for (int i = 0; i < 9; ++i) chain.next(random);
-    return VectorXd(chain.next(random));
+    TruncatedGaussian chain({3, VectorXd::Zero(3)});
+    chain.set(MatrixXd::Identity(3, 3), VectorXd::Ones(3));
+    VectorXd x = VectorXd::Ones(3);
+    for (int i = 0; i < 10; ++i) chain.move(x, random);
+    return x;
   };
   EXPECT_EQ(draw(6), draw(6));
   EXPECT_NE(draw(6), draw(7));

@@ -9,6 +9,7 @@
 #include "microslip/io/hdf5_contents.hpp"
 #include "microslip/io/hdf5_reader.hpp"
 #include "microslip/io/hdf5_recording.hpp"
+#include "microslip/io/joint_samples_file.hpp"
 #include "microslip/io/mat_recording.hpp"
 #include "microslip/io/mat_value.hpp"
 
@@ -31,6 +32,8 @@ TEST(AbsentFormats, RefuseFilesOfHdf5) {
   EXPECT_EQ(message([] { (void)read_recordings_hdf5("a.h5"); }), refusal);
   EXPECT_EQ(message([] { write_recordings_hdf5("a.h5", {}); }), refusal);
   EXPECT_EQ(message([] { (void)read_mat73_tree("a.h5", {}); }), refusal);
+  EXPECT_EQ(message([] { (void)joint_samples_bytes({}, "a.h5"); }), refusal);
+  EXPECT_EQ(message([] { (void)read_joint_samples("a.h5"); }), refusal);
 }
 
 TEST(AbsentFormats, RefuseFilesOfMatlab) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
+#include "microslip/identify/effective_draws.hpp"
 #include "microslip/identify/quantiles.hpp"
 
 namespace microslip {
@@ -28,26 +29,33 @@ void BandOptions::check() const {
 DensityBands density_bands(const InversionResult& result, const BandOptions& options) {
   options.check();
   result.check();
-  result.posterior.check();
-  std::vector<DensitySample> samples(options.samples);
-  options.execution.for_each(
-      options.samples,
-      [&](std::size_t i) { samples[i] = result.posterior.sample(options.seed, i); },
-      options.progress);
+  return density_bands(
+      result,
+      result.posterior.samples(options.seed, options.samples, options.execution, options.progress),
+      options.confidence);
+}
 
+DensityBands density_bands(const InversionResult& result, std::span<const DensitySample> samples,
+                           double confidence) {
+  BandOptions{.samples = samples.size(), .confidence = confidence}.check();
+  result.check();
   DensityBands bands;
-  bands.confidence = options.confidence;
-  bands.samples = options.samples;
-  bands.not_converged =
-      static_cast<std::size_t>(std::ranges::count(samples, false, &DensitySample::converged));
+  bands.confidence = confidence;
+  bands.samples = samples.size();
+  bands.effective_samples = static_cast<double>(samples.size());
   std::vector<double> values(samples.size());
-  const auto quantiles_of = [&](const auto& read) {
+  const auto read_all = [&](const auto& read) {
     std::ranges::transform(samples, values.begin(), read);
-    return quantile_pair(values, options.confidence);
+    bands.effective_samples =
+        std::min(bands.effective_samples, effective_draws(values, DensityPosterior::kChain));
+  };
+  const auto quantiles_of = [&](const auto& read) {
+    read_all(read);
+    return quantile_pair(values, confidence);
   };
   for (std::size_t j = 0; j < result.slip_force.size(); ++j) {
-    const auto [lower, upper] =
-        quantiles_of([j](const DensitySample& sample) { return sample.density[j]; });
+    read_all([j](const DensitySample& sample) { return sample.density[j]; });
+    const auto [lower, upper] = quantile_pair_above_zero(values, confidence);
     // Where φ ≥ 0 or the smoothing acts, nearly all samples may lie on one side of the estimate.
     bands.lower.push_back(std::min(lower, result.density[j]));
     bands.upper.push_back(std::max(upper, result.density[j]));

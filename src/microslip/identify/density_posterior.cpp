@@ -4,22 +4,24 @@
 #include <fmt/format.h>
 
 #include <Eigen/Core>
-#include <boost/math/distributions/chi_squared.hpp>
+#include <algorithm>
 #include <cmath>
+#include <mutex>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/interpolation.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/identify/eigen_view.hpp"
-#include "microslip/identify/quadratic_program.hpp"
+#include "microslip/identify/posterior_chain.hpp"
 
 namespace microslip {
 namespace {
 
-// See DensityPosterior::sample(): the share of λ that samples are smoothed with, and c.
-constexpr double kSampleLambda = 1.0 / 8.0;
-constexpr double kPriorNoise = 0.5;
+/// Streams of the common errors of single draws come after those of the chains.
+constexpr std::uint64_t kErrorStreams = std::uint64_t{1} << 32U;
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -48,25 +50,48 @@ void check_columns(std::string_view what, const PlainMatrix& m, std::size_t colu
   check_shape(what, m, m.values.empty() ? m.columns : columns, m.rows());
 }
 
-/// The λ of one sample.
-const PossibleSmoothing& draw_smoothing(const std::vector<PossibleSmoothing>& all, double uniform) {
-  double total = 0.0;
-  for (const PossibleSmoothing& one : all) total += one.weight;
-  double left = uniform * total;
-  for (const PossibleSmoothing& one : all) {
-    left -= one.weight;
-    if (left <= 0.0) return one;
-  }
-  return all.back();
+void check_positive(std::string_view what, double value) {
+  if (value > 0.0 && std::isfinite(value)) return;
+  throw InputError(fmt::format("{} of the posterior", what), value, "must be positive and finite",
+                   std::string(kUnchanged));
 }
 
-/// Adds sRᵀε, ε ~ N(0, 1): what scatter s of the rows that R stands for makes of KᵀW²d.
-void add_noise(const PlainMatrix& factor, double scatter, RandomStream& random,
-               Eigen::VectorXd& linear) {
-  if (factor.values.empty()) return;
-  Eigen::VectorXd normal(static_cast<Eigen::Index>(factor.rows()));
-  for (double& value : normal) value = scatter * random.normal();
-  linear += matrix_of(factor).transpose() * normal;
+void check_rows(std::string_view what, const PosteriorRows& rows, std::size_t columns,
+                bool with_loss) {
+  check_columns(what, rows.factor, columns);
+  check_length(fmt::format("data of {}", what), rows.data.size(), rows.factor.rows());
+  if (with_loss) {
+    check_length(fmt::format("linear loss of {}", what), rows.linear_loss.size(),
+                 rows.factor.rows());
+  }
+  if (rows.factor.rows() > 0) check_positive(fmt::format("count of {}", what), rows.count);
+}
+
+ChainRows chain_rows(const PosteriorRows& rows) {
+  ChainRows all;
+  all.design = matrix_of(rows.factor);
+  all.data = view_of(rows.data);
+  all.shift = view_of(rows.linear_loss);
+  all.more_square = rows.more_square;
+  all.count = rows.count;
+  all.least_scale = rows.least_scatter;
+  return all;
+}
+
+ChainTarget chain_target(const DensityPosterior& posterior) {
+  ChainTarget target;
+  target.rows.push_back(chain_rows(posterior.dissipation));
+  if (posterior.secant.factor.rows() > 0) target.rows.push_back(chain_rows(posterior.secant));
+  target.penalty = matrix_of(posterior.penalty);
+  target.limits = {static_cast<Eigen::Index>(posterior.area.size()), view_of(posterior.area)};
+  target.least_lambda = posterior.smoothing.least;
+  target.most_lambda = posterior.smoothing.most;
+  return target;
+}
+
+ChainStart chain_start(const DensityPosterior& posterior, const ChainTarget& target) {
+  return {view_of(posterior.start), posterior.smoothing.chosen,
+          std::vector<double>(target.rows.size(), posterior.scatter)};
 }
 
 /// With true D = e·D and true A = c·A, (7) holds for φ(f*) = e/c³ φ_found(f*/c).
@@ -89,66 +114,79 @@ void apply_gains(const std::vector<double>& knots, const CommonErrorDraw& draw,
   sample.area = 1.0;
 }
 
+DensitySample read_sample(const DensityPosterior& posterior, const Eigen::VectorXd& x) {
+  DensitySample sample;
+  const Eigen::VectorXd at_knots = matrix_of(posterior.density) * x;
+  sample.density.assign(at_knots.begin(), at_knots.end());
+  sample.area = view_of(posterior.area).dot(x);
+  sample.linear_damping = view_of(posterior.linear_damping).dot(x);
+  sample.atom_weight = view_of(posterior.atom_weight).dot(x);
+  return sample;
+}
+
+/// Counts draws of all chains, one call at a time.
+class DrawCounter {
+ public:
+  DrawCounter(std::size_t total, const Progress& progress) : total_(total), progress_(progress) {}
+
+  void count() {
+    if (!progress_) return;
+    const std::lock_guard lock(mutex_);
+    if (!progress_(++done_, total_)) throw Cancelled();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::size_t done_ = 0;
+  std::size_t total_;
+  const Progress& progress_;
+};
+
 }  // namespace
 
 void DensityPosterior::check() const {
   const std::size_t n = area.size();
-  if (n == 0 || smoothing.empty() || slip_force.empty()) {
+  if (n == 0 || start.empty() || slip_force.empty()) {
     throw InputError("posterior", "empty", "must be one that was found", std::string(kUnchanged));
   }
   check_shape("density", density, n, slip_force.size());
   check_length("linear_damping", linear_damping.size(), n);
   check_length("atom_weight", atom_weight.size(), n);
-  check_shape("information", information, n, n);
-  check_length("data", data.size(), n);
-  check_columns("dissipation_factor", dissipation_factor, n);
-  check_columns("secant_factor", secant_factor, n);
-  check_columns("penalty", penalty, n);
-  if (common_errors.loss_factor_std > 0.0) check_length("linear_loss", linear_loss.size(), n);
-  for (const PossibleSmoothing& one : smoothing) {
-    check_length("coefficients", one.coefficients.size(), n);
-  }
-  if (!(degrees_of_freedom > 0.0)) {
-    throw InputError("degrees of freedom of the posterior", degrees_of_freedom, "must be positive",
-                     std::string(kUnchanged));
-  }
+  check_length("start", start.size(), n);
   common_errors.check();
+  check_rows("dissipation", dissipation, n, common_errors.loss_factor_std > 0.0);
+  check_rows("secant", secant, n, false);
+  check_columns("penalty", penalty, n);
+  check_positive("scatter", scatter);
+  check_positive("smallest smoothing", smoothing.least);
+  check_positive("smoothing", smoothing.chosen);
+  if (!(smoothing.most >= smoothing.least)) {
+    throw InputError("largest smoothing of the posterior", smoothing.most,
+                     "must not be below the smallest", std::string(kUnchanged));
+  }
 }
 
-DensitySample DensityPosterior::sample(std::uint64_t seed, std::size_t index) const {
+std::vector<DensitySample> DensityPosterior::samples(std::uint64_t seed, std::size_t count,
+                                                     const Execution& execution,
+                                                     const Progress& progress) const {
   check();
-  RandomStream random(seed, index);
-  const PossibleSmoothing& drawn = draw_smoothing(smoothing, random.uniform());
-  const double lambda = kSampleLambda * drawn.lambda;
-  const boost::math::chi_squared chi_squared(degrees_of_freedom);
-  const double share =
-      std::sqrt(degrees_of_freedom / boost::math::quantile(chi_squared, random.uniform()));
-  const CommonErrorDraw common = common_errors.draw(random);
-
-  const Eigen::Map<const RowMajor> roughness = matrix_of(penalty);
-  Eigen::VectorXd linear = view_of(data);
-  add_noise(dissipation_factor, share * dissipation_scatter, random, linear);
-  add_noise(secant_factor, share * secant_scatter, random, linear);
-  add_noise(penalty, kPriorNoise * share * scatter * std::sqrt(lambda), random, linear);
-  if (common.loss_factor != 0.0) linear += common.loss_factor * view_of(linear_loss);
-
-  std::vector<bool> start;
-  for (const double c : drawn.coefficients) start.push_back(c > 0.0);
-  const Eigen::MatrixXd hessian =
-      matrix_of(information) + lambda * (roughness.transpose() * roughness);
-  QuadraticProgram program(view_of(area), 1.0);
-  const QuadraticProgram::Solution solution = program.solve(hessian, linear, std::move(start));
-  const Eigen::VectorXd& x = solution.x;
-
-  DensitySample found;
-  found.converged = solution.optimal();
-  const Eigen::VectorXd at_knots = matrix_of(density) * x;
-  found.density.assign(at_knots.begin(), at_knots.end());
-  found.area = view_of(area).dot(x);
-  found.linear_damping = view_of(linear_damping).dot(x);
-  found.atom_weight = view_of(atom_weight).dot(x);
-  apply_gains(slip_force, common, found);
-  return found;
+  const ChainTarget target = chain_target(*this);
+  std::vector<DensitySample> all(count);
+  DrawCounter counter(count, progress);
+  execution.for_each((count + kChain - 1) / kChain, [&](std::size_t number) {
+    PosteriorChain chain(target, chain_start(*this, target));
+    RandomStream random(seed, number);
+    chain.settle(random);
+    for (std::size_t i = number * kChain; i < std::min(count, (number + 1) * kChain); ++i) {
+      RandomStream of_errors(seed, kErrorStreams + i);
+      const CommonErrorDraw errors = common_errors.draw(of_errors);
+      if (common_errors.loss_factor_std > 0.0) chain.set_error(errors.loss_factor);
+      all[i] = read_sample(*this, chain.next(random));
+      apply_gains(slip_force, errors, all[i]);
+      counter.count();
+    }
+  });
+  return all;
 }
 
 }  // namespace microslip

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "microslip/base/execution.hpp"
+#include "microslip/base/progress.hpp"
 #include "microslip/observe/common_errors.hpp"
 
 namespace microslip {
@@ -18,11 +20,26 @@ struct PlainMatrix {
   [[nodiscard]] std::size_t rows() const { return columns == 0 ? 0 : values.size() / columns; }
 };
 
-/// A smoothing parameter that the levels leave possible.
+/// What levels say of coefficients x by rows of one kind, which share a scatter s:
+///
+///     −2 ln p = (‖Rx − z‖² + more)/s² + 2m ln s + constant,
+///
+/// as few rows as say the same as the levels' own, each over its standard deviation as the evidence
+/// tells it.
+struct PosteriorRows {
+  PlainMatrix factor;               ///< R
+  std::vector<double> data;         ///< z
+  std::vector<double> linear_loss;  ///< w: z + δw is D + δW_lin; empty where W_lin is not known
+  double more_square = 0.0;         ///< of what repeated levels differ by
+  double count = 0.0;               ///< m, of independent data
+  double least_scatter = 0.0;       ///< of s; 0 where it is free
+};
+
+/// The smoothing parameters λ that are possible, in units of a scatter s of 1.
 struct PossibleSmoothing {
-  double lambda = 0.0;               ///< > 0, in the scaled variables of the inversion
-  double weight = 0.0;               ///< likelihood, up to a factor; ≥ 0
-  std::vector<double> coefficients;  ///< of the best density with it: where a search may start
+  double least = 0.0;   ///< > 0
+  double most = 0.0;    ///< the same where λ was fixed
+  double chosen = 0.0;  ///< where a chain starts
 };
 
 /// One density drawn from what the data leave possible; itself a feasible Iwan density.
@@ -31,15 +48,16 @@ struct DensitySample {
   double area = 0.0;            ///< Φ0 of the density and the atom, 1; ≤ 1
   double linear_damping = 0.0;  ///< J/m²
   double atom_weight = 0.0;     ///< 1
-  bool converged = false;       ///< whether its optimality conditions hold
 };
 
 /// What levels and prior leave possible of a density: numbers alone, which can be kept and drawn
-/// from without the levels. With coefficients x ≥ 0, areaᵀx ≤ 1,
+/// from without the levels. For coefficients x ≥ 0 with areaᵀx ≤ 1
 ///
-///     −2 ln p(x) = ‖W(Kx − d)‖²/s² + λ‖Lx‖²/s² + constant.
+///     −2 ln p(x, λ, l, s) = Σ of the kinds of rows + 2 ln s each
+///                           + Σ_j (λl_j(Lx)_j² − ln λl_j) + 2 ln λ − 2 ln p(l),
 ///
-/// W is a row's standard deviation as the evidence tells it, s the scatter that was found.
+/// with flat priors of ln λ and of ln s of each kind, and a smoothness that may change along the
+/// density: l_j, see theory.md, section 5.
 struct DensityPosterior {
   // What coefficients mean.
   std::vector<double> slip_force;      ///< knots of the density, N; rising
@@ -49,43 +67,41 @@ struct DensityPosterior {
   std::vector<double> atom_weight;     ///< makes the weight of the atom, 1
 
   // What the levels say.
-  PlainMatrix information;           ///< KᵀW²K
-  std::vector<double> data;          ///< KᵀW²d
-  PlainMatrix dissipation_factor;    ///< R with RᵀR the share of the rows of D in it
-  PlainMatrix secant_factor;         ///< that of the rows of k_eq; none without them
-  std::vector<double> linear_loss;   ///< KᵀW²d of W_lin; empty where it is not known
-  double dissipation_scatter = 0.0;  ///< s of the rows of D, 1
-  double secant_scatter = 0.0;       ///< s of those of k_eq, 1; at least that of the σ given
-  double scatter = 0.0;              ///< s of all
-  double degrees_of_freedom = 0.0;   ///< ν of s², which is scaled inverse χ²
-  CommonErrors common_errors;        ///< that all levels share
+  PosteriorRows dissipation;   ///< rows of D
+  PosteriorRows secant;        ///< rows of k_eq; none without them
+  double scatter = 0.0;        ///< s of all where a chain starts
+  CommonErrors common_errors;  ///< that all levels share
 
   // The prior.
-  PlainMatrix penalty;                       ///< L
-  std::vector<PossibleSmoothing> smoothing;  ///< λ; one where it was fixed
+  PlainMatrix penalty;          ///< L
+  PossibleSmoothing smoothing;  ///< λ
+
+  std::vector<double> start;  ///< a good x, where chains start
 
   /// @throws InputError  where its parts do not belong together, or it is empty.
   void check() const;
 
-  /// Sample `index` of a seed: the constrained problem solved again with data and prior perturbed
-  /// (randomise-then-optimise [Bardsley & Fox 2012; Everink, Dong & Andersen 2023]),
+  /// Draws in one chain.
+  static constexpr std::size_t kChain = 250;
+
+  /// Draws 0 … count − 1 of a seed, with λ, l and s drawn, too, by PosteriorChain: exact but for
+  /// what the chain remembers of its start, and none of its numbers is tuned. Draw i stands in
+  /// a chain of kChain draws, number i/kChain, which starts anew: it is a function of (seed, i)
+  /// alone, whatever the count and the number of threads. Neighbours are alike:
+  /// DensityBands::effective_samples tells by how much.
   ///
-  ///     minimise ½‖W(Kx − d) − sε‖² + ½‖√l Lx − c s δ‖²  subject to the same limits,
-  ///     ε, δ ~ N(0, 1),
-  ///
-  /// where s² is drawn from its scaled inverse χ², apart for D and for k_eq, and λ by its weight.
-  /// With l = λ and c = 1 and without limits these would be exact samples. That posterior knows
-  /// nothing of the bias of the smoothing: at peaks and kinks it is too narrow, and for a density
-  /// much smoother than its prior too wide. So the samples are smoothed less, but perturbed less
-  /// too: l = λ/8 with c = ½. In simulation with 90 levels of 1 % scatter the nominal 95 % band
-  /// then covers 0.96 to 0.99 of the range on average, on smooth, peaked and kinked densities
-  /// (tests/identify); with 20 levels of 3 % 0.91 and more. Beside a step of the density it covers
-  /// less. A wrong loss factor adds δW_lin to D before the problem is solved; gains scale the
-  /// sample. A function of (seed, index) alone.
-  /// @param seed   of all samples.
-  /// @param index  of this one.
-  /// @throws InputError  as check().
-  [[nodiscard]] DensitySample sample(std::uint64_t seed, std::size_t index) const;
+  /// Errors that all levels share are drawn for each draw, and the levels do not correct them: the
+  /// wrong loss factor adds δW_lin to D; gains scale what is found, and a draw of more area than 1
+  /// is scaled to that.
+  /// @param seed       of all draws.
+  /// @param count      how many.
+  /// @param execution  of the chains.
+  /// @param progress   told of the draws done; may cancel.
+  /// @throws InputError  as check(), and where numbers overflow.
+  /// @throws Cancelled   when progress says so.
+  [[nodiscard]] std::vector<DensitySample> samples(
+      std::uint64_t seed, std::size_t count, const Execution& execution = Execution::threads(),
+      const Progress& progress = {}) const;
 };
 
 }  // namespace microslip

@@ -38,6 +38,8 @@ constexpr double kExponentMargin = 0.1;        // from 2
 constexpr double kExponentScore = 3.0;         // standard deviations
 constexpr double kDissipationRounding = 1e-6;  // relative to D
 /// Where no standard deviation was given, that of a low level counts as a share of its D.
+constexpr double kLeastEffective = 0.03;  // of the draws of a band
+
 constexpr std::string_view kGiveStd =
     " If D of low levels is hardly more than its noise, give dissipation_std.";
 
@@ -426,11 +428,11 @@ std::vector<Warning> diagnose(const InversionResult& result, const LevelEvidence
 }
 
 std::vector<Warning> diagnose(const DensityBands& bands) {
-  if (bands.not_converged == 0) return {};
+  if (bands.effective_samples >= kLeastEffective * static_cast<double>(bands.samples)) return {};
   return {{"bands_not_converged",
-           fmt::format("{} of {} samples of the band did not converge; it holds them as they are. "
-                       "Take it as a rough one, and try another smoothing or number of levels.",
-                       bands.not_converged, bands.samples)}};
+           fmt::format("the {} samples of the band tell as much as {:.0f} independent ones where "
+                       "they tell least. Take it as a rough one, and draw more.",
+                       bands.samples, bands.effective_samples)}};
 }
 
 }  // namespace microslip

@@ -70,7 +70,8 @@ namespace microslip {
 [[nodiscard]] std::vector<Warning> diagnose(const RecordInversionResult& result,
                                             const JointEvidence& evidence);
 
-/// What bands give reason to say: `bands_not_converged`, where samples did not.
+/// What bands give reason to say: `bands_not_converged`, where so many are alike that
+/// they tell no more than 3 in 100 independent ones would.
 [[nodiscard]] std::vector<Warning> diagnose(const DensityBands& bands);
 
 }  // namespace microslip

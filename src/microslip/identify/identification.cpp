@@ -77,7 +77,9 @@ Identification by_inversion(const LevelEvidence& evidence, double stiffness,
   append(found.warnings, diagnose(result, evidence, stiffness, options.inversion));
   if (options.bands) {
     Stopwatch watch;
-    inverted.bands = density_bands(result, *options.bands);
+    inverted.samples = result.posterior.samples(options.bands->seed, options.bands->samples,
+                                                options.bands->execution, options.bands->progress);
+    inverted.bands = density_bands(result, inverted.samples, options.bands->confidence);
     found.summary.timings.push_back(watch.lap("band"));
     found.summary.wall_seconds += watch.seconds();
     found.lower = inverted.bands->lower;

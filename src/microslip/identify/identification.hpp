@@ -46,10 +46,11 @@ struct IdentificationOptions {
   void check() const;
 };
 
-/// What invert() found, and its band where that was asked for.
+/// What invert() found, with draws and their band where these were asked for.
 struct InvertedDensity {
-  InversionResult result;                  ///< of invert()
-  std::optional<DensityBands> bands = {};  ///< of its posterior
+  InversionResult result;                   ///< of invert()
+  std::vector<DensitySample> samples = {};  ///< of its posterior
+  std::optional<DensityBands> bands = {};   ///< of these
 };
 
 /// A free density, by the method that found it; none where a parametric model was asked for and the

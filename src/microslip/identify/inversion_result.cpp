@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -11,6 +10,8 @@
 #include <string_view>
 
 #include "microslip/base/error.hpp"
+#include "microslip/identify/eigen_view.hpp"
+#include "microslip/identify/fewer_rows.hpp"
 
 namespace microslip {
 namespace {
@@ -91,40 +92,44 @@ PlainMatrix plain_matrix(const Eigen::MatrixXd& m) {
   return result;
 }
 
-/// R of rows = QR: RᵀR is their share of the information.
-PlainMatrix factor_of(const Eigen::MatrixXd& rows) {
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(rows);
-  const Eigen::Index size = std::min(rows.rows(), rows.cols());
-  return plain_matrix(qr.matrixQR().topRows(size).triangularView<Eigen::Upper>());
+PosteriorRows rows_of(const Eigen::MatrixXd& design, const Eigen::VectorXd& loss,
+                      const Eigen::VectorXd& data) {
+  const Eigen::Index n = design.cols();
+  Eigen::MatrixXd all(design.rows(), n + (loss.size() > 0 ? 2 : 1));
+  all.leftCols(n) = design;
+  if (loss.size() > 0) all.col(n) = loss;
+  all.rightCols(1) = data;
+  const Eigen::MatrixXd factor = fewer_rows(all);
+  PosteriorRows rows;
+  rows.factor = plain_matrix(factor.leftCols(n));
+  if (loss.size() > 0) rows.linear_loss = plain(factor.col(n));
+  rows.data = plain(factor.rightCols(1));
+  return rows;
 }
 
-/// λ with their likelihood, within the guard; or the one that was fixed.
-std::vector<PossibleSmoothing> possible_smoothing(const InversionModel& model) {
-  const SmoothingPoint& solution = model.solution();
-  if (model.lambda_fixed) return {{solution.lambda, 1.0, plain(solution.solution.x)}};
-  const auto possible = [&](const SmoothingPoint& point) { return point.edf <= model.most_edf; };
-  double lowest = solution.likelihood;
-  for (const SmoothingPoint& point : model.path) {
-    if (possible(point)) lowest = std::min(lowest, point.likelihood);
-  }
-  std::vector<PossibleSmoothing> all;
-  for (const SmoothingPoint& point : model.path) {
-    if (!possible(point)) continue;
-    const double weight = std::exp(-0.5 * (point.likelihood - lowest));
-    all.push_back({point.lambda, weight, plain(point.solution.x)});
-  }
-  if (all.empty()) all.push_back({solution.lambda, 1.0, plain(solution.solution.x)});
-  return all;
+/// Levels without noise leave none.
+double start_scatter(const InversionModel& model) { return std::max(model.scatter, 1e-6); }
+
+/// From end to end of the path, or the one that was fixed.
+PossibleSmoothing possible_smoothing(const InversionModel& model) {
+  const double scatter = start_scatter(model);
+  const double of_unit = 1.0 / (scatter * scatter);
+  PossibleSmoothing possible;
+  possible.chosen = of_unit * model.solution().lambda;
+  possible.least = possible.chosen;
+  possible.most = possible.chosen;
+  if (model.lambda_fixed) return possible;
+  possible.least = of_unit * model.path.back().lambda;
+  possible.most = of_unit * model.path.front().lambda;
+  return possible;
 }
 
-/// KᵀW²d of W_lin; nothing where it is not known.
-std::vector<double> projected_loss(const InversionModel& model, const ScaledLevels& levels) {
+/// W·W_lin of the rows of D; nothing where it is not known.
+Eigen::VectorXd weighted_loss(const InversionModel& model, const ScaledLevels& levels) {
   const std::vector<double>& loss = levels.evidence.levels().linear_dissipation;
   if (loss.empty()) return {};
   const Eigen::Index n = model.dissipation_rows();
-  const Eigen::VectorXd scaled = Eigen::Map<const Eigen::VectorXd>(loss.data(), n) / levels.energy;
-  return plain(model.problem().design().topRows(n).transpose() *
-               model.weights().head(n).cwiseProduct(scaled));
+  return model.weights().head(n).cwiseProduct(view_of(loss)) / levels.energy;
 }
 
 DensityPosterior posterior_of(const InversionModel& model, const ScaledLevels& levels) {
@@ -138,21 +143,24 @@ DensityPosterior posterior_of(const InversionModel& model, const ScaledLevels& l
   posterior.area = plain(problem.area());
   posterior.linear_damping = plain(model.stiffness() * model.linear_damping_row());
   posterior.atom_weight = plain(model.atom_row());
-  posterior.information = plain_matrix(problem.hessian(0.0));
-  posterior.data = plain(problem.linear());
-  posterior.dissipation_factor = factor_of(problem.design().topRows(n));
-  if (problem.rows() > n) {
-    posterior.secant_factor = factor_of(problem.design().bottomRows(problem.rows() - n));
+  const Eigen::Index softening_rows = problem.rows() - n;
+  posterior.dissipation =
+      rows_of(problem.design().topRows(n), weighted_loss(model, levels), problem.data().head(n));
+  posterior.dissipation.more_square = model.repeat_residual();
+  double rows = model.informative_rows();
+  if (softening_rows > 0) {
+    posterior.secant = rows_of(problem.design().bottomRows(softening_rows), {},
+                               problem.data().tail(softening_rows));
+    posterior.secant.count = static_cast<double>(softening_rows) - 1.0;  // less the offset
+    rows -= posterior.secant.count;
+    posterior.secant.least_scatter = model.scatter * model.least_softening_scatter;
   }
-  posterior.linear_loss = projected_loss(model, levels);
-  posterior.scatter = model.scatter;
-  posterior.dissipation_scatter = model.scatter * model.dissipation_scatter;
-  posterior.secant_scatter =
-      model.scatter * std::max(model.softening_scatter, model.least_softening_scatter);
-  posterior.degrees_of_freedom = model.degrees_of_freedom;
+  posterior.dissipation.count = std::max(1.0, rows) + model.repeat_freedom();
+  posterior.scatter = start_scatter(model);
   posterior.common_errors = levels.evidence.common_errors();
   posterior.penalty = plain_matrix(problem.penalty());
   posterior.smoothing = possible_smoothing(model);
+  posterior.start = plain(model.solution().solution.x);
   return posterior;
 }
 

@@ -2,65 +2,208 @@
 #include "microslip/identify/posterior_chain.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
+#include <numbers>
+#include <numeric>
+#include <utility>
 #include <vector>
 
-#include "microslip/identify/truncated_gaussian.hpp"
+#include "microslip/identify/chi_squared.hpp"
 
 namespace microslip {
 namespace {
 
 /// Less probability than this between the ends of λ is rounding.
 constexpr double kLeastRange = 1e-12;
-/// No record is exact to more than this: data without noise leave no residual.
+/// No data are exact to more than this: those without noise leave no residual.
 constexpr double kLeastScale = 1e-6;
+/// Added to DᵀD over its mean diagonal: rounding.
+constexpr double kRidge = 1e-13;
+/// How far inside of its limit a coefficient starts that lies on it, in standard deviations given
+/// all others.
+constexpr double kInside = 1e-3;
+constexpr int kSettling = 100;
+constexpr int kStepsOfDraw = 3;
+/// While the chain settles: a trajectory of more reflections than the first is watched, ends at the
+/// second, and a coefficient that has more than the third is held near, to half of its deviation.
+constexpr int kManyReflections = 60;
+constexpr int kMostReflections = 300;
+constexpr int kManyOfOne = 8;
 
 }  // namespace
 
-PosteriorChain::PosteriorChain(const SmoothingProblem& problem, double lambda,
-                               const Eigen::VectorXd& start)
-    : problem_(problem),
-      information_(problem.hessian(0.0)),
-      roughness_(problem.penalty().transpose() * problem.penalty()),
-      lambda_(lambda),
-      x_(start) {
-  const std::vector<double> ends = problem.lambda_grid(2);
-  least_lambda_ = std::min(ends.back(), lambda);
-  most_lambda_ = std::max(ends.front(), lambda);
+PosteriorChain::PosteriorChain(const ChainTarget& target, ChainStart start)
+    : target_(target),
+      nearness_(Eigen::VectorXd::Zero(start.x.size())),
+      local_(target.penalty.rows(), target.most_lambda > target.least_lambda),
+      lambda_(std::clamp(start.lambda, target.least_lambda, target.most_lambda)),
+      scale_(std::move(start.scale)),
+      x_(std::move(start.x)),
+      gaussian_(target.limits),
+      moved_(target.limits) {
+  for (std::size_t g = 0; g < target.rows.size(); ++g) {
+    const ChainRows& rows = target.rows[g];
+    scale_[g] = std::max({scale_[g], rows.least_scale, kLeastScale});
+    Eigen::MatrixXd& information = information_.emplace_back(rows.design.transpose() * rows.design);
+    information.diagonal().array() += kRidge * information.diagonal().mean();
+  }
+  set_error(0.0);
+  for (const auto& row : target.penalty.rowwise()) {
+    std::vector<Eigen::Index>& columns = penalised_.emplace_back();
+    for (Eigen::Index j = 0; j < row.size(); ++j) {
+      if (row(j) != 0.0) columns.push_back(j);
+    }
+  }
+  roughness_ = roughness(local_);
+  hessian_.setZero(x_.size(), x_.size());
+  for (std::size_t g = 0; g < scale_.size(); ++g) {
+    hessian_ += information_[g] / (scale_[g] * scale_[g]);
+  }
+  const Eigen::VectorXd given_others =
+      (hessian_ + lambda_ * roughness_).diagonal().cwiseSqrt().cwiseInverse();
+  x_ = target.limits.moved_inside(x_, kInside * given_others);
 }
 
-// λ | x ~ Gamma(r/2) of rate ½‖Lx‖², between its ends.
+// All but the smoothing, with a ~ N(x, w²) near coefficients that need it.
+void PosteriorChain::gather_data(RandomStream& random) {
+  hessian_ = nearness_.asDiagonal();
+  linear_.setZero(x_.size());
+  for (Eigen::Index j = 0; j < x_.size(); ++j) {
+    if (nearness_(j) > 0.0) {
+      linear_(j) = nearness_(j) * x_(j) + std::sqrt(nearness_(j)) * random.normal();
+    }
+  }
+  for (std::size_t g = 0; g < scale_.size(); ++g) {
+    const double precision = 1.0 / (scale_[g] * scale_[g]);
+    hessian_ += precision * information_[g];
+    linear_ += precision * projected_[g];
+  }
+}
+
+// Without limits p(λ, l, x) = p(λ, l) N(x | λ, l), and at the same z any λ and l are as likely as
+// p(λ, l) says, which is the integral over x.
+bool PosteriorChain::moves_along(double log_ratio, RandomStream& random) {
+  const double uniform = random.uniform();
+  const Eigen::VectorXd x = moved_.from_standardised(gaussian_.standardised(x_));
+  if (!target_.limits.hold(x)) return false;
+  log_ratio += moved_.log_integral() - gaussian_.log_integral();
+  if (std::log(uniform) >= log_ratio) return false;
+  x_ = x;
+  std::swap(gaussian_, moved_);
+  return true;
+}
+
+// Steps of ln λ have a Cauchy distribution: some small, some as large as its range.
+void PosteriorChain::move_with_lambda(RandomStream& random) {
+  const double step = 0.5 * std::tan(std::numbers::pi * (random.uniform() - 0.5));
+  const double lambda = lambda_ * std::exp(step);
+  if (!(lambda >= target_.least_lambda && lambda <= target_.most_lambda)) return;
+  moved_.set(hessian_ + lambda * roughness_, linear_);
+  const double rank = static_cast<double>(target_.penalty.rows());
+  if (moves_along(0.5 * rank * std::log(lambda / lambda_), random)) lambda_ = lambda;
+}
+
+void PosteriorChain::move_with_local(RandomStream& random) {
+  LocalSmoothing local = local_.proposed(random);
+  Eigen::MatrixXd rough = roughness(local);
+  moved_.set(hessian_ + lambda_ * rough, linear_);
+  if (!moves_along(0.0, random)) return;  // the mean of ln l is 0
+  local_ = std::move(local);
+  roughness_ = std::move(rough);
+}
+
+// A row of L has three coefficients other than 0.
+Eigen::MatrixXd PosteriorChain::roughness(const LocalSmoothing& local) const {
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(x_.size(), x_.size());
+  for (Eigen::Index r = 0; r < target_.penalty.rows(); ++r) {
+    for (const Eigen::Index i : penalised_[static_cast<std::size_t>(r)]) {
+      for (const Eigen::Index j : penalised_[static_cast<std::size_t>(r)]) {
+        sum(i, j) += local.factors()(r) * target_.penalty(r, i) * target_.penalty(r, j);
+      }
+    }
+  }
+  return sum;
+}
+
+// λ | x ~ Gamma(r/2) of rate ½Σ l_j (Lx)_j², between its ends.
 void PosteriorChain::draw_lambda(RandomStream& random) {
-  const double shape = 0.5 * static_cast<double>(problem_.penalty().rows());
-  const double rate = 0.5 * std::max((problem_.penalty() * x_).squaredNorm(), 1e-300);
-  const double below = boost::math::gamma_p(shape, rate * least_lambda_);
-  const double above = boost::math::gamma_p(shape, rate * most_lambda_);
+  const double shape = 0.5 * static_cast<double>(target_.penalty.rows());
+  const double sum = local_.factors().dot((target_.penalty * x_).cwiseAbs2());
+  const double rate = 0.5 * std::max(sum, 1e-300);
+  const double below = boost::math::gamma_p(shape, rate * target_.least_lambda, DrawPolicy());
+  const double above = boost::math::gamma_p(shape, rate * target_.most_lambda, DrawPolicy());
   const double uniform = random.uniform();
   if (above - below < kLeastRange) {
-    lambda_ = rate * least_lambda_ > shape ? least_lambda_ : most_lambda_;
+    lambda_ = rate * target_.least_lambda > shape ? target_.least_lambda : target_.most_lambda;
     return;
   }
-  const double drawn = boost::math::gamma_p_inv(shape, below + uniform * (above - below));
-  lambda_ = std::clamp(drawn / rate, least_lambda_, most_lambda_);
+  const double drawn =
+      boost::math::gamma_p_inv(shape, below + uniform * (above - below), DrawPolicy());
+  lambda_ = std::clamp(drawn / rate, target_.least_lambda, target_.most_lambda);
 }
 
-// τ² | x ~ ‖Dx − d‖²/χ²_m.
-void PosteriorChain::draw_scale(RandomStream& random) {
-  const double residual = (problem_.data() - problem_.design() * x_).squaredNorm();
-  const boost::math::chi_squared chi_squared(static_cast<double>(problem_.rows()));
-  const double drawn = boost::math::quantile(chi_squared, random.uniform());
-  scale_ = std::max(kLeastScale, std::sqrt(residual / drawn));
+// τ² | x ~ (‖Dx − d‖² + more)/χ²_m, not below its least.
+void PosteriorChain::draw_scales(RandomStream& random) {
+  for (std::size_t g = 0; g < scale_.size(); ++g) {
+    const ChainRows& rows = target_.rows[g];
+    const double square = rows.more_square + (data_[g] - rows.design * x_).squaredNorm();
+    const double least = std::max(kLeastScale, rows.least_scale);
+    const ChiSquared chi_squared(rows.count);
+    const double share = random.uniform() * chi_squared.below(square / (least * least));
+    scale_[g] = least;
+    if (share > 0.0) scale_[g] = std::max(least, std::sqrt(square / chi_squared.quantile(share)));
+  }
+}
+
+void PosteriorChain::draw_local(RandomStream& random) {
+  local_.draw(lambda_ * (target_.penalty * x_).cwiseAbs2(), random);
+  roughness_ = roughness(local_);
+}
+
+void PosteriorChain::set_error(double error) {
+  data_.clear();
+  projected_.clear();
+  for (const ChainRows& rows : target_.rows) {
+    const bool shifted = rows.shift.size() > 0 && error != 0.0;
+    data_.push_back(shifted ? Eigen::VectorXd(rows.data + error * rows.shift) : rows.data);
+    projected_.emplace_back(rows.design.transpose() * data_.back());
+  }
+}
+
+void PosteriorChain::step(RandomStream& random, int most_reflections) {
+  gather_data(random);
+  gaussian_.set(hessian_ + lambda_ * roughness_, linear_);
+  gaussian_.move(x_, random, most_reflections);
+  reflections_ = gaussian_.reflections();
+  if (target_.most_lambda > target_.least_lambda) {
+    move_with_lambda(random);
+    if (local_.varies()) move_with_local(random);
+    draw_lambda(random);
+  }
+  draw_scales(random);
+  if (local_.varies()) draw_local(random);
+}
+
+void PosteriorChain::hold_near() {
+  const std::vector<int>& counts = reflections_;
+  if (std::accumulate(counts.begin(), counts.end(), 0) < kManyReflections) return;
+  const Eigen::VectorXd deviation = gaussian_.standard_deviation();
+  for (Eigen::Index j = 0; j < target_.limits.positive; ++j) {
+    if (counts[static_cast<std::size_t>(j)] <= kManyOfOne) continue;
+    nearness_(j) = std::max(nearness_(j), 4.0 / (deviation(j) * deviation(j)));
+  }
+}
+
+void PosteriorChain::settle(RandomStream& random) {
+  for (int i = 0; i < kSettling; ++i) {
+    step(random, kMostReflections);
+    hold_near();
+  }
 }
 
 const Eigen::VectorXd& PosteriorChain::next(RandomStream& random) {
-  const double precision = 1.0 / (scale_ * scale_);
-  TruncatedGaussian given(precision * information_ + lambda_ * roughness_,
-                          precision * problem_.linear(), problem_.area(), x_);
-  x_ = given.next(random);
-  draw_lambda(random);
-  draw_scale(random);
+  for (int i = 0; i < kStepsOfDraw; ++i) step(random, TruncatedGaussian::kNoEnd);
   return x_;
 }
 

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <vector>
 
 #include "microslip/base/random.hpp"
-#include "microslip/identify/smoothing_path.hpp"
+#include "microslip/identify/local_smoothing.hpp"
+#include "microslip/identify/truncated_gaussian.hpp"
 
 /// @file
 /// Draws from what data and prior leave possible. Internal: Eigen stays out of the installed
@@ -12,39 +15,94 @@
 
 namespace microslip {
 
-/// A Markov chain of coefficients with the smoothing and the scatter, none of them fixed:
+/// Rows of one kind, with a scatter of their own.
+struct ChainRows {
+  Eigen::MatrixXd design;    ///< D, rows × coefficients; as many rows as say the same of x will do
+  Eigen::VectorXd data;      ///< d
+  Eigen::VectorXd shift;     ///< w: with an error δ the data are d + δw; empty for none
+  double more_square = 0.0;  ///< what x cannot change of the square of the residual
+  double count = 0.0;        ///< m, of independent data: rows as measured, and repeats
+  double least_scale = 0.0;  ///< of τ; 0 where it is free
+};
+
+/// What is drawn from: with coefficients x, a scale τ_g of the scatter of each kind of rows, the
+/// smoothing λ and its local factors l,
 ///
-///     p(x, λ, τ² | d) ∝ τ^−(m+2) exp(−‖Dx − d‖²/2τ²) · λ^(r/2 − 1) exp(−½λ‖Lx‖²)
+///     p ∝ Π_g τ_g^−(m_g + 2) exp(−(‖D_g x − d_g‖² + more_g)/2τ_g²)
+///         · λ^(r/2 − 1) Π_j √l_j exp(−½λ l_j (Lx)_j²) · p(l)
 ///
-/// within x ≥ 0, mᵀx ≤ 1 of a SmoothingProblem with m rows D and r rows L, both of scale-free
-/// priors: x | λ, τ by TruncatedGaussian, λ | x from a Gamma and τ² | x from a scaled inverse χ²
-/// distribution (Gibbs). λ stays between the ends of the problem's path: where a density as smooth
-/// as can be is possible, so is any λ above.
+/// within limits: the priors of ln λ and ln τ are flat. λ stays between two ends: where a density
+/// as smooth as can be is possible, so is any λ above. Where they are one, l is 1 too.
+struct ChainTarget {
+  std::vector<ChainRows> rows;
+  Eigen::MatrixXd penalty;  ///< L, r × coefficients
+  LinearLimits limits;
+  double least_lambda = 0.0;
+  double most_lambda = 0.0;
+};
+
+/// Where a chain starts: at a good solution.
+struct ChainStart {
+  Eigen::VectorXd x;
+  double lambda = 0.0;
+  std::vector<double> scale;  ///< τ of each kind of rows
+};
+
+/// A Markov chain of that distribution. x given all else by TruncatedGaussian; λ and l once with
+/// x moved along, at the same place among what is possible with them, and once given x, λ from its
+/// Gamma distribution and l by LocalSmoothing; τ from its scaled inverse χ² distribution.
+///
+/// Coefficients that data press against their limit far below what the prior would let them be are
+/// reflected thousands of times on one trajectory. Near those a normal number a_j ~ N(x_j, w_j²) is
+/// drawn first, and x given a: the distribution of x stays what it is, for any w, and the
+/// trajectory is held near a.
 class PosteriorChain {
  public:
-  /// @param problem  must outlive this; rows in units of their scatter, so that τ is near 1.
-  /// @param lambda   where it starts: that of a good solution.
-  /// @param start    that solution.
-  PosteriorChain(const SmoothingProblem& problem, double lambda, const Eigen::VectorXd& start);
+  /// @param target  must outlive this. @param start  may lie on limits.
+  PosteriorChain(const ChainTarget& target, ChainStart start);
 
-  /// The next draw; alike to the one before it.
+  /// Steps until the start is forgotten, during which w is found.
+  void settle(RandomStream& random);
+
+  /// What the data are wrong by in the draws to come: δ of the shifts of all rows. Data do not
+  /// correct it.
+  void set_error(double error);
+
+  /// The next draw, some steps on; alike to the one before it.
   const Eigen::VectorXd& next(RandomStream& random);
 
   [[nodiscard]] double lambda() const { return lambda_; }  ///< of the last draw
-  [[nodiscard]] double scale() const { return scale_; }    ///< τ of the last draw
+  /// τ of the last draw. @param kind  of the rows.
+  [[nodiscard]] double scale(std::size_t kind = 0) const { return scale_[kind]; }
 
  private:
+  void step(RandomStream& random, int most_reflections);
+  void gather_data(RandomStream& random);
+  [[nodiscard]] bool moves_along(double log_ratio, RandomStream& random);
+  void move_with_lambda(RandomStream& random);
+  void move_with_local(RandomStream& random);
+  [[nodiscard]] Eigen::MatrixXd roughness(const LocalSmoothing& local) const;
   void draw_lambda(RandomStream& random);
-  void draw_scale(RandomStream& random);
+  void draw_scales(RandomStream& random);
+  void draw_local(RandomStream& random);
+  void hold_near();
 
-  const SmoothingProblem& problem_;
-  Eigen::MatrixXd information_;
-  Eigen::MatrixXd roughness_;
-  double least_lambda_;
-  double most_lambda_;
+  const ChainTarget& target_;
+  std::vector<Eigen::MatrixXd> information_;          // DᵀD of each kind
+  std::vector<Eigen::VectorXd> data_;                 // d + δw
+  std::vector<Eigen::VectorXd> projected_;            // Dᵀ of that
+  std::vector<std::vector<Eigen::Index>> penalised_;  // columns of each row of L
+  Eigen::MatrixXd roughness_;                         // Lᵀ diag(l) L
+  Eigen::MatrixXd hessian_;                           // of all but the smoothing
+  Eigen::VectorXd linear_;
+  Eigen::VectorXd nearness_;  // 1/w²
+  LocalSmoothing local_;
   double lambda_;
-  double scale_ = 1.0;
+  std::vector<double> scale_;
   Eigen::VectorXd x_;
+  TruncatedGaussian gaussian_;  // x given all else
+  TruncatedGaussian moved_;     // the same with another λ or l
+  std::vector<int> reflections_;
 };
 
 }  // namespace microslip

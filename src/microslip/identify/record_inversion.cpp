@@ -11,6 +11,7 @@
 #include "microslip/base/interpolation.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/base/stopwatch.hpp"
+#include "microslip/identify/fewer_rows.hpp"
 #include "microslip/identify/level_agreement.hpp"
 #include "microslip/identify/posterior_chain.hpp"
 #include "microslip/identify/quantiles.hpp"
@@ -21,8 +22,6 @@
 namespace microslip {
 namespace {
 
-/// Draws until the chain has forgotten its start, over those that are kept.
-constexpr std::size_t kForgetting = 5;
 constexpr std::size_t kFewestReversals = 2;
 constexpr std::size_t kFewestDraws = 100;
 /// A record may give back this share of the work that goes to and fro: noise.
@@ -90,13 +89,32 @@ Estimate estimate_of(std::vector<double> values, double confidence) {
   return {mean, lower, upper};
 }
 
+/// λ stays between the ends of a path.
+ChainTarget chain_target(const SettledRecords& settled) {
+  const SmoothingProblem& problem = settled.model.problem();
+  Eigen::MatrixXd rows(problem.rows(), problem.size() + 1);
+  rows << problem.design(), problem.data();
+  const Eigen::MatrixXd fewer = fewer_rows(rows);
+  ChainTarget target;
+  target.rows.push_back({.design = fewer.leftCols(problem.size()),
+                         .data = fewer.rightCols(1),
+                         .count = static_cast<double>(problem.rows())});
+  target.penalty = problem.penalty();
+  target.limits = {problem.size(), problem.area()};
+  const std::vector<double> ends = problem.lambda_grid(2);
+  target.least_lambda = std::min(ends.back(), settled.best.lambda);
+  target.most_lambda = std::max(ends.front(), settled.best.lambda);
+  return target;
+}
+
 /// Draws, and what is read of all of them. @return the mean of the coefficients.
 Eigen::VectorXd draw_all(const SettledRecords& settled, const ScaledRecords& records,
                          const RecordInversionOptions& options, RecordInversionResult& result) {
   const DrawReader reader(settled.model, records);
-  PosteriorChain chain(settled.model.problem(), settled.best.lambda, settled.best.solution.x);
+  const ChainTarget target = chain_target(settled);
+  PosteriorChain chain(target, {settled.best.solution.x, settled.best.lambda, {1.0}});
   RandomStream random(options.seed, 0);
-  for (std::size_t i = 0; i < options.draws / kForgetting; ++i) chain.next(random);
+  chain.settle(random);
   Eigen::VectorXd mean = Eigen::VectorXd::Zero(settled.best.solution.x.size());
   std::vector<double> elastic;
   for (std::size_t i = 0; i < options.draws; ++i) {
@@ -120,8 +138,9 @@ void summarise_draws(const RecordInversionOptions& options, RecordInversionResul
   for (std::size_t j = 0; j < result.slip_displacement.size(); ++j) {
     const Estimate psi = of_draws([j](const StiffnessDraw& draw) { return draw.density[j]; });
     result.density.push_back(psi.mean);
-    result.lower.push_back(psi.lower);
-    result.upper.push_back(psi.upper);
+    const auto [lower, upper] = quantile_pair_above_zero(values, options.confidence);
+    result.lower.push_back(lower);
+    result.upper.push_back(upper);
   }
   result.stiffness = of_draws([](const StiffnessDraw& draw) { return draw.stiffness; });
   if (!options.viscous) return;
@@ -222,7 +241,7 @@ DensityBand RecordInversionResult::density_band() const {
   }
   DensityBand band;
   for (std::vector<double>& values : densities) {
-    const auto [lower, upper] = quantile_pair(values, confidence);
+    const auto [lower, upper] = quantile_pair_above_zero(values, confidence);
     band.lower.push_back(lower);
     band.upper.push_back(upper);
   }

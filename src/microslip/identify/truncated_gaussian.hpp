@@ -2,6 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
+#include <utility>
+#include <vector>
 
 #include "microslip/base/random.hpp"
 
@@ -10,41 +13,78 @@
 
 namespace microslip {
 
-/// A chain of draws from  p(x) ∝ exp(−½xᵀHx + gᵀx)  subject to  x ≥ 0 and mᵀx ≤ 1.
+/// x_j ≥ 0 for the first `positive` coefficients, and mᵀx ≤ 1.
+struct LinearLimits {
+  Eigen::Index positive = 0;
+  Eigen::VectorXd budget_weights;  ///< m ≥ 0, one a coefficient; 0 for no such limit
+
+  /// Whether x keeps to them.
+  [[nodiscard]] bool hold(const Eigen::VectorXd& x) const;
+
+  /// x with what lies on a limit moved inside.
+  /// @param least  coefficients below this are moved to it, > 0.
+  [[nodiscard]] Eigen::VectorXd moved_inside(const Eigen::VectorXd& x,
+                                             const Eigen::VectorXd& least) const;
+};
+
+/// Draws from  p(x) ∝ exp(−½xᵀHx + gᵀx)  within limits, each from the one before it.
 ///
 /// Hamiltonian trajectories of a quarter period, which are closed forms of sine and cosine, with
 /// exact reflections at the limits: no draw is rejected, there is no step, and the distribution is
 /// stationary [Pakman & Paninski, J. Comput. Graph. Stat. 23 (2014) 518].
 class TruncatedGaussian {
  public:
-  /// @param hessian         H, symmetric positive definite.
-  /// @param linear          g.
-  /// @param budget_weights  m ≥ 0; 0 for no such limit.
-  /// @param start           within the limits; coefficients at 0 are moved a little inside.
-  TruncatedGaussian(const Eigen::MatrixXd& hessian, const Eigen::VectorXd& linear,
-                    const Eigen::VectorXd& budget_weights, const Eigen::VectorXd& start);
+  static constexpr int kNoEnd = std::numeric_limits<int>::max();
 
-  /// The next draw. @param random  a normal number a coefficient.
-  const Eigen::VectorXd& next(RandomStream& random);
+  explicit TruncatedGaussian(LinearLimits limits) : limits_(std::move(limits)) {}
+
+  /// Another Gaussian within the same limits.
+  /// @param hessian  H, symmetric positive definite, but for rounding.
+  /// @param linear   g.
+  /// @throws InputError  where they are not finite.
+  void set(const Eigen::MatrixXd& hessian, const Eigen::VectorXd& linear);
+
+  /// ln of the integral of exp(−½xᵀHx + gᵀx) without the limits, less ½n ln 2π.
+  [[nodiscard]] double log_integral() const;
+
+  /// Of each coefficient without the limits.
+  [[nodiscard]] Eigen::VectorXd standard_deviation() const;
+
+  /// Coordinates z in which it is N(0, 1) without the limits: x = mean + L⁻ᵀz, H = LLᵀ.
+  [[nodiscard]] Eigen::VectorXd standardised(const Eigen::VectorXd& x) const;
+  [[nodiscard]] Eigen::VectorXd from_standardised(const Eigen::VectorXd& z) const;
+
+  /// The next draw.
+  /// @param x                 the last one, within the limits; replaced.
+  /// @param random            gives a normal number a coefficient.
+  /// @param most_reflections  ends the trajectory there, which is then no draw: to find a start.
+  void move(Eigen::VectorXd& x, RandomStream& random, int most_reflections = kNoEnd);
+
+  /// How often each coefficient was reflected by its limit on the last trajectory.
+  [[nodiscard]] const std::vector<int>& reflections() const { return reflections_; }
 
  private:
   struct Hit {
     double time;
     Eigen::Index limit;
   };
+  void set_limits();
   [[nodiscard]] Hit next_hit(double before, Eigen::Index last) const;
+  void reflect(Eigen::Index limit);
 
-  // x = mean + Cz with z ~ N(0, 1); limits f z + offset ≥ 0.
+  LinearLimits limits_;
+  Eigen::MatrixXd factor_;  // L
   Eigen::VectorXd mean_;
-  Eigen::MatrixXd from_standard_;  // C = L⁻ᵀ, H = LLᵀ
-  Eigen::MatrixXd limits_;         // f: limits × coefficients
-  Eigen::MatrixXd gram_;           // f fᵀ
+  Eigen::VectorXd half_;  // L⁻¹g
+  bool limits_set_ = false;
+  // Limits fᵀz + offset ≥ 0, each in its own standard deviations; f is a column of normals_.
+  Eigen::MatrixXd normals_;
   Eigen::VectorXd offset_;
   Eigen::VectorXd position_;  // z
   Eigen::VectorXd velocity_;
-  Eigen::VectorXd position_of_limits_;  // f z
+  Eigen::VectorXd position_of_limits_;  // fᵀz
   Eigen::VectorXd velocity_of_limits_;
-  Eigen::VectorXd x_;
+  std::vector<int> reflections_;
 };
 
 }  // namespace microslip

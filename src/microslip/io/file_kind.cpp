@@ -138,6 +138,9 @@ std::string file_kind(std::string_view head) {
     if (!schema.empty()) return std::string(schema);
   }
   if (name == "an HTML page" && is_report(head)) return std::string(kReportKind);
+  if (name == "an HDF5 file" && head.find(kSamplesKind) != std::string_view::npos) {
+    return std::string(kSamplesKind);
+  }
   if (!name.empty()) return std::string(name);
   if (const std::string_view schema = toml_schema(head); !schema.empty())
     return std::string(schema);

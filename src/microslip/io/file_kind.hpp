@@ -7,7 +7,9 @@
 
 namespace microslip {
 
-inline constexpr std::string_view kJointKind = "microslip.joint/1";   ///< joint.json
+inline constexpr std::string_view kJointKind = "microslip.joint/1";  ///< joint.json
+/// joint_samples.h5
+inline constexpr std::string_view kSamplesKind = "microslip.joint_samples/1";
 inline constexpr std::string_view kRigKind = "microslip.rig/1";       ///< rig.toml
 inline constexpr std::string_view kModelKind = "microslip.model/1";   ///< model.toml
 inline constexpr std::string_view kLevelsKind = "a table of levels";  ///< levels.csv

@@ -5,6 +5,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/hdf5_reader.hpp"
 #include "microslip/io/hdf5_recording.hpp"
+#include "microslip/io/joint_samples_file.hpp"
 
 namespace microslip {
 namespace {
@@ -23,6 +24,12 @@ Recordings read_recordings_hdf5(const std::string& path, const RecordingReadOpti
 void write_recordings_hdf5(const std::string& path, std::span<const Recording> /*recordings*/) {
   refuse_hdf5(path);
 }
+
+std::string joint_samples_bytes(const JointSamples& /*samples*/, const std::string& path) {
+  refuse_hdf5(path);
+}
+
+JointSamples read_joint_samples(const std::string& path) { refuse_hdf5(path); }
 
 MatTree read_mat73_tree(const std::string& path, const MatReadOptions& /*options*/) {
   refuse_hdf5(path);

@@ -72,6 +72,10 @@ Recordings read_hdf5_recordings(const std::string& path, const Progress& progres
   return read_in_process<Recordings>(call("recordings", path), path, progress);
 }
 
+RawSamples read_hdf5_joint_samples(const std::string& path) {
+  return read_in_process<RawSamples>(call("joint_samples", path), path, {});
+}
+
 MatTree read_mat73_tree(const std::string& path, const MatReadOptions& options) {
   std::vector<std::string> command = call("matlab", path);
   if (options.only) command.emplace_back(*options.only);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "microslip/base/progress.hpp"
+#include "microslip/io/hdf5_joint_samples.hpp"
 #include "microslip/io/mat_tree.hpp"
 #include "microslip/io/recordings.hpp"
 
@@ -21,6 +22,9 @@ namespace microslip {
 
 /// hdf5_recordings() there. @throws  as run_reading_process().
 [[nodiscard]] Recordings read_hdf5_recordings(const std::string& path, const Progress& progress);
+
+/// hdf5_joint_samples() there. @throws  as run_reading_process().
+[[nodiscard]] RawSamples read_hdf5_joint_samples(const std::string& path);
 
 /// mat73_tree() there. @throws  as run_reading_process().
 [[nodiscard]] MatTree read_mat73_tree(const std::string& path, const MatReadOptions& options);

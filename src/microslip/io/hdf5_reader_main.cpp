@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// microslip-hdf5-reader VERSION recordings|matlab FILE [VARIABLE]: the program that reads files of HDF5 for
+// microslip-hdf5-reader VERSION recordings|joint_samples|matlab FILE [VARIABLE]: the program that reads files of HDF5 for
 // the library, see hdf5_reader.hpp.
 
 #include <cstdio>
@@ -11,6 +11,7 @@
 #include "microslip/base/version.hpp"
 #include "microslip/io/hdf5_contents.hpp"
 #include "microslip/io/hdf5_handle.hpp"
+#include "microslip/io/hdf5_joint_samples.hpp"
 #include "microslip/io/reading_worker.hpp"
 
 namespace microslip {
@@ -37,6 +38,10 @@ int run(const std::vector<std::string>& arguments) {
   if (arguments.size() == 3 && arguments[1] == "recordings") {
     return serve(arguments[0], arguments[2],
                  [&](const Progress& told) { return hdf5_recordings(arguments[2], told); });
+  }
+  if (arguments.size() == 3 && arguments[1] == "joint_samples") {
+    return serve(arguments[0], arguments[2],
+                 [&](const Progress& told) { return hdf5_joint_samples(arguments[2], told); });
   }
   if ((arguments.size() == 3 || arguments.size() == 4) && arguments[1] == "matlab") {
     return serve(arguments[0], arguments[2], [&](const Progress& told) {

@@ -214,7 +214,7 @@ void add_bands(const Identification& found, NamedValues& record) {
   };
   record.emplace_back("band_confidence", bands.confidence);
   record.emplace_back("band_samples", static_cast<double>(bands.samples));
-  record.emplace_back("band_samples_not_converged", static_cast<double>(bands.not_converged));
+  record.emplace_back("band_samples_effective", bands.effective_samples);
   record.emplace_back("band_area", pair(bands.area));
   if (found.linear_damping) {
     record.emplace_back("band_linear_damping_J_per_m2", pair(bands.linear_damping));

@@ -12,10 +12,22 @@
 #include "microslip/io/joint_file.hpp"
 #include "microslip/io/sha256.hpp"
 #include "microslip/workflow/identification_text.hpp"
+#include "microslip/workflow/joint_draws.hpp"
 #include "microslip/workflow/summary_text.hpp"
 
 namespace microslip {
 namespace {
+
+Provenance levels_provenance(const IdentificationOptions& options, const NamedInput& input,
+                             std::string_view command, const OptionTexts& texts) {
+  Provenance provenance;
+  provenance.version = kVersion;
+  provenance.command = command;
+  provenance.inputs.push_back({input.path, sha256(input.text)});
+  provenance.options = record_of_options(options, texts);
+  if (options.bands) provenance.seed = options.bands->seed;
+  return provenance;
+}
 
 /// What the levels are at fault for names their file.
 Identification identified(const LevelsFile& file, const LevelsIdentification& options) {
@@ -44,13 +56,15 @@ IdentifiedLevels identify_levels(const LevelsIdentification& options) {
 std::string joint_text(const Identification& found, const IdentificationOptions& options,
                        const NamedInput& input, std::string_view command,
                        const OptionTexts& texts) {
-  Provenance provenance;
-  provenance.version = kVersion;
-  provenance.command = command;
-  provenance.inputs.push_back({input.path, sha256(input.text)});
-  provenance.options = record_of_options(options, texts);
-  if (options.bands) provenance.seed = options.bands->seed;
-  return format_joint({found.joint, provenance, record_of_identification(found)});
+  return format_joint({found.joint, levels_provenance(options, input, command, texts),
+                       record_of_identification(found)});
+}
+
+std::string samples_bytes(const Identification& found, const IdentificationOptions& options,
+                          const NamedInput& input, std::string_view command,
+                          const OptionTexts& texts, const std::string& path) {
+  return joint_samples_bytes(
+      joint_samples(found, levels_provenance(options, input, command, texts)), path);
 }
 
 std::string describe_identified_levels(const LevelsIdentification& options,

@@ -51,6 +51,13 @@ struct IdentifiedLevels {
                                      const IdentificationOptions& options, const NamedInput& input,
                                      std::string_view command, const OptionTexts& texts = {});
 
+/// The bytes of joint_samples.h5. @param path  of the file; the others as of joint_text().
+/// @throws InputError  as joint_samples(). @throws FileError  as joint_samples_bytes().
+[[nodiscard]] std::string samples_bytes(const Identification& found,
+                                        const IdentificationOptions& options,
+                                        const NamedInput& input, std::string_view command,
+                                        const OptionTexts& texts, const std::string& path);
+
 /// The summary.
 [[nodiscard]] std::string describe_identified_levels(const LevelsIdentification& options,
                                                      const IdentifiedLevels& done);

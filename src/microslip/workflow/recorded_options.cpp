@@ -38,6 +38,7 @@ NamedValues record_of_options(const IdentificationOptions& options, const Option
   record.emplace_back("linear_damping", options.inversion.linear_damping ? "fit" : "none");
   record.emplace_back("atom", options.inversion.atom ? "sought" : "none");
   record.emplace_back("bands", options.bands ? static_cast<double>(options.bands->samples) : 0.0);
+  if (!texts.samples_out.empty()) record.emplace_back("samples_out", texts.samples_out);
   record.emplace_back("dissipation_gain_std", texts.common_errors.dissipation_gain_std);
   record.emplace_back("amplitude_gain_std", texts.common_errors.amplitude_gain_std);
   record.emplace_back("loss_factor_std", texts.common_errors.loss_factor_std);

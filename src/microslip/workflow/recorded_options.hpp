@@ -21,6 +21,7 @@ struct OptionTexts {
   std::optional<std::string> smoothing_unit;  ///< as on the command line
   std::string inner_reversals = "leave-out";  ///< what was done with such levels
   CommonErrors common_errors = {};            ///< that the levels were said to have
+  std::string samples_out = {};               ///< file that the draws go to; empty for none
 };
 
 /// The same options as joint.json holds them.

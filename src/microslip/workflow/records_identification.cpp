@@ -10,6 +10,7 @@
 #include "microslip/io/joint_file.hpp"
 #include "microslip/io/sha256.hpp"
 #include "microslip/workflow/identification_text.hpp"
+#include "microslip/workflow/joint_draws.hpp"
 #include "microslip/workflow/level_table.hpp"
 #include "microslip/workflow/summary_text.hpp"
 
@@ -35,7 +36,19 @@ NamedValues record_of_options(const RecordsIdentification& options) {
   if (!options.levels.empty()) {
     record.emplace_back("inner_reversals", options.use_inner_reversals ? "use" : "leave-out");
   }
+  if (!options.samples_out.empty()) record.emplace_back("samples_out", options.samples_out);
   return record;
+}
+
+Provenance records_provenance(const RecordsIdentification& options, const IdentifiedRecords& done,
+                              std::string_view command) {
+  Provenance provenance;
+  provenance.version = kVersion;
+  provenance.command = command;
+  provenance.inputs = done.inputs;
+  provenance.options = record_of_options(options);
+  provenance.seed = options.options.seed;
+  return provenance;
 }
 
 /// Where the start of a record is known from.
@@ -141,15 +154,16 @@ IdentifiedRecords identify_records(const RecordsIdentification& options) {
 
 std::string joint_text(const RecordsIdentification& options, const IdentifiedRecords& done,
                        std::string_view command) {
-  Provenance provenance;
-  provenance.version = kVersion;
-  provenance.command = command;
-  provenance.inputs = done.inputs;
-  provenance.options = record_of_options(options);
-  provenance.seed = options.options.seed;
   NamedValues identification = record_of_identification(done.found);
   add_sources(options, done, identification);
-  return format_joint({done.found.joint, provenance, std::move(identification)});
+  return format_joint(
+      {done.found.joint, records_provenance(options, done, command), std::move(identification)});
+}
+
+std::string samples_bytes(const RecordsIdentification& options, const IdentifiedRecords& done,
+                          std::string_view command) {
+  return joint_samples_bytes(joint_samples(done.found, records_provenance(options, done, command)),
+                             options.samples_out);
 }
 
 std::string describe_identified_records(const IdentifiedRecords& done) {

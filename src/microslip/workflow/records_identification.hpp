@@ -31,6 +31,7 @@ struct RecordsIdentification {
   bool use_inner_reversals = false;       ///< of the levels, as LevelTableOptions
   /// The texts of the units that `reading` assumes, for joint.json.
   std::vector<std::string> assumed_units = {};
+  std::string samples_out = {};  ///< file that the draws go to; empty for none
 };
 
 /// What came of it. Vectors of records have one entry each, in the order of `found.records()`.
@@ -56,6 +57,11 @@ struct IdentifiedRecords {
 /// @param command  that the file is made by.
 [[nodiscard]] std::string joint_text(const RecordsIdentification& options,
                                      const IdentifiedRecords& done, std::string_view command);
+
+/// The bytes of joint_samples.h5, for options.samples_out; the rest as of joint_text().
+/// @throws FileError  as joint_samples_bytes().
+[[nodiscard]] std::string samples_bytes(const RecordsIdentification& options,
+                                        const IdentifiedRecords& done, std::string_view command);
 
 /// The summary.
 [[nodiscard]] std::string describe_identified_records(const IdentifiedRecords& done);

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/QR>
+#include <algorithm>
+
+namespace microslip {
+
+/// No more rows than columns that say the same: ‖Ax‖ is kept for any x, as A = QR.
+[[nodiscard]] inline Eigen::MatrixXd fewer_rows(const Eigen::MatrixXd& rows) {
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(rows);
+  return qr.matrixQR().topRows(std::min(rows.rows(), rows.cols())).triangularView<Eigen::Upper>();
+}
+
+}  // namespace microslip

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include "microslip/base/random.hpp"
+
+/// @file
+/// A smoothness that changes along the density. Internal: Eigen stays out of the installed headers.
+
+namespace microslip {
+
+/// Factors l_j of λ, one a row of the penalty: a density may bend sharply at one place and be
+/// smooth at another, as a peak on a plain is. With nodes that are equally spaced along the rows,
+///
+///     ln l = Bw less its mean,   w ~ N(0, 3²),
+///
+/// and B interpolates between the nodes. Ten nodes are as many as levels or records can tell
+/// details of a density; by one standard deviation λ changes 20 times, and the curvature that is
+/// usual 4 times.
+class LocalSmoothing {
+ public:
+  /// @param rows  of the penalty. @param varies  false: l = 1, and nothing is drawn.
+  LocalSmoothing(Eigen::Index rows, bool varies);
+
+  [[nodiscard]] bool varies() const { return nodes_.size() > 0; }
+  [[nodiscard]] const Eigen::VectorXd& factors() const { return factors_; }  ///< l
+
+  /// Another w of the prior, alike to this one or not at all: as likely to be reached from it as it
+  /// from that one.
+  [[nodiscard]] LocalSmoothing proposed(RandomStream& random) const;
+
+  /// A draw of w given λ‖·‖² of each row: of  Π √l_j exp(−½l_j s_j) · N(w; 0, 3²)  by slices of
+  /// ellipses, which have no step to choose [Murray, Adams & MacKay, AISTATS 2010].
+  /// @param squares  s_j = λ(Lx)_j².
+  void draw(const Eigen::VectorXd& squares, RandomStream& random);
+
+ private:
+  void set(const Eigen::VectorXd& nodes);
+  [[nodiscard]] double log_likelihood(const Eigen::VectorXd& nodes,
+                                      const Eigen::VectorXd& squares) const;
+
+  Eigen::MatrixXd interpolation_;  // B, less its mean
+  Eigen::VectorXd nodes_;          // w
+  Eigen::VectorXd factors_;
+};
+
+}  // namespace microslip
