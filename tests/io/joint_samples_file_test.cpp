@@ -5,6 +5,8 @@
 #include <hdf5.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <limits>
@@ -47,6 +49,7 @@ JointSamples three_draws() {
 class JointSamplesFile : public ::testing::Test {
  protected:
   void write(const JointSamples& samples) {
+    std::filesystem::remove(path_);
     write_file(path_, joint_samples_bytes(samples, path_));
   }
   /// Changes the file by the library.
