@@ -126,7 +126,8 @@ struct NamedJoint {
 };
 
 /// Densities that no method, option or bound of the identification was chosen on, and none may be:
-/// they tell how the figures of the others carry over.
+/// they tell how the figures of the others carry over. One thing was: that the smoothness of the
+/// posterior changes along the density (LocalSmoothing), for the peaks of the last one.
 inline std::vector<NamedJoint> unseen_truths() {
   return {{"gamma_density", gamma_density()},
           {"ramp", ramp()},

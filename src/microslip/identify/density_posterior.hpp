@@ -85,10 +85,9 @@ struct DensityPosterior {
   static constexpr std::size_t kChain = 250;
 
   /// Draws 0 … count − 1 of a seed, with λ, l and s drawn, too, by PosteriorChain: exact but for
-  /// what the chain remembers of its start, and none of its numbers is tuned. Draw i stands in
-  /// a chain of kChain draws, number i/kChain, which starts anew: it is a function of (seed, i)
-  /// alone, whatever the count and the number of threads. Neighbours are alike:
-  /// DensityBands::effective_samples tells by how much.
+  /// what the chain remembers of its start. Draw i stands in a chain of kChain draws, number
+  /// i/kChain, which starts anew: it is a function of (seed, i) alone, whatever the count and the
+  /// number of threads. Neighbours are alike: DensityBands::effective_samples tells by how much.
   ///
   /// Errors that all levels share are drawn for each draw, and the levels do not correct them: the
   /// wrong loss factor adds δW_lin to D; gains scale what is found, and a draw of more area than 1
