@@ -13,7 +13,7 @@ using DrawPolicy = boost::math::policies::policy<boost::math::policies::promote_
                                                  boost::math::policies::digits10<10>>;
 
 /// χ² of m degrees of freedom; beyond some thousands by the cube root, which is normal to 1e-6 there
-/// [Wilson & Hilferty, Proc. Natl. Acad. Sci. 17 (1931) 684].
+/// [Wilson & Hilferty].
 class ChiSquared {
  public:
   explicit ChiSquared(double count) : count_(count) {}
