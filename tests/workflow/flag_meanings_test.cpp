@@ -39,8 +39,8 @@ std::set<std::string> codes_in_the_source() {
       collect(test::get(file.path().string()), codes);
     }
   }
-  for (const char* file : {"identify/covered_range.cpp", "observe/record_cycles.hpp",
-                           "workflow/modal_decay.cpp"}) {
+  for (const char* file :
+       {"identify/covered_range.cpp", "observe/record_cycles.hpp", "workflow/modal_decay.cpp"}) {
     collect(test::get((kRoot / "src/microslip" / file).string()), codes);
   }
   return codes;

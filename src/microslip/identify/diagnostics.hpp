@@ -66,7 +66,7 @@ namespace microslip {
 /// and of each table of levels that is of another joint than all else:
 ///   * `levels_contradict`  D differs, by more than four times the noise and 3 %;
 ///   * `secant_differs`     k_eq does, by as much of the noise and 1 %.
-/// @param evidence  that it was found from: its names.
+/// @param result    of the records. @param evidence  that it was found from: its names.
 [[nodiscard]] std::vector<Warning> diagnose(const RecordInversionResult& result,
                                             const JointEvidence& evidence);
 

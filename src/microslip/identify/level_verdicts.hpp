@@ -50,8 +50,11 @@ struct LevelDepartureVerdict {
 
 /// All of them, of those that the levels can show. kSecant and kFrequency are there where the warnings
 /// say so that stand for them; their numbers are those of the evidence.
-/// @param evidence  of the levels against the joint.
-/// @param warnings  of the identification.
+/// @param levels          with their errors.
+/// @param joint           identified from them.
+/// @param linear_damping  β of it, J/m².
+/// @param evidence        of the levels against the joint.
+/// @param warnings        of the identification.
 [[nodiscard]] std::vector<LevelDepartureVerdict> judge_levels(const LevelEvidence& levels,
                                                               const Joint& joint,
                                                               double linear_damping,

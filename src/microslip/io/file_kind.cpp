@@ -24,6 +24,8 @@ struct TableKind {
 };
 
 constexpr std::array kTableKinds{
+    TableKind{kCalibrationKind, {"mode", "measured_dissipation", "residual"}},
+    TableKind{kIdentifiabilityKind, {"joint", "slip_displacement", "told"}},
     TableKind{kModalLevelsKind, {"mode", "displacement", "frequency"}},
     TableKind{kVerificationKind, {"channel", "NRMSE", "noise_share"}},
     TableKind{kHarmonicsKind, {"source", "harmonic", "frequency"}},

@@ -17,6 +17,11 @@ inline constexpr std::string_view kLevelsKind = "a table of levels";  ///< level
 inline constexpr std::string_view kDampingLevelsKind = "a table of damping ratios";
 /// modal_levels.csv
 inline constexpr std::string_view kModalLevelsKind = "a table of modal levels";
+/// calibration.csv
+inline constexpr std::string_view kCalibrationKind = "a table of a calibration";
+/// identifiability.csv
+inline constexpr std::string_view kIdentifiabilityKind =
+    "a table of densities and what is told of them";
 inline constexpr std::string_view kDensityKind = "a table of a density";  ///< of parse_density()
 /// of `microslip dissipation`
 inline constexpr std::string_view kDissipationKind = "a table of a dissipation curve";

@@ -64,9 +64,8 @@ ForceRecords read_force_records(const std::vector<std::string>& paths,
   for (const std::string& path : paths) {
     for (const Recording& recording :
          read_named_recordings(path, reading, warnings.emplace_back())) {
-      all.records.push_back(
-          {recording.source, force_record(recording, channels), recording.axis.start,
-           static_cast<double>(warnings.size())});
+      all.records.push_back({recording.source, force_record(recording, channels),
+                             recording.axis.start, static_cast<double>(warnings.size())});
     }
     all.inputs.push_back({path, recording_sha256(path)});
   }

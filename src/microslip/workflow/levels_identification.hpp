@@ -51,7 +51,13 @@ struct IdentifiedLevels {
                                      const IdentificationOptions& options, const NamedInput& input,
                                      std::string_view command, const OptionTexts& texts = {});
 
-/// The bytes of joint_samples.h5. @param path  of the file; the others as of joint_text().
+/// The bytes of joint_samples.h5.
+/// @param found    with its draws.
+/// @param options  that it was found with.
+/// @param input    the levels.
+/// @param command  that the file is made by.
+/// @param texts    of the options.
+/// @param path     of the file.
 /// @throws InputError  as joint_samples(). @throws FileError  as joint_samples_bytes().
 [[nodiscard]] std::string samples_bytes(const Identification& found,
                                         const IdentificationOptions& options,

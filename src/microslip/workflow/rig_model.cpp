@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <string_view>
 #include <utility>
 
@@ -15,12 +14,11 @@
 #include "microslip/io/text.hpp"
 #include "microslip/rig/rig_structure.hpp"
 #include "microslip/workflow/named_rig.hpp"
+#include "microslip/workflow/path_from.hpp"
 #include "microslip/workflow/provenance.hpp"
 
 namespace microslip {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// A model is text: names in it are UTF-8 without control characters.
 void check_name(std::string_view what, std::string_view name) {
@@ -36,14 +34,6 @@ void check_readable(const std::string& text, const std::string& rig, const std::
   } catch (const InputError& error) {
     throw error.renamed(fmt::format("{}: channel", input_name(rig)));
   }
-}
-
-/// As the model names it: relative to the model's folder, unless it was given from the root.
-std::string joint_name(const fs::path& joint, const std::string& out) {
-  if (joint.is_absolute() || out == "-") return joint.string();
-  const fs::path folder = fs::path(out).parent_path();
-  const fs::path relative = fs::relative(joint, folder.empty() ? "." : folder);
-  return relative.empty() ? fs::absolute(joint).string() : relative.string();
 }
 
 }  // namespace
@@ -65,7 +55,7 @@ RigModel model_of_rig(const std::string& rig_path, const std::string& joint_path
   });
   RigModel model{{std::move(structure),
                   rig.excitation.channel,
-                  {joint_name(joint_path, out)},
+                  {path_from(joint_path, out)},
                   {covered_to(file)},
                   {damping}},
                  {},

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/calibrate/calibration.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/base/stopwatch.hpp"
+#include "microslip/calibrate/calibration_result.hpp"
+#include "microslip/calibrate/evidence_chain.hpp"
+#include "microslip/calibrate/growing_range.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr int kFewestCoefficients = 10;
+constexpr std::size_t kFewestDraws = 100;
+/// For the progress: as many passes are usual.
+constexpr std::size_t kUsualPasses = 40;
+
+void check_sought(const JointedStructure& structure, const std::vector<std::size_t>& sought) {
+  if (sought.empty()) {
+    throw InputError("number of joints to find", 0.0, "must be 1 or more",
+                     "Give a joint of the model a stiffness and no file.");
+  }
+  for (const std::size_t joint : sought) {
+    if (joint < structure.joints().size()) continue;
+    throw InputError("index of a joint to find", static_cast<double>(joint),
+                     fmt::format("must be below {}", structure.joints().size()));
+  }
+}
+
+void check_levels_of(const JointedStructure& structure, const std::vector<std::size_t>& sought,
+                     const ModalLevels& levels) {
+  check_modal_levels(levels);
+  const std::size_t fewest = kFewestModalLevels * sought.size();
+  if (levels.size() < fewest) {
+    throw InputError("number of levels", static_cast<double>(levels.size()),
+                     fmt::format("must be {} or more for {} joint{}", fewest, sought.size(),
+                                 sought.size() == 1 ? "" : "s"),
+                     "Measure more levels, or more modes.");
+  }
+  const std::size_t modes = structure.linear().size();
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    if (levels.mode[i] < modes) continue;
+    throw InputError(fmt::format("mode of level {}", i + 1),
+                     static_cast<double>(levels.mode[i] + 1),
+                     fmt::format("must be from 1 to {}, the modes of the model", modes));
+  }
+  for (const JointLevels& measured : levels.joints) {
+    if (std::ranges::find(structure.joints(), measured.name, &StructuralJoint::name) !=
+        structure.joints().end()) {
+      continue;
+    }
+    throw InputError("joint of the levels", measured.name, "must be the name of one in the model");
+  }
+}
+
+/// A joint that stands still in all modes that were measured shows nothing of itself.
+void check_motion(const JointedStructure& structure, const std::vector<std::size_t>& sought,
+                  const ModalLevels& levels) {
+  for (const std::size_t j : sought) {
+    const StructuralJoint& joint = structure.joints()[j];
+    const bool moves = std::ranges::any_of(levels.mode, [&](std::size_t mode) {
+      const std::vector<double> q = structure.stuck_mode(mode);
+      double u = 0.0;
+      double size = 0.0;
+      for (std::size_t i = 0; i < q.size(); ++i) {
+        u += joint.shape[i] * q[i];
+        size += std::abs(joint.shape[i] * q[i]);
+      }
+      return std::abs(u) > 1e-9 * size;
+    });
+    if (moves) continue;
+    throw InputError(fmt::format("displacement of {}", joint.name), 0.0,
+                     "must not be 0 in all modes of the levels",
+                     "Measure a mode in which this joint works.");
+  }
+}
+
+CalibrationEvidence evidence_of(const JointedStructure& structure, const ModalLevels& levels,
+                                const CalibrationOptions& options) {
+  CalibrationEvidence evidence{.levels = levels,
+                               .frequency = options.frequency,
+                               .fit_stiffness = options.fit_stiffness,
+                               .stuck_shapes = options.stuck_shapes,
+                               .forcing = options.balance.forcing,
+                               .column = {},
+                               .loss_std_given = true,
+                               .frequency_std_given = true};
+  for (const StructuralJoint& joint : structure.joints()) {
+    const auto same = std::ranges::find(levels.joints, joint.name, &JointLevels::name);
+    evidence.column.push_back(same == levels.joints.end()
+                                  ? CalibrationEvidence::kNone
+                                  : static_cast<std::size_t>(same - levels.joints.begin()));
+  }
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    evidence.loss_std_given = evidence.loss_std_given && loss_deviation_known(evidence, i);
+    const bool measured = !std::isnan(ModalLevels::value(levels.frequency, i));
+    if (measured && !(ModalLevels::value(levels.frequency_std, i) > 0.0)) {
+      evidence.frequency_std_given = false;
+    }
+  }
+  return evidence;
+}
+
+}  // namespace
+
+std::string_view to_string(FrequencyUse use) {
+  switch (use) {
+    case FrequencyUse::kChange:
+      return "change";
+    case FrequencyUse::kAbsolute:
+      return "absolute";
+    case FrequencyUse::kIgnore:
+      return "ignore";
+  }
+  return "";
+}
+
+void CalibrationOptions::check() const {
+  if (coefficients < kFewestCoefficients) {
+    throw InputError("coefficients", coefficients,
+                     fmt::format("must be {} or more", kFewestCoefficients));
+  }
+  if (draws < kFewestDraws) {
+    throw InputError("number of draws", static_cast<double>(draws),
+                     fmt::format("must be {} or more", kFewestDraws), "1000 give smooth bands.");
+  }
+  if (!(confidence > 0.0 && confidence < 1.0)) {
+    throw InputError("confidence", confidence, "must be between 0 and 1");
+  }
+  if (fit_stiffness && frequency != FrequencyUse::kAbsolute) {
+    throw InputError("use of the frequencies", to_string(frequency),
+                     "must be absolute to find stiffnesses: nothing else tells them",
+                     "Take the stiffnesses as given, or the frequencies as absolute.");
+  }
+}
+
+CalibrationResult calibrate(const JointedStructure& structure,
+                            const std::vector<std::size_t>& sought, const std::string& response,
+                            const ModalLevels& levels, const CalibrationOptions& options) {
+  Stopwatch watch;
+  options.check();
+  check_sought(structure, sought);
+  check_levels_of(structure, sought, levels);
+  check_motion(structure, sought, levels);
+  const CalibrationEvidence evidence = evidence_of(structure, levels, options);
+  LevelStates states(structure, response, options.balance, levels, options.execution);
+  GrowingRange range(evidence, sought, options, states);
+
+  std::size_t done = 0;
+  const auto tick = [&] {
+    ++done;
+    const std::size_t total = std::max(done + 1, kUsualPasses);
+    if (options.progress && !options.progress(done, total)) throw Cancelled();
+  };
+  CalibratedState state = range.find(tick);
+  CalibrationResult result;
+  result.summary = range.summary();
+  result.summary.timings.push_back(watch.lap("joints and their displacements"));
+  read_calibration(evidence, options, state, range, states, result);
+  result.summary.timings.push_back(watch.lap("draws"));
+  if (options.progress) (void)options.progress(done + 1, done + 1);
+  result.warnings = diagnose(result, levels);
+  result.summary.wall_seconds = watch.seconds();
+  return result;
+}
+
+}  // namespace microslip

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "microslip/base/execution.hpp"
+#include "microslip/base/progress.hpp"
+#include "microslip/base/summary.hpp"
+#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/identify/record_inversion.hpp"
+#include "microslip/observe/modal_levels.hpp"
+
+namespace microslip {
+
+/// What frequencies of levels are taken for.
+enum class FrequencyUse {
+  kChange,    ///< their change over the levels of each mode: the structure may be off by an offset
+  kAbsolute,  ///< themselves: the modes of the structure are exact
+  kIgnore,    ///< nothing
+};
+
+/// "change", "absolute", "ignore".
+[[nodiscard]] std::string_view to_string(FrequencyUse use);
+
+/// How calibrate() solves.
+struct CalibrationOptions {
+  FrequencyUse frequency = FrequencyUse::kChange;  ///< how frequencies are used
+  /// Finds k of the joints too; needs FrequencyUse::kAbsolute.
+  bool fit_stiffness = false;
+  /// Takes the displacements of the joints from the shapes of the stuck structure. For comparison:
+  /// shapes change as joints slip.
+  bool stuck_shapes = false;
+  HarmonicBalanceOptions balance = {};         ///< harmonics and what drives
+  int coefficients = 40;                       ///< of the density of each joint; ≥ 10
+  std::size_t draws = 1000;                    ///< of the posterior; ≥ 100
+  double confidence = 0.95;                    ///< of the bands, in (0, 1)
+  std::uint64_t seed = 1;                      ///< of the draws
+  Progress progress = {};                      ///< of all the work
+  Execution execution = Execution::threads();  ///< of the levels
+
+  /// @throws InputError  naming the option that breaks a rule.
+  void check() const;
+};
+
+/// A joint that was found.
+struct CalibratedJoint {
+  std::string name;                            ///< of the joint in the structure
+  std::size_t index = 0;                       ///< among the joints of the structure
+  Joint joint;                                 ///< the mean of the draws
+  std::vector<double> slip_displacement = {};  ///< knots x*, m; from 0 to the largest amplitude
+  std::vector<double> density = {};            ///< ψ = k²φ(kx*), N/m per m
+  std::vector<double> lower = {};              ///< of its band
+  std::vector<double> upper = {};              ///< of its band
+  DensityBand band = {};                       ///< of φ at f* = k x*, 1/N
+  /// Share of the prior's variance of ψ that the levels took, at the knots, 1: 0 where they tell
+  /// nothing of this joint, 1 where they tell all.
+  std::vector<double> told = {};
+  Estimate stiffness = {};             ///< k, N/m
+  Estimate elastic_stiffness = {};     ///< K_e, N/m: what does not slip within the levels
+  double exponent = 0.0;               ///< χ₀ of the prior
+  double least_amplitude = 0.0;        ///< of the levels, m
+  double largest_amplitude = 0.0;      ///< of the levels, m
+  std::vector<StiffnessDraw> draws{};  ///< ψ at the knots; each a feasible joint
+};
+
+/// A joint at a level.
+struct JointAtLevel {
+  double amplitude = 0.0;           ///< half range of its displacement, m
+  double measured_amplitude = 0.0;  ///< by a sensor, m; NaN without
+  Estimate dissipation = {};        ///< D, J
+};
+
+/// A level as measured and as found.
+struct CalibratedLevel {
+  bool found = false;                  ///< whether the structure has the resonance
+  double frequency = 0.0;              ///< of the structure with the joints found, Hz
+  double measured_frequency = 0.0;     ///< Hz; NaN without
+  double dissipation = 0.0;            ///< of all joints together, J
+  double measured_dissipation = 0.0;   ///< J; of ζ less the loss of the structure
+  double damping_ratio = 0.0;          ///< ζ of structure and joints, 1
+  double residual = 0.0;               ///< of the dissipation, over its standard deviation, 1
+  double frequency_residual = 0.0;     ///< likewise; NaN without
+  std::vector<JointAtLevel> joints{};  ///< one a joint of the structure
+};
+
+/// Two joints that the levels hardly tell apart.
+struct JointPair {
+  std::size_t first = 0;         ///< among the joints found
+  std::size_t second = 0;        ///< among the joints found
+  double correlation = 0.0;      ///< of their D over the draws, median of the levels, 1
+  double spread_alone = 0.0;     ///< of D of the less known, relative, median of the levels, 1
+  double spread_together = 0.0;  ///< of the sum of both, likewise
+  /// The sum is known some times better than either: only that is to be believed.
+  bool known_only_together = false;
+};
+
+/// What calibrate() found.
+struct CalibrationResult {
+  std::vector<CalibratedJoint> joints = {};  ///< those that were sought, in the structure's order
+  std::vector<CalibratedLevel> levels = {};  ///< in the order given
+  std::vector<JointPair> pairs = {};         ///< every two joints found
+  /// What the structure's frequency is off by in each mode, relative; 0 where it is not looked
+  /// for, NaN for modes without frequencies.
+  std::vector<double> frequency_offset = {};
+  double loss_scatter = 0.0;           ///< of the losses: over σ where given, else relative
+  double frequency_scatter = 0.0;      ///< of the frequencies, likewise; 0 without
+  bool loss_std_given = false;         ///< whether σ of all losses was known
+  bool frequency_std_given = false;    ///< whether σ of all frequencies was known
+  double edf = 0.0;                    ///< effective degrees of freedom of all densities together
+  double confidence = 0.0;             ///< of the bands
+  std::vector<Warning> warnings = {};  ///< see diagnose()
+  Summary summary = {};                ///< residual: last change of an amplitude, relative
+};
+
+/// Finds the stiffness densities of several joints of a structure at once from levels of its modes.
+/// Per level
+///
+///     Σ_j D_j(a_j) = ΣD,   D_j(a) = 4∫₀^a x*(a − x*) ψ_j dx*
+///
+/// and its frequency are linear in all ψ_j once the amplitudes a_j are known; they come from a
+/// sensor, or from the structure with the joints found so far, at resonance at the displacement
+/// measured. As shapes change when joints slip, the two are found together: Gauss–Newton steps with
+/// the derivatives of the resonance (level_sensitivity), over levels whose range grows from those
+/// at which the joints hardly slip.
+///
+/// Prior, posterior and estimate as invert_records(): roughness of each ψ_j with a λ of its own,
+/// drawn with the scatter of losses and frequencies. The draws are of the problem linear about the
+/// solution.
+/// @param structure  with all joints; springs without slip in place of those that are sought.
+/// @param sought     their indices; not empty.
+/// @param response   the point where the displacements of the levels were measured.
+/// @param levels     at least kFewestModalLevels.
+/// @param options    how it is solved.
+/// @throws InputError  naming the joint, level or option that breaks a rule.
+/// @throws Cancelled   as the progress callback says.
+[[nodiscard]] CalibrationResult calibrate(const JointedStructure& structure,
+                                          const std::vector<std::size_t>& sought,
+                                          const std::string& response, const ModalLevels& levels,
+                                          const CalibrationOptions& options = {});
+
+/// The least number of levels that calibrate() takes for each joint that it seeks.
+inline constexpr std::size_t kFewestModalLevels = 4;
+
+/// What a calibration gives reason to say:
+///   * `levels_not_found`      the structure has no resonance at the displacement of a level;
+///   * `known_only_together`   two joints work alike in all levels;
+///   * `joint_not_seen`        the levels tell next to nothing of a joint;
+///   * `frequency_offset`      the modes of the structure are off by more than joints explain;
+///   * `scatter_large`         losses scatter about what was found more than a usable measurement,
+///                             or than was said;
+///   * `std_ignored`           standard deviations that not every level has;
+///   * `sensor_contradicts`    a joint moves otherwise than its sensor shows.
+/// @param result  of calibrate(). @param levels  that it was found from.
+[[nodiscard]] std::vector<Warning> diagnose(const CalibrationResult& result,
+                                            const ModalLevels& levels);
+
+}  // namespace microslip

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "microslip/base/percent.hpp"
+#include "microslip/calibrate/calibration.hpp"
+
+namespace microslip {
+namespace {
+
+/// A joint of whose density the levels took less than this share of the variance everywhere is not
+/// seen.
+constexpr double kLeastTold = 0.5;
+/// Offsets of the frequencies beyond this are more than a model and a test usually differ by.
+constexpr double kLargeOffset = 0.01;
+/// Scatter of losses: relative, and over the deviations that were told.
+constexpr double kLargeScatter = 0.15;
+constexpr double kLargeScatterRatio = 3.0;
+/// A sensor and the structure may differ by this share of the amplitude.
+constexpr double kSensorShare = 0.1;
+
+void warn_of_missing(const CalibrationResult& result, std::vector<Warning>& warnings) {
+  std::string list;
+  std::size_t missing = 0;
+  for (std::size_t i = 0; i < result.levels.size(); ++i) {
+    if (result.levels[i].found) continue;
+    if (++missing <= 5) list += fmt::format("{}{}", list.empty() ? "" : ", ", i + 1);
+  }
+  if (missing == 0) return;
+  warnings.push_back(
+      {"levels_not_found",
+       fmt::format("the structure has no resonance at the displacement of {} level{} ({}{}): "
+                   "their displacement is beyond what it reaches, or its modes are others than "
+                   "those measured. They were left out.",
+                   missing, missing == 1 ? "" : "s", list, missing > 5 ? ", …" : "")});
+}
+
+void warn_of_pairs(const CalibrationResult& result, std::vector<Warning>& warnings) {
+  for (const JointPair& pair : result.pairs) {
+    if (!pair.known_only_together) continue;
+    warnings.push_back(
+        {"known_only_together",
+         fmt::format("{} and {} are known only together: the sum of their losses to {}, each to {} "
+                     "at best (one standard deviation; correlation {:.2f}). Measure a mode in "
+                     "which one of them works more than the other, or its displacement.",
+                     result.joints[pair.first].name, result.joints[pair.second].name,
+                     percent_text(pair.spread_together), percent_text(pair.spread_alone),
+                     pair.correlation)});
+  }
+}
+
+void warn_of_unseen(const CalibrationResult& result, std::vector<Warning>& warnings) {
+  for (const CalibratedJoint& joint : result.joints) {
+    const double most = std::ranges::max(joint.told);
+    if (most >= kLeastTold) continue;
+    warnings.push_back(
+        {"joint_not_seen",
+         fmt::format("the levels tell next to nothing of {}: they took {} of what is not known of "
+                     "its density at best. Measure a mode in which it works.",
+                     joint.name, percent_text(most))});
+  }
+}
+
+void warn_of_offsets(const CalibrationResult& result, std::vector<Warning>& warnings) {
+  for (std::size_t m = 0; m < result.frequency_offset.size(); ++m) {
+    const double offset = result.frequency_offset[m];
+    if (std::isnan(offset) || std::abs(offset) < kLargeOffset) continue;
+    warnings.push_back({"frequency_offset",
+                        fmt::format("mode {} was measured {:+.2f} % from where the structure has "
+                                    "it: displacements of the joints rest on its shapes. Correct "
+                                    "the model, or the stiffness of the joints.",
+                                    m + 1, 100.0 * offset)});
+  }
+}
+
+void warn_of_scatter(const CalibrationResult& result, std::vector<Warning>& warnings) {
+  const double scatter = result.loss_scatter;
+  if (result.loss_std_given && scatter > kLargeScatterRatio) {
+    warnings.push_back(
+        {"scatter_large", fmt::format("losses scatter {:.1f} times as much as their standard "
+                                      "deviations say: these are too small, or the model does not "
+                                      "hold.",
+                                      scatter)});
+  } else if (!result.loss_std_given && scatter > kLargeScatter) {
+    warnings.push_back({"scatter_large", fmt::format("losses scatter by {} about those found.",
+                                                     percent_text(scatter))});
+  }
+}
+
+bool some_positive(const std::vector<double>& values) {
+  return std::ranges::any_of(values, [](double value) { return value > 0.0; });
+}
+
+void warn_of_std(const CalibrationResult& result, const ModalLevels& levels,
+                 std::vector<Warning>& warnings) {
+  const bool joint_std = std::ranges::any_of(
+      levels.joints, [](const JointLevels& joint) { return some_positive(joint.dissipation_std); });
+  const auto warn = [&](std::string_view what) {
+    warnings.push_back(
+        {"std_ignored", fmt::format("standard deviations of {} are not used: not every level has "
+                                    "one above 0.",
+                                    what)});
+  };
+  if (!result.loss_std_given && (some_positive(levels.dissipation_std) || joint_std ||
+                                 some_positive(levels.damping_ratio_std))) {
+    warn("the losses");
+  }
+  if (!result.frequency_std_given && some_positive(levels.frequency_std)) warn("the frequencies");
+}
+
+void warn_of_sensors(const CalibrationResult& result, const ModalLevels& levels,
+                     std::vector<Warning>& warnings) {
+  for (const CalibratedJoint& joint : result.joints) {
+    const auto measured = std::ranges::find(levels.joints, joint.name, &JointLevels::name);
+    if (measured == levels.joints.end()) continue;
+    double worst = 0.0;
+    std::size_t where = 0;
+    for (std::size_t i = 0; i < result.levels.size(); ++i) {
+      if (!result.levels[i].found) continue;
+      const JointAtLevel& at = result.levels[i].joints[joint.index];
+      const double error = at.measured_amplitude / at.amplitude - 1.0;
+      if (!(std::abs(error) > std::abs(worst))) continue;
+      worst = error;
+      where = i;
+    }
+    if (std::abs(worst) < kSensorShare) continue;
+    warnings.push_back({"sensor_contradicts",
+                        fmt::format("the sensor of {} shows {:+.0f} % more than the structure has "
+                                    "with the joints found, at level {}: check its gain and the "
+                                    "shape of the joint.",
+                                    joint.name, 100.0 * worst, where + 1)});
+  }
+}
+
+}  // namespace
+
+std::vector<Warning> diagnose(const CalibrationResult& result, const ModalLevels& levels) {
+  std::vector<Warning> warnings;
+  warn_of_missing(result, warnings);
+  warn_of_pairs(result, warnings);
+  warn_of_unseen(result, warnings);
+  warn_of_offsets(result, warnings);
+  warn_of_scatter(result, warnings);
+  warn_of_std(result, levels, warnings);
+  warn_of_sensors(result, levels, warnings);
+  return warnings;
+}
+
+}  // namespace microslip

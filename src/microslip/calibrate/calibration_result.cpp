@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/calibrate/calibration_result.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+#include "microslip/base/interpolation.hpp"
+#include "microslip/base/median.hpp"
+#include "microslip/calibrate/evidence_chain.hpp"
+#include "microslip/identify/quantiles.hpp"
+#include "microslip/joint/dissipation.hpp"
+
+namespace microslip {
+namespace {
+
+/// Draws of the prior: as its variance needs, no more.
+constexpr std::size_t kPriorDraws = 400;
+/// Two joints are known only together where the sum of their losses is known so many times better
+/// than the loss of either, which is known to this share of it at best.
+constexpr double kTogetherRatio = 5.0;
+constexpr double kKnownAlone = 0.05;
+
+std::vector<Eigen::VectorXd> posterior_draws(const NormalEquations& equations,
+                                             const CalibratedState& state,
+                                             const GrowingRange& range,
+                                             const CalibrationOptions& options) {
+  std::vector<Eigen::VectorXd> draws;
+  draws.reserve(options.draws);
+  draw_evidence(equations, state.settled, range.least_scatter(), {options.draws, options.seed},
+                [&](const Eigen::VectorXd& x) { draws.push_back(x); });
+  return draws;
+}
+
+Eigen::VectorXd mean_of(const std::vector<Eigen::VectorXd>& draws) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(draws.front().size());
+  for (const Eigen::VectorXd& x : draws) sum += x;
+  return sum / static_cast<double>(draws.size());
+}
+
+Estimate band_of(std::vector<double> values, double confidence) {
+  const double mean =
+      std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  const auto [lower, upper] = quantile_pair(values, confidence);
+  return {mean, lower, upper};
+}
+
+/// Sums of what a linear map makes of draws, for their variance.
+class Spread {
+ public:
+  explicit Spread(Eigen::Index size)
+      : sum_(Eigen::VectorXd::Zero(size)), square_(Eigen::VectorXd::Zero(size)) {}
+
+  void add(const Eigen::VectorXd& value) {
+    sum_ += value;
+    square_ += value.cwiseAbs2();
+    ++count_;
+  }
+
+  [[nodiscard]] Eigen::VectorXd variance() const {
+    const auto n = static_cast<double>(count_);
+    return (square_ / n - (sum_ / n).cwiseAbs2()).cwiseMax(0.0);
+  }
+
+ private:
+  Eigen::VectorXd sum_;
+  Eigen::VectorXd square_;
+  std::size_t count_ = 0;
+};
+
+/// 1 − var(ψ | levels)/var(ψ), at the knots of each joint.
+void read_told(const NormalEquations& equations, const CalibratedState& state,
+               const std::vector<Eigen::VectorXd>& draws, std::uint64_t seed,
+               CalibrationResult& result) {
+  std::vector<Spread> before;
+  std::vector<Spread> after;
+  for (std::size_t j = 0; j < state.unknowns.count(); ++j) {
+    const Eigen::Index knots = state.unknowns.of(j).density_matrix().rows();
+    before.emplace_back(knots);
+    after.emplace_back(knots);
+  }
+  const auto add = [&](const Eigen::VectorXd& x, std::vector<Spread>& spreads) {
+    for (std::size_t j = 0; j < spreads.size(); ++j) {
+      spreads[j].add(state.unknowns.of(j).density_matrix() * state.unknowns.part(j, x));
+    }
+  };
+  draw_prior(equations, state.settled, {kPriorDraws, seed},
+             [&](const Eigen::VectorXd& x) { add(x, before); });
+  for (const Eigen::VectorXd& x : draws) add(x, after);
+  for (std::size_t j = 0; j < before.size(); ++j) {
+    const Eigen::VectorXd prior = before[j].variance();
+    const Eigen::VectorXd posterior = after[j].variance();
+    for (Eigen::Index i = 0; i < prior.size(); ++i) {
+      const double share = prior(i) > 0.0 ? 1.0 - posterior(i) / prior(i) : 0.0;
+      result.joints[j].told.push_back(std::clamp(share, 0.0, 1.0));
+    }
+  }
+}
+
+StiffnessDraw read_draw(const JointUnknowns& unknowns, const Eigen::VectorXd& x) {
+  const Eigen::VectorXd psi = (unknowns.density_matrix() * x).cwiseMax(0.0);
+  return {{psi.begin(), psi.end()}, unknowns.stiffness() * unknowns.stiffness_row().dot(x), 0.0};
+}
+
+/// φ at f* = k x* of each draw by its own k.
+DensityBand band_of_density(const CalibratedJoint& joint, double confidence) {
+  DensityBand band;
+  std::vector<double> values(joint.draws.size());
+  for (const double x : joint.slip_displacement) {
+    std::ranges::transform(joint.draws, values.begin(), [&](const StiffnessDraw& draw) {
+      const double at = x * joint.stiffness.mean / draw.stiffness;
+      return interpolate(joint.slip_displacement, draw.density, at) /
+             (draw.stiffness * draw.stiffness);
+    });
+    const auto [lower, upper] = quantile_pair(values, confidence);
+    band.lower.push_back(lower);
+    band.upper.push_back(upper);
+  }
+  return band;
+}
+
+void read_bands(double confidence, CalibratedJoint& joint, std::vector<double> elastic) {
+  std::vector<double> values(joint.draws.size());
+  for (std::size_t i = 0; i < joint.slip_displacement.size(); ++i) {
+    std::ranges::transform(joint.draws, values.begin(),
+                           [i](const StiffnessDraw& draw) { return draw.density[i]; });
+    const Estimate psi = band_of(values, confidence);
+    joint.density.push_back(psi.mean);
+    joint.lower.push_back(psi.lower);
+    joint.upper.push_back(psi.upper);
+  }
+  std::ranges::transform(joint.draws, values.begin(), &StiffnessDraw::stiffness);
+  joint.stiffness = band_of(values, confidence);
+  joint.elastic_stiffness = band_of(std::move(elastic), confidence);
+  joint.band = band_of_density(joint, confidence);
+}
+
+void read_joints(const CalibrationEvidence& evidence, const CalibrationOptions& options,
+                 const CalibratedState& state, const std::vector<Eigen::VectorXd>& draws,
+                 const std::vector<Joint>& joints, const LevelStates& states,
+                 CalibrationResult& result) {
+  for (std::size_t j = 0; j < state.unknowns.count(); ++j) {
+    const JointUnknowns& unknowns = state.unknowns.of(j);
+    const std::size_t index = state.unknowns.index(j);
+    CalibratedJoint found{
+        .name = states.structure().joints()[index].name, .index = index, .joint = joints[index]};
+    found.slip_displacement = unknowns.slip_displacement();
+    found.exponent = unknowns.exponent();
+    std::vector<double> elastic;
+    for (const Eigen::VectorXd& x : draws) {
+      const Eigen::VectorXd own = state.unknowns.part(j, x);
+      found.draws.push_back(read_draw(unknowns, own));
+      elastic.push_back(unknowns.stiffness() * own(own.size() - 1));
+    }
+    read_bands(options.confidence, found, std::move(elastic));
+    found.least_amplitude = std::numeric_limits<double>::infinity();
+    for (std::size_t level = 0; level < evidence.levels.size(); ++level) {
+      const double a = used_amplitude(evidence, states, level, index);
+      found.least_amplitude = std::min(found.least_amplitude, a);
+      found.largest_amplitude = std::max(found.largest_amplitude, a);
+    }
+    result.joints.push_back(std::move(found));
+  }
+}
+
+/// D of each joint that was found at a level, draw by draw, J.
+std::vector<std::vector<double>> losses_of_draws(const CalibrationEvidence& evidence,
+                                                 const CalibratedState& state,
+                                                 const std::vector<Eigen::VectorXd>& draws,
+                                                 const LevelStates& states, std::size_t level) {
+  std::vector<std::vector<double>> losses(state.unknowns.count());
+  for (std::size_t j = 0; j < losses.size(); ++j) {
+    const double a = used_amplitude(evidence, states, level, state.unknowns.index(j));
+    const Eigen::RowVectorXd row = state.unknowns.of(j).dissipation_row(a);
+    for (const Eigen::VectorXd& x : draws) {
+      losses[j].push_back(std::max(0.0, row.dot(state.unknowns.part(j, x))));
+    }
+  }
+  return losses;
+}
+
+void read_vibration(const CalibrationEvidence& evidence, const LevelStates& states,
+                    std::size_t level, CalibratedLevel& told) {
+  const SteadyVibration& vibration = *states.at(level);
+  told.found = true;
+  told.frequency = vibration.frequency();
+  told.damping_ratio = vibration.damping_ratio();
+  told.dissipation = 0.0;
+  for (std::size_t j = 0; j < told.joints.size(); ++j) {
+    told.dissipation += told.joints[j].dissipation.mean;
+  }
+  told.measured_dissipation = measured_loss(evidence.levels, level, vibration).value;
+}
+
+CalibratedLevel read_level(const CalibrationEvidence& evidence, const CalibratedState& state,
+                           const std::vector<std::vector<double>>& losses,
+                           const CalibrationOptions& options, const LevelStates& states,
+                           std::size_t level) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  CalibratedLevel told;
+  told.measured_frequency = ModalLevels::value(evidence.levels.frequency, level);
+  told.measured_dissipation = ModalLevels::value(evidence.levels.dissipation, level);
+  told.frequency = told.dissipation = told.damping_ratio = kUnknown;
+  told.residual = told.frequency_residual = kUnknown;
+  for (std::size_t joint = 0; joint < states.structure().joints().size(); ++joint) {
+    const StructuralJoint& placed = states.structure().joints()[joint];
+    const double a = used_amplitude(evidence, states, level, joint);
+    const double loss = dissipation(placed.joint, a) + placed.linear_damping * a * a;
+    told.joints.push_back({states.amplitude(level, joint),
+                           evidence.measured_amplitude(level, joint),
+                           {loss, loss, loss}});
+  }
+  for (std::size_t j = 0; j < losses.size(); ++j) {
+    JointAtLevel& joint = told.joints[state.unknowns.index(j)];
+    const Estimate band = band_of(losses[j], options.confidence);
+    joint.dissipation.lower = band.lower;
+    joint.dissipation.upper = band.upper;
+  }
+  if (states.at(level)) read_vibration(evidence, states, level, told);
+  return told;
+}
+
+struct Moments {
+  double mean_first;
+  double mean_second;
+  double first;  // standard deviations
+  double second;
+  double sum;
+  double correlation;
+};
+
+Moments moments_of(const std::vector<double>& a, const std::vector<double>& b) {
+  const auto n = static_cast<double>(a.size());
+  const double mean_a = std::accumulate(a.begin(), a.end(), 0.0) / n;
+  const double mean_b = std::accumulate(b.begin(), b.end(), 0.0) / n;
+  double aa = 0.0;
+  double bb = 0.0;
+  double ab = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    aa += (a[i] - mean_a) * (a[i] - mean_a);
+    bb += (b[i] - mean_b) * (b[i] - mean_b);
+    ab += (a[i] - mean_a) * (b[i] - mean_b);
+  }
+  const double product = std::sqrt(aa * bb);
+  return {mean_a,
+          mean_b,
+          std::sqrt(aa / n),
+          std::sqrt(bb / n),
+          std::sqrt(std::max(0.0, aa + bb + 2.0 * ab) / n),
+          product > 0.0 ? ab / product : 0.0};
+}
+
+/// Which two joints share their losses as they like. @param losses  [level][joint][draw].
+void read_pairs(const std::vector<std::vector<std::vector<double>>>& losses,
+                CalibrationResult& result) {
+  for (std::size_t first = 0; first < result.joints.size(); ++first) {
+    for (std::size_t second = first + 1; second < result.joints.size(); ++second) {
+      std::vector<double> correlation;
+      std::vector<double> alone;
+      std::vector<double> together;
+      for (const auto& level : losses) {
+        const Moments m = moments_of(level[first], level[second]);
+        if (!(m.mean_first > 0.0 && m.mean_second > 0.0)) continue;
+        correlation.push_back(m.correlation);
+        // Of the joint that is known better than the other: a small share is never known well.
+        alone.push_back(std::min(m.first / m.mean_first, m.second / m.mean_second));
+        together.push_back(m.sum / (m.mean_first + m.mean_second));
+      }
+      if (correlation.empty()) continue;
+      JointPair pair{first, second, median(std::move(correlation)), median(std::move(alone)),
+                     median(std::move(together))};
+      pair.known_only_together = pair.correlation < 0.0 && pair.spread_alone > kKnownAlone &&
+                                 pair.spread_alone > kTogetherRatio * pair.spread_together;
+      result.pairs.push_back(pair);
+    }
+  }
+}
+
+/// Mean over the levels of each mode of what their frequencies are off by.
+void read_offsets(const CalibrationEvidence& evidence, const LevelStates& states,
+                  CalibrationResult& result) {
+  const std::size_t modes = states.structure().linear().size();
+  std::vector<double> sum(modes, 0.0);
+  std::vector<double> count(modes, 0.0);
+  for (std::size_t i = 0; i < evidence.levels.size(); ++i) {
+    if (!states.at(i)) continue;
+    const double error = frequency_error(evidence.levels, i, *states.at(i));
+    if (std::isnan(error)) continue;
+    sum[evidence.levels.mode[i]] += error;
+    count[evidence.levels.mode[i]] += 1.0;
+  }
+  for (std::size_t m = 0; m < modes; ++m) {
+    result.frequency_offset.push_back(count[m] > 0.0 ? sum[m] / count[m]
+                                                     : std::numeric_limits<double>::quiet_NaN());
+  }
+}
+
+/// Residuals over what they scatter by, and in `change` less the offset of their mode.
+void read_residuals(const CalibrationEvidence& evidence, const LevelStates& states,
+                    CalibrationResult& result) {
+  for (std::size_t i = 0; i < result.levels.size(); ++i) {
+    CalibratedLevel& told = result.levels[i];
+    if (!told.found) continue;
+    const double given = measured_loss(evidence.levels, i, *states.at(i)).deviation;
+    const double unit = evidence.loss_std_given && given > 0.0
+                            ? given
+                            : std::max(told.dissipation, told.measured_dissipation);
+    told.residual = (told.measured_dissipation - told.dissipation) / (unit * result.loss_scatter);
+    if (evidence.frequency == FrequencyUse::kIgnore || std::isnan(told.measured_frequency)) {
+      continue;
+    }
+    double error = frequency_error(evidence.levels, i, *states.at(i));
+    if (evidence.frequency == FrequencyUse::kChange) {
+      error -= result.frequency_offset[evidence.levels.mode[i]];
+    }
+    const double deviation =
+        evidence.frequency_std_given
+            ? ModalLevels::value(evidence.levels.frequency_std, i) / told.measured_frequency
+            : 1.0;
+    told.frequency_residual = error / (deviation * result.frequency_scatter);
+  }
+}
+
+}  // namespace
+
+void read_calibration(const CalibrationEvidence& evidence, const CalibrationOptions& options,
+                      const CalibratedState& state, const GrowingRange& range, LevelStates& states,
+                      CalibrationResult& result) {
+  const NormalEquations equations(state.evidence);
+  const std::vector<Eigen::VectorXd> draws = posterior_draws(equations, state, range, options);
+  const std::vector<Joint> joints = range.joints(state.unknowns, mean_of(draws));
+  states.set_joints(joints);
+  std::vector<std::size_t> all(evidence.levels.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  states.solve(all);
+
+  result.confidence = options.confidence;
+  result.loss_std_given = evidence.loss_std_given;
+  result.frequency_std_given = evidence.frequency_std_given;
+  result.loss_scatter = state.settled.weights.of(RowKind::kLoss);
+  result.frequency_scatter = state.evidence.of(RowKind::kFrequency).data.size() > 0
+                                 ? state.settled.weights.of(RowKind::kFrequency)
+                                 : 0.0;
+  result.edf = state.settled.edf;
+  read_joints(evidence, options, state, draws, joints, states, result);
+  read_told(equations, state, draws, options.seed, result);
+  std::vector<std::vector<std::vector<double>>> losses;
+  for (const std::size_t level : all) {
+    losses.push_back(losses_of_draws(evidence, state, draws, states, level));
+    result.levels.push_back(read_level(evidence, state, losses.back(), options, states, level));
+  }
+  read_pairs(losses, result);
+  read_offsets(evidence, states, result);
+  read_residuals(evidence, states, result);
+}
+
+}  // namespace microslip

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+#include "microslip/calibrate/linear_evidence.hpp"
+
+/// @file
+/// Draws of what levels and prior leave possible. Internal to calibrate.
+
+namespace microslip {
+
+/// What is drawn, and how often.
+struct ChainLength {
+  std::size_t draws = 0;
+  std::uint64_t seed = 0;
+};
+
+/// Draws of PosteriorChain: x, τ of losses and of frequencies, and the smoothing. The λ of the
+/// joints are drawn together, in the ratio in which they settled, with a local factor for each place
+/// of each.
+/// @param settled  where it starts.
+/// @param least    smallest τ of each kind.
+/// @param keep     called with each draw.
+void draw_evidence(const NormalEquations& equations, const SettledEvidence& settled,
+                   const std::array<double, kRowKinds.size()>& least, const ChainLength& length,
+                   const std::function<void(const Eigen::VectorXd&)>& keep);
+
+/// Draws of the prior alone, at the settled λ: what is possible before the levels.
+void draw_prior(const NormalEquations& equations, const SettledEvidence& settled,
+                const ChainLength& length, const std::function<void(const Eigen::VectorXd&)>& keep);
+
+}  // namespace microslip

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/calibrate/growing_range.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace microslip {
+namespace {
+
+/// The range of amplitudes grows by this factor from pass to pass: joints are extrapolated no
+/// further.
+constexpr double kGrowth = 1.3;
+/// Levels of the first range: a quarter, and so many for each joint at least.
+constexpr std::size_t kFirstShare = 4;
+constexpr std::size_t kFirstOfJoint = 6;
+/// Passes over one range: the first from far away, the others follow their range closely.
+constexpr int kFirstPasses = 3;
+constexpr int kRangePasses = 2;
+/// Of a step that makes levels fit worse.
+constexpr int kMostHalvings = 5;
+/// Passes that try an exponent: enough that its joints belong to their amplitudes.
+constexpr int kTrialPasses = 2;
+constexpr int kMostPasses = 30;
+/// Passes after which λ and τ are kept: where two pairs of them are as likely they may take turns.
+constexpr int kPassesOfWeights = 8;
+/// Largest relative change of an amplitude that counts as none: far below what levels tell of it.
+constexpr double kSmallestChange = 1e-5;
+/// χ₀ that are tried beside 0, and what their −2 ln likelihood must gain, as for records.
+constexpr std::array kTriedExponents = {-0.25, -0.5, -0.75};
+constexpr double kStrongEvidence = 6.0;
+/// Losses without a deviation scatter by this at least, relative: the basis follows them no
+/// further.
+constexpr double kLeastLossScatter = 1e-4;
+/// The lowest amplitude that a basis is made for, over the largest.
+constexpr double kLeastRange = 1e-4;
+
+Eigen::VectorXd projected(const AllUnknowns& now, const AllUnknowns& before,
+                          const Eigen::VectorXd& x) {
+  Eigen::VectorXd found(now.size());
+  for (std::size_t j = 0; j < now.count(); ++j) {
+    found.segment(now.begin(j), now.of(j).size()) =
+        now.of(j).projected(before.of(j), before.part(j, x));
+  }
+  return found;
+}
+
+/// What settle() makes least, over the number of levels: they may have become more.
+double objective(const LinearEvidence& evidence, const EvidenceWeights& weights,
+                 const Eigen::VectorXd& x) {
+  const NormalEquations equations(evidence);
+  double sum = 0.0;
+  double rows = 0.0;
+  for (const RowKind kind : kRowKinds) {
+    const double scatter = weights.of(kind);
+    sum += equations.residual(kind, x) / (scatter * scatter);
+    rows += static_cast<double>(evidence.of(kind).data.size());
+  }
+  for (std::size_t j = 0; j < weights.lambda.size(); ++j) {
+    sum += weights.lambda[j] * equations.roughness(j, x);
+  }
+  return sum / std::max(rows, 1.0);
+}
+
+}  // namespace
+
+GrowingRange::GrowingRange(CalibrationEvidence evidence, const std::vector<std::size_t>& sought,
+                           const CalibrationOptions& options, LevelStates& states)
+    : evidence_(std::move(evidence)),
+      sought_(sought),
+      options_(options),
+      states_(states),
+      // Deviations of frequencies that were told are not made smaller: what is common to
+      // neighbouring levels does not show in their scatter.
+      least_{kLeastLossScatter, evidence_.frequency_std_given ? 1.0 : kLeastFrequencyScatter, 1.0},
+      all_(evidence_.levels.size()),
+      exponents_(sought.size(), 0.0) {
+  std::iota(all_.begin(), all_.end(), std::size_t{0});
+  std::ranges::stable_sort(all_, {},
+                           [&](std::size_t i) { return evidence_.levels.displacement[i]; });
+  for (const std::size_t joint : sought) {
+    given_stiffness_.push_back(states.structure().joints()[joint].joint.stiffness());
+  }
+}
+
+AllUnknowns GrowingRange::unknowns(const std::vector<double>& exponents) const {
+  std::vector<JointUnknowns> joints;
+  for (std::size_t j = 0; j < sought_.size(); ++j) {
+    double largest = 0.0;
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::size_t level : all_) {
+      const double a = used_amplitude(evidence_, states_, level, sought_[j]);
+      largest = std::max(largest, a);
+      least = std::min(least, a);
+    }
+    joints.emplace_back(given_stiffness_[j], largest, std::clamp(least / largest, kLeastRange, 0.5),
+                        exponents[j], options_.coefficients);
+  }
+  return {sought_, std::move(joints)};
+}
+
+std::vector<Joint> GrowingRange::joints(const AllUnknowns& unknowns,
+                                        const Eigen::VectorXd& x) const {
+  std::vector<Joint> joints;
+  for (const StructuralJoint& joint : states_.structure().joints()) joints.push_back(joint.joint);
+  for (std::size_t j = 0; j < unknowns.count(); ++j) {
+    joints[unknowns.index(j)] = unknowns.of(j).joint(unknowns.part(j, x), !evidence_.fit_stiffness);
+  }
+  return joints;
+}
+
+/// The levels about given joints; not settled yet.
+CalibratedState GrowingRange::linear_about(const std::vector<std::size_t>& which,
+                                           AllUnknowns unknowns, Eigen::VectorXd x) {
+  states_.set_joints(joints(unknowns, x));
+  states_.solve(which);
+  LinearEvidence linear = linearise(evidence_, unknowns, states_, which, x);
+  const auto found = static_cast<std::size_t>(std::ranges::count_if(
+      which, [&](std::size_t level) { return states_.at(level).has_value(); }));
+  return {std::move(unknowns), which, found, std::move(x), std::move(linear), {}};
+}
+
+/// To the joints that were settled, or a part of the way to them where the levels, which are not
+/// linear, fit worse there.
+CalibratedState GrowingRange::step(const std::vector<std::size_t>& which,
+                                   const CalibratedState& before,
+                                   const std::vector<double>& exponents) {
+  const AllUnknowns now = unknowns(exponents);
+  const Eigen::VectorXd from = projected(now, before.unknowns, before.about);
+  Eigen::VectorXd to = projected(now, before.unknowns, before.settled.x);
+  if (keep_weights_) to = 0.5 * (to + from);  // where whole steps go to and fro
+  const double misfit = objective(before.evidence, before.settled.weights, before.about);
+  CalibratedState next = linear_about(which, now, to);
+  for (int i = 0; i < kMostHalvings && which == before.levels; ++i) {
+    const bool lost = next.found < before.found;
+    if (!lost && objective(next.evidence, before.settled.weights, to) <= misfit) break;
+    to = 0.5 * (to + from);
+    next = linear_about(which, now, to);
+  }
+  return next;
+}
+
+CalibratedState GrowingRange::pass(const std::vector<std::size_t>& which,
+                                   const CalibratedState* before,
+                                   const std::vector<double>& exponents) {
+  CalibratedState state = [&] {
+    if (before) return step(which, *before, exponents);
+    AllUnknowns first = unknowns(exponents);
+    Eigen::VectorXd x(first.size());
+    for (std::size_t j = 0; j < first.count(); ++j) {
+      x.segment(first.begin(j), first.of(j).size()) = first.of(j).stuck();
+    }
+    return linear_about(which, std::move(first), std::move(x));
+  }();
+  const NormalEquations equations(state.evidence);
+  if (keep_weights_ && before) {
+    state.settled = settle_with(equations, before->settled.weights);
+    if (tick_) tick_();
+    return state;
+  }
+  state.settled = settle_from_afar(equations, least_);
+  if (before) {
+    SettledEvidence near = settle(equations, before->settled.weights, least_);
+    if (near.likelihood < state.settled.likelihood) state.settled = std::move(near);
+  }
+  if (tick_) tick_();
+  return state;
+}
+
+/// Of each level the largest amplitude of a joint that is sought over the largest of all levels.
+std::vector<double> GrowingRange::amplitude_shares() const {
+  std::vector<double> shares(all_.size(), 0.0);
+  for (const std::size_t joint : sought_) {
+    double largest = 0.0;
+    for (const std::size_t level : all_) {
+      largest = std::max(largest, used_amplitude(evidence_, states_, level, joint));
+    }
+    for (const std::size_t level : all_) {
+      shares[level] =
+          std::max(shares[level], used_amplitude(evidence_, states_, level, joint) / largest);
+    }
+  }
+  return shares;
+}
+
+CalibratedState GrowingRange::grow() {
+  std::vector<double> sorted = amplitude_shares();
+  std::ranges::sort(sorted);
+  const std::size_t begin = std::min(
+      sorted.size(), std::max(sorted.size() / kFirstShare, kFirstOfJoint * sought_.size()));
+  double share = sorted[begin - 1];
+  std::optional<CalibratedState> state;
+  while (true) {
+    std::vector<std::size_t> which;
+    const std::vector<double> shares = amplitude_shares();
+    for (const std::size_t level : all_) {
+      if (shares[level] <= share || share >= 1.0) which.push_back(level);
+    }
+    const int passes = state ? kRangePasses : kFirstPasses;
+    for (int i = 0; i < passes; ++i) state = pass(which, state ? &*state : nullptr, exponents_);
+    if (share >= 1.0) return std::move(*state);
+    share = std::min(1.0, kGrowth * share);
+  }
+}
+
+CalibratedState GrowingRange::choose_exponents(CalibratedState state) {
+  for (std::size_t j = 0; j < sought_.size(); ++j) {
+    const double without = state.settled.likelihood;
+    double best = without - kStrongEvidence;
+    const CalibratedState start = state;
+    for (const double tried : kTriedExponents) {
+      std::vector<double> exponents = exponents_;
+      exponents[j] = tried;
+      CalibratedState other = start;
+      for (int i = 0; i < kTrialPasses; ++i) other = pass(all_, &other, exponents);
+      if (other.settled.likelihood >= best) continue;
+      best = other.settled.likelihood;
+      exponents_[j] = tried;
+      state = std::move(other);
+    }
+  }
+  return state;
+}
+
+std::vector<double> GrowingRange::amplitudes() const {
+  std::vector<double> all;
+  for (const std::size_t level : all_) {
+    for (const std::size_t joint : sought_) {
+      all.push_back(states_.at(level) ? states_.amplitude(level, joint) : 0.0);
+    }
+  }
+  return all;
+}
+
+CalibratedState GrowingRange::converge(CalibratedState state) {
+  summary_.method = "levels of several joints";
+  keep_weights_ = false;
+  for (int i = 0; i < kMostPasses; ++i) {
+    const std::vector<double> before = amplitudes();
+    keep_weights_ = i >= kPassesOfWeights;
+    state = pass(all_, &state, exponents_);
+    const std::vector<double> after = amplitudes();
+    double change = 0.0;
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      if (before[k] > 0.0) change = std::max(change, std::abs(after[k] / before[k] - 1.0));
+    }
+    summary_.residual = change;
+    summary_.iterations = i + 1;
+    if (change > kSmallestChange) continue;
+    summary_.stop = Stop::kConverged;
+    summary_.reason = fmt::format("no displacement of a joint changes by more than {:.1e} of it",
+                                  kSmallestChange);
+    return state;
+  }
+  summary_.stop = Stop::kLimit;
+  summary_.reason = fmt::format(
+      "displacements of the joints still change by {:.1e} of them after "
+      "{} passes",
+      summary_.residual, kMostPasses);
+  return state;
+}
+
+// Stiffnesses that are sought are found last: far from the joints frequencies would be taken for them.
+CalibratedState GrowingRange::find(const std::function<void()>& tick) {
+  tick_ = tick;
+  const bool fit_stiffness = evidence_.fit_stiffness;
+  if (fit_stiffness) {
+    evidence_.fit_stiffness = false;
+    evidence_.frequency = FrequencyUse::kChange;
+  }
+  CalibratedState state = converge(choose_exponents(grow()));
+  if (!fit_stiffness) return state;
+  evidence_.fit_stiffness = true;
+  evidence_.frequency = FrequencyUse::kAbsolute;
+  return converge(pass(all_, &state, exponents_));
+}
+
+}  // namespace microslip

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "microslip/calibrate/calibration.hpp"
+#include "microslip/calibrate/linearisation.hpp"
+
+/// @file
+/// The joints and their displacements at the levels, found together. Internal to calibrate.
+
+namespace microslip {
+
+/// The levels linear about the joints that they are most likely of.
+struct CalibratedState {
+  AllUnknowns unknowns;
+  std::vector<std::size_t> levels;  ///< that it is of
+  std::size_t found = 0;            ///< how many of them the structure has
+  Eigen::VectorXd about;            ///< coefficients that it is linear about
+  LinearEvidence evidence;
+  SettledEvidence settled;
+};
+
+/// What is settled with the joints given, and with those of its own result, is the same.
+class GrowingRange {
+ public:
+  /// @param sought, options, states  must outlive this; `sought` are indices in the structure.
+  GrowingRange(CalibrationEvidence evidence, const std::vector<std::size_t>& sought,
+               const CalibrationOptions& options, LevelStates& states);
+
+  /// Finds it. @param tick  called after each pass; throws to stop.
+  [[nodiscard]] CalibratedState find(const std::function<void()>& tick);
+
+  /// Smallest τ of each kind of rows that is believed.
+  [[nodiscard]] const std::array<double, kRowKinds.size()>& least_scatter() const { return least_; }
+
+  /// Why it ended, iterations and the last change of an amplitude.
+  [[nodiscard]] const Summary& summary() const { return summary_; }
+
+  /// The joints of the structure with those sought as coefficients have them.
+  [[nodiscard]] std::vector<Joint> joints(const AllUnknowns& unknowns,
+                                          const Eigen::VectorXd& x) const;
+
+ private:
+  [[nodiscard]] CalibratedState linear_about(const std::vector<std::size_t>& which,
+                                             AllUnknowns unknowns, Eigen::VectorXd x);
+  [[nodiscard]] CalibratedState step(const std::vector<std::size_t>& which,
+                                     const CalibratedState& before,
+                                     const std::vector<double>& exponents);
+  [[nodiscard]] CalibratedState pass(const std::vector<std::size_t>& which,
+                                     const CalibratedState* before,
+                                     const std::vector<double>& exponents);
+  [[nodiscard]] AllUnknowns unknowns(const std::vector<double>& exponents) const;
+  [[nodiscard]] std::vector<double> amplitude_shares() const;
+  [[nodiscard]] CalibratedState grow();
+  [[nodiscard]] CalibratedState choose_exponents(CalibratedState state);
+  [[nodiscard]] CalibratedState converge(CalibratedState state);
+  [[nodiscard]] std::vector<double> amplitudes() const;
+
+  CalibrationEvidence evidence_;
+  const std::vector<std::size_t>& sought_;
+  const CalibrationOptions& options_;
+  LevelStates& states_;
+  std::array<double, kRowKinds.size()> least_;
+  std::vector<std::size_t> all_;  // levels by rising displacement
+  std::vector<double> given_stiffness_;
+  std::vector<double> exponents_;
+  bool keep_weights_ = false;
+  std::function<void()> tick_;
+  Summary summary_;
+};
+
+}  // namespace microslip

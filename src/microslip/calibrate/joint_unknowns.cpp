@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/calibrate/joint_unknowns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "microslip/base/interpolation.hpp"
+#include "microslip/observe/level_rows.hpp"
+
+namespace microslip {
+namespace {
+
+/// Parts of an interval of the basis over which a power law is drawn.
+constexpr int kRefinement = 4;
+constexpr int kTailFolds = 12;
+
+Eigen::VectorXd trapezoid_weights(const std::vector<double>& knots) {
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(knots.size()));
+  for (Eigen::Index i = 0; i + 1 < weights.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double half = 0.5 * (knots[at + 1] - knots[at]);
+    weights(i) += half;
+    weights(i + 1) += half;
+  }
+  return weights;
+}
+
+}  // namespace
+
+JointUnknowns::JointUnknowns(double stiffness, double length, double lowest, double exponent,
+                             int coefficients)
+    : stiffness_(stiffness),
+      length_(length),
+      exponent_(exponent),
+      basis_(lowest, 1.0, exponent, coefficients),
+      theta_scale_(0.5 / basis_.area().sum()) {
+  if (exponent != 0.0) begin_power_law();
+  refine(exponent == 0.0 ? 1 : kRefinement);
+  slip_.push_back(0.0);
+  for (const double s : knots_) slip_.push_back(length_ * s);
+  density_ = Eigen::MatrixXd::Zero(nodal_.rows() + 1, size());
+  density_.bottomLeftCorner(nodal_.rows(), basis_.size()) =
+      (stiffness_ / length_ * theta_scale_) * nodal_;
+  density_.row(0) = density_.row(1);  // constant below the first knot
+  area_ = trapezoid_weights(slip_).transpose() * density_ / stiffness_;
+}
+
+// Below the knots of the basis θ is constant and ψ goes on as the power law, on knots an e-fold
+// apart: what it has of stiffness there is small, but frequencies are known well.
+void JointUnknowns::begin_power_law() {
+  const double first = basis_.knots().front();
+  for (int i = kTailFolds; i > 0; --i) knots_.push_back(first * std::exp(-i));
+}
+
+// θ is linear between the knots of the basis, and ψ = s^χ₀ θ(s) is drawn through more of them:
+// straight lines between those alone would lie above a power law.
+void JointUnknowns::refine(int parts) {
+  const std::vector<double>& coarse = basis_.knots();
+  const Eigen::MatrixXd& nodal = basis_.nodal();
+  const auto power = [this](double s) { return std::pow(s, exponent_); };
+  const auto tail = static_cast<Eigen::Index>(knots_.size());
+  nodal_.resize(tail + static_cast<Eigen::Index>(coarse.size() - 1) * parts + 1, basis_.size());
+  for (Eigen::Index i = 0; i < tail; ++i) {
+    const double s = knots_[static_cast<std::size_t>(i)];
+    nodal_.row(i) = power(s) / power(coarse.front()) * nodal.row(0);
+  }
+  for (std::size_t i = 0; i + 1 < coarse.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const Eigen::RowVectorXd left = nodal.row(row) / power(coarse[i]);
+    const Eigen::RowVectorXd right = nodal.row(row + 1) / power(coarse[i + 1]);
+    for (int part = 0; part < parts; ++part) {
+      const double share = static_cast<double>(part) / parts;
+      const double s = coarse[i] + share * (coarse[i + 1] - coarse[i]);
+      nodal_.row(static_cast<Eigen::Index>(knots_.size())) =
+          power(s) * ((1.0 - share) * left + share * right);
+      knots_.push_back(s);
+    }
+  }
+  nodal_.bottomRows(1) = nodal.bottomRows(1);
+  knots_.push_back(coarse.back());
+}
+
+Eigen::RowVectorXd JointUnknowns::dissipation_row(double amplitude) const {
+  const Eigen::VectorXd scaled = Eigen::VectorXd::Constant(1, amplitude / length_);
+  Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(size());
+  row.head(basis_.size()) =
+      (stiffness_ * length_ * length_ * theta_scale_) * (dissipation_rows(scaled, knots_) * nodal_);
+  return row;
+}
+
+Eigen::RowVectorXd JointUnknowns::secant_row(double amplitude) const {
+  const Eigen::VectorXd scaled = Eigen::VectorXd::Constant(1, amplitude / length_);
+  Eigen::RowVectorXd row = stiffness_ * stiffness_row();
+  row.head(basis_.size()) -=
+      (stiffness_ * theta_scale_) * (softening_rows(scaled, knots_) * nodal_);
+  return row;
+}
+
+Eigen::RowVectorXd JointUnknowns::stiffness_row() const {
+  Eigen::RowVectorXd row = area_;
+  row(basis_.size()) = 1.0;
+  return row;
+}
+
+Eigen::MatrixXd JointUnknowns::penalty() const {
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(basis_.size() - 2, size());
+  rows.leftCols(basis_.size()) = basis_.second_differences();
+  return rows;
+}
+
+Joint JointUnknowns::joint(const Eigen::VectorXd& x, bool known) const {
+  const double share = stiffness_row().dot(x);
+  const double k = known ? stiffness_ : stiffness_ * share;
+  const Eigen::VectorXd psi = density_ * x / (known ? share : 1.0);
+  PiecewiseLinearPart part;
+  for (std::size_t i = 0; i < slip_.size(); ++i) {
+    part.slip_force.push_back(k * slip_[i]);
+    part.density.push_back(std::max(0.0, psi(static_cast<Eigen::Index>(i))) / (k * k));
+  }
+  return {k, SlipDensity({std::move(part)})};
+}
+
+Eigen::VectorXd JointUnknowns::stuck() const {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(size());
+  x(size() - 1) = 1.0;
+  return x;
+}
+
+Eigen::VectorXd JointUnknowns::projected(const JointUnknowns& other,
+                                         const Eigen::VectorXd& x) const {
+  const Eigen::VectorXd psi = other.density_ * x;
+  const std::vector<double> density(psi.begin(), psi.end());
+  Eigen::VectorXd found = Eigen::VectorXd::Zero(size());
+  // The first coefficient carries the knots below the lowest amplitude along.
+  const auto below = static_cast<Eigen::Index>(basis_.knots().size()) - basis_.size();
+  for (Eigen::Index c = 0; c < basis_.size(); ++c) {
+    const double s = basis_.knots()[static_cast<std::size_t>(below + c)];
+    const double at = std::min(length_ * s, other.slip_.back());
+    const double scale = stiffness_ / length_ * theta_scale_ * basis_.nodal()(below + c, c);
+    found(c) = interpolate(other.slip_, density, at) / scale;
+  }
+  const double whole = other.stiffness_row().dot(x);
+  found(size() - 1) = std::max(0.0, whole - stiffness_row().dot(found));
+  return found;
+}
+
+}  // namespace microslip

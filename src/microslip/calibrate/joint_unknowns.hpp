@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "microslip/identify/inversion_basis.hpp"
+#include "microslip/joint/joint.hpp"
+
+/// @file
+/// The unknowns of one joint. Internal to calibrate.
+
+namespace microslip {
+
+/// The stiffness density of a joint over its slip displacement x* = f*/k and what does not slip
+/// within the range,
+///
+///     ψ(x*) = (k₀/X) t s^χ₀ θ(s),   s = x*/X,   K_e = k₀ e,   k = K_e + ∫ψ dx*,
+///
+/// θ linear between the knots of InversionBasis, t such that θ = 1 is half of k₀. Coefficients are θ, then e; all ≥ 0.
+class JointUnknowns {
+ public:
+  /// @param stiffness     k₀, N/m: of the stuck joint as it is known before.
+  /// @param length        X, m: where the density ends.
+  /// @param lowest        smallest amplitude over X, in (0, 1).
+  /// @param exponent      χ₀ of the basis, in (−1, 0].
+  /// @param coefficients  how many θ.
+  JointUnknowns(double stiffness, double length, double lowest, double exponent, int coefficients);
+
+  [[nodiscard]] Eigen::Index size() const { return basis_.size() + 1; }
+  [[nodiscard]] double stiffness() const { return stiffness_; }
+  [[nodiscard]] double length() const { return length_; }
+  [[nodiscard]] double exponent() const { return exponent_; }
+
+  /// 0 and knots through which ψ is straight, m.
+  [[nodiscard]] const std::vector<double>& slip_displacement() const { return slip_; }
+
+  /// What makes ψ at slip_displacement(), D and the first-harmonic stiffness k_eq of an amplitude,
+  /// and k over k₀ from coefficients.
+  [[nodiscard]] const Eigen::MatrixXd& density_matrix() const { return density_; }
+  [[nodiscard]] Eigen::RowVectorXd dissipation_row(double amplitude) const;  ///< J
+  [[nodiscard]] Eigen::RowVectorXd secant_row(double amplitude) const;       ///< N/m
+  [[nodiscard]] Eigen::RowVectorXd stiffness_row() const;                    ///< 1
+
+  /// L with ‖Lx‖² the roughness of θ.
+  [[nodiscard]] Eigen::MatrixXd penalty() const;
+
+  /// The joint of coefficients; a stiffness that is known is kept.
+  /// @param known  whether k is k₀.
+  [[nodiscard]] Joint joint(const Eigen::VectorXd& x, bool known) const;
+
+  /// Coefficients of a spring that does not slip.
+  [[nodiscard]] Eigen::VectorXd stuck() const;
+  /// Coefficients that follow another density at the knots.
+  /// @param other  unknowns of the same joint. @param x  its coefficients.
+  [[nodiscard]] Eigen::VectorXd projected(const JointUnknowns& other,
+                                          const Eigen::VectorXd& x) const;
+
+ private:
+  void begin_power_law();
+  void refine(int parts);
+
+  double stiffness_;
+  double length_;
+  double exponent_;
+  InversionBasis basis_;
+  double theta_scale_;
+  std::vector<double> knots_;  // s
+  Eigen::MatrixXd nodal_;      // p at them from θ
+  std::vector<double> slip_;
+  Eigen::MatrixXd density_;
+  Eigen::RowVectorXd area_;  // ∫ψ dx* over k₀, and 0 of e
+};
+
+}  // namespace microslip

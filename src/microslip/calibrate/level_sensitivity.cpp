@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/calibrate/level_sensitivity.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "microslip/joint/dissipation.hpp"
+#include "microslip/joint/secant.hpp"
+
+namespace microslip {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr Complex kI{0.0, 1.0};
+/// Of a difference quotient of κ over the amplitude: far above rounding, far below what bends.
+constexpr double kAmplitudeStep = 1e-4;
+
+Eigen::Map<const Eigen::VectorXd> view(std::span<const double> values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+
+/// κ of a joint without its linear damping, which does not depend on the amplitude.
+Complex describing_function(const Joint& joint, double a) {
+  return {secant_stiffness(joint, a), dissipation(joint, a) / (std::numbers::pi * a * a)};
+}
+
+/// The first harmonic of a vibration, and what moves it.
+struct FirstHarmonic {
+  Eigen::VectorXcd modal;        // q
+  Eigen::VectorXcd flexibility;  // 1/(Z − iωξ) of each mode
+  Eigen::VectorXcd slope;        // its dZ/dω
+  Eigen::VectorXcd drive;        // of q over the force amplitude, or over ξ
+  Eigen::MatrixXd shapes;        // ψ: modes × joints
+  Eigen::VectorXcd u;
+  Eigen::VectorXcd compliance;  // 1 + cκ: Ψᵀq over u
+  Eigen::VectorXcd stiffness;   // κ − k_s(1 + cκ): what a joint does to the modes over u
+  Eigen::VectorXcd softening;   // dκ/da
+  Eigen::VectorXd series;       // c
+  Eigen::VectorXd share;        // 1 − k_s c
+};
+
+void read_modes(const JointedStructure& structure, const SteadyVibration& vibration,
+                Forcing forcing, FirstHarmonic& first) {
+  const std::span<const Mode> modes = structure.linear().modes();
+  const auto n = static_cast<Eigen::Index>(modes.size());
+  const double omega = vibration.angular_frequency;
+  const Complex fed =
+      forcing == Forcing::kModal ? kI * omega * (2.0 * vibration.damping_ratio() * omega) : 0.0;
+  first.modal.resize(n);
+  first.flexibility.resize(n);
+  first.slope.resize(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Mode& mode = modes[static_cast<std::size_t>(i)];
+    first.modal(i) = vibration.modal[static_cast<std::size_t>(i)][1];
+    first.flexibility(i) = 1.0 / (modal_stiffness(mode, omega, structure.damping()) - fed);
+    first.slope(i) = -2.0 * omega - (omega > 0.0 ? fed / omega : 0.0);
+    if (structure.damping() == DampingLaw::kViscous) {
+      first.slope(i) += kI * mode.loss_factor * mode.angular_frequency;
+    }
+  }
+  if (forcing == Forcing::kModal) {
+    first.drive = kI * omega * first.flexibility.cwiseProduct(first.modal);
+    return;
+  }
+  first.drive = Eigen::VectorXcd::Zero(n);
+  for (const Excitation& excitation : structure.excitations()) {
+    const auto shape = view(structure.linear().shape(excitation.point));
+    first.drive += excitation.harmonics[0] * shape.cast<Complex>();
+  }
+  first.drive = first.flexibility.cwiseProduct(first.drive).eval();
+}
+
+void read_joints(const JointedStructure& structure, const SteadyVibration& vibration,
+                 FirstHarmonic& first) {
+  const std::span<const StructuralJoint> joints = structure.joints();
+  const auto n = static_cast<Eigen::Index>(joints.size());
+  first.shapes.resize(first.modal.size(), n);
+  for (Eigen::VectorXcd* vector :
+       {&first.u, &first.stiffness, &first.softening, &first.compliance}) {
+    vector->resize(n);
+  }
+  first.series.resize(n);
+  first.share.resize(n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const StructuralJoint& joint = joints[static_cast<std::size_t>(j)];
+    const JointCycle& cycle = vibration.joints[static_cast<std::size_t>(j)];
+    first.shapes.col(j) = view(joint.shape);
+    first.u(j) = cycle.displacement[1];
+    const bool moves = std::abs(first.u(j)) > 0.0 && cycle.amplitude > 0.0;
+    const Complex kappa = moves ? cycle.force[1] / first.u(j) : Complex(joint.joint.stiffness());
+    first.series(j) = joint.series_compliance;
+    first.share(j) = 1.0 - joint.spring_in_modes * joint.series_compliance;
+    first.compliance(j) = 1.0 + joint.series_compliance * kappa;
+    first.stiffness(j) = kappa - joint.spring_in_modes * first.compliance(j);
+    first.softening(j) = 0.0;
+    if (!moves) continue;
+    const double step = kAmplitudeStep * cycle.amplitude;
+    first.softening(j) = (describing_function(joint.joint, cycle.amplitude + step) -
+                          describing_function(joint.joint, cycle.amplitude - step)) /
+                         (2.0 * step);
+  }
+}
+
+}  // namespace
+
+// Unknowns: Re δu, Im δu, δω and the change s of the drive. With Y the flexibility of the modes,
+//   (1 + cκ)δu + c u δκ_t = Ψᵀδq,   φᵀδq = 0,
+//   δq = −YΨ{[κ − k_s(1 + cκ)]δu + (1 − k_s c)u δκ_t} − Y Z′ q δω + drive s,
+//   δκ_t = κ′δa + δκ,   δa = Re(ū δu)/|u|.
+LevelSensitivity level_sensitivity(const JointedStructure& structure, std::string_view response,
+                                   const SteadyVibration& vibration, Forcing forcing) {
+  FirstHarmonic first;
+  read_modes(structure, vibration, forcing, first);
+  read_joints(structure, vibration, first);
+  const Eigen::Index joints = first.u.size();
+  const Eigen::MatrixXcd reach = first.flexibility.asDiagonal() * first.shapes.cast<Complex>();
+  Eigen::MatrixXcd seen(joints + 1, first.modal.size());  // u, and the response
+  seen.topRows(joints) = first.shapes.transpose().cast<Complex>();
+  seen.row(joints) = view(structure.linear().shape(response)).transpose().cast<Complex>();
+  const Eigen::MatrixXcd by_force = seen * reach;  // of a force across a joint
+  const Eigen::VectorXcd by_frequency =
+      seen * first.flexibility.cwiseProduct(first.slope.cwiseProduct(first.modal));
+  const Eigen::VectorXcd by_drive = seen * first.drive;
+
+  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(2 * joints + 2, 2 * joints + 2);
+  const auto put = [&](Eigen::Index column, const Eigen::VectorXcd& values) {
+    system.col(column).head(joints + 1) = values.real();
+    system.col(column).tail(joints + 1) = values.imag();
+  };
+  Eigen::VectorXcd direction = Eigen::VectorXcd::Zero(joints);  // u/|u|
+  for (Eigen::Index j = 0; j < joints; ++j) {
+    const double size = std::abs(first.u(j));
+    if (size > 0.0) direction(j) = first.u(j) / size;
+    for (const Complex unit : {Complex(1.0), kI}) {
+      const double da = (std::conj(direction(j)) * unit).real();
+      const Complex softened = first.u(j) * first.softening(j) * da;
+      Eigen::VectorXcd values =
+          by_force.col(j) * (first.stiffness(j) * unit + first.share(j) * softened);
+      values(j) += first.compliance(j) * unit + first.series(j) * softened;
+      put(unit == kI ? joints + j : j, values);
+    }
+  }
+  put(2 * joints, by_frequency);
+  put(2 * joints + 1, -by_drive);
+
+  Eigen::MatrixXd right(2 * joints + 2, 2 * joints);
+  for (Eigen::Index l = 0; l < joints; ++l) {
+    for (const Complex unit : {Complex(1.0), kI}) {
+      const Complex force = first.u(l) * unit;
+      Eigen::VectorXcd values = -by_force.col(l) * (first.share(l) * force);
+      values(l) -= first.series(l) * force;
+      const Eigen::Index column = unit == kI ? joints + l : l;
+      right.col(column).head(joints + 1) = values.real();
+      right.col(column).tail(joints + 1) = values.imag();
+    }
+  }
+  // Rows and columns in their own sizes: displacements and forces are far apart.
+  const Eigen::VectorXd column_size = system.colwise().norm().cwiseMax(1e-300);
+  const Eigen::MatrixXd scaled = system * column_size.cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd moved =
+      column_size.cwiseInverse().asDiagonal() * scaled.partialPivLu().solve(right);
+
+  LevelSensitivity found;
+  found.frequency = moved.row(2 * joints).leftCols(joints).cast<Complex>() -
+                    kI * moved.row(2 * joints).rightCols(joints).cast<Complex>();
+  found.amplitude.resize(joints, joints);
+  for (Eigen::Index j = 0; j < joints; ++j) {
+    const Eigen::RowVectorXd da =
+        direction(j).real() * moved.row(j) + direction(j).imag() * moved.row(joints + j);
+    found.amplitude.row(j) =
+        da.leftCols(joints).cast<Complex>() - kI * da.rightCols(joints).cast<Complex>();
+  }
+  return found;
+}
+
+}  // namespace microslip

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <string_view>
+#include <vector>
+
+#include "microslip/dynamics/jointed_structure.hpp"
+#include "microslip/dynamics/steady_vibration.hpp"
+#include "microslip/dynamics/target.hpp"
+
+/// @file
+/// How the resonance of a level answers to its joints. Internal to calibrate.
+
+namespace microslip {
+
+/// Derivatives of a resonance at a given displacement of the response point. Joint l changes by
+/// δκ_l, N/m: its first harmonic is F_1 = κ(a) u_1 with κ = k_eq + iD/(πa²).
+struct LevelSensitivity {
+  Eigen::RowVectorXcd frequency;  ///< ∂ω/∂Re κ_l − i ∂ω/∂Im κ_l: δω = Re(frequency · δκ)
+  Eigen::MatrixXcd amplitude;  ///< likewise of a_j, joints × joints
+};
+
+/// The derivatives, with what κ itself changes as the amplitudes do. Higher harmonics are taken to
+/// follow, and shortening is left out: who iterates with it comes to the same place as with the
+/// exact one.
+/// @param structure  with the joints that the vibration is of.
+/// @param response   the point whose displacement is kept.
+/// @param vibration  a resonance of it, in motion.
+/// @param forcing    what keeps it up.
+[[nodiscard]] LevelSensitivity level_sensitivity(const JointedStructure& structure,
+                                                 std::string_view response,
+                                                 const SteadyVibration& vibration, Forcing forcing);
+
+}  // namespace microslip

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "microslip/base/execution.hpp"
+#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/observe/modal_levels.hpp"
+
+/// @file
+/// The vibration of a structure at each modal level, with the joints as they are known so far.
+/// Internal to calibrate.
+
+namespace microslip {
+
+/// Where the resonances of the levels are.
+class LevelStates {
+ public:
+  /// @param structure  with its joints as they are thought to be at first.
+  /// @param response   where the displacements of the levels were measured.
+  /// @param balance    how the vibrations are computed.
+  /// @param levels     must outlive this.
+  LevelStates(JointedStructure structure, std::string response, HarmonicBalanceOptions balance,
+              const ModalLevels& levels, Execution execution);
+
+  /// Takes other joints; vibrations stay as they are until solve().
+  /// @param joints  one a joint of the structure.
+  void set_joints(const std::vector<Joint>& joints);
+
+  /// Finds the resonance of each of these levels with the present joints, at the displacement that
+  /// was measured. A level that was solved before starts from there, else from the nearest solved
+  /// one of its mode, else from the stuck structure. One that is not found keeps nothing; another
+  /// mode is not taken for it.
+  /// @param which  levels, by rising displacement.
+  void solve(const std::vector<std::size_t>& which);
+
+  [[nodiscard]] const JointedStructure& structure() const { return balance_.structure(); }
+  [[nodiscard]] const std::string& response() const { return balance_.response().point; }
+  [[nodiscard]] const HarmonicBalance& balance() const { return balance_; }
+
+  /// The vibration of a level; nothing where it was not found.
+  [[nodiscard]] const std::optional<SteadyVibration>& at(std::size_t level) const {
+    return states_[level];
+  }
+
+  /// Half range of a joint's displacement at a level, m: found, or in proportion to the nearest
+  /// solved level of the mode, or by the shape of the stuck structure.
+  [[nodiscard]] double amplitude(std::size_t level, std::size_t joint) const;
+  /// The same by the shape of the stuck structure.
+  [[nodiscard]] double stuck_amplitude(std::size_t level, std::size_t joint) const {
+    return stuck_shape_[levels_.mode[level]][joint] * levels_.displacement[level];
+  }
+
+ private:
+  [[nodiscard]] std::optional<SteadyVibration> find(std::size_t level) const;
+  [[nodiscard]] std::optional<std::size_t> nearest(std::size_t level) const;
+  [[nodiscard]] std::optional<std::size_t> below(std::size_t level) const;
+  [[nodiscard]] bool of_mode(std::size_t level, const SteadyVibration& vibration) const;
+
+  const ModalLevels& levels_;
+  Execution execution_;
+  HarmonicBalance balance_;
+  std::vector<std::vector<double>> stuck_mode_;   // [mode][mode of the structure]
+  std::vector<double> stuck_frequency_;           // of each mode, rad/s
+  std::vector<std::vector<double>> stuck_shape_;  // [mode][joint], over the response
+  std::vector<std::optional<SteadyVibration>> states_;
+};
+
+}  // namespace microslip

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+/// @file
+/// Levels about the joints as they are known so far, linear in what is sought, and how it is
+/// weighed. Internal to calibrate.
+
+namespace microslip {
+
+/// Rows by what they are of. Those of a kind share a scatter, which is found, but that of k, which
+/// is known.
+enum class RowKind { kLoss, kFrequency, kStiffness };
+inline constexpr std::array kRowKinds = {RowKind::kLoss, RowKind::kFrequency, RowKind::kStiffness};
+
+/// λ goes no further. Above, θ bends by less than a hundredth of the stiffness: no joint is known
+/// to be a power law as closely. Below, it is as free as the basis.
+inline constexpr double kLeastLambda = 1e-8;
+inline constexpr double kMostLambda = 1e3;
+
+/// k of a joint is as it was given to this share of it: as good as exact, and well-conditioned.
+inline constexpr double kKnownStiffness = 1e-5;
+
+/// A prior of the coefficients from `begin` on: roughness ‖Lx‖² of unknown weight λ.
+struct RoughnessBlock {
+  Eigen::Index begin = 0;
+  Eigen::Index free_count = 0;  ///< coefficients that it acts on: columns of L
+  Eigen::MatrixXd rows;         ///< L, over those alone
+};
+
+/// One kind of rows, each over its standard deviation where that is known and else over a guess.
+struct WeightedRows {
+  Eigen::MatrixXd design;
+  Eigen::VectorXd data;
+  double freedom_taken = 0.0;  ///< degrees of freedom that went into offsets
+
+  [[nodiscard]] double count() const { return static_cast<double>(data.size()) - freedom_taken; }
+};
+
+/// ½ Σ ‖(A_k x − b_k)/τ_k‖² + ½ Σ λ_j ‖L_j x‖², x ≥ 0.
+struct LinearEvidence {
+  std::array<WeightedRows, kRowKinds.size()> rows;
+  std::vector<RoughnessBlock> roughness;
+
+  [[nodiscard]] const WeightedRows& of(RowKind kind) const {
+    return rows[static_cast<std::size_t>(kind)];
+  }
+  [[nodiscard]] WeightedRows& of(RowKind kind) { return rows[static_cast<std::size_t>(kind)]; }
+  [[nodiscard]] Eigen::Index size() const { return rows[0].design.cols(); }
+};
+
+/// λ of each joint and τ of each kind of rows.
+struct EvidenceWeights {
+  std::vector<double> lambda;
+  std::array<double, kRowKinds.size()> scatter{1.0, 1.0, 1.0};
+
+  [[nodiscard]] double& of(RowKind kind) { return scatter[static_cast<std::size_t>(kind)]; }
+  [[nodiscard]] double of(RowKind kind) const { return scatter[static_cast<std::size_t>(kind)]; }
+};
+
+/// AᵀA, Aᵀb and LᵀL, from which every weighing is a sum.
+class NormalEquations {
+ public:
+  explicit NormalEquations(const LinearEvidence& evidence);
+
+  [[nodiscard]] const LinearEvidence& evidence() const { return evidence_; }
+  [[nodiscard]] const Eigen::MatrixXd& information(RowKind kind) const {
+    return information_[static_cast<std::size_t>(kind)];
+  }
+  /// LᵀL of a block, over its own coefficients.
+  [[nodiscard]] const Eigen::MatrixXd& roughness(std::size_t block) const {
+    return roughness_[block];
+  }
+
+  [[nodiscard]] Eigen::MatrixXd hessian(const EvidenceWeights& weights) const;
+  [[nodiscard]] Eigen::VectorXd linear(const EvidenceWeights& weights) const;
+  /// Without the levels, and with k as it was given: what is known before they are.
+  [[nodiscard]] Eigen::MatrixXd prior_hessian(const EvidenceWeights& weights) const;
+  [[nodiscard]] Eigen::VectorXd prior_linear() const;
+
+  /// ‖A_k x − b_k‖².
+  [[nodiscard]] double residual(RowKind kind, const Eigen::VectorXd& x) const;
+  /// ‖L_j x‖².
+  [[nodiscard]] double roughness(std::size_t block, const Eigen::VectorXd& x) const;
+
+ private:
+  void add_roughness(const EvidenceWeights& weights, Eigen::MatrixXd& hessian) const;
+  [[nodiscard]] double prior_weight() const;
+
+  const LinearEvidence& evidence_;
+  std::array<Eigen::MatrixXd, kRowKinds.size()> information_;
+  std::array<Eigen::VectorXd, kRowKinds.size()> linear_;
+  std::vector<Eigen::MatrixXd> roughness_;
+};
+
+/// The most likely coefficients with the weights that the evidence asks for.
+struct SettledEvidence {
+  Eigen::VectorXd x;
+  EvidenceWeights weights;
+  double edf = 0.0;         ///< effective degrees of freedom of the levels
+  double likelihood = 0.0;  ///< −2 log restricted likelihood, up to a constant
+  double kkt_residual = 0.0;
+  bool optimal = false;  ///< whether the optimality conditions hold
+};
+
+/// λ and τ by restricted likelihood on the coefficients that are not 0 [Wood & Fasiolo, Biometrics
+/// 73 (2017) 1071: λ_j ← λ_j (r_j/λ_j − tr H⁻¹S_j)/‖L_jx‖²; τ² ← residual over what freedom the
+/// solution leaves].
+/// @param start  weights to begin with: near those of the solution.
+/// @param least  smallest τ of each kind.
+[[nodiscard]] SettledEvidence settle(const NormalEquations& equations, EvidenceWeights start,
+                                     const std::array<double, kRowKinds.size()>& least);
+
+/// The most likely coefficients with weights that are kept.
+[[nodiscard]] SettledEvidence settle_with(const NormalEquations& equations,
+                                          const EvidenceWeights& weights);
+
+/// As settle() where nothing is known of the weights: the most likely of what several λ lead to, as
+/// the likelihood has a second maximum where all is scatter.
+[[nodiscard]] SettledEvidence settle_from_afar(const NormalEquations& equations,
+                                               const std::array<double, kRowKinds.size()>& least);
+
+}  // namespace microslip

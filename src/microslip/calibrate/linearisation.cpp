@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/calibrate/linearisation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "microslip/joint/dissipation.hpp"
+
+namespace microslip {
+namespace {
+
+/// k that is to be found too is near what was given: what the levels say counts far more.
+constexpr double kSoughtStiffness = 0.5;
+/// A loss counts with a deviation of this share of the largest of its mode at least, where nobody
+/// says how much it scatters: what is lost in noise must not rule.
+constexpr double kLeastLoss = 1e-9;
+
+/// One row before it is weighed.
+struct Row {
+  Eigen::RowVectorXd design;
+  double data = 0.0;
+  double deviation = 1.0;
+};
+
+/// How the quantities of a level answer to the coefficients.
+class AnswersOfLevel {
+ public:
+  AnswersOfLevel(const CalibrationEvidence& evidence, const AllUnknowns& unknowns,
+                 const LevelStates& states, std::size_t level)
+      : evidence_(evidence),
+        unknowns_(unknowns),
+        states_(states),
+        level_(level),
+        vibration_(*states.at(level)),
+        sensitivity_(level_sensitivity(states.structure(), states.response(), vibration_,
+                                       evidence.forcing)) {
+    for (std::size_t j = 0; j < unknowns.count(); ++j) {
+      const double a = used_amplitude(evidence, states, level, unknowns.index(j));
+      dissipation_.push_back(unknowns.of(j).dissipation_row(a));
+      secant_.push_back(unknowns.of(j).secant_row(a));
+      area_.push_back(std::numbers::pi * a * a);
+    }
+  }
+
+  /// D of one joint of the structure: what it is, and its derivative.
+  [[nodiscard]] Eigen::RowVectorXd loss(std::size_t joint, double& value) const {
+    Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(unknowns_.size());
+    const StructuralJoint& placed = states_.structure().joints()[joint];
+    const double a = used_amplitude(evidence_, states_, level_, joint);
+    value = dissipation(placed.joint, a) + placed.linear_damping * a * a;
+    for (std::size_t j = 0; j < unknowns_.count(); ++j) {
+      if (unknowns_.index(j) != joint) continue;
+      row.segment(unknowns_.begin(j), unknowns_.of(j).size()) += dissipation_[j];
+    }
+    const bool sensed = !std::isnan(evidence_.measured_amplitude(level_, joint));
+    if (evidence_.stuck_shapes || sensed) return row;
+    const double slope = dissipation_slope(placed.joint, a) + 2.0 * placed.linear_damping * a;
+    row += slope * answer(sensitivity_.amplitude.row(static_cast<Eigen::Index>(joint)));
+    return row;
+  }
+
+  /// ω: its derivative.
+  [[nodiscard]] Eigen::RowVectorXd frequency() const { return answer(sensitivity_.frequency); }
+
+  [[nodiscard]] const SteadyVibration& vibration() const { return vibration_; }
+
+ private:
+  /// Of what has the derivative `by_kappa` with respect to κ of each joint of the structure.
+  [[nodiscard]] Eigen::RowVectorXd answer(const Eigen::RowVectorXcd& by_kappa) const {
+    Eigen::RowVectorXd row(unknowns_.size());
+    for (std::size_t j = 0; j < unknowns_.count(); ++j) {
+      const std::complex<double> by = by_kappa(static_cast<Eigen::Index>(unknowns_.index(j)));
+      row.segment(unknowns_.begin(j), unknowns_.of(j).size()) =
+          by.real() * secant_[j] - by.imag() / area_[j] * dissipation_[j];
+    }
+    return row;
+  }
+
+  const CalibrationEvidence& evidence_;
+  const AllUnknowns& unknowns_;
+  const LevelStates& states_;
+  std::size_t level_;
+  const SteadyVibration& vibration_;
+  LevelSensitivity sensitivity_;
+  std::vector<Eigen::RowVectorXd> dissipation_;
+  std::vector<Eigen::RowVectorXd> secant_;
+  std::vector<double> area_;
+};
+
+double joint_entry(const CalibrationEvidence& evidence, std::size_t joint, std::size_t level,
+                   std::vector<double> JointLevels::*values) {
+  const std::size_t column = evidence.column[joint];
+  if (column == CalibrationEvidence::kNone) return std::numeric_limits<double>::quiet_NaN();
+  return ModalLevels::value(evidence.levels.joints[column].*values, level);
+}
+
+/// What ± σ of a sensor's amplitude makes of D.
+double sensor_share(const CalibrationEvidence& evidence, const LevelStates& states,
+                    std::size_t level, std::size_t joint) {
+  const double sigma = joint_entry(evidence, joint, level, &JointLevels::amplitude_std);
+  if (std::isnan(sigma) || std::isnan(evidence.measured_amplitude(level, joint))) return 0.0;
+  const double a = used_amplitude(evidence, states, level, joint);
+  return dissipation_slope(states.structure().joints()[joint].joint, a) * sigma;
+}
+
+/// The loss of single joints where every one is known, else that of all together.
+void add_losses(const CalibrationEvidence& evidence, const AllUnknowns& unknowns,
+                const LevelStates& states, std::size_t level, const AnswersOfLevel& answers,
+                std::vector<Row>& rows) {
+  const std::size_t joints = states.structure().joints().size();
+  double sum = 0.0;
+  double variance = 0.0;
+  Row together{Eigen::RowVectorXd::Zero(unknowns.size())};
+  std::vector<Row> single;
+  for (std::size_t j = 0; j < joints; ++j) {
+    double value = 0.0;
+    Row row{answers.loss(j, value)};
+    together.design += row.design;
+    sum += value;
+    const double share = sensor_share(evidence, states, level, j);
+    variance += share * share;
+    const double measured = joint_entry(evidence, j, level, &JointLevels::dissipation);
+    if (std::isnan(measured)) continue;
+    row.data = measured - value;
+    const double given = joint_entry(evidence, j, level, &JointLevels::dissipation_std);
+    row.deviation = evidence.loss_std_given ? std::hypot(given, share) : std::max(value, measured);
+    single.push_back(std::move(row));
+  }
+  if (single.size() == joints) {
+    std::ranges::move(single, std::back_inserter(rows));
+    return;
+  }
+  const MeasuredLoss measured = measured_loss(evidence.levels, level, answers.vibration());
+  together.data = measured.value - sum;
+  together.deviation = evidence.loss_std_given
+                           ? std::sqrt(measured.deviation * measured.deviation + variance)
+                           : std::max(sum, measured.value);
+  rows.push_back(std::move(together));
+}
+
+WeightedRows weighed(const std::vector<Row>& rows, const Eigen::VectorXd& x) {
+  WeightedRows result;
+  result.design.resize(static_cast<Eigen::Index>(rows.size()), x.size());
+  result.data.resize(static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    result.design.row(at) = rows[i].design / rows[i].deviation;
+    result.data(at) = rows[i].data / rows[i].deviation + result.design.row(at).dot(x);
+  }
+  return result;
+}
+
+/// Takes what all levels of a mode have in common from their frequencies: an offset of each mode,
+/// which no joint has to explain.
+void centre_modes(const ModalLevels& levels, const std::vector<std::size_t>& which,
+                  const std::vector<Row>& raw, WeightedRows& rows) {
+  const std::size_t modes = levels.mode.empty() ? 0 : 1 + std::ranges::max(levels.mode);
+  for (std::size_t m = 0; m < modes; ++m) {
+    std::vector<Eigen::Index> of_mode;
+    for (std::size_t i = 0; i < which.size(); ++i) {
+      if (levels.mode[which[i]] == m) of_mode.push_back(static_cast<Eigen::Index>(i));
+    }
+    if (of_mode.empty()) continue;
+    // 1/σ is what an offset of 1 makes of a row.
+    Eigen::VectorXd offset(static_cast<Eigen::Index>(of_mode.size()));
+    for (Eigen::Index i = 0; i < offset.size(); ++i) {
+      offset(i) =
+          1.0 / raw[static_cast<std::size_t>(of_mode[static_cast<std::size_t>(i)])].deviation;
+    }
+    offset.normalize();
+    const Eigen::MatrixXd design = rows.design(of_mode, Eigen::all);
+    const Eigen::VectorXd data = rows.data(of_mode);
+    rows.design(of_mode, Eigen::all) = design - offset * (offset.transpose() * design);
+    rows.data(of_mode) = data - offset * offset.dot(data);
+    rows.freedom_taken += 1.0;
+  }
+}
+
+void add_frequencies(const CalibrationEvidence& evidence, const std::vector<std::size_t>& levels,
+                     const std::vector<Row>& rows, const Eigen::VectorXd& x,
+                     LinearEvidence& linear) {
+  WeightedRows& frequencies = linear.of(RowKind::kFrequency);
+  frequencies = weighed(rows, x);
+  if (evidence.frequency == FrequencyUse::kChange) {
+    centre_modes(evidence.levels, levels, rows, frequencies);
+  }
+}
+
+void add_stiffnesses(const CalibrationEvidence& evidence, const AllUnknowns& unknowns,
+                     LinearEvidence& linear) {
+  const double deviation = evidence.fit_stiffness ? kSoughtStiffness : kKnownStiffness;
+  const auto count = static_cast<Eigen::Index>(unknowns.count());
+  WeightedRows& rows = linear.of(RowKind::kStiffness);
+  rows.design = Eigen::MatrixXd::Zero(count, unknowns.size());
+  rows.data = Eigen::VectorXd::Constant(count, 1.0 / deviation);
+  for (Eigen::Index j = 0; j < count; ++j) {
+    const auto own = static_cast<std::size_t>(j);
+    rows.design.row(j).segment(unknowns.begin(own), unknowns.of(own).size()) =
+        unknowns.of(own).stiffness_row() / deviation;
+  }
+}
+
+}  // namespace
+
+AllUnknowns::AllUnknowns(std::vector<std::size_t> which, std::vector<JointUnknowns> joints)
+    : which_(std::move(which)), joints_(std::move(joints)) {
+  begin_.push_back(0);
+  for (const JointUnknowns& joint : joints_) begin_.push_back(begin_.back() + joint.size());
+}
+
+double CalibrationEvidence::measured_amplitude(std::size_t level, std::size_t joint) const {
+  return joint_entry(*this, joint, level, &JointLevels::amplitude);
+}
+
+// As add_losses() chooses: the losses of single joints where every one is known.
+bool loss_deviation_known(const CalibrationEvidence& evidence, std::size_t level) {
+  bool single = true;
+  bool known = true;
+  for (std::size_t j = 0; j < evidence.column.size(); ++j) {
+    single = single && !std::isnan(joint_entry(evidence, j, level, &JointLevels::dissipation));
+    known = known && joint_entry(evidence, j, level, &JointLevels::dissipation_std) > 0.0;
+  }
+  if (single) return known;
+  const bool by_energy = !std::isnan(ModalLevels::value(evidence.levels.dissipation, level));
+  return ModalLevels::value(
+             by_energy ? evidence.levels.dissipation_std : evidence.levels.damping_ratio_std,
+             level) > 0.0;
+}
+
+double frequency_error(const ModalLevels& levels, std::size_t level,
+                       const SteadyVibration& vibration) {
+  const double omega = 2.0 * std::numbers::pi * ModalLevels::value(levels.frequency, level);
+  return omega / vibration.angular_frequency - 1.0;
+}
+
+double used_amplitude(const CalibrationEvidence& evidence, const LevelStates& states,
+                      std::size_t level, std::size_t joint) {
+  const double measured = evidence.measured_amplitude(level, joint);
+  if (!std::isnan(measured)) return measured;
+  return evidence.stuck_shapes ? states.stuck_amplitude(level, joint)
+                               : states.amplitude(level, joint);
+}
+
+MeasuredLoss measured_loss(const ModalLevels& levels, std::size_t level,
+                           const SteadyVibration& vibration) {
+  const auto known = [](double deviation) { return std::isnan(deviation) ? 0.0 : deviation; };
+  const double loss = ModalLevels::value(levels.dissipation, level);
+  if (!std::isnan(loss)) {
+    return {loss, known(ModalLevels::value(levels.dissipation_std, level))};
+  }
+  double square = 0.0;  // of the modal amplitude
+  for (const auto& harmonics : vibration.modal) square += std::norm(harmonics[1]);
+  const double omega = vibration.angular_frequency;
+  const double unit = 2.0 * std::numbers::pi * omega * omega * square;
+  return {unit * ModalLevels::value(levels.damping_ratio, level) - vibration.linear_dissipation,
+          unit * known(ModalLevels::value(levels.damping_ratio_std, level))};
+}
+
+LinearEvidence linearise(const CalibrationEvidence& evidence, const AllUnknowns& unknowns,
+                         const LevelStates& states, const std::vector<std::size_t>& which,
+                         const Eigen::VectorXd& x) {
+  std::vector<Row> losses;
+  std::vector<Row> frequencies;
+  std::vector<std::size_t> with_frequency;
+  double largest = 0.0;
+  for (const std::size_t level : which) {
+    if (!states.at(level)) continue;
+    const AnswersOfLevel answers(evidence, unknowns, states, level);
+    add_losses(evidence, unknowns, states, level, answers, losses);
+    largest = std::max(largest, losses.back().deviation);
+    const double frequency = ModalLevels::value(evidence.levels.frequency, level);
+    if (evidence.frequency == FrequencyUse::kIgnore || std::isnan(frequency)) continue;
+    const double given = ModalLevels::value(evidence.levels.frequency_std, level);
+    const SteadyVibration& vibration = answers.vibration();
+    frequencies.push_back({answers.frequency() / vibration.angular_frequency,
+                           frequency_error(evidence.levels, level, vibration),
+                           evidence.frequency_std_given ? given / frequency : 1.0});
+    with_frequency.push_back(level);
+  }
+  for (Row& row : losses) row.deviation = std::max(row.deviation, kLeastLoss * largest);
+
+  LinearEvidence linear;
+  linear.of(RowKind::kLoss) = weighed(losses, x);
+  add_frequencies(evidence, with_frequency, frequencies, x, linear);
+  add_stiffnesses(evidence, unknowns, linear);
+  for (std::size_t j = 0; j < unknowns.count(); ++j) {
+    const Eigen::Index theta = unknowns.of(j).size() - 1;
+    linear.roughness.push_back(
+        {unknowns.begin(j), theta, unknowns.of(j).penalty().leftCols(theta)});
+  }
+  return linear;
+}
+
+}  // namespace microslip

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "microslip/calibrate/calibration.hpp"
+#include "microslip/calibrate/joint_unknowns.hpp"
+#include "microslip/calibrate/level_sensitivity.hpp"
+#include "microslip/calibrate/level_states.hpp"
+#include "microslip/calibrate/linear_evidence.hpp"
+
+/// @file
+/// What levels say of the joints, about the joints as they are known so far. Internal to calibrate.
+
+namespace microslip {
+
+/// Smallest relative scatter that is believed of a frequency: the harmonics and the basis of the
+/// density follow a resonance no further.
+inline constexpr double kLeastFrequencyScatter = 1e-5;
+
+/// The unknowns of all joints that are sought, one after the other.
+class AllUnknowns {
+ public:
+  /// @param which   their indices among the joints of the structure.
+  /// @param joints  the unknowns of each.
+  AllUnknowns(std::vector<std::size_t> which, std::vector<JointUnknowns> joints);
+
+  [[nodiscard]] std::size_t count() const { return joints_.size(); }
+  [[nodiscard]] const JointUnknowns& of(std::size_t j) const { return joints_[j]; }
+  [[nodiscard]] std::size_t index(std::size_t j) const { return which_[j]; }  ///< in the structure
+  [[nodiscard]] Eigen::Index begin(std::size_t j) const { return begin_[j]; }
+  [[nodiscard]] Eigen::Index size() const { return begin_.back(); }
+
+  /// The coefficients of one joint among those of all.
+  [[nodiscard]] Eigen::VectorXd part(std::size_t j, const Eigen::VectorXd& x) const {
+    return x.segment(begin_[j], joints_[j].size());
+  }
+
+ private:
+  std::vector<std::size_t> which_;
+  std::vector<JointUnknowns> joints_;
+  std::vector<Eigen::Index> begin_;
+};
+
+/// Levels, and how they are used.
+struct CalibrationEvidence {
+  const ModalLevels& levels;
+  FrequencyUse frequency;
+  bool fit_stiffness;
+  bool stuck_shapes;  ///< amplitudes of the joints do not answer to what is found
+  Forcing forcing;
+  /// Of levels.joints of each joint of the structure; kNone without.
+  std::vector<std::size_t> column;
+  /// Whether standard deviations are known: positive at every level. Otherwise none of them is
+  /// used, as the ratio of some to the others is not known.
+  bool loss_std_given;
+  bool frequency_std_given;
+
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+  /// What a sensor shows of a joint's amplitude at a level, m; NaN without.
+  [[nodiscard]] double measured_amplitude(std::size_t level, std::size_t joint) const;
+};
+
+/// Whether the loss of a level has a positive standard deviation, in each column that counts.
+[[nodiscard]] bool loss_deviation_known(const CalibrationEvidence& evidence, std::size_t level);
+
+/// Half range of a joint's displacement at a level by which its energies are taken: as measured,
+/// else as the states have it.
+[[nodiscard]] double used_amplitude(const CalibrationEvidence& evidence, const LevelStates& states,
+                                    std::size_t level, std::size_t joint);
+
+/// D of all joints that a level shows, J, and its standard deviation (0: not known): as measured,
+/// or ζ less the loss of the structure as it vibrates now.
+struct MeasuredLoss {
+  double value;
+  double deviation;
+};
+[[nodiscard]] MeasuredLoss measured_loss(const ModalLevels& levels, std::size_t level,
+                                         const SteadyVibration& vibration);
+
+/// ω of a level as measured over that of its vibration, less 1; NaN where it was not measured.
+[[nodiscard]] double frequency_error(const ModalLevels& levels, std::size_t level,
+                                     const SteadyVibration& vibration);
+
+/// Rows of levels that are solved. A loss of unknown deviation counts with itself as one, a
+/// frequency likewise: the scatter that is found is then relative.
+/// @param x  the coefficients that the joints of the states are of.
+[[nodiscard]] LinearEvidence linearise(const CalibrationEvidence& evidence,
+                                       const AllUnknowns& unknowns, const LevelStates& states,
+                                       const std::vector<std::size_t>& which,
+                                       const Eigen::VectorXd& x);
+
+}  // namespace microslip

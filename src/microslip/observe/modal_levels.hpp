@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace microslip {
+
+/// What was measured of one joint of a structure at its modal levels, one entry a level; NaN where
+/// it was not. Vectors may be empty: never measured.
+struct JointLevels {
+  std::string name = {};                     ///< of the joint in the model
+  std::vector<double> amplitude = {};        ///< half range of its displacement, m
+  std::vector<double> amplitude_std = {};    ///< standard deviation of it, m
+  std::vector<double> dissipation = {};      ///< D of this joint alone, J per cycle
+  std::vector<double> dissipation_std = {};  ///< standard deviation of it, J
+};
+
+/// Levels of the resonances of a structure with joints: what a cycle of a mode loses at rising
+/// amplitude, and its frequency there. One entry a level; NaN where something was not measured.
+/// `mode` and `displacement` are whole; each other vector is as long or empty (never measured).
+struct ModalLevels {
+  std::vector<std::size_t> mode = {};          ///< by frequency with all joints stuck, from 0
+  std::vector<double> displacement = {};       ///< first harmonic at the response point, m; > 0
+  std::vector<double> frequency = {};          ///< of the resonance at this level, Hz; > 0
+  std::vector<double> frequency_std = {};      ///< its standard deviation, Hz; ≥ 0
+  std::vector<double> dissipation = {};        ///< of all joints together, J per cycle; ≥ 0
+  std::vector<double> dissipation_std = {};    ///< its standard deviation, J; ≥ 0
+  std::vector<double> damping_ratio = {};      ///< ζ of structure and joints, 1; ≥ 0
+  std::vector<double> damping_ratio_std = {};  ///< its standard deviation, 1; ≥ 0
+  std::vector<JointLevels> joints = {};        ///< those with sensors or an observer of their own
+
+  /// The number of levels.
+  [[nodiscard]] std::size_t size() const { return mode.size(); }
+
+  /// Entry i of a vector that may be empty; NaN where it is.
+  [[nodiscard]] static double value(const std::vector<double>& values, std::size_t i) {
+    return i < values.size() ? values[i] : std::numeric_limits<double>::quiet_NaN();
+  }
+};
+
+/// Levels of another file behind these; columns that one of them lacks are NaN there.
+void append(const ModalLevels& more, ModalLevels& levels);
+
+/// Checks the rules of ModalLevels, and that each level tells a loss: D of all joints, D of one, or
+/// ζ.
+/// @throws InputError  naming the level (from 1) and the value.
+void check_modal_levels(const ModalLevels& levels);
+
+}  // namespace microslip

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "microslip/calibrate/calibration.hpp"
+#include "microslip/io/model_file.hpp"
+#include "microslip/io/named_values.hpp"
+
+/// @file
+/// A model whose joints are sought and its modal levels, to the folder of what was found.
+
+namespace microslip {
+
+/// What is to be found, and how.
+struct ModelCalibration {
+  std::string model;                ///< path of model.toml
+  std::vector<std::string> levels;  ///< paths of modal_levels.csv
+  std::string out;                  ///< folder of the results
+  bool keep_draws = false;          ///< writes NAME_samples.h5 of each joint
+  CalibrationOptions options = {};  ///< of the method
+  std::string command;              ///< that the files are made by
+};
+
+/// A file to be written.
+struct ResultFile {
+  std::string path;          ///< in the folder
+  std::string_view kind;     ///< of file_kind.hpp
+  std::string content = {};  ///< all of it
+};
+
+/// What came of it.
+struct CalibratedModel {
+  ModelFile model;                  ///< as read
+  std::vector<InputHash> inputs{};  ///< model and levels
+  CalibrationResult found{};        ///< of calibrate()
+  std::vector<ResultFile>
+      files{};  ///< NAME.json of each joint found, model.toml, calibration.csv …
+};
+
+/// The paths and kinds of the files that will be written, before anything is computed.
+/// @throws FileError, FormatError, InputError  as read_model(); for a joint whose name is no name of
+///                                             a file.
+[[nodiscard]] std::vector<ResultFile> planned_files(const ModelCalibration& options);
+
+/// Reads, finds and composes the files.
+/// @throws FileError, FormatError, InputError  as the readers and calibrate().
+/// @throws Cancelled                           as the progress says.
+[[nodiscard]] CalibratedModel calibrate_model(const ModelCalibration& options);
+
+/// The summary.
+[[nodiscard]] std::string describe_calibration(const ModelCalibration& options,
+                                               const CalibratedModel& done);
+
+}  // namespace microslip

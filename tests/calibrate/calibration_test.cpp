@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/calibrate/calibration.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "microslip/base/error.hpp"
+#include "microslip/base/random.hpp"
+#include "support/chain_structure.hpp"
+#include "support/effort.hpp"
+
+namespace microslip::calibration_test {
+namespace {
+
+constexpr double kNoise = 0.005;
+
+/// Levels as a test of a structure would give them, and the truth beside them.
+struct SimulatedTest {
+  JointedStructure truth;
+  JointedStructure given;
+  std::vector<std::size_t> sought;
+  ModalLevels levels;
+  std::vector<std::vector<double>> amplitude;  // [joint][level]
+  std::vector<std::vector<double>> loss;
+
+  [[nodiscard]] CalibrationResult calibrated(const CalibrationOptions& options = {}) const {
+    return calibrate(given, sought, "p1", levels, options);
+  }
+};
+
+/// `modes` of a structure at `count` displacements each, 0.5 % noise on the sum of the losses.
+SimulatedTest simulated(const JointedStructure& truth, std::size_t modes, double from, double to,
+                        int count, std::uint64_t seed) {
+  std::vector<StructuralJoint> stuck(truth.joints().begin(), truth.joints().end());
+  std::vector<std::size_t> sought;
+  for (std::size_t j = 0; j < stuck.size(); ++j) {
+    stuck[j].joint = Joint(stuck[j].joint.stiffness(), SlipDensity());
+    sought.push_back(j);
+  }
+  SimulatedTest test{
+      truth,  JointedStructure(truth.linear(), stuck, {Excitation{"p1"}}, truth.damping()),
+      sought, {},
+      {},     {}};
+  test.amplitude.resize(stuck.size());
+  test.loss.resize(stuck.size());
+  std::vector<double> responses;
+  for (int i = 0; i < count; ++i)
+    responses.push_back(from * std::pow(to / from, i / (count - 1.0)));
+  RandomStream random(seed, 0);
+  const HarmonicBalance balance(truth, {"p1"}, {.harmonics = 7});
+  for (std::size_t mode = 0; mode < modes; ++mode) {
+    const ResponseCurve curve = balance.backbone(responses, mode);
+    for (const SteadyVibration& point : curve.points) {
+      test.levels.mode.push_back(mode);
+      test.levels.displacement.push_back(point.response);
+      test.levels.frequency.push_back(point.frequency());
+      double sum = 0.0;
+      for (std::size_t j = 0; j < stuck.size(); ++j) {
+        test.amplitude[j].push_back(point.joints[j].amplitude);
+        test.loss[j].push_back(point.joints[j].dissipation);
+        sum += point.joints[j].dissipation;
+      }
+      test.levels.dissipation.push_back(sum * (1.0 + kNoise * random.normal()));
+    }
+  }
+  return test;
+}
+
+double worst_error(const CalibrationResult& found, const SimulatedTest& test, std::size_t joint,
+                   bool loss, double share = 0.1) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < test.levels.size(); ++i) {
+    double all = 0.0;
+    for (const std::vector<double>& of_joint : test.loss) all += of_joint[i];
+    if (loss && test.loss[joint][i] < share * all) continue;
+    const JointAtLevel& at = found.levels[i].joints[joint];
+    const double error = loss ? at.dissipation.mean / test.loss[joint][i] - 1.0
+                              : at.amplitude / test.amplitude[joint][i] - 1.0;
+    worst = std::max(worst, std::abs(error));
+  }
+  return worst;
+}
+
+bool warns(const CalibrationResult& found, const std::string& code) {
+  return std::ranges::any_of(found.warnings,
+                             [&](const Warning& warning) { return warning.code == code; });
+}
+
+Joint tent(double k, double top, double share) {
+  return {k, SlipDensity({PiecewiseLinearPart{{0.0, 0.4 * top, top},
+                                              {0.2 / top, 2.0 * share / top, 0.0}}})};
+}
+
+JointedStructure three_joints() {
+  const std::vector<testing::ChainJoint> joints{
+      {"lap", 0, 1, tent(6e5, 90.0, 0.6)},
+      {"flange", 2, 3, Joint(9e5, SlipDensity({UniformPart{0.0, 160.0, 0.7}}))},
+      {"foot", -1, 4, Joint(4e5, SlipDensity({PowerLawPart{0.025, -0.4, 0.0, 110.0}}))}};
+  return testing::chain_structure({3.0, 2.0, 2.5, 3.0, 2.0}, {5e5, 4e5, 7e5, 2e5, 6e5, 0.0}, joints,
+                                  0.004, {6e5, 9e5, 4e5});
+}
+
+// A structure and joints of which nothing was used when the method was made.
+TEST(Calibration, FindsThreeJointsFromFourModes) {
+  MICROSLIP_OF_RELEASE_ALONE();
+  const SimulatedTest test = simulated(three_joints(), 4, 2e-6, 1e-4, 22, 11);
+  const CalibrationResult found = test.calibrated();
+  ASSERT_TRUE(found.summary.converged()) << found.summary.reason;
+  for (std::size_t joint = 0; joint < 3; ++joint) {
+    EXPECT_LT(worst_error(found, test, joint, false), 0.015) << joint;
+    EXPECT_LT(worst_error(found, test, joint, true), 0.05) << joint;
+  }
+  EXPECT_FALSE(warns(found, "known_only_together"));
+}
+
+// Two joints alike in all modes are known in sum only, and the sum is known as well as ever.
+TEST(Calibration, SaysThatJointsOfASymmetricPairAreKnownOnlyTogether) {
+  const Joint joint = tent(5e5, 80.0, 0.6);
+  const JointedStructure one =
+      testing::chain_structure({3.0, 2.0, 2.0}, {5e5, 4e5, 3e5, 0.0},
+                               {{"left", 1, 2, joint}, {"right", 1, 2, joint}}, 0.004, {5e5, 5e5});
+  const SimulatedTest test = simulated(one, 2, 2e-6, 1e-4, 14, 5);
+  const CalibrationResult found = test.calibrated({.draws = 400});
+  ASSERT_TRUE(found.summary.converged()) << found.summary.reason;
+  ASSERT_EQ(found.pairs.size(), 1U);
+  EXPECT_TRUE(found.pairs[0].known_only_together);
+  EXPECT_LT(found.pairs[0].correlation, -0.9);
+  EXPECT_TRUE(warns(found, "known_only_together"));
+  for (std::size_t i = 0; i < test.levels.size(); ++i) {
+    const double sum = test.loss[0][i] + test.loss[1][i];
+    EXPECT_NEAR(found.levels[i].dissipation, sum, 0.02 * sum) << i;
+  }
+}
+
+// A joint that only one mode moves, and hardly, is not seen in the others.
+TEST(Calibration, KnowsAJointAndUsesItWhenItFindsAnother) {
+  SimulatedTest test = simulated(three_joints(), 3, 2e-6, 6e-5, 10, 3);
+  std::vector<StructuralJoint> joints(test.given.joints().begin(), test.given.joints().end());
+  joints[1].joint = test.truth.joints()[1].joint;
+  joints[2].joint = test.truth.joints()[2].joint;
+  test.given =
+      JointedStructure(test.given.linear(), joints, {Excitation{"p1"}}, test.given.damping());
+  test.sought = {0};
+  const CalibrationResult found = test.calibrated({.draws = 200});
+  ASSERT_TRUE(found.summary.converged()) << found.summary.reason;
+  ASSERT_EQ(found.joints.size(), 1U);
+  EXPECT_EQ(found.joints[0].name, "lap");
+  EXPECT_LT(worst_error(found, test, 0, false), 0.01);
+  EXPECT_LT(worst_error(found, test, 0, true), 0.04);
+}
+
+TEST(Calibration, SaysWhichLevelsTheStructureDoesNotReach) {
+  MICROSLIP_OF_RELEASE_ALONE();
+  SimulatedTest test = simulated(three_joints(), 3, 2e-6, 6e-5, 10, 3);
+  // The joints of a structure that hardly slips move as little as they were stuck: a metre is no
+  // displacement of it that was measured beside these.
+  test.levels.mode.push_back(4);
+  test.levels.displacement.push_back(1e-5);
+  test.levels.frequency.push_back(test.levels.frequency.front());
+  test.levels.dissipation.push_back(test.levels.dissipation.front());
+  const CalibrationResult found = test.calibrated({.draws = 100});
+  EXPECT_TRUE(warns(found, "frequency_offset") || warns(found, "levels_not_found"));
+}
+
+TEST(Calibration, IsTheSameOnAnyNumberOfThreads) {
+  MICROSLIP_OF_RELEASE_ALONE();
+  const SimulatedTest test = simulated(three_joints(), 3, 2e-6, 3e-5, 8, 9);
+  const CalibrationResult serial =
+      test.calibrated({.draws = 100, .execution = Execution::serial()});
+  const CalibrationResult threads =
+      test.calibrated({.draws = 100, .execution = Execution::threads()});
+  for (std::size_t j = 0; j < 3; ++j) {
+    EXPECT_EQ(serial.joints[j].density, threads.joints[j].density);
+    EXPECT_EQ(serial.joints[j].upper, threads.joints[j].upper);
+  }
+}
+
+// ---- What is wrong. ----
+
+std::string fault(const SimulatedTest& test, const CalibrationOptions& options = {}) {
+  try {
+    (void)test.calibrated(options);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(CalibrationFault, NamesWhatIsWrong) {
+  const SimulatedTest good = simulated(three_joints(), 2, 2e-6, 2e-5, 8, 1);
+  const auto expect = [&](const std::string& part, const std::function<void(SimulatedTest&)>& edit,
+                          const CalibrationOptions& options = {}) {
+    SimulatedTest test = good;
+    edit(test);
+    const std::string message = fault(test, options);
+    EXPECT_NE(message.find(part), std::string::npos) << part << " in: " << message;
+  };
+  expect("mode of level 3 = 6; must be from 1 to 5",
+         [](SimulatedTest& test) { test.levels.mode[2] = 5; });
+  expect("displacement of level 2", [](SimulatedTest& test) { test.levels.displacement[1] = 0.0; });
+  expect("frequency of level 1", [](SimulatedTest& test) { test.levels.frequency[0] = -1.0; });
+  expect("loss of level 1 is missing",
+         [](SimulatedTest& test) { test.levels.dissipation.clear(); });
+  expect("number of joints to find", [](SimulatedTest& test) { test.sought.clear(); });
+  expect("number of levels", [](SimulatedTest& test) {
+    test.levels.mode.resize(5);
+    test.levels.displacement.resize(5);
+    test.levels.frequency.resize(5);
+    test.levels.dissipation.resize(5);
+  });
+  expect("joint of the levels = spring", [](SimulatedTest& test) {
+    test.levels.joints.push_back(
+        {.name = "spring", .amplitude = std::vector<double>(test.levels.size(), 1e-6)});
+  });
+  expect("must be absolute to find stiffnesses", [](SimulatedTest&) {}, {.fit_stiffness = true});
+  expect("number of draws", [](SimulatedTest&) {}, {.draws = 10});
+  expect("confidence", [](SimulatedTest&) {}, {.confidence = 1.0});
+}
+
+TEST(CalibrationFault, CanBeStopped) {
+  const SimulatedTest test = simulated(three_joints(), 2, 2e-6, 2e-5, 8, 1);
+  EXPECT_THROW((void)test.calibrated({.progress = [](std::size_t, std::size_t) { return false; }}),
+               Cancelled);
+}
+
+}  // namespace
+}  // namespace microslip::calibration_test

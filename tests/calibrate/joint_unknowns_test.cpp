@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/calibrate/joint_unknowns.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "microslip/joint/dissipation.hpp"
+#include "microslip/joint/secant.hpp"
+
+namespace microslip::joint_unknowns_test {
+namespace {
+
+Eigen::VectorXd some_coefficients(const JointUnknowns& unknowns) {
+  Eigen::VectorXd x(unknowns.size());
+  for (Eigen::Index i = 0; i < x.size(); ++i)
+    x(i) = 1.0 + 0.5 * std::sin(0.7 * static_cast<double>(i));
+  x(x.size() - 1) = 0.3;
+  return x;
+}
+
+// The rows are quadratures of the same density whose closed forms the joint has: they agree to the
+// accuracy of those (Gauss points of the secant kernel: some 1e-10) .
+TEST(JointUnknowns, RowsAreThoseOfTheJoint) {
+  for (const double exponent : {0.0, -0.5}) {
+    const JointUnknowns unknowns(7e5, 2e-4, 0.01, exponent, 30);
+    const Eigen::VectorXd x = some_coefficients(unknowns);
+    const Joint joint = unknowns.joint(x, false);
+    EXPECT_NEAR(joint.stiffness(), 7e5 * unknowns.stiffness_row().dot(x), 1e-9 * 7e5);
+    for (const double a : {2e-6, 3.1e-5, 1.7e-4, 2e-4, 2.6e-4}) {
+      const double d = dissipation(joint, a);
+      EXPECT_NEAR(unknowns.dissipation_row(a).dot(x), d, 1e-9 * d) << exponent << " " << a;
+      const double k = secant_stiffness(joint, a);
+      EXPECT_NEAR(unknowns.secant_row(a).dot(x), k, 1e-7 * k) << exponent << " " << a;
+    }
+  }
+}
+
+TEST(JointUnknowns, AKnownStiffnessIsKept) {
+  const JointUnknowns unknowns(7e5, 2e-4, 0.01, -0.25, 30);
+  const Eigen::VectorXd x = 1.001 * some_coefficients(unknowns);
+  EXPECT_EQ(unknowns.joint(x, true).stiffness(), 7e5);
+  EXPECT_EQ(unknowns.joint(unknowns.stuck(), true).density().total().zeroth, 0.0);
+}
+
+// A density of other knots is met at the new ones; its stiffness is kept.
+TEST(JointUnknowns, ProjectionFollowsTheDensity) {
+  const JointUnknowns old(7e5, 2e-4, 0.01, 0.0, 60);
+  const JointUnknowns now(7e5, 1.5e-4, 0.02, -0.5, 60);
+  Eigen::VectorXd x = Eigen::VectorXd::Ones(old.size());
+  const Eigen::VectorXd y = now.projected(old, x);
+  EXPECT_NEAR(now.stiffness_row().dot(y), old.stiffness_row().dot(x), 1e-12);
+  const Joint before = old.joint(x, false);
+  const Joint after = now.joint(y, false);
+  for (const double at : {0.2, 0.5, 0.9}) {
+    const double f = at * 1.5e-4 * after.stiffness();
+    // Straight between 60 knots of a power law.
+    EXPECT_NEAR(after.density().density(f), before.density().density(f),
+                2e-3 * before.density().density(f));
+  }
+}
+
+}  // namespace
+}  // namespace microslip::joint_unknowns_test

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/calibrate/level_sensitivity.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <vector>
+
+#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/joint/dissipation.hpp"
+#include "microslip/joint/secant.hpp"
+#include "support/chain_structure.hpp"
+
+namespace microslip::level_sensitivity_test {
+namespace {
+
+JointedStructure structure_with(double first, double second, double compliance) {
+  const std::vector<testing::ChainJoint> joints{
+      {"a", 1, 2, Joint(8e5, SlipDensity({UniformPart{0.0, 120.0, first}}))},
+      {"b", -1, 3, Joint(5e5, SlipDensity({UniformPart{0.0, 150.0, second}}))}};
+  const JointedStructure chain = testing::chain_structure(
+      {4.0, 3.0, 3.0, 2.5}, {8e5, 6e5, 3e5, 5e5, 0.0}, joints, 0.003, {8e5, 5e5});
+  std::vector<StructuralJoint> placed(chain.joints().begin(), chain.joints().end());
+  for (StructuralJoint& joint : placed) joint.series_compliance = compliance;
+  return {chain.linear(), placed, {Excitation{"p1"}}, chain.damping()};
+}
+
+/// The joint of a share more or less, and what that makes of κ at an amplitude.
+std::complex<double> kappa(const Joint& joint, double a) {
+  return {secant_stiffness(joint, a), dissipation(joint, a) / (std::numbers::pi * a * a)};
+}
+
+class Sensitivity : public ::testing::TestWithParam<std::tuple<Forcing, double, std::size_t>> {};
+
+// Against differences of harmonic balances with five harmonics. The derivatives take higher harmonics
+// to follow, which leaves 1 % and, of what is small itself, a hundredth of the larger change.
+TEST_P(Sensitivity, IsThatOfTheHarmonicBalance) {
+  const auto [forcing, compliance, mode] = GetParam();
+  constexpr double kStep = 1e-4;
+  constexpr double kResponse = 2e-5;
+  const auto solve = [&](double first, double second) {
+    const HarmonicBalance balance(structure_with(first, second, compliance), {"p1"},
+                                  {.forcing = forcing});
+    const VibrationResult found =
+        balance.solve(kPhaseResonance, {Quantity::kResponse, kResponse}, mode);
+    EXPECT_TRUE(found.summary.converged()) << found.summary.reason;
+    return found.vibration;
+  };
+  const SteadyVibration at = solve(0.5, 0.4);
+  const LevelSensitivity found =
+      level_sensitivity(structure_with(0.5, 0.4, compliance), "p1", at, forcing);
+  for (Eigen::Index l = 0; l < 2; ++l) {
+    const double first = l == 0 ? kStep : 0.0;
+    const double second = l == 1 ? kStep : 0.0;
+    const SteadyVibration more = solve(0.5 + first, 0.4 + second);
+    const SteadyVibration less = solve(0.5 - first, 0.4 - second);
+    const auto joint = static_cast<std::size_t>(l);
+    const double a = at.joints[joint].amplitude;
+    const auto joint_of = [&](double sign) {
+      return structure_with(0.5 + sign * first, 0.4 + sign * second, compliance)
+          .joints()[joint]
+          .joint;
+    };
+    const std::complex<double> change = kappa(joint_of(1.0), a) - kappa(joint_of(-1.0), a);
+    const double frequency = more.angular_frequency - less.angular_frequency;
+    EXPECT_NEAR((found.frequency(l) * change).real(), frequency, 0.01 * std::abs(frequency));
+    const double largest = std::abs(more.joints[joint].amplitude - less.joints[joint].amplitude);
+    for (Eigen::Index j = 0; j < 2; ++j) {
+      const auto row = static_cast<std::size_t>(j);
+      const double moved = more.joints[row].amplitude - less.joints[row].amplitude;
+      EXPECT_NEAR((found.amplitude(j, l) * change).real(), moved, 0.02 * largest) << j << l;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, Sensitivity,
+    ::testing::Combine(::testing::Values(Forcing::kExcitation, Forcing::kModal),
+                       ::testing::Values(0.0, 2e-7),
+                       ::testing::Values(std::size_t{0}, std::size_t{1}, std::size_t{2})));
+
+}  // namespace
+}  // namespace microslip::level_sensitivity_test

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// A structure with two joints whose truth is known, by an independent harmonic balance (tests/data/two_joints).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "microslip/calibrate/calibration.hpp"
+#include "microslip/io/joint_file.hpp"
+#include "microslip/io/model_file.hpp"
+#include "support/effort.hpp"
+#include "support/reference_csv.hpp"
+
+namespace microslip::two_joints_test {
+namespace {
+
+const std::string kFolder = MICROSLIP_TEST_DATA "/two_joints/";
+
+struct TwoJoints {
+  ModelFile model = read_model(kFolder + "model.toml", JointsToFind::kAllowed);
+  testing::ReferenceTable truth = testing::reference_table("two_joints/truth.csv");
+  ModalLevels levels = measured();
+
+  static ModalLevels measured() {
+    const testing::ReferenceTable table = testing::reference_table("two_joints/modal_levels.csv");
+    ModalLevels levels;
+    for (const double mode : table["mode [1]"]) {
+      levels.mode.push_back(static_cast<std::size_t>(mode) - 1);
+    }
+    levels.displacement = table["displacement [m]"];
+    levels.frequency = table["frequency [Hz]"];
+    levels.dissipation = table["dissipation [J]"];
+    levels.dissipation_std = table["dissipation_std [J]"];
+    return levels;
+  }
+
+  [[nodiscard]] CalibrationResult calibrated(const CalibrationOptions& options = {}) const {
+    return calibrate(model.structure, model.to_find, model.response, levels, options);
+  }
+
+  [[nodiscard]] const std::vector<double>& of_joint(const std::string& what,
+                                                    std::size_t joint) const {
+    return truth[what + "_joint" + std::to_string(joint + 1) +
+                 (what == "amplitude" ? " [m]" : " [J]")];
+  }
+
+  /// Largest relative error of a joint's amplitude.
+  [[nodiscard]] double amplitude_error(const CalibrationResult& found, std::size_t joint) const {
+    double worst = 0.0;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      const double error =
+          found.levels[i].joints[joint].amplitude / of_joint("amplitude", joint)[i] - 1.0;
+      worst = std::max(worst, std::abs(error));
+    }
+    return worst;
+  }
+
+  /// Largest relative error of a joint's D where its share of the loss is above `share`.
+  [[nodiscard]] double loss_error(const CalibrationResult& found, std::size_t joint,
+                                  double share) const {
+    double worst = 0.0;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      const double own = of_joint("dissipation", joint)[i];
+      const double all = of_joint("dissipation", 0)[i] + of_joint("dissipation", 1)[i];
+      if (own < share * all) continue;
+      worst = std::max(worst, std::abs(found.levels[i].joints[joint].dissipation.mean / own - 1.0));
+    }
+    return worst;
+  }
+
+  [[nodiscard]] double true_density(std::size_t joint, double x) const {
+    const Joint true_joint =
+        read_joint(kFolder + "truth_joint" + std::to_string(joint + 1) + ".json").joint;
+    const double k = true_joint.stiffness();
+    return k * k * true_joint.density().density(k * x);
+  }
+
+  /// Relative L2 error of ψ over 5 to 90 % of the range of amplitudes, and the share of it that the
+  /// band holds.
+  [[nodiscard]] std::pair<double, double> density(const CalibratedJoint& found,
+                                                  std::size_t joint) const {
+    const double reach = std::ranges::max(of_joint("amplitude", joint));
+    double square = 0.0;
+    double size = 0.0;
+    double held = 0.0;
+    double knots = 0.0;
+    for (std::size_t i = 0; i < found.slip_displacement.size(); ++i) {
+      const double x = found.slip_displacement[i];
+      if (x < 0.05 * reach || x > 0.9 * reach) continue;
+      const double truth_here = true_density(joint, x);
+      square += std::pow(found.density[i] - truth_here, 2);
+      size += truth_here * truth_here;
+      held += truth_here >= found.lower[i] && truth_here <= found.upper[i] ? 1.0 : 0.0;
+      knots += 1.0;
+    }
+    return {std::sqrt(square / size), held / knots};
+  }
+};
+
+void expect_found(const TwoJoints& test, const CalibrationResult& found, double most_loss) {
+  ASSERT_TRUE(found.summary.converged()) << found.summary.reason;
+  EXPECT_TRUE(found.warnings.empty()) << found.warnings.front().text;
+  for (std::size_t joint = 0; joint < 2; ++joint) {
+    EXPECT_LT(test.amplitude_error(found, joint), 0.005) << joint;
+    // Where a joint has a tenth of the loss or more: 0.5 % of noise on the sum are 5 % of it there.
+    EXPECT_LT(test.loss_error(found, joint, 0.1), most_loss) << joint;
+    const auto [error, held] = test.density(found.joints[joint], joint);
+    EXPECT_LT(error, 0.04) << joint;
+    EXPECT_GE(held, 0.9) << joint;
+  }
+}
+
+TEST(TwoJointsFromModalLevels, AreFoundByTheDrivePointAlone) {
+  MICROSLIP_OF_RELEASE_ALONE();
+  const TwoJoints test;
+  expect_found(test, test.calibrated(), 0.03);
+}
+
+TEST(TwoJointsFromModalLevels, AreFoundWithoutFrequencies) {
+  MICROSLIP_OF_RELEASE_ALONE();
+  const TwoJoints test;
+  expect_found(test, test.calibrated({.frequency = FrequencyUse::kIgnore}), 0.04);
+}
+
+// k, which frequencies tell: within its band, of some 2e-4.
+TEST(TwoJointsFromModalLevels, TheirStiffnessesAreFoundToo) {
+  MICROSLIP_OF_RELEASE_ALONE();
+  const TwoJoints test;
+  const CalibrationResult found =
+      test.calibrated({.frequency = FrequencyUse::kAbsolute, .fit_stiffness = true});
+  expect_found(test, found, 0.03);
+  EXPECT_NEAR(found.joints[0].stiffness.mean, 9e5, 1e-3 * 9e5);
+  EXPECT_NEAR(found.joints[1].stiffness.mean, 5e5, 1e-3 * 5e5);
+}
+
+// Shapes of the stuck structure are wrong by up to 30 % in the displacement of a joint; densities found
+// with them by more than all.
+TEST(TwoJointsFromModalLevels, StuckShapesAreWrongByWhatTheyAreWrongBy) {
+  MICROSLIP_OF_RELEASE_ALONE();
+  const TwoJoints test;
+  const CalibrationResult found =
+      test.calibrated({.frequency = FrequencyUse::kIgnore, .stuck_shapes = true});
+  EXPECT_GT(test.density(found.joints[0], 0).first, 0.5);
+  EXPECT_TRUE(std::ranges::any_of(
+      found.warnings, [](const Warning& warning) { return warning.code == "scatter_large"; }));
+}
+
+// A sensor across each joint: its amplitude is taken in place of the model's.
+TEST(TwoJointsFromModalLevels, TakesAmplitudesOfSensors) {
+  MICROSLIP_OF_RELEASE_ALONE();
+  TwoJoints test;
+  for (std::size_t joint = 0; joint < 2; ++joint) {
+    test.levels.joints.push_back({.name = "joint" + std::to_string(joint + 1),
+                                  .amplitude = test.of_joint("amplitude", joint)});
+  }
+  expect_found(test, test.calibrated(), 0.03);
+}
+
+// The same levels as damping ratios, structure included: of one mode ζ = (W_lin + ΣD)/(2πω²Σq²).
+TEST(TwoJointsFromModalLevels, AreFoundFromDampingRatios) {
+  MICROSLIP_OF_RELEASE_ALONE();
+  TwoJoints test;
+  const CalibrationResult by_energy = test.calibrated();
+  for (std::size_t i = 0; i < test.levels.size(); ++i) {
+    const CalibratedLevel& level = by_energy.levels[i];
+    test.levels.damping_ratio.push_back(level.damping_ratio);
+    test.levels.damping_ratio_std.push_back(0.005 * level.damping_ratio);
+  }
+  test.levels.dissipation.clear();
+  test.levels.dissipation_std.clear();
+  const CalibrationResult found = test.calibrated();
+  ASSERT_TRUE(found.summary.converged()) << found.summary.reason;
+  for (std::size_t joint = 0; joint < 2; ++joint) {
+    EXPECT_LT(test.amplitude_error(found, joint), 0.005) << joint;
+    // 0.5 % of ζ, of which the structure has up to nine tenths, are several times as much of D.
+    EXPECT_LT(test.density(found.joints[joint], joint).first, 0.12) << joint;
+  }
+}
+
+}  // namespace
+}  // namespace microslip::two_joints_test

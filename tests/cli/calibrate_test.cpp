@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "cli/run_program.hpp"
+#include "microslip/io/csv.hpp"
+#include "microslip/io/joint_file.hpp"
+#include "microslip/io/joint_samples_file.hpp"
+
+namespace microslip::cli_test::calibrate_test {
+namespace {
+
+const std::string kFolder = MICROSLIP_TEST_DATA "/two_joints/";
+
+std::string edited(std::string text, const std::string& before, const std::string& after) {
+  const std::size_t at = text.find(before);
+  EXPECT_NE(at, std::string::npos) << before;
+  return text.replace(at, before.size(), after);
+}
+
+Sandbox two_joints() {
+  return Sandbox{{"model.toml", test::get(kFolder + "model.toml")},
+                 {"levels.csv", test::get(kFolder + "modal_levels.csv")},
+                 {"truth_joint2.json", test::get(kFolder + "truth_joint2.json")}};
+}
+
+const Arguments kCall{"calibrate", "model.toml", "levels.csv", "--samples",
+                      "100",       "--out",      "found"};
+
+// The folder predicts what was measured: the backbone of its model has the frequencies of the truth.
+TEST(calibrate, WritesAFolderThatPredicts) {
+  const Sandbox box = two_joints();
+  const Outcome run = expect_done(box, with(kCall, {"--keep-samples"}));
+  for (const std::string part : {"75 of 1 file", "joint1", "joint2", "known to"}) {
+    EXPECT_NE(run.out.find(part), std::string::npos) << part << " in:\n" << run.out;
+  }
+  const CsvTable calibration(box.get("found/calibration.csv"), "calibration.csv");
+  EXPECT_EQ(calibration.rows(), 75U);
+  for (const double residual : calibration.numbers("residual", kDimensionless)) {
+    EXPECT_LT(std::abs(residual), 5.0);
+  }
+  const CsvTable told(box.get("found/identifiability.csv"), "identifiability.csv");
+  EXPECT_GT(std::ranges::max(told.numbers("told", kDimensionless)), 0.9);
+
+  const JointFile joint = parse_joint(box.get("found/joint2.json"), "joint2.json");
+  EXPECT_EQ(joint.joint.stiffness(), 5e5);
+  ASSERT_TRUE(joint.provenance.has_value());
+  EXPECT_EQ(joint.provenance->inputs.size(), 2U);
+  EXPECT_NEAR(covered_to(joint).value(), 5e5 * 2.173e-4, 1.0);  // largest amplitude of the truth
+  const JointSamples samples = read_joint_samples(box.file("found/joint2_samples.h5"));
+  EXPECT_EQ(samples.size(), 100U);
+
+  expect_done(
+      box, {"backbone", "found/model.toml", "--response", "1.043e-4:1.044e-4:2", "--out", "b.csv"});
+  const CsvTable curve(box.get("b.csv"), "b.csv");
+  const CsvTable truth(test::get(kFolder + "truth.csv"), "truth.csv");
+  EXPECT_NEAR(curve.numbers("frequency", kFrequency)[0], 32.4, 0.5);
+}
+
+TEST(calibrate, WritesTheSameBytesAgain) {
+  const Sandbox box = two_joints();
+  expect_done(box, kCall);
+  const std::string first = box.get("found/joint1.json");
+  expect_done(box, kCall);
+  EXPECT_EQ(box.get("found/joint1.json"), first);
+}
+
+// A joint with a file is known: it is used, named from the new folder, and not written.
+TEST(calibrate, UsesAJointThatIsKnown) {
+  const Sandbox box = two_joints();
+  box.put("model.toml", edited(box.get("model.toml"), "stiffness_N_per_m = 500000\n",
+                               "file = \"truth_joint2.json\"\n"));
+  expect_done(box, kCall);
+  EXPECT_FALSE(box.has("found/joint2.json"));
+  EXPECT_NE(box.get("found/model.toml").find("file = \"../truth_joint2.json\""), std::string::npos);
+  expect_done(box, {"backbone", "found/model.toml", "--response", "1e-5:2e-5:2", "--out", "b.csv"});
+}
+
+TEST(calibrate, NamesWhatIsWrong) {
+  const std::string model = test::get(kFolder + "model.toml");
+  const std::string levels = test::get(kFolder + "modal_levels.csv");
+  const auto expect = [&](const std::string& part, const std::string& model_text,
+                          const std::string& levels_text, const Arguments& more = {}) {
+    const Sandbox box{{"model.toml", model_text},
+                      {"levels.csv", levels_text},
+                      {"truth_joint2.json", test::get(kFolder + "truth_joint2.json")}};
+    expect_refused(box, with(kCall, more), {part});
+  };
+  expect("a mode of the model, from 1 to 6", model, edited(levels, "\n1,", "\n7,"));
+  expect("file", edited(model, "stiffness_N_per_m = 900000\n", ""), levels);
+  expect("must differ from joint[0].name", edited(model, "\"joint2\"", "\"joint1\""), levels);
+  expect("must be usable as the name of a file", edited(model, "\"joint2\"", "\"a/b\""), levels);
+  expect("must be absolute to find stiffnesses", model, levels, {"--stiffness", "fit"});
+  expect("--samples", model, levels, {"--samples", "10"});
+  expect("--harmonics", model, levels, {"--harmonics", "0"});
+  std::string known =
+      edited(model, "stiffness_N_per_m = 500000\n", "file = \"truth_joint2.json\"\n");
+  known = edited(known, "stiffness_N_per_m = 900000\n", "file = \"truth_joint2.json\"\n");
+  expect("joints to find is none", known, levels);
+}
+
+// What a prediction needs is there, or it says what to do.
+TEST(calibrate, APredictionRefusesJointsThatAreToBeFound) {
+  const Sandbox box = two_joints();
+  const Outcome run =
+      box.run({"backbone", "model.toml", "--response", "1e-5:2e-5:2", "--out", "b.csv"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.err.find("Find it first, by calibrate"), std::string::npos) << run.err;
+}
+
+}  // namespace
+}  // namespace microslip::cli_test::calibrate_test
