@@ -36,7 +36,6 @@ FrequencyUse frequency_use(const std::string& text) {
   return text == "ignore" ? FrequencyUse::kIgnore : FrequencyUse::kChange;
 }
 
-/// Stiffnesses are told by the frequencies themselves: asked for, they are taken so.
 CalibrationOptions library_options(const CalibrateArguments& arguments, bool quiet) {
   constexpr std::uint64_t kFewestDraws = 100;
   constexpr std::uint64_t kMostDraws = 100'000;  // more memory than use
@@ -55,9 +54,8 @@ CalibrationOptions library_options(const CalibrateArguments& arguments, bool qui
   return options;
 }
 
-void check_planned(const ModelCalibration& calibration) {
+void check_planned(const std::vector<ResultFile>& files) {
   std::vector<PlannedOutput> outputs;
-  const std::vector<ResultFile> files = planned_files(calibration);
   outputs.reserve(files.size());
   for (const ResultFile& file : files) outputs.push_back({file.path, file.kind});
   check_outputs(outputs);
@@ -68,9 +66,10 @@ int run(const CalibrateArguments& arguments, const Call& call) {
   calibration.options = library_options(arguments, call.quiet);
   calibration.options.check();
   calibration.command = call.command_line;
+  const std::vector<ResultFile> planned = planned_files(calibration);
   OutputFolders folders;
   folders.make(calibration.out);
-  check_planned(calibration);
+  check_planned(planned);
   const CalibratedModel done = calibrate_model(calibration);
   OutputFiles outputs;
   for (const ResultFile& file : done.files) outputs.add(file.path, file.content);

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -21,9 +23,20 @@ std::string edited(std::string text, const std::string& before, const std::strin
   return text.replace(at, before.size(), after);
 }
 
+/// A table of fewer levels, of each mode.
+std::string every_third_row(const std::string& table) {
+  std::istringstream lines(table);
+  std::string result;
+  std::size_t number = 0;
+  for (std::string line; std::getline(lines, line); ++number) {
+    if (number == 0 || number % 3 == 1) result += line + "\n";
+  }
+  return result;
+}
+
 Sandbox two_joints() {
   return Sandbox{{"model.toml", test::get(kFolder + "model.toml")},
-                 {"levels.csv", test::get(kFolder + "modal_levels.csv")},
+                 {"levels.csv", every_third_row(test::get(kFolder + "modal_levels.csv"))},
                  {"truth_joint2.json", test::get(kFolder + "truth_joint2.json")}};
 }
 
@@ -34,11 +47,11 @@ const Arguments kCall{"calibrate", "model.toml", "levels.csv", "--samples",
 TEST(calibrate, WritesAFolderThatPredicts) {
   const Sandbox box = two_joints();
   const Outcome run = expect_done(box, with(kCall, {"--keep-samples"}));
-  for (const std::string part : {"75 of 1 file", "joint1", "joint2", "known to"}) {
+  for (const std::string part : {"25 of 1 file", "joint1", "joint2", "known to"}) {
     EXPECT_NE(run.out.find(part), std::string::npos) << part << " in:\n" << run.out;
   }
   const CsvTable calibration(box.get("found/calibration.csv"), "calibration.csv");
-  EXPECT_EQ(calibration.rows(), 75U);
+  EXPECT_EQ(calibration.rows(), 25U);
   for (const double residual : calibration.numbers("residual", kDimensionless)) {
     EXPECT_LT(std::abs(residual), 5.0);
   }

@@ -20,6 +20,9 @@ namespace {
 
 constexpr int kFewestCoefficients = 10;
 constexpr std::size_t kFewestDraws = 100;
+/// Of the frequency of a level over that of its mode with all joints stuck.
+constexpr double kLeastFrequencyRatio = 0.2;
+constexpr double kMostFrequencyRatio = 2.0;
 /// For the progress: as many passes are usual.
 constexpr std::size_t kUsualPasses = 40;
 
@@ -58,6 +61,23 @@ void check_levels_of(const JointedStructure& structure, const std::vector<std::s
       continue;
     }
     throw InputError("joint of the levels", measured.name, "must be the name of one in the model");
+  }
+}
+
+/// A resonance far from that of its mode is of another one, or in another unit.
+void check_frequencies(const JointedStructure& structure, const ModalLevels& levels) {
+  const std::vector<double> stuck = structure.stuck_frequencies();
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const double frequency = ModalLevels::value(levels.frequency, i);
+    const double expected = stuck[levels.mode[i]] / (2.0 * std::numbers::pi);
+    const double ratio = frequency / expected;
+    if (std::isnan(frequency) || (ratio > kLeastFrequencyRatio && ratio < kMostFrequencyRatio)) {
+      continue;
+    }
+    throw InputError(fmt::format("frequency of level {}", i + 1), frequency,
+                     fmt::format("must be near that of mode {} with all joints stuck, {:.5g} Hz",
+                                 levels.mode[i] + 1, expected),
+                     "Check the number of the mode, the unit and the model.");
   }
 }
 
@@ -150,8 +170,15 @@ CalibrationResult calibrate(const JointedStructure& structure,
   check_sought(structure, sought);
   check_levels_of(structure, sought, levels);
   check_motion(structure, sought, levels);
+  check_frequencies(structure, levels);
   const CalibrationEvidence evidence = evidence_of(structure, levels, options);
   LevelStates states(structure, response, options.balance, levels, options.execution);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    if (states.shows(levels.mode[i])) continue;
+    throw InputError(
+        fmt::format("mode of level {}", i + 1), static_cast<double>(levels.mode[i] + 1),
+        "must be one that moves the response point", "Measure elsewhere, or leave the mode out.");
+  }
   GrowingRange range(evidence, sought, options, states);
 
   std::size_t done = 0;

@@ -3,8 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "microslip/base/execution.hpp"
@@ -92,7 +92,7 @@ struct JointPair {
   std::size_t first = 0;         ///< among the joints found
   std::size_t second = 0;        ///< among the joints found
   double correlation = 0.0;      ///< of their D over the draws, median of the levels, 1
-  double spread_alone = 0.0;     ///< of D of the less known, relative, median of the levels, 1
+  double spread_alone = 0.0;     ///< of D of the better known, relative, median of the levels, 1
   double spread_together = 0.0;  ///< of the sum of both, likewise
   /// The sum is known some times better than either: only that is to be believed.
   bool known_only_together = false;
@@ -103,8 +103,10 @@ struct CalibrationResult {
   std::vector<CalibratedJoint> joints = {};  ///< those that were sought, in the structure's order
   std::vector<CalibratedLevel> levels = {};  ///< in the order given
   std::vector<JointPair> pairs = {};         ///< every two joints found
-  /// What the structure's frequency is off by in each mode, relative; 0 where it is not looked
-  /// for, NaN for modes without frequencies.
+  /// Of three joints found and more: those whose loss is known far less well than that of all.
+  std::vector<std::size_t> known_in_sum = {};
+  /// What frequencies are off by in each mode, relative, the mean of its levels; NaN for
+  /// modes without frequencies.
   std::vector<double> frequency_offset = {};
   double loss_scatter = 0.0;           ///< of the losses: over σ where given, else relative
   double frequency_scatter = 0.0;      ///< of the frequencies, likewise; 0 without
@@ -150,6 +152,8 @@ inline constexpr std::size_t kFewestModalLevels = 4;
 ///   * `known_only_together`   two joints work alike in all levels;
 ///   * `joint_not_seen`        the levels tell next to nothing of a joint;
 ///   * `frequency_offset`      the modes of the structure are off by more than joints explain;
+///   * `frequency_unexplained` frequencies scatter about those of the joints found more than they
+///                             are known;
 ///   * `scatter_large`         losses scatter about what was found more than a usable measurement,
 ///                             or than was said;
 ///   * `std_ignored`           standard deviations that not every level has;

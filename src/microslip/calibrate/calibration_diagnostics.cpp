@@ -19,6 +19,8 @@ constexpr double kLargeOffset = 0.01;
 /// Scatter of losses: relative, and over the deviations that were told.
 constexpr double kLargeScatter = 0.15;
 constexpr double kLargeScatterRatio = 3.0;
+/// Of frequencies, relative: softening of joints is known better than that.
+constexpr double kLargeFrequencyScatter = 5e-4;
 /// A sensor and the structure may differ by this share of the amplitude.
 constexpr double kSensorShare = 0.1;
 
@@ -52,6 +54,19 @@ void warn_of_pairs(const CalibrationResult& result, std::vector<Warning>& warnin
   }
 }
 
+void warn_of_groups(const CalibrationResult& result, std::vector<Warning>& warnings) {
+  if (result.known_in_sum.size() < 2) return;
+  std::string names;
+  for (const std::size_t joint : result.known_in_sum) {
+    names += (names.empty() ? "" : ", ") + result.joints[joint].name;
+  }
+  warnings.push_back({"known_only_together",
+                      fmt::format("{} are known only together: the loss of all joints is known far "
+                                  "better than that of each of them. Measure modes in which they "
+                                  "work differently, or their displacements.",
+                                  names)});
+}
+
 void warn_of_unseen(const CalibrationResult& result, std::vector<Warning>& warnings) {
   for (const CalibratedJoint& joint : result.joints) {
     const double most = std::ranges::max(joint.told);
@@ -71,23 +86,54 @@ void warn_of_offsets(const CalibrationResult& result, std::vector<Warning>& warn
     warnings.push_back({"frequency_offset",
                         fmt::format("mode {} was measured {:+.2f} % from where the structure has "
                                     "it: displacements of the joints rest on its shapes. Correct "
-                                    "the model, or the stiffness of the joints.",
+                                    "the model, the stiffness of the joints, or what of it is in "
+                                    "the modes (spring_in_modes).",
                                     m + 1, 100.0 * offset)});
   }
+}
+
+/// "level 3 has 10 times the loss found".
+std::string worst_level(const CalibrationResult& result) {
+  double worst = 0.0;
+  std::size_t where = 0;
+  double ratio = 1.0;
+  for (std::size_t i = 0; i < result.levels.size(); ++i) {
+    const CalibratedLevel& level = result.levels[i];
+    const double over = level.measured_dissipation / level.dissipation;
+    if (!level.found || !(over > 0.0) || !(std::abs(std::log(over)) > worst)) continue;
+    worst = std::abs(std::log(over));
+    where = i;
+    ratio = over;
+  }
+  return fmt::format("level {} has {:.3g} times the loss found", where + 1, ratio);
 }
 
 void warn_of_scatter(const CalibrationResult& result, std::vector<Warning>& warnings) {
   const double scatter = result.loss_scatter;
   if (result.loss_std_given && scatter > kLargeScatterRatio) {
     warnings.push_back(
-        {"scatter_large", fmt::format("losses scatter {:.1f} times as much as their standard "
-                                      "deviations say: these are too small, or the model does not "
-                                      "hold.",
-                                      scatter)});
+        {"scatter_large", fmt::format("losses scatter {:.3g} times as much as their standard "
+                                      "deviations say ({}): these are too small, or the model does "
+                                      "not hold.",
+                                      scatter, worst_level(result))});
   } else if (!result.loss_std_given && scatter > kLargeScatter) {
-    warnings.push_back({"scatter_large", fmt::format("losses scatter by {} about those found.",
-                                                     percent_text(scatter))});
+    warnings.push_back({"scatter_large", fmt::format("losses scatter by {} about those found: {}.",
+                                                     percent_text(scatter), worst_level(result))});
   }
+}
+
+void warn_of_frequencies(const CalibrationResult& result, std::vector<Warning>& warnings) {
+  const double scatter = result.frequency_scatter;
+  const double most = result.frequency_std_given ? kLargeScatterRatio : kLargeFrequencyScatter;
+  if (!(scatter > most)) return;
+  warnings.push_back(
+      {"frequency_unexplained",
+       fmt::format("frequencies are off those of the joints found by {}: a gain of the "
+                   "displacements, the model, or a load that changed. What was found rests on the "
+                   "losses alone then.",
+                   result.frequency_std_given
+                       ? fmt::format("{:.3g} times their standard deviations", scatter)
+                       : percent_text(scatter))});
 }
 
 bool some_positive(const std::vector<double>& values) {
@@ -127,11 +173,13 @@ void warn_of_sensors(const CalibrationResult& result, const ModalLevels& levels,
       where = i;
     }
     if (std::abs(worst) < kSensorShare) continue;
-    warnings.push_back({"sensor_contradicts",
-                        fmt::format("the sensor of {} shows {:+.0f} % more than the structure has "
-                                    "with the joints found, at level {}: check its gain and the "
-                                    "shape of the joint.",
-                                    joint.name, 100.0 * worst, where + 1)});
+    warnings.push_back(
+        {"sensor_contradicts",
+         fmt::format("the sensor of {} shows {:.0f} % {} than the structure has with "
+                     "the joints found, at level {}: check its gain and the shape "
+                     "of the joint.",
+                     joint.name, 100.0 * std::abs(worst), worst > 0.0 ? "more" : "less",
+                     where + 1)});
   }
 }
 
@@ -141,8 +189,10 @@ std::vector<Warning> diagnose(const CalibrationResult& result, const ModalLevels
   std::vector<Warning> warnings;
   warn_of_missing(result, warnings);
   warn_of_pairs(result, warnings);
+  warn_of_groups(result, warnings);
   warn_of_unseen(result, warnings);
   warn_of_offsets(result, warnings);
+  warn_of_frequencies(result, warnings);
   warn_of_scatter(result, warnings);
   warn_of_std(result, levels, warnings);
   warn_of_sensors(result, levels, warnings);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -44,7 +43,7 @@ Eigen::VectorXd mean_of(const std::vector<Eigen::VectorXd>& draws) {
 Estimate band_of(std::vector<double> values, double confidence) {
   const double mean =
       std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-  const auto [lower, upper] = quantile_pair(values, confidence);
+  const auto [lower, upper] = quantile_pair_above_zero(values, confidence);
   return {mean, lower, upper};
 }
 
@@ -115,7 +114,7 @@ DensityBand band_of_density(const CalibratedJoint& joint, double confidence) {
       return interpolate(joint.slip_displacement, draw.density, at) /
              (draw.stiffness * draw.stiffness);
     });
-    const auto [lower, upper] = quantile_pair(values, confidence);
+    const auto [lower, upper] = quantile_pair_above_zero(values, confidence);
     band.lower.push_back(lower);
     band.upper.push_back(upper);
   }
@@ -158,6 +157,7 @@ void read_joints(const CalibrationEvidence& evidence, const CalibrationOptions& 
     read_bands(options.confidence, found, std::move(elastic));
     found.least_amplitude = std::numeric_limits<double>::infinity();
     for (std::size_t level = 0; level < evidence.levels.size(); ++level) {
+      if (!states.at(level)) continue;
       const double a = used_amplitude(evidence, states, level, index);
       found.least_amplitude = std::min(found.least_amplitude, a);
       found.largest_amplitude = std::max(found.largest_amplitude, a);
@@ -193,6 +193,14 @@ void read_vibration(const CalibrationEvidence& evidence, const LevelStates& stat
     told.dissipation += told.joints[j].dissipation.mean;
   }
   told.measured_dissipation = measured_loss(evidence.levels, level, vibration).value;
+  if (!std::isnan(told.measured_dissipation)) return;
+  told.measured_dissipation = 0.0;  // of the parts, or not a number where one is missing
+  for (const std::size_t column : evidence.column) {
+    told.measured_dissipation +=
+        column == CalibrationEvidence::kNone
+            ? std::numeric_limits<double>::quiet_NaN()
+            : ModalLevels::value(evidence.levels.joints[column].dissipation, level);
+  }
 }
 
 CalibratedLevel read_level(const CalibrationEvidence& evidence, const CalibratedState& state,
@@ -216,8 +224,11 @@ CalibratedLevel read_level(const CalibrationEvidence& evidence, const Calibrated
   for (std::size_t j = 0; j < losses.size(); ++j) {
     JointAtLevel& joint = told.joints[state.unknowns.index(j)];
     const Estimate band = band_of(losses[j], options.confidence);
-    joint.dissipation.lower = band.lower;
-    joint.dissipation.upper = band.upper;
+    const StructuralJoint& placed = states.structure().joints()[state.unknowns.index(j)];
+    const double a = used_amplitude(evidence, states, level, state.unknowns.index(j));
+    const double beside = placed.linear_damping * a * a;
+    joint.dissipation.lower = band.lower + beside;
+    joint.dissipation.upper = band.upper + beside;
   }
   if (states.at(level)) read_vibration(evidence, states, level, told);
   return told;
@@ -276,6 +287,30 @@ void read_pairs(const std::vector<std::vector<std::vector<double>>>& losses,
                                  pair.spread_alone > kTogetherRatio * pair.spread_together;
       result.pairs.push_back(pair);
     }
+  }
+}
+
+/// Of three and more joints that work alike no pair is known together, as the others take the
+/// rest: each against the sum of all.
+void read_groups(const std::vector<std::vector<std::vector<double>>>& losses,
+                 CalibrationResult& result) {
+  for (std::size_t joint = 0; joint < result.joints.size(); ++joint) {
+    std::vector<double> alone;
+    std::vector<double> together;
+    for (const auto& level : losses) {
+      std::vector<double> sum(level[joint].size(), 0.0);
+      for (const std::vector<double>& values : level) {
+        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += values[i];
+      }
+      const Moments m = moments_of(level[joint], sum);
+      if (!(m.mean_first > 0.0)) continue;
+      alone.push_back(m.first / m.mean_first);
+      together.push_back(m.second / m.mean_second);
+    }
+    if (alone.empty()) continue;
+    const double spread = median(std::move(alone));
+    if (spread < kKnownAlone || spread < kTogetherRatio * median(std::move(together))) continue;
+    result.known_in_sum.push_back(joint);
   }
 }
 
@@ -341,7 +376,7 @@ void read_calibration(const CalibrationEvidence& evidence, const CalibrationOpti
   result.loss_std_given = evidence.loss_std_given;
   result.frequency_std_given = evidence.frequency_std_given;
   result.loss_scatter = state.settled.weights.of(RowKind::kLoss);
-  result.frequency_scatter = state.evidence.of(RowKind::kFrequency).data.size() > 0
+  result.frequency_scatter = state.evidence.of(RowKind::kFrequency).tells()
                                  ? state.settled.weights.of(RowKind::kFrequency)
                                  : 0.0;
   result.edf = state.settled.edf;
@@ -353,6 +388,7 @@ void read_calibration(const CalibrationEvidence& evidence, const CalibrationOpti
     result.levels.push_back(read_level(evidence, state, losses.back(), options, states, level));
   }
   read_pairs(losses, result);
+  if (result.joints.size() > 2) read_groups(losses, result);
   read_offsets(evidence, states, result);
   read_residuals(evidence, states, result);
 }

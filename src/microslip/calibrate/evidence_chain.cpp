@@ -17,33 +17,19 @@ constexpr double kSmoothingRange = 1e3;
 constexpr std::size_t kForgottenShare = 5;
 /// Where a coefficient starts that lies on its limit, in standard deviations without the limits.
 constexpr double kInside = 1e-3;
-/// A trajectory of the prior ends here at the latest: its variance needs no more.
-constexpr int kMostReflections = 1000;
+/// Where a trajectory of the prior ends at the latest: it hardly ever has a hundredth of them.
+constexpr int kMostReflections = 20'000;
 
 LinearLimits non_negative(Eigen::Index size) { return {size, Eigen::VectorXd::Zero(size)}; }
 
-/// Known stiffnesses count with the losses: at their deviation what τ of these is does not matter.
-ChainRows loss_rows(const LinearEvidence& evidence, double least) {
-  const WeightedRows& losses = evidence.of(RowKind::kLoss);
-  const WeightedRows& known = evidence.of(RowKind::kStiffness);
-  ChainRows rows;
-  rows.design.resize(losses.design.rows() + known.design.rows(), evidence.size());
-  rows.design << losses.design, known.design;
-  rows.data.resize(rows.design.rows());
-  rows.data << losses.data, known.data;
-  rows.count = losses.count() + static_cast<double>(known.data.size());
-  rows.least_scale = least;
-  return rows;
-}
-
-ChainRows frequency_rows(const LinearEvidence& evidence, double least) {
-  const WeightedRows& frequencies = evidence.of(RowKind::kFrequency);
-  ChainRows rows;
-  rows.design = frequencies.design;
-  rows.data = frequencies.data;
-  rows.count = frequencies.count();
-  rows.least_scale = least;
-  return rows;
+ChainRows chain_rows(const LinearEvidence& evidence, RowKind kind, double least) {
+  const WeightedRows& rows = evidence.of(kind);
+  return {.design = rows.design,
+          .data = rows.data,
+          .shift = {},
+          .count = rows.count(),
+          .least_scale = least,
+          .scale_known = kind == RowKind::kStiffness};
 }
 
 Eigen::MatrixXd settled_penalty(const LinearEvidence& evidence, const SettledEvidence& settled) {
@@ -66,16 +52,16 @@ void draw_evidence(const NormalEquations& equations, const SettledEvidence& sett
                    const std::array<double, kRowKinds.size()>& least, const ChainLength& length,
                    const std::function<void(const Eigen::VectorXd&)>& keep) {
   const LinearEvidence& evidence = equations.evidence();
-  const auto least_of = [&](RowKind kind) { return least[static_cast<std::size_t>(kind)]; };
-  ChainTarget target{.rows = {loss_rows(evidence, least_of(RowKind::kLoss))},
+  ChainTarget target{.rows = {},
                      .penalty = settled_penalty(evidence, settled),
                      .limits = non_negative(evidence.size()),
                      .least_lambda = 1.0 / kSmoothingRange,
                      .most_lambda = kSmoothingRange};
-  ChainStart start{settled.x, 1.0, {settled.weights.of(RowKind::kLoss)}};
-  if (evidence.of(RowKind::kFrequency).data.size() > 0) {
-    target.rows.push_back(frequency_rows(evidence, least_of(RowKind::kFrequency)));
-    start.scale.push_back(settled.weights.of(RowKind::kFrequency));
+  ChainStart start{settled.x, 1.0, {}};
+  for (const RowKind kind : kRowKinds) {
+    if (!evidence.of(kind).tells()) continue;
+    target.rows.push_back(chain_rows(evidence, kind, least[static_cast<std::size_t>(kind)]));
+    start.scale.push_back(settled.weights.of(kind));
   }
   PosteriorChain chain(target, std::move(start));
   RandomStream random(length.seed, 0);

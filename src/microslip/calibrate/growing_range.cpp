@@ -6,8 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
+
+#include "microslip/base/error.hpp"
 
 namespace microslip {
 namespace {
@@ -32,10 +36,10 @@ constexpr int kPassesOfWeights = 8;
 constexpr double kSmallestChange = 1e-5;
 /// χ₀ that are tried beside 0, and what their −2 ln likelihood must gain, as for records.
 constexpr std::array kTriedExponents = {-0.25, -0.5, -0.75};
+constexpr std::array kAllExponents = {0.0, -0.25, -0.5, -0.75};
 constexpr double kStrongEvidence = 6.0;
-/// Losses without a deviation scatter by this at least, relative: the basis follows them no
-/// further.
-constexpr double kLeastLossScatter = 1e-4;
+/// Losses without a deviation scatter by this at least, relative: few levels leave no residual.
+constexpr double kLeastLossScatter = 1e-3;
 /// The lowest amplitude that a basis is made for, over the largest.
 constexpr double kLeastRange = 1e-4;
 
@@ -74,9 +78,10 @@ GrowingRange::GrowingRange(CalibrationEvidence evidence, const std::vector<std::
       sought_(sought),
       options_(options),
       states_(states),
-      // Deviations of frequencies that were told are not made smaller: what is common to
-      // neighbouring levels does not show in their scatter.
-      least_{kLeastLossScatter, evidence_.frequency_std_given ? 1.0 : kLeastFrequencyScatter, 1.0},
+      // Deviations that were told are not made smaller: few levels leave no residual, and what is
+      // common to neighbouring ones does not show in it.
+      least_{evidence_.loss_std_given ? 1.0 : kLeastLossScatter,
+             evidence_.frequency_std_given ? 1.0 : kLeastFrequencyScatter, 1.0},
       all_(evidence_.levels.size()),
       exponents_(sought.size(), 0.0) {
   std::iota(all_.begin(), all_.end(), std::size_t{0});
@@ -93,6 +98,7 @@ AllUnknowns GrowingRange::unknowns(const std::vector<double>& exponents) const {
     double largest = 0.0;
     double least = std::numeric_limits<double>::infinity();
     for (const std::size_t level : all_) {
+      if (states_.missed(level)) continue;
       const double a = used_amplitude(evidence_, states_, level, sought_[j]);
       largest = std::max(largest, a);
       least = std::min(least, a);
@@ -177,6 +183,7 @@ std::vector<double> GrowingRange::amplitude_shares() const {
   for (const std::size_t joint : sought_) {
     double largest = 0.0;
     for (const std::size_t level : all_) {
+      if (states_.missed(level)) continue;
       largest = std::max(largest, used_amplitude(evidence_, states_, level, joint));
     }
     for (const std::size_t level : all_) {
@@ -207,30 +214,52 @@ CalibratedState GrowingRange::grow() {
   }
 }
 
-CalibratedState GrowingRange::choose_exponents(CalibratedState state) {
-  for (std::size_t j = 0; j < sought_.size(); ++j) {
-    const double without = state.settled.likelihood;
-    double best = without - kStrongEvidence;
-    const CalibratedState start = state;
-    for (const double tried : kTriedExponents) {
-      std::vector<double> exponents = exponents_;
-      exponents[j] = tried;
-      CalibratedState other = start;
-      for (int i = 0; i < kTrialPasses; ++i) other = pass(all_, &other, exponents);
-      if (other.settled.likelihood >= best) continue;
-      best = other.settled.likelihood;
-      exponents_[j] = tried;
-      state = std::move(other);
-    }
-  }
+/// Passes with exponents, from a state of other ones.
+CalibratedState GrowingRange::tried(const CalibratedState& start,
+                                    const std::vector<double>& exponents) {
+  CalibratedState state = start;
+  for (int i = 0; i < kTrialPasses; ++i) state = pass(all_, &state, exponents);
   return state;
 }
 
-std::vector<double> GrowingRange::amplitudes() const {
+/// Takes the exponents where they are much likelier than those in use.
+void GrowingRange::take_if_likelier(const CalibratedState& start,
+                                    const std::vector<double>& exponents, CalibratedState& best) {
+  CalibratedState other = tried(start, exponents);
+  if (other.found < best.found) return;
+  const double gain = exponents == exponents_ ? 0.0 : kStrongEvidence;
+  if (other.settled.likelihood + gain >= best.settled.likelihood) return;
+  best = std::move(other);
+  exponents_ = exponents;
+}
+
+// One for all joints first: joints that work alike would share the loss by the order in which theirs
+// are chosen.
+CalibratedState GrowingRange::choose_exponents(const CalibratedState& start) {
+  exponents_.assign(sought_.size(), 0.0);
+  CalibratedState best = tried(start, exponents_);
+  for (const double exponent : kTriedExponents) {
+    take_if_likelier(start, std::vector<double>(sought_.size(), exponent), best);
+  }
+  for (std::size_t j = 0; j < sought_.size() && sought_.size() > 1; ++j) {
+    const std::vector<double> others = exponents_;
+    for (const double exponent : kAllExponents) {
+      std::vector<double> exponents = others;
+      exponents[j] = exponent;
+      if (exponent != others[j]) take_if_likelier(start, exponents, best);
+    }
+  }
+  return best;
+}
+
+/// Frequency and displacements of the joints of each level; 0 where it was not found.
+std::vector<double> GrowingRange::vibrations() const {
   std::vector<double> all;
   for (const std::size_t level : all_) {
+    const bool found = states_.at(level).has_value();
+    all.push_back(found ? states_.at(level)->angular_frequency : 0.0);
     for (const std::size_t joint : sought_) {
-      all.push_back(states_.at(level) ? states_.amplitude(level, joint) : 0.0);
+      all.push_back(found ? states_.amplitude(level, joint) : 0.0);
     }
   }
   return all;
@@ -240,17 +269,21 @@ CalibratedState GrowingRange::converge(CalibratedState state) {
   summary_.method = "levels of several joints";
   keep_weights_ = false;
   for (int i = 0; i < kMostPasses; ++i) {
-    const std::vector<double> before = amplitudes();
+    const std::vector<double> before = vibrations();
     keep_weights_ = i >= kPassesOfWeights;
     state = pass(all_, &state, exponents_);
-    const std::vector<double> after = amplitudes();
+    const std::vector<double> after = vibrations();
     double change = 0.0;
     for (std::size_t k = 0; k < before.size(); ++k) {
-      if (before[k] > 0.0) change = std::max(change, std::abs(after[k] / before[k] - 1.0));
+      if (before[k] == after[k]) continue;
+      change = std::max(change, before[k] > 0.0 ? std::abs(after[k] / before[k] - 1.0) : 1.0);
     }
     summary_.residual = change;
     summary_.iterations = i + 1;
     if (change > kSmallestChange) continue;
+    read_optimality(state.settled.solution, "optimality conditions", summary_);
+    if (!state.settled.solution.optimal()) return state;
+    summary_.residual = change;
     summary_.stop = Stop::kConverged;
     summary_.reason = fmt::format("no displacement of a joint changes by more than {:.1e} of it",
                                   kSmallestChange);
@@ -264,7 +297,30 @@ CalibratedState GrowingRange::converge(CalibratedState state) {
   return state;
 }
 
-// Stiffnesses that are sought are found last: far from the joints frequencies would be taken for them.
+/// Who finds too few resonances knows nothing of the joints.
+void GrowingRange::require_levels(const CalibratedState& state) const {
+  const std::size_t fewest = kFewestModalLevels * sought_.size();
+  if (state.found >= fewest) return;
+  throw InputError("levels whose resonance the structure has", static_cast<double>(state.found),
+                   fmt::format("must be {} or more for {} joint{}", fewest, sought_.size(),
+                               sought_.size() == 1 ? "" : "s"),
+                   "Check the unit of the displacements, the numbers of the modes and the model.");
+}
+
+/// Damping ratios below those of the structure leave nothing to the joints.
+void GrowingRange::require_losses(const CalibratedState& state) const {
+  for (const std::size_t level : state.levels) {
+    if (!states_.at(level)) continue;
+    const double loss = measured_loss(evidence_.levels, level, *states_.at(level)).value;
+    if (!(loss <= 0.0)) return;
+  }
+  throw InputError("loss of the joints in all levels", InputState{"0 or less"},
+                   "must be above 0 in one of them",
+                   "Damping ratios must hold the loss of the structure, which the model has.");
+}
+
+// Stiffnesses that are sought are found last: far from the joints frequencies would be taken for
+// them. The exponents then are chosen anew, as a wrong stiffness asks for a wrong tail.
 CalibratedState GrowingRange::find(const std::function<void()>& tick) {
   tick_ = tick;
   const bool fit_stiffness = evidence_.fit_stiffness;
@@ -272,11 +328,23 @@ CalibratedState GrowingRange::find(const std::function<void()>& tick) {
     evidence_.fit_stiffness = false;
     evidence_.frequency = FrequencyUse::kChange;
   }
-  CalibratedState state = converge(choose_exponents(grow()));
+  CalibratedState state = grow();
+  require_levels(state);
+  require_losses(state);
+  state = converge(choose_exponents(state));
+  require_levels(state);
   if (!fit_stiffness) return state;
   evidence_.fit_stiffness = true;
   evidence_.frequency = FrequencyUse::kAbsolute;
-  return converge(pass(all_, &state, exponents_));
+  keep_weights_ = false;
+  return converge(choose_exponents(relinearised(state)));
+}
+
+/// The same joints in the terms of other evidence.
+CalibratedState GrowingRange::relinearised(const CalibratedState& state) {
+  CalibratedState anew = linear_about(all_, state.unknowns, state.settled.x);
+  anew.settled = settle_from_afar(NormalEquations(anew.evidence), least_);
+  return anew;
 }
 
 }  // namespace microslip

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -56,9 +57,16 @@ class GrowingRange {
   [[nodiscard]] AllUnknowns unknowns(const std::vector<double>& exponents) const;
   [[nodiscard]] std::vector<double> amplitude_shares() const;
   [[nodiscard]] CalibratedState grow();
-  [[nodiscard]] CalibratedState choose_exponents(CalibratedState state);
+  [[nodiscard]] CalibratedState tried(const CalibratedState& start,
+                                      const std::vector<double>& exponents);
+  void take_if_likelier(const CalibratedState& start, const std::vector<double>& exponents,
+                        CalibratedState& best);
+  [[nodiscard]] CalibratedState choose_exponents(const CalibratedState& start);
   [[nodiscard]] CalibratedState converge(CalibratedState state);
-  [[nodiscard]] std::vector<double> amplitudes() const;
+  [[nodiscard]] CalibratedState relinearised(const CalibratedState& state);
+  void require_levels(const CalibratedState& state) const;
+  void require_losses(const CalibratedState& state) const;
+  [[nodiscard]] std::vector<double> vibrations() const;
 
   CalibrationEvidence evidence_;
   const std::vector<std::size_t>& sought_;

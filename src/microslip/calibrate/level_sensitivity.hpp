@@ -23,8 +23,7 @@ struct LevelSensitivity {
 };
 
 /// The derivatives, with what κ itself changes as the amplitudes do. Higher harmonics are taken to
-/// follow, and shortening is left out: who iterates with it comes to the same place as with the
-/// exact one.
+/// follow, which is right to some thousandths, and shortening is left out.
 /// @param structure  with the joints that the vibration is of.
 /// @param response   the point whose displacement is kept.
 /// @param vibration  a resonance of it, in motion.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/calibrate/level_states.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <span>
@@ -9,6 +10,8 @@
 namespace microslip {
 namespace {
 
+/// A point that moves by less of what the modes could move it by stands still, to rounding.
+constexpr double kLeastMotion = 1e-9;
 /// Two shapes are of one mode where the modal assurance criterion of their first harmonics is above
 /// this; neighbouring levels differ by far less.
 constexpr double kLeastLikeness = 0.8;
@@ -46,7 +49,9 @@ std::vector<std::vector<double>> stuck_shapes(const JointedStructure& structure,
                                               const std::string& response) {
   std::vector<std::vector<double>> shapes;
   for (const std::vector<double>& q : stuck_modes(structure)) {
-    const double moved = std::abs(dot_product(structure.linear().shape(response), q));
+    const std::span<const double> seen = structure.linear().shape(response);
+    double moved = std::abs(dot_product(seen, q));
+    if (moved < kLeastMotion * std::sqrt(dot_product(seen, seen))) moved = 0.0;
     std::vector<double>& over = shapes.emplace_back();
     for (const StructuralJoint& joint : structure.joints()) {
       over.push_back(moved > 0.0 ? std::abs(dot_product(joint.shape, q)) / moved : 0.0);
@@ -63,14 +68,21 @@ LevelStates::LevelStates(JointedStructure structure, std::string response,
     : levels_(levels),
       execution_(std::move(execution)),
       balance_(std::move(structure), ResponsePoint{std::move(response)}, std::move(balance)),
-      stuck_mode_(stuck_modes(balance_.structure())),
-      stuck_frequency_(balance_.structure().stuck_frequencies()),
-      stuck_shape_(stuck_shapes(balance_.structure(), balance_.response().point)),
-      states_(levels.size()) {}
+      states_(levels.size()),
+      tried_(levels.size(), false) {
+  read_stuck();
+}
+
+void LevelStates::read_stuck() {
+  stuck_mode_ = stuck_modes(balance_.structure());
+  stuck_frequency_ = balance_.structure().stuck_frequencies();
+  stuck_shape_ = stuck_shapes(balance_.structure(), balance_.response().point);
+}
 
 void LevelStates::set_joints(const std::vector<Joint>& joints) {
   balance_ = HarmonicBalance(with_joints(balance_.structure(), joints), balance_.response(),
                              balance_.options());
+  read_stuck();
 }
 
 std::optional<std::size_t> LevelStates::nearest(std::size_t level) const {
@@ -137,7 +149,14 @@ std::optional<SteadyVibration> LevelStates::find(std::size_t level) const {
 void LevelStates::solve(const std::vector<std::size_t>& which) {
   std::vector<std::optional<SteadyVibration>> found(which.size());
   execution_.for_each(which.size(), [&](std::size_t i) { found[i] = find(which[i]); });
-  for (std::size_t i = 0; i < which.size(); ++i) states_[which[i]] = std::move(found[i]);
+  for (std::size_t i = 0; i < which.size(); ++i) {
+    states_[which[i]] = std::move(found[i]);
+    tried_[which[i]] = true;
+  }
+}
+
+bool LevelStates::shows(std::size_t mode) const {
+  return std::ranges::any_of(stuck_shape_[mode], [](double over) { return over > 0.0; });
 }
 
 double LevelStates::amplitude(std::size_t level, std::size_t joint) const {

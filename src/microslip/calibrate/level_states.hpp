@@ -34,7 +34,7 @@ class LevelStates {
   /// was measured. A level that was solved before starts from there, else from the nearest solved
   /// one of its mode, else from the stuck structure. One that is not found keeps nothing; another
   /// mode is not taken for it.
-  /// @param which  levels, by rising displacement.
+  /// @param which  levels.
   void solve(const std::vector<std::size_t>& which);
 
   [[nodiscard]] const JointedStructure& structure() const { return balance_.structure(); }
@@ -54,7 +54,15 @@ class LevelStates {
     return stuck_shape_[levels_.mode[level]][joint] * levels_.displacement[level];
   }
 
+  /// Whether a level was sought and not found: its displacement is none that the structure reaches
+  /// in its mode.
+  [[nodiscard]] bool missed(std::size_t level) const { return tried_[level] && !states_[level]; }
+
+  /// Whether the response point moves in a mode of the stuck structure.
+  [[nodiscard]] bool shows(std::size_t mode) const;
+
  private:
+  void read_stuck();
   [[nodiscard]] std::optional<SteadyVibration> find(std::size_t level) const;
   [[nodiscard]] std::optional<std::size_t> nearest(std::size_t level) const;
   [[nodiscard]] std::optional<std::size_t> below(std::size_t level) const;
@@ -67,6 +75,7 @@ class LevelStates {
   std::vector<double> stuck_frequency_;           // of each mode, rad/s
   std::vector<std::vector<double>> stuck_shape_;  // [mode][joint], over the response
   std::vector<std::optional<SteadyVibration>> states_;
+  std::vector<bool> tried_;
 };
 
 }  // namespace microslip

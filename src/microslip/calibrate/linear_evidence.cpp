@@ -13,7 +13,7 @@ namespace microslip {
 namespace {
 
 constexpr int kMostRounds = 60;
-/// Weights are settled where no λ changes by more, relative; the fit changes far less.
+/// Weights are settled where no λ and no τ changes by more, relative; the fit changes far less.
 constexpr double kSettledChange = 0.02;
 /// Where the search begins that knows nothing.
 constexpr std::array kFirstLambdas = {1e-4, 1e-1, 1e2};
@@ -118,8 +118,7 @@ SettledEvidence read_round(const Round& now, const EvidenceWeights& weights) {
   settled.weights = weights;
   settled.edf = now.edf(RowKind::kLoss) + now.edf(RowKind::kFrequency);
   settled.likelihood = now.likelihood();
-  settled.kkt_residual = now.solution().kkt_residual;
-  settled.optimal = now.solution().optimal();
+  settled.solution = now.solution();
   return settled;
 }
 
@@ -212,8 +211,10 @@ SettledEvidence settle(const NormalEquations& equations, EvidenceWeights weights
       weights.lambda[j] = next;
     }
     for (const RowKind kind : {RowKind::kLoss, RowKind::kFrequency}) {
-      if (equations.evidence().of(kind).data.size() == 0) continue;
-      weights.of(kind) = std::max(now.next_scatter(kind), least[static_cast<std::size_t>(kind)]);
+      if (!equations.evidence().of(kind).tells()) continue;
+      const double next = std::max(now.next_scatter(kind), least[static_cast<std::size_t>(kind)]);
+      change = std::max(change, std::abs(std::log(next / weights.of(kind))));
+      weights.of(kind) = next;
     }
     if (change < kSettledChange) break;
   }

@@ -5,6 +5,8 @@
 #include <array>
 #include <vector>
 
+#include "microslip/identify/quadratic_program.hpp"
+
 /// @file
 /// Levels about the joints as they are known so far, linear in what is sought, and how it is
 /// weighed. Internal to calibrate.
@@ -38,6 +40,8 @@ struct WeightedRows {
   double freedom_taken = 0.0;  ///< degrees of freedom that went into offsets
 
   [[nodiscard]] double count() const { return static_cast<double>(data.size()) - freedom_taken; }
+  /// Whether anything is left of them beside the offsets.
+  [[nodiscard]] bool tells() const { return count() > 0.5; }
 };
 
 /// ½ Σ ‖(A_k x − b_k)/τ_k‖² + ½ Σ λ_j ‖L_j x‖², x ≥ 0.
@@ -100,10 +104,9 @@ class NormalEquations {
 struct SettledEvidence {
   Eigen::VectorXd x;
   EvidenceWeights weights;
-  double edf = 0.0;         ///< effective degrees of freedom of the levels
-  double likelihood = 0.0;  ///< −2 log restricted likelihood, up to a constant
-  double kkt_residual = 0.0;
-  bool optimal = false;  ///< whether the optimality conditions hold
+  double edf = 0.0;                     ///< effective degrees of freedom of the levels
+  double likelihood = 0.0;              ///< −2 log restricted likelihood, up to a constant
+  QuadraticProgram::Solution solution;  ///< of x, with its optimality conditions
 };
 
 /// λ and τ by restricted likelihood on the coefficients that are not 0 [Wood & Fasiolo, Biometrics

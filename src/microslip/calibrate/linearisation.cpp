@@ -14,8 +14,8 @@ namespace {
 
 /// k that is to be found too is near what was given: what the levels say counts far more.
 constexpr double kSoughtStiffness = 0.5;
-/// A loss counts with a deviation of this share of the largest of its mode at least, where nobody
-/// says how much it scatters: what is lost in noise must not rule.
+/// A loss counts with a deviation of this share of the largest at least: what is next to nothing
+/// must not rule.
 constexpr double kLeastLoss = 1e-9;
 
 /// One row before it is weighed.
@@ -106,16 +106,15 @@ double sensor_share(const CalibrationEvidence& evidence, const LevelStates& stat
   return dissipation_slope(states.structure().joints()[joint].joint, a) * sigma;
 }
 
-/// The loss of single joints where every one is known, else that of all together.
+/// The loss of each joint that is known by itself, and that of all together where it is: the parts
+/// are often known far less well than their sum.
 void add_losses(const CalibrationEvidence& evidence, const AllUnknowns& unknowns,
                 const LevelStates& states, std::size_t level, const AnswersOfLevel& answers,
                 std::vector<Row>& rows) {
-  const std::size_t joints = states.structure().joints().size();
   double sum = 0.0;
   double variance = 0.0;
   Row together{Eigen::RowVectorXd::Zero(unknowns.size())};
-  std::vector<Row> single;
-  for (std::size_t j = 0; j < joints; ++j) {
+  for (std::size_t j = 0; j < states.structure().joints().size(); ++j) {
     double value = 0.0;
     Row row{answers.loss(j, value)};
     together.design += row.design;
@@ -127,17 +126,14 @@ void add_losses(const CalibrationEvidence& evidence, const AllUnknowns& unknowns
     row.data = measured - value;
     const double given = joint_entry(evidence, j, level, &JointLevels::dissipation_std);
     row.deviation = evidence.loss_std_given ? std::hypot(given, share) : std::max(value, measured);
-    single.push_back(std::move(row));
-  }
-  if (single.size() == joints) {
-    std::ranges::move(single, std::back_inserter(rows));
-    return;
+    rows.push_back(std::move(row));
   }
   const MeasuredLoss measured = measured_loss(evidence.levels, level, answers.vibration());
+  if (std::isnan(measured.value)) return;
   together.data = measured.value - sum;
   together.deviation = evidence.loss_std_given
                            ? std::sqrt(measured.deviation * measured.deviation + variance)
-                           : std::max(sum, measured.value);
+                           : std::max(sum, measured.scattered);
   rows.push_back(std::move(together));
 }
 
@@ -163,7 +159,7 @@ void centre_modes(const ModalLevels& levels, const std::vector<std::size_t>& whi
     for (std::size_t i = 0; i < which.size(); ++i) {
       if (levels.mode[which[i]] == m) of_mode.push_back(static_cast<Eigen::Index>(i));
     }
-    if (of_mode.empty()) continue;
+    if (of_mode.empty()) continue;  // a single one becomes nothing
     // 1/σ is what an offset of 1 makes of a row.
     Eigen::VectorXd offset(static_cast<Eigen::Index>(of_mode.size()));
     for (Eigen::Index i = 0; i < offset.size(); ++i) {
@@ -215,19 +211,21 @@ double CalibrationEvidence::measured_amplitude(std::size_t level, std::size_t jo
   return joint_entry(*this, joint, level, &JointLevels::amplitude);
 }
 
-// As add_losses() chooses: the losses of single joints where every one is known.
 bool loss_deviation_known(const CalibrationEvidence& evidence, std::size_t level) {
-  bool single = true;
-  bool known = true;
+  const auto missing = [](double value, double deviation) {
+    return !std::isnan(value) && !(deviation > 0.0);
+  };
   for (std::size_t j = 0; j < evidence.column.size(); ++j) {
-    single = single && !std::isnan(joint_entry(evidence, j, level, &JointLevels::dissipation));
-    known = known && joint_entry(evidence, j, level, &JointLevels::dissipation_std) > 0.0;
+    if (missing(joint_entry(evidence, j, level, &JointLevels::dissipation),
+                joint_entry(evidence, j, level, &JointLevels::dissipation_std))) {
+      return false;
+    }
   }
-  if (single) return known;
-  const bool by_energy = !std::isnan(ModalLevels::value(evidence.levels.dissipation, level));
-  return ModalLevels::value(
-             by_energy ? evidence.levels.dissipation_std : evidence.levels.damping_ratio_std,
-             level) > 0.0;
+  const ModalLevels& levels = evidence.levels;
+  const double loss = ModalLevels::value(levels.dissipation, level);
+  if (!std::isnan(loss)) return !missing(loss, ModalLevels::value(levels.dissipation_std, level));
+  return !missing(ModalLevels::value(levels.damping_ratio, level),
+                  ModalLevels::value(levels.damping_ratio_std, level));
 }
 
 double frequency_error(const ModalLevels& levels, std::size_t level,
@@ -249,14 +247,15 @@ MeasuredLoss measured_loss(const ModalLevels& levels, std::size_t level,
   const auto known = [](double deviation) { return std::isnan(deviation) ? 0.0 : deviation; };
   const double loss = ModalLevels::value(levels.dissipation, level);
   if (!std::isnan(loss)) {
-    return {loss, known(ModalLevels::value(levels.dissipation_std, level))};
+    return {loss, known(ModalLevels::value(levels.dissipation_std, level)), loss};
   }
   double square = 0.0;  // of the modal amplitude
   for (const auto& harmonics : vibration.modal) square += std::norm(harmonics[1]);
   const double omega = vibration.angular_frequency;
   const double unit = 2.0 * std::numbers::pi * omega * omega * square;
-  return {unit * ModalLevels::value(levels.damping_ratio, level) - vibration.linear_dissipation,
-          unit * known(ModalLevels::value(levels.damping_ratio_std, level))};
+  const double all = unit * ModalLevels::value(levels.damping_ratio, level);
+  return {all - vibration.linear_dissipation,
+          unit * known(ModalLevels::value(levels.damping_ratio_std, level)), all};
 }
 
 LinearEvidence linearise(const CalibrationEvidence& evidence, const AllUnknowns& unknowns,
@@ -270,7 +269,6 @@ LinearEvidence linearise(const CalibrationEvidence& evidence, const AllUnknowns&
     if (!states.at(level)) continue;
     const AnswersOfLevel answers(evidence, unknowns, states, level);
     add_losses(evidence, unknowns, states, level, answers, losses);
-    largest = std::max(largest, losses.back().deviation);
     const double frequency = ModalLevels::value(evidence.levels.frequency, level);
     if (evidence.frequency == FrequencyUse::kIgnore || std::isnan(frequency)) continue;
     const double given = ModalLevels::value(evidence.levels.frequency_std, level);
@@ -280,6 +278,7 @@ LinearEvidence linearise(const CalibrationEvidence& evidence, const AllUnknowns&
                            evidence.frequency_std_given ? given / frequency : 1.0});
     with_frequency.push_back(level);
   }
+  for (const Row& row : losses) largest = std::max(largest, row.deviation);
   for (Row& row : losses) row.deviation = std::max(row.deviation, kLeastLoss * largest);
 
   LinearEvidence linear;

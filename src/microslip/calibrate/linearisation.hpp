@@ -72,11 +72,12 @@ struct CalibrationEvidence {
 [[nodiscard]] double used_amplitude(const CalibrationEvidence& evidence, const LevelStates& states,
                                     std::size_t level, std::size_t joint);
 
-/// D of all joints that a level shows, J, and its standard deviation (0: not known): as measured,
-/// or ζ less the loss of the structure as it vibrates now.
+/// D of all joints that a level shows: as measured, or ζ less the loss of the structure as it
+/// vibrates now. NaN where neither was measured.
 struct MeasuredLoss {
-  double value;
-  double deviation;
+  double value;      ///< J
+  double deviation;  ///< its standard deviation, J; 0 where it is not known
+  double scattered;  ///< of what an unknown deviation is a share, J: D, or all that ζ holds
 };
 [[nodiscard]] MeasuredLoss measured_loss(const ModalLevels& levels, std::size_t level,
                                          const SteadyVibration& vibration);

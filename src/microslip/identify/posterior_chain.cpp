@@ -46,7 +46,9 @@ PosteriorChain::PosteriorChain(const ChainTarget& target, ChainStart start)
     const ChainRows& rows = target.rows[g];
     scale_[g] = std::max({scale_[g], rows.least_scale, kLeastScale});
     Eigen::MatrixXd& information = information_.emplace_back(rows.design.transpose() * rows.design);
-    information.diagonal().array() += kRidge * information.diagonal().mean();
+    if (!rows.scale_known) {
+      information.diagonal().array() += kRidge * information.diagonal().mean();
+    }
   }
   set_error(0.0);
   for (const auto& row : target.penalty.rowwise()) {
@@ -147,6 +149,7 @@ void PosteriorChain::draw_lambda(RandomStream& random) {
 void PosteriorChain::draw_scales(RandomStream& random) {
   for (std::size_t g = 0; g < scale_.size(); ++g) {
     const ChainRows& rows = target_.rows[g];
+    if (rows.scale_known) continue;
     const double square = rows.more_square + (data_[g] - rows.design * x_).squaredNorm();
     const double least = std::max(kLeastScale, rows.least_scale);
     const ChiSquared chi_squared(rows.count);

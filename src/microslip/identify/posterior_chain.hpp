@@ -23,6 +23,7 @@ struct ChainRows {
   double more_square = 0.0;  ///< what x cannot change of the square of the residual
   double count = 0.0;        ///< m, of independent data: rows as measured, and repeats
   double least_scale = 0.0;  ///< of τ; 0 where it is free
+  bool scale_known = false;  ///< τ stays what it starts with: the rows are what is known before
 };
 
 /// What is drawn from: with coefficients x, a scale τ_g of the scatter of each kind of rows, the

@@ -24,7 +24,7 @@ struct TableKind {
 };
 
 constexpr std::array kTableKinds{
-    TableKind{kCalibrationKind, {"mode", "measured_dissipation", "residual"}},
+    TableKind{kCalibrationKind, {"level", "mode", "damping_ratio"}},
     TableKind{kIdentifiabilityKind, {"joint", "slip_displacement", "told"}},
     TableKind{kModalLevelsKind, {"mode", "displacement", "frequency"}},
     TableKind{kVerificationKind, {"channel", "NRMSE", "noise_share"}},

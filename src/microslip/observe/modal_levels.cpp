@@ -71,6 +71,15 @@ bool tells_a_loss(const ModalLevels& levels, std::size_t i) {
                              [&](const JointLevels& joint) { return known(joint.dissipation); });
 }
 
+bool has_a_loss(const ModalLevels& levels, std::size_t i) {
+  const auto positive = [i](const std::vector<double>& values) {
+    return ModalLevels::value(values, i) > 0.0;
+  };
+  return positive(levels.dissipation) || positive(levels.damping_ratio) ||
+         std::ranges::any_of(levels.joints,
+                             [&](const JointLevels& joint) { return positive(joint.dissipation); });
+}
+
 }  // namespace
 
 void append(const ModalLevels& more, ModalLevels& levels) {
@@ -103,6 +112,7 @@ void check_modal_levels(const ModalLevels& levels) {
                    levels.size(), column.positive);
     }
   }
+  bool any_loss = false;
   for (std::size_t i = 0; i < levels.size(); ++i) {
     if (std::isnan(ModalLevels::value(levels.displacement, i))) {
       throw InputError(fmt::format("displacement of level {}", i + 1), InputState{"missing"},
@@ -112,6 +122,10 @@ void check_modal_levels(const ModalLevels& levels) {
       throw InputError(fmt::format("loss of level {}", i + 1), InputState{"missing"},
                        "must be there as dissipation or as damping_ratio");
     }
+    any_loss = any_loss || has_a_loss(levels, i);
+  }
+  if (levels.size() > 0 && !any_loss) {
+    throw InputError("loss of all levels", 0.0, "must be above 0 at one of them");
   }
 }
 

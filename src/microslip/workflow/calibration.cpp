@@ -53,7 +53,7 @@ void check_file_name(const std::string& model, const std::string& joint) {
 ModelFile read_model_to_calibrate(const std::string& path) {
   ModelFile model = read_model(path, JointsToFind::kAllowed);
   if (model.to_find.empty()) {
-    throw InputError(fmt::format("{}: joints to find", input_name(path)), "none",
+    throw InputError(fmt::format("{}: joints to find", input_name(path)), InputState{"none"},
                      "must be one or more", "Give a [[joint]] stiffness_N_per_m in place of file.");
   }
   for (const std::size_t joint : model.to_find) {
@@ -140,7 +140,6 @@ std::string model_text(const ModelCalibration& options, const CalibratedModel& d
   std::vector<StructuralJoint> joints(done.model.structure.joints().begin(),
                                       done.model.structure.joints().end());
   ModelFile model = done.model;
-  const fs::path folder = fs::path(options.model).parent_path();
   for (const CalibratedJoint& joint : done.found.joints) {
     joints[joint.index].joint = joint.joint;
     model.joint_files[joint.index] = joint.name + ".json";
@@ -226,7 +225,22 @@ std::string describe_pairs(const CalibrationResult& found) {
 }  // namespace
 
 std::vector<ResultFile> planned_files(const ModelCalibration& options) {
-  return files_of(options, read_model_to_calibrate(options.model));
+  if (options.out.empty() || options.out == "-") {
+    throw InputError("out", in_quotes(options.out), "must be a folder", "Name it.");
+  }
+  std::vector<ResultFile> files = files_of(options, read_model_to_calibrate(options.model));
+  std::vector<std::string> inputs = options.levels;
+  inputs.push_back(options.model);
+  for (const ResultFile& file : files) {
+    for (const std::string& input : inputs) {
+      std::error_code none;
+      if (!fs::equivalent(file.path, input, none)) continue;
+      throw InputError("out", in_quotes(options.out),
+                       fmt::format("must not be the folder of {}, which would be replaced", input),
+                       "Choose another folder.");
+    }
+  }
+  return files;
 }
 
 CalibratedModel calibrate_model(const ModelCalibration& options) {
@@ -237,6 +251,7 @@ CalibratedModel calibrate_model(const ModelCalibration& options) {
     done.found = calibrate(done.model.structure, done.model.to_find, done.model.response, levels,
                            options.options);
   } catch (const InputError& error) {
+    if (error.name().find("level") == std::string::npos) throw;
     throw error.renamed(fmt::format("{}: {}", input_name(options.levels.front()), error.name()));
   }
   compose_files(options, levels, done);

@@ -54,6 +54,8 @@ CsvWriter calibration_table(const CalibrationResult& found, const ModalLevels& l
     add_where_known(table, name, dimension, of_found(found, read));
   };
   using Level = CalibratedLevel;
+  add("level", kDimensionless,
+      [](std::size_t i, const Level&) { return static_cast<double>(i + 1); });
   add("mode", kDimensionless,
       [&](std::size_t i, const Level&) { return static_cast<double>(levels.mode[i] + 1); });
   add("displacement", kLength, [&](std::size_t i, const Level&) { return levels.displacement[i]; });
