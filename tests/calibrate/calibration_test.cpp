@@ -154,20 +154,18 @@ TEST(Calibration, KnowsAJointAndUsesItWhenItFindsAnother) {
   EXPECT_LT(worst_error(found, test, 0, true), 0.04);
 }
 
-// A level in the wrong unit is far in macro-slip, where the other joints are not known; it must not
-// shape what is found from the others.
-TEST(Calibration, LeavesOutALevelThatTheStructureDoesNotReach) {
+// A level in the wrong unit, a metre beside tens of micrometres: what comes of it is not told as if
+// nothing were wrong.
+TEST(Calibration, WarnsOfALevelFarBeyondTheOthers) {
   MICROSLIP_OF_RELEASE_ALONE();
   SimulatedTest test = simulated(three_joints(), 3, 2e-6, 6e-5, 10, 3);
-  const CalibrationResult good = test.calibrated({.draws = 100});
+  EXPECT_TRUE(test.calibrated({.draws = 100}).warnings.empty());
   test.levels.mode.push_back(2);
   test.levels.displacement.push_back(1.0);
   test.levels.frequency.push_back(test.levels.frequency.back());
   test.levels.dissipation.push_back(test.levels.dissipation.back());
   const CalibrationResult found = test.calibrated({.draws = 100});
   EXPECT_TRUE(warns(found, "levels_not_found") || warns(found, "scatter_large"));
-  EXPECT_EQ(warns(found, "levels_not_found"), !found.levels.back().found);
-  EXPECT_FALSE(warns(good, "levels_not_found"));
 }
 
 TEST(Calibration, IsTheSameOnAnyNumberOfThreads) {

@@ -40,6 +40,8 @@ constexpr std::array kAllExponents = {0.0, -0.25, -0.5, -0.75};
 constexpr double kStrongEvidence = 6.0;
 /// Losses without a deviation scatter by this at least, relative: few levels leave no residual.
 constexpr double kLeastLossScatter = 1e-3;
+/// Times the largest amplitude of a joint at the levels that were found.
+constexpr double kFarBeyond = 3.0;
 /// The lowest amplitude that a basis is made for, over the largest.
 constexpr double kLeastRange = 1e-4;
 
@@ -92,17 +94,29 @@ GrowingRange::GrowingRange(CalibrationEvidence evidence, const std::vector<std::
   }
 }
 
+/// Least and largest amplitude of a joint. A level that was sought in vain counts where it is not
+/// far beyond the others: it may be found yet.
+std::pair<double, double> GrowingRange::reach(std::size_t joint) const {
+  double least = std::numeric_limits<double>::infinity();
+  double largest = 0.0;
+  for (const std::size_t level : all_) {
+    if (states_.missed(level)) continue;
+    const double a = used_amplitude(evidence_, states_, level, joint);
+    least = std::min(least, a);
+    largest = std::max(largest, a);
+  }
+  double with_missed = largest;
+  for (const std::size_t level : all_) {
+    const double a = used_amplitude(evidence_, states_, level, joint);
+    if (states_.missed(level) && a < kFarBeyond * largest) with_missed = std::max(with_missed, a);
+  }
+  return {least, with_missed};
+}
+
 AllUnknowns GrowingRange::unknowns(const std::vector<double>& exponents) const {
   std::vector<JointUnknowns> joints;
   for (std::size_t j = 0; j < sought_.size(); ++j) {
-    double largest = 0.0;
-    double least = std::numeric_limits<double>::infinity();
-    for (const std::size_t level : all_) {
-      if (states_.missed(level)) continue;
-      const double a = used_amplitude(evidence_, states_, level, sought_[j]);
-      largest = std::max(largest, a);
-      least = std::min(least, a);
-    }
+    const auto [least, largest] = reach(sought_[j]);
     joints.emplace_back(given_stiffness_[j], largest, std::clamp(least / largest, kLeastRange, 0.5),
                         exponents[j], options_.coefficients);
   }
@@ -181,11 +195,7 @@ CalibratedState GrowingRange::pass(const std::vector<std::size_t>& which,
 std::vector<double> GrowingRange::amplitude_shares() const {
   std::vector<double> shares(all_.size(), 0.0);
   for (const std::size_t joint : sought_) {
-    double largest = 0.0;
-    for (const std::size_t level : all_) {
-      if (states_.missed(level)) continue;
-      largest = std::max(largest, used_amplitude(evidence_, states_, level, joint));
-    }
+    const double largest = reach(joint).second;
     for (const std::size_t level : all_) {
       shares[level] =
           std::max(shares[level], used_amplitude(evidence_, states_, level, joint) / largest);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "microslip/calibrate/calibration.hpp"
@@ -54,6 +55,7 @@ class GrowingRange {
   [[nodiscard]] CalibratedState pass(const std::vector<std::size_t>& which,
                                      const CalibratedState* before,
                                      const std::vector<double>& exponents);
+  [[nodiscard]] std::pair<double, double> reach(std::size_t joint) const;
   [[nodiscard]] AllUnknowns unknowns(const std::vector<double>& exponents) const;
   [[nodiscard]] std::vector<double> amplitude_shares() const;
   [[nodiscard]] CalibratedState grow();
