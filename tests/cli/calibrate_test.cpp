@@ -46,12 +46,13 @@ const Arguments kCall{"calibrate", "model.toml", "levels.csv", "--samples",
 // The folder predicts what was measured: the backbone of its model has the frequencies of the truth.
 TEST(calibrate, WritesAFolderThatPredicts) {
   const Sandbox box = two_joints();
+  box.put("levels.csv", test::get(kFolder + "modal_levels.csv"));
   const Outcome run = expect_done(box, with(kCall, {"--keep-samples"}));
-  for (const std::string part : {"25 of 1 file", "joint1", "joint2", "known to"}) {
+  for (const std::string part : {"75 of 1 file", "joint1", "joint2", "known to"}) {
     EXPECT_NE(run.out.find(part), std::string::npos) << part << " in:\n" << run.out;
   }
   const CsvTable calibration(box.get("found/calibration.csv"), "calibration.csv");
-  EXPECT_EQ(calibration.rows(), 25U);
+  EXPECT_EQ(calibration.rows(), 75U);
   for (const double residual : calibration.numbers("residual", kDimensionless)) {
     EXPECT_LT(std::abs(residual), 5.0);
   }

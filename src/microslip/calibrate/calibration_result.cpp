@@ -370,7 +370,12 @@ void read_calibration(const CalibrationEvidence& evidence, const CalibrationOpti
   states.set_joints(joints);
   std::vector<std::size_t> all(evidence.levels.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
+  std::vector<std::size_t> left_out;  // of the fit: what is found of them now is not to be believed
+  for (const std::size_t level : all) {
+    if (!states.at(level)) left_out.push_back(level);
+  }
   states.solve(all);
+  for (const std::size_t level : left_out) states.drop(level);
 
   result.confidence = options.confidence;
   result.loss_std_given = evidence.loss_std_given;

@@ -54,6 +54,9 @@ class LevelStates {
     return stuck_shape_[levels_.mode[level]][joint] * levels_.displacement[level];
   }
 
+  /// Drops a level: it was not part of what the joints were found from.
+  void drop(std::size_t level) { states_[level].reset(); }
+
   /// Whether a level was sought and not found: its displacement is none that the structure reaches
   /// in its mode.
   [[nodiscard]] bool missed(std::size_t level) const { return tried_[level] && !states_[level]; }

@@ -17,13 +17,14 @@ namespace microslip {
 
 /// Rows of one kind, with a scatter of their own.
 struct ChainRows {
-  Eigen::MatrixXd design;    ///< D, rows × coefficients; as many rows as say the same of x will do
-  Eigen::VectorXd data;      ///< d
-  Eigen::VectorXd shift;     ///< w: with an error δ the data are d + δw; empty for none
-  double more_square = 0.0;  ///< what x cannot change of the square of the residual
-  double count = 0.0;        ///< m, of independent data: rows as measured, and repeats
-  double least_scale = 0.0;  ///< of τ; 0 where it is free
-  bool scale_known = false;  ///< τ stays what it starts with: the rows are what is known before
+  Eigen::MatrixXd design =
+      {};  ///< D, rows × coefficients; as many rows as say the same of x will do
+  Eigen::VectorXd data = {};   ///< d
+  Eigen::VectorXd shift = {};  ///< w: with an error δ the data are d + δw; empty for none
+  double more_square = 0.0;    ///< what x cannot change of the square of the residual
+  double count = 0.0;          ///< m, of independent data: rows as measured, and repeats
+  double least_scale = 0.0;    ///< of τ; 0 where it is free
+  bool scale_known = false;    ///< τ stays what it starts with: the rows are what is known before
 };
 
 /// What is drawn from: with coefficients x, a scale τ_g of the scatter of each kind of rows, the
