@@ -47,21 +47,21 @@ struct JointLevel {
 
 /// What one record tells: one row of modal_levels.csv.
 struct ModalLevel {
-  std::string source;               ///< of the record
+  std::string source = {};          ///< of the record
   std::size_t mode = 1;             ///< by the frequency of the structure with stuck joints, from 1
-  Measured displacement;            ///< first harmonic at the response point, m
-  Measured frequency;               ///< of phase resonance at this amplitude, Hz
+  Measured displacement = {};       ///< first harmonic at the response point, m
+  Measured frequency = {};          ///< of phase resonance at this amplitude, Hz
   double drive_frequency = 0.0;     ///< of the cycle, as fitted, Hz
   double force_amplitude = 0.0;     ///< |F_1|, N
-  Measured dissipation;             ///< W_ext − W_lin, of all joints together, J
+  Measured dissipation = {};        ///< W_ext − W_lin, of all joints together, J
   double input_energy = 0.0;        ///< W_ext, J
   double linear_dissipation = 0.0;  ///< W_lin, J
-  Measured energy_difference;       ///< Σ D_j − (W_ext − W_lin), J: 0 within noise
+  Measured energy_difference = {};  ///< Σ D_j − (W_ext − W_lin), J: 0 within noise
   double force_distortion = 0.0;    ///< as in ReducedLevel
   double misfit = 0.0;  ///< the worst of the accelerometers against the model's motion, 1
   double cycles = 0.0;  ///< in the record
-  std::vector<JointLevel> joints;   ///< in the order of the structure
-  std::vector<Warning> flags = {};  ///< what is to be looked at, each once
+  std::vector<JointLevel> joints = {};  ///< in the order of the structure
+  std::vector<Warning> flags = {};      ///< what is to be looked at, each once
 
   /// Whether one of the flags has this code.
   [[nodiscard]] bool has_flag(std::string_view code) const;
