@@ -73,10 +73,6 @@ std::size_t broken_count(const std::vector<Judged>& verdicts) {
       std::ranges::count_if(verdicts, [](const Judged& one) { return one.found.broken; }));
 }
 
-std::string kilonewtons_per_metre(double stiffness) {
-  return fmt::format("{:.4g}", stiffness / kKilonewtonPerMetre);
-}
-
 /// "270.3 ± 2.0 kN/m": half the width of the band, to two digits and k to as many places.
 std::string stiffness_text(const IdentifiedJoint& joint) {
   const double k = joint.joint.stiffness() / kKilonewtonPerMetre;

@@ -38,11 +38,11 @@ constexpr std::size_t kMostSensors = 3;
 
 /// A mode of a model, as a decay sees it.
 struct SoughtMode {
-  std::size_t number = 1;             ///< from 1
-  double frequency = 0.0;             ///< with stuck joints, Hz
-  std::vector<std::string> channels;  ///< of those sensors that it moves, the best first
-  double to_response = 1.0;           ///< displacement at the response point over the first sensor
-  bool response_measured = true;      ///< the first sensor is at the response point
+  std::size_t number = 1;                  ///< from 1
+  double frequency = 0.0;                  ///< with stuck joints, Hz
+  std::vector<std::string> channels = {};  ///< of those sensors that it moves, the best first
+  double to_response = 1.0;       ///< displacement at the response point over the first sensor
+  bool response_measured = true;  ///< the first sensor is at the response point
   double joint_motion =
       0.0;  ///< √Σ k u² of the joints over the first sensor's displacement, √(N/m)
 };
