@@ -37,5 +37,22 @@ TEST(Quantiles, BeginAtZeroWhereThatIsNarrower) {
   EXPECT_EQ(between, quantile_pair(far, 0.95));
 }
 
+// |z| is densest at 0; quantile_pair() begins at 0.03.
+TEST(Quantiles, OfTheShortestIntervalGoOnToALimit) {
+  RandomStream random(72, 0);
+  std::vector<double> pressed;
+  std::vector<double> free;
+  for (int i = 0; i < 100'000; ++i) {
+    pressed.push_back(7.0 - std::abs(random.normal()));
+    free.push_back(random.normal());
+  }
+  const auto [from, to] = shortest_interval(pressed, 0.95);
+  EXPECT_NEAR(from, 7.0 - 1.96, 0.03);
+  EXPECT_NEAR(to, 7.0, 1e-3);
+  const auto [lower, upper] = shortest_interval(free, 0.95);
+  EXPECT_NEAR(upper - lower, 2.0 * 1.96, 0.03);
+  EXPECT_NEAR(upper + lower, 0.0, 0.3);  // the width has a flat minimum
+}
+
 }  // namespace
 }  // namespace microslip::quantiles_test

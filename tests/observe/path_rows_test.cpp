@@ -148,6 +148,20 @@ TEST(PathRows, FromAnUnknownStateDifferByAConstantInEachGroup) {
   }
 }
 
+// The first sample lies at the origin, on neither side of it.
+TEST(PathRows, BeginOnTheSideThatTheMotionGoesTo) {
+  for (const double direction : {1.0, -1.0}) {
+    std::vector<double> path;
+    for (int i = 0; i <= 400; ++i) path.push_back(direction * i);
+    for (int i = 400; i >= -400; --i) path.push_back(direction * i);
+    const PathRows rows = path_rows(path, path, PathStart::kVirgin, 0.0, 100);
+    const PathRow& first = rows.rows.front();
+    ASSERT_GT(first.count, 1U);
+    EXPECT_EQ(first.last.coefficient, direction);
+    EXPECT_DOUBLE_EQ(first.last.coefficient * first.last.half_range, first.displacement);
+  }
+}
+
 TEST(PathRows, HoldSmallTurnsTogether) {
   // A rise of 100 with turns of 1 on it.
   std::vector<double> path;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/identify/posterior_chain.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
@@ -203,6 +204,23 @@ void PosteriorChain::settle(RandomStream& random) {
     step(random, kMostReflections);
     hold_near();
   }
+}
+
+// The program has H and Hz = g + Lε, with H = LLᵀ.
+QuadraticProgram::Solution PosteriorChain::projected(RandomStream& random) const {
+  Eigen::MatrixXd hessian = lambda_ * roughness_;
+  Eigen::VectorXd linear = Eigen::VectorXd::Zero(x_.size());
+  for (std::size_t g = 0; g < scale_.size(); ++g) {
+    const double precision = 1.0 / (scale_[g] * scale_[g]);
+    hessian += precision * information_[g];
+    linear += precision * projected_[g];
+  }
+  Eigen::VectorXd noise(x_.size());
+  for (double& value : noise) value = random.normal();
+  linear += Eigen::LLT<Eigen::MatrixXd>(hessian).matrixL() * noise;
+  std::vector<bool> free(static_cast<std::size_t>(x_.size()), true);
+  return QuadraticProgram(target_.limits.budget_weights, 1.0)
+      .solve(hessian, linear, std::move(free));
 }
 
 const Eigen::VectorXd& PosteriorChain::next(RandomStream& random) {

@@ -7,6 +7,7 @@
 
 #include "microslip/base/random.hpp"
 #include "microslip/identify/local_smoothing.hpp"
+#include "microslip/identify/quadratic_program.hpp"
 #include "microslip/identify/truncated_gaussian.hpp"
 
 /// @file
@@ -72,6 +73,18 @@ class PosteriorChain {
 
   /// The next draw, some steps on; alike to the one before it.
   const Eigen::VectorXd& next(RandomStream& random);
+
+  /// Another x for the λ, l and τ of the last draw: one of the Gaussian without limits, brought
+  /// within them,
+  ///
+  ///     x = argmin (y − z)ᵀH(y − z)  over y within the limits,   z ~ N(H⁻¹g, H⁻¹),
+  ///
+  /// independent of all others [Lin & Dunson, Biometrika 101 (2014) 303; Astfalck et al., arXiv 1812.05741]. next() hardly
+  /// ever comes near limits that many coefficients have in common: where all are 0 in truth, what they
+  /// sum up to is above it in every draw. Here those that may be 0 are 0 as often as noise puts
+  /// them below.
+  /// @return  x, and whether it is the least.
+  [[nodiscard]] QuadraticProgram::Solution projected(RandomStream& random) const;
 
   [[nodiscard]] double lambda() const { return lambda_; }  ///< of the last draw
   /// τ of the last draw. @param kind  of the rows.

@@ -85,7 +85,7 @@ Estimate estimate_of(std::vector<double> values, double confidence) {
   double sum = 0.0;
   for (const double value : values) sum += value;
   const double mean = sum / static_cast<double>(values.size());
-  const auto [lower, upper] = quantile_pair(values, confidence);
+  const auto [lower, upper] = shortest_interval(values, confidence);
   return {mean, lower, upper};
 }
 
@@ -118,7 +118,12 @@ Eigen::VectorXd draw_all(const SettledRecords& settled, const ScaledRecords& rec
   Eigen::VectorXd mean = Eigen::VectorXd::Zero(settled.best.solution.x.size());
   std::vector<double> elastic;
   for (std::size_t i = 0; i < options.draws; ++i) {
-    const Eigen::VectorXd& x = chain.next(random);
+    chain.next(random);
+    const QuadraticProgram::Solution drawn = chain.projected(random);
+    const Eigen::VectorXd& x = drawn.x;
+    if (!drawn.optimal() && drawn.kkt_residual >= result.summary.residual) {
+      read_optimality(drawn, "optimality conditions of a draw", result.summary);
+    }
     mean += x;
     result.draws.push_back(reader.read(x));
     elastic.push_back(reader.elastic(x));

@@ -40,7 +40,7 @@ struct StiffnessDraw {
   double viscous = 0.0;              ///< c, N s/m
 };
 
-/// A number with its uncertainty.
+/// A number with its uncertainty: the band is the shortest that holds as many draws as asked for.
 struct Estimate {
   double mean = 0.0;   ///< of the draws
   double lower = 0.0;  ///< end of the band
@@ -148,7 +148,8 @@ void check_records(std::span<const RecordEvidence> evidence,
 /// Likelihood: rows of path_rows(), each with the scatter that the record shows and correlated as
 /// neighbouring residuals are. Prior: Gaussian on second differences of ψ/x*^χ₀ over x*^P, within
 /// the limits, χ₀ = 0 unless the likelihood asks strongly for a power law. The smoothing and the
-/// scale of the scatter are drawn with the density (PosteriorChain); the estimate is the mean.
+/// scale of the scatter are drawn with the density (PosteriorChain); given these, a draw is one of
+/// the Gaussian without limits, brought within them. The estimate is the mean.
 ///
 /// Nothing in a record tells the sliders that slip within its noise: their stiffness is that of a
 /// density that goes on smoothly, and k rests on it.

@@ -66,7 +66,7 @@ class Walk {
 
   /// The stretch to u.
   [[nodiscard]] PathStretch stretch_to(double u, double direction) const {
-    if (turns_.empty()) return {u > origin_ ? 1.0 : -1.0, std::abs(u - origin_)};
+    if (turns_.empty()) return {direction, std::max(0.0, direction * (u - origin_))};
     return {2.0 * direction, 0.5 * std::max(0.0, direction * (u - turns_.back()))};
   }
 
