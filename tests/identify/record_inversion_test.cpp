@@ -251,6 +251,25 @@ TEST(RecordVerdicts, NameTheAssumptionThatIsBroken) {
   }
 }
 
+// A file in mm that is taken for µm, a force sensor of another gain, and the same joint.
+TEST(RecordVerdicts, TellRecordsThatContradict) {
+  const auto of_two = [](double length, double force) {
+    ForceRecord other = reference_record("sines");
+    for (double& value : other.displacement) value *= length;
+    for (double& value : other.force) value *= force;
+    const std::vector<RecordEvidence> both{{reference_record("random"), PathStart::kVirgin},
+                                           {other, PathStart::kVirgin}};
+    return invert_records(both, {}, {.draws = 100});
+  };
+  for (const auto& [length, force] :
+       std::vector<std::pair<double, double>>{{1e3, 1.0}, {1.0, 1e3}, {1.0, 1.2}}) {
+    EXPECT_EQ(broken(of_two(length, force)), "records_contradict") << length << ' ' << force;
+  }
+  const RecordInversionResult same = of_two(1.0, 1.0);
+  EXPECT_EQ(broken(same), "");
+  EXPECT_EQ(same.records.front().verdicts.size(), kRecordDepartures.size());
+}
+
 TEST(RecordVerdicts, AreNoneWhereTheViscousPartIsSought) {
   const RecordEvidence evidence(reference_record("not_masing_viscous"), PathStart::kVirgin);
   EXPECT_EQ(broken(invert_records({&evidence, 1}, {}, {.viscous = true, .draws = 100})), "");
@@ -292,6 +311,32 @@ TEST(RecordInversion, OfMoreSamplesIsTheSame) {
   EXPECT_NEAR(fine.stiffness.mean / coarse.stiffness.mean, 1.0, 0.01);
   EXPECT_LE(error_of_density(fine.joint(), truth, reach_of(fine)),
             error_of_density(coarse.joint(), truth, reach_of(coarse)) + 0.02);
+}
+
+// 3000 cycles whose amplitude comes and goes, of twelve single sliders: rows are some 25 µm long, as far as sliders are
+// from each other. k was found to 0.6 %; with rows that took the density as smooth over their length it was 8 % too high.
+TEST(RecordInversion, OfThousandsOfCyclesIsTheSame) {
+  AtomsPart sliders;
+  constexpr int kSliders = 12;
+  for (int i = 1; i <= kSliders; ++i) {
+    sliders.slip_force.push_back(0.9 * testing::kReach * std::pow(i / 12.0, 1.5));
+    sliders.weight.push_back(0.9 / kSliders);
+  }
+  const Joint truth = testing::joint_of({sliders});
+  constexpr std::size_t kSamples = 120'000;
+  constexpr double kPerCycle = 40.0;
+  std::vector<double> path(kSamples);
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    const double cycle = static_cast<double>(i) / kPerCycle;
+    const double amplitude = 0.2 + 0.8 * std::abs(std::sin(0.013 * cycle));
+    path[i] = testing::kLargestAmplitude * amplitude * std::sin(2.0 * std::numbers::pi * cycle);
+  }
+  const ForceRecord record =
+      simulated_record(truth, path, 8, {.displacement = 1e-4, .force = 2e-3});
+  const RecordEvidence evidence(record, PathStart::kVirgin);
+  const RecordInversionResult found = invert_records({&evidence, 1}, {}, {.draws = 200});
+  EXPECT_NEAR(found.stiffness.mean / truth.stiffness(), 1.0, 0.02);
+  EXPECT_EQ(broken(found), "");
 }
 
 TEST(RecordInversion, FindsAViscousPart) {
@@ -345,9 +390,12 @@ TEST(RecordInversion, RefusesWhatTellsNothing) {
   }
   test::expect_message(refused(ramp), "reversals");
 
-  ForceRecord swapped = reference_record("random");
-  for (double& value : swapped.force) value = -value;
-  test::expect_message(refused(swapped), "sign");
+  ForceRecord opposite = reference_record("random");
+  for (double& value : opposite.force) value = -value;
+  test::expect_message(refused(opposite), "sign of one channel");
+  ForceRecord exchanged = reference_record("random");
+  std::swap(exchanged.force, exchanged.displacement);
+  test::expect_message(refused(exchanged), "may be exchanged");
 
   ForceRecord timeless = reference_record("random");
   timeless.time_step = 0.0;

@@ -79,10 +79,10 @@ class PosteriorChain {
   ///
   ///     x = argmin (y − z)ᵀH(y − z)  over y within the limits,   z ~ N(H⁻¹g, H⁻¹),
   ///
-  /// independent of all others [Lin & Dunson, Biometrika 101 (2014) 303; Astfalck et al., arXiv 1812.05741]. next() hardly
-  /// ever comes near limits that many coefficients have in common: where all are 0 in truth, what they
-  /// sum up to is above it in every draw. Here those that may be 0 are 0 as often as noise puts
-  /// them below.
+  /// independent of all others [Lin & Dunson, Biometrika 101 (2014) 303; Astfalck et al., arXiv
+  /// 1812.05741]. next() hardly ever comes near limits that many coefficients have in common:
+  /// where all are 0 in truth, what they sum up to is above it in every draw. Here those that may
+  /// be 0 are 0 as often as noise puts them below.
   /// @return  x, and whether it is the least.
   [[nodiscard]] QuadraticProgram::Solution projected(RandomStream& random) const;
 

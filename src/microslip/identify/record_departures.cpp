@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace microslip {
@@ -21,6 +22,9 @@ constexpr double kLeastDeparture = 4e-3;
 /// Columns describe a departure in the small; what they leave of a large one looks like others. So
 /// beside it another counts where it explains so much of what that does.
 constexpr double kBesideAnother = 0.25;
+
+/// A record is of another joint where taking it with others costs it more of its force than this.
+constexpr double kLeastContradiction = 3e-2;
 
 /// The rows of a record as the departures see them, each of largest absolute value 1.
 struct RowSignals {
@@ -99,6 +103,8 @@ MatrixXd columns_of(RecordDeparture departure, const RowSignals& of) {
       break;
     case RecordDeparture::kRange:
       columns = of.velocity.array().sign() * of.range.array().square();
+      break;
+    case RecordDeparture::kOther:  // no column: against_others()
       break;
   }
   return columns;
@@ -201,14 +207,35 @@ Judged judge(const SettledRecords& settled, const ScaledRecords& records, std::s
   return judged;
 }
 
-}  // namespace
+/// What the joint of all records leaves of one beyond what its own joint does, against what
+/// noise makes of the coefficients of that.
+RecordVerdict against_others(const SettledRecords& settled, const ScaledRecords& records,
+                             std::size_t record) {
+  std::optional<double> known;
+  if (records.stiffness_known) known = records.stiffness;
+  const ScaledRecords itself({.records = records.records.subspan(record, 1)}, known,
+                             records.coefficients);
+  const SettledRecords own = settle_records(itself, settled.settings.viscous);
+  const double own_share =
+      own.model.residual(0, own.best.solution.x).norm() / own.model.force_norm(0);
+  const double share = settled.model.residual(record, settled.best.solution.x).norm() /
+                       settled.model.force_norm(record);
+  const auto rows = static_cast<double>(itself.records.front().rows().rows.size());
+  RecordVerdict verdict;
+  verdict.departure = RecordDeparture::kOther;
+  verdict.share = std::sqrt(std::max(0.0, share * share - own_share * own_share));
+  verdict.noise = own_share * std::sqrt(own.best.edf / rows);
+  verdict.broken = verdict.share > std::max(kOverNoise * verdict.noise, kLeastContradiction);
+  return verdict;
+}
 
-std::vector<RecordVerdict> judge_record(const SettledRecords& settled, const ScaledRecords& records,
-                                        std::size_t record) {
+/// What is there of the departures that have columns; the weightiest first.
+std::vector<RecordVerdict> departures_of(const SettledRecords& settled,
+                                         const ScaledRecords& records, std::size_t record) {
   const RowSignals signals = signals_of(settled, records.records[record], record);
   Joined joined(settled);
   std::vector<RecordVerdict> verdicts;
-  std::vector<RecordDeparture> open(kRecordDepartures.begin(), kRecordDepartures.end());
+  std::vector<RecordDeparture> open(kRecordDepartures.begin(), kRecordDepartures.end() - 1);
   double least = 0.0;
   while (!open.empty()) {
     std::vector<Judged> judged;
@@ -228,6 +255,22 @@ std::vector<RecordVerdict> judge_record(const SettledRecords& settled, const Sca
     joined.add(most->columns);
     open.erase(open.begin() + (most - judged.begin()));
   }
+  return verdicts;
+}
+
+}  // namespace
+
+std::vector<RecordVerdict> judge_record(const SettledRecords& settled, const ScaledRecords& records,
+                                        std::size_t record) {
+  std::vector<RecordVerdict> verdicts = departures_of(settled, records, record);
+  if (records.records.size() < 2) return verdicts;
+  const RecordVerdict other = against_others(settled, records, record);
+  if (!other.broken) {
+    verdicts.push_back(other);
+    return verdicts;
+  }
+  for (RecordVerdict& verdict : verdicts) verdict.broken = false;
+  verdicts.insert(verdicts.begin(), other);
   return verdicts;
 }
 

@@ -36,6 +36,9 @@ DepartureText text_of(RecordDeparture departure) {
     case RecordDeparture::kOffset:
       return {"offset_drifts", "has a zero that moves",
               "Balance the force sensor, or take a shorter part of the record."};
+    case RecordDeparture::kOther:
+      return {"records_contradict", "is not that of the joint of the other records",
+              "Compare units, gains and channels of the files, or identify from each by itself."};
     case RecordDeparture::kRange:
       break;
   }

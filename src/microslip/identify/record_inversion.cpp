@@ -42,11 +42,16 @@ void check_sign(const RecordEvidence& evidence) {
   }
   double together = 0.0;
   for (std::size_t i = 0; i < u.size(); ++i) together += (f[i] - mean) * (u[i] - u.front());
-  if (together > 0.0 && work > -kMostGiven * moved) return;
-  throw InputError("work over the record, J", work,
-                   "must be positive, and the force must rise with the displacement: a joint "
-                   "takes energy",
-                   "Change the sign of one channel, or take the channels of this joint.");
+  if (!(together > 0.0)) {
+    throw InputError("covariance of force and displacement, N m",
+                     together / static_cast<double>(u.size()),
+                     "must be positive: the force of a joint rises with the displacement",
+                     "Change the sign of one channel, or take the channels of this joint.");
+  }
+  if (work > -kMostGiven * moved) return;
+  throw InputError("work over the record, J", work, "must be positive: a joint takes energy",
+                   "Force and displacement may be exchanged, or the force be recorded ahead of the "
+                   "displacement: take each by its channel, without delay.");
 }
 
 /// Reads draws of coefficients as joints.

@@ -62,10 +62,12 @@ enum class RecordDeparture {
   kDrift,      ///< it changes over the cycles: wear, temperature, a load that moves
   kOffset,     ///< its zero moves
   kRange,      ///< branches of different ranges do not lie on one curve
+  kOther,      ///< it is not that of the joint of the other records: units, gain, another joint
 };
 inline constexpr std::array kRecordDepartures = {
     RecordDeparture::kRate,  RecordDeparture::kAsymmetry, RecordDeparture::kDeadZone,
-    RecordDeparture::kDrift, RecordDeparture::kOffset,    RecordDeparture::kRange};  ///< all
+    RecordDeparture::kDrift, RecordDeparture::kOffset,    RecordDeparture::kRange,
+    RecordDeparture::kOther};  ///< all; the last is looked for in several records
 
 /// The code of a departure, as of its warning: "rate_dependent".
 [[nodiscard]] std::string_view to_string(RecordDeparture departure);
@@ -80,13 +82,15 @@ struct RecordVerdict {
 
 /// What came of one record.
 struct RecordFit {
-  PathStart start = PathStart::kVirgin;      ///< the state that it was taken to begin in
-  std::vector<double> offset = {};           ///< F₀ of each group of rows, N
-  std::vector<double> residual = {};         ///< measured less found force of each row, N
-  double scatter = 0.0;                      ///< of the force of one sample, N
-  double correlation = 0.0;                  ///< of the residuals of neighbouring rows, 1
-  double unexplained = 0.0;                  ///< rms of residuals over that of the force, 1
-  std::vector<RecordVerdict> verdicts = {};  ///< of each departure; the weightiest first
+  PathStart start = PathStart::kVirgin;  ///< the state that it was taken to begin in
+  std::vector<double> offset = {};       ///< F₀ of each group of rows, N
+  std::vector<double> residual = {};     ///< measured less found force of each row, N
+  double scatter = 0.0;                  ///< of the force of one sample, N
+  double correlation = 0.0;              ///< of the residuals of neighbouring rows, 1
+  double unexplained = 0.0;              ///< rms of residuals over that of the force, 1
+  /// Of each departure that was looked for; the weightiest first. Where kOther is there, no other
+  /// is: a joint of several would depart from each of them.
+  std::vector<RecordVerdict> verdicts = {};
 };
 
 /// What was found of levels against the joint of the records, or without any of all other tables.

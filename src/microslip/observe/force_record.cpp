@@ -32,7 +32,8 @@ void check_signal(std::string_view name, const std::vector<double>& values) {
 void check_force_record(const ForceRecord& record) {
   if (record.size() < kFewestRecordSamples) {
     throw InputError("number of samples", static_cast<double>(record.size()),
-                     fmt::format("must be {} or more", kFewestRecordSamples));
+                     fmt::format("must be {} or more", kFewestRecordSamples),
+                     "Record a cycle at least, with tens of samples.");
   }
   if (record.force.size() != record.size()) {
     throw InputError("number of forces", static_cast<double>(record.force.size()),

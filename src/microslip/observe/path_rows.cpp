@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -15,6 +16,8 @@ namespace {
 /// displacement slip there.
 constexpr double kShortRow = 0.25;
 constexpr double kFullRowAfter = 8.0;  ///< lengths of a row from the turn
+/// Rows of the largest branch: as many as a density has details.
+constexpr double kRowsOfBranch = 64.0;
 
 /// What the joint remembers of its path: the reversals that still matter, and from where the virgin
 /// curve goes.
@@ -97,9 +100,11 @@ class Walk {
 /// Collects samples into rows.
 class RowBuilder {
  public:
-  RowBuilder(std::span<const double> path, std::span<const double> force, double length,
-             PathRows& out)
-      : path_(path), force_(force), length_(length), out_(out) {}
+  RowBuilder(std::span<const double> path, std::span<const double> force, PathRows& out)
+      : path_(path), force_(force), out_(out) {}
+
+  /// Of the rows to come, m.
+  void set_length(double length) { length_ = length; }
 
   /// Ends the row; what lies behind the next is new.
   void end_stretch() {
@@ -127,11 +132,11 @@ class RowBuilder {
       row_.group = walk.group();
       row_.turns = *turns_;
       row_.last.coefficient = stretch.coefficient;
-      sum_ = square_ = 0.0;
+      sum_ = 0.0;
     }
     ++count_;
     sum_ += stretch.half_range;
-    square_ += stretch.half_range * stretch.half_range;
+    out_.half_range.push_back(stretch.half_range);
     row_.displacement += u - walk.origin();
     row_.force += force_[sample];
     row_.velocity += velocity(sample);
@@ -142,7 +147,6 @@ class RowBuilder {
     const auto n = static_cast<double>(count_);
     row_.count = count_;
     row_.last.half_range = sum_ / n;
-    row_.variance = std::max(0.0, square_ / n - row_.last.half_range * row_.last.half_range);
     row_.displacement /= n;
     row_.force /= n;
     row_.velocity /= n;
@@ -159,12 +163,11 @@ class RowBuilder {
 
   std::span<const double> path_;
   std::span<const double> force_;
-  double length_;
+  double length_ = 0.0;
   PathRows& out_;
   PathRow row_;
   std::size_t count_ = 0;
   double sum_ = 0.0;
-  double square_ = 0.0;
   std::optional<std::size_t> turns_;
 };
 
@@ -179,11 +182,28 @@ double tenth_of_ranges(std::span<const double> path, const std::vector<std::size
   return *tenth;
 }
 
-double travel(std::span<const double> path) {
-  double sum = 0.0;
-  for (std::size_t i = 1; i < path.size(); ++i) sum += std::abs(path[i] - path[i - 1]);
-  return sum;
-}
+/// How long the rows of each branch are.
+class RowLengths {
+ public:
+  RowLengths(std::span<const double> path, std::size_t most_rows) {
+    double travel = 0.0;
+    for (std::size_t i = 1; i < path.size(); ++i) travel += std::abs(path[i] - path[i - 1]);
+    const auto [low, high] = std::ranges::minmax(path);
+    long_ = travel / static_cast<double>(most_rows);
+    short_ = std::min(long_, (high - low) / kRowsOfBranch);
+  }
+
+  /// Every so many branches have short rows, in no rhythm that a path may have: multiples of the
+  /// golden section are spread evenly over (0, 1).
+  [[nodiscard]] double of_branch(std::size_t branch) const {
+    const double place = static_cast<double>(branch) * std::numbers::phi;
+    return (place - std::floor(place)) * long_ < short_ ? short_ : long_;
+  }
+
+ private:
+  double long_;
+  double short_;
+};
 
 }  // namespace
 
@@ -197,10 +217,12 @@ PathRows path_rows(std::span<const double> path, std::span<const double> force, 
   const std::vector<std::size_t> turns = turning_samples(path, threshold);
   out.reversals = turns.size() - 2;
   out.shortest = tenth_of_ranges(path, turns);
-  RowBuilder builder(path, force, travel(path) / static_cast<double>(most_rows), out);
+  const RowLengths lengths(path, most_rows);
+  RowBuilder builder(path, force, out);
   Walk walk(start, path.front());
   for (std::size_t k = 1; k < turns.size(); ++k) {
     const double direction = path[turns[k]] > path[turns[k - 1]] ? 1.0 : -1.0;
+    builder.set_length(lengths.of_branch(k - 1));
     for (std::size_t i = turns[k - 1] + (k > 1 ? 1 : 0); i <= turns[k]; ++i) {
       if (walk.move(path[i], direction)) builder.end_stretch();
       if (walk.known()) builder.add(i, direction, walk);

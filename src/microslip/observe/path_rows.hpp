@@ -30,18 +30,17 @@ struct PathStretch {
   double half_range = 0.0;   ///< h, m; ≥ 0
 };
 
-/// Samples in a row on one stretch of the path, together. The force of a joint there,
+/// Samples in a row on one stretch of the path, together. The mean force of a joint there is
 ///
-///     F = F₀ + Σ_turns c v(h) + c v(h̄) − ½ c var(h) ψ(h̄),
+///     F = F₀ + Σ_turns c v(h) + c mean v(h_i),
 ///
-/// with ψ(x*) the stiffness density and v(h) = K_e h + ∫ min(h, x*) ψ dx* the virgin curve.
+/// with h_i the half range of each sample, ψ(x*) the stiffness density and v(h) = K_e h + ∫ min(h, x*) ψ dx* the virgin curve.
 struct PathRow {
   std::size_t first = 0;      ///< sample
   std::size_t count = 0;      ///< of samples
   std::size_t group = 0;      ///< rows of one offset F₀
   std::size_t turns = 0;      ///< index into PathRows::turns
-  PathStretch last = {};      ///< c and h̄ of the stretch that the samples lie on
-  double variance = 0.0;      ///< of h over the samples, m²
+  PathStretch last = {};      ///< c and mean h of the stretch that the samples lie on
   double displacement = 0.0;  ///< mean of u from where the joint is without force, m
   double velocity = 0.0;      ///< mean of u̇, m a sample
   double force = 0.0;         ///< mean of F, N
@@ -51,13 +50,17 @@ struct PathRow {
 struct PathRows {
   std::vector<PathRow> rows = {};                    ///< in order of time
   std::vector<std::vector<PathStretch>> turns = {};  ///< the stretches behind a row
+  std::vector<double> half_range = {};               ///< h_i of the samples of all rows, m
   std::size_t groups = 0;                            ///< of rows with one offset
   double reach = 0.0;         ///< largest half range of any stretch, m: beyond it nothing slips
   double shortest = 0.0;      ///< a tenth of the half ranges between turns lies below, m
   std::size_t reversals = 0;  ///< of the whole path
 };
 
-/// Rows of a path by Madelung's rules.
+/// Rows of a path by Madelung's rules. Where as many rows would be longer than a 64th of the range of
+/// the path, most branches have rows as long as that makes them, and some, spread evenly over
+/// all, rows of a 64th: a mean over a branch has what it tells of the joint as a whole, but not where
+/// it slips.
 /// @param path       displacement of each sample, m.
 /// @param force      of each sample, N.
 /// @param start      the state that it begins in.

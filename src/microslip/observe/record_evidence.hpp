@@ -15,8 +15,8 @@ namespace microslip {
 /// s that of one sample, which whoever fits estimates.
 class RecordEvidence {
  public:
-  /// Rows of a record at most: a density has a few dozen degrees of freedom, and a path hardly more
-  /// than a few thousand places that differ.
+  /// About so many rows, beside a few of each branch: a density has a few dozen degrees of freedom,
+  /// and a path hardly more than a few thousand places that differ.
   static constexpr std::size_t kMostRows = 6000;
 
   /// @param measured  as recorded.

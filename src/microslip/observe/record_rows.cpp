@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace microslip {
 namespace {
@@ -18,69 +19,100 @@ void add_straight(double l, double r, double value_l, double value_r, double sha
   left += 3.0 * width * (value_l + value_r) - with_right;
 }
 
-/// p at a scaled slip displacement, from p at the knots, times a factor.
-void add_density(double s, double factor, const std::vector<double>& knots,
-                 Eigen::Ref<Eigen::RowVectorXd> row) {
-  if (s >= knots.back()) return;
-  if (s <= knots.front()) {
-    row(0) += factor;
-    return;
-  }
-  const auto above = std::ranges::upper_bound(knots, s);
-  const auto j = above - knots.begin();
-  const double share = (s - *(above - 1)) / (*above - *(above - 1));
-  row(j - 1) += factor * (1.0 - share);
-  row(j) += factor * share;
-}
+/// Σ factor ∫ min(h, s) p ds of any number of h, from p at the knots. The cell of an h is cut by it;
+/// those below are like for all h above, those above are of h alone: sums over cells.
+class VirginSum {
+ public:
+  explicit VirginSum(const std::vector<double>& knots)
+      : knots_(knots),
+        row_(Eigen::RowVectorXd::Zero(static_cast<Eigen::Index>(knots.size()))),
+        factor_(knots.size() + 1, 0.0),
+        moment_(knots.size() + 1, 0.0) {}
 
-void add_virgin(double h, double factor, const std::vector<double>& knots,
-                Eigen::Ref<Eigen::RowVectorXd> row) {
-  const double first = knots.front();
-  const double slipped = std::min(h, first);
-  row(0) += factor * (0.5 * slipped * slipped + h * (first - slipped));
-  for (std::size_t j = 0; j + 1 < knots.size(); ++j) {
-    const double l = knots[j];
-    const double r = knots[j + 1];
+  void add(double h, double factor) {
+    const auto cell =
+        static_cast<std::size_t>(std::ranges::upper_bound(knots_, h) - knots_.begin());
+    factor_[cell] += factor;
+    moment_[cell] += factor * h;
+    if (cell == 0) {
+      row_(0) += factor * h * (knots_.front() - 0.5 * h);
+    } else if (cell < knots_.size()) {
+      const double l = knots_[cell - 1];
+      const double r = knots_[cell];
+      const double share = (h - l) / (r - l);
+      double left = 0.0;
+      double right = 0.0;
+      add_straight(l, h, l, h, 0.0, share, left, right);
+      add_straight(h, r, h, h, share, 1.0, left, right);
+      add_to_cell(cell, factor * left, factor * right);
+    }
+  }
+
+  /// The sum; the next is empty.
+  Eigen::RowVectorXd take() {
+    double above = 0.0;
+    for (std::size_t cell = knots_.size(); cell > 0; --cell) {
+      if (cell < knots_.size()) add_below(cell, above);
+      above += factor_[cell];
+    }
+    row_(0) += 0.5 * above * knots_.front() * knots_.front();
+    double below = 0.0;
+    for (std::size_t cell = 1; cell < knots_.size(); ++cell) {
+      below += moment_[cell - 1];
+      const double half = 0.5 * below * (knots_[cell] - knots_[cell - 1]);
+      add_to_cell(cell, half, half);
+    }
+    std::ranges::fill(factor_, 0.0);
+    std::ranges::fill(moment_, 0.0);
+    return std::exchange(row_, Eigen::RowVectorXd::Zero(row_.size()));
+  }
+
+ private:
+  void add_to_cell(std::size_t cell, double left, double right) {
+    row_(static_cast<Eigen::Index>(cell) - 1) += left;
+    row_(static_cast<Eigen::Index>(cell)) += right;
+  }
+
+  /// A cell of which all sliders have slipped.
+  void add_below(std::size_t cell, double factor) {
+    const double l = knots_[cell - 1];
+    const double r = knots_[cell];
     double left = 0.0;
     double right = 0.0;
-    const double end = std::clamp(h, l, r);
-    const double share = (end - l) / (r - l);
-    add_straight(l, end, l, end, 0.0, share, left, right);
-    add_straight(end, r, h, h, share, 1.0, left, right);
-    row(static_cast<Eigen::Index>(j)) += factor * left;
-    row(static_cast<Eigen::Index>(j) + 1) += factor * right;
+    add_straight(l, r, l, r, 0.0, 1.0, left, right);
+    add_to_cell(cell, factor * left, factor * right);
   }
-}
+
+  const std::vector<double>& knots_;
+  Eigen::RowVectorXd row_;
+  std::vector<double> factor_;  // of the h in each cell: below the first knot, between two, above
+  std::vector<double> moment_;  // and times h
+};
 
 }  // namespace
 
 Eigen::RowVectorXd virgin_row(double h, const std::vector<double>& knots) {
-  Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(static_cast<Eigen::Index>(knots.size()));
-  add_virgin(h, 1.0, knots, row);
-  return row;
+  VirginSum sum(knots);
+  sum.add(h, 1.0);
+  return sum.take();
 }
 
 Eigen::MatrixXd stop_rows(const PathRows& path, double length, const std::vector<double>& knots) {
   const auto columns = static_cast<Eigen::Index>(knots.size());
-  Eigen::MatrixXd turns =
-      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(path.turns.size()), columns);
-  Eigen::RowVectorXd row(columns);
+  VirginSum sum(knots);
+  Eigen::MatrixXd turns(static_cast<Eigen::Index>(path.turns.size()), columns);
   for (std::size_t i = 0; i < path.turns.size(); ++i) {
-    row.setZero();
-    for (const PathStretch& one : path.turns[i]) {
-      add_virgin(one.half_range / length, one.coefficient, knots, row);
-    }
-    turns.row(static_cast<Eigen::Index>(i)) = row;
+    for (const PathStretch& one : path.turns[i]) sum.add(one.half_range / length, one.coefficient);
+    turns.row(static_cast<Eigen::Index>(i)) = sum.take();
   }
   Eigen::MatrixXd rows(static_cast<Eigen::Index>(path.rows.size()), columns);
+  std::size_t sample = 0;
   for (std::size_t i = 0; i < path.rows.size(); ++i) {
     const PathRow& one = path.rows[i];
-    row = turns.row(static_cast<Eigen::Index>(one.turns));
-    const double h = one.last.half_range / length;
-    add_virgin(h, one.last.coefficient, knots, row);
-    const double variance = one.variance / (length * length);
-    add_density(h, -0.5 * variance * one.last.coefficient, knots, row);
-    rows.row(static_cast<Eigen::Index>(i)) = row;
+    const double factor = one.last.coefficient / static_cast<double>(one.count);
+    for (std::size_t j = 0; j < one.count; ++j) sum.add(path.half_range[sample++] / length, factor);
+    rows.row(static_cast<Eigen::Index>(i)) =
+        turns.row(static_cast<Eigen::Index>(one.turns)) + sum.take();
   }
   return rows;
 }

@@ -23,13 +23,14 @@ namespace {
 
 /// What a departure is, by its code; the code itself of one that is not known here.
 std::string departure_text(const std::string& code) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kTexts = {{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kTexts = {{
       {"rate_dependent", "rate: force follows velocity"},
       {"asymmetric", "asymmetry: sides differ"},
       {"dead_zone", "dead zone: no force about 0"},
       {"drifts", "drift: force grows or falls"},
       {"offset_drifts", "offset: zero moves"},
       {"not_masing", "not Masing: branches differ"},
+      {"records_contradict", "not the other records' joint"},
   }};
   const auto* known =
       std::ranges::find(kTexts, code, &std::pair<std::string_view, std::string_view>::first);
