@@ -97,6 +97,16 @@ TEST(identify_records, RefusesWhatIsNoRecordOfAJoint) {
   box.put("swapped.csv", record_text(swapped));
   expect_refused(box, {"identify", "swapped.csv", "--out", "j.json"}, {"swapped.csv", "sign"});
 
+  ForceRecord exchanged = sample_record();
+  for (std::size_t i = 0; i < exchanged.size(); ++i) {
+    const double force = exchanged.force[i];
+    exchanged.force[i] = 1e6 * exchanged.displacement[i];
+    exchanged.displacement[i] = 1e-6 * force;
+  }
+  box.put("exchanged.csv", record_text(exchanged));
+  expect_refused(box, {"identify", "exchanged.csv", "--out", "j.json"}, {"exchanged.csv", "work"});
+  expect_refused(box, {"identify", "none.csv", "--out", "j.json"}, {"none.csv"});
+
   ForceRecord ramp = sample_record();
   for (std::size_t i = 0; i < ramp.size(); ++i) {
     ramp.displacement[i] = 1e-7 * static_cast<double>(i);

@@ -27,7 +27,9 @@ bool is_of_record(const std::string& name) {
 EvidenceKind evidence_kind(const std::string& path) {
   const std::string file = part_of_file(path).file;
   std::error_code unknown;
-  if (path == "-" || !std::filesystem::is_regular_file(file, unknown)) return EvidenceKind::kLevels;
+  const bool once =
+      std::filesystem::exists(file, unknown) && !std::filesystem::is_regular_file(file, unknown);
+  if (path == "-" || once) return EvidenceKind::kLevels;
   if (recording_format(file) != RecordingFormat::kCsv) return EvidenceKind::kRecord;
   const std::vector<std::string> names = csv_column_names(read_kind_head(file));
   if (std::ranges::any_of(names, is_of_levels)) return EvidenceKind::kLevels;
