@@ -11,8 +11,6 @@
 namespace microslip {
 namespace {
 
-/// How far the smoothing of all joints together may go from where it settled: farther than it does.
-constexpr double kSmoothingRange = 1e3;
 /// Draws of the prior before those that are kept, over these.
 constexpr std::size_t kForgottenShare = 5;
 /// Where a coefficient starts that lies on its limit, in standard deviations without the limits.
@@ -55,8 +53,12 @@ void draw_evidence(const NormalEquations& equations, const SettledEvidence& sett
   ChainTarget target{.rows = {},
                      .penalty = settled_penalty(evidence, settled),
                      .limits = non_negative(evidence.size()),
-                     .least_lambda = 1.0 / kSmoothingRange,
-                     .most_lambda = kSmoothingRange};
+                     .blocks = {}};
+  for (std::size_t j = 0; j < evidence.roughness.size(); ++j) {
+    const double lambda = settled.weights.lambda[j];
+    target.blocks.push_back(
+        {evidence.roughness[j].rows.rows(), kLeastLambda / lambda, kMostLambda / lambda});
+  }
   ChainStart start{settled.x, 1.0, {}};
   for (const RowKind kind : kRowKinds) {
     if (!evidence.of(kind).tells()) continue;

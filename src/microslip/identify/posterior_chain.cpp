@@ -37,8 +37,6 @@ constexpr int kManyOfOne = 8;
 PosteriorChain::PosteriorChain(const ChainTarget& target, ChainStart start)
     : target_(target),
       nearness_(Eigen::VectorXd::Zero(start.x.size())),
-      local_(target.penalty.rows(), target.most_lambda > target.least_lambda),
-      lambda_(std::clamp(start.lambda, target.least_lambda, target.most_lambda)),
       scale_(std::move(start.scale)),
       x_(std::move(start.x)),
       gaussian_(target.limits),
@@ -58,13 +56,23 @@ PosteriorChain::PosteriorChain(const ChainTarget& target, ChainStart start)
       if (row(j) != 0.0) columns.push_back(j);
     }
   }
-  roughness_ = roughness(local_);
+  std::vector<ChainBlock> blocks = target.blocks;
+  if (blocks.empty()) {
+    blocks.push_back({target.penalty.rows(), target.least_lambda, target.most_lambda});
+  }
+  Eigen::Index begin = 0;
+  for (const ChainBlock& block : blocks) {
+    const double lambda = std::clamp(start.lambda, block.least_lambda, block.most_lambda);
+    Smoothing& smoothing = smoothing_.emplace_back(
+        Smoothing{begin, block, lambda, {block.rows, block.most_lambda > block.least_lambda}, {}});
+    smoothing.roughness = roughness(smoothing, smoothing.local);
+    begin += block.rows;
+  }
   hessian_.setZero(x_.size(), x_.size());
   for (std::size_t g = 0; g < scale_.size(); ++g) {
     hessian_ += information_[g] / (scale_[g] * scale_[g]);
   }
-  const Eigen::VectorXd given_others =
-      (hessian_ + lambda_ * roughness_).diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::VectorXd given_others = whole_hessian().diagonal().cwiseSqrt().cwiseInverse();
   x_ = target.limits.moved_inside(x_, kInside * given_others);
 }
 
@@ -97,53 +105,71 @@ bool PosteriorChain::moves_along(double log_ratio, RandomStream& random) {
   return true;
 }
 
-// Steps of ln λ have a Cauchy distribution: some small, some as large as its range.
-void PosteriorChain::move_with_lambda(RandomStream& random) {
-  const double step = 0.5 * std::tan(std::numbers::pi * (random.uniform() - 0.5));
-  const double lambda = lambda_ * std::exp(step);
-  if (!(lambda >= target_.least_lambda && lambda <= target_.most_lambda)) return;
-  moved_.set(hessian_ + lambda * roughness_, linear_);
-  const double rank = static_cast<double>(target_.penalty.rows());
-  if (moves_along(0.5 * rank * std::log(lambda / lambda_), random)) lambda_ = lambda;
+Eigen::MatrixXd PosteriorChain::whole_hessian() const {
+  Eigen::MatrixXd sum = hessian_;
+  for (const Smoothing& smoothing : smoothing_) sum += smoothing.lambda * smoothing.roughness;
+  return sum;
 }
 
-void PosteriorChain::move_with_local(RandomStream& random) {
-  LocalSmoothing local = local_.proposed(random);
-  Eigen::MatrixXd rough = roughness(local);
-  moved_.set(hessian_ + lambda_ * rough, linear_);
+// Steps of ln λ have a Cauchy distribution: some small, some as large as its range.
+void PosteriorChain::move_with_lambda(Smoothing& smoothing, RandomStream& random) {
+  const double step = 0.5 * std::tan(std::numbers::pi * (random.uniform() - 0.5));
+  const double lambda = smoothing.lambda * std::exp(step);
+  if (!(lambda >= smoothing.block.least_lambda && lambda <= smoothing.block.most_lambda)) return;
+  moved_.set(whole_hessian() + (lambda - smoothing.lambda) * smoothing.roughness, linear_);
+  const double rank = static_cast<double>(smoothing.block.rows);
+  if (moves_along(0.5 * rank * std::log(lambda / smoothing.lambda), random)) {
+    smoothing.lambda = lambda;
+  }
+}
+
+void PosteriorChain::move_with_local(Smoothing& smoothing, RandomStream& random) {
+  LocalSmoothing local = smoothing.local.proposed(random);
+  Eigen::MatrixXd rough = roughness(smoothing, local);
+  moved_.set(whole_hessian() + smoothing.lambda * (rough - smoothing.roughness), linear_);
   if (!moves_along(0.0, random)) return;  // the mean of ln l is 0
-  local_ = std::move(local);
-  roughness_ = std::move(rough);
+  smoothing.local = std::move(local);
+  smoothing.roughness = std::move(rough);
 }
 
 // A row of L has three coefficients other than 0.
-Eigen::MatrixXd PosteriorChain::roughness(const LocalSmoothing& local) const {
+Eigen::MatrixXd PosteriorChain::roughness(const Smoothing& smoothing,
+                                          const LocalSmoothing& local) const {
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(x_.size(), x_.size());
-  for (Eigen::Index r = 0; r < target_.penalty.rows(); ++r) {
+  for (Eigen::Index own = 0; own < smoothing.block.rows; ++own) {
+    const Eigen::Index r = smoothing.begin + own;
     for (const Eigen::Index i : penalised_[static_cast<std::size_t>(r)]) {
       for (const Eigen::Index j : penalised_[static_cast<std::size_t>(r)]) {
-        sum(i, j) += local.factors()(r) * target_.penalty(r, i) * target_.penalty(r, j);
+        sum(i, j) += local.factors()(own) * target_.penalty(r, i) * target_.penalty(r, j);
       }
     }
   }
   return sum;
 }
 
+/// (Lx)_j² of a block.
+Eigen::VectorXd PosteriorChain::bends(const Smoothing& smoothing) const {
+  const auto own = target_.penalty.middleRows(smoothing.begin, smoothing.block.rows);
+  return (own * x_).cwiseAbs2();
+}
+
 // λ | x ~ Gamma(r/2) of rate ½Σ l_j (Lx)_j², between its ends.
-void PosteriorChain::draw_lambda(RandomStream& random) {
-  const double shape = 0.5 * static_cast<double>(target_.penalty.rows());
-  const double sum = local_.factors().dot((target_.penalty * x_).cwiseAbs2());
+void PosteriorChain::draw_lambda(Smoothing& smoothing, RandomStream& random) {
+  const double least = smoothing.block.least_lambda;
+  const double most = smoothing.block.most_lambda;
+  const double shape = 0.5 * static_cast<double>(smoothing.block.rows);
+  const double sum = smoothing.local.factors().dot(bends(smoothing));
   const double rate = 0.5 * std::max(sum, 1e-300);
-  const double below = boost::math::gamma_p(shape, rate * target_.least_lambda, DrawPolicy());
-  const double above = boost::math::gamma_p(shape, rate * target_.most_lambda, DrawPolicy());
+  const double below = boost::math::gamma_p(shape, rate * least, DrawPolicy());
+  const double above = boost::math::gamma_p(shape, rate * most, DrawPolicy());
   const double uniform = random.uniform();
   if (above - below < kLeastRange) {
-    lambda_ = rate * target_.least_lambda > shape ? target_.least_lambda : target_.most_lambda;
+    smoothing.lambda = rate * least > shape ? least : most;
     return;
   }
   const double drawn =
       boost::math::gamma_p_inv(shape, below + uniform * (above - below), DrawPolicy());
-  lambda_ = std::clamp(drawn / rate, target_.least_lambda, target_.most_lambda);
+  smoothing.lambda = std::clamp(drawn / rate, least, most);
 }
 
 // τ² | x ~ (‖Dx − d‖² + more)/χ²_m, not below its least.
@@ -160,9 +186,9 @@ void PosteriorChain::draw_scales(RandomStream& random) {
   }
 }
 
-void PosteriorChain::draw_local(RandomStream& random) {
-  local_.draw(lambda_ * (target_.penalty * x_).cwiseAbs2(), random);
-  roughness_ = roughness(local_);
+void PosteriorChain::draw_local(Smoothing& smoothing, RandomStream& random) {
+  smoothing.local.draw(smoothing.lambda * bends(smoothing), random);
+  smoothing.roughness = roughness(smoothing, smoothing.local);
 }
 
 void PosteriorChain::set_error(double error) {
@@ -177,16 +203,19 @@ void PosteriorChain::set_error(double error) {
 
 void PosteriorChain::step(RandomStream& random, int most_reflections) {
   gather_data(random);
-  gaussian_.set(hessian_ + lambda_ * roughness_, linear_);
+  gaussian_.set(whole_hessian(), linear_);
   gaussian_.move(x_, random, most_reflections);
   reflections_ = gaussian_.reflections();
-  if (target_.most_lambda > target_.least_lambda) {
-    move_with_lambda(random);
-    if (local_.varies()) move_with_local(random);
-    draw_lambda(random);
+  for (Smoothing& smoothing : smoothing_) {
+    if (!(smoothing.block.most_lambda > smoothing.block.least_lambda)) continue;
+    move_with_lambda(smoothing, random);
+    if (smoothing.local.varies()) move_with_local(smoothing, random);
+    draw_lambda(smoothing, random);
   }
   draw_scales(random);
-  if (local_.varies()) draw_local(random);
+  for (Smoothing& smoothing : smoothing_) {
+    if (smoothing.local.varies()) draw_local(smoothing, random);
+  }
 }
 
 void PosteriorChain::hold_near() {
@@ -208,7 +237,8 @@ void PosteriorChain::settle(RandomStream& random) {
 
 // The program has H and Hz = g + Lε, with H = LLᵀ.
 QuadraticProgram::Solution PosteriorChain::projected(RandomStream& random) const {
-  Eigen::MatrixXd hessian = lambda_ * roughness_;
+  Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(x_.size(), x_.size());
+  for (const Smoothing& smoothing : smoothing_) hessian += smoothing.lambda * smoothing.roughness;
   Eigen::VectorXd linear = Eigen::VectorXd::Zero(x_.size());
   for (std::size_t g = 0; g < scale_.size(); ++g) {
     const double precision = 1.0 / (scale_[g] * scale_[g]);

@@ -28,6 +28,13 @@ struct ChainRows {
   bool scale_known = false;    ///< τ stays what it starts with: the rows are what is known before
 };
 
+/// Rows of L that have a λ and local factors of their own: those of one density among several.
+struct ChainBlock {
+  Eigen::Index rows = 0;  ///< how many
+  double least_lambda = 0.0;
+  double most_lambda = 0.0;
+};
+
 /// What is drawn from: with coefficients x, a scale τ_g of the scatter of each kind of rows, the
 /// smoothing λ and its local factors l,
 ///
@@ -35,19 +42,22 @@ struct ChainRows {
 ///         · λ^(r/2 − 1) Π_j √l_j exp(−½λ l_j (Lx)_j²) · p(l)
 ///
 /// within limits: the priors of ln λ and ln τ are flat. λ stays between two ends: where a density
-/// as smooth as can be is possible, so is any λ above. Where they are one, l is 1 too.
+/// as smooth as can be is possible, so is any λ above. Where they are one, l is 1 too. With blocks
+/// the second line is a product of those of each.
 struct ChainTarget {
   std::vector<ChainRows> rows;
   Eigen::MatrixXd penalty;  ///< L, r × coefficients
   LinearLimits limits;
   double least_lambda = 0.0;
   double most_lambda = 0.0;
+  /// Of the rows of L from above, all of them; empty: one block between the two ends.
+  std::vector<ChainBlock> blocks = {};
 };
 
 /// Where a chain starts: at a good solution.
 struct ChainStart {
   Eigen::VectorXd x;
-  double lambda = 0.0;
+  double lambda = 0.0;        ///< of every block
   std::vector<double> scale;  ///< τ of each kind of rows
 };
 
@@ -86,20 +96,33 @@ class PosteriorChain {
   /// @return  x, and whether it is the least.
   [[nodiscard]] QuadraticProgram::Solution projected(RandomStream& random) const;
 
-  [[nodiscard]] double lambda() const { return lambda_; }  ///< of the last draw
+  /// λ of the last draw. @param block  of the penalty.
+  [[nodiscard]] double lambda(std::size_t block = 0) const { return smoothing_[block].lambda; }
   /// τ of the last draw. @param kind  of the rows.
   [[nodiscard]] double scale(std::size_t kind = 0) const { return scale_[kind]; }
 
  private:
   void step(RandomStream& random, int most_reflections);
   void gather_data(RandomStream& random);
+  /// λ and l of a block, and what they make of it.
+  struct Smoothing {
+    Eigen::Index begin;  // of its rows of L
+    ChainBlock block;
+    double lambda;
+    LocalSmoothing local;
+    Eigen::MatrixXd roughness;  // Lᵀ diag(l) L
+  };
+
   [[nodiscard]] bool moves_along(double log_ratio, RandomStream& random);
-  void move_with_lambda(RandomStream& random);
-  void move_with_local(RandomStream& random);
-  [[nodiscard]] Eigen::MatrixXd roughness(const LocalSmoothing& local) const;
-  void draw_lambda(RandomStream& random);
+  void move_with_lambda(Smoothing& smoothing, RandomStream& random);
+  void move_with_local(Smoothing& smoothing, RandomStream& random);
+  [[nodiscard]] Eigen::MatrixXd roughness(const Smoothing& smoothing,
+                                          const LocalSmoothing& local) const;
+  [[nodiscard]] Eigen::VectorXd bends(const Smoothing& smoothing) const;
+  [[nodiscard]] Eigen::MatrixXd whole_hessian() const;
+  void draw_lambda(Smoothing& smoothing, RandomStream& random);
   void draw_scales(RandomStream& random);
-  void draw_local(RandomStream& random);
+  void draw_local(Smoothing& smoothing, RandomStream& random);
   void hold_near();
 
   const ChainTarget& target_;
@@ -107,12 +130,10 @@ class PosteriorChain {
   std::vector<Eigen::VectorXd> data_;                 // d + δw
   std::vector<Eigen::VectorXd> projected_;            // Dᵀ of that
   std::vector<std::vector<Eigen::Index>> penalised_;  // columns of each row of L
-  Eigen::MatrixXd roughness_;                         // Lᵀ diag(l) L
   Eigen::MatrixXd hessian_;                           // of all but the smoothing
   Eigen::VectorXd linear_;
   Eigen::VectorXd nearness_;  // 1/w²
-  LocalSmoothing local_;
-  double lambda_;
+  std::vector<Smoothing> smoothing_;
   std::vector<double> scale_;
   Eigen::VectorXd x_;
   TruncatedGaussian gaussian_;  // x given all else
