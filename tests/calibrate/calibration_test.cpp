@@ -168,6 +168,24 @@ TEST(Calibration, WarnsOfALevelFarBeyondTheOthers) {
   EXPECT_TRUE(warns(found, "levels_not_found") || warns(found, "scatter_large"));
 }
 
+// Errors of displacements count beside those of the losses: without these they are not used.
+TEST(CalibrationWarning, SaysThatErrorsOfDisplacementsAreNotUsed) {
+  ModalLevels levels{.mode = {0}, .displacement = {1e-5}, .dissipation = {1e-6}};
+  CalibrationResult result;
+  const auto warned = [&] {
+    const std::vector<Warning> warnings = diagnose(result, levels);
+    return std::ranges::find(warnings, "std_ignored", &Warning::code) != warnings.end();
+  };
+  EXPECT_FALSE(warned());
+  levels.displacement_std = {1e-7};
+  EXPECT_TRUE(warned());
+  levels.displacement_std.clear();
+  levels.joints.push_back({.name = "lap", .amplitude = {1e-6}, .amplitude_std = {1e-8}});
+  EXPECT_TRUE(warned());
+  result.loss_std_given = true;
+  EXPECT_FALSE(warned());
+}
+
 TEST(Calibration, IsTheSameOnAnyNumberOfThreads) {
   MICROSLIP_OF_RELEASE_ALONE();
   const SimulatedTest test = simulated(three_joints(), 3, 2e-6, 3e-5, 8, 9);

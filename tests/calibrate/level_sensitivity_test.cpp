@@ -75,6 +75,30 @@ TEST_P(Sensitivity, IsThatOfTheHarmonicBalance) {
   }
 }
 
+// Likewise of the displacement of the response point.
+TEST_P(Sensitivity, IsThatOfTheDisplacementToo) {
+  const auto [forcing, compliance, mode] = GetParam();
+  constexpr double kResponse = 2e-5;
+  const JointedStructure structure = structure_with(0.5, 0.4, compliance);
+  const HarmonicBalance balance(structure, {"p1"}, {.forcing = forcing});
+  const auto solve = [&, at_mode = mode](double response) {
+    const VibrationResult found =
+        balance.solve(kPhaseResonance, {Quantity::kResponse, response}, at_mode);
+    EXPECT_TRUE(found.summary.converged()) << found.summary.reason;
+    return found.vibration;
+  };
+  constexpr double kStep = 1e-3 * kResponse;
+  const LevelSensitivity found = level_sensitivity(structure, "p1", solve(kResponse), forcing);
+  const SteadyVibration more = solve(kResponse + kStep);
+  const SteadyVibration less = solve(kResponse - kStep);
+  const double frequency = (more.angular_frequency - less.angular_frequency) / (2.0 * kStep);
+  EXPECT_NEAR(found.frequency_by_response, frequency, 0.01 * std::abs(frequency));
+  for (std::size_t j = 0; j < 2; ++j) {
+    const double moved = (more.joints[j].amplitude - less.joints[j].amplitude) / (2.0 * kStep);
+    EXPECT_NEAR(found.amplitude_by_response(static_cast<Eigen::Index>(j)), moved, 0.01 * moved);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Of, Sensitivity,
     ::testing::Combine(::testing::Values(Forcing::kExcitation, Forcing::kModal),

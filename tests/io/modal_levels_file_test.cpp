@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,26 @@ TEST(ModalLevelsFile, LevelsOfSeveralFilesKeepWhatEachHas) {
   EXPECT_TRUE(std::isnan(ModalLevels::value(levels.dissipation, 1)));
   EXPECT_TRUE(std::isnan(ModalLevels::value(levels.joints[0].amplitude, 0)));
   EXPECT_DOUBLE_EQ(levels.joints[0].amplitude[1], 1e-7);
+}
+
+TEST(ModalLevelsFile, ReadsTheErrorOfTheDisplacement) {
+  const ModalLevels levels =
+      parse("mode [1],displacement [m],displacement_std [um],dissipation [J]\n1,1e-5,0.2,1e-9\n");
+  ASSERT_EQ(levels.displacement_std.size(), 1U);
+  EXPECT_DOUBLE_EQ(levels.displacement_std[0], 2e-7);
+}
+
+// The deviation of x, or the amplitude of x_std: refused where both are joints and the column is there.
+TEST(ModalLevelsFile, AColumnOfTwoJointsIsRefused) {
+  const std::vector<std::string> joints{"x", "x_std"};
+  const std::string head = "mode [1],displacement [m],dissipation [J]";
+  EXPECT_EQ(parse_modal_levels(head + "\n1,1e-6,1e-9\n", "m.csv", joints, 3).size(), 1U);
+  const std::string found = test::message_of<FormatError>([&] {
+    return parse_modal_levels(head + ",amplitude_x_std [m]\n1,1e-6,1e-9,1e-6\n", "m.csv", joints,
+                              3);
+  });
+  EXPECT_NE(found.find("of joint 'x_std' or the standard deviation of 'x'"), std::string::npos)
+      << found;
 }
 
 TEST(ModalLevelsFile, NamesWhatIsWrong) {

@@ -155,6 +155,13 @@ void warn_of_std(const CalibrationResult& result, const ModalLevels& levels,
     warn("the losses");
   }
   if (!result.frequency_std_given && some_positive(levels.frequency_std)) warn("the frequencies");
+  if (result.loss_std_given) return;
+  const bool amplitude_std = std::ranges::any_of(
+      levels.joints, [](const JointLevels& joint) { return some_positive(joint.amplitude_std); });
+  if (!amplitude_std && !some_positive(levels.displacement_std)) return;
+  warnings.push_back({"std_ignored",
+                      "standard deviations of displacements are not used for the losses: they "
+                      "count beside those of the losses, which not every level has above 0."});
 }
 
 void warn_of_sensors(const CalibrationResult& result, const ModalLevels& levels,

@@ -166,12 +166,28 @@ void read_joints(const CalibrationEvidence& evidence, const CalibrationOptions& 
   }
 }
 
-/// D of each joint that was found at a level, draw by draw, J.
+/// D of each joint that was found at a level, draw by draw, J, at the amplitude that the joint has in
+/// that draw; at the one amplitude of a level that the structure does not have.
 std::vector<std::vector<double>> losses_of_draws(const CalibrationEvidence& evidence,
                                                  const CalibratedState& state,
                                                  const std::vector<Eigen::VectorXd>& draws,
                                                  const LevelStates& states, std::size_t level) {
   std::vector<std::vector<double>> losses(state.unknowns.count());
+  if (states.at(level)) {
+    const std::vector<LinearLoss> about = losses_about(evidence, state.unknowns, states, level);
+    const Eigen::VectorXd mean = mean_of(draws);
+    for (std::size_t j = 0; j < losses.size(); ++j) {
+      // The joint is the mean of the draws; linear damping beside it is added to its band later.
+      const std::size_t index = state.unknowns.index(j);
+      const double a = used_amplitude(evidence, states, level, index);
+      const double slip =
+          about[j].value - states.structure().joints()[index].linear_damping * a * a;
+      for (const Eigen::VectorXd& x : draws) {
+        losses[j].push_back(std::max(0.0, slip + about[j].slope.dot(x - mean)));
+      }
+    }
+    return losses;
+  }
   for (std::size_t j = 0; j < losses.size(); ++j) {
     const double a = used_amplitude(evidence, states, level, state.unknowns.index(j));
     const Eigen::RowVectorXd row = state.unknowns.of(j).dissipation_row(a);

@@ -103,10 +103,83 @@ void read_joints(const JointedStructure& structure, const SteadyVibration& vibra
   }
 }
 
+/// The displacements of the joints, and last of the response point, that forces across the joints,
+/// the frequency and the drive make.
+struct SeenMotion {
+  Eigen::MatrixXcd by_force;
+  Eigen::VectorXcd by_frequency;
+  Eigen::VectorXcd by_drive;
+  Eigen::VectorXcd direction;  ///< u/|u|; 0 of a joint that stands still
+  Complex response;            ///< likewise of the response point, over its displacement, 1/m
+};
+
+SeenMotion seen_motion(const JointedStructure& structure, std::string_view response,
+                       const SteadyVibration& vibration, const FirstHarmonic& first) {
+  const Eigen::Index joints = first.u.size();
+  const Eigen::MatrixXcd reach = first.flexibility.asDiagonal() * first.shapes.cast<Complex>();
+  Eigen::MatrixXcd seen(joints + 1, first.modal.size());
+  seen.topRows(joints) = first.shapes.transpose().cast<Complex>();
+  seen.row(joints) = view(structure.linear().shape(response)).transpose().cast<Complex>();
+  SeenMotion motion;
+  motion.by_force = seen * reach;
+  motion.by_frequency =
+      seen * first.flexibility.cwiseProduct(first.slope.cwiseProduct(first.modal));
+  motion.by_drive = seen * first.drive;
+  motion.direction = Eigen::VectorXcd::Zero(joints);
+  for (Eigen::Index j = 0; j < joints; ++j) {
+    const double size = std::abs(first.u(j));
+    if (size > 0.0) motion.direction(j) = first.u(j) / size;
+  }
+  motion.response = (seen.row(joints) * first.modal)(0) / vibration.response;
+  return motion;
+}
+
+/// What Re δu, Im δu, δω and s make of the equations below: real parts of all, then imaginary ones.
+Eigen::MatrixXd system_of(const FirstHarmonic& first, const SeenMotion& motion) {
+  const Eigen::Index joints = first.u.size();
+  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(2 * joints + 2, 2 * joints + 2);
+  const auto put = [&](Eigen::Index column, const Eigen::VectorXcd& values) {
+    system.col(column).head(joints + 1) = values.real();
+    system.col(column).tail(joints + 1) = values.imag();
+  };
+  for (Eigen::Index j = 0; j < joints; ++j) {
+    for (const Complex unit : {Complex(1.0), kI}) {
+      const double da = (std::conj(motion.direction(j)) * unit).real();
+      const Complex softened = first.u(j) * first.softening(j) * da;
+      Eigen::VectorXcd values =
+          motion.by_force.col(j) * (first.stiffness(j) * unit + first.share(j) * softened);
+      values(j) += first.compliance(j) * unit + first.series(j) * softened;
+      put(unit == kI ? joints + j : j, values);
+    }
+  }
+  put(2 * joints, motion.by_frequency);
+  put(2 * joints + 1, -motion.by_drive);
+  return system;
+}
+
+/// Minus what Re δκ, Im δκ of each joint and, last, the displacement of the response point make.
+Eigen::MatrixXd right_hand_sides(const FirstHarmonic& first, const SeenMotion& motion) {
+  const Eigen::Index joints = first.u.size();
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(2 * joints + 2, 2 * joints + 1);
+  for (Eigen::Index l = 0; l < joints; ++l) {
+    for (const Complex unit : {Complex(1.0), kI}) {
+      const Complex force = first.u(l) * unit;
+      Eigen::VectorXcd values = -motion.by_force.col(l) * (first.share(l) * force);
+      values(l) -= first.series(l) * force;
+      const Eigen::Index column = unit == kI ? joints + l : l;
+      right.col(column).head(joints + 1) = values.real();
+      right.col(column).tail(joints + 1) = values.imag();
+    }
+  }
+  right(joints, 2 * joints) = -motion.response.real();
+  right(2 * joints + 1, 2 * joints) = -motion.response.imag();
+  return right;
+}
+
 }  // namespace
 
 // Unknowns: Re δu, Im δu, δω and the change s of the drive. With Y the flexibility of the modes,
-//   (1 + cκ)δu + c u δκ_t = Ψᵀδq,   φᵀδq = 0,
+//   (1 + cκ)δu + c u δκ_t = Ψᵀδq,   φᵀδq = (φᵀq/X) δX,
 //   δq = −YΨ{[κ − k_s(1 + cκ)]δu + (1 − k_s c)u δκ_t} − Y Z′ q δω + drive s,
 //   δκ_t = κ′δa + δκ,   δa = Re(ū δu)/|u|.
 LevelSensitivity level_sensitivity(const JointedStructure& structure, std::string_view response,
@@ -115,62 +188,29 @@ LevelSensitivity level_sensitivity(const JointedStructure& structure, std::strin
   read_modes(structure, vibration, forcing, first);
   read_joints(structure, vibration, first);
   const Eigen::Index joints = first.u.size();
-  const Eigen::MatrixXcd reach = first.flexibility.asDiagonal() * first.shapes.cast<Complex>();
-  Eigen::MatrixXcd seen(joints + 1, first.modal.size());  // u, and the response
-  seen.topRows(joints) = first.shapes.transpose().cast<Complex>();
-  seen.row(joints) = view(structure.linear().shape(response)).transpose().cast<Complex>();
-  const Eigen::MatrixXcd by_force = seen * reach;  // of a force across a joint
-  const Eigen::VectorXcd by_frequency =
-      seen * first.flexibility.cwiseProduct(first.slope.cwiseProduct(first.modal));
-  const Eigen::VectorXcd by_drive = seen * first.drive;
-
-  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(2 * joints + 2, 2 * joints + 2);
-  const auto put = [&](Eigen::Index column, const Eigen::VectorXcd& values) {
-    system.col(column).head(joints + 1) = values.real();
-    system.col(column).tail(joints + 1) = values.imag();
-  };
-  Eigen::VectorXcd direction = Eigen::VectorXcd::Zero(joints);  // u/|u|
-  for (Eigen::Index j = 0; j < joints; ++j) {
-    const double size = std::abs(first.u(j));
-    if (size > 0.0) direction(j) = first.u(j) / size;
-    for (const Complex unit : {Complex(1.0), kI}) {
-      const double da = (std::conj(direction(j)) * unit).real();
-      const Complex softened = first.u(j) * first.softening(j) * da;
-      Eigen::VectorXcd values =
-          by_force.col(j) * (first.stiffness(j) * unit + first.share(j) * softened);
-      values(j) += first.compliance(j) * unit + first.series(j) * softened;
-      put(unit == kI ? joints + j : j, values);
-    }
-  }
-  put(2 * joints, by_frequency);
-  put(2 * joints + 1, -by_drive);
-
-  Eigen::MatrixXd right(2 * joints + 2, 2 * joints);
-  for (Eigen::Index l = 0; l < joints; ++l) {
-    for (const Complex unit : {Complex(1.0), kI}) {
-      const Complex force = first.u(l) * unit;
-      Eigen::VectorXcd values = -by_force.col(l) * (first.share(l) * force);
-      values(l) -= first.series(l) * force;
-      const Eigen::Index column = unit == kI ? joints + l : l;
-      right.col(column).head(joints + 1) = values.real();
-      right.col(column).tail(joints + 1) = values.imag();
-    }
-  }
+  const SeenMotion motion = seen_motion(structure, response, vibration, first);
+  const Eigen::MatrixXd system = system_of(first, motion);
   // Rows and columns in their own sizes: displacements and forces are far apart.
   const Eigen::VectorXd column_size = system.colwise().norm().cwiseMax(1e-300);
   const Eigen::MatrixXd scaled = system * column_size.cwiseInverse().asDiagonal();
-  const Eigen::MatrixXd moved =
-      column_size.cwiseInverse().asDiagonal() * scaled.partialPivLu().solve(right);
+  const Eigen::MatrixXd moved = column_size.cwiseInverse().asDiagonal() *
+                                scaled.partialPivLu().solve(right_hand_sides(first, motion));
 
   LevelSensitivity found;
-  found.frequency = moved.row(2 * joints).leftCols(joints).cast<Complex>() -
-                    kI * moved.row(2 * joints).rightCols(joints).cast<Complex>();
+  const auto as_complex = [joints](const Eigen::RowVectorXd& row) {
+    const Eigen::RowVectorXd real = row.head(joints);
+    const Eigen::RowVectorXd imaginary = row.segment(joints, joints);
+    return Eigen::RowVectorXcd(real.cast<Complex>() - kI * imaginary.cast<Complex>());
+  };
+  found.frequency = as_complex(moved.row(2 * joints));
+  found.frequency_by_response = moved(2 * joints, 2 * joints);
   found.amplitude.resize(joints, joints);
+  found.amplitude_by_response.resize(joints);
   for (Eigen::Index j = 0; j < joints; ++j) {
-    const Eigen::RowVectorXd da =
-        direction(j).real() * moved.row(j) + direction(j).imag() * moved.row(joints + j);
-    found.amplitude.row(j) =
-        da.leftCols(joints).cast<Complex>() - kI * da.rightCols(joints).cast<Complex>();
+    const Eigen::RowVectorXd da = motion.direction(j).real() * moved.row(j) +
+                                  motion.direction(j).imag() * moved.row(joints + j);
+    found.amplitude.row(j) = as_complex(da);
+    found.amplitude_by_response(j) = da(2 * joints);
   }
   return found;
 }

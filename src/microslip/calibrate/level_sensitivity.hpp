@@ -19,7 +19,9 @@ namespace microslip {
 /// δκ_l, N/m: its first harmonic is F_1 = κ(a) u_1 with κ = k_eq + iD/(πa²).
 struct LevelSensitivity {
   Eigen::RowVectorXcd frequency;  ///< ∂ω/∂Re κ_l − i ∂ω/∂Im κ_l: δω = Re(frequency · δκ)
-  Eigen::MatrixXcd amplitude;  ///< likewise of a_j, joints × joints
+  Eigen::MatrixXcd amplitude;             ///< likewise of a_j, joints × joints
+  double frequency_by_response = 0.0;     ///< ∂ω/∂X, X the displacement of the response point
+  Eigen::VectorXd amplitude_by_response;  ///< ∂a_j/∂X
 };
 
 /// The derivatives, with what κ itself changes as the amplitudes do. Higher harmonics are taken to

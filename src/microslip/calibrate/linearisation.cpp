@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 #include "microslip/joint/dissipation.hpp"
@@ -57,17 +57,55 @@ class AnswersOfLevel {
     }
     const bool sensed = !std::isnan(evidence_.measured_amplitude(level_, joint));
     if (evidence_.stuck_shapes || sensed) return row;
-    const double slope = dissipation_slope(placed.joint, a) + 2.0 * placed.linear_damping * a;
-    row += slope * answer(sensitivity_.amplitude.row(static_cast<Eigen::Index>(joint)));
+    row += loss_slope(joint) * answer(sensitivity_.amplitude.row(static_cast<Eigen::Index>(joint)));
     return row;
   }
 
   /// ω: its derivative.
   [[nodiscard]] Eigen::RowVectorXd frequency() const { return answer(sensitivity_.frequency); }
 
+  /// What one standard deviation of the displacement of the response point makes of ω.
+  [[nodiscard]] double frequency_share() const {
+    return sensitivity_.frequency_by_response * displacement_deviation();
+  }
+
+  /// The same of measured less found loss of all joints together. Amplitudes of sensors do not
+  /// follow; a loss of ζ does, with the square.
+  [[nodiscard]] double loss_share(double measured_slope) const {
+    double slope = measured_slope;
+    for (std::size_t joint = 0; joint < states_.structure().joints().size(); ++joint) {
+      slope -= loss_slope(joint) * amplitude_by_response(joint);
+    }
+    return slope * displacement_deviation();
+  }
+  /// The same of the loss of one.
+  [[nodiscard]] double loss_share_of(std::size_t joint) const {
+    return loss_slope(joint) * amplitude_by_response(joint) * displacement_deviation();
+  }
+
   [[nodiscard]] const SteadyVibration& vibration() const { return vibration_; }
 
  private:
+  [[nodiscard]] double displacement_deviation() const {
+    const double given = ModalLevels::value(evidence_.levels.displacement_std, level_);
+    return std::isnan(given) ? 0.0 : given;
+  }
+
+  /// dD/da of a joint.
+  [[nodiscard]] double loss_slope(std::size_t joint) const {
+    const StructuralJoint& placed = states_.structure().joints()[joint];
+    const double a = used_amplitude(evidence_, states_, level_, joint);
+    return dissipation_slope(placed.joint, a) + 2.0 * placed.linear_damping * a;
+  }
+
+  [[nodiscard]] double amplitude_by_response(std::size_t joint) const {
+    if (!std::isnan(evidence_.measured_amplitude(level_, joint))) return 0.0;
+    if (!evidence_.stuck_shapes) {
+      return sensitivity_.amplitude_by_response(static_cast<Eigen::Index>(joint));
+    }
+    return states_.stuck_amplitude(level_, joint) / evidence_.levels.displacement[level_];
+  }
+
   /// Of what has the derivative `by_kappa` with respect to κ of each joint of the structure.
   [[nodiscard]] Eigen::RowVectorXd answer(const Eigen::RowVectorXcd& by_kappa) const {
     Eigen::RowVectorXd row(unknowns_.size());
@@ -125,14 +163,16 @@ void add_losses(const CalibrationEvidence& evidence, const AllUnknowns& unknowns
     if (std::isnan(measured)) continue;
     row.data = measured - value;
     const double given = joint_entry(evidence, j, level, &JointLevels::dissipation_std);
-    row.deviation = evidence.loss_std_given ? std::hypot(given, share) : std::max(value, measured);
+    row.deviation = evidence.loss_std_given ? std::hypot(given, share, answers.loss_share_of(j))
+                                            : std::max(value, measured);
     rows.push_back(std::move(row));
   }
   const MeasuredLoss measured = measured_loss(evidence.levels, level, answers.vibration());
   if (std::isnan(measured.value)) return;
   together.data = measured.value - sum;
   together.deviation = evidence.loss_std_given
-                           ? std::sqrt(measured.deviation * measured.deviation + variance)
+                           ? std::hypot(measured.deviation, std::sqrt(variance),
+                                        answers.loss_share(measured.by_displacement))
                            : std::max(sum, measured.scattered);
   rows.push_back(std::move(together));
 }
@@ -247,15 +287,28 @@ MeasuredLoss measured_loss(const ModalLevels& levels, std::size_t level,
   const auto known = [](double deviation) { return std::isnan(deviation) ? 0.0 : deviation; };
   const double loss = ModalLevels::value(levels.dissipation, level);
   if (!std::isnan(loss)) {
-    return {loss, known(ModalLevels::value(levels.dissipation_std, level)), loss};
+    return {loss, known(ModalLevels::value(levels.dissipation_std, level)), loss, 0.0};
   }
   double square = 0.0;  // of the modal amplitude
   for (const auto& harmonics : vibration.modal) square += std::norm(harmonics[1]);
   const double omega = vibration.angular_frequency;
   const double unit = 2.0 * std::numbers::pi * omega * omega * square;
   const double all = unit * ModalLevels::value(levels.damping_ratio, level);
-  return {all - vibration.linear_dissipation,
-          unit * known(ModalLevels::value(levels.damping_ratio_std, level)), all};
+  const double of_joints = all - vibration.linear_dissipation;
+  return {of_joints, unit * known(ModalLevels::value(levels.damping_ratio_std, level)), all,
+          2.0 * of_joints / levels.displacement[level]};
+}
+
+std::vector<LinearLoss> losses_about(const CalibrationEvidence& evidence,
+                                     const AllUnknowns& unknowns, const LevelStates& states,
+                                     std::size_t level) {
+  const AnswersOfLevel answers(evidence, unknowns, states, level);
+  std::vector<LinearLoss> losses;
+  for (std::size_t j = 0; j < unknowns.count(); ++j) {
+    LinearLoss& loss = losses.emplace_back();
+    loss.slope = answers.loss(unknowns.index(j), loss.value);
+  }
+  return losses;
 }
 
 LinearEvidence linearise(const CalibrationEvidence& evidence, const AllUnknowns& unknowns,
@@ -275,7 +328,10 @@ LinearEvidence linearise(const CalibrationEvidence& evidence, const AllUnknowns&
     const SteadyVibration& vibration = answers.vibration();
     frequencies.push_back({answers.frequency() / vibration.angular_frequency,
                            frequency_error(evidence.levels, level, vibration),
-                           evidence.frequency_std_given ? given / frequency : 1.0});
+                           evidence.frequency_std_given
+                               ? std::hypot(given / frequency,
+                                            answers.frequency_share() / vibration.angular_frequency)
+                               : 1.0});
     with_frequency.push_back(level);
   }
   for (const Row& row : losses) largest = std::max(largest, row.deviation);

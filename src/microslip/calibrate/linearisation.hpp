@@ -75,9 +75,10 @@ struct CalibrationEvidence {
 /// D of all joints that a level shows: as measured, or ζ less the loss of the structure as it
 /// vibrates now. NaN where neither was measured.
 struct MeasuredLoss {
-  double value;      ///< J
-  double deviation;  ///< its standard deviation, J; 0 where it is not known
-  double scattered;  ///< of what an unknown deviation is a share, J: D, or all that ζ holds
+  double value;            ///< J
+  double deviation;        ///< its standard deviation, J; 0 where it is not known
+  double scattered;        ///< of what an unknown deviation is a share, J: D, or all that ζ holds
+  double by_displacement;  ///< dD/dX where ζ is measured: energies grow with X², N; else 0
 };
 [[nodiscard]] MeasuredLoss measured_loss(const ModalLevels& levels, std::size_t level,
                                          const SteadyVibration& vibration);
@@ -85,6 +86,18 @@ struct MeasuredLoss {
 /// ω of a level as measured over that of its vibration, less 1; NaN where it was not measured.
 [[nodiscard]] double frequency_error(const ModalLevels& levels, std::size_t level,
                                      const SteadyVibration& vibration);
+
+/// D of a joint at a level, J, and its derivative by the coefficients, with the amplitude that
+/// answers to them.
+struct LinearLoss {
+  double value = 0.0;
+  Eigen::RowVectorXd slope;
+};
+/// Of each joint that is sought, about the joints of the states.
+/// @param level  one that is solved.
+[[nodiscard]] std::vector<LinearLoss> losses_about(const CalibrationEvidence& evidence,
+                                                   const AllUnknowns& unknowns,
+                                                   const LevelStates& states, std::size_t level);
 
 /// Rows of levels that are solved. A loss of unknown deviation counts with itself as one, a
 /// frequency likewise: the scatter that is found is then relative.

@@ -57,6 +57,24 @@ JointLevels read_joint_columns(const CsvTable& table, const std::string& joint) 
   return levels;
 }
 
+/// amplitude_x_std is of x, or the amplitude of a joint x_std: nobody could tell.
+void check_names_apart(const CsvTable& table, std::span<const std::string> joints) {
+  for (const std::string& joint : joints) {
+    const std::string other = joint + "_std";
+    if (std::ranges::find(joints, other) == joints.end()) continue;
+    for (const std::string_view quantity : kOfJoints) {
+      const std::string column = std::string(quantity) + other;
+      if (std::ranges::find(table.columns(), column, &CsvColumn::name) == table.columns().end()) {
+        continue;
+      }
+      throw FormatError({table.file()}, "a column that belongs to one joint of the model",
+                        fmt::format("{}, of joint {} or the standard deviation of {}",
+                                    in_quotes(column), in_quotes(other), in_quotes(joint)),
+                        "Rename one of the joints in the model.");
+    }
+  }
+}
+
 /// A column of a joint that the model does not have would be left alone in silence.
 void check_joint_names(const CsvTable& table, std::span<const std::string> joints) {
   const std::vector<std::string_view> known(joints.begin(), joints.end());
@@ -95,6 +113,7 @@ ModalLevels parse_modal_levels(std::string text, std::string_view file,
   levels.displacement = table.numbers("displacement", kLength);
   require_positive(table, "displacement", levels.displacement,
                    "A level without motion tells nothing: remove the row.");
+  levels.displacement_std = non_negative_column(table, "displacement_std", kLength);
   levels.frequency = table.numbers_if_present("frequency", kFrequency);
   require_positive(table, "frequency", levels.frequency,
                    "Where it is not known at every level, remove the column.");
@@ -104,6 +123,7 @@ ModalLevels parse_modal_levels(std::string text, std::string_view file,
   levels.damping_ratio = non_negative_column(table, "damping_ratio", kDimensionless);
   levels.damping_ratio_std = non_negative_column(table, "damping_ratio_std", kDimensionless);
   check_joint_names(table, joints);
+  check_names_apart(table, joints);
   for (const std::string& joint : joints) {
     JointLevels found = read_joint_columns(table, joint);
     if (!found.amplitude.empty() || !found.dissipation.empty()) {

@@ -25,6 +25,7 @@ struct ModalColumn {
 
 constexpr std::array kModalColumns{
     ModalColumn<ModalLevels>{"displacement", &ModalLevels::displacement, true},
+    ModalColumn<ModalLevels>{"displacement_std", &ModalLevels::displacement_std, false},
     ModalColumn<ModalLevels>{"frequency", &ModalLevels::frequency, true},
     ModalColumn<ModalLevels>{"frequency_std", &ModalLevels::frequency_std, false},
     ModalColumn<ModalLevels>{"dissipation", &ModalLevels::dissipation, false},

@@ -24,6 +24,7 @@ struct JointLevels {
 struct ModalLevels {
   std::vector<std::size_t> mode = {};          ///< by frequency with all joints stuck, from 0
   std::vector<double> displacement = {};       ///< first harmonic at the response point, m; > 0
+  std::vector<double> displacement_std = {};   ///< its standard deviation, m; ≥ 0
   std::vector<double> frequency = {};          ///< of the resonance at this level, Hz; > 0
   std::vector<double> frequency_std = {};      ///< its standard deviation, Hz; ≥ 0
   std::vector<double> dissipation = {};        ///< of all joints together, J per cycle; ≥ 0
