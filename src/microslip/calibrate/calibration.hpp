@@ -62,6 +62,7 @@ struct CalibratedJoint {
   Estimate stiffness = {};             ///< k, N/m
   Estimate elastic_stiffness = {};     ///< K_e, N/m: what does not slip within the levels
   double exponent = 0.0;               ///< χ₀ of the prior
+  double edf = 0.0;                    ///< effective degrees of freedom of its density
   double least_amplitude = 0.0;        ///< of the levels, m
   double largest_amplitude = 0.0;      ///< of the levels, m
   std::vector<StiffnessDraw> draws{};  ///< ψ at the knots; each a feasible joint
@@ -76,15 +77,16 @@ struct JointAtLevel {
 
 /// A level as measured and as found.
 struct CalibratedLevel {
-  bool found = false;                  ///< whether the structure has the resonance
-  double frequency = 0.0;              ///< of the structure with the joints found, Hz
-  double measured_frequency = 0.0;     ///< Hz; NaN without
-  double dissipation = 0.0;            ///< of all joints together, J
-  double measured_dissipation = 0.0;   ///< J; of ζ less the loss of the structure
-  double damping_ratio = 0.0;          ///< ζ of structure and joints, 1
-  double residual = 0.0;               ///< of the dissipation, over its standard deviation, 1
-  double frequency_residual = 0.0;     ///< likewise; NaN without
-  std::vector<JointAtLevel> joints{};  ///< one a joint of the structure
+  bool found = false;                     ///< whether the structure has the resonance
+  double frequency = 0.0;                 ///< of the structure with the joints found, Hz
+  double measured_frequency = 0.0;        ///< Hz; NaN without
+  double dissipation = 0.0;               ///< of all joints together, J
+  double measured_dissipation = 0.0;      ///< J; of ζ less the loss of the structure
+  double measured_dissipation_std = 0.0;  ///< J; NaN where it was not given
+  double damping_ratio = 0.0;             ///< ζ of structure and joints, 1
+  double residual = 0.0;                  ///< of the dissipation, over its standard deviation, 1
+  double frequency_residual = 0.0;        ///< likewise; NaN without
+  std::vector<JointAtLevel> joints{};     ///< one a joint of the structure
 };
 
 /// Two joints that the levels hardly tell apart.

@@ -148,6 +148,7 @@ void read_joints(const CalibrationEvidence& evidence, const CalibrationOptions& 
         .name = states.structure().joints()[index].name, .index = index, .joint = joints[index]};
     found.slip_displacement = unknowns.slip_displacement();
     found.exponent = unknowns.exponent();
+    found.edf = state.settled.edf_by_joint.at(j);
     std::vector<double> elastic;
     for (const Eigen::VectorXd& x : draws) {
       const Eigen::VectorXd own = state.unknowns.part(j, x);
@@ -208,7 +209,9 @@ void read_vibration(const CalibrationEvidence& evidence, const LevelStates& stat
   for (std::size_t j = 0; j < told.joints.size(); ++j) {
     told.dissipation += told.joints[j].dissipation.mean;
   }
-  told.measured_dissipation = measured_loss(evidence.levels, level, vibration).value;
+  const MeasuredLoss measured = measured_loss(evidence.levels, level, vibration);
+  told.measured_dissipation = measured.value;
+  if (measured.deviation > 0.0) told.measured_dissipation_std = measured.deviation;
   if (!std::isnan(told.measured_dissipation)) return;
   told.measured_dissipation = 0.0;  // of the parts, or not a number where one is missing
   for (const std::size_t column : evidence.column) {
@@ -228,6 +231,7 @@ CalibratedLevel read_level(const CalibrationEvidence& evidence, const Calibrated
   told.measured_frequency = ModalLevels::value(evidence.levels.frequency, level);
   told.measured_dissipation = ModalLevels::value(evidence.levels.dissipation, level);
   told.frequency = told.dissipation = told.damping_ratio = kUnknown;
+  told.measured_dissipation_std = kUnknown;
   told.residual = told.frequency_residual = kUnknown;
   for (std::size_t joint = 0; joint < states.structure().joints().size(); ++joint) {
     const StructuralJoint& placed = states.structure().joints()[joint];

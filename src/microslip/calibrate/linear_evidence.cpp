@@ -60,6 +60,22 @@ class Round {
     return inverse_.cwiseProduct(equations_.information(kind)).sum() / (scatter * scatter);
   }
 
+  /// What of edf() of losses and frequencies goes into the coefficients of each joint.
+  [[nodiscard]] std::vector<double> edf_by_joint() const {
+    const std::vector<RoughnessBlock>& blocks = equations_.evidence().roughness;
+    std::vector<double> freedom(blocks.size(), 0.0);
+    for (const RowKind kind : {RowKind::kLoss, RowKind::kFrequency}) {
+      const double scatter = weights_.of(kind);
+      const Eigen::VectorXd own =
+          inverse_.cwiseProduct(equations_.information(kind)).rowwise().sum() / (scatter * scatter);
+      for (std::size_t j = 0; j < blocks.size(); ++j) {
+        const Eigen::Index end = j + 1 < blocks.size() ? blocks[j + 1].begin : own.size();
+        freedom[j] += own.segment(blocks[j].begin, end - blocks[j].begin).sum();
+      }
+    }
+    return freedom;
+  }
+
   /// r_j: rank of L_j on what is free of its joint.
   [[nodiscard]] double rank(std::size_t block) const {
     const RoughnessBlock& own = equations_.evidence().roughness[block];
@@ -117,6 +133,7 @@ SettledEvidence read_round(const Round& now, const EvidenceWeights& weights) {
   settled.x = now.solution().x;
   settled.weights = weights;
   settled.edf = now.edf(RowKind::kLoss) + now.edf(RowKind::kFrequency);
+  settled.edf_by_joint = now.edf_by_joint();
   settled.likelihood = now.likelihood();
   settled.solution = now.solution();
   return settled;

@@ -105,6 +105,7 @@ struct SettledEvidence {
   Eigen::VectorXd x;
   EvidenceWeights weights;
   double edf = 0.0;                     ///< effective degrees of freedom of the levels
+  std::vector<double> edf_by_joint;     ///< of it, what each joint takes
   double likelihood = 0.0;              ///< −2 log restricted likelihood, up to a constant
   QuadraticProgram::Solution solution;  ///< of x, with its optimality conditions
 };

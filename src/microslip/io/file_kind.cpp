@@ -27,6 +27,8 @@ constexpr std::array kTableKinds{
     TableKind{kCalibrationKind, {"level", "mode", "damping_ratio"}},
     TableKind{kIdentifiabilityKind, {"joint", "slip_displacement", "told"}},
     TableKind{kModalLevelsKind, {"mode", "displacement", "frequency"}},
+    TableKind{kModalLevelsKind, {"mode", "displacement", "dissipation"}},
+    TableKind{kModalLevelsKind, {"mode", "displacement", "damping_ratio"}},
     TableKind{kVerificationKind, {"channel", "NRMSE", "noise_share"}},
     TableKind{kHarmonicsKind, {"source", "harmonic", "frequency"}},
     TableKind{kForceControlKind, {"level", "force_before", "force_after"}},

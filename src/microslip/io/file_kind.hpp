@@ -15,6 +15,8 @@ inline constexpr std::string_view kModelKind = "microslip.model/1";   ///< model
 inline constexpr std::string_view kLevelsKind = "a table of levels";  ///< levels.csv
 /// of `microslip ringdown` without modal mass
 inline constexpr std::string_view kDampingLevelsKind = "a table of damping ratios";
+inline constexpr std::string_view kCalibrationFileKind =
+    "microslip.calibration/1";  ///< calibration.json
 /// modal_levels.csv
 inline constexpr std::string_view kModalLevelsKind = "a table of modal levels";
 /// calibration.csv

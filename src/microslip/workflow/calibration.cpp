@@ -11,6 +11,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/percent.hpp"
 #include "microslip/base/version.hpp"
+#include "microslip/io/calibration_file.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/joint_file.hpp"
@@ -44,9 +45,11 @@ std::vector<std::string> names_of_joints(const ModelFile& model) {
 void check_file_name(const std::string& model, const std::string& joint) {
   const bool usable =
       joint.find('/') == std::string::npos && !joint.starts_with('.') && printable(joint) == joint;
-  if (usable) return;
+  if (usable && joint != "calibration") return;
   throw InputError(fmt::format("{}: name of a joint", input_name(model)), in_quotes(joint),
-                   "must be usable as the name of a file: without / and not beginning with a point",
+                   usable ? "must not be that of calibration.json, which is written beside it"
+                          : "must be usable as the name of a file: without / and not beginning "
+                            "with a point",
                    "Rename it in the model.");
 }
 
@@ -72,6 +75,7 @@ std::vector<ResultFile> files_of(const ModelCalibration& options, const ModelFil
     }
   }
   files.push_back({file_of_results(options, "model.toml"), kModelKind});
+  files.push_back({file_of_results(options, "calibration.json"), kCalibrationFileKind});
   files.push_back({file_of_results(options, "calibration.csv"), kCalibrationKind});
   files.push_back({file_of_results(options, "identifiability.csv"), kIdentifiabilityKind});
   return files;
@@ -177,6 +181,7 @@ void compose_files(const ModelCalibration& options, const ModalLevels& levels,
   }
   const std::string comment = comment_of(options, done);
   done.files[at++].content = model_text(options, done);
+  done.files[at++].content = format_calibration({provenance, record_of_calibration(done.found)});
   done.files[at++].content =
       commented(calibration_table(done.found, levels, names_of_joints(done.model)), comment).str();
   done.files[at++].content = commented(identifiability_table(done.found), comment).str();

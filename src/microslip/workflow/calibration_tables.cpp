@@ -45,7 +45,108 @@ void add_joint_columns(CsvWriter& table, const CalibrationResult& found, std::si
          [](const JointAtLevel& at) { return at.dissipation.upper; });
 }
 
+void add_warnings_to(NamedValues& record, const std::vector<Warning>& warnings) {
+  std::vector<std::string> codes;
+  std::vector<std::string> texts;
+  for (const Warning& warning : warnings) {
+    codes.push_back(warning.code);
+    texts.push_back(warning.text);
+  }
+  record.emplace_back("warnings", list_of_texts(codes));
+  record.emplace_back("warning_texts", list_of_texts(texts));
+}
+
+/// Joint by joint, in the order of `joint`.
+void add_joints_to(NamedValues& record, const CalibrationResult& found) {
+  std::vector<std::string> names;
+  std::vector<double> stiffness;
+  std::vector<double> lower;
+  std::vector<double> upper;
+  std::vector<double> slipping;
+  std::vector<double> freedom;
+  std::vector<double> covered_from;
+  std::vector<double> covered_to;
+  for (const CalibratedJoint& joint : found.joints) {
+    const double k = joint.joint.stiffness();
+    names.push_back(joint.name);
+    stiffness.push_back(joint.stiffness.mean);
+    lower.push_back(joint.stiffness.lower);
+    upper.push_back(joint.stiffness.upper);
+    slipping.push_back(1.0 - joint.joint.density().elastic_remainder());
+    freedom.push_back(joint.edf);
+    covered_from.push_back(k * joint.least_amplitude);
+    covered_to.push_back(k * joint.largest_amplitude);
+  }
+  record.emplace_back("joint", list_of_texts(names));
+  record.emplace_back("stiffness_N_per_m", std::move(stiffness));
+  record.emplace_back("stiffness_lower_N_per_m", std::move(lower));
+  record.emplace_back("stiffness_upper_N_per_m", std::move(upper));
+  record.emplace_back("slipping_share", std::move(slipping));
+  record.emplace_back("degrees_of_freedom", std::move(freedom));
+  record.emplace_back("covered_from_N", std::move(covered_from));
+  record.emplace_back("covered_to_N", std::move(covered_to));
+}
+
+/// Modes without frequencies are left out.
+void add_offsets_to(NamedValues& record, const CalibrationResult& found) {
+  std::vector<double> mode;
+  std::vector<double> offset;
+  for (std::size_t m = 0; m < found.frequency_offset.size(); ++m) {
+    if (std::isnan(found.frequency_offset[m])) continue;
+    mode.push_back(static_cast<double>(m + 1));
+    offset.push_back(found.frequency_offset[m]);
+  }
+  record.emplace_back("offset_mode", std::move(mode));
+  record.emplace_back("frequency_offset", std::move(offset));
+}
+
+/// Pair by pair, and the group that is known in sum alone.
+void add_pairs_to(NamedValues& record, const CalibrationResult& found) {
+  std::vector<std::string> first;
+  std::vector<std::string> second;
+  std::vector<double> correlation;
+  std::vector<double> alone;
+  std::vector<double> together;
+  std::vector<std::string> verdict;
+  for (const JointPair& pair : found.pairs) {
+    first.push_back(found.joints[pair.first].name);
+    second.push_back(found.joints[pair.second].name);
+    correlation.push_back(pair.correlation);
+    alone.push_back(pair.spread_alone);
+    together.push_back(pair.spread_together);
+    verdict.emplace_back(pair.known_only_together ? "known_only_together" : "told_apart");
+  }
+  record.emplace_back("pair_first", list_of_texts(first));
+  record.emplace_back("pair_second", list_of_texts(second));
+  record.emplace_back("pair_correlation", std::move(correlation));
+  record.emplace_back("pair_spread_alone", std::move(alone));
+  record.emplace_back("pair_spread_together", std::move(together));
+  record.emplace_back("pair_verdict", list_of_texts(verdict));
+  std::vector<std::string> in_sum;
+  for (const std::size_t joint : found.known_in_sum) in_sum.push_back(found.joints[joint].name);
+  record.emplace_back("known_in_sum", list_of_texts(in_sum));
+}
+
 }  // namespace
+
+NamedValues record_of_calibration(const CalibrationResult& found) {
+  NamedValues record;
+  record.emplace_back("status", std::string(found.summary.status()));
+  record.emplace_back("levels", static_cast<double>(found.levels.size()));
+  record.emplace_back("levels_found", static_cast<double>(std::ranges::count_if(
+                                          found.levels, &CalibratedLevel::found)));
+  record.emplace_back("band_confidence", found.confidence);
+  record.emplace_back("scatter", found.loss_scatter);
+  record.emplace_back("scatter_of", found.loss_std_given ? "dissipation_std" : "dissipation");
+  record.emplace_back("frequency_scatter", found.frequency_scatter);
+  record.emplace_back("frequency_scatter_of",
+                      found.frequency_std_given ? "frequency_std" : "frequency");
+  add_joints_to(record, found);
+  add_offsets_to(record, found);
+  add_pairs_to(record, found);
+  add_warnings_to(record, found.warnings);
+  return record;
+}
 
 CsvWriter calibration_table(const CalibrationResult& found, const ModalLevels& levels,
                             const std::vector<std::string>& joints) {
@@ -61,13 +162,21 @@ CsvWriter calibration_table(const CalibrationResult& found, const ModalLevels& l
   add("displacement", kLength, [&](std::size_t i, const Level&) { return levels.displacement[i]; });
   add("measured_frequency", kFrequency,
       [](std::size_t, const Level& level) { return level.measured_frequency; });
+  add("measured_frequency_std", kFrequency,
+      [&](std::size_t i, const Level&) { return ModalLevels::value(levels.frequency_std, i); });
   add("frequency", kFrequency, [](std::size_t, const Level& level) { return level.frequency; });
   add("frequency_residual", kDimensionless,
       [](std::size_t, const Level& level) { return level.frequency_residual; });
   add("measured_dissipation", kEnergy,
       [](std::size_t, const Level& level) { return level.measured_dissipation; });
+  add("measured_dissipation_std", kEnergy,
+      [](std::size_t, const Level& level) { return level.measured_dissipation_std; });
   add("dissipation", kEnergy, [](std::size_t, const Level& level) { return level.dissipation; });
   add("residual", kDimensionless, [](std::size_t, const Level& level) { return level.residual; });
+  add("measured_damping_ratio", kDimensionless,
+      [&](std::size_t i, const Level&) { return ModalLevels::value(levels.damping_ratio, i); });
+  add("measured_damping_ratio_std", kDimensionless,
+      [&](std::size_t i, const Level&) { return ModalLevels::value(levels.damping_ratio_std, i); });
   add("damping_ratio", kDimensionless,
       [](std::size_t, const Level& level) { return level.damping_ratio; });
   for (std::size_t j = 0; j < joints.size(); ++j) add_joint_columns(table, found, j, joints[j]);
@@ -130,14 +239,8 @@ NamedValues record_of_calibration(const CalibrationResult& found, const Calibrat
   record.emplace_back("band_samples", static_cast<double>(joint.draws.size()));
   record.emplace_back("told", joint.told);
   record.emplace_back("reference_exponent", joint.exponent);
-  std::vector<std::string> codes;
-  std::vector<std::string> texts;
-  for (const Warning& warning : found.warnings) {
-    codes.push_back(warning.code);
-    texts.push_back(warning.text);
-  }
-  record.emplace_back("warnings", list_of_texts(codes));
-  record.emplace_back("warning_texts", list_of_texts(texts));
+  record.emplace_back("degrees_of_freedom", joint.edf);
+  add_warnings_to(record, found.warnings);
   return record;
 }
 

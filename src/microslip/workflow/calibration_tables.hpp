@@ -19,6 +19,9 @@ namespace microslip {
 /// the levels told of it.
 [[nodiscard]] CsvWriter identifiability_table(const CalibrationResult& found);
 
+/// What calibration.json says: of all levels, modes, joints and pairs of joints.
+[[nodiscard]] NamedValues record_of_calibration(const CalibrationResult& found);
+
 /// The identification of one joint.
 [[nodiscard]] NamedValues record_of_calibration(const CalibrationResult& found,
                                                 const CalibratedJoint& joint);
