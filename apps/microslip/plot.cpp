@@ -19,8 +19,11 @@ namespace {
 int run(const PlotArguments& options, const Call& call) {
   const PictureFormat format = format_of(options);
   if (!options.out.empty()) check_output(options.out, kind_of(format));
-  ResultInput input = read_result(options.in, options.record.value_or(1));
-  const NamedFigure& figure = find_figure(options.figure, input);
+  ResultInput input = options.in.size() == 1
+                          ? read_result(options.in.front(), options.record.value_or(1))
+                          : read_joints(options.in);
+  const NamedFigure& figure = find_figure(
+      options.figure.empty() && options.in.size() > 1 ? "densities" : options.figure, input);
   if (!options.time.empty()) {
     if (input.history.empty() && !figure.of_record) {
       throw InputError("--time", in_quotes(options.time),

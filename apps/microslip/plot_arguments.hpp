@@ -15,7 +15,7 @@ namespace microslip::app {
 
 /// The options of `plot` as they are typed.
 struct PlotArguments {
-  std::string in;
+  std::vector<std::string> in;
   std::string figure;
   std::string format;
   std::string out;

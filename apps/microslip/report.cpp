@@ -30,17 +30,22 @@ struct ReportOptions {
 };
 
 bool is_empty(const ExperimentResults& results) {
-  return !results.levels && !results.joint && results.records.empty() &&
-         results.comparisons.empty() && results.predictions.empty() &&
-         results.force_control.empty();
+  return !results.levels && !results.joint && !results.calibration && !results.modal_levels &&
+         results.densities.empty() && results.records.empty() && results.comparisons.empty() &&
+         results.predictions.empty() && results.force_control.empty();
 }
 
 /// Folders in the folder that hold what it lacks, or why its records are not shown.
 std::string remedy_for(const std::string& folder, const ExperimentResults& results) {
   if (!results.warnings.empty()) return results.warnings.front().text;
   const std::vector<std::string> folders = folders_holding(folder, {"levels.csv"});
-  if (folders.empty()) return "See microslip reduce and microslip identify.";
-  return fmt::format("There are levels in {}.", fmt::join(folders, ", "));
+  if (!folders.empty()) return fmt::format("There are levels in {}.", fmt::join(folders, ", "));
+  const std::vector<std::string> found =
+      folders_holding(folder, {"calibration.json", "calibration.csv"});
+  if (found.empty()) {
+    return "See microslip reduce, microslip identify and microslip calibrate.";
+  }
+  return fmt::format("There is a calibration in {}.", fmt::join(found, ", "));
 }
 
 constexpr std::size_t kLarge = 4'000'000;  // bytes
@@ -51,8 +56,8 @@ int run(const ReportOptions& options, const Call& call) {
       read_experiment(options.folder, options.records, progress_bar("recordings", call.quiet));
   if (is_empty(results)) {
     throw InputError("DIR", "'" + options.folder + "'",
-                     "must hold levels.csv, joint.json, recordings level_*, verification.csv or "
-                     "force_control.csv",
+                     "must hold levels.csv, joint.json, recordings level_*, verification.csv, "
+                     "force_control.csv or what microslip calibrate writes",
                      remedy_for(options.folder, results));
   }
   if (!call.quiet) {
@@ -86,7 +91,7 @@ void add_report(CLI::App& program, Call& call) {
           "force and displacement that joint.json was identified from; recordings "
           "level_* and before_control_*, also in recordings/; force_control.csv, truth.csv, "
           "truth_joint.json; verification.csv, verification_histories.csv, "
-          "verification_harmonics.csv")
+          "verification_harmonics.csv; or calibration.json, calibration.csv, identifiability.csv")
       ->required()
       ->type_name(kFolderValue);
   command->add_option("--out", options->out, "The report: one HTML file; - is standard output")

@@ -18,6 +18,11 @@ namespace {
 /// The reader knows options as they are typed.
 void name_options(ExperimentResults& results) {
   for (Warning& warning : results.warnings) warning.text = with_option_names(warning.text);
+  if (results.calibration) {
+    for (Warning& warning : results.calibration->warnings) {
+      warning.text = with_option_names(warning.text);
+    }
+  }
   if (!results.joint) return;
   for (std::string& text : results.joint->warning_texts) text = with_option_names(text);
 }

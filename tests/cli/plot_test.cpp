@@ -273,7 +273,7 @@ TEST(plot, AFolderOfFoldersNamesThem) {
   std::filesystem::create_directories(box.file("demo/none"));
   expect_refused(box, {"plot", "demo"},
                  {"input = 'demo'; holds nothing of which there is a figure.",
-                  "Name a folder that holds levels.csv or joint.json"});
+                  "Name a folder that holds levels.csv, joint.json or calibration.csv"});
   for (const std::string name : {"b", "a"}) {
     std::filesystem::create_directory(box.file("demo/" + name));
     box.put("demo/" + name + "/levels.csv", kLevels);

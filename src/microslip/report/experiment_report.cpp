@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/report/calibration_sections.hpp"
 #include "microslip/report/record_sections.hpp"
 #include "microslip/report/sections.hpp"
 #include "microslip/workflow/other_methods.hpp"
@@ -43,6 +44,16 @@ std::vector<ReportSection> sections_of(const ExperimentResults& results,
   const bool of_records = results.joint && results.joint->by_records;
   std::vector<ReportSection> all;
   const auto add = [&all](ReportSection section) { all.push_back(std::move(section)); };
+  if (has_calibration(results)) {
+    add(calibration_summary_section(results));
+    add(modes_section(results));
+    add(joints_at_levels_section(results));
+    add(told_section(results));
+    if (!has_test(results)) {
+      add(provenance_section(results));
+      return all;
+    }
+  }
   if (of_records) {
     add(record_summary_section(results));
     add(record_force_section(results));

@@ -9,6 +9,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/text.hpp"
+#include "microslip/report/calibration_figures.hpp"
 #include "microslip/report/density_figure.hpp"
 #include "microslip/report/force_figures.hpp"
 #include "microslip/report/level_figures.hpp"
@@ -110,7 +111,18 @@ bool has_joint_curves(const ResultInput& input) { return has_joint(input) && !in
 bool has_record(const ResultInput& input) { return !input.test.force_paths.empty(); }
 constexpr const char* kNeedsRecord = "joint.json and a recording that it was identified from";
 
-constexpr std::array<NamedFigure, 16> kFigures = {{
+/// Whether the results of a test or of a calibration have what a figure needs.
+template <bool (*Has)(const ExperimentResults&)>
+bool test_has(const ResultInput& input) {
+  return Has(input.test);
+}
+
+bool has_densities(const ResultInput& input) { return !input.test.densities.empty(); }
+
+constexpr const char* kNeedsDensities =
+    "identifiability.csv, or joint.json of calibrate, or several joints";
+
+constexpr std::array<NamedFigure, 25> kFigures = {{
     {"energies", "input energy, linear loss and joint dissipation over the amplitude", "levels.csv",
      has_levels, always, always, of_test<energies_figure>},
     {"density", "slip-force density with its band", "joint.json or density.csv", has_density, never,
@@ -158,6 +170,33 @@ constexpr std::array<NamedFigure, 16> kFigures = {{
      has_record, never, never, of_test<record_loops_figure>, true},
     {"residuals", "measured less found force of a record, over time and displacement", kNeedsRecord,
      has_record, never, never, panels_of_test<residuals_figure>, true},
+    {"densities", "densities of several joints with their bands", kNeedsDensities, has_densities,
+     never, never, of_test<densities_figure>},
+    {"identifiability", "what levels of modes tell of the density of each joint",
+     "identifiability.csv or joint.json of calibrate", test_has<has_told>, never, never,
+     panels_of_test<identifiability_figure>},
+    {"modal-losses", "loss of all joints over the displacement, by mode",
+     "calibration.csv or modal_levels.csv with dissipation [J]", test_has<has_modal_losses>, always,
+     never, panels_of_test<modal_losses_figure>},
+    {"modal-damping", "damping ratio over the displacement, by mode",
+     "calibration.csv or modal_levels.csv with damping_ratio [1]", test_has<has_modal_damping>,
+     always, never, of_test<modal_damping_figure>},
+    {"modal-frequencies", "change of the frequency over the displacement, by mode",
+     "calibration.csv or modal_levels.csv with frequency [Hz]", test_has<has_modal_frequencies>,
+     always, never, of_test<modal_frequency_figure>},
+    {"modal-residuals", "measured less found loss and frequency over the displacement, by mode",
+     "calibration.csv", test_has<has_modal_residuals>, always, never,
+     panels_of_test<modal_residuals_figure>},
+    {"joint-amplitudes", "displacement of each joint over that of the structure, by mode",
+     "calibration.csv or modal_levels.csv with amplitude_NAME [m]", test_has<has_joint_amplitudes>,
+     always, never, panels_of_test<joint_amplitudes_figure>},
+    {"loss-shares", "what each joint has of the loss, by mode", "calibration.csv",
+     test_has<has_loss_shares>, always, never, panels_of_test<loss_shares_figure>},
+    {"draws", "draws of a density with their mean and band", "joint_samples.h5",
+     [](const ResultInput& input) { return input.samples.has_value(); }, never, never,
+     [](const ResultInput& input, const FigureOptions& options) {
+       return alone(draws_figure(*input.samples, options));
+     }},
 }};
 
 std::vector<const NamedFigure*> possible(const ResultInput& input) {

@@ -170,6 +170,10 @@ void show_x(Figure& figure, std::string_view label, const ShownUnit& unit) {
   show_along(&Figure::x, figure, layers_in(figure), label, unit);
 }
 
+void show_y(Figure& figure, std::string_view label, const ShownUnit& unit) {
+  show_along(&Figure::y, figure, layers_in(figure), label, unit);
+}
+
 void show_x(ReportFigure& figure, std::string_view label, std::string_view si_unit) {
   show_as_suits(&Figure::x, figure.figure, layers_in(figure), label, si_unit);
 }

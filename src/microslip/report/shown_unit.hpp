@@ -31,8 +31,9 @@ struct ShownUnit {
 void show_x(Figure& figure, std::string_view label, std::string_view si_unit);
 void show_y(Figure& figure, std::string_view label, std::string_view si_unit);
 
-/// The same of x in a unit that is given.
+/// The same in a unit that is given.
 void show_x(Figure& figure, std::string_view label, const ShownUnit& unit);
+void show_y(Figure& figure, std::string_view label, const ShownUnit& unit);
 
 /// The same of all that the reader of a page chooses from, in one unit.
 void show_x(ReportFigure& figure, std::string_view label, std::string_view si_unit);

@@ -23,6 +23,7 @@
 #include "microslip/io/levels_file.hpp"
 #include "microslip/io/rig_file.hpp"
 #include "microslip/io/sha256.hpp"
+#include "microslip/workflow/calibration_input.hpp"
 #include "microslip/workflow/experiment_recordings.hpp"
 #include "microslip/workflow/force_paths.hpp"
 #include "microslip/workflow/level_records.hpp"
@@ -66,6 +67,7 @@ class FolderReader {
     results_.title = name_of_folder(folder_);
     if (results_.title.empty()) results_.title = "Test";
     read_joint_files();
+    read_calibration();
     read_levels();
     read_rig_file();
     read_verification();
@@ -88,7 +90,7 @@ class FolderReader {
     if (const auto input = find("joint.json")) {
       const JointFile file = parse_joint(input->text, input->path);
       results_.joint = joint_of(file, input->path);
-      if (file.provenance) note_provenance(*file.provenance);
+      if (file.provenance) note_joint_provenance(*file.provenance);
       read_records(file);
     }
     if (results_.joint) read_density();
@@ -97,6 +99,43 @@ class FolderReader {
       results_.truth = file.joint;
       results_.true_linear_damping = identified_damping(file).value_or(0.0);
     }
+  }
+
+  /// What a calibration of several joints wrote.
+  void read_calibration() {
+    std::vector<std::string> hashes;  // of what calibration.json was made from
+    if (const auto input = find("calibration.json")) {
+      const CalibrationFile file = parse_calibration(input->text, input->path);
+      results_.calibration = calibration_summary_of(file, input->path);
+      if (file.provenance) {
+        note_origin(*file.provenance, "joints found by");
+        for (const InputHash& hash : file.provenance->inputs) hashes.push_back(hash.sha256);
+      }
+    }
+    if (const auto input = find("calibration.csv")) {
+      results_.modal_levels = calibrated_levels_of(*input);
+      check_calibration(*input, hashes);
+    }
+    if (const auto input = find("identifiability.csv")) {
+      results_.densities = densities_of(*input);
+      if (results_.calibration) {
+        for (DensityFound& joint : results_.densities) {
+          joint.confidence = results_.calibration->confidence;
+        }
+      }
+      check_calibration(*input, hashes);
+    }
+  }
+
+  /// The files of one calibration tell the same inputs.
+  void check_calibration(const NamedInput& input, const std::vector<std::string>& hashes) {
+    const std::vector<std::string> own = hashes_in(input);
+    if (hashes.empty() || own.empty() || own == hashes) return;
+    results_.warnings.push_back(
+        {"files_of_other_calibration",
+         fmt::format("{} is not of the calibration that calibration.json is of: calibrate again, "
+                     "or what is shown does not belong together.",
+                     fs::path(input.path).filename().string())});
   }
 
   /// The recordings that the joint was identified from.
@@ -167,16 +206,26 @@ class FolderReader {
     results_.provenance.emplace_back("option " + name, text);
   }
 
-  void note_provenance(const Provenance& provenance) {
+  /// Who made what from which files.
+  void note_origin(const Provenance& provenance, const char* what) {
     results_.files.back().made_by = provenance.command;
-    results_.provenance.emplace_back("joint identified by",
+    results_.provenance.emplace_back(what,
                                      fmt::format("{} {}", provenance.program, provenance.version));
     results_.provenance.emplace_back("command", provenance.command);
     if (provenance.seed) {
       results_.provenance.emplace_back("seed", fmt::format("{}", *provenance.seed));
     }
     for (const auto& [name, value] : provenance.options) note_option(name, value);
-    for (const InputHash& hash : provenance.inputs) note_input(hash);
+    for (const InputHash& hash : provenance.inputs) {
+      results_.provenance.emplace_back("identified from",
+                                       fmt::format("{} (SHA-256 {})", hash.file, hash.sha256));
+    }
+  }
+
+  void note_joint_provenance(const Provenance& provenance) {
+    note_origin(provenance, "joint identified by");
+    // The joint may be older than the levels beside it.
+    for (const InputHash& hash : provenance.inputs) identified_from_.push_back(hash.sha256);
     takes_all_levels_ = std::ranges::any_of(provenance.options, [](const auto& option) {
       return option.first == "inner_reversals" && option.second == NamedValue("use");
     });
@@ -189,28 +238,27 @@ class FolderReader {
     }
   }
 
-  /// The joint may be older than the levels beside it.
-  void note_input(const InputHash& hash) {
-    results_.provenance.emplace_back("identified from",
-                                     fmt::format("{} (SHA-256 {})", hash.file, hash.sha256));
-    identified_from_.push_back(hash.sha256);
+  void read_levels() {
+    if (const auto input = find("levels.csv")) read_levels_file(*input);
+    if (const auto input = find("truth.csv")) results_.true_levels = levels_of(*input);
   }
 
-  void read_levels() {
-    if (const auto input = find("levels.csv")) {
-      results_.levels = levels_of(*input);
-      reduced_with_ = hashes_in(*input);
-      if (takes_all_levels_) results_.levels->left_out.clear();
-      const bool same =
-          std::ranges::find(identified_from_, sha256(input->text)) != identified_from_.end();
-      if (results_.joint) results_.joint->from_these_levels = same;
-      if (!identified_from_.empty() && !same) {
-        results_.warnings.push_back({"joint_from_other_levels",
-                                     "joint.json was not identified from the levels.csv beside it. "
-                                     "Identify it again, or the figures do not belong together."});
-      }
+  void read_levels_file(const NamedInput& input) {
+    if (file_kind(input.text) == kModalLevelsKind) {
+      if (!results_.modal_levels) results_.modal_levels = modal_levels_of(input);
+      return;
     }
-    if (const auto input = find("truth.csv")) results_.true_levels = levels_of(*input);
+    results_.levels = levels_of(input);
+    reduced_with_ = hashes_in(input);
+    if (takes_all_levels_) results_.levels->left_out.clear();
+    const bool same =
+        std::ranges::find(identified_from_, sha256(input.text)) != identified_from_.end();
+    if (results_.joint) results_.joint->from_these_levels = same;
+    if (!identified_from_.empty() && !same) {
+      results_.warnings.push_back({"joint_from_other_levels",
+                                   "joint.json was not identified from the levels.csv beside it. "
+                                   "Identify it again, or the figures do not belong together."});
+    }
   }
 
   void read_rig_file() {
@@ -268,13 +316,24 @@ bool add_result_file(const std::string& kind, const std::string& text, const std
   if (kind == kLevelsKind) {
     results.levels = levels_of(input);
   } else if (kind == kJointKind) {
-    results.joint = joint_of(parse_joint(text, path), path);
+    const JointFile file = parse_joint(text, path);
+    results.joint = joint_of(file, path);
+    DensityFound density = density_found_of(fs::path(path).stem().string(), file, path);
+    if (!density.told.empty()) results.densities.push_back(std::move(density));
   } else if (kind == kVerificationKind) {
     results.comparisons = comparisons_of(input);
   } else if (kind == kHistoriesKind) {
     results.predictions = histories_of({text, path}, "recorded", "predicted");
   } else if (kind == kForceControlKind) {
     results.force_control = force_control_of(input);
+  } else if (kind == kCalibrationKind) {
+    results.modal_levels = calibrated_levels_of(input);
+  } else if (kind == kModalLevelsKind) {
+    results.modal_levels = modal_levels_of(input);
+  } else if (kind == kIdentifiabilityKind) {
+    results.densities = densities_of(input);
+  } else if (kind == kCalibrationFileKind) {
+    results.calibration = calibration_summary_of(parse_calibration(text, path), path);
   } else {
     return false;
   }

@@ -13,6 +13,7 @@
 #include "microslip/joint/joint.hpp"
 #include "microslip/observe/levels.hpp"
 #include "microslip/rig/rig.hpp"
+#include "microslip/workflow/calibration_results.hpp"
 
 /// @file
 /// What a test and its evaluation left behind. All values are SI.
@@ -205,12 +206,15 @@ struct ExperimentResults {
   /// The other: before force control. Some may have harmonics alone.
   std::vector<LevelRecord> records = {};
   std::size_t record_count = 0;  ///< of the test that can be read; `records` are some
-  std::vector<ForceControlLevel> force_control = {};  ///< one a level that was controlled
-  std::vector<ConstantResponse> responses = {};       ///< predicted by the joint
-  std::optional<JointBackbone> backbone = {};         ///< predicted by the joint
-  std::optional<JointBackbone> true_backbone = {};    ///< of a virtual test
-  std::vector<ChannelMisfit> comparisons = {};        ///< one a channel and record
-  std::vector<LevelRecord> predictions = {};          ///< recorded, and predicted as the other
+  std::vector<ForceControlLevel> force_control = {};   ///< one a level that was controlled
+  std::vector<ConstantResponse> responses = {};        ///< predicted by the joint
+  std::optional<JointBackbone> backbone = {};          ///< predicted by the joint
+  std::optional<JointBackbone> true_backbone = {};     ///< of a virtual test
+  std::vector<ChannelMisfit> comparisons = {};         ///< one a channel and record
+  std::vector<LevelRecord> predictions = {};           ///< recorded, and predicted as the other
+  std::optional<LevelsOfModes> modal_levels = {};      ///< of several joints, or as measured alone
+  std::vector<DensityFound> densities = {};            ///< of several joints
+  std::optional<CalibrationSummary> calibration = {};  ///< of several joints
   std::vector<ForcePath> force_paths = {};  ///< records that the joint was identified from, or some
   /// Whether comparisons and predictions are those of the joint and the rig of the results.
   bool predictions_are_of_this_joint = true;

@@ -17,6 +17,8 @@
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/joint_file.hpp"
 #include "microslip/io/recording_file.hpp"
+#include "microslip/io/text.hpp"
+#include "microslip/workflow/calibration_input.hpp"
 #include "microslip/workflow/experiment_folder.hpp"
 #include "microslip/workflow/force_paths.hpp"
 
@@ -113,8 +115,10 @@ void add_recorded(const std::string& path, ResultInput& input) {
 std::string folders_text(const std::string& path) {
   constexpr std::size_t kFew = 4;
   std::vector<std::string> found =
-      folders_holding(path, {"levels.csv", "joint.json", "density.csv"});
-  if (found.empty()) return "Name a folder that holds levels.csv or joint.json, or a result.";
+      folders_holding(path, {"levels.csv", "joint.json", "density.csv", "calibration.csv"});
+  if (found.empty()) {
+    return "Name a folder that holds levels.csv, joint.json or calibration.csv, or a result.";
+  }
   for (std::string& one : found) one = std::filesystem::path(one).lexically_normal().string();
   const char* more = found.size() > kFew ? " and others" : "";
   found.resize(std::min(found.size(), kFew));
@@ -215,9 +219,16 @@ ResultInput read_result(const std::string& path, std::size_t record) {
   const std::string head = path == "-" ? read_file(path) : read_kind_head(path);
   const std::string kind = file_kind(head);
   if (add_text(kind, path == "-" ? head : read_file(path), input.name, input)) {
+    if (kind == kCalibrationFileKind) {
+      input.instead = "Name its folder, or calibration.csv or identifiability.csv in it.";
+    }
     if (kind == kJointKind && path != "-") {
       add_record(read_joint(path), folder_of(path), record, input);
     }
+    return input;
+  }
+  if (kind == kSamplesKind && path != "-") {
+    input.samples = read_joint_samples(path);
     return input;
   }
   if (path == "-") {
@@ -225,6 +236,25 @@ ResultInput read_result(const std::string& path, std::size_t record) {
                      "Name a recording by its file.");
   }
   add_recorded(path, input);
+  return input;
+}
+
+ResultInput read_joints(const std::vector<std::string>& paths) {
+  ResultInput input{.name = fmt::format("{}", fmt::join(paths, ", "))};
+  const auto stem = [](const std::string& path) {
+    return std::filesystem::path(path).stem().string();
+  };
+  for (const std::string& path : paths) {
+    const auto same = [&](const std::string& other) { return stem(other) == stem(path); };
+    const std::string name = std::ranges::count_if(paths, same) > 1 ? path : stem(path);
+    const std::string kind =
+        path == "-" ? std::string(kJointKind) : file_kind(read_kind_head(path));
+    if (kind != kJointKind) {
+      throw InputError("IN", in_quotes(path), "must be a joint.json where several are named",
+                       "Draw it by itself.");
+    }
+    input.test.densities.push_back(density_found_of(name, read_joint(path), path));
+  }
   return input;
 }
 

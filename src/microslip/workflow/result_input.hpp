@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "microslip/io/joint_samples_file.hpp"
 #include "microslip/io/path_file.hpp"
 #include "microslip/workflow/experiment_results.hpp"
 
@@ -68,6 +69,7 @@ struct ResultInput {
   std::optional<DissipationCurve> dissipation = {};  ///< of a CSV of dissipation
   std::optional<DisplacementPath> path = {};         ///< of a CSV of loop
   std::vector<double> path_force = {};               ///< N, one a point of the path
+  std::optional<JointSamples> samples = {};          ///< of joint_samples.h5
   std::vector<HistorySignal> history = {};           ///< of a CSV of march, or a recording
   std::size_t left_out = 0;                          ///< channels beyond those that a figure holds
   std::string no_record = {};  ///< why a record of a joint is not there, a sentence
@@ -79,6 +81,12 @@ struct ResultInput {
 /// @throws FileError, FormatError, InputError  as the readers of these; where the joint has fewer
 ///         records.
 [[nodiscard]] ResultInput read_result(const std::string& path, std::size_t record = 1);
+
+/// Several joints, for the figure of their densities. Each is called by the name of its file, or by
+/// its path where two have one name.
+/// @param paths  of joint.json; two or more.
+/// @throws FileError, FormatError, InputError  as read_joint(), for a file that is no joint.
+[[nodiscard]] ResultInput read_joints(const std::vector<std::string>& paths);
 
 /// Keeps the history, or the record of a joint, between two times.
 /// @param input  with one of them.
