@@ -2,13 +2,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "command.hpp"
+#include "draw_arguments.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/dynamics/target.hpp"
 #include "microslip/io/file_kind.hpp"
@@ -17,6 +20,7 @@
 #include "microslip/io/text.hpp"
 #include "microslip/workflow/model_text.hpp"
 #include "microslip/workflow/quantity_text.hpp"
+#include "microslip/workflow/response_draws.hpp"
 #include "prediction.hpp"
 #include "progress_bar.hpp"
 
@@ -33,6 +37,11 @@ struct FrfOptions {
   std::string frequency;
   std::string accuracy = "0.2%";
   std::string at;
+  std::string peaks;
+  DrawArguments draws;
+
+  /// Whether the response is kept and the force found.
+  [[nodiscard]] bool of_force() const { return force.empty(); }
 };
 
 std::pair<double, double> parse_frequencies(const std::string& text) {
@@ -67,39 +76,101 @@ std::vector<double> parse_at(const std::string& text, std::pair<double, double> 
   return frequencies;
 }
 
-ResponseCurve curve_of(const HarmonicBalance& balance, const FrfOptions& options,
-                       std::pair<double, double> range, bool quiet) {
+ResponseRange range_of(const FrfOptions& options) {
+  const std::pair<double, double> range = parse_frequencies(options.frequency);
   const double from = kTwoPi * range.first;
   const double to = kTwoPi * range.second;
-  const Progress progress = progress_bar("frequency", quiet);
-  if (!options.force.empty()) {
-    const double force = parse_force("--force", options.force);
-    return balance.frequency_response(force, from, to, progress);
+  if (!options.of_force()) {
+    return {{Quantity::kForceAmplitude, parse_force("--force", options.force)}, from, to};
   }
   const double response = parse_quantity("--response", options.response, kLength);
   check_displacement("--response", response);
-  return balance.constant_response(response, from, to, progress);
+  return {{Quantity::kResponse, response}, from, to};
+}
+
+ResponseCurve curve_of(const HarmonicBalance& balance, const ResponseRange& range, bool quiet) {
+  return balance.follow(range.kept, Quantity::kAngularFrequency, range.from, range.to, 0,
+                        progress_bar("frequency", quiet));
+}
+
+/// Draws of a curve that did not converge are not taken.
+std::optional<ResponseSpread> spread_of(const HarmonicBalance& balance, const ResponseCurve& curve,
+                                        const ResponseRange& range,
+                                        const std::optional<StructureDraws>& draws,
+                                        const FrfOptions& options, bool quiet) {
+  if (!draws || !curve.summary.converged()) return std::nullopt;
+  return response_spread(balance, curve, range, *draws, draw_options(options.draws),
+                         Execution::threads(), progress_bar("draws", quiet));
+}
+
+std::string heading_with_draws(const ResponseSpread& spread, const ModelFile& model,
+                               const std::string& command, bool of_force) {
+  std::string text =
+      heading_of(command, model) + "\n" + draws_comment(spread.taken, uncertain_text(model));
+  if (!spread.peaks.empty()) text += "\n" + peaks_comment(spread, of_force);
+  return text;
+}
+
+/// Curve and peaks, both or none.
+void write_spread(const FrfOptions& options, const ModelFile& model, const Call& call,
+                  const ResponseCurve& curve, const ResponseSpread& spread) {
+  const std::string heading =
+      heading_with_draws(spread, model, call.command_line, options.of_force());
+  const std::vector<BandColumns> bands{
+      {"", options.of_force() ? kForce : kLength, spread.band.lower, spread.band.upper}};
+  OutputFiles outputs;
+  outputs.add(options.prediction.out, response_table(curve, heading, bands).str());
+  if (!options.peaks.empty()) {
+    outputs.add(options.peaks, peaks_table(spread, options.of_force(), heading));
+  }
+  outputs.commit();
+}
+
+void check_frf_outputs(const FrfOptions& options) {
+  std::vector<PlannedOutput> outputs{{options.prediction.out, kResponseKind}};
+  if (!options.peaks.empty()) outputs.push_back({options.peaks, kPeaksKind});
+  check_outputs(outputs);
+}
+
+std::string describe_spread(const std::optional<ResponseSpread>& spread, const ModelFile& model,
+                            bool of_force) {
+  if (!spread) return "";
+  return describe_peak_spread(*spread, of_force) +
+         describe_draws(spread->taken, uncertain_text(model));
 }
 
 int run(const FrfOptions& options, const Call& call) {
-  check_output(options.prediction.out, kResponseKind);
-  const std::pair<double, double> range = parse_frequencies(options.frequency);
+  check_frf_outputs(options);
+  const ResponseRange range = range_of(options);
   const ModelFile model = read_model(options.prediction.model);
+  std::optional<StructureDraws> draws;
+  if (options.draws.any()) {
+    draws = draws_of(model, options.prediction.model, draw_options(options.draws));
+  }
   HarmonicBalanceOptions drawn;
   drawn.accuracy = parse_accuracy(options.accuracy);
-  drawn.frequencies = parse_at(options.at, range);
+  drawn.frequencies = parse_at(options.at, parse_frequencies(options.frequency));
   const HarmonicBalance balance = balance_of(model, options.prediction, std::move(drawn));
-  ResponseCurve curve = curve_of(balance, options, range, call.quiet);
+  ResponseCurve curve = curve_of(balance, range, call.quiet);
   const std::string truncation = add_truncation(
-      balance, options.force.empty() ? Quantity::kResponse : Quantity::kForceAmplitude, curve);
+      balance, options.of_force() ? Quantity::kResponse : Quantity::kForceAmplitude, curve);
   add_response_warnings(balance, model, curve);
-  return finish(
-      curve, options.prediction, call,
-      [&] { return response_table(curve, heading_of(call.command_line, model)); },
-      [&] {
-        return describe_response(options.prediction.model, balance, curve, options.force.empty()) +
-               truncation + describe_damping(model) + describe_warnings(curve.warnings);
-      });
+  const std::optional<ResponseSpread> spread =
+      spread_of(balance, curve, range, draws, options, call.quiet);
+  if (spread) std::ranges::copy(spread->warnings, std::back_inserter(curve.warnings));
+  const auto summary = [&] {
+    return describe_response(options.prediction.model, balance, curve, options.of_force()) +
+           describe_spread(spread, model, options.of_force()) + truncation +
+           describe_damping(model) + describe_warnings(curve.warnings);
+  };
+  if (!spread) {
+    return finish(
+        curve, options.prediction, call,
+        [&] { return response_table(curve, heading_of(call.command_line, model)); }, summary);
+  }
+  write_spread(options, model, call, curve, *spread);
+  const int status = tell_ending(curve.summary, true, options.prediction, call, summary);
+  return spread->taken.too_many_failed() ? kNotConverged : status;
 }
 
 }  // namespace
@@ -133,8 +204,19 @@ void add_frf(CLI::App& program, Call& call) {
       "--at", options->at,
       "Rows at these frequencies as well, on each branch: a list between commas, or "
       "FROM:TO:COUNT[:log], in Hz or with units");
+  add_draw_arguments(*command, options->draws,
+                     "lower and upper, of the displacement [m], at constant response of the force "
+                     "[N]");
+  add_correlation_argument(*command, options->draws);
+  command
+      ->add_option("--peaks-csv", options->peaks,
+                   "Peaks as CSV, with the values between which those of the draws lie")
+      ->needs(command->get_option("--draws"))
+      ->type_name(kCsvValue);
   add_examples(*command,
                {"microslip frf model.toml --force 0.1 --frequency 0.1:0.2 --out frf.csv",
+                "microslip frf model.toml --force 0.1 --frequency 0.1:0.2 --draws 1000 \\",
+                "          --out frf.csv --peaks-csv peaks.csv",
                 "microslip frf model.toml --response 800mm --frequency 0.14:0.17 --harmonics 9 \\",
                 "          --out frf.csv",
                 "microslip frf model.toml --force 0.1 --frequency 0.2:0.1 --accuracy 0.05% \\",

@@ -280,8 +280,10 @@ const Files& inputs() {
         run(all, words("frf model.toml --force 50 --frequency 10:20 --out frf.csv --quiet")).files;
     all["frf.csv"] = written.at("frf.csv");
     written = run(all, words("identify levels.csv --stiffness 1.7e5 --out identified.json "
-                             "--density-csv density.csv --quiet"))
+                             "--density-csv density.csv --samples 100 --samples-out "
+                             "joint_samples.h5 --quiet"))
                   .files;
+    all["joint_samples.h5"] = written.at("joint_samples.h5");
     for (const char* name : {"levels.csv", "joint.json", "level_01.csv", "level_02.csv"}) {
       all[std::string("folder/") + name] = all.at(name);
     }
@@ -420,6 +422,9 @@ TEST(EffectsTable, HasEveryKeyOfTheDocumentedFiles) {
     for (const std::string& key : keys_in(files.at(name))) {
       EXPECT_TRUE(has_row(name, key)) << name << " " << key << kAddRow;
     }
+  }
+  for (const std::string& key : keys_in(files.at("drawn_model.toml"))) {
+    EXPECT_TRUE(has_row("model.toml", key)) << "drawn_model.toml " << key << kAddRow;
   }
 }
 

@@ -36,6 +36,7 @@ constexpr std::array kTableKinds{
     TableKind{kLevelsKind, {"amplitude", "dissipation"}},
     TableKind{kDampingLevelsKind, {"amplitude", "damping_ratio", "decay_time"}},
     TableKind{kDensityKind, {"slip_force", "density"}},
+    TableKind{kPeaksKind, {"frequency", "frequency_lower", "draws"}},
     TableKind{kResponseKind, {"frequency", "displacement", "phase"}},
     TableKind{kBackboneKind, {"frequency", "displacement", "damping_ratio"}},
     TableKind{kLoopKind, {"displacement", "force"}},

@@ -32,6 +32,8 @@ inline constexpr std::string_view kPathKind = "a table of a displacement path";
 inline constexpr std::string_view kLoopKind = "a table of forces on a path";  ///< of loop_table()
 /// of response_table()
 inline constexpr std::string_view kResponseKind = "a table of a frequency response";
+/// of peaks_table()
+inline constexpr std::string_view kPeaksKind = "a table of peaks of draws";
 inline constexpr std::string_view kBackboneKind = "a table of a backbone";  ///< of backbone_table()
 /// of verification_table()
 inline constexpr std::string_view kVerificationKind = "a table of a verification";

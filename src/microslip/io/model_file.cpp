@@ -35,6 +35,7 @@ constexpr double kSmallestStiffness = 1e-6;  // N/m, of a joint that is to be fo
 constexpr double kLargestCompliance = 1e15;  // m/N
 constexpr double kLargestHarmonic = 1e6;     // 1
 constexpr double kLargestShortening = 1e18;  // 1/(kg m)
+constexpr double kLargestSpread = StructureDraws::kLargestSpread;
 
 /// The numbers of a key, each from 0 to `most`.
 std::vector<double> read_positive(const TomlTable& table, std::string_view key, double most) {
@@ -147,13 +148,28 @@ std::vector<ModalPoint> read_points(const TomlTable& structure, std::size_t mode
   return points;
 }
 
+/// Relative standard deviations, one a mode.
+std::vector<double> read_spread(const TomlTable& structure, std::string_view key,
+                                std::size_t modes) {
+  if (!structure.has(key)) return {};
+  std::vector<double> spread = read_positive(structure, key, kLargestSpread);
+  if (spread.size() == 1) spread.resize(modes, spread[0]);
+  if (spread.size() == modes) return spread;
+  throw wrong_count(
+      structure, key, spread.size(),
+      fmt::format("must have {}, one a mode of structure.frequency_Hz, or 1 for all", modes));
+}
+
 struct LinearPart {
   ModalModel model;
   DampingLaw law;
+  std::vector<double> frequency_spread;
+  std::vector<double> loss_factor_spread;
 };
 
 LinearPart read_structure(const TomlTable& structure) {
-  structure.allow_only({"frequency_Hz", "damping_ratio", "loss_factor", "point"});
+  structure.allow_only({"frequency_Hz", "damping_ratio", "loss_factor", "point", "frequency_std",
+                        "loss_factor_std"});
   const std::vector<double> frequency = read_positive(structure, "frequency_Hz", kHighestFrequency);
   if (frequency.empty()) {
     throw wrong_count(structure, "frequency_Hz", 0, "must have one a mode, 1 at least");
@@ -163,18 +179,21 @@ LinearPart read_structure(const TomlTable& structure) {
   for (std::size_t i = 0; i < frequency.size(); ++i) {
     modes.push_back({2.0 * std::numbers::pi * frequency[i], damping.loss_factor[i]});
   }
-  return {ModalModel(std::move(modes), read_points(structure, frequency.size())), damping.law};
+  return {ModalModel(std::move(modes), read_points(structure, frequency.size())), damping.law,
+          read_spread(structure, "frequency_std", frequency.size()),
+          read_spread(structure, "loss_factor_std", frequency.size())};
 }
 
 // ---- The joints. ----
 
 /// Relative to the folder of the model. A file that is called - is no standard input.
-std::string joint_path(const TomlTable& table, std::string_view model) {
-  const std::string file = table.text("file");
+std::string path_beside(const TomlTable& table, std::string_view key, std::string_view what,
+                        std::string_view model) {
+  const std::string file = table.text(key);
   const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
   if (file.empty() || std::ranges::any_of(file, is_control)) {
-    throw InputError(table.name("file"), in_quotes(file),
-                     "must be the path of a joint file, without control characters");
+    throw InputError(table.name(key), in_quotes(file),
+                     fmt::format("must be the path of {}, without control characters", what));
   }
   const std::string path = (std::filesystem::path(model).parent_path() / file).string();
   return path == "-" ? "./-" : path;
@@ -204,9 +223,14 @@ struct JointSource {
   Joint joint;
   std::optional<double> covered_to;          ///< N
   std::optional<double> identified_damping;  ///< J/m²
+  std::string samples = {};                  ///< file of its draws; empty without
+  double normal_load_spread = 0.0;           ///< relative standard deviation
+  bool damping_said = false;                 ///< by the model, whatever was identified
 };
 
 constexpr std::string_view kStiffnessKey = "stiffness_N_per_m";
+constexpr std::string_view kSamplesKey = "samples";
+constexpr std::string_view kNormalLoadSpreadKey = "normal_load_std";
 
 /// A spring in place of a joint that is to be found.
 JointSource read_joint_to_find(const TomlTable& table, JointsToFind to_find) {
@@ -222,7 +246,7 @@ JointSource read_joint_to_find(const TomlTable& table, JointsToFind to_find) {
         fmt::format("must be from {:g} to {:g}", kSmallestStiffness, kLargestStiffness),
         "Give the stiffness of the stuck joint.");
   }
-  return {"", Joint(stiffness, SlipDensity()), {}, {}};
+  return {"", Joint(stiffness, SlipDensity()), {}, {}, {}, 0.0};
 }
 
 JointSource read_joint_source(const TomlTable& table, std::string_view model,
@@ -231,11 +255,20 @@ JointSource read_joint_source(const TomlTable& table, std::string_view model,
     throw FormatError(table.place(kStiffnessKey), "file or stiffness_N_per_m", "both",
                       "A joint.json has the stiffness of its joint.");
   }
-  if (table.has(kStiffnessKey)) return read_joint_to_find(table, to_find);
-  std::string path = joint_path(table, model);
+  if (table.has(kStiffnessKey)) {
+    if (table.has(kSamplesKey)) {
+      throw FormatError(table.place(kSamplesKey), "samples of a joint with the key file",
+                        "those of one that is still to be found", "Leave samples out.");
+    }
+    return read_joint_to_find(table, to_find);
+  }
+  std::string path = path_beside(table, "file", "a joint file", model);
   JointFile content = read_joint_of(table, path);
-  return {std::move(path), std::move(content.joint), covered_to(content),
-          identified_damping(content)};
+  std::string samples;
+  if (table.has(kSamplesKey)) samples = path_beside(table, kSamplesKey, "a file of draws", model);
+  return {std::move(path),     std::move(content.joint),
+          covered_to(content), identified_damping(content),
+          std::move(samples),  0.0};
 }
 
 /// The joint itself comes from its file, and its linear damping where the model does not say.
@@ -261,11 +294,14 @@ void read_joints(const TomlTable& top, std::string_view file, JointsToFind to_fi
   const std::vector<TomlTable> tables = top.tables("joint");
   for (const TomlTable& table : tables) {
     table.allow_only({"file", kStiffnessKey, "shape", "name", "spring_in_modes_N_per_m",
-                      "series_compliance_m_per_N", "shortening_per_kg_m", kLinearDampingKey});
+                      "series_compliance_m_per_N", "shortening_per_kg_m", kLinearDampingKey,
+                      kSamplesKey, kNormalLoadSpreadKey});
     std::string name = tables.size() == 1 ? "joint" : fmt::format("joint{}", joints.size() + 1);
     if (table.has("name")) name = table.text("name");
     check_name(table, name, joints, "joint");
     sources.push_back(read_joint_source(table, file, to_find));
+    sources.back().normal_load_spread = read_optional(table, kNormalLoadSpreadKey, kLargestSpread);
+    sources.back().damping_said = table.has(kLinearDampingKey);
     joints.push_back(read_joint_table(table, std::move(name), sources.back(), modes));
   }
 }
@@ -329,25 +365,31 @@ std::vector<PointSensor> read_accelerometers(const TomlTable& top, const ModalMo
   return sensors;
 }
 
+constexpr std::string_view kGainSpreadKey = "gain_std";
+
 /// @param channels  of their forces, empty where one is not told.
+/// @param gains     spread of the gain of each.
 std::vector<Excitation> read_excitations(const TomlTable& top, const ModalModel& model,
-                                         std::vector<std::string>& channels) {
+                                         std::vector<std::string>& channels,
+                                         std::vector<double>& gains) {
   std::vector<Excitation> excitations;
   std::vector<std::string> names;
   for (const TomlTable& table : top.one_or_more("excitation")) {
-    table.allow_only({"point", "harmonics", "phase_rad", "channel"});
+    table.allow_only({"point", "harmonics", "phase_rad", "channel", kGainSpreadKey});
     std::string point = read_point(table, model);
     channels.push_back(table.has("channel") ? read_channel(table, names) : std::string());
     excitations.push_back({std::move(point), read_harmonics(table)});
+    gains.push_back(read_optional(table, kGainSpreadKey, kLargestSpread));
   }
   if (!excitations.empty()) return excitations;
   throw InputError(top.name("excitation"), "an empty array", "must have one excitation at least",
                    "Write [excitation] with point.");
 }
 
-std::string read_response(const TomlTable& top, const ModalModel& model) {
+std::string read_response(const TomlTable& top, const ModalModel& model, double& gain) {
   const TomlTable response = top.table("response");
-  response.allow_only({"point"});
+  response.allow_only({"point", kGainSpreadKey});
+  gain = read_optional(response, kGainSpreadKey, kLargestSpread);
   return read_point(response, model);
 }
 
@@ -355,10 +397,14 @@ ModelFile read_tables(const TomlTable& top, std::string_view file, JointsToFind 
   top.allow_only({"schema", "structure", "joint", "excitation", "response", "accelerometer"});
   LinearPart linear = read_structure(top.table("structure"));
   std::vector<std::string> channels;
-  std::vector<Excitation> excitations = read_excitations(top, linear.model, channels);
+  StructureSpread spread{.frequency = std::move(linear.frequency_spread),
+                         .loss_factor = std::move(linear.loss_factor_spread)};
+  std::vector<Excitation> excitations =
+      read_excitations(top, linear.model, channels, spread.force_gain);
   std::vector<PointSensor> sensors = read_accelerometers(top, linear.model, channels);
-  std::string response =
-      top.has("response") ? read_response(top, linear.model) : excitations.front().point;
+  std::string response = top.has("response")
+                             ? read_response(top, linear.model, spread.response_gain)
+                             : excitations.front().point;
   std::vector<StructuralJoint> joints;
   std::vector<JointSource> sources;
   read_joints(top, file, to_find, linear.model.size(), joints, sources);
@@ -372,7 +418,11 @@ ModelFile read_tables(const TomlTable& top, std::string_view file, JointsToFind 
       model.joint_files.push_back(std::move(source.file));
       model.covered_to.push_back(source.covered_to);
       model.identified_damping.push_back(source.identified_damping);
+      model.joint_samples.push_back(std::move(source.samples));
+      model.damping_said.push_back(source.damping_said);
+      spread.normal_load.push_back(source.normal_load_spread);
     }
+    model.spread = std::move(spread);
     model.force_channels = std::move(channels);
     model.accelerometers = std::move(sensors);
     return model;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "microslip/dynamics/jointed_structure.hpp"
+#include "microslip/dynamics/structure_draws.hpp"
 #include "microslip/rig/point_sensor.hpp"
 
 /// @file
@@ -32,6 +33,11 @@
 ///     [response]        point; optional, else that of the first excitation
 ///     [[accelerometer]] channel, point: of recordings of the structure; optional
 ///
+/// How uncertain it is, all optional, see StructureSpread: frequency_std and loss_factor_std in
+/// [structure], one a mode or one for all; normal_load_std of a [[joint]]; gain_std of an
+/// [excitation] and of the [response]. `samples` of a [[joint]] is a joint_samples.h5, relative to
+/// the folder of the model: its draws, which are not read here.
+///
 /// `file` is a joint.json, relative to the folder of the model. A joint without a name is called
 /// "joint", or by its number "joint1", "joint2", … where there are several. StructuralJoint and
 /// Excitation say what the values mean and which they have where they are left out.
@@ -51,6 +57,11 @@ struct ModelFile {
   /// Indices of the joints that have a stiffness and no file, rising: springs that do not slip
   /// stand in for them, and their joint_files are empty.
   std::vector<std::size_t> to_find = {};
+  /// Files of the draws of each joint, empty where it has none; fewer where they are not known.
+  std::vector<std::string> joint_samples = {};
+  /// Whether the model says the linear damping of each joint itself; fewer: it does not.
+  std::vector<bool> damping_said = {};
+  StructureSpread spread = {};  ///< of its numbers
   /// Of recordings: the channel of the force of each excitation, empty where it is not told.
   std::vector<std::string> force_channels = {};
   std::vector<PointSensor> accelerometers = {};  ///< of recordings; predictions do not use them

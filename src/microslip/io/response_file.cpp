@@ -162,6 +162,29 @@ std::vector<double> peak_marks(const ResponseCurve& curve) {
   return marks;
 }
 
+/// The rows that writable() leaves of one value a point.
+std::vector<double> written(const ResponseCurve& curve, const std::vector<double>& values,
+                            const BandColumns& band) {
+  if (values.size() != curve.points.size()) {
+    throw InputError(fmt::format("values of the band {}", band.name),
+                     static_cast<double>(values.size()),
+                     fmt::format("must be {}, one a point", curve.points.size()));
+  }
+  std::vector<double> rows;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (is_finite(curve.points[i])) rows.push_back(values[i]);
+  }
+  return rows;
+}
+
+void add_bands(const ResponseCurve& curve, std::span<const BandColumns> bands, CsvWriter& table) {
+  for (const BandColumns& band : bands) {
+    const std::string prefix = band.name.empty() ? "" : band.name + "_";
+    table.add_numbers(prefix + "lower", band.dimension, written(curve, band.lower, band));
+    table.add_numbers(prefix + "upper", band.dimension, written(curve, band.upper, band));
+  }
+}
+
 CsvWriter begin(const ResponseCurve& curve, std::string_view heading) {
   CsvWriter table;
   if (!heading.empty()) table.add_comment(heading);
@@ -174,7 +197,8 @@ CsvWriter begin(const ResponseCurve& curve, std::string_view heading) {
 
 bool has_rows(const ResponseCurve& curve) { return std::ranges::any_of(curve.points, is_finite); }
 
-CsvWriter response_table(const ResponseCurve& curve, std::string_view heading) {
+CsvWriter response_table(const ResponseCurve& curve, std::string_view heading,
+                         std::span<const BandColumns> bands) {
   const std::vector<SteadyVibration> points = writable(curve);
   CsvWriter table = begin(curve, heading);
   add_marks(curve, table);
@@ -185,10 +209,12 @@ CsvWriter response_table(const ResponseCurve& curve, std::string_view heading) {
   columns.add("phase", kAngle, [](const auto& point) { return point.phase_lag; });
   columns.add_energies();
   table.add_numbers("peak", kDimensionless, peak_marks(curve));
+  add_bands(curve, bands, table);
   return table;
 }
 
-CsvWriter backbone_table(const ResponseCurve& curve, std::string_view heading) {
+CsvWriter backbone_table(const ResponseCurve& curve, std::string_view heading,
+                         std::span<const BandColumns> bands) {
   const std::vector<SteadyVibration> points = writable(curve);
   CsvWriter table = begin(curve, heading);
   add_turning_points(curve, table);
@@ -198,6 +224,7 @@ CsvWriter backbone_table(const ResponseCurve& curve, std::string_view heading) {
   columns.add("frequency", kFrequency, [](const auto& point) { return point.frequency(); });
   columns.add_damping_ratio();
   columns.add_energies();
+  add_bands(curve, bands, table);
   return table;
 }
 

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "microslip/dynamics/jointed_structure.hpp"
+
+namespace microslip {
+
+/// How uncertain the numbers of a structure are. A standard deviation σ is relative, and that of a
+/// logarithm: a draw of v is v e^{σz}, z standard normal, so that none changes its sign and half of
+/// the draws lie above v. All z are independent. 0 or an empty list: certain.
+struct StructureSpread {
+  std::vector<double> frequency;    ///< of ω_i without the joints; one a mode or none
+  std::vector<double> loss_factor;  ///< of η_i; one a mode or none
+  std::vector<double> normal_load;  ///< of what scales a joint's slip forces; one a joint or none
+  std::vector<double> force_gain;   ///< of the reading of a force; one an excitation or none
+  double response_gain = 0.0;       ///< of the reading of the response
+
+  /// Whether anything is uncertain.
+  [[nodiscard]] bool any() const;
+};
+
+/// A joint as it may be.
+struct DrawnJoint {
+  Joint joint;
+  std::optional<double> linear_damping = {};  ///< β, J/m²; nothing: as the structure has it
+};
+
+/// Draws of one joint.
+struct JointDraws {
+  std::size_t count = 0;  ///< how many there are; 0: the joint is certain
+  /// Draw i < count; called by several threads at once.
+  std::function<DrawnJoint(std::size_t i)> at = {};
+};
+
+// g++ 12 says that scoped enumerators hide names of other types, which they do not.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wshadow"
+
+/// What the draws of several joints have to do with each other.
+enum class JointPairing {
+  kIndependent,  ///< each was drawn by itself
+  kTogether,     ///< draws of the same number belong together, as one calibration drew them
+};
+
+#pragma GCC diagnostic pop
+
+/// A structure as it may be.
+struct StructureDraw {
+  JointedStructure structure;  ///< its excitations by what they are where 1 is read of the force
+  double response_gain = 1.0;  ///< reading of the response over the response
+};
+
+/// Structures as they may be: draw i of seed s, the same whatever the order and the number of those
+/// that are drawn, the machine, its threads and ranks. Immutable.
+///
+/// A reading is gain times what is there: a force of amplitude A that is read drives with A/g, so
+/// that the excitations of a draw are divided by their gains; whoever compares with a reading of
+/// the response multiplies by its gain.
+///
+/// Draws of a joint are taken without repetition, in an order that the seed makes, from first to
+/// last, then again in another: N draws out of M ≥ N are N different ones.
+class StructureDraws {
+ public:
+  /// @param nominal  as it is thought to be.
+  /// @param spread   of its numbers.
+  /// @param joints   one a joint, or none.
+  /// @param pairing  of those that have draws.
+  /// @param seed     s.
+  /// @throws InputError  for standard deviations below 0 or above kLargestSpread; for lists of
+  ///                     another length than there are modes, joints, excitations; for draws that
+  ///                     belong together and are not as many.
+  StructureDraws(JointedStructure nominal, StructureSpread spread, std::vector<JointDraws> joints,
+                 JointPairing pairing, std::uint64_t seed);
+
+  /// Beyond it a number is not known at all: e^{±1.96 · 1} is a factor 50 from end to end.
+  static constexpr double kLargestSpread = 1.0;
+
+  /// Draw i.
+  /// @throws InputError  as JointedStructure: what is drawn may break its rules, as a spring in the
+  ///                     modes that is stiffer than a drawn structure.
+  [[nodiscard]] StructureDraw draw(std::uint64_t i) const;
+
+  /// The structure as given.
+  [[nodiscard]] const JointedStructure& nominal() const { return nominal_; }
+  /// Whether draws differ.
+  [[nodiscard]] bool any() const;
+
+ private:
+  [[nodiscard]] ModalModel drawn_modes(std::uint64_t i) const;
+  [[nodiscard]] std::vector<StructuralJoint> drawn_joints(std::uint64_t i) const;
+  [[nodiscard]] std::vector<Excitation> drawn_excitations(std::uint64_t i) const;
+  [[nodiscard]] std::size_t number_of_draw(std::size_t joint, std::uint64_t i) const;
+
+  JointedStructure nominal_;
+  StructureSpread spread_;
+  std::vector<JointDraws> joints_;
+  JointPairing pairing_;
+  std::uint64_t seed_;
+  std::vector<std::vector<std::size_t>> order_;  ///< of the draws of each joint
+};
+
+}  // namespace microslip

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "microslip/base/execution.hpp"
+#include "microslip/base/progress.hpp"
+#include "microslip/base/summary.hpp"
+#include "microslip/dynamics/structure_draws.hpp"
+#include "microslip/io/joint_samples_file.hpp"
+#include "microslip/io/model_file.hpp"
+
+/// @file
+/// Draws of a model, and what became of predictions by them.
+
+namespace microslip {
+
+// g++ 12 says that scoped enumerators hide names of other types, which they do not.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wshadow"
+
+/// How draws of several joints go together.
+enum class Correlation {
+  kAuto,         ///< together where one calibration drew them, else each by itself
+  kTogether,     ///< draws of the same number belong together
+  kIndependent,  ///< each by itself
+};
+
+#pragma GCC diagnostic pop
+
+/// How many draws, and what of them is told.
+struct DrawOptions {
+  std::size_t count = 0;                         ///< N; 0: none
+  double confidence = 0.95;                      ///< P, share of the draws between the quantiles
+  std::uint64_t seed = 1;                        ///< s
+  Correlation correlation = Correlation::kAuto;  ///< of several joints
+
+  /// @throws InputError  for P outside of (0, 1) or so few draws that none lies beyond a quantile,
+  ///                     N < 2/(1 − P); for more than kMostDraws.
+  void check() const;
+
+  static constexpr std::size_t kMostDraws = 1'000'000;
+};
+
+/// Draws of a model file: the samples of its joints, which are read, and its spread.
+/// @throws FileError, FormatError, InputError  as read_joint_samples(); naming the joint, where its
+///     samples are of a joint of another stiffness; where nothing of the model is uncertain.
+[[nodiscard]] StructureDraws draws_of(const ModelFile& model, const std::string& file,
+                                      const DrawOptions& options);
+
+/// The draws of a file, for a joint of this stiffness.
+/// @param name  of it in messages.
+/// @throws as draws_of().
+[[nodiscard]] JointSamples samples_for(const std::string& path, double stiffness,
+                                       const std::string& name);
+
+/// What became of the draws of a prediction.
+struct DrawsTaken {
+  /// Draws that failed for one reason.
+  struct Failure {
+    std::string reason;       ///< in words
+    std::size_t count = 0;    ///< how many
+    std::size_t example = 0;  ///< the number of the first
+  };
+
+  DrawOptions options;            ///< as asked for
+  std::vector<Failure> failures;  ///< the most frequent first
+
+  /// How many failed: they are in no quantile.
+  [[nodiscard]] std::size_t failed() const;
+  /// Whether more than kMostFailed did: what is left may be another population.
+  [[nodiscard]] bool too_many_failed() const;
+
+  /// Share of the draws that may fail.
+  static constexpr double kMostFailed = 0.1;
+};
+
+/// Does work(i) for each draw, in parallel.
+/// @param work  gives why the draw failed, nothing where it did not; an InputError of it counts as
+///              the reason. Called for several draws at once.
+/// @return what became of them.
+/// @throws Cancelled  as progress says.
+[[nodiscard]] DrawsTaken take_draws(const DrawOptions& options,
+                                    const std::function<std::string(std::size_t i)>& work,
+                                    const Execution& execution, const Progress& progress);
+
+/// Quantiles of what draws gave, one a row.
+struct Band {
+  std::vector<double> lower;
+  std::vector<double> upper;
+};
+
+/// The band of values of draws that did not fail.
+/// @param lower, upper  of each draw, one a row; the same where a draw has one value; empty where
+///                      it failed.
+/// @throws InputError  where all failed.
+[[nodiscard]] Band band_of(const std::vector<std::vector<double>>& lower,
+                           const std::vector<std::vector<double>>& upper, double confidence);
+[[nodiscard]] Band band_of(const std::vector<std::vector<double>>& values, double confidence);
+
+/// Comments of a table: how many draws, of which seed, between which quantiles, and what failed.
+/// @param what  is uncertain, as uncertain_text().
+[[nodiscard]] std::string draws_comment(const DrawsTaken& taken, const std::string& what);
+
+/// "samples of 'lap'; frequency_std; normal_load_std of 'lap'": what draws of a model vary.
+[[nodiscard]] std::string uncertain_text(const ModelFile& model);
+
+/// The lines of a summary on draws.
+[[nodiscard]] std::string describe_draws(const DrawsTaken& taken, const std::string& what);
+
+/// What must be known of the band.
+[[nodiscard]] std::vector<Warning> draw_warnings(const DrawsTaken& taken);
+
+}  // namespace microslip

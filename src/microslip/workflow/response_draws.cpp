@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/workflow/response_draws.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "microslip/base/error.hpp"
+#include "microslip/dynamics/curve_heights.hpp"
+#include "microslip/identify/quantiles.hpp"
+#include "microslip/io/csv_writer.hpp"
+#include "microslip/workflow/summary_text.hpp"
+
+namespace microslip {
+namespace {
+
+/// Of a draw: what limits a band is neither.
+constexpr double kDrawTolerance = 1e-8;
+
+double height_of(const SteadyVibration& point, Quantity kept) {
+  return kept == Quantity::kForceAmplitude ? point.response : point.force_amplitude;
+}
+
+/// A point of the reference: the branch that it lies on, of those at its frequency.
+struct Station {
+  double angular_frequency;
+  std::size_t branch;  ///< from below
+  std::size_t branches;
+};
+
+std::vector<Station> stations_of(const ResponseCurve& reference, Quantity kept) {
+  const CurveHeights heights(reference, kept);
+  std::vector<Station> stations;
+  for (const SteadyVibration& point : reference.points) {
+    const std::vector<double> here = heights.at(point.angular_frequency);
+    const double own = height_of(point, kept);
+    std::size_t branch = 0;
+    for (std::size_t b = 1; b < here.size(); ++b) {
+      if (std::abs(here[b] - own) < std::abs(here[branch] - own)) branch = b;
+    }
+    stations.push_back({point.angular_frequency, branch, std::max<std::size_t>(1, here.size())});
+  }
+  return stations;
+}
+
+/// The least and the largest height of a draw that may be meant at a station. @param heights  rising
+std::pair<double, double> meant(const Station& station, const std::vector<double>& heights) {
+  if (heights.size() == station.branches) {
+    return {heights[station.branch], heights[station.branch]};
+  }
+  if (station.branches > 1 && station.branch == 0) return {heights.front(), heights.front()};
+  if (station.branches > 1 && station.branch + 1 == station.branches) {
+    return {heights.back(), heights.back()};
+  }
+  return {heights.front(), heights.back()};
+}
+
+HarmonicBalanceOptions options_of_draws(HarmonicBalanceOptions options) {
+  options.accuracy = 0.0;
+  options.frequencies.clear();
+  options.tolerance = std::max(options.tolerance, kDrawTolerance);
+  return options;
+}
+
+/// The peak of the reference next to a frequency.
+std::size_t next_peak(const ResponseCurve& reference, double angular_frequency) {
+  const auto next = std::ranges::min_element(reference.peaks, {}, [&](const SteadyVibration& peak) {
+    return std::abs(std::log(peak.angular_frequency / angular_frequency));
+  });
+  return static_cast<std::size_t>(next - reference.peaks.begin());
+}
+
+class Draws {
+ public:
+  Draws(const HarmonicBalance& balance, const ResponseCurve& reference, const ResponseRange& range,
+        const StructureDraws& draws, std::size_t count)
+      : balance_(balance),
+        reference_(reference),
+        range_(range),
+        draws_(draws),
+        options_(options_of_draws(balance.options())),
+        stations_(stations_of(reference, range.kept.quantity)),
+        lower(count),
+        upper(count) {
+    const std::vector<double> none(count, std::numeric_limits<double>::quiet_NaN());
+    peak_frequency.assign(reference.peaks.size(), none);
+    peak_height.assign(reference.peaks.size(), none);
+  }
+
+  /// Fills what belongs to draw i; why it failed, or nothing.
+  std::string take(std::size_t i) {
+    StructureDraw drawn = draws_.draw(i);
+    const bool of_force = range_.kept.quantity == Quantity::kResponse;
+    const double gain = of_force ? 1.0 : drawn.response_gain;  // of the heights
+    Target kept = range_.kept;
+    if (of_force) kept.value /= drawn.response_gain;
+    const HarmonicBalance balance(std::move(drawn.structure), balance_.response(), options_);
+    const ResponseCurve curve =
+        balance.follow(kept, Quantity::kAngularFrequency, range_.from, range_.to);
+    if (!curve.summary.converged()) return curve.summary.reason;
+    if (!add_heights(i, CurveHeights(curve, kept.quantity), gain)) {
+      return "its curve does not have all frequencies of the reference";
+    }
+    add_peaks(i, curve, gain);
+    return "";
+  }
+
+ private:
+  bool add_heights(std::size_t i, const CurveHeights& heights, double gain) {
+    std::vector<double> low;
+    std::vector<double> high;
+    for (const Station& station : stations_) {
+      const std::vector<double> here = heights.at(station.angular_frequency);
+      if (here.empty()) return false;
+      const auto [least, most] = meant(station, here);
+      low.push_back(gain * least);
+      high.push_back(gain * most);
+    }
+    lower[i] = std::move(low);
+    upper[i] = std::move(high);
+    return true;
+  }
+
+  void add_peaks(std::size_t i, const ResponseCurve& curve, double gain) {
+    if (reference_.peaks.empty()) return;
+    const bool of_force = range_.kept.quantity == Quantity::kResponse;
+    for (const SteadyVibration& peak : curve.peaks) {
+      const std::size_t p = next_peak(reference_, peak.angular_frequency);
+      const double height = gain * height_of(peak, range_.kept.quantity);
+      double& known = peak_height[p][i];
+      const bool less = of_force ? height >= known : height <= known;
+      if (!std::isnan(known) && less) continue;
+      known = height;
+      peak_frequency[p][i] = peak.frequency();
+    }
+  }
+
+  const HarmonicBalance& balance_;
+  const ResponseCurve& reference_;
+  const ResponseRange& range_;
+  const StructureDraws& draws_;
+  HarmonicBalanceOptions options_;
+  std::vector<Station> stations_;
+
+ public:
+  std::vector<std::vector<double>> lower;  ///< [draw][point]
+  std::vector<std::vector<double>> upper;
+  std::vector<std::vector<double>> peak_frequency;  ///< [peak][draw]
+  std::vector<std::vector<double>> peak_height;
+};
+
+std::vector<double> numbers_of(const std::vector<double>& values) {
+  std::vector<double> numbers;
+  std::ranges::copy_if(values, std::back_inserter(numbers),
+                       [](double value) { return !std::isnan(value); });
+  return numbers;
+}
+
+PeakSpread peak_spread(const SteadyVibration& peak, Quantity kept,
+                       const std::vector<double>& frequency, const std::vector<double>& height,
+                       double confidence) {
+  std::vector<double> frequencies = numbers_of(frequency);
+  std::vector<double> heights = numbers_of(height);
+  PeakSpread spread{.frequency = peak.frequency(),
+                    .frequency_lower = peak.frequency(),
+                    .frequency_upper = peak.frequency(),
+                    .height = height_of(peak, kept),
+                    .height_lower = height_of(peak, kept),
+                    .height_upper = height_of(peak, kept),
+                    .draws = heights.size()};
+  if (heights.empty()) return spread;
+  std::tie(spread.frequency_lower, spread.frequency_upper) = quantile_pair(frequencies, confidence);
+  std::tie(spread.height_lower, spread.height_upper) = quantile_pair(heights, confidence);
+  return spread;
+}
+
+/// Draws without a peak, other than those that failed: the band is that of the rest.
+void add_peak_warnings(ResponseSpread& spread) {
+  const std::size_t taken = spread.taken.options.count - spread.taken.failed();
+  const double tail = 0.5 * (1.0 - spread.taken.options.confidence);
+  for (const PeakSpread& peak : spread.peaks) {
+    const std::size_t without = taken - peak.draws;
+    if (static_cast<double>(without) <= tail * static_cast<double>(taken)) continue;
+    spread.warnings.push_back(
+        {"peak_missing",
+         fmt::format("{} of {} draws have no peak next to {:.6g} Hz: its band is that of the "
+                     "others. It may lie outside of the frequencies that are asked for, or melt "
+                     "into another.",
+                     without, taken, peak.frequency)});
+  }
+}
+
+std::string_view name_of_height(bool of_force) { return of_force ? "force" : "displacement"; }
+std::string_view unit_of_height(bool of_force) { return of_force ? "N" : "m"; }
+
+}  // namespace
+
+ResponseSpread response_spread(const HarmonicBalance& balance, const ResponseCurve& reference,
+                               const ResponseRange& range, const StructureDraws& draws,
+                               const DrawOptions& options, const Execution& execution,
+                               const Progress& progress) {
+  options.check();
+  Draws work(balance, reference, range, draws, options.count);
+  ResponseSpread spread;
+  spread.taken = take_draws(
+      options, [&](std::size_t i) { return work.take(i); }, execution, progress);
+  spread.band = band_of(work.lower, work.upper, options.confidence);
+  for (std::size_t p = 0; p < reference.peaks.size(); ++p) {
+    spread.peaks.push_back(peak_spread(reference.peaks[p], range.kept.quantity,
+                                       work.peak_frequency[p], work.peak_height[p],
+                                       options.confidence));
+  }
+  spread.peak_frequency = std::move(work.peak_frequency);
+  spread.peak_height = std::move(work.peak_height);
+  spread.warnings = draw_warnings(spread.taken);
+  add_peak_warnings(spread);
+  return spread;
+}
+
+std::string peaks_comment(const ResponseSpread& spread, bool of_force) {
+  std::string text;
+  for (const PeakSpread& peak : spread.peaks) {
+    text += fmt::format(
+        "{}peak of draws: frequency {:.9g} Hz, {:.9g} to {:.9g} Hz; {} {:.9g} {}, {:.9g} to {:.9g} "
+        "{}; {} draws",
+        text.empty() ? "" : "\n", peak.frequency, peak.frequency_lower, peak.frequency_upper,
+        name_of_height(of_force), peak.height, unit_of_height(of_force), peak.height_lower,
+        peak.height_upper, unit_of_height(of_force), peak.draws);
+  }
+  return text;
+}
+
+std::string peaks_table(const ResponseSpread& spread, bool of_force, const std::string& heading) {
+  CsvWriter table;
+  if (!heading.empty()) table.add_comment(heading);
+  const auto add = [&](std::string_view name, const Dimension& dimension, auto value) {
+    std::vector<double> values;
+    for (const PeakSpread& peak : spread.peaks) values.push_back(value(peak));
+    table.add_numbers(name, dimension, values);
+  };
+  const std::string name(name_of_height(of_force));
+  const Dimension& dimension = of_force ? kForce : kLength;
+  add("frequency", kFrequency, [](const PeakSpread& peak) { return peak.frequency; });
+  add("frequency_lower", kFrequency, [](const PeakSpread& peak) { return peak.frequency_lower; });
+  add("frequency_upper", kFrequency, [](const PeakSpread& peak) { return peak.frequency_upper; });
+  add(name, dimension, [](const PeakSpread& peak) { return peak.height; });
+  add(name + "_lower", dimension, [](const PeakSpread& peak) { return peak.height_lower; });
+  add(name + "_upper", dimension, [](const PeakSpread& peak) { return peak.height_upper; });
+  add("draws", kDimensionless,
+      [](const PeakSpread& peak) { return static_cast<double>(peak.draws); });
+  return table.str();
+}
+
+std::string describe_peak_spread(const ResponseSpread& spread, bool of_force) {
+  std::string text;
+  for (const PeakSpread& peak : spread.peaks) {
+    text += line(of_force ? "resonance of draws" : "peak of draws",
+                 fmt::format("{:.6g} to {:.6g} Hz, {:.5g} to {:.5g} {}", peak.frequency_lower,
+                             peak.frequency_upper, peak.height_lower, peak.height_upper,
+                             unit_of_height(of_force)));
+  }
+  return text;
+}
+
+}  // namespace microslip

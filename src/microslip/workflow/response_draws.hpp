@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "microslip/base/execution.hpp"
+#include "microslip/base/progress.hpp"
+#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/dynamics/structure_draws.hpp"
+#include "microslip/workflow/model_draws.hpp"
+
+/// @file
+/// Draws of a model through its frequency response: bands beside the curve, and its peaks with their
+/// own.
+
+namespace microslip {
+
+/// A peak of the curve, and where those of the draws lie.
+struct PeakSpread {
+  double frequency = 0.0;  ///< of the curve, Hz
+  double frequency_lower = 0.0;
+  double frequency_upper = 0.0;
+  double height = 0.0;  ///< of the curve: response, or, where that is kept, force, N
+  double height_lower = 0.0;
+  double height_upper = 0.0;
+  std::size_t draws = 0;  ///< that have the peak; the others do not count
+};
+
+/// What draws of a model make of a curve over the frequency.
+struct ResponseSpread {
+  Band band;                      ///< of the height, one a point of the curve
+  std::vector<PeakSpread> peaks;  ///< one a peak of the curve
+  /// Frequency, Hz, and height of peak p in draw i: [p][i]; NaN where the draw has none.
+  std::vector<std::vector<double>> peak_frequency;
+  std::vector<std::vector<double>> peak_height;  ///< the same of its height
+  DrawsTaken taken;                              ///< what became of the draws
+  std::vector<Warning> warnings;                 ///< what must be known of the band
+};
+
+/// The range and what is kept of a curve over the frequency.
+struct ResponseRange {
+  Target kept;        ///< force amplitude or response, as they are read
+  double from = 0.0;  ///< rad/s
+  double to = 0.0;    ///< rad/s
+};
+
+/// Follows the curve of each draw and tells, at the frequency of each point of the reference, between
+/// which heights the share `confidence` of the draws lies.
+///
+/// Where the reference has several heights at a frequency, a point on its highest branch has the
+/// band of the draws' highest, one on its lowest of their lowest, and one between them of the
+/// branch of the same number from below of those draws that have as many. A draw with another
+/// number of branches counts, where that leaves open which is meant, with its lowest at the lower
+/// and its highest at the upper edge: it may vibrate either way.
+///
+/// A peak of a draw belongs to the peak of the reference whose frequency is next to its own; of
+/// several the most pronounced.
+///
+/// @param balance    of the reference: response point and options are those of the draws, but for
+///                   the accuracy, the points asked for and the tolerance, which the band does not
+///                   need.
+/// @param reference  its curve, converged.
+/// @param range      that it was made for.
+/// @throws InputError  where all draws failed, or as DrawOptions::check().
+/// @throws Cancelled   as progress says.
+[[nodiscard]] ResponseSpread response_spread(
+    const HarmonicBalance& balance, const ResponseCurve& reference, const ResponseRange& range,
+    const StructureDraws& draws, const DrawOptions& options,
+    const Execution& execution = Execution::threads(), const Progress& progress = {});
+
+/// Comments of the table: a line a peak with its band. @param of_force  the height is a force.
+[[nodiscard]] std::string peaks_comment(const ResponseSpread& spread, bool of_force);
+
+/// The table of the peaks, as text. @param of_force  as above. @param heading  its comments.
+/// @throws InputError  where there is no peak.
+[[nodiscard]] std::string peaks_table(const ResponseSpread& spread, bool of_force,
+                                      const std::string& heading);
+
+/// The lines of a summary on the peaks.
+[[nodiscard]] std::string describe_peak_spread(const ResponseSpread& spread, bool of_force);
+
+}  // namespace microslip
