@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "command.hpp"
+#include "draw_arguments.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/io/response_file.hpp"
+#include "microslip/workflow/backbone_draws.hpp"
 #include "microslip/workflow/model_text.hpp"
 #include "microslip/workflow/quantity_text.hpp"
 #include "prediction.hpp"
@@ -23,6 +28,7 @@ struct BackboneOptions {
   std::string response;
   std::string mode = "1";
   std::string forcing = "excitation";
+  DrawArguments draws;
 };
 
 std::vector<double> responses_of(const BackboneOptions& options) {
@@ -52,6 +58,35 @@ ResponseCurve curve_of(const HarmonicBalance& balance, const BackboneOptions& op
   }
 }
 
+std::optional<StructureDraws> draws_of_model(const ModelFile& model,
+                                             const BackboneOptions& options) {
+  if (!options.draws.any()) return std::nullopt;
+  return draws_of(model, options.prediction.model, draw_options(options.draws));
+}
+
+/// Draws of a backbone that did not converge are not taken.
+std::optional<BackboneSpread> spread_of(const HarmonicBalance& balance, const ResponseCurve& curve,
+                                        std::size_t mode,
+                                        const std::optional<StructureDraws>& draws,
+                                        const BackboneOptions& options, bool quiet) {
+  if (!draws || !curve.summary.converged()) return std::nullopt;
+  return backbone_spread(balance, curve, responses_of(options), mode - 1, *draws,
+                         draw_options(options.draws), Execution::threads(),
+                         progress_bar("draws", quiet));
+}
+
+CsvWriter table_of(const ResponseCurve& curve, const std::optional<BackboneSpread>& spread,
+                   const ModelFile& model, const std::string& command) {
+  const std::string heading = heading_of(command, model);
+  if (!spread) return backbone_table(curve, heading);
+  const std::vector<BandColumns> bands{
+      {"force", kForce, spread->force.lower, spread->force.upper},
+      {"frequency", kFrequency, spread->frequency.lower, spread->frequency.upper},
+      {"damping_ratio", kDimensionless, spread->damping_ratio.lower, spread->damping_ratio.upper}};
+  return backbone_table(curve, heading + "\n" + draws_comment(spread->taken, uncertain_text(model)),
+                        bands);
+}
+
 int run(const BackboneOptions& options, const Call& call) {
   check_output(options.prediction.out, kBackboneKind);
   const std::vector<double> responses = responses_of(options);
@@ -59,18 +94,24 @@ int run(const BackboneOptions& options, const Call& call) {
   const std::size_t mode =
       parse_whole_number("--mode", options.mode, 1, model.structure.linear().size(),
                          "That is how many modes the model has.");
+  const std::optional<StructureDraws> draws = draws_of_model(model, options);
   const Forcing forcing = options.forcing == "modal" ? Forcing::kModal : Forcing::kExcitation;
   const HarmonicBalance balance = balance_of(model, options.prediction, {.forcing = forcing});
   ResponseCurve curve = curve_of(balance, options, responses, mode, call.quiet);
   const std::string truncation = add_truncation(balance, Quantity::kPhaseLag, curve);
   add_model_warnings(model, curve);
-  return finish(
+  const std::optional<BackboneSpread> spread =
+      spread_of(balance, curve, mode, draws, options, call.quiet);
+  if (spread) std::ranges::copy(spread->warnings, std::back_inserter(curve.warnings));
+  const int status = finish(
       curve, options.prediction, call,
-      [&] { return backbone_table(curve, heading_of(call.command_line, model)); },
+      [&] { return table_of(curve, spread, model, call.command_line); },
       [&] {
-        return describe_backbone(options.prediction.model, balance, curve, mode) + truncation +
+        return describe_backbone(options.prediction.model, balance, curve, mode) +
+               (spread ? describe_draws(spread->taken, uncertain_text(model)) : "") + truncation +
                describe_damping(model) + describe_warnings(curve.warnings);
       });
+  return spread && spread->taken.too_many_failed() ? kNotConverged : status;
 }
 
 }  // namespace
@@ -99,6 +140,10 @@ void add_backbone(CLI::App& program, Call& call) {
           "point")
       ->check(CLI::IsMember({"excitation", "modal"}))
       ->capture_default_str();
+  add_draw_arguments(*command, options->draws,
+                     "force_lower and force_upper [N], the same of frequency [Hz] and "
+                     "damping_ratio [1]");
+  add_correlation_argument(*command, options->draws);
   add_examples(*command,
                {"microslip backbone model.toml --response 10mm:2:40:log --out backbone.csv",
                 "microslip backbone model.toml --response 10mm:2:40:log --forcing modal \\",

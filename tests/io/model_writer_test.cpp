@@ -140,5 +140,23 @@ TEST(ModelWriter, WantsAFileForEachJoint) {
   EXPECT_THROW((void)format_model(model), InputError);
 }
 
+// What is uncertain of a model is in it again.
+TEST(ModelWriter, KeepsWhatIsUncertain) {
+  ModelFile model = two_modes(DampingLaw::kViscous);
+  model.joint_samples = {"draws.h5"};
+  model.spread = {.frequency = {0.01, 0.0},
+                  .loss_factor = {0.1, 0.2},
+                  .normal_load = {0.05},
+                  .force_gain = {0.0, 0.02},
+                  .response_gain = 0.03};
+  const ModelFile again = parse_model(format_model(model), "model.toml");
+  EXPECT_EQ(again.joint_samples, model.joint_samples);
+  EXPECT_EQ(again.spread.frequency, model.spread.frequency);
+  EXPECT_EQ(again.spread.loss_factor, model.spread.loss_factor);
+  EXPECT_EQ(again.spread.normal_load, model.spread.normal_load);
+  EXPECT_EQ(again.spread.force_gain, model.spread.force_gain);
+  EXPECT_EQ(again.spread.response_gain, model.spread.response_gain);
+}
+
 }  // namespace
 }  // namespace microslip::model_writer_test

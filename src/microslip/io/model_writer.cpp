@@ -20,7 +20,16 @@
 namespace microslip {
 namespace {
 
-void write_structure(const JointedStructure& structure, TomlLines& lines) {
+bool is_uncertain(const std::vector<double>& spread) {
+  return std::ranges::any_of(spread, [](double value) { return value > 0.0; });
+}
+
+double spread_at(const std::vector<double>& spread, std::size_t at) {
+  return at < spread.size() ? spread[at] : 0.0;
+}
+
+void write_structure(const JointedStructure& structure, const StructureSpread& spread,
+                     TomlLines& lines) {
   const bool viscous = structure.damping() == DampingLaw::kViscous;
   std::vector<double> frequency;
   std::vector<double> damping;
@@ -30,7 +39,9 @@ void write_structure(const JointedStructure& structure, TomlLines& lines) {
   }
   lines.table("structure");
   lines.add("frequency_Hz", frequency);
+  if (is_uncertain(spread.frequency)) lines.add("frequency_std", spread.frequency);
   lines.add(viscous ? "damping_ratio" : "loss_factor", damping);
+  if (is_uncertain(spread.loss_factor)) lines.add("loss_factor_std", spread.loss_factor);
   for (const ModalPoint& point : structure.linear().points()) {
     lines.element("structure.point");
     lines.add("name", point.name);
@@ -40,6 +51,7 @@ void write_structure(const JointedStructure& structure, TomlLines& lines) {
 
 /// Without the key a reader takes what the joint file says.
 bool says_damping(const ModelFile& model, std::size_t joint) {
+  if (joint < model.damping_said.size() && model.damping_said[joint]) return true;
   if (model.structure.joints()[joint].linear_damping > 0.0) return true;
   const bool known = joint < model.identified_damping.size();
   return !known || model.identified_damping[joint].value_or(0.0) > 0.0;
@@ -50,6 +62,10 @@ void write_joint(const ModelFile& model, std::size_t number, TomlLines& lines) {
   lines.element("joint");
   lines.add("name", joint.name);
   lines.add("file", model.joint_files[number]);
+  const bool drawn = number < model.joint_samples.size() && !model.joint_samples[number].empty();
+  if (drawn) lines.add("samples", model.joint_samples[number]);
+  const double load = spread_at(model.spread.normal_load, number);
+  if (load > 0.0) lines.add("normal_load_std", load);
   lines.add("shape", joint.shape);
   if (joint.spring_in_modes > 0.0) lines.add("spring_in_modes_N_per_m", joint.spring_in_modes);
   if (joint.series_compliance > 0.0) {
@@ -59,7 +75,8 @@ void write_joint(const ModelFile& model, std::size_t number, TomlLines& lines) {
   if (says_damping(model, number)) lines.add(kLinearDampingKey, joint.linear_damping);
 }
 
-void write_excitation(const Excitation& excitation, const std::string& channel, TomlLines& lines) {
+void write_excitation(const Excitation& excitation, const std::string& channel, double gain,
+                      TomlLines& lines) {
   std::vector<double> amplitude;
   std::vector<double> phase;
   for (const std::complex<double>& harmonic : excitation.harmonics) {
@@ -69,6 +86,7 @@ void write_excitation(const Excitation& excitation, const std::string& channel, 
   lines.element("excitation");
   lines.add("point", excitation.point);
   if (!channel.empty()) lines.add("channel", channel);
+  if (gain > 0.0) lines.add("gain_std", gain);
   if (excitation.harmonics == std::vector<std::complex<double>>{1.0}) return;
   lines.add("harmonics", amplitude);
   lines.add("phase_rad", phase);
@@ -85,15 +103,17 @@ std::string format_model(const ModelFile& model, std::string_view comment) {
   TomlLines lines;
   lines.comment(comment);
   lines.add("schema", kModelKind);
-  write_structure(model.structure, lines);
+  write_structure(model.structure, model.spread, lines);
   for (std::size_t i = 0; i < joints.size(); ++i) write_joint(model, i, lines);
   const std::span<const Excitation> excitations = model.structure.excitations();
   for (std::size_t i = 0; i < excitations.size(); ++i) {
     const bool told = i < model.force_channels.size();
-    write_excitation(excitations[i], told ? model.force_channels[i] : std::string(), lines);
+    write_excitation(excitations[i], told ? model.force_channels[i] : std::string(),
+                     spread_at(model.spread.force_gain, i), lines);
   }
   lines.table("response");
   lines.add("point", model.response);
+  if (model.spread.response_gain > 0.0) lines.add("gain_std", model.spread.response_gain);
   for (const PointSensor& sensor : model.accelerometers) {
     lines.element("accelerometer");
     lines.add("channel", sensor.channel);

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "microslip/base/execution.hpp"
+#include "microslip/base/progress.hpp"
+#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/dynamics/structure_draws.hpp"
+#include "microslip/workflow/model_draws.hpp"
+
+/// @file
+/// Draws of a model through its backbone.
+
+namespace microslip {
+
+/// What draws of a model make of a backbone, one value a point of it.
+struct BackboneSpread {
+  Band force;                     ///< N
+  Band frequency;                 ///< Hz
+  Band damping_ratio;             ///< 1
+  DrawsTaken taken;               ///< what became of the draws
+  std::vector<Warning> warnings;  ///< what must be known of the bands
+};
+
+/// Resonances of each draw at the responses of the reference, as they are read. A draw fails where
+/// its curve does not have them all, or turns back so that it has other rows.
+/// @param balance    of the reference: response point and options are those of the draws.
+/// @param reference  its resonances() at the responses, converged.
+/// @param responses  that it was made for, in the kind of the response point.
+/// @param mode       from 0.
+/// @throws InputError  where all draws failed, or as DrawOptions::check().
+/// @throws Cancelled   as progress says.
+[[nodiscard]] BackboneSpread backbone_spread(const HarmonicBalance& balance,
+                                             const ResponseCurve& reference,
+                                             const std::vector<double>& responses, std::size_t mode,
+                                             const StructureDraws& draws,
+                                             const DrawOptions& options,
+                                             const Execution& execution = Execution::threads(),
+                                             const Progress& progress = {});
+
+}  // namespace microslip
