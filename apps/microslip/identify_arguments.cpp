@@ -140,6 +140,7 @@ IdentificationOptions library_options(const IdentifyArguments& options, bool qui
   check_method(options);
   all.method = kMethods.at(options.method);
   all.inversion.linear_damping = options.linear_damping == "fit";
+  all.inversion.edges = options.edges == "sought";
   all.inversion.atom = options.atom;
   if (options.fit != "none") all.fit = kModels.at(options.fit);
   set_smoothing(options.smoothing, options.smoothing_unit, all);
@@ -186,6 +187,7 @@ void refuse_options_of_levels(const IdentifyArguments& options, const EvidenceFi
   of_levels.refuse("--linear-damping", options.linear_damping, "none",
                    "--viscous fit finds a viscous part of a record.");
   of_levels.refuse("--atom", options.atom);
+  of_levels.refuse("--edges", options.edges, "sought");
   of_levels.refuse("--bands", options.bands, "0", "--samples N is its name for both.");
   of_levels.refuse("--dissipation-gain-std", options.dissipation_gain, "0");
   of_levels.refuse("--amplitude-gain-std", options.amplitude_gain, "0");
@@ -231,6 +233,11 @@ void add_method_options(CLI::App& command, IdentifyArguments& options) {
       .add_option("--inner-reversals", options.inner_reversals,
                   "Levels whose joint turns more than twice a cycle (column reversals)")
       ->check(CLI::IsMember({"leave-out", "use"}))
+      ->capture_default_str();
+  command
+      .add_option("--edges", options.edges,
+                  "Forces at which the density may jump, where the levels make them very likely")
+      ->check(CLI::IsMember({"sought", "none"}))
       ->capture_default_str();
   command.add_flag("--atom", options.atom, "Seek an atom of the density where macro-slip begins");
   command

@@ -23,6 +23,7 @@ struct IdentifyArguments {
   std::string smoothing = "gcv";
   std::optional<std::string> smoothing_unit;
   std::string linear_damping = "none";
+  std::string edges = "sought";
   bool atom = false;
   std::string bands = "0";
   std::optional<std::string> samples;  // of levels the same

@@ -153,7 +153,7 @@ TEST(DensityPosterior, DrawsAreFunctionsOfSeedAndIndex) {
   const std::vector<DensitySample> many = posterior.samples(4, 600);
   const std::vector<DensitySample> few = posterior.samples(4, 260, Execution::serial());
   for (std::size_t i = 0; i < few.size(); ++i) EXPECT_EQ(few[i].density, many[i].density) << i;
-  EXPECT_NE(many[0].density, many[DensityPosterior::kChain].density);
+  EXPECT_NE(many[0].density, many[posterior.chain_length()].density);
   EXPECT_NE(posterior.samples(5, 1)[0].density, many[0].density);
 }
 

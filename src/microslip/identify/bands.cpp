@@ -47,7 +47,7 @@ DensityBands density_bands(const InversionResult& result, std::span<const Densit
   const auto read_all = [&](const auto& read) {
     std::ranges::transform(samples, values.begin(), read);
     bands.effective_samples =
-        std::min(bands.effective_samples, effective_draws(values, DensityPosterior::kChain));
+        std::min(bands.effective_samples, effective_draws(values, result.posterior.chain_length()));
   };
   const auto quantiles_of = [&](const auto& read) {
     read_all(read);

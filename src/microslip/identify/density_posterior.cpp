@@ -164,24 +164,35 @@ void DensityPosterior::check() const {
     throw InputError("largest smoothing of the posterior", smoothing.most,
                      "must not be below the smallest", std::string(kUnchanged));
   }
+  for (const DensityPosterior& other : elsewhere) {
+    other.check();
+    check_length("slip_force elsewhere", other.slip_force.size(), slip_force.size());
+    check_length("places elsewhere", other.elsewhere.size(), 0);
+  }
 }
 
 std::vector<DensitySample> DensityPosterior::samples(std::uint64_t seed, std::size_t count,
                                                      const Execution& execution,
                                                      const Progress& progress) const {
   check();
-  const ChainTarget target = chain_target(*this);
+  std::vector<const DensityPosterior*> places{this};
+  for (const DensityPosterior& other : elsewhere) places.push_back(&other);
+  std::vector<ChainTarget> targets;
+  for (const DensityPosterior* place : places) targets.push_back(chain_target(*place));
   std::vector<DensitySample> all(count);
   DrawCounter counter(count, progress);
-  execution.for_each((count + kChain - 1) / kChain, [&](std::size_t number) {
-    PosteriorChain chain(target, chain_start(*this, target));
+  const std::size_t length = chain_length();
+  execution.for_each((count + length - 1) / length, [&](std::size_t number) {
+    const DensityPosterior& place = *places[number % places.size()];
+    const ChainTarget& target = targets[number % places.size()];
+    PosteriorChain chain(target, chain_start(place, target));
     RandomStream random(seed, number);
     chain.settle(random);
-    for (std::size_t i = number * kChain; i < std::min(count, (number + 1) * kChain); ++i) {
+    for (std::size_t i = number * length; i < std::min(count, (number + 1) * length); ++i) {
       RandomStream of_errors(seed, kErrorStreams + i);
       const CommonErrorDraw errors = common_errors.draw(of_errors);
       if (common_errors.loss_factor_std > 0.0) chain.set_error(errors.loss_factor);
-      all[i] = read_sample(*this, chain.next(random));
+      all[i] = read_sample(place, chain.next(random));
       apply_gains(slip_force, errors, all[i]);
       counter.count();
     }

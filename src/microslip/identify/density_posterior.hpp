@@ -78,15 +78,19 @@ struct DensityPosterior {
 
   std::vector<double> start;  ///< a good x, where chains start
 
+  /// The same with the edges of the density elsewhere, each as likely as this; with the same
+  /// knots. Chains take turns. None where the density has no edges.
+  std::vector<DensityPosterior> elsewhere = {};
+
   /// @throws InputError  where its parts do not belong together, or it is empty.
   void check() const;
 
-  /// Draws in one chain.
-  static constexpr std::size_t kChain = 250;
+  /// Draws in one chain: many where there is one place of the edges, fewer where chains are to go
+  /// to all of them.
+  [[nodiscard]] std::size_t chain_length() const { return elsewhere.empty() ? 250 : 25; }
 
   /// Draws 0 … count − 1 of a seed, with λ, l and s drawn, too, by PosteriorChain: exact but for
-  /// what the chain remembers of its start. Draw i stands in a chain of kChain draws, number
-  /// i/kChain, which starts anew: it is a function of (seed, i) alone, whatever the count and the
+  /// what the chain remembers of its start. Draw i stands in chain number i/chain_length(), which starts anew: it is a function of (seed, i) alone, whatever the count and the
   /// number of threads. Neighbours are alike: DensityBands::effective_samples tells by how much.
   ///
   /// Errors that all levels share are drawn for each draw, and the levels do not correct them: the

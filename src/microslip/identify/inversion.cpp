@@ -13,6 +13,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/median.hpp"
 #include "microslip/base/stopwatch.hpp"
+#include "microslip/identify/edge_search.hpp"
 #include "microslip/identify/inversion_model.hpp"
 #include "microslip/identify/inversion_result.hpp"
 #include "microslip/identify/signed_density.hpp"
@@ -21,6 +22,8 @@ namespace microslip {
 namespace {
 
 constexpr std::size_t kFirstPassPoints = 25;
+/// That draws go to, beside the likeliest.
+constexpr std::size_t kPlacesOfEdges = 8;
 /// χ₀ stays where its power law has an area, and never rises: a rising reference would claim that
 /// there is no density at small slip forces, which D hardly tells.
 constexpr double kLeastExponent = -0.9;
@@ -123,17 +126,6 @@ void tell_kinds_apart(InversionModel& model, const ScaledLevels& levels) {
   model.least_softening_scatter = levels.evidence.secant_std_given() ? 1.0 / both : 0.0;
 }
 
-/// The inner solutions of an inversion: the result rests on them, though it is none of them.
-struct InnerSolutions {
-  std::size_t count = 0;
-  std::size_t not_converged = 0;
-
-  void add(const QuadraticProgram::Solution& solution) {
-    ++count;
-    if (!solution.optimal()) ++not_converged;
-  }
-};
-
 void run_path(InversionModel& model, const InversionOptions& options, std::size_t points,
               InnerSolutions& inner) {
   const SmoothingProblem& problem = model.problem();
@@ -154,10 +146,16 @@ void run_path(InversionModel& model, const InversionOptions& options, std::size_
   model.degrees_of_freedom = scatter.degrees_of_freedom;
 }
 
+/// What a pass assumed, and what it found.
+struct PassedModel {
+  PassOptions pass;
+  InversionModel model;
+};
+
 /// A first pass with rough weights, then the one that counts: its weights, reference and penalty
 /// come from the first. A third would change nothing.
-InversionModel two_passes(const ScaledLevels& levels, const InversionOptions& options, double top,
-                          bool atom, InnerSolutions& inner) {
+PassedModel two_passes(const ScaledLevels& levels, const InversionOptions& options, double top,
+                       bool atom, InnerSolutions& inner) {
   PassOptions pass;
   pass.top = top;
   pass.atom = atom;
@@ -181,7 +179,44 @@ InversionModel two_passes(const ScaledLevels& levels, const InversionOptions& op
   InversionModel second(levels, pass);
   run_path(second, options, options.path_points, inner);
   tell_kinds_apart(second, levels);
-  return second;
+  return {std::move(pass), std::move(second)};
+}
+
+/// A model, and others with its edges at places that are as likely.
+struct ShapedModel {
+  InversionModel model;
+  std::vector<InversionModel> elsewhere = {};
+};
+
+/// The same smoothing and scatter with edges elsewhere.
+InversionModel moved_edges(const ScaledLevels& levels, PassOptions pass,
+                           std::vector<BasisEdge> edges, const InversionModel& like,
+                           InnerSolutions& inner) {
+  pass.edges = std::move(edges);
+  InversionModel model(levels, pass);
+  model.take_smoothing(like);
+  const SmoothingPoint& start = like.solution();
+  model.path[model.chosen] = model.problem().solve(start.lambda, start.solution.free);
+  inner.add(model.solution().solution);
+  return model;
+}
+
+/// The same with edges, and a trend of the smoothness, where they are likely.
+ShapedModel shaped(PassedModel passed, const ScaledLevels& levels, const InversionOptions& options,
+                   InnerSolutions& inner) {
+  if (!options.edges || options.lambda) return {std::move(passed.model)};
+  find_shape(levels, passed.model.solution().lambda, passed.pass, inner);
+  if (passed.pass.edges.empty() && passed.pass.trend == 0.0) return {std::move(passed.model)};
+  ShapedModel found{InversionModel(levels, passed.pass)};
+  run_path(found.model, options, options.path_points, inner);
+  tell_kinds_apart(found.model, levels);
+  if (passed.pass.edges.empty()) return found;
+  for (std::vector<BasisEdge>& edges :
+       edges_elsewhere(levels, found.model.solution().lambda, passed.pass, kPlacesOfEdges, inner)) {
+    found.elsewhere.push_back(
+        moved_edges(levels, passed.pass, std::move(edges), found.model, inner));
+  }
+  return found;
 }
 
 /// Schwarz's criterion of a model: m ln rss + edf ln m, with residuals relative to the same d for
@@ -203,7 +238,7 @@ std::optional<double> find_atom(const ScaledLevels& levels, const InversionOptio
   const Eigen::Index count = levels.amplitude.size();
   if (count < kFewestForAtom) return std::nullopt;
   const auto criterion = [&](double top) {
-    return schwarz_criterion(levels, two_passes(levels, options, top, true, inner));
+    return schwarz_criterion(levels, two_passes(levels, options, top, true, inner).model);
   };
   // Two levels at least must lie beyond an atom to show the straight line.
   const double first = levels.amplitude(2);
@@ -219,7 +254,8 @@ std::optional<double> find_atom(const ScaledLevels& levels, const InversionOptio
       lowest = value;
     }
   }
-  const double without = schwarz_criterion(levels, two_passes(levels, options, 1.0, false, inner));
+  const double without =
+      schwarz_criterion(levels, two_passes(levels, options, 1.0, false, inner).model);
   // The position is a parameter of its own.
   const double price = std::log(static_cast<double>(count)) + kStrongEvidence;
   if (!(lowest + price < without)) return std::nullopt;
@@ -341,13 +377,14 @@ InversionResult invert(const LevelEvidence& evidence, double stiffness,
     }
     timings.push_back(watch.lap("search of an atom"));
   }
-  const InversionModel model =
-      two_passes(scaled, options, top, result.atom_slip_force.has_value(), inner);
-  read_model(model, scaled, result);
+  PassedModel smooth = two_passes(scaled, options, top, result.atom_slip_force.has_value(), inner);
+  timings.push_back(watch.lap("choice of the smoothing"));
+  const auto [model, elsewhere] = shaped(std::move(smooth), scaled, options, inner);
+  read_model(model, elsewhere, scaled, result);
   if (options.linear_damping) {
     result.linear_damping = stiffness * model.linear_damping(model.solution().solution.x);
   }
-  timings.push_back(watch.lap("choice of the smoothing"));
+  timings.push_back(watch.lap("search of edges"));
   judge_sign(model, scaled, result, inner);
   judge_area(model, scaled, result, inner);
   // The chosen point of the path is the result itself.

@@ -28,6 +28,10 @@ struct InversionOptions {
   /// sought within the range of the data.
   bool atom = false;
 
+  /// Lets the density jump and bend where the levels make it very likely that a population of
+  /// sliders ends there; not with a fixed λ.
+  bool edges = true;
+
   /// Coefficients of the density; ≥ 10. More than the default change nothing but the time.
   int coefficients = 56;
 
@@ -54,6 +58,9 @@ struct InversionResult {
   std::vector<double> slip_force;  ///< knots, N; from 0 to kA_max, or to the atom
   std::vector<double> density;     ///< φ at the knots, 1/N; ≥ 0
   double area = 0.0;               ///< Φ0 of the density and the atom, 1; ≤ 1
+
+  /// Slip forces at which the density jumps, N, rising: two knots each.
+  std::vector<double> edges;
 
   std::optional<double> linear_damping;   ///< β, J/m²
   std::optional<double> atom_slip_force;  ///< N; nothing where the data do not reach macro-slip

@@ -13,7 +13,14 @@
 
 namespace microslip {
 
-/// The density is continuous and linear between knots, and constant below the first; so the result
+/// Where a density may jump and bend: one of the equally spaced knots is there instead, twice.
+struct BasisEdge {
+  int knot = 0;     ///< number of that knot among them, from 0
+  double at = 0.0;  ///< where it is, in spacings of them: within ½ of `knot`
+};
+
+/// The density is linear between knots, constant below the first, and continuous but at edges, whose
+/// two knots are kWidth apart, relative; so the result
 /// is written without loss as a piecewise-linear part. The coefficients θ are what the roughness
 /// penalty sees: p at knot j is reference_j θ_j. With the reference s^χ₀ (χ₀ from the log–log slope
 /// of D) a power law is a constant θ and costs nothing. The first coefficient carries the knots
@@ -23,10 +30,27 @@ class InversionBasis {
   /// @param lowest        lowest scaled amplitude, in (0, 1).
   /// @param top           where the density ends, in (lowest, 1].
   /// @param exponent      χ₀, in (−1, 0].
-  /// @param coefficients  how many θ; ≥ 4.
-  InversionBasis(double lowest, double top, double exponent, int coefficients);
+  /// @param coefficients  how many θ without edges, one a knot that is equally spaced; ≥ 4.
+  /// @param edges         rising, kLeastBetween knots or more from each other and from both ends.
+  InversionBasis(double lowest, double top, double exponent, int coefficients,
+                 const std::vector<BasisEdge>& edges = {});
 
-  [[nodiscard]] Eigen::Index size() const { return coefficients_; }
+  static constexpr double kWidth = 1e-6;   ///< of an edge, over its slip force
+  static constexpr int kLeastBetween = 2;  ///< spacings
+
+  [[nodiscard]] Eigen::Index size() const { return coordinate_.size(); }
+
+  /// Ranges between edges: on each a straight line of θ costs nothing.
+  [[nodiscard]] Eigen::Index ranges() const { return static_cast<Eigen::Index>(first_.size()); }
+
+  /// Slip forces of the edges, s.
+  [[nodiscard]] std::vector<double> edges() const;
+
+  /// How many θ are of a range. @param range  from 0.
+  [[nodiscard]] Eigen::Index size_of(Eigen::Index range) const;
+
+  /// The slip force s at a place among the equally spaced knots. @param at  in their spacings.
+  [[nodiscard]] double slip_force(double at) const;
 
   /// Knots s, rising.
   [[nodiscard]] const std::vector<double>& knots() const { return knots_; }
@@ -44,11 +68,19 @@ class InversionBasis {
   [[nodiscard]] Eigen::VectorXd area() const;
 
   /// Second differences of θ over the coordinate in which the knots are equally spaced, with its
-  /// range as the unit: rows (size − 2) × size.
+  /// range as the unit, none across an edge: rows (size − 2 ranges) × size.
   [[nodiscard]] Eigen::MatrixXd second_differences() const;
 
+  /// Where the middle coefficient of each row of second_differences() is, in spacings.
+  [[nodiscard]] Eigen::VectorXd middles() const;
+
  private:
-  Eigen::Index coefficients_;
+  double intervals_;
+  double power_;
+  double from_;  // of s^power
+  double to_;
+  Eigen::VectorXd coordinate_;       // of each θ, in spacings
+  std::vector<Eigen::Index> first_;  // θ of each range
   std::vector<double> knots_;
   Eigen::MatrixXd nodal_;
 };

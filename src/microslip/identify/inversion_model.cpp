@@ -2,14 +2,34 @@
 #include "microslip/identify/inversion_model.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
+#include "microslip/base/median.hpp"
 #include "microslip/identify/eigen_view.hpp"
 #include "microslip/observe/level_rows.hpp"
 
 namespace microslip {
-namespace {}  // namespace
+namespace {
+
+/// Share of D that the knots follow a density with kinks to: less scatter proves no edge.
+constexpr double kResolved = 1e-3;
+
+/// Weights of the second differences at equally spaced knots, at other places.
+Eigen::VectorXd weights_at(const Eigen::VectorXd& middles, const Eigen::VectorXd& weights) {
+  const Eigen::Index last = weights.size() - 1;
+  Eigen::VectorXd at(middles.size());
+  for (Eigen::Index i = 0; i < middles.size(); ++i) {
+    const double place = std::clamp(middles(i) - 1.0, 0.0, static_cast<double>(last));
+    const auto left = std::min(static_cast<Eigen::Index>(place), last - 1);
+    const double share = place - static_cast<double>(left);
+    at(i) = weights(left) + share * (weights(left + 1) - weights(left));
+  }
+  return at;
+}
+
+}  // namespace
 
 ScaledLevels::ScaledLevels(const LevelEvidence& levels, double k)
     : evidence(levels),
@@ -120,17 +140,23 @@ InversionModel::Columns::Columns(const ScaledLevels& levels, const PassOptions& 
                atom_scale * atom_softening(a, options.top), atom_scale);
   }
 
-  penalty = Eigen::MatrixXd::Zero(basis.size() - 2, dissipation.cols());
-  penalty.leftCols(basis.size()) = basis.second_differences();
+  const Eigen::MatrixXd differences = basis.second_differences();
+  penalty = Eigen::MatrixXd::Zero(differences.rows(), dissipation.cols());
+  penalty.leftCols(basis.size()) = differences;
+  const Eigen::VectorXd middles = basis.middles();
+  if (options.trend != 0.0) {
+    const Eigen::ArrayXd share = middles.array() / (options.coefficients - 1.0) - 0.5;
+    penalty = (0.5 * options.trend * share).exp().matrix().asDiagonal() * penalty;
+  }
   if (options.penalty_weights.size() > 0) {
-    penalty = options.penalty_weights.asDiagonal() * penalty;
+    penalty = weights_at(middles, options.penalty_weights).asDiagonal() * penalty;
   }
 }
 
 InversionModel::InversionModel(const ScaledLevels& levels, const PassOptions& options)
     : InversionModel(levels, options,
                      InversionBasis(levels.amplitude(0), options.top, options.exponent,
-                                    options.coefficients)) {}
+                                    options.coefficients, options.edges)) {}
 
 InversionModel::InversionModel(const ScaledLevels& levels, const PassOptions& options,
                                InversionBasis basis)
@@ -168,8 +194,36 @@ InversionModel::InversionModel(const ScaledLevels& levels, const InversionBasis&
         const Eigen::Index extra = columns.dissipation.cols() - basis.size();
         return SmoothingProblem(columns.weights.asDiagonal() * design,
                                 columns.weights.cwiseProduct(data), columns.penalty, columns.area,
-                                2 + extra);
+                                2 * basis.ranges() + extra);
       }()) {}
+
+void InversionModel::take_smoothing(const InversionModel& other) {
+  path = other.path;
+  chosen = other.chosen;
+  most_edf = other.most_edf;
+  lambda_fixed = other.lambda_fixed;
+  scatter = other.scatter;
+  dissipation_scatter = other.dissipation_scatter;
+  softening_scatter = other.softening_scatter;
+  least_softening_scatter = other.least_softening_scatter;
+  degrees_of_freedom = other.degrees_of_freedom;
+}
+
+double InversionModel::evidence(const SmoothingPoint& point) const {
+  const double freedom = std::max(
+      1.0, informative_rows_ + repeat_freedom_ - static_cast<double>(problem_.unpenalised()));
+  const Eigen::VectorXd told = problem_.data().head(dissipation_.rows());  // d/σ
+  const double unresolved = kResolved * median({told.begin(), told.end()});
+  const double square = point.residual + repeat_residual_ + point.lambda * point.roughness +
+                        freedom * unresolved * unresolved;
+  double lines = 0.0;
+  const double size =
+      std::max(1.0, theta(point.solution.x).squaredNorm() / static_cast<double>(basis_.size()));
+  for (Eigen::Index range = 0; range < basis_.ranges(); ++range) {
+    lines += 2.0 * std::log(static_cast<double>(basis_.size_of(range)) * size);
+  }
+  return freedom * std::log(square / freedom) + freedom + problem_.log_volume(point.lambda) + lines;
+}
 
 Eigen::VectorXd InversionModel::dissipation(const Eigen::VectorXd& x) const {
   return dissipation_ * x;

@@ -45,8 +45,11 @@ struct PassOptions {
   bool linear_damping = false;
   bool atom = false;  ///< at the top
   int coefficients = 0;
-  Eigen::VectorXd fit;              ///< d of an earlier pass, for the weights
-  Eigen::VectorXd penalty_weights;  ///< ω, one a second difference; empty for 1
+  Eigen::VectorXd fit;  ///< d of an earlier pass, for the weights
+  /// ω, one a second difference without edges; empty for 1.
+  Eigen::VectorXd penalty_weights;
+  double trend = 0.0;  ///< by what ln λ is more at the last knot than at the first
+  std::vector<BasisEdge> edges;
 };
 
 /// A linear model of the levels with its coefficients, and how to read them.
@@ -114,7 +117,16 @@ class InversionModel {
   double least_softening_scatter = 0.0;
   double degrees_of_freedom = 0.0;  ///< ν of σ̂²
 
+  /// Path, scatter and all else that the choice of λ set, from another model of the same levels.
+  void take_smoothing(const InversionModel& other);
+
   [[nodiscard]] const SmoothingPoint& solution() const { return path[chosen]; }
+
+  /// −2 log of the likelihood of λ and the edges, with all coefficients and the scatter integrated
+  /// out: to compare models with different edges, up to what they have in common. What costs
+  /// nothing, a straight line on each of the ranges between edges, is given the size of the
+  /// solution as its prior deviation.
+  [[nodiscard]] double evidence(const SmoothingPoint& point) const;
 
  private:
   struct Columns;

@@ -16,16 +16,52 @@
 namespace microslip {
 namespace {
 
+/// Closer to each other, relative, two knots are one; those of an edge are not.
+constexpr double kSameKnot = 1e-9;
+
+std::vector<double> plain(const Eigen::VectorXd& v) { return {v.begin(), v.end()}; }
+
+/// Slip forces of the knots, N, from 0 on.
+std::vector<double> knots_of(const InversionModel& model) {
+  std::vector<double> knots{0.0};
+  for (const double s : model.basis().knots()) knots.push_back(model.largest_slip_force() * s);
+  return knots;
+}
+
+/// Makes φ at some knots that hold all of the model's, 1/N, from coefficients.
+Eigen::MatrixXd density_at(const InversionModel& model, const std::vector<double>& knots) {
+  const Eigen::MatrixXd own = model.density_matrix();
+  const std::vector<double> at = knots_of(model);
+  Eigen::MatrixXd density(static_cast<Eigen::Index>(knots.size()), own.cols());
+  std::size_t next = 1;  // from 0 on it is constant up to the first knot
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    while (next + 1 < at.size() && at[next] < knots[i]) ++next;
+    const double share = std::min(1.0, (knots[i] - at[next - 1]) / (at[next] - at[next - 1]));
+    const auto right = static_cast<Eigen::Index>(next) - 1;
+    const auto left = std::max<Eigen::Index>(0, right - 1);
+    density.row(static_cast<Eigen::Index>(i)) =
+        (1.0 - share) * own.row(left) + share * own.row(right);
+  }
+  return density;
+}
+
+/// Of all models together, without those that differ by rounding.
+std::vector<double> common_knots(const InversionModel& model,
+                                 const std::vector<InversionModel>& elsewhere) {
+  std::vector<double> all = knots_of(model);
+  for (const InversionModel& other : elsewhere) {
+    const std::vector<double> more = knots_of(other);
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  std::ranges::sort(all);
+  const auto same = [](double a, double b) { return b - a <= kSameKnot * b; };
+  all.erase(std::ranges::unique(all, same).begin(), all.end());
+  return all;
+}
+
 void read_density(const InversionModel& model, InversionResult& result) {
   const Eigen::VectorXd& x = model.solution().solution.x;
-  const Eigen::VectorXd density = model.density(x);
-  result.slip_force.push_back(0.0);
-  result.density.push_back(density(0));
-  for (Eigen::Index j = 0; j < density.size(); ++j) {
-    result.slip_force.push_back(model.largest_slip_force() *
-                                model.basis().knots()[static_cast<std::size_t>(j)]);
-    result.density.push_back(density(j));
-  }
+  result.density = plain(density_at(model, result.slip_force) * x);
   result.area = model.problem().area().dot(x);
   result.atom_weight = model.atom_weight(x);
 }
@@ -81,8 +117,6 @@ void read_scatter(const InversionModel& model, const ScaledLevels& levels,
   }
 }
 
-std::vector<double> plain(const Eigen::VectorXd& v) { return {v.begin(), v.end()}; }
-
 PlainMatrix plain_matrix(const Eigen::MatrixXd& m) {
   PlainMatrix result;
   result.columns = static_cast<std::size_t>(m.cols());
@@ -132,14 +166,13 @@ Eigen::VectorXd weighted_loss(const InversionModel& model, const ScaledLevels& l
   return model.weights().head(n).cwiseProduct(view_of(loss)) / levels.energy;
 }
 
-DensityPosterior posterior_of(const InversionModel& model, const ScaledLevels& levels) {
+DensityPosterior posterior_of(const InversionModel& model, const ScaledLevels& levels,
+                              const std::vector<double>& knots) {
   const SmoothingProblem& problem = model.problem();
   const Eigen::Index n = model.dissipation_rows();
   DensityPosterior posterior;
-  const Eigen::MatrixXd at_knots = model.density_matrix();
-  Eigen::MatrixXd density(at_knots.rows() + 1, at_knots.cols());
-  density << at_knots.row(0), at_knots;  // from 0 on it is constant up to the first knot
-  posterior.density = plain_matrix(density);
+  posterior.slip_force = knots;
+  posterior.density = plain_matrix(density_at(model, knots));
   posterior.area = plain(problem.area());
   posterior.linear_damping = plain(model.stiffness() * model.linear_damping_row());
   posterior.atom_weight = plain(model.atom_row());
@@ -187,14 +220,21 @@ void InversionResult::check() const {
                  fitted_dissipation.size());
 }
 
-void read_model(const InversionModel& model, const ScaledLevels& levels, InversionResult& result) {
+void read_model(const InversionModel& model, const std::vector<InversionModel>& elsewhere,
+                const ScaledLevels& levels, InversionResult& result) {
+  result.slip_force = common_knots(model, elsewhere);
   read_density(model, result);
   read_fit(model, levels, result);
   read_path(model, result);
   read_scatter(model, levels, result);
   summarise(model, result.summary);
-  result.posterior = posterior_of(model, levels);
-  result.posterior.slip_force = result.slip_force;
+  result.posterior = posterior_of(model, levels, result.slip_force);
+  for (const InversionModel& other : elsewhere) {
+    result.posterior.elsewhere.push_back(posterior_of(other, levels, result.slip_force));
+  }
+  for (const double s : model.basis().edges()) {
+    result.edges.push_back(model.largest_slip_force() * s);
+  }
 }
 
 }  // namespace microslip

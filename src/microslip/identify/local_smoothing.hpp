@@ -13,11 +13,11 @@ namespace microslip {
 /// Factors l_j of λ, one a row of the penalty: a density may bend sharply at one place and be
 /// smooth at another, as a peak on a plain is. With nodes that are equally spaced along the rows,
 ///
-///     ln l = Bw less its mean,   w ~ N(0, 3²),
+///     ln l = Bw less its mean,   w ~ N(0, 1.5²),
 ///
 /// and B interpolates between the nodes. Ten nodes are as many as levels or records can tell
-/// details of a density; by one standard deviation λ changes 20 times, and the curvature that is
-/// usual 4 times.
+/// details of a density; by one standard deviation λ changes 4.5 times, and the curvature that is
+/// usual twice; what a trend along the whole density asks for is in L already.
 class LocalSmoothing {
  public:
   /// @param rows  of the penalty. @param varies  false: l = 1, and nothing is drawn.

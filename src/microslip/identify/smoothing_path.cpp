@@ -30,6 +30,12 @@ double bisect_log10(const Function& falling, double target) {
   return 0.5 * (low + high);
 }
 
+double log_determinant(const Eigen::MatrixXd& positive) {
+  return 2.0 * positive.llt().matrixLLT().diagonal().array().log().sum();
+}
+
+}  // namespace
+
 std::vector<Eigen::Index> free_coefficients(const QuadraticProgram::Solution& solution) {
   std::vector<Eigen::Index> index;
   for (std::size_t i = 0; i < solution.free.size(); ++i) {
@@ -37,8 +43,6 @@ std::vector<Eigen::Index> free_coefficients(const QuadraticProgram::Solution& so
   }
   return index;
 }
-
-}  // namespace
 
 SmoothingProblem::SmoothingProblem(Eigen::MatrixXd design, Eigen::VectorXd data,
                                    Eigen::MatrixXd penalty, Eigen::VectorXd area,
@@ -64,6 +68,7 @@ SmoothingProblem::SmoothingProblem(Eigen::MatrixXd design, Eigen::VectorXd data,
   data_share_ = (data_share_ < kLeastShare).select(0.0, data_share_);
   penalty_share_ = eigen.eigenvalues().array().max(0.0);
   penalty_share_.head(unpenalised_).setZero();
+  log_basis_ = log_determinant(sum) - log_determinant(penalty_ * penalty_.transpose());
   normal_.diagonal().array() += 1e-13 * normal_.trace() / static_cast<double>(n);
 }
 
@@ -140,10 +145,16 @@ void SmoothingProblem::score(SmoothingPoint& point) const {
   const double freedom = m - kGcvInflation * point.edf;
   point.gcv = freedom > 0.0 ? m * point.residual / (freedom * freedom)
                             : std::numeric_limits<double>::infinity();
-  point.likelihood = (m - q) * std::log(point.residual + lambda * point.roughness) +
-                     (data_share_ + lambda * penalty_share_ + 1e-300).log().sum() -
-                     (static_cast<double>(size()) - q) * std::log(lambda);
+  point.likelihood =
+      (m - q) * std::log(point.residual + lambda * point.roughness) + log_shares(lambda);
 }
+
+double SmoothingProblem::log_shares(double lambda) const {
+  return (data_share_ + lambda * penalty_share_ + 1e-300).log().sum() -
+         static_cast<double>(size() - unpenalised_) * std::log(lambda);
+}
+
+double SmoothingProblem::log_volume(double lambda) const { return log_shares(lambda) + log_basis_; }
 
 SmoothingPoint SmoothingProblem::solve(double lambda, std::vector<bool> start) const {
   SmoothingPoint point;

@@ -48,6 +48,9 @@ class SmoothingProblem {
   /// WKᵀWK + λLᵀL.
   [[nodiscard]] Eigen::MatrixXd hessian(double lambda) const;
 
+  /// ln det(WKᵀWK + λLᵀL) − ln det⁺(λLᵀL), det⁺ over what L penalises.
+  [[nodiscard]] double log_volume(double lambda) const;
+
   /// λ in equal ratios, from almost only the null space of L to as many degrees of freedom as 0.85
   /// of the rows or coefficients, or as almost all that the data tell; both without the
   /// constraints.
@@ -67,6 +70,7 @@ class SmoothingProblem {
 
  private:
   [[nodiscard]] double unconstrained_edf(double lambda) const;
+  [[nodiscard]] double log_shares(double lambda) const;
   void score(SmoothingPoint& point) const;
   [[nodiscard]] double free_edf(const QuadraticProgram::Solution& solution,
                                 const Eigen::MatrixXd& hessian, double lambda) const;
@@ -82,6 +86,22 @@ class SmoothingProblem {
   // In the basis that makes both diagonal: WKᵀWK ~ data_share_, LᵀL ~ penalty_share_.
   Eigen::ArrayXd data_share_;
   Eigen::ArrayXd penalty_share_;
+  double log_basis_;  // ln of both determinants in that basis
+};
+
+/// Indices of the coefficients that are not held at 0.
+[[nodiscard]] std::vector<Eigen::Index> free_coefficients(
+    const QuadraticProgram::Solution& solution);
+
+/// The inner solutions of an inversion: the result rests on them, though it is none of them.
+struct InnerSolutions {
+  std::size_t count = 0;
+  std::size_t not_converged = 0;
+
+  void add(const QuadraticProgram::Solution& solution) {
+    ++count;
+    if (!solution.optimal()) ++not_converged;
+  }
 };
 
 /// The guard of both rules: more degrees of freedom than this are not supported by so many rows.

@@ -101,6 +101,10 @@ std::string describe_inversion(const Identification& found) {
   text += line("smoothing",
                fmt::format("lambda {:.3g}, {:.1f} degrees of freedom", point.lambda, point.edf));
   text += describe_offset(found);
+  if (!result.edges.empty()) {
+    text +=
+        line("edges", fmt::format("the density jumps at {:.4g} N", fmt::join(result.edges, ", ")));
+  }
   if (result.atom_slip_force) {
     text += line("macro-slip at", fmt::format("{:.4g} N, by an atom of weight {:.3f}",
                                               *result.atom_slip_force, result.atom_weight));
@@ -361,6 +365,7 @@ void add_path(const InversionResult& result, NamedValues& record) {
   }
   record.emplace_back("lambda", result.path[result.chosen].lambda);
   record.emplace_back("degrees_of_freedom", result.edf);
+  if (!result.edges.empty()) record.emplace_back("edges_N", result.edges);
   record.emplace_back("scatter", result.scatter);
   record.emplace_back("scatter_of", result.scatter_is_relative ? "dissipation" : "dissipation_std");
   record.emplace_back("scatter_dissipation", result.dissipation_scatter);

@@ -24,6 +24,7 @@ IdentificationOptions recorded_options(const NamedValues& record) {
   }
   options.inversion.linear_damping = text_in(record, "linear_damping") == "fit";
   options.inversion.atom = text_in(record, "atom") == "sought";
+  options.inversion.edges = text_in(record, "edges") == "sought";
   if (const auto smoothing = text_in(record, "smoothing")) {
     set_smoothing(*smoothing, text_in(record, "smoothing_unit"), options);
   }
@@ -37,6 +38,7 @@ NamedValues record_of_options(const IdentificationOptions& options, const Option
   if (texts.smoothing_unit) record.emplace_back("smoothing_unit", *texts.smoothing_unit);
   record.emplace_back("linear_damping", options.inversion.linear_damping ? "fit" : "none");
   record.emplace_back("atom", options.inversion.atom ? "sought" : "none");
+  record.emplace_back("edges", options.inversion.edges ? "sought" : "none");
   record.emplace_back("bands", options.bands ? static_cast<double>(options.bands->samples) : 0.0);
   if (!texts.samples_out.empty()) record.emplace_back("samples_out", texts.samples_out);
   record.emplace_back("dissipation_gain_std", texts.common_errors.dissipation_gain_std);

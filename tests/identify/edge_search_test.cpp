@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "microslip/identify/bands.hpp"
+#include "microslip/identify/inversion.hpp"
+#include "support/densities.hpp"
+#include "support/effort.hpp"
+#include "support/figures.hpp"
+
+namespace microslip::edge_search_test {
+namespace {
+
+using testing::kReach;
+using testing::kStiffness;
+
+/// A population that begins and ends at once: where the search was tried first.
+Joint box() { return testing::joint_of({UniformPart{10, 30, 0.8}}); }
+
+Joint two_boxes() { return testing::joint_of({UniformPart{5, 15, 0.4}, UniformPart{25, 35, 0.4}}); }
+
+/// φ ∝ f*^−0.3 that ends at 33 N; no part of the search was chosen on it.
+Joint cut_power_law() { return testing::joint_of({PowerLawPart{0.05, -0.3, 0, 33}}); }
+
+/// A smooth population and one that ends at once on either side; likewise.
+Joint bell_and_box() {
+  return testing::sampled_joint(
+      [](double f) { return 0.7 * testing::bell(f, 9, 3) + (f > 28 && f < 40 ? 0.5 : 0.0); }, 60,
+      0.9);
+}
+
+struct Edged {
+  std::string name;
+  Joint truth;
+  std::vector<double> edges;  ///< N
+  double error;               ///< of the density, median: bound
+};
+
+InversionResult inverted(const Joint& truth, std::uint64_t draw, bool edges = true) {
+  InversionOptions options;
+  options.edges = edges;
+  return invert(testing::noisy_levels(truth, draw), kStiffness, options);
+}
+
+// 1 % of noise on 90 levels leaves the place of an edge uncertain by some 1 % of its slip force:
+// the search must find them all, no others, and each within 4 %. How far the density is off is told
+// by the place alone: an edge that is δ off costs √(δ/width) or so in this norm, 0.1 for 1 % of the width.
+// The bounds are what was measured, and a fifth.
+TEST(EdgeSearch, FindsPopulationsThatEndAtOnce) {
+  MICROSLIP_OF_RELEASE_ALONE();
+  const std::vector<Edged> cases{{"box", box(), {10, 30}, 0.08},
+                                 {"ramp", testing::ramp(), {38}, 0.15},
+                                 {"two_boxes", two_boxes(), {5, 15, 25, 35}, 0.23},
+                                 {"cut_power_law", cut_power_law(), {33}, 0.08},
+                                 {"bell_and_box", bell_and_box(), {28, 40}, 0.2}};
+  constexpr std::uint64_t kSets = 12;
+  for (const Edged& known : cases) {
+    std::vector<double> errors;
+    std::vector<double> smooth;
+    for (std::uint64_t draw = 0; draw < kSets; ++draw) {
+      const InversionResult result = inverted(known.truth, draw);
+      errors.push_back(testing::density_error(result.slip_force, result.density, known.truth));
+      const InversionResult without = inverted(known.truth, draw, false);
+      smooth.push_back(testing::density_error(without.slip_force, without.density, known.truth));
+      EXPECT_TRUE(without.edges.empty());
+      ASSERT_EQ(result.edges.size(), known.edges.size()) << known.name << ", draw " << draw;
+      for (std::size_t i = 0; i < known.edges.size(); ++i) {
+        EXPECT_NEAR(result.edges[i], known.edges[i], 0.04 * known.edges[i]) << known.name;
+      }
+    }
+    const double error = testing::median(errors);
+    EXPECT_LE(error, known.error) << known.name;
+    test::record_largest(known.name + " [1]", error);
+    test::record_largest(known.name + " without edges [1]", testing::median(smooth));
+    std::cout << "  median error, " << known.name << ": " << error << ", without edges "
+              << testing::median(smooth) << '\n';
+  }
+}
+
+// Nothing that is smooth, bends or peaks has an edge found in it, whatever the noise.
+TEST(EdgeSearch, FindsNoneInDensitiesWithoutEdges) {
+  MICROSLIP_OF_RELEASE_ALONE();
+  std::vector<testing::NamedJoint> truths = testing::all_truths();
+  for (testing::NamedJoint& unseen : testing::unseen_truths()) {
+    if (unseen.name != "ramp") truths.push_back(std::move(unseen));
+  }
+  int runs = 0;
+  int wrong = 0;
+  for (const auto& [name, truth] : truths) {
+    for (std::uint64_t draw = 100; draw < 108; ++draw) {
+      const double noise = draw % 2 == 0 ? 0.01 : 0.003;
+      ++runs;
+      const InversionResult result = invert(testing::noisy_levels(truth, draw, noise), kStiffness);
+      wrong += result.edges.empty() ? 0 : 1;
+      EXPECT_TRUE(result.edges.empty()) << name << ", draw " << draw << ", at "
+                                        << (result.edges.empty() ? 0.0 : result.edges.front());
+    }
+  }
+  test::record_largest("false edges, share [1]", static_cast<double>(wrong) / runs);
+}
+
+// The draws have their edge where the levels leave it possible: as far apart as the place is
+// uncertain, and the truth among them.
+TEST(EdgeSearch, DrawsHaveTheirEdgesAtDifferentPlaces) {
+  const InversionResult result = inverted(testing::ramp(), 1);
+  ASSERT_EQ(result.edges.size(), 1U);
+  ASSERT_GE(result.posterior.elsewhere.size(), 4U);
+  std::vector<double> places;
+  for (const DensitySample& sample : result.posterior.samples(1, 250)) {
+    std::size_t steepest = 1;
+    for (std::size_t j = 1; j < sample.density.size(); ++j) {
+      EXPECT_GE(sample.density[j], 0.0);
+      if (sample.density[j - 1] - sample.density[j] >
+          sample.density[steepest - 1] - sample.density[steepest]) {
+        steepest = j;
+      }
+    }
+    places.push_back(result.slip_force[steepest]);
+    EXPECT_LE(sample.area, 1.0 + 1e-9);
+  }
+  const auto [least, most] = std::ranges::minmax(places);
+  EXPECT_GT(most - least, 0.1);
+  EXPECT_LT(most - least, 3.0);
+  EXPECT_LT(least, 38.0 + 0.2);
+  EXPECT_GT(most, 38.0 - 0.2);
+}
+
+// Half of the band's width lies at the edge itself, and it covers there, too.
+TEST(EdgeSearch, BandsHoldPopulationsThatEndAtOnce) {
+  MICROSLIP_OF_RELEASE_ALONE();
+  for (const testing::NamedJoint& known :
+       {testing::NamedJoint{"ramp", testing::ramp()}, testing::NamedJoint{"box", box()}}) {
+    double covered = 0.0;
+    constexpr std::uint64_t kSets = 12;
+    for (std::uint64_t draw = 0; draw < kSets; ++draw) {
+      const InversionResult result = inverted(known.joint, draw);
+      BandOptions options;
+      options.samples = 250;
+      options.seed = draw;
+      const DensityBands bands = density_bands(result, options);
+      for (int i = 0; i <= 200; ++i) {
+        const double f = kReach * (0.05 + 0.9 * i / 200);
+        const double truth = known.joint.density().density(f);
+        const bool inside =
+            truth >= testing::density_at(result.slip_force, bands.lower, f) - 1e-9 &&
+            truth <= testing::density_at(result.slip_force, bands.upper, f) + 1e-9;
+        covered += inside ? 1.0 / 201.0 / kSets : 0.0;
+      }
+    }
+    std::cout << "  coverage, " << known.name << ": " << covered << '\n';
+    EXPECT_GE(covered, 0.85) << known.name;
+    test::record_largest("coverage, " + known.name + " [1]", covered);
+  }
+}
+
+// The prior deviation and the price belong to the search alone: a density with a fixed smoothing is
+// that of its λ.
+TEST(EdgeSearch, IsNotMadeWithAGivenSmoothing) {
+  InversionOptions options;
+  options.lambda = 1e-6;
+  EXPECT_TRUE(invert(testing::noisy_levels(box(), 0), kStiffness, options).edges.empty());
+}
+
+}  // namespace
+}  // namespace microslip::edge_search_test
