@@ -84,6 +84,7 @@ ChainTarget chain_target(const DensityPosterior& posterior) {
   if (posterior.secant.factor.rows() > 0) target.rows.push_back(chain_rows(posterior.secant));
   target.penalty = matrix_of(posterior.penalty);
   target.limits = {static_cast<Eigen::Index>(posterior.area.size()), view_of(posterior.area)};
+  target.local_deviation = posterior.local_deviation;
   target.least_lambda = posterior.smoothing.least;
   target.most_lambda = posterior.smoothing.most;
   return target;
@@ -158,6 +159,7 @@ void DensityPosterior::check() const {
   check_rows("secant", secant, n, false);
   check_columns("penalty", penalty, n);
   check_positive("scatter", scatter);
+  check_positive("local deviation", local_deviation);
   check_positive("smallest smoothing", smoothing.least);
   check_positive("smoothing", smoothing.chosen);
   if (!(smoothing.most >= smoothing.least)) {

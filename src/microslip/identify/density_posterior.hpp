@@ -75,6 +75,7 @@ struct DensityPosterior {
   // The prior.
   PlainMatrix penalty;          ///< L
   PossibleSmoothing smoothing;  ///< λ
+  double local_deviation = 3.0;  ///< of ln l at each node
 
   std::vector<double> start;  ///< a good x, where chains start
 

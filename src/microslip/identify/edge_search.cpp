@@ -25,10 +25,16 @@ constexpr double kHeld = 1e-9;
 /// Steps of λ while places are compared, and while one is moved.
 constexpr double kCoarseStep = 10.0;
 constexpr double kFineStep = 2.0;
-/// Of the trend: its prior deviation, and the step in which it is sought.
+/// Of the trend: its prior deviation, the step in which it is sought, and how far.
 constexpr double kTrendDeviation = 3.0;
 constexpr double kTrendStep = 2.0;
-constexpr int kMostSteps = 40;
+constexpr double kMostTrend = 6.0;
+constexpr double kMostTrendOnTheWay = 20.0;  ///< until all edges are found
+/// By which the evidence must rise for a step of the trend: it is one number more.
+constexpr double kTrendPrice = 2.0;
+/// Steps of λ without success before the search of it ends.
+constexpr int kPatience = 4;
+constexpr int kMostSteps = 60;
 /// Knots that are tried for another edge.
 constexpr std::size_t kPlaces = 6;
 /// On either side of a knot, within one spacing; the minimum lies between two of them.
@@ -36,9 +42,12 @@ constexpr int kPlacesOfCell = 4;
 constexpr std::uintmax_t kMostOfBrent = 8;
 /// How far from an edge its deviation is sought first, in spacings, and how often.
 constexpr double kFirstDistance = 0.1;
-constexpr int kDistances = 7;
+constexpr int kDistances = 9;
 /// Of a row of numbers mod 1 that fills 0 to 1 evenly: the golden section.
 constexpr double kEven = 0.6180339887498949;
+/// Rounds in which all edges are moved, and what the evidence must fall by for another.
+constexpr int kMostRounds = 4;
+constexpr double kWorthARound = 2.0;
 /// Levels in a range between edges: a straight line, and something that it may be wrong by.
 constexpr Eigen::Index kLeastLevels = 3;
 
@@ -104,10 +113,13 @@ EdgedFit EdgeSearch::fit(std::vector<BasisEdge> edges, double trend, double star
   best.trend = trend;
   best.lambda = start;
   std::vector<bool> free(static_cast<std::size_t>(model.problem().size()), true);
+  bool too_flexible = false;
   const auto improves = [&](double lambda) {
+    if (lambda > model.problem().stiffest()) return false;
     const SmoothingPoint point = model.problem().solve(lambda, free);
     inner_.add(point.solution);
-    if (point.edf > most_edf) return false;
+    too_flexible = point.edf > most_edf;
+    if (too_flexible) return false;
     const double evidence = model.evidence(point) + std::pow(trend / kTrendDeviation, 2);
     if (!(evidence < best.evidence)) return false;
     free = point.solution.free;
@@ -116,20 +128,25 @@ EdgedFit EdgeSearch::fit(std::vector<BasisEdge> edges, double trend, double star
     return true;
   };
   improves(start);
-  int steps = 0;
-  while (++steps < kMostSteps && improves(best.lambda * factor)) {
-  }
-  if (steps > 1) return best;
-  while (++steps < kMostSteps && improves(best.lambda / factor)) {
+  // An edge may ask for far more smoothing than there was, with less likely λ in between.
+  const int patience = factor >= kCoarseStep ? kPatience : 1;
+  for (const double step : {factor, 1.0 / factor}) {
+    double lambda = start;
+    for (int in_vain = 0, i = 0; in_vain < patience && i < kMostSteps; ++i) {
+      lambda *= step;
+      in_vain = improves(lambda) || too_flexible ? 0 : in_vain + 1;
+    }
+    if (best.lambda != start) break;
   }
   return best;
 }
 
 EdgedFit EdgeSearch::bent(EdgedFit fit) {
+  const double most = fit.edges.empty() ? kMostTrend : kMostTrendOnTheWay;
   for (const double step : {kTrendStep, -kTrendStep}) {
-    while (true) {
+    while (std::abs(fit.trend + step) <= most) {
       EdgedFit tried = this->fit(fit.edges, fit.trend + step, fit.lambda, kFineStep);
-      if (!(tried.evidence < fit.evidence)) break;
+      if (!(tried.evidence < fit.evidence - kTrendPrice)) break;
       fit = std::move(tried);
     }
   }
@@ -241,9 +258,10 @@ EdgedFit EdgeSearch::moved(EdgedFit fit, std::size_t edge) {
 }
 
 EdgedFit EdgeSearch::moved(EdgedFit fit) {
-  const int rounds = fit.edges.size() > 1 ? 2 : 1;
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < kMostRounds; ++round) {
+    const double before = fit.evidence;
     for (std::size_t i = 0; i < fit.edges.size(); ++i) fit = moved(std::move(fit), i);
+    if (before - fit.evidence < kWorthARound) break;
   }
   return fit;
 }
@@ -251,17 +269,24 @@ EdgedFit EdgeSearch::moved(EdgedFit fit) {
 // From how far the evidence falls on either side, at a distance where it does so by about 1.
 double EdgeSearch::deviation(const EdgedFit& fit, std::size_t edge) {
   double sum = 0.0;
+  int sides = 0;
   for (const double side : {-1.0, 1.0}) {
+    double shorter = 0.0;
+    double longer = 1.0;
     double distance = kFirstDistance;
-    double fall = 0.0;
+    double variance = 0.0;
     for (int i = 0; i < kDistances; ++i) {
-      fall = at(fit, edge, fit.edges[edge].at + side * distance).evidence - fit.evidence;
-      if (fall < 0.25 && distance < 1.0) distance *= 2.0;
-      if (fall > 4.0) distance *= 0.5;
+      const double fall =
+          at(fit, edge, fit.edges[edge].at + side * distance).evidence - fit.evidence;
+      if (fall > 0.0 && std::isfinite(fall)) variance = distance * distance / fall;
+      if (fall > 0.5 && fall < 2.0) break;
+      (fall < 1.0 ? shorter : longer) = distance;
+      distance = shorter > 0.0 ? std::sqrt(shorter * longer) : 0.25 * distance;
     }
-    if (fall > 0.0) sum += 0.5 * distance * distance / fall;  // 0 where it is infinite
+    if (variance > 0.0) ++sides;
+    sum += variance;
   }
-  return std::min(1.0, std::sqrt(sum));
+  return sides > 0 ? std::min(1.0, std::sqrt(sum / sides)) : 0.0;
 }
 
 EdgedFit EdgeSearch::thinned(EdgedFit fit) {
@@ -289,8 +314,9 @@ void find_shape(const ScaledLevels& levels, double lambda, PassOptions& pass,
   while (tried.edges.size() < kMostEdges &&
          tried.edges.size() < accepted.edges.size() + kLookAhead) {
     std::optional<EdgedFit> another = search.with_another(tried);
-    if (!another || !(another->evidence < tried.evidence)) break;
+    if (!another) break;
     EdgedFit better = search.bent(search.moved(std::move(*another)));
+    if (!(better.evidence < tried.evidence)) break;
     tried = std::move(better);
     const auto more = static_cast<double>(tried.edges.size() - accepted.edges.size());
     if (accepted.evidence - tried.evidence >= more * search.price()) accepted = tried;

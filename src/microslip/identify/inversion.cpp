@@ -153,7 +153,7 @@ struct PassedModel {
 };
 
 /// A first pass with rough weights, then the one that counts: its weights, reference and penalty
-/// come from the first. A third would change nothing.
+/// come from the first. A third would change nothing. λ is chosen in both.
 PassedModel two_passes(const ScaledLevels& levels, const InversionOptions& options, double top,
                        bool atom, InnerSolutions& inner) {
   PassOptions pass;
@@ -177,7 +177,7 @@ PassedModel two_passes(const ScaledLevels& levels, const InversionOptions& optio
         reference_exponent(levels, (levels.dissipation - damping).cwiseMax(levels.floor));
   }
   InversionModel second(levels, pass);
-  run_path(second, options, options.path_points, inner);
+  run_path(second, automatic, options.path_points, inner);
   tell_kinds_apart(second, levels);
   return {std::move(pass), std::move(second)};
 }
@@ -202,19 +202,20 @@ InversionModel moved_edges(const ScaledLevels& levels, PassOptions pass,
 }
 
 /// The same with edges, and a trend of the smoothness, where they are likely.
-ShapedModel shaped(PassedModel passed, const ScaledLevels& levels, const InversionOptions& options,
-                   InnerSolutions& inner) {
-  if (!options.edges || options.lambda) return {std::move(passed.model)};
-  find_shape(levels, passed.model.solution().lambda, passed.pass, inner);
-  if (passed.pass.edges.empty() && passed.pass.trend == 0.0) return {std::move(passed.model)};
-  ShapedModel found{InversionModel(levels, passed.pass)};
+ShapedModel shaped(const PassedModel& passed, const ScaledLevels& levels,
+                   const InversionOptions& options, InnerSolutions& inner) {
+  PassOptions pass = passed.pass;
+  if (options.edges) find_shape(levels, passed.model.solution().lambda, pass, inner);
+  const bool same = pass.edges.empty() && pass.trend == 0.0 && !options.lambda;
+  ShapedModel found{same ? passed.model : InversionModel(levels, pass)};
+  found.model.shape_sought = options.edges;
+  if (same) return found;
   run_path(found.model, options, options.path_points, inner);
   tell_kinds_apart(found.model, levels);
-  if (passed.pass.edges.empty()) return found;
+  if (pass.edges.empty()) return found;
   for (std::vector<BasisEdge>& edges :
-       edges_elsewhere(levels, found.model.solution().lambda, passed.pass, kPlacesOfEdges, inner)) {
-    found.elsewhere.push_back(
-        moved_edges(levels, passed.pass, std::move(edges), found.model, inner));
+       edges_elsewhere(levels, found.model.solution().lambda, pass, kPlacesOfEdges, inner)) {
+    found.elsewhere.push_back(moved_edges(levels, pass, std::move(edges), found.model, inner));
   }
   return found;
 }
@@ -377,16 +378,17 @@ InversionResult invert(const LevelEvidence& evidence, double stiffness,
     }
     timings.push_back(watch.lap("search of an atom"));
   }
-  PassedModel smooth = two_passes(scaled, options, top, result.atom_slip_force.has_value(), inner);
+  const PassedModel smooth = two_passes(scaled, options, top, result.atom_slip_force.has_value(), inner);
   timings.push_back(watch.lap("choice of the smoothing"));
-  const auto [model, elsewhere] = shaped(std::move(smooth), scaled, options, inner);
+  const auto [model, elsewhere] = shaped(smooth, scaled, options, inner);
   read_model(model, elsewhere, scaled, result);
   if (options.linear_damping) {
     result.linear_damping = stiffness * model.linear_damping(model.solution().solution.x);
   }
   timings.push_back(watch.lap("search of edges"));
-  judge_sign(model, scaled, result, inner);
-  judge_area(model, scaled, result, inner);
+  // Edges would take up what contradicts a density at one place.
+  judge_sign(smooth.model, scaled, result, inner);
+  judge_area(smooth.model, scaled, result, inner);
   // The chosen point of the path is the result itself.
   result.inner_solutions = inner.count - 1;
   result.inner_not_converged = inner.not_converged - (result.summary.converged() ? 0 : 1);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "microslip/base/median.hpp"
@@ -14,7 +16,18 @@ namespace microslip {
 namespace {
 
 /// Share of D that the knots follow a density with kinks to: less scatter proves no edge.
-constexpr double kResolved = 1e-3;
+constexpr double kResolved = 3e-3;
+/// Degrees of freedom that the levels must leave the scatter.
+constexpr double kLeastFreedom = 10.0;
+
+/// kResolved of D in units of its scatter, by the levels above the floor.
+double unresolved_of(const ScaledLevels& levels, const Eigen::VectorXd& weights) {
+  std::vector<double> told;
+  for (Eigen::Index i = 0; i < levels.dissipation.size(); ++i) {
+    if (levels.dissipation(i) > levels.floor(i)) told.push_back(weights(i) * levels.dissipation(i));
+  }
+  return told.empty() ? 0.0 : kResolved * median(std::move(told));
+}
 
 /// Weights of the second differences at equally spaced knots, at other places.
 Eigen::VectorXd weights_at(const Eigen::VectorXd& middles, const Eigen::VectorXd& weights) {
@@ -178,6 +191,7 @@ InversionModel::InversionModel(const ScaledLevels& levels, const InversionBasis&
       informative_rows_(columns.informative_rows),
       repeat_residual_(columns.repeat_residual),
       repeat_freedom_(levels.evidence.repeat_freedom()),
+      unresolved_(unresolved_of(levels, columns.weights)),
       problem_([&] {
         const Eigen::Index d_rows = columns.dissipation.rows();
         Eigen::MatrixXd design(columns.weights.size(), columns.dissipation.cols());
@@ -202,6 +216,7 @@ void InversionModel::take_smoothing(const InversionModel& other) {
   chosen = other.chosen;
   most_edf = other.most_edf;
   lambda_fixed = other.lambda_fixed;
+  shape_sought = other.shape_sought;
   scatter = other.scatter;
   dissipation_scatter = other.dissipation_scatter;
   softening_scatter = other.softening_scatter;
@@ -210,19 +225,27 @@ void InversionModel::take_smoothing(const InversionModel& other) {
 }
 
 double InversionModel::evidence(const SmoothingPoint& point) const {
-  const double freedom = std::max(
-      1.0, informative_rows_ + repeat_freedom_ - static_cast<double>(problem_.unpenalised()));
-  const Eigen::VectorXd told = problem_.data().head(dissipation_.rows());  // d/σ
-  const double unresolved = kResolved * median({told.begin(), told.end()});
-  const double square = point.residual + repeat_residual_ + point.lambda * point.roughness +
-                        freedom * unresolved * unresolved;
-  double lines = 0.0;
-  const double size =
-      std::max(1.0, theta(point.solution.x).squaredNorm() / static_cast<double>(basis_.size()));
-  for (Eigen::Index range = 0; range < basis_.ranges(); ++range) {
-    lines += 2.0 * std::log(static_cast<double>(basis_.size_of(range)) * size);
+  const double freedom =
+      informative_rows_ + repeat_freedom_ - static_cast<double>(problem_.unpenalised());
+  if (freedom < kLeastFreedom || !point.solution.converged) {
+    return std::numeric_limits<double>::infinity();
   }
-  return freedom * std::log(square / freedom) + freedom + problem_.log_volume(point.lambda) + lines;
+  const double square = point.residual + repeat_residual_ + point.lambda * point.roughness +
+                        freedom * unresolved_ * unresolved_;
+  const double size =
+      theta(point.solution.x).squaredNorm() / static_cast<double>(basis_.size()) + 1e-300;
+  double lines = 0.0;
+  Eigen::VectorXd precision = Eigen::VectorXd::Zero(problem_.size());
+  Eigen::Index begin = 0;
+  for (Eigen::Index range = 0; range < basis_.ranges(); ++range) {
+    const Eigen::Index count = basis_.size_of(range);
+    const double variance = static_cast<double>(count) * size;
+    lines += 2.0 * std::log(variance);
+    precision.segment(begin, count).setConstant(square / freedom / variance);
+    begin += count;
+  }
+  return freedom * std::log(square / freedom) + freedom +
+         problem_.log_volume(point.lambda, precision) + lines;
 }
 
 Eigen::VectorXd InversionModel::dissipation(const Eigen::VectorXd& x) const {

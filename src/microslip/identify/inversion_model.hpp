@@ -109,6 +109,7 @@ class InversionModel {
   std::size_t chosen = 0;
   double most_edf = 0.0;
   bool lambda_fixed = false;
+  bool shape_sought = false;  ///< edges and trend
   double scatter = 0.0;              ///< σ̂, in units of 1/W
   double dissipation_scatter = 1.0;  ///< of the rows of D, over σ̂
   double softening_scatter = 1.0;    ///< of those of k_eq, over σ̂
@@ -125,7 +126,7 @@ class InversionModel {
   /// −2 log of the likelihood of λ and the edges, with all coefficients and the scatter integrated
   /// out: to compare models with different edges, up to what they have in common. What costs
   /// nothing, a straight line on each of the ranges between edges, is given the size of the
-  /// solution as its prior deviation.
+  /// solution as its prior deviation. Infinite where the levels leave too little freedom.
   [[nodiscard]] double evidence(const SmoothingPoint& point) const;
 
  private:
@@ -147,6 +148,7 @@ class InversionModel {
   double informative_rows_;
   double repeat_residual_;
   double repeat_freedom_;
+  double unresolved_;  // of the scatter, below which nothing is proved
   SmoothingProblem problem_;
 };
 

@@ -18,6 +18,8 @@ namespace {
 
 /// Closer to each other, relative, two knots are one; those of an edge are not.
 constexpr double kSameKnot = 1e-9;
+/// Deviation of LocalSmoothing where L may have a trend.
+constexpr double kBesideTrend = 1.5;
 
 std::vector<double> plain(const Eigen::VectorXd& v) { return {v.begin(), v.end()}; }
 
@@ -193,6 +195,7 @@ DensityPosterior posterior_of(const InversionModel& model, const ScaledLevels& l
   posterior.common_errors = levels.evidence.common_errors();
   posterior.penalty = plain_matrix(problem.penalty());
   posterior.smoothing = possible_smoothing(model);
+  if (model.shape_sought) posterior.local_deviation = kBesideTrend;
   posterior.start = plain(model.solution().solution.x);
   return posterior;
 }

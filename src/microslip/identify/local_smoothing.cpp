@@ -9,16 +9,15 @@ namespace microslip {
 namespace {
 
 constexpr Eigen::Index kNodes = 10;
-constexpr double kDeviation = 1.5;
 /// Neighbouring slices are alike; they cost little beside a draw of the coefficients.
 constexpr int kSlices = 3;
 constexpr double kCircle = 2.0 * std::numbers::pi;
 
 }  // namespace
 
-LocalSmoothing::LocalSmoothing(Eigen::Index rows, bool varies)
-    : factors_(Eigen::VectorXd::Ones(rows)) {
-  if (!varies || rows < 2) return;
+LocalSmoothing::LocalSmoothing(Eigen::Index rows, double deviation)
+    : deviation_(deviation), factors_(Eigen::VectorXd::Ones(rows)) {
+  if (deviation == 0.0 || rows < 2) return;
   const Eigen::Index count = std::min(kNodes, rows);
   nodes_.setZero(count);
   interpolation_.setZero(rows, count);
@@ -47,7 +46,7 @@ LocalSmoothing LocalSmoothing::proposed(RandomStream& random) const {
   LocalSmoothing other = *this;
   const double angle = 0.25 * kCircle * std::pow(random.uniform(), 2);
   Eigen::VectorXd nodes = std::cos(angle) * nodes_;
-  for (double& value : nodes) value += std::sin(angle) * kDeviation * random.normal();
+  for (double& value : nodes) value += std::sin(angle) * deviation_ * random.normal();
   other.set(nodes);
   return other;
 }
@@ -56,7 +55,7 @@ void LocalSmoothing::draw(const Eigen::VectorXd& squares, RandomStream& random) 
   if (!varies()) return;
   for (int i = 0; i < kSlices; ++i) {
     Eigen::VectorXd other(nodes_.size());
-    for (double& value : other) value = kDeviation * random.normal();
+    for (double& value : other) value = deviation_ * random.normal();
     const double height = log_likelihood(nodes_, squares) + std::log(random.uniform());
     double angle = kCircle * random.uniform();
     double low = angle - kCircle;

@@ -13,15 +13,16 @@ namespace microslip {
 /// Factors l_j of λ, one a row of the penalty: a density may bend sharply at one place and be
 /// smooth at another, as a peak on a plain is. With nodes that are equally spaced along the rows,
 ///
-///     ln l = Bw less its mean,   w ~ N(0, 1.5²),
+///     ln l = Bw less its mean,   w ~ N(0, S²),
 ///
 /// and B interpolates between the nodes. Ten nodes are as many as levels or records can tell
-/// details of a density; by one standard deviation λ changes 4.5 times, and the curvature that is
-/// usual twice; what a trend along the whole density asks for is in L already.
+/// details of a density; with S = 3 λ changes 20 times by one
+/// standard deviation, and the curvature that is usual 4 times; 1.5 is enough beside a trend that L
+/// has already.
 class LocalSmoothing {
  public:
-  /// @param rows  of the penalty. @param varies  false: l = 1, and nothing is drawn.
-  LocalSmoothing(Eigen::Index rows, bool varies);
+  /// @param rows  of the penalty. @param deviation  S; 0: l = 1, and nothing is drawn.
+  LocalSmoothing(Eigen::Index rows, double deviation);
 
   [[nodiscard]] bool varies() const { return nodes_.size() > 0; }
   [[nodiscard]] const Eigen::VectorXd& factors() const { return factors_; }  ///< l
@@ -30,7 +31,7 @@ class LocalSmoothing {
   /// from that one.
   [[nodiscard]] LocalSmoothing proposed(RandomStream& random) const;
 
-  /// A draw of w given λ‖·‖² of each row: of  Π √l_j exp(−½l_j s_j) · N(w; 0, 3²)  by slices of
+  /// A draw of w given λ‖·‖² of each row: of  Π √l_j exp(−½l_j s_j) · N(w; 0, S²)  by slices of
   /// ellipses, which have no step to choose [Murray, Adams & MacKay, AISTATS 2010].
   /// @param squares  s_j = λ(Lx)_j².
   void draw(const Eigen::VectorXd& squares, RandomStream& random);
@@ -40,6 +41,7 @@ class LocalSmoothing {
   [[nodiscard]] double log_likelihood(const Eigen::VectorXd& nodes,
                                       const Eigen::VectorXd& squares) const;
 
+  double deviation_;
   Eigen::MatrixXd interpolation_;  // B, less its mean
   Eigen::VectorXd nodes_;          // w
   Eigen::VectorXd factors_;

@@ -52,6 +52,7 @@ struct ChainTarget {
   double most_lambda = 0.0;
   /// Of the rows of L from above, all of them; empty: one block between the two ends.
   std::vector<ChainBlock> blocks = {};
+  double local_deviation = 3.0;  ///< of LocalSmoothing
 };
 
 /// Where a chain starts: at a good solution.

@@ -52,38 +52,48 @@ SmoothingProblem::SmoothingProblem(Eigen::MatrixXd design, Eigen::VectorXd data,
       penalty_(std::move(penalty)),
       area_(std::move(area)),
       unpenalised_(unpenalised) {
-  const Eigen::Index n = design_.cols();
   normal_ = design_.transpose() * design_;
   roughness_ = penalty_.transpose() * penalty_;
   linear_ = design_.transpose() * data_;
 
-  // With B = A + tQ both A = WKᵀWK and Q = LᵀL are diagonal in the generalised eigenvectors of (Q,
-  // B): Q ~ γ, A ~ 1 − tγ. B is better conditioned than either.
+  normal_ridged_ = normal_;
+  normal_ridged_.diagonal().array() += 1e-13 * normal_.trace() / static_cast<double>(size());
+}
+
+// With B = A + tQ both A = WKᵀWK and Q = LᵀL are diagonal in the generalised eigenvectors of (Q,
+// B): Q ~ γ, A ~ 1 − tγ. B is better conditioned than either.
+SmoothingProblem::Spectrum SmoothingProblem::find_spectrum() const {
   const double balance = normal_.trace() / roughness_.trace();
   Eigen::MatrixXd sum = normal_ + balance * roughness_;
-  sum.diagonal().array() += 1e-14 * sum.trace() / static_cast<double>(n);
+  sum.diagonal().array() += 1e-14 * sum.trace() / static_cast<double>(size());
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
       roughness_, sum, Eigen::EigenvaluesOnly | Eigen::Ax_lBx);
-  data_share_ = (1.0 - balance * eigen.eigenvalues().array()).min(1.0);
-  data_share_ = (data_share_ < kLeastShare).select(0.0, data_share_);
-  penalty_share_ = eigen.eigenvalues().array().max(0.0);
-  penalty_share_.head(unpenalised_).setZero();
-  log_basis_ = log_determinant(sum) - log_determinant(penalty_ * penalty_.transpose());
-  normal_.diagonal().array() += 1e-13 * normal_.trace() / static_cast<double>(n);
+  Spectrum found;
+  found.data = (1.0 - balance * eigen.eigenvalues().array()).min(1.0);
+  found.data = (found.data < kLeastShare).select(0.0, found.data);
+  found.penalty = eigen.eigenvalues().array().max(0.0);
+  found.penalty.head(unpenalised_).setZero();
+  return found;
+}
+
+const SmoothingProblem::Spectrum& SmoothingProblem::spectrum() const {
+  std::call_once(spectrum_->found, [this] { spectrum_->value = find_spectrum(); });
+  return spectrum_->value;
 }
 
 Eigen::MatrixXd SmoothingProblem::hessian(double lambda) const {
-  return normal_ + lambda * roughness_;
+  return normal_ridged_ + lambda * roughness_;
 }
 
 double SmoothingProblem::unconstrained_edf(double lambda) const {
-  return (data_share_ / (data_share_ + lambda * penalty_share_ + 1e-300)).sum();
+  const Spectrum& shares = spectrum();
+  return (shares.data / (shares.data + lambda * shares.penalty + 1e-300)).sum();
 }
 
 std::vector<double> SmoothingProblem::lambda_grid(std::size_t count) const {
   const auto edf = [this](double lambda) { return unconstrained_edf(lambda); };
   const auto q = static_cast<double>(unpenalised_);
-  const auto told = static_cast<double>((data_share_ > 0.0).count());
+  const auto told = static_cast<double>((spectrum().data > 0.0).count());
   const double most =
       std::min(0.85 * static_cast<double>(std::min(rows(), size())), kMostOfTold * told);
   const double stiff = bisect_log10(edf, q + 0.03);
@@ -136,25 +146,30 @@ Eigen::VectorXd SmoothingProblem::leverage(const SmoothingPoint& point) const {
 // Residual, roughness and what the rules choose by; edf must be there.
 void SmoothingProblem::score(SmoothingPoint& point) const {
   const Eigen::VectorXd& x = point.solution.x;
-  const double lambda = point.lambda;
   // Data without noise leave no residual; its logarithm must stay finite.
   point.residual = std::max((data_ - design_ * x).squaredNorm(), 1e-20 * data_.squaredNorm());
   point.roughness = (penalty_ * x).squaredNorm();
   const auto m = static_cast<double>(rows());
-  const auto q = static_cast<double>(unpenalised_);
   const double freedom = m - kGcvInflation * point.edf;
   point.gcv = freedom > 0.0 ? m * point.residual / (freedom * freedom)
                             : std::numeric_limits<double>::infinity();
-  point.likelihood =
-      (m - q) * std::log(point.residual + lambda * point.roughness) + log_shares(lambda);
 }
 
-double SmoothingProblem::log_shares(double lambda) const {
-  return (data_share_ + lambda * penalty_share_ + 1e-300).log().sum() -
-         static_cast<double>(size() - unpenalised_) * std::log(lambda);
+double SmoothingProblem::likelihood(const SmoothingPoint& point) const {
+  const Spectrum& shares = spectrum();
+  const auto m = static_cast<double>(rows());
+  const auto q = static_cast<double>(unpenalised_);
+  return (m - q) * std::log(point.residual + point.lambda * point.roughness) +
+         (shares.data + point.lambda * shares.penalty + 1e-300).log().sum() -
+         (static_cast<double>(size()) - q) * std::log(point.lambda);
 }
 
-double SmoothingProblem::log_volume(double lambda) const { return log_shares(lambda) + log_basis_; }
+double SmoothingProblem::log_volume(double lambda, const Eigen::VectorXd& precision) const {
+  Eigen::MatrixXd sum = hessian(lambda);
+  sum.diagonal() += precision;
+  return log_determinant(sum) - log_determinant(penalty_ * penalty_.transpose()) -
+         static_cast<double>(penalty_.rows()) * std::log(lambda);
+}
 
 SmoothingPoint SmoothingProblem::solve(double lambda, std::vector<bool> start) const {
   SmoothingPoint point;
@@ -174,6 +189,7 @@ SmoothingPoint SmoothingProblem::solve_unlimited(double lambda) const {
   point.solution.free.assign(static_cast<std::size_t>(size()), true);
   point.edf = unconstrained_edf(lambda);
   score(point);
+  point.likelihood = likelihood(point);
   return point;
 }
 
@@ -183,6 +199,7 @@ std::vector<SmoothingPoint> SmoothingProblem::path(const std::vector<double>& la
   std::vector<bool> start(static_cast<std::size_t>(size()), true);
   for (const double lambda : lambdas) {
     points.push_back(solve(lambda, start));
+    points.back().likelihood = likelihood(points.back());
     start = points.back().solution.free;
   }
   return points;

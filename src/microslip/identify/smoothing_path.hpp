@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 #include "microslip/identify/quadratic_program.hpp"
@@ -21,7 +23,8 @@ struct SmoothingPoint {
   double residual = 0.0;    ///< ‖W(Kθ − d)‖²
   double roughness = 0.0;   ///< ‖Lθ‖²
   double gcv = 0.0;         ///< generalised cross-validation score; infinite where edf is too high
-  double likelihood = 0.0;  ///< −2 log restricted likelihood, up to a constant
+  /// −2 log restricted likelihood, up to a constant; of path() and solve_unlimited() alone
+  double likelihood = 0.0;
   QuadraticProgram::Solution solution;
 };
 
@@ -48,8 +51,13 @@ class SmoothingProblem {
   /// WKᵀWK + λLᵀL.
   [[nodiscard]] Eigen::MatrixXd hessian(double lambda) const;
 
-  /// ln det(WKᵀWK + λLᵀL) − ln det⁺(λLᵀL), det⁺ over what L penalises.
-  [[nodiscard]] double log_volume(double lambda) const;
+  /// ln det(WKᵀWK + λLᵀL + diag(p)) − ln det⁺(λLᵀL), det⁺ over what L penalises. By factors, which is quick,
+  /// and right to 1e−4 up to stiffest(). @param lambda  not above that. @param precision  p.
+  [[nodiscard]] double log_volume(double lambda,
+                                  const Eigen::VectorXd& precision) const;
+
+  /// Largest λ with λLᵀL at most 1e12 times WKᵀWK, by their traces.
+  [[nodiscard]] double stiffest() const { return 1e12 * normal_.trace() / roughness_.trace(); }
 
   /// λ in equal ratios, from almost only the null space of L to as many degrees of freedom as 0.85
   /// of the rows or coefficients, or as almost all that the data tell; both without the
@@ -69,8 +77,21 @@ class SmoothingProblem {
   [[nodiscard]] std::vector<SmoothingPoint> path(const std::vector<double>& lambdas) const;
 
  private:
+  /// In the basis that makes both diagonal: WKᵀWK ~ data, LᵀL ~ penalty.
+  struct Spectrum {
+    Eigen::ArrayXd data;
+    Eigen::ArrayXd penalty;
+  };
+  struct LazySpectrum {
+    std::once_flag found;
+    Spectrum value;
+  };
+
+  [[nodiscard]] Spectrum find_spectrum() const;
+  /// Found when it is first asked for: comparing models does without.
+  [[nodiscard]] const Spectrum& spectrum() const;
   [[nodiscard]] double unconstrained_edf(double lambda) const;
-  [[nodiscard]] double log_shares(double lambda) const;
+  [[nodiscard]] double likelihood(const SmoothingPoint& point) const;
   void score(SmoothingPoint& point) const;
   [[nodiscard]] double free_edf(const QuadraticProgram::Solution& solution,
                                 const Eigen::MatrixXd& hessian, double lambda) const;
@@ -80,13 +101,11 @@ class SmoothingProblem {
   Eigen::MatrixXd penalty_;
   Eigen::VectorXd area_;
   Eigen::Index unpenalised_;
-  Eigen::MatrixXd normal_;     // WKᵀWK, with a ridge at rounding level
+  Eigen::MatrixXd normal_;         // WKᵀWK
+  Eigen::MatrixXd normal_ridged_;  // with a ridge at rounding level
   Eigen::MatrixXd roughness_;  // LᵀL
   Eigen::VectorXd linear_;     // WKᵀWd
-  // In the basis that makes both diagonal: WKᵀWK ~ data_share_, LᵀL ~ penalty_share_.
-  Eigen::ArrayXd data_share_;
-  Eigen::ArrayXd penalty_share_;
-  double log_basis_;  // ln of both determinants in that basis
+  std::shared_ptr<LazySpectrum> spectrum_ = std::make_shared<LazySpectrum>();  // of all copies
 };
 
 /// Indices of the coefficients that are not held at 0.

@@ -18,7 +18,7 @@ constexpr double kJustLeft = 1e-9;
 constexpr double kLeftOfBudget = 1e-9;
 /// What is added to the diagonal of H where rounding makes it indefinite, and how often more.
 constexpr double kLeastRidge = 1e-14;
-constexpr int kRidges = 5;
+constexpr int kRidges = 8;
 
 /// One step on circles: positions and velocities after a phase of cosine c and sine s.
 void turn(double c, double s, Eigen::VectorXd& position, Eigen::VectorXd& velocity) {
