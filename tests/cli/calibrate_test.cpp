@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "microslip/io/csv.hpp"
 #include "microslip/io/joint_file.hpp"
 #include "microslip/io/joint_samples_file.hpp"
+#include "support/thinned_table.hpp"
 
 namespace microslip::cli_test::calibrate_test {
 namespace {
@@ -23,20 +23,9 @@ std::string edited(std::string text, const std::string& before, const std::strin
   return text.replace(at, before.size(), after);
 }
 
-/// A table of fewer levels, of each mode.
-std::string every_third_row(const std::string& table) {
-  std::istringstream lines(table);
-  std::string result;
-  std::size_t number = 0;
-  for (std::string line; std::getline(lines, line); ++number) {
-    if (number == 0 || number % 3 == 1) result += line + "\n";
-  }
-  return result;
-}
-
 Sandbox two_joints() {
   return Sandbox{{"model.toml", test::get(kFolder + "model.toml")},
-                 {"levels.csv", every_third_row(test::get(kFolder + "modal_levels.csv"))},
+                 {"levels.csv", testing::every_third_row(test::get(kFolder + "modal_levels.csv"))},
                  {"truth_joint2.json", test::get(kFolder + "truth_joint2.json")}};
 }
 

@@ -29,6 +29,7 @@
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 #include "support/jointed_records.hpp"
+#include "support/thinned_table.hpp"
 
 namespace microslip::cli_test::effects_test {
 namespace {
@@ -215,17 +216,6 @@ std::string free_decay(const JointedStructure& structure) {
   return writer.str();
 }
 
-/// A table of fewer rows.
-std::string every_third_row(const std::string& table) {
-  std::istringstream lines(table);
-  std::string result;
-  std::size_t number = 0;
-  for (std::string line; std::getline(lines, line); ++number) {
-    if (number == 0 || number % 3 == 1) result += line + "\n";
-  }
-  return result;
-}
-
 const Files& inputs() {
   static const Files files = [] {
     Files all = documented_files();
@@ -238,7 +228,7 @@ const Files& inputs() {
     all["blow.csv"] = free_decay(slipping);
     const std::string two_joints = MICROSLIP_TEST_DATA "/two_joints/";
     all["two_joints.toml"] = test::get(two_joints + "model.toml");
-    all["two_joints.csv"] = every_third_row(test::get(two_joints + "modal_levels.csv"));
+    all["two_joints.csv"] = testing::every_third_row(test::get(two_joints + "modal_levels.csv"));
     all["noise.csv"] = "time [s], nothing [V]\n0,1\n1,2\n2,3\n";
     all["other_force.csv"] = "time [s],force [N]\n0,0\n0.01,50\n0.02,0\n";
     all["damped.json"] =

@@ -41,10 +41,11 @@ void check_levels_of(const JointedStructure& structure, const std::vector<std::s
                      const ModalLevels& levels) {
   check_modal_levels(levels);
   const std::size_t fewest = kFewestModalLevels * sought.size();
-  if (levels.size() < fewest) {
-    throw InputError("number of levels", static_cast<double>(levels.size()),
-                     fmt::format("must be {} or more for {} joint{}", fewest, sought.size(),
-                                 sought.size() == 1 ? "" : "s"),
+  const std::size_t count = distinct_levels(levels);
+  if (count < fewest) {
+    throw InputError("number of levels", static_cast<double>(count),
+                     fmt::format("must be {} or more, without repetitions, for {} joint{}", fewest,
+                                 sought.size(), sought.size() == 1 ? "" : "s"),
                      "Measure more levels, or more modes.");
   }
   const std::size_t modes = structure.linear().size();

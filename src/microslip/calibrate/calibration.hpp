@@ -59,6 +59,9 @@ struct CalibratedJoint {
   /// Share of the prior's variance of ψ that the levels took, at the knots, 1: 0 where they tell
   /// nothing of this joint, 1 where they tell all.
   std::vector<double> told = {};
+  /// √Σ(D/σ)² over the levels, 1: by how many standard deviations of the losses the levels would be
+  /// off if it lost nothing.
+  double loss_seen = 0.0;
   Estimate stiffness = {};             ///< k, N/m
   Estimate elastic_stiffness = {};     ///< K_e, N/m: what does not slip within the levels
   double exponent = 0.0;               ///< χ₀ of the prior
@@ -152,7 +155,8 @@ inline constexpr std::size_t kFewestModalLevels = 4;
 /// What a calibration gives reason to say:
 ///   * `levels_not_found`      the structure has no resonance at the displacement of a level;
 ///   * `known_only_together`   two joints work alike in all levels;
-///   * `joint_not_seen`        the levels tell next to nothing of a joint;
+///   * `joint_not_seen`        the levels tell next to nothing of a joint, or its loss
+///                             is not told from 0 in any of them;
 ///   * `frequency_offset`      the modes of the structure are off by more than joints explain;
 ///   * `frequency_unexplained` frequencies scatter about those of the joints found more than they
 ///                             are known;

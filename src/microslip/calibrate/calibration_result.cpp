@@ -353,29 +353,53 @@ void read_offsets(const CalibrationEvidence& evidence, const LevelStates& states
   }
 }
 
+/// Standard deviation of the loss of all joints at a level: where it was measured in parts, of
+/// their sum.
+double loss_deviation(const LevelDeviations& deviations) {
+  if (!std::isnan(deviations.loss)) return deviations.loss;
+  double variance = 0.0;
+  for (const double part : deviations.joints) variance += part * part;
+  return std::sqrt(variance);
+}
+
 /// Residuals over what they scatter by, and in `change` less the offset of their mode.
-void read_residuals(const CalibrationEvidence& evidence, const LevelStates& states,
-                    CalibrationResult& result) {
+void read_residuals(const CalibrationEvidence& evidence, std::size_t level, double error,
+                    const LevelDeviations& deviations, CalibrationResult& result) {
+  CalibratedLevel& told = result.levels[level];
+  told.residual = (told.measured_dissipation - told.dissipation) /
+                  (loss_deviation(deviations) * result.loss_scatter);
+  if (evidence.frequency == FrequencyUse::kIgnore || std::isnan(error)) return;
+  if (evidence.frequency == FrequencyUse::kChange) {
+    error -= result.frequency_offset[evidence.levels.mode[level]];
+  }
+  told.frequency_residual = error / (deviations.frequency * result.frequency_scatter);
+}
+
+/// (D of a joint)² over the variance of the losses that it is a part of.
+double seen_square(const CalibratedLevel& level, std::size_t joint,
+                   const LevelDeviations& deviations) {
+  const double loss = level.joints[joint].dissipation.mean;
+  double square = 0.0;
+  for (const double deviation : {deviations.loss, deviations.joints[joint]}) {
+    if (deviation > 0.0) square += loss * loss / (deviation * deviation);
+  }
+  return square;
+}
+
+/// Levels over their standard deviations.
+void read_deviations(const CalibrationEvidence& evidence, const CalibratedState& state,
+                     const LevelStates& states, CalibrationResult& result) {
   for (std::size_t i = 0; i < result.levels.size(); ++i) {
-    CalibratedLevel& told = result.levels[i];
-    if (!told.found) continue;
-    const double given = measured_loss(evidence.levels, i, *states.at(i)).deviation;
-    const double unit = evidence.loss_std_given && given > 0.0
-                            ? given
-                            : std::max(told.dissipation, told.measured_dissipation);
-    told.residual = (told.measured_dissipation - told.dissipation) / (unit * result.loss_scatter);
-    if (evidence.frequency == FrequencyUse::kIgnore || std::isnan(told.measured_frequency)) {
-      continue;
+    if (!result.levels[i].found) continue;
+    const LevelDeviations deviations = deviations_about(evidence, state.unknowns, states, i);
+    read_residuals(evidence, i, frequency_error(evidence.levels, i, *states.at(i)), deviations,
+                   result);
+    for (CalibratedJoint& joint : result.joints) {
+      joint.loss_seen += seen_square(result.levels[i], joint.index, deviations);
     }
-    double error = frequency_error(evidence.levels, i, *states.at(i));
-    if (evidence.frequency == FrequencyUse::kChange) {
-      error -= result.frequency_offset[evidence.levels.mode[i]];
-    }
-    const double deviation =
-        evidence.frequency_std_given
-            ? ModalLevels::value(evidence.levels.frequency_std, i) / told.measured_frequency
-            : 1.0;
-    told.frequency_residual = error / (deviation * result.frequency_scatter);
+  }
+  for (CalibratedJoint& joint : result.joints) {
+    joint.loss_seen = std::sqrt(joint.loss_seen) / result.loss_scatter;
   }
 }
 
@@ -415,7 +439,7 @@ void read_calibration(const CalibrationEvidence& evidence, const CalibrationOpti
   read_pairs(losses, result);
   if (result.joints.size() > 2) read_groups(losses, result);
   read_offsets(evidence, states, result);
-  read_residuals(evidence, states, result);
+  read_deviations(evidence, state, states, result);
 }
 
 }  // namespace microslip

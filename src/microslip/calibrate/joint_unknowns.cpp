@@ -104,12 +104,6 @@ Eigen::RowVectorXd JointUnknowns::stiffness_row() const {
   return row;
 }
 
-Eigen::MatrixXd JointUnknowns::penalty() const {
-  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(basis_.size() - 2, size());
-  rows.leftCols(basis_.size()) = basis_.second_differences();
-  return rows;
-}
-
 Joint JointUnknowns::joint(const Eigen::VectorXd& x, bool known) const {
   const double share = stiffness_row().dot(x);
   const double k = known ? stiffness_ : stiffness_ * share;

@@ -42,8 +42,8 @@ class JointUnknowns {
   [[nodiscard]] Eigen::RowVectorXd secant_row(double amplitude) const;       ///< N/m
   [[nodiscard]] Eigen::RowVectorXd stiffness_row() const;                    ///< 1
 
-  /// L with ‖Lx‖² the roughness of θ.
-  [[nodiscard]] Eigen::MatrixXd penalty() const;
+  /// L with ‖Lθ‖² the roughness of θ: over all coefficients but the last.
+  [[nodiscard]] Eigen::MatrixXd penalty() const { return basis_.second_differences(); }
 
   /// The joint of coefficients; a stiffness that is known is kept.
   /// @param known  whether k is k₀.

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
 #include "microslip/joint/dissipation.hpp"
@@ -23,6 +25,11 @@ struct Row {
   Eigen::RowVectorXd design;
   double data = 0.0;
   double deviation = 1.0;
+  double by_displacement = 0.0;  ///< what the error of the displacement adds to the deviation
+  std::size_t level = 0;
+  std::size_t joint = kAllJoints;  ///< whose loss it is
+
+  static constexpr std::size_t kAllJoints = static_cast<std::size_t>(-1);
 };
 
 /// How the quantities of a level answer to the coefficients.
@@ -151,10 +158,10 @@ void add_losses(const CalibrationEvidence& evidence, const AllUnknowns& unknowns
                 std::vector<Row>& rows) {
   double sum = 0.0;
   double variance = 0.0;
-  Row together{Eigen::RowVectorXd::Zero(unknowns.size())};
+  Row together{.design = Eigen::RowVectorXd::Zero(unknowns.size())};
   for (std::size_t j = 0; j < states.structure().joints().size(); ++j) {
     double value = 0.0;
-    Row row{answers.loss(j, value)};
+    Row row{.design = answers.loss(j, value)};
     together.design += row.design;
     sum += value;
     const double share = sensor_share(evidence, states, level, j);
@@ -163,18 +170,52 @@ void add_losses(const CalibrationEvidence& evidence, const AllUnknowns& unknowns
     if (std::isnan(measured)) continue;
     row.data = measured - value;
     const double given = joint_entry(evidence, j, level, &JointLevels::dissipation_std);
-    row.deviation = evidence.loss_std_given ? std::hypot(given, share, answers.loss_share_of(j))
-                                            : std::max(value, measured);
+    row.level = level;
+    row.joint = j;
+    row.deviation = evidence.loss_std_given ? std::hypot(given, share) : std::max(value, measured);
+    if (evidence.loss_std_given) row.by_displacement = answers.loss_share_of(j);
     rows.push_back(std::move(row));
   }
   const MeasuredLoss measured = measured_loss(evidence.levels, level, answers.vibration());
   if (std::isnan(measured.value)) return;
   together.data = measured.value - sum;
-  together.deviation = evidence.loss_std_given
-                           ? std::hypot(measured.deviation, std::sqrt(variance),
-                                        answers.loss_share(measured.by_displacement))
-                           : std::max(sum, measured.scattered);
+  together.level = level;
+  together.deviation = evidence.loss_std_given ? std::hypot(measured.deviation, std::sqrt(variance))
+                                               : std::max(sum, measured.scattered);
+  if (evidence.loss_std_given) {
+    together.by_displacement = answers.loss_share(measured.by_displacement);
+  }
   rows.push_back(std::move(together));
+}
+
+/// Adds what the error of the displacement makes of each row, c_i. Repeated levels, of one mode at
+/// one displacement, share that error, and their mean is known no better than it: with
+///
+///     σ_i² ← σ_i²(1 + c_i² Σ_r 1/σ_r²)   over the rows r of the same quantity at such levels
+///
+/// the mean has the variance 1/Σ_r(1/σ_r²) + c². Of a level alone that is σ² + c².
+void add_displacement_errors(const ModalLevels& levels, std::vector<Row>& rows) {
+  std::map<std::tuple<std::size_t, double, std::size_t>, double> precision;
+  const auto key = [&](const Row& row) {
+    return std::tuple(levels.mode[row.level], levels.displacement[row.level], row.joint);
+  };
+  for (const Row& row : rows) precision[key(row)] += 1.0 / (row.deviation * row.deviation);
+  for (Row& row : rows) {
+    if (row.by_displacement == 0.0) continue;  // where deviations are not known, too
+    row.deviation *= std::hypot(1.0, row.by_displacement * std::sqrt(precision[key(row)]));
+  }
+}
+
+Row frequency_row(const CalibrationEvidence& evidence, std::size_t level,
+                  const AnswersOfLevel& answers, double measured) {
+  const double omega = answers.vibration().angular_frequency;
+  Row row{.design = answers.frequency() / omega,
+          .data = frequency_error(evidence.levels, level, answers.vibration()),
+          .level = level};
+  if (!evidence.frequency_std_given) return row;
+  row.deviation = ModalLevels::value(evidence.levels.frequency_std, level) / measured;
+  row.by_displacement = answers.frequency_share() / omega;
+  return row;
 }
 
 WeightedRows weighed(const std::vector<Row>& rows, const Eigen::VectorXd& x) {
@@ -311,6 +352,24 @@ std::vector<LinearLoss> losses_about(const CalibrationEvidence& evidence,
   return losses;
 }
 
+LevelDeviations deviations_about(const CalibrationEvidence& evidence, const AllUnknowns& unknowns,
+                                 const LevelStates& states, std::size_t level) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  const AnswersOfLevel answers(evidence, unknowns, states, level);
+  const auto whole = [](const Row& row) { return std::hypot(row.deviation, row.by_displacement); };
+  LevelDeviations found{kUnknown, std::vector(evidence.column.size(), kUnknown), kUnknown};
+  std::vector<Row> losses;
+  add_losses(evidence, unknowns, states, level, answers, losses);
+  for (const Row& row : losses) {
+    (row.joint == Row::kAllJoints ? found.loss : found.joints[row.joint]) = whole(row);
+  }
+  const double frequency = ModalLevels::value(evidence.levels.frequency, level);
+  if (!std::isnan(frequency)) {
+    found.frequency = whole(frequency_row(evidence, level, answers, frequency));
+  }
+  return found;
+}
+
 LinearEvidence linearise(const CalibrationEvidence& evidence, const AllUnknowns& unknowns,
                          const LevelStates& states, const std::vector<std::size_t>& which,
                          const Eigen::VectorXd& x) {
@@ -324,16 +383,11 @@ LinearEvidence linearise(const CalibrationEvidence& evidence, const AllUnknowns&
     add_losses(evidence, unknowns, states, level, answers, losses);
     const double frequency = ModalLevels::value(evidence.levels.frequency, level);
     if (evidence.frequency == FrequencyUse::kIgnore || std::isnan(frequency)) continue;
-    const double given = ModalLevels::value(evidence.levels.frequency_std, level);
-    const SteadyVibration& vibration = answers.vibration();
-    frequencies.push_back({answers.frequency() / vibration.angular_frequency,
-                           frequency_error(evidence.levels, level, vibration),
-                           evidence.frequency_std_given
-                               ? std::hypot(given / frequency,
-                                            answers.frequency_share() / vibration.angular_frequency)
-                               : 1.0});
+    frequencies.push_back(frequency_row(evidence, level, answers, frequency));
     with_frequency.push_back(level);
   }
+  add_displacement_errors(evidence.levels, losses);
+  add_displacement_errors(evidence.levels, frequencies);
   for (const Row& row : losses) largest = std::max(largest, row.deviation);
   for (Row& row : losses) row.deviation = std::max(row.deviation, kLeastLoss * largest);
 
@@ -342,9 +396,8 @@ LinearEvidence linearise(const CalibrationEvidence& evidence, const AllUnknowns&
   add_frequencies(evidence, with_frequency, frequencies, x, linear);
   add_stiffnesses(evidence, unknowns, linear);
   for (std::size_t j = 0; j < unknowns.count(); ++j) {
-    const Eigen::Index theta = unknowns.of(j).size() - 1;
     linear.roughness.push_back(
-        {unknowns.begin(j), theta, unknowns.of(j).penalty().leftCols(theta)});
+        {unknowns.begin(j), unknowns.of(j).size() - 1, unknowns.of(j).penalty()});
   }
   return linear;
 }

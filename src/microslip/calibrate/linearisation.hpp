@@ -99,8 +99,21 @@ struct LinearLoss {
                                                    const AllUnknowns& unknowns,
                                                    const LevelStates& states, std::size_t level);
 
+/// Standard deviations by which a level counts, the error of its displacement with them; relative
+/// ones, of a scatter of 1, where they are not known. NaN where something was not measured.
+struct LevelDeviations {
+  double loss;                 ///< of all joints together, J
+  std::vector<double> joints;  ///< of the loss of each joint of the structure, J
+  double frequency;            ///< relative, 1
+};
+/// @param level  one that is solved.
+[[nodiscard]] LevelDeviations deviations_about(const CalibrationEvidence& evidence,
+                                               const AllUnknowns& unknowns,
+                                               const LevelStates& states, std::size_t level);
+
 /// Rows of levels that are solved. A loss of unknown deviation counts with itself as one, a
-/// frequency likewise: the scatter that is found is then relative.
+/// frequency likewise: the scatter that is found is then relative. Repeated levels, of one mode at
+/// one displacement, count as their mean would: the error of the displacement is theirs together.
 /// @param x  the coefficients that the joints of the states are of.
 [[nodiscard]] LinearEvidence linearise(const CalibrationEvidence& evidence,
                                        const AllUnknowns& unknowns, const LevelStates& states,

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <string_view>
+#include <utility>
 
 #include "microslip/base/error.hpp"
 
@@ -101,6 +103,14 @@ void append(const ModalLevels& more, ModalLevels& levels) {
     }
   }
   levels.mode.insert(levels.mode.end(), more.mode.begin(), more.mode.end());
+}
+
+std::size_t distinct_levels(const ModalLevels& levels) {
+  std::set<std::pair<std::size_t, double>> places;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    places.emplace(levels.mode[i], levels.displacement[i]);
+  }
+  return places.size();
 }
 
 void check_modal_levels(const ModalLevels& levels) {

@@ -45,6 +45,9 @@ struct ModalLevels {
 /// Levels of another file behind these; columns that one of them lacks are NaN there.
 void append(const ModalLevels& more, ModalLevels& levels);
 
+/// The number of levels without repetitions: those of one mode at one displacement are one.
+[[nodiscard]] std::size_t distinct_levels(const ModalLevels& levels);
+
 /// Checks the rules of ModalLevels, and that each level tells a loss: D of all joints, D of one, or
 /// ζ.
 /// @throws InputError  naming the level (from 1) and the value.
