@@ -243,6 +243,27 @@ TEST(Calibration, ErrorsOfDisplacementsWidenTheBands) {
   EXPECT_FALSE(warns(uncertain, "joint_not_seen"));
 }
 
+// A joint a thousand times as stiff as what it holds hardly moves, and slips by forces far above those
+// of the levels: its loss is below 5e-4 of that of the other, of which 0.5 % are noise. That it slips so little is
+// known well, so that the share of the prior's variance that was taken does not show it.
+TEST(Calibration, SaysThatAJointThatHardlyMovesIsNotSeen) {
+  SimulatedTest test =
+      simulated(two_joints_of_a_chain(Joint(4e8, SlipDensity({UniformPart{0.0, 1e5, 0.5}}))), 2,
+                2e-6, 1e-4, 12, 22);
+  for (std::size_t i = 0; i < test.levels.size(); ++i) {
+    ASSERT_LT(test.loss[1][i], 5e-4 * test.loss[0][i]) << i;
+  }
+  give_deviations(0.0, test);
+  const CalibrationResult found = test.calibrated({.draws = 200});
+  ASSERT_TRUE(found.summary.converged()) << found.summary.reason;
+  const auto verdict = std::ranges::find(found.warnings, "joint_not_seen", &Warning::code);
+  ASSERT_NE(verdict, found.warnings.end());
+  EXPECT_NE(verdict->text.find("foot"), std::string::npos) << verdict->text;
+  EXPECT_EQ(std::ranges::count(found.warnings, "joint_not_seen", &Warning::code), 1);
+  EXPECT_LT(found.joints[1].loss_told, 3.0);
+  EXPECT_GT(found.joints[0].loss_told, 30.0);
+}
+
 TEST(Calibration, IsTheSameOnAnyNumberOfThreads) {
   MICROSLIP_OF_RELEASE_ALONE();
   const SimulatedTest test = simulated(three_joints(), 3, 2e-6, 3e-5, 8, 9);

@@ -59,9 +59,8 @@ struct CalibratedJoint {
   /// Share of the prior's variance of ψ that the levels took, at the knots, 1: 0 where they tell
   /// nothing of this joint, 1 where they tell all.
   std::vector<double> told = {};
-  /// √Σ(D/σ)² over the levels, 1: by how many standard deviations of the losses the levels would be
-  /// off if it lost nothing.
-  double loss_seen = 0.0;
+  /// Its loss over the standard deviation of it over the draws, 1, at the level where that is most.
+  double loss_told = 0.0;
   Estimate stiffness = {};             ///< k, N/m
   Estimate elastic_stiffness = {};     ///< K_e, N/m: what does not slip within the levels
   double exponent = 0.0;               ///< χ₀ of the prior

@@ -14,6 +14,9 @@ namespace {
 /// A joint of whose density the levels took less than this share of the variance everywhere is not
 /// seen.
 constexpr double kLeastTold = 0.5;
+/// A loss that is at no level so many of its standard deviations off 0 may as well be none: a loss that
+/// is not there comes out at 2 of them, as it cannot be negative.
+constexpr double kLeastLossTold = 3.0;
 /// Offsets of the frequencies beyond this are more than a model and a test usually differ by.
 constexpr double kLargeOffset = 0.01;
 /// Scatter of losses: relative, and over the deviations that were told.
@@ -67,15 +70,32 @@ void warn_of_groups(const CalibrationResult& result, std::vector<Warning>& warni
                                   names)});
 }
 
+/// Whether that is said of a joint already.
+bool known_only_together(const CalibrationResult& result, std::size_t joint) {
+  return std::ranges::count(result.known_in_sum, joint) > 0 ||
+         std::ranges::any_of(result.pairs, [joint](const JointPair& pair) {
+           return pair.known_only_together && (pair.first == joint || pair.second == joint);
+         });
+}
+
 void warn_of_unseen(const CalibrationResult& result, std::vector<Warning>& warnings) {
-  for (const CalibratedJoint& joint : result.joints) {
+  for (std::size_t j = 0; j < result.joints.size(); ++j) {
+    const CalibratedJoint& joint = result.joints[j];
     const double most = std::ranges::max(joint.told);
-    if (most >= kLeastTold) continue;
-    warnings.push_back(
-        {"joint_not_seen",
-         fmt::format("the levels tell next to nothing of {}: they took {} of what is not known of "
-                     "its density at best. Measure a mode in which it works.",
-                     joint.name, percent_text(most))});
+    if (joint.loss_told < kLeastLossTold && !known_only_together(result, j)) {
+      warnings.push_back(
+          {"joint_not_seen",
+           fmt::format("the loss of {} is not told from 0: it is {:.2g} of its standard deviations "
+                       "at best, over all levels. Of its density only the upper end of the band "
+                       "says something. Measure a mode in which it works.",
+                       joint.name, joint.loss_told)});
+    } else if (most < kLeastTold) {
+      warnings.push_back(
+          {"joint_not_seen",
+           fmt::format("the levels tell next to nothing of {}: they took {} of what is not known "
+                       "of its density at best. Measure a mode in which it works.",
+                       joint.name, percent_text(most))});
+    }
   }
 }
 

@@ -334,6 +334,19 @@ void read_groups(const std::vector<std::vector<std::vector<double>>>& losses,
   }
 }
 
+/// How far the loss of each joint is off 0 where it is known best. @param losses  [level][joint][draw].
+void read_loss_told(const std::vector<std::vector<std::vector<double>>>& losses,
+                    CalibrationResult& result) {
+  for (std::size_t i = 0; i < losses.size(); ++i) {
+    if (!result.levels[i].found) continue;
+    for (std::size_t j = 0; j < result.joints.size(); ++j) {
+      const Moments m = moments_of(losses[i][j], losses[i][j]);
+      if (!(m.first > 0.0)) continue;
+      result.joints[j].loss_told = std::max(result.joints[j].loss_told, m.mean_first / m.first);
+    }
+  }
+}
+
 /// Mean over the levels of each mode of what their frequencies are off by.
 void read_offsets(const CalibrationEvidence& evidence, const LevelStates& states,
                   CalibrationResult& result) {
@@ -375,17 +388,6 @@ void read_residuals(const CalibrationEvidence& evidence, std::size_t level, doub
   told.frequency_residual = error / (deviations.frequency * result.frequency_scatter);
 }
 
-/// (D of a joint)² over the variance of the losses that it is a part of.
-double seen_square(const CalibratedLevel& level, std::size_t joint,
-                   const LevelDeviations& deviations) {
-  const double loss = level.joints[joint].dissipation.mean;
-  double square = 0.0;
-  for (const double deviation : {deviations.loss, deviations.joints[joint]}) {
-    if (deviation > 0.0) square += loss * loss / (deviation * deviation);
-  }
-  return square;
-}
-
 /// Levels over their standard deviations.
 void read_deviations(const CalibrationEvidence& evidence, const CalibratedState& state,
                      const LevelStates& states, CalibrationResult& result) {
@@ -394,12 +396,6 @@ void read_deviations(const CalibrationEvidence& evidence, const CalibratedState&
     const LevelDeviations deviations = deviations_about(evidence, state.unknowns, states, i);
     read_residuals(evidence, i, frequency_error(evidence.levels, i, *states.at(i)), deviations,
                    result);
-    for (CalibratedJoint& joint : result.joints) {
-      joint.loss_seen += seen_square(result.levels[i], joint.index, deviations);
-    }
-  }
-  for (CalibratedJoint& joint : result.joints) {
-    joint.loss_seen = std::sqrt(joint.loss_seen) / result.loss_scatter;
   }
 }
 
@@ -437,6 +433,7 @@ void read_calibration(const CalibrationEvidence& evidence, const CalibrationOpti
     result.levels.push_back(read_level(evidence, state, losses.back(), options, states, level));
   }
   read_pairs(losses, result);
+  read_loss_told(losses, result);
   if (result.joints.size() > 2) read_groups(losses, result);
   read_offsets(evidence, states, result);
   read_deviations(evidence, state, states, result);
