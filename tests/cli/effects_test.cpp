@@ -24,6 +24,7 @@
 #include "documents/description.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/dynamics/march.hpp"
+#include "microslip/io/csv.hpp"
 #include "microslip/io/csv_writer.hpp"
 #include "microslip/io/model_file.hpp"
 #include "microslip/joint/dissipation.hpp"
@@ -216,6 +217,57 @@ std::string free_decay(const JointedStructure& structure) {
   return writer.str();
 }
 
+/// A table with more columns at its end, of as many rows.
+std::string beside(const std::string& table,
+                   const std::vector<std::pair<std::string, std::vector<double>>>& columns) {
+  std::istringstream lines(table);
+  std::string result;
+  std::string line;
+  std::getline(lines, line);
+  for (const auto& column : columns) line += "," + column.first;
+  result = line + "\n";
+  for (std::size_t row = 0; std::getline(lines, line); ++row) {
+    for (const auto& column : columns) line += fmt::format(",{:.12g}", column.second.at(row));
+    result += line + "\n";
+  }
+  return result;
+}
+
+std::vector<double> scaled(std::vector<double> values, double factor) {
+  for (double& value : values) value *= factor;
+  return values;
+}
+
+/// Levels of two joints with all that may be measured beside: of the true vibration.
+std::string sensed_levels(const std::string& levels, const std::string& true_levels) {
+  const CsvTable truth(true_levels, "truth.csv");
+  const std::vector<double> amplitude = truth.numbers("amplitude_joint1", kLength);
+  const std::vector<double> loss = truth.numbers("dissipation_joint2", kEnergy);
+  return beside(levels,
+                {{"displacement_std [m]", scaled(truth.numbers("displacement", kLength), 0.002)},
+                 {"frequency_std [Hz]", scaled(truth.numbers("frequency", kFrequency), 1e-4)},
+                 {"amplitude_joint1 [m]", amplitude},
+                 {"amplitude_joint1_std [m]", scaled(amplitude, 0.002)},
+                 {"dissipation_joint2 [J]", loss},
+                 {"dissipation_joint2_std [J]", scaled(loss, 0.02)}});
+}
+
+/// Levels by damping ratios, as a calibration of them has them: those that it found.
+std::string damped_levels(const std::string& levels, const std::string& calibration) {
+  const CsvTable table(calibration, "calibration.csv");
+  const std::vector<double> found = table.numbers("level", kDimensionless);
+  const std::vector<double> ratio = table.numbers("damping_ratio", kDimensionless);
+  std::istringstream lines(
+      edited(edited(levels, "dissipation removed"), "dissipation_std removed"));
+  std::string kept;
+  int level = 0;
+  for (std::string line; std::getline(lines, line); ++level) {
+    if (level == 0 || std::ranges::count(found, level) > 0) kept += line + "\n";
+  }
+  return beside(kept,
+                {{"damping_ratio [1]", ratio}, {"damping_ratio_std [1]", scaled(ratio, 0.002)}});
+}
+
 const Files& inputs() {
   static const Files files = [] {
     Files all = documented_files();
@@ -229,6 +281,13 @@ const Files& inputs() {
     const std::string two_joints = MICROSLIP_TEST_DATA "/two_joints/";
     all["two_joints.toml"] = test::get(two_joints + "model.toml");
     all["two_joints.csv"] = testing::every_third_row(test::get(two_joints + "modal_levels.csv"));
+    all["sensed_joints.csv"] = sensed_levels(
+        all.at("two_joints.csv"), testing::every_third_row(test::get(two_joints + "truth.csv")));
+    const Files found = run(all, words("calibrate two_joints.toml two_joints.csv --samples 100 "
+                                       "--out c --quiet"))
+                            .files;
+    all["damped_joints.csv"] =
+        damped_levels(all.at("two_joints.csv"), found.at("c/calibration.csv"));
     all["noise.csv"] = "time [s], nothing [V]\n0,1\n1,2\n2,3\n";
     all["other_force.csv"] = "time [s],force [N]\n0,0\n0.01,50\n0.02,0\n";
     all["damped.json"] =
