@@ -236,7 +236,8 @@ void add_method_options(CLI::App& command, IdentifyArguments& options) {
       ->capture_default_str();
   command
       .add_option("--edges", options.edges,
-                  "Forces at which the density may jump, where the levels make them very likely")
+                  "Forces at which the density may jump, where the levels make them very likely, "
+                  "and a trend of its smoothness; none goes without both")
       ->check(CLI::IsMember({"sought", "none"}))
       ->capture_default_str();
   command.add_flag("--atom", options.atom, "Seek an atom of the density where macro-slip begins");

@@ -73,8 +73,8 @@ struct DensityPosterior {
   CommonErrors common_errors;  ///< that all levels share
 
   // The prior.
-  PlainMatrix penalty;          ///< L
-  PossibleSmoothing smoothing;  ///< λ
+  PlainMatrix penalty;           ///< L
+  PossibleSmoothing smoothing;   ///< λ
   double local_deviation = 3.0;  ///< of ln l at each node
 
   std::vector<double> start;  ///< a good x, where chains start
@@ -91,8 +91,9 @@ struct DensityPosterior {
   [[nodiscard]] std::size_t chain_length() const { return elsewhere.empty() ? 250 : 25; }
 
   /// Draws 0 … count − 1 of a seed, with λ, l and s drawn, too, by PosteriorChain: exact but for
-  /// what the chain remembers of its start. Draw i stands in chain number i/chain_length(), which starts anew: it is a function of (seed, i) alone, whatever the count and the
-  /// number of threads. Neighbours are alike: DensityBands::effective_samples tells by how much.
+  /// what the chain remembers of its start. Draw i stands in chain number i/chain_length(), which
+  /// starts anew: it is a function of (seed, i) alone, whatever the count and the number of
+  /// threads. Neighbours are alike: DensityBands::effective_samples tells by how much.
   ///
   /// Errors that all levels share are drawn for each draw, and the levels do not correct them: the
   /// wrong loss factor adds δW_lin to D; gains scale what is found, and a draw of more area than 1

@@ -378,7 +378,8 @@ InversionResult invert(const LevelEvidence& evidence, double stiffness,
     }
     timings.push_back(watch.lap("search of an atom"));
   }
-  const PassedModel smooth = two_passes(scaled, options, top, result.atom_slip_force.has_value(), inner);
+  const PassedModel smooth =
+      two_passes(scaled, options, top, result.atom_slip_force.has_value(), inner);
   timings.push_back(watch.lap("choice of the smoothing"));
   const auto [model, elsewhere] = shaped(smooth, scaled, options, inner);
   read_model(model, elsewhere, scaled, result);

@@ -64,8 +64,8 @@ PosteriorChain::PosteriorChain(const ChainTarget& target, ChainStart start)
   for (const ChainBlock& block : blocks) {
     const double lambda = std::clamp(start.lambda, block.least_lambda, block.most_lambda);
     const bool varies = block.most_lambda > block.least_lambda;
-    Smoothing& smoothing = smoothing_.emplace_back(Smoothing{
-        begin, block, lambda, {block.rows, varies ? target.local_deviation : 0.0}, {}});
+    Smoothing& smoothing = smoothing_.emplace_back(
+        Smoothing{begin, block, lambda, {block.rows, varies ? target.local_deviation : 0.0}, {}});
     smoothing.roughness = roughness(smoothing, smoothing.local);
     begin += block.rows;
   }

@@ -18,11 +18,11 @@ namespace microslip {
 
 /// A solution for one λ.
 struct SmoothingPoint {
-  double lambda = 0.0;      ///< 1
-  double edf = 0.0;         ///< effective degrees of freedom, on the free coefficients
-  double residual = 0.0;    ///< ‖W(Kθ − d)‖²
-  double roughness = 0.0;   ///< ‖Lθ‖²
-  double gcv = 0.0;         ///< generalised cross-validation score; infinite where edf is too high
+  double lambda = 0.0;     ///< 1
+  double edf = 0.0;        ///< effective degrees of freedom, on the free coefficients
+  double residual = 0.0;   ///< ‖W(Kθ − d)‖²
+  double roughness = 0.0;  ///< ‖Lθ‖²
+  double gcv = 0.0;        ///< generalised cross-validation score; infinite where edf is too high
   /// −2 log restricted likelihood, up to a constant; of path() and solve_unlimited() alone
   double likelihood = 0.0;
   QuadraticProgram::Solution solution;
@@ -51,10 +51,11 @@ class SmoothingProblem {
   /// WKᵀWK + λLᵀL.
   [[nodiscard]] Eigen::MatrixXd hessian(double lambda) const;
 
-  /// ln det(WKᵀWK + λLᵀL + diag(p)) − ln det⁺(λLᵀL), det⁺ over what L penalises. By factors, which is quick,
-  /// and right to 1e−4 up to stiffest(). @param lambda  not above that. @param precision  p.
-  [[nodiscard]] double log_volume(double lambda,
-                                  const Eigen::VectorXd& precision) const;
+  /// ln det(WKᵀWK + λLᵀL + diag(p)) − ln det⁺(λLᵀL), det⁺ over what L penalises. By factors, which
+  /// is quick, and right to 1e−4 up to stiffest().
+  /// @param lambda     not above that.
+  /// @param precision  p.
+  [[nodiscard]] double log_volume(double lambda, const Eigen::VectorXd& precision) const;
 
   /// Largest λ with λLᵀL at most 1e12 times WKᵀWK, by their traces.
   [[nodiscard]] double stiffest() const { return 1e12 * normal_.trace() / roughness_.trace(); }
@@ -103,8 +104,8 @@ class SmoothingProblem {
   Eigen::Index unpenalised_;
   Eigen::MatrixXd normal_;         // WKᵀWK
   Eigen::MatrixXd normal_ridged_;  // with a ridge at rounding level
-  Eigen::MatrixXd roughness_;  // LᵀL
-  Eigen::VectorXd linear_;     // WKᵀWd
+  Eigen::MatrixXd roughness_;      // LᵀL
+  Eigen::VectorXd linear_;         // WKᵀWd
   std::shared_ptr<LazySpectrum> spectrum_ = std::make_shared<LazySpectrum>();  // of all copies
 };
 
