@@ -69,7 +69,7 @@ void check_joints(const std::vector<JointDraws>& joints, std::size_t count, Join
   }
 }
 
-/// 0 … count − 1 in a random order. [Fisher & Yates]
+/// 0 … count − 1 in a random order, all as likely.
 std::vector<std::size_t> random_order(std::size_t count, RandomStream random) {
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -27,7 +27,7 @@ struct StructureSpread {
 
 /// A joint as it may be.
 struct DrawnJoint {
-  Joint joint;
+  Joint joint;                                ///< the draw
   std::optional<double> linear_damping = {};  ///< β, J/m²; nothing: as the structure has it
 };
 

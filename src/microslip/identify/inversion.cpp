@@ -30,6 +30,8 @@ constexpr double kLeastExponent = -0.9;
 /// Slip forces at which an atom is sought first, and the levels that it takes.
 constexpr int kAtomCandidates = 41;
 constexpr Eigen::Index kFewestForAtom = 20;
+/// Fewer levels hardly tell an edge or a trend from a smooth density.
+constexpr Eigen::Index kFewestForShape = 40;
 /// Of Schwarz's criterion: "very strong" [Kass & Raftery, J. Am. Stat. Assoc. 90 (1995) 773].
 constexpr double kStrongEvidence = 10.0;
 /// More points than this tell no more about a slope.
@@ -205,10 +207,11 @@ InversionModel moved_edges(const ScaledLevels& levels, PassOptions pass,
 ShapedModel shaped(const PassedModel& passed, const ScaledLevels& levels,
                    const InversionOptions& options, InnerSolutions& inner) {
   PassOptions pass = passed.pass;
-  if (options.edges) find_shape(levels, passed.model.solution().lambda, pass, inner);
+  const bool sought = options.edges && levels.amplitude.size() >= kFewestForShape;
+  if (sought) find_shape(levels, passed.model.solution().lambda, pass, inner);
   const bool same = pass.edges.empty() && pass.trend == 0.0 && !options.lambda;
   ShapedModel found{same ? passed.model : InversionModel(levels, pass)};
-  found.model.shape_sought = options.edges;
+  found.model.shape_sought = sought;
   if (same) return found;
   run_path(found.model, options, options.path_points, inner);
   tell_kinds_apart(found.model, levels);

@@ -29,7 +29,7 @@ struct InversionOptions {
   bool atom = false;
 
   /// Lets the density jump and bend where the levels make it very likely that a population of
-  /// sliders ends there; not with a fixed λ.
+  /// sliders ends there, and its smoothness have a trend; of 40 levels or more.
   bool edges = true;
 
   /// Coefficients of the density; ≥ 10. More than the default change nothing but the time.

@@ -19,7 +19,7 @@ namespace {
 /// Closer to each other, relative, two knots are one; those of an edge are not.
 constexpr double kSameKnot = 1e-9;
 /// Deviation of LocalSmoothing where L may have a trend.
-constexpr double kBesideTrend = 1.5;
+constexpr double kBesideTrend = 2.0;
 
 std::vector<double> plain(const Eigen::VectorXd& v) { return {v.begin(), v.end()}; }
 

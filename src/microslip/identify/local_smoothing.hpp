@@ -16,9 +16,8 @@ namespace microslip {
 ///     ln l = Bw less its mean,   w ~ N(0, S²),
 ///
 /// and B interpolates between the nodes. Ten nodes are as many as levels or records can tell
-/// details of a density; with S = 3 λ changes 20 times by one
-/// standard deviation, and the curvature that is usual 4 times; 1.5 is enough beside a trend that L
-/// has already.
+/// details of a density; with S = 3 λ changes 20 times by one standard deviation, and the curvature
+/// that is usual 4 times; 2 is enough beside a trend that L has already.
 class LocalSmoothing {
  public:
   /// @param rows  of the penalty. @param deviation  S; 0: l = 1, and nothing is drawn.

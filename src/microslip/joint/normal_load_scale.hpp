@@ -12,6 +12,7 @@ namespace microslip {
 ///
 /// so that over slip displacement the density of stiffness is ψ_s(x*) = ψ(x*/s)/s. It is what
 /// NetworkMemory makes of a normal load that keeps that value.
+/// @param joint  under the load that it was found at.
 /// @param scale  s, 1; > 0 and finite.
 /// @throws InputError  where s is not.
 [[nodiscard]] Joint with_normal_load(const Joint& joint, double scale);

@@ -30,6 +30,10 @@ struct BackboneSpread {
 /// @param reference  its resonances() at the responses, converged.
 /// @param responses  that it was made for, in the kind of the response point.
 /// @param mode       from 0.
+/// @param draws      of the model.
+/// @param options    which of them, and the confidence.
+/// @param execution  of the draws.
+/// @param progress   told of those done; may cancel.
 /// @throws InputError  where all draws failed, or as DrawOptions::check().
 /// @throws Cancelled   as progress says.
 [[nodiscard]] BackboneSpread backbone_spread(const HarmonicBalance& balance,

@@ -43,6 +43,7 @@ struct DrawOptions {
   ///                     N < 2/(1 − P); for more than kMostDraws.
   void check() const;
 
+  /// More are a mistake.
   static constexpr std::size_t kMostDraws = 1'000'000;
 };
 
@@ -53,8 +54,10 @@ struct DrawOptions {
                                       const DrawOptions& options);
 
 /// The draws of a file, for a joint of this stiffness.
-/// @param name  of it in messages.
-/// @throws as draws_of().
+/// @param path       of the file.
+/// @param stiffness  k of the joint, N/m.
+/// @param name       of it in messages.
+/// @throws FileError, FormatError, InputError  as draws_of().
 [[nodiscard]] JointSamples samples_for(const std::string& path, double stiffness,
                                        const std::string& name);
 
@@ -80,8 +83,11 @@ struct DrawsTaken {
 };
 
 /// Does work(i) for each draw, in parallel.
-/// @param work  gives why the draw failed, nothing where it did not; an InputError of it counts as
-///              the reason. Called for several draws at once.
+/// @param options    which draws.
+/// @param work       gives why the draw failed, nothing where it did not; an InputError of it counts
+///                   as the reason. Called for several draws at once.
+/// @param execution  of the draws.
+/// @param progress   told of those done; may cancel.
 /// @return what became of them.
 /// @throws Cancelled  as progress says.
 [[nodiscard]] DrawsTaken take_draws(const DrawOptions& options,
@@ -90,20 +96,26 @@ struct DrawsTaken {
 
 /// Quantiles of what draws gave, one a row.
 struct Band {
-  std::vector<double> lower;
-  std::vector<double> upper;
+  std::vector<double> lower;  ///< (1 − P)/2 of them below
+  std::vector<double> upper;  ///< and above
 };
 
 /// The band of values of draws that did not fail.
-/// @param lower, upper  of each draw, one a row; the same where a draw has one value; empty where
-///                      it failed.
+/// @param lower       of each draw, one a row; empty where it failed.
+/// @param upper       the same where a draw has one value.
+/// @param confidence  P.
 /// @throws InputError  where all failed.
 [[nodiscard]] Band band_of(const std::vector<std::vector<double>>& lower,
                            const std::vector<std::vector<double>>& upper, double confidence);
+
+/// The same of draws that have one value each.
+/// @param values      of each draw, one a row; empty where it failed.
+/// @param confidence  P.
 [[nodiscard]] Band band_of(const std::vector<std::vector<double>>& values, double confidence);
 
 /// Comments of a table: how many draws, of which seed, between which quantiles, and what failed.
-/// @param what  is uncertain, as uncertain_text().
+/// @param taken  what became of them.
+/// @param what   is uncertain, as uncertain_text().
 [[nodiscard]] std::string draws_comment(const DrawsTaken& taken, const std::string& what);
 
 /// "samples of 'lap'; frequency_std; normal_load_std of 'lap'": what draws of a model vary.

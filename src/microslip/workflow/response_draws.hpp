@@ -19,13 +19,13 @@ namespace microslip {
 
 /// A peak of the curve, and where those of the draws lie.
 struct PeakSpread {
-  double frequency = 0.0;  ///< of the curve, Hz
-  double frequency_lower = 0.0;
-  double frequency_upper = 0.0;
-  double height = 0.0;  ///< of the curve: response, or, where that is kept, force, N
-  double height_lower = 0.0;
-  double height_upper = 0.0;
-  std::size_t draws = 0;  ///< that have the peak; the others do not count
+  double frequency = 0.0;        ///< of the curve, Hz
+  double frequency_lower = 0.0;  ///< of the draws, Hz
+  double frequency_upper = 0.0;  ///< likewise
+  double height = 0.0;           ///< of the curve: response, or, where that is kept, force, N
+  double height_lower = 0.0;     ///< of the draws
+  double height_upper = 0.0;     ///< likewise
+  std::size_t draws = 0;         ///< that have the peak; the others do not count
 };
 
 /// What draws of a model make of a curve over the frequency.
@@ -63,6 +63,10 @@ struct ResponseRange {
 ///                   need.
 /// @param reference  its curve, converged.
 /// @param range      that it was made for.
+/// @param draws      of the model.
+/// @param options    which of them, and the confidence.
+/// @param execution  of the draws.
+/// @param progress   told of those done; may cancel.
 /// @throws InputError  where all draws failed, or as DrawOptions::check().
 /// @throws Cancelled   as progress says.
 [[nodiscard]] ResponseSpread response_spread(
@@ -70,10 +74,15 @@ struct ResponseRange {
     const StructureDraws& draws, const DrawOptions& options,
     const Execution& execution = Execution::threads(), const Progress& progress = {});
 
-/// Comments of the table: a line a peak with its band. @param of_force  the height is a force.
+/// Comments of the table: a line a peak with its band.
+/// @param spread    with the peaks.
+/// @param of_force  the height is a force.
 [[nodiscard]] std::string peaks_comment(const ResponseSpread& spread, bool of_force);
 
-/// The table of the peaks, as text. @param of_force  as above. @param heading  its comments.
+/// The table of the peaks, as text.
+/// @param spread    with the peaks.
+/// @param of_force  the height is a force.
+/// @param heading   its comments.
 /// @throws InputError  where there is no peak.
 [[nodiscard]] std::string peaks_table(const ResponseSpread& spread, bool of_force,
                                       const std::string& heading);
