@@ -409,6 +409,7 @@ TEST(identify, WritesItsProvenance) {
                                             {"smoothing", "gcv"},
                                             {"linear_damping", "none"},
                                             {"atom", "none"},
+                                            {"edges", "sought"},
                                             {"bands", 20},
                                             {"dissipation_gain_std", 0},
                                             {"amplitude_gain_std", 0},
