@@ -15,11 +15,12 @@ namespace microslip {
 /// logarithm: a draw of v is v e^{σz}, z standard normal, so that none changes its sign and half of
 /// the draws lie above v. All z are independent. 0 or an empty list: certain.
 struct StructureSpread {
-  std::vector<double> frequency;    ///< of ω_i without the joints; one a mode or none
-  std::vector<double> loss_factor;  ///< of η_i; one a mode or none
-  std::vector<double> normal_load;  ///< of what scales a joint's slip forces; one a joint or none
-  std::vector<double> force_gain;   ///< of the reading of a force; one an excitation or none
-  double response_gain = 0.0;       ///< of the reading of the response
+  std::vector<double> frequency = {};    ///< of ω_i without the joints; one a mode or none
+  std::vector<double> loss_factor = {};  ///< of η_i; one a mode or none
+  /// Of what scales a joint's slip forces; one a joint or none.
+  std::vector<double> normal_load = {};
+  std::vector<double> force_gain = {};  ///< of the reading of a force; one an excitation or none
+  double response_gain = 0.0;           ///< of the reading of the response
 
   /// Whether anything is uncertain.
   [[nodiscard]] bool any() const;
