@@ -14,10 +14,6 @@
 namespace microslip::curve_heights_test {
 namespace {
 
-double height_of(const SteadyVibration& point, Quantity kept) {
-  return kept == Quantity::kForceAmplitude ? point.response : point.force_amplitude;
-}
-
 /// The largest miss of a coarse curve at the points of a fine one, over the highest.
 double largest_miss(const JointedStructure& structure, const Target& kept, double from, double to) {
   HarmonicBalanceOptions options{.harmonics = 3, .samples = 128, .accuracy = 0.0};

@@ -32,10 +32,13 @@ double monotone(double slope, double before, double after) {
 
 }  // namespace
 
+double height_of(const SteadyVibration& point, Quantity kept) {
+  return kept == Quantity::kForceAmplitude ? point.response : point.force_amplitude;
+}
+
 CurveHeights::CurveHeights(const ResponseCurve& curve, Quantity kept) {
   for (const SteadyVibration& point : curve.points) {
-    const double height =
-        kept == Quantity::kForceAmplitude ? point.response : point.force_amplitude;
+    const double height = height_of(point, kept);
     if (!std::isfinite(height) || !std::isfinite(point.angular_frequency)) continue;
     nodes_.push_back({point.angular_frequency, std::polar(height, -point.phase_lag)});
   }

@@ -9,10 +9,16 @@
 
 namespace microslip {
 
+/// How high a curve is at a point: the response where the force amplitude is kept, the force
+/// amplitude where the response is.
+/// @param point  of the curve.
+/// @param kept   one of the two.
+[[nodiscard]] double height_of(const SteadyVibration& point, Quantity kept);
+
 /// A curve over the frequency between its points: how high it is at any frequency, once for each
 /// branch that it has there.
 ///
-/// With h the height, the response where the force is kept and the force where the response is, and
+/// With h the height and
 /// φ its phase lag, ω and h e^{−iφ} are cubics of the length of the polygon between two points (Hermite, slopes by
 /// the neighbours): about a resonance h e^{−iφ} runs along a circle, which cubics follow, whatever
 /// its peak. ω is monotone between two points, and peaks and points where the curve turns back are

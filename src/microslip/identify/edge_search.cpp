@@ -65,6 +65,7 @@ class EdgeSearch {
       : levels_(levels),
         pass_(std::move(pass)),
         inner_(inner),
+        uniform_(levels.amplitude(0), pass_.top, pass_.exponent, pass_.coefficients),
         price_(kVeryStrong + 2.0 * std::log(static_cast<double>(pass_.coefficients))) {}
 
   /// With λ sought from a start on, in steps of a factor.
@@ -99,6 +100,7 @@ class EdgeSearch {
   const ScaledLevels& levels_;
   PassOptions pass_;
   InnerSolutions& inner_;
+  InversionBasis uniform_;  // without edges
   double price_;
 };
 
@@ -115,6 +117,7 @@ EdgedFit EdgeSearch::fit(std::vector<BasisEdge> edges, double trend, double star
   std::vector<bool> free(static_cast<std::size_t>(model.problem().size()), true);
   bool too_flexible = false;
   const auto improves = [&](double lambda) {
+    too_flexible = false;
     if (lambda > model.problem().stiffest()) return false;
     const SmoothingPoint point = model.problem().solve(lambda, free);
     inner_.add(point.solution);
@@ -154,9 +157,8 @@ EdgedFit EdgeSearch::bent(EdgedFit fit) {
 }
 
 bool EdgeSearch::has_room(const std::vector<BasisEdge>& edges) const {
-  const InversionBasis uniform(levels_.amplitude(0), pass_.top, 0.0, pass_.coefficients);
   const auto below = [&](double at) {
-    return (levels_.amplitude.array() < uniform.slip_force(at)).count();
+    return (levels_.amplitude.array() < uniform_.slip_force(at)).count();
   };
   int knot = 0;
   Eigen::Index levels = 0;

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
+#include "microslip/base/interpolation.hpp"
 #include "microslip/base/median.hpp"
 #include "microslip/identify/eigen_view.hpp"
 #include "microslip/observe/level_rows.hpp"
@@ -31,15 +33,10 @@ double unresolved_of(const ScaledLevels& levels, const Eigen::VectorXd& weights)
 
 /// Weights of the second differences at equally spaced knots, at other places.
 Eigen::VectorXd weights_at(const Eigen::VectorXd& middles, const Eigen::VectorXd& weights) {
-  const Eigen::Index last = weights.size() - 1;
-  Eigen::VectorXd at(middles.size());
-  for (Eigen::Index i = 0; i < middles.size(); ++i) {
-    const double place = std::clamp(middles(i) - 1.0, 0.0, static_cast<double>(last));
-    const auto left = std::min(static_cast<Eigen::Index>(place), last - 1);
-    const double share = place - static_cast<double>(left);
-    at(i) = weights(left) + share * (weights(left + 1) - weights(left));
-  }
-  return at;
+  std::vector<double> knots(static_cast<std::size_t>(weights.size()));
+  std::iota(knots.begin(), knots.end(), 1.0);
+  const std::vector<double> values(weights.begin(), weights.end());
+  return middles.unaryExpr([&](double at) { return interpolate(knots, values, at); });
 }
 
 }  // namespace

@@ -86,10 +86,14 @@ void PosteriorChain::gather_data(RandomStream& random) {
       linear_(j) = nearness_(j) * x_(j) + std::sqrt(nearness_(j)) * random.normal();
     }
   }
+  add_data(hessian_, linear_);
+}
+
+void PosteriorChain::add_data(Eigen::MatrixXd& hessian, Eigen::VectorXd& linear) const {
   for (std::size_t g = 0; g < scale_.size(); ++g) {
     const double precision = 1.0 / (scale_[g] * scale_[g]);
-    hessian_ += precision * information_[g];
-    linear_ += precision * projected_[g];
+    hessian += precision * information_[g];
+    linear += precision * projected_[g];
   }
 }
 
@@ -241,11 +245,7 @@ QuadraticProgram::Solution PosteriorChain::projected(RandomStream& random) const
   Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(x_.size(), x_.size());
   for (const Smoothing& smoothing : smoothing_) hessian += smoothing.lambda * smoothing.roughness;
   Eigen::VectorXd linear = Eigen::VectorXd::Zero(x_.size());
-  for (std::size_t g = 0; g < scale_.size(); ++g) {
-    const double precision = 1.0 / (scale_[g] * scale_[g]);
-    hessian += precision * information_[g];
-    linear += precision * projected_[g];
-  }
+  add_data(hessian, linear);
   Eigen::VectorXd noise(x_.size());
   for (double& value : noise) value = random.normal();
   linear += Eigen::LLT<Eigen::MatrixXd>(hessian).matrixL() * noise;

@@ -105,6 +105,7 @@ class PosteriorChain {
  private:
   void step(RandomStream& random, int most_reflections);
   void gather_data(RandomStream& random);
+  void add_data(Eigen::MatrixXd& hessian, Eigen::VectorXd& linear) const;
   /// λ and l of a block, and what they make of it.
   struct Smoothing {
     Eigen::Index begin;  // of its rows of L

@@ -106,6 +106,7 @@ class SmoothingProblem {
   Eigen::MatrixXd normal_ridged_;  // with a ridge at rounding level
   Eigen::MatrixXd roughness_;      // LᵀL
   Eigen::VectorXd linear_;         // WKᵀWd
+  double log_penalty_;             // ln det LLᵀ
   std::shared_ptr<LazySpectrum> spectrum_ = std::make_shared<LazySpectrum>();  // of all copies
 };
 

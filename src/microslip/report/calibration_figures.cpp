@@ -22,10 +22,20 @@ constexpr const char* kSlipForce = "slip force f*";
 constexpr const char* kDensity = "density φ";
 constexpr const char* kDisplacement = "displacement at the response point";
 constexpr const char* kMarksAndLines = "Marks are measured, lines found.";
+/// Of what curves are held against.
+constexpr Stroke kThinDashes = {.colour = kGrey, .style = LineStyle::kDashed, .width = 1.0};
 
 const LevelsOfModes& modes_of(const ExperimentResults& results) {
   if (!results.modal_levels) throw_missing("levels of modes", "the figure needs them");
   return *results.modal_levels;
+}
+
+/// Whether levels of modes have a column or another.
+bool has_either(const ExperimentResults& results, std::vector<double> LevelsOfModes::*one,
+                std::vector<double> LevelsOfModes::*other) {
+  if (!results.modal_levels) return false;
+  const LevelsOfModes& levels = *results.modal_levels;
+  return !(levels.*one).empty() || !(levels.*other).empty();
 }
 
 /// Beyond what the largest is elsewhere a density at its first knots is not shown whole: it may
@@ -91,10 +101,7 @@ std::vector<double> over(const std::vector<double>& a, const std::vector<double>
 /// A thin line at y over all displacements.
 LineLayer level_line(const LevelsOfModes& levels, double y, std::string legend = {}) {
   const auto [from, to] = std::ranges::minmax(levels.displacement);
-  return {{from, to},
-          {y, y},
-          std::move(legend),
-          {.colour = kGrey, .style = LineStyle::kDashed, .width = 1.0}};
+  return {{from, to}, {y, y}, std::move(legend), kThinDashes};
 }
 
 /// Frequencies that a mode is shown over, and its offset.
@@ -156,23 +163,19 @@ bool has_told(const ExperimentResults& results) {
 }
 
 bool has_modal_losses(const ExperimentResults& results) {
-  return results.modal_levels && (!results.modal_levels->measured_dissipation.empty() ||
-                                  !results.modal_levels->dissipation.empty());
+  return has_either(results, &LevelsOfModes::measured_dissipation, &LevelsOfModes::dissipation);
 }
 
 bool has_modal_damping(const ExperimentResults& results) {
-  return results.modal_levels && (!results.modal_levels->measured_damping_ratio.empty() ||
-                                  !results.modal_levels->damping_ratio.empty());
+  return has_either(results, &LevelsOfModes::measured_damping_ratio, &LevelsOfModes::damping_ratio);
 }
 
 bool has_modal_frequencies(const ExperimentResults& results) {
-  return results.modal_levels && (!results.modal_levels->measured_frequency.empty() ||
-                                  !results.modal_levels->frequency.empty());
+  return has_either(results, &LevelsOfModes::measured_frequency, &LevelsOfModes::frequency);
 }
 
 bool has_modal_residuals(const ExperimentResults& results) {
-  return results.modal_levels && (!results.modal_levels->residual.empty() ||
-                                  !results.modal_levels->frequency_residual.empty());
+  return has_either(results, &LevelsOfModes::residual, &LevelsOfModes::frequency_residual);
 }
 
 bool has_joint_amplitudes(const ExperimentResults& results) {
@@ -233,13 +236,10 @@ Figure told_figure(const ExperimentResults& results) {
     }
   }
   if (figure.layers.empty()) throw_missing("shares told", "the figure needs identifiability.csv");
-  figure.layers.emplace_back(
-      LineLayer{{std::max(from, kDecades * to), to},
-                {kTold, kTold},
-                "half",
-                {.colour = kGrey, .style = LineStyle::kDashed, .width = 1.0}});
+  from = std::max(from, kDecades * to);
+  figure.layers.emplace_back(LineLayer{{from, to}, {kTold, kTold}, "half", kThinDashes});
   check_figure(figure);
-  figure.x.range = AxisRange{std::max(from, kDecades * to), 1.1 * to};
+  figure.x.range = AxisRange{from, 1.1 * to};
   figure.y.range = AxisRange{0.0, 1.05};
   show_x(figure, kSlipForce, "N");
   show_y(figure, "share told", "1");
@@ -303,7 +303,7 @@ Figure modal_damping_figure(const ExperimentResults& results, const FigureOption
   if (!levels.damping_ratio.empty()) {
     figure.caption += levels.measured_damping_ratio.empty()
                           ? " As found: what was measured is the loss of the joints."
-                          : " Marks are measured, lines found.";
+                          : std::string(" ") + kMarksAndLines;
   }
   show_y(figure, "damping ratio ζ", "%");
   figure.y.log_switch = true;
@@ -335,7 +335,7 @@ Figure modal_frequency_figure(const ExperimentResults& results, const FigureOpti
   figure.title = "Frequency";
   figure.caption = "Over that of the lowest level of each mode, less 1.";
   if (!found.empty()) {
-    figure.caption += absolute ? " Marks are measured, lines found."
+    figure.caption += absolute ? std::string(" ") + kMarksAndLines
                                : " Marks are measured, less the mean offset of their mode; lines "
                                  "found.";
   }

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "microslip/io/joint_file.hpp"
+#include "microslip/workflow/record_entries.hpp"
 
 namespace microslip {
 namespace {
@@ -45,46 +48,31 @@ void add_joint_columns(CsvWriter& table, const CalibrationResult& found, std::si
          [](const JointAtLevel& at) { return at.dissipation.upper; });
 }
 
-void add_warnings_to(NamedValues& record, const std::vector<Warning>& warnings) {
-  std::vector<std::string> codes;
-  std::vector<std::string> texts;
-  for (const Warning& warning : warnings) {
-    codes.push_back(warning.code);
-    texts.push_back(warning.text);
-  }
-  record.emplace_back("warnings", list_of_texts(codes));
-  record.emplace_back("warning_texts", list_of_texts(texts));
+/// One value or text of each.
+template <typename Item, typename Read>
+auto of_each(const std::vector<Item>& items, const Read& read) {
+  std::vector<std::decay_t<std::invoke_result_t<Read, const Item&>>> values;
+  for (const Item& item : items) values.push_back(std::invoke(read, item));
+  return values;
 }
 
 /// Joint by joint, in the order of `joint`.
 void add_joints_to(NamedValues& record, const CalibrationResult& found) {
-  std::vector<std::string> names;
-  std::vector<double> stiffness;
-  std::vector<double> lower;
-  std::vector<double> upper;
-  std::vector<double> slipping;
-  std::vector<double> freedom;
-  std::vector<double> covered_from;
-  std::vector<double> covered_to;
-  for (const CalibratedJoint& joint : found.joints) {
-    const double k = joint.joint.stiffness();
-    names.push_back(joint.name);
-    stiffness.push_back(joint.stiffness.mean);
-    lower.push_back(joint.stiffness.lower);
-    upper.push_back(joint.stiffness.upper);
-    slipping.push_back(1.0 - joint.joint.density().elastic_remainder());
-    freedom.push_back(joint.edf);
-    covered_from.push_back(k * joint.least_amplitude);
-    covered_to.push_back(k * joint.largest_amplitude);
-  }
-  record.emplace_back("joint", list_of_texts(names));
-  record.emplace_back("stiffness_N_per_m", std::move(stiffness));
-  record.emplace_back("stiffness_lower_N_per_m", std::move(lower));
-  record.emplace_back("stiffness_upper_N_per_m", std::move(upper));
-  record.emplace_back("slipping_share", std::move(slipping));
-  record.emplace_back("degrees_of_freedom", std::move(freedom));
-  record.emplace_back("covered_from_N", std::move(covered_from));
-  record.emplace_back("covered_to_N", std::move(covered_to));
+  using Joint = CalibratedJoint;
+  const auto add = [&](const char* key, const auto& read) {
+    record.emplace_back(key, of_each(found.joints, read));
+  };
+  record.emplace_back("joint", list_of_texts(of_each(found.joints, &Joint::name)));
+  add("stiffness_N_per_m", [](const Joint& joint) { return joint.stiffness.mean; });
+  add("stiffness_lower_N_per_m", [](const Joint& joint) { return joint.stiffness.lower; });
+  add("stiffness_upper_N_per_m", [](const Joint& joint) { return joint.stiffness.upper; });
+  add("slipping_share",
+      [](const Joint& joint) { return 1.0 - joint.joint.density().elastic_remainder(); });
+  add("degrees_of_freedom", &Joint::edf);
+  add("covered_from_N",
+      [](const Joint& joint) { return joint.joint.stiffness() * joint.least_amplitude; });
+  add("covered_to_N",
+      [](const Joint& joint) { return joint.joint.stiffness() * joint.largest_amplitude; });
 }
 
 /// Modes without frequencies are left out.
@@ -102,29 +90,19 @@ void add_offsets_to(NamedValues& record, const CalibrationResult& found) {
 
 /// Pair by pair, and the group that is known in sum alone.
 void add_pairs_to(NamedValues& record, const CalibrationResult& found) {
-  std::vector<std::string> first;
-  std::vector<std::string> second;
-  std::vector<double> correlation;
-  std::vector<double> alone;
-  std::vector<double> together;
-  std::vector<std::string> verdict;
-  for (const JointPair& pair : found.pairs) {
-    first.push_back(found.joints[pair.first].name);
-    second.push_back(found.joints[pair.second].name);
-    correlation.push_back(pair.correlation);
-    alone.push_back(pair.spread_alone);
-    together.push_back(pair.spread_together);
-    verdict.emplace_back(pair.known_only_together ? "known_only_together" : "told_apart");
-  }
-  record.emplace_back("pair_first", list_of_texts(first));
-  record.emplace_back("pair_second", list_of_texts(second));
-  record.emplace_back("pair_correlation", std::move(correlation));
-  record.emplace_back("pair_spread_alone", std::move(alone));
-  record.emplace_back("pair_spread_together", std::move(together));
-  record.emplace_back("pair_verdict", list_of_texts(verdict));
-  std::vector<std::string> in_sum;
-  for (const std::size_t joint : found.known_in_sum) in_sum.push_back(found.joints[joint].name);
-  record.emplace_back("known_in_sum", list_of_texts(in_sum));
+  const auto add_texts = [&](const char* key, const auto& items, const auto& read) {
+    record.emplace_back(key, list_of_texts(of_each(items, read)));
+  };
+  const auto name = [&](std::size_t joint) { return found.joints[joint].name; };
+  add_texts("pair_first", found.pairs, [&](const JointPair& pair) { return name(pair.first); });
+  add_texts("pair_second", found.pairs, [&](const JointPair& pair) { return name(pair.second); });
+  record.emplace_back("pair_correlation", of_each(found.pairs, &JointPair::correlation));
+  record.emplace_back("pair_spread_alone", of_each(found.pairs, &JointPair::spread_alone));
+  record.emplace_back("pair_spread_together", of_each(found.pairs, &JointPair::spread_together));
+  add_texts("pair_verdict", found.pairs, [](const JointPair& pair) {
+    return std::string(pair.known_only_together ? "known_only_together" : "told_apart");
+  });
+  add_texts("known_in_sum", found.known_in_sum, name);
 }
 
 }  // namespace
@@ -144,7 +122,7 @@ NamedValues record_of_calibration(const CalibrationResult& found) {
   add_joints_to(record, found);
   add_offsets_to(record, found);
   add_pairs_to(record, found);
-  add_warnings_to(record, found.warnings);
+  add_warnings(found.warnings, record);
   return record;
 }
 
@@ -240,7 +218,7 @@ NamedValues record_of_calibration(const CalibrationResult& found, const Calibrat
   record.emplace_back("told", joint.told);
   record.emplace_back("reference_exponent", joint.exponent);
   record.emplace_back("degrees_of_freedom", joint.edf);
-  add_warnings_to(record, found.warnings);
+  add_warnings(found.warnings, record);
   return record;
 }
 

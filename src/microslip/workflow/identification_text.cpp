@@ -14,6 +14,7 @@
 #include "microslip/io/density_file.hpp"
 #include "microslip/io/joint_file.hpp"
 #include "microslip/workflow/provenance.hpp"
+#include "microslip/workflow/record_entries.hpp"
 #include "microslip/workflow/summary_text.hpp"
 
 namespace microslip {
@@ -181,12 +182,6 @@ std::string describe_density(const Identification& found) {
     text += "\n";
   }
   return text;
-}
-
-JsonText list_of(const std::vector<Warning>& warnings, std::string Warning::*member) {
-  std::vector<std::string> texts;
-  for (const Warning& warning : warnings) texts.push_back(warning.*member);
-  return list_of_texts(texts);
 }
 
 /// Of the joint that the file holds, whatever found it.
@@ -453,8 +448,7 @@ NamedValues record_of_identification(const Identification& found) {
   add_level_verdicts(found, record);
   if (found.records()) add_records(found, record);
   if (found.bands()) add_bands(found, record);
-  record.emplace_back("warnings", list_of(found.warnings, &Warning::code));
-  record.emplace_back("warning_texts", list_of(found.warnings, &Warning::text));
+  add_warnings(found.warnings, record);
   return record;
 }
 

@@ -6,11 +6,12 @@
 #include <string_view>
 #include <vector>
 
+#include "microslip/base/summary.hpp"
 #include "microslip/io/named_values.hpp"
 
 /// @file
-/// What a record of joint.json, its identification or its options, holds under a name. What is of
-/// another kind counts as missing.
+/// What a record of joint.json or calibration.json, its results or its options, holds under a
+/// name. What is of another kind counts as missing.
 
 namespace microslip {
 
@@ -23,5 +24,8 @@ namespace microslip {
 
 /// A JSON list of texts; empty where there is none.
 [[nodiscard]] std::vector<std::string> texts_in(const NamedValues& record, std::string_view name);
+
+/// Adds what must be known of a result: "warnings", their codes, and "warning_texts".
+void add_warnings(const std::vector<Warning>& warnings, NamedValues& record);
 
 }  // namespace microslip

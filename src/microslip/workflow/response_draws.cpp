@@ -20,10 +20,6 @@ namespace {
 /// Of a draw: what limits a band is neither.
 constexpr double kDrawTolerance = 1e-8;
 
-double height_of(const SteadyVibration& point, Quantity kept) {
-  return kept == Quantity::kForceAmplitude ? point.response : point.force_amplitude;
-}
-
 /// A point of the reference: the branch that it lies on, of those at its frequency.
 struct Station {
   double angular_frequency;
