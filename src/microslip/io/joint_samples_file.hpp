@@ -19,20 +19,20 @@ namespace microslip {
 /// and ψ(x*) = k²φ(kx*) between them linear, draw i is the joint of stiffness k_i and density
 /// φ(f*) = ψ_i(f*/k_i)/k_i², with an atom where there is one.
 struct JointSamples {
-  std::string method;      ///< that drew them
-  std::uint64_t seed = 0;  ///< of the random numbers
+  std::string method = {};  ///< that drew them
+  std::uint64_t seed = 0;   ///< of the random numbers
 
-  std::vector<double> slip_displacement;  ///< knots x*, m; rising, ≥ 0; two or more
-  std::vector<double> stiffness_density;  ///< ψ, N/m per m; draws × knots, draw by draw; ≥ 0
-  std::vector<double> stiffness;          ///< k of each draw, N/m; > 0
+  std::vector<double> slip_displacement = {};  ///< knots x*, m; rising, ≥ 0; two or more
+  std::vector<double> stiffness_density = {};  ///< ψ, N/m per m; draws × knots, draw by draw; ≥ 0
+  std::vector<double> stiffness = {};          ///< k of each draw, N/m; > 0
 
-  std::optional<double> atom_slip_displacement;  ///< m; > 0; nothing without an atom
-  std::vector<double> atom_weight;               ///< of each draw, share of k; empty without one
+  std::optional<double> atom_slip_displacement = {};  ///< m; > 0; nothing without an atom
+  std::vector<double> atom_weight = {};  ///< of each draw, share of k; empty without one
 
-  std::vector<double> linear_damping;  ///< β of each draw, J/m²; ≥ 0; empty where not sought
-  std::vector<double> viscous;         ///< c of each draw, N s/m; ≥ 0; empty where not sought
+  std::vector<double> linear_damping = {};  ///< β of each draw, J/m²; ≥ 0; empty where not sought
+  std::vector<double> viscous = {};  ///< c of each draw, N s/m; ≥ 0; empty where not sought
 
-  std::optional<Provenance> provenance;  ///< how they came to be
+  std::optional<Provenance> provenance = {};  ///< how they came to be
 
   /// How many there are.
   [[nodiscard]] std::size_t size() const { return stiffness.size(); }
