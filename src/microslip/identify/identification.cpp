@@ -66,10 +66,7 @@ Identification by_inversion(const LevelEvidence& evidence, double stiffness,
                             const IdentificationOptions& options) {
   InvertedDensity inverted{invert(evidence, stiffness, options.inversion)};
   const InversionResult& result = inverted.result;
-  std::optional<std::pair<double, double>> atom;
-  if (result.atom_slip_force) atom.emplace(*result.atom_slip_force, result.atom_weight);
-  Identification found(options.method,
-                       joint_of(stiffness, result.slip_force, result.density, atom));
+  Identification found(options.method, joint_of(result, stiffness));
   found.slip_force = result.slip_force;
   found.density = result.density;
   found.linear_damping = result.linear_damping;
@@ -198,6 +195,12 @@ std::vector<Warning> warnings_of_table(const JointEvidence& evidence, std::size_
 }
 
 }  // namespace
+
+Joint joint_of(const InversionResult& result, double stiffness) {
+  std::optional<std::pair<double, double>> atom;
+  if (result.atom_slip_force) atom.emplace(*result.atom_slip_force, result.atom_weight);
+  return joint_of(stiffness, result.slip_force, result.density, atom);
+}
 
 std::string_view to_string(IdentificationMethod method) {
   switch (method) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "microslip/base/execution.hpp"
@@ -23,6 +24,23 @@ struct BackboneSpread {
   DrawsTaken taken;               ///< what became of the draws
   std::vector<Warning> warnings;  ///< what must be known of the bands
 };
+
+/// What one draw makes of a backbone, one value a point of the reference.
+struct DrawnBackbone {
+  std::string failure = {};                ///< why there is none; empty where there is
+  std::vector<double> force = {};          ///< N
+  std::vector<double> frequency = {};      ///< Hz
+  std::vector<double> damping_ratio = {};  ///< 1
+};
+
+/// Resonances of a draw, as backbone_spread() takes them.
+/// @param balance, reference, responses, mode  as there.
+/// @param drawn  a structure as it may be.
+/// @throws InputError  as HarmonicBalance of it.
+[[nodiscard]] DrawnBackbone drawn_backbone(const HarmonicBalance& balance,
+                                           const ResponseCurve& reference,
+                                           const std::vector<double>& responses, std::size_t mode,
+                                           StructureDraw drawn);
 
 /// Resonances of each draw at the responses of the reference, as they are read. A draw fails where
 /// its curve does not have them all, or turns back so that it has other rows.

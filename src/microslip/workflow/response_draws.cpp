@@ -20,12 +20,7 @@ namespace {
 /// Of a draw: what limits a band is neither.
 constexpr double kDrawTolerance = 1e-8;
 
-/// A point of the reference: the branch that it lies on, of those at its frequency.
-struct Station {
-  double angular_frequency;
-  std::size_t branch;  ///< from below
-  std::size_t branches;
-};
+using Station = ResponseOfDraws::Station;
 
 std::vector<Station> stations_of(const ResponseCurve& reference, Quantity kept) {
   const CurveHeights heights(reference, kept);
@@ -68,85 +63,6 @@ std::size_t next_peak(const ResponseCurve& reference, double angular_frequency) 
   });
   return static_cast<std::size_t>(next - reference.peaks.begin());
 }
-
-class Draws {
- public:
-  Draws(const HarmonicBalance& balance, const ResponseCurve& reference, const ResponseRange& range,
-        const StructureDraws& draws, std::size_t count)
-      : balance_(balance),
-        reference_(reference),
-        range_(range),
-        draws_(draws),
-        options_(options_of_draws(balance.options())),
-        stations_(stations_of(reference, range.kept.quantity)),
-        lower(count),
-        upper(count) {
-    const std::vector<double> none(count, std::numeric_limits<double>::quiet_NaN());
-    peak_frequency.assign(reference.peaks.size(), none);
-    peak_height.assign(reference.peaks.size(), none);
-  }
-
-  /// Fills what belongs to draw i; why it failed, or nothing.
-  std::string take(std::size_t i) {
-    StructureDraw drawn = draws_.draw(i);
-    const bool of_force = range_.kept.quantity == Quantity::kResponse;
-    const double gain = of_force ? 1.0 : drawn.response_gain;  // of the heights
-    Target kept = range_.kept;
-    if (of_force) kept.value /= drawn.response_gain;
-    const HarmonicBalance balance(std::move(drawn.structure), balance_.response(), options_);
-    const ResponseCurve curve =
-        balance.follow(kept, Quantity::kAngularFrequency, range_.from, range_.to);
-    if (!curve.summary.converged()) return curve.summary.reason;
-    if (!add_heights(i, CurveHeights(curve, kept.quantity), gain)) {
-      return "its curve does not have all frequencies of the reference";
-    }
-    add_peaks(i, curve, gain);
-    return "";
-  }
-
- private:
-  bool add_heights(std::size_t i, const CurveHeights& heights, double gain) {
-    std::vector<double> low;
-    std::vector<double> high;
-    for (const Station& station : stations_) {
-      const std::vector<double> here = heights.at(station.angular_frequency);
-      if (here.empty()) return false;
-      const auto [least, most] = meant(station, here);
-      low.push_back(gain * least);
-      high.push_back(gain * most);
-    }
-    lower[i] = std::move(low);
-    upper[i] = std::move(high);
-    return true;
-  }
-
-  void add_peaks(std::size_t i, const ResponseCurve& curve, double gain) {
-    if (reference_.peaks.empty()) return;
-    const bool of_force = range_.kept.quantity == Quantity::kResponse;
-    for (const SteadyVibration& peak : curve.peaks) {
-      const std::size_t p = next_peak(reference_, peak.angular_frequency);
-      const double height = gain * height_of(peak, range_.kept.quantity);
-      double& known = peak_height[p][i];
-      const bool less = of_force ? height >= known : height <= known;
-      if (!std::isnan(known) && less) continue;
-      known = height;
-      peak_frequency[p][i] = peak.frequency();
-    }
-  }
-
-  const HarmonicBalance& balance_;
-  const ResponseCurve& reference_;
-  const ResponseRange& range_;
-  const StructureDraws& draws_;
-  HarmonicBalanceOptions options_;
-  std::vector<Station> stations_;
-
- public:
-  std::vector<std::vector<double>> lower;  ///< [draw][point]
-  std::vector<std::vector<double>> upper;
-  std::vector<std::vector<double>> peak_frequency;  ///< [peak][draw]
-  std::vector<std::vector<double>> peak_height;
-};
 
 std::vector<double> numbers_of(const std::vector<double>& values) {
   std::vector<double> numbers;
@@ -194,23 +110,93 @@ std::string_view unit_of_height(bool of_force) { return of_force ? "N" : "m"; }
 
 }  // namespace
 
+ResponseOfDraws::ResponseOfDraws(const HarmonicBalance& balance, const ResponseCurve& reference,
+                                 const ResponseRange& range)
+    : balance_(balance),
+      reference_(reference),
+      range_(range),
+      options_(options_of_draws(balance.options())),
+      stations_(stations_of(reference, range.kept.quantity)) {}
+
+DrawnResponse ResponseOfDraws::of(StructureDraw drawn) const {
+  const bool of_force = range_.kept.quantity == Quantity::kResponse;
+  const double gain = of_force ? 1.0 : drawn.response_gain;  // of the heights
+  Target kept = range_.kept;
+  if (of_force) kept.value /= drawn.response_gain;
+  const HarmonicBalance balance(std::move(drawn.structure), balance_.response(), options_);
+  const ResponseCurve curve =
+      balance.follow(kept, Quantity::kAngularFrequency, range_.from, range_.to);
+  if (!curve.summary.converged()) return {.failure = curve.summary.reason};
+  DrawnResponse response;
+  if (!add_heights(CurveHeights(curve, kept.quantity), gain, response)) {
+    return {.failure = "its curve does not have all frequencies of the reference"};
+  }
+  add_peaks(curve, gain, response);
+  return response;
+}
+
+bool ResponseOfDraws::add_heights(const CurveHeights& heights, double gain,
+                                  DrawnResponse& response) const {
+  for (const Station& station : stations_) {
+    const std::vector<double> here = heights.at(station.angular_frequency);
+    if (here.empty()) return false;
+    const auto [least, most] = meant(station, here);
+    response.lower.push_back(gain * least);
+    response.upper.push_back(gain * most);
+  }
+  return true;
+}
+
+void ResponseOfDraws::add_peaks(const ResponseCurve& curve, double gain,
+                                DrawnResponse& response) const {
+  const std::size_t count = reference_.peaks.size();
+  response.peak_frequency.assign(count, std::numeric_limits<double>::quiet_NaN());
+  response.peak_height = response.peak_frequency;
+  if (count == 0) return;
+  const bool of_force = range_.kept.quantity == Quantity::kResponse;
+  for (const SteadyVibration& peak : curve.peaks) {
+    const std::size_t p = next_peak(reference_, peak.angular_frequency);
+    const double height = gain * height_of(peak, range_.kept.quantity);
+    double& known = response.peak_height[p];
+    const bool less = of_force ? height >= known : height <= known;
+    if (!std::isnan(known) && less) continue;
+    known = height;
+    response.peak_frequency[p] = peak.frequency();
+  }
+}
+
 ResponseSpread response_spread(const HarmonicBalance& balance, const ResponseCurve& reference,
                                const ResponseRange& range, const StructureDraws& draws,
                                const DrawOptions& options, const Execution& execution,
                                const Progress& progress) {
   options.check();
-  Draws work(balance, reference, range, draws, options.count);
+  const ResponseOfDraws prediction(balance, reference, range);
+  using Rows = std::vector<std::vector<double>>;
+  Rows lower(options.count);  // [draw][point]
+  Rows upper(options.count);
   ResponseSpread spread;
-  spread.taken = take_draws(
-      options, [&](std::size_t i) { return work.take(i); }, execution, progress);
-  spread.band = band_of(work.lower, work.upper, options.confidence);
+  spread.peak_frequency.assign(
+      reference.peaks.size(),
+      std::vector<double>(options.count, std::numeric_limits<double>::quiet_NaN()));
+  spread.peak_height = spread.peak_frequency;
+  const auto take = [&](std::size_t i) {
+    DrawnResponse drawn = prediction.of(draws.draw(i));
+    if (!drawn.failure.empty()) return drawn.failure;
+    lower[i] = std::move(drawn.lower);
+    upper[i] = std::move(drawn.upper);
+    for (std::size_t p = 0; p < reference.peaks.size(); ++p) {
+      spread.peak_frequency[p][i] = drawn.peak_frequency[p];
+      spread.peak_height[p][i] = drawn.peak_height[p];
+    }
+    return std::string();
+  };
+  spread.taken = take_draws(options, take, execution, progress);
+  spread.band = band_of(lower, upper, options.confidence);
   for (std::size_t p = 0; p < reference.peaks.size(); ++p) {
     spread.peaks.push_back(peak_spread(reference.peaks[p], range.kept.quantity,
-                                       work.peak_frequency[p], work.peak_height[p],
+                                       spread.peak_frequency[p], spread.peak_height[p],
                                        options.confidence));
   }
-  spread.peak_frequency = std::move(work.peak_frequency);
-  spread.peak_height = std::move(work.peak_height);
   spread.warnings = draw_warnings(spread.taken);
   add_peak_warnings(spread);
   return spread;

@@ -7,6 +7,7 @@
 
 #include "microslip/base/execution.hpp"
 #include "microslip/base/progress.hpp"
+#include "microslip/dynamics/curve_heights.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/dynamics/structure_draws.hpp"
 #include "microslip/workflow/model_draws.hpp"
@@ -44,6 +45,46 @@ struct ResponseRange {
   Target kept;        ///< force amplitude or response, as they are read
   double from = 0.0;  ///< rad/s
   double to = 0.0;    ///< rad/s
+};
+
+/// What one draw makes of a curve over the frequency.
+struct DrawnResponse {
+  std::string failure = {};  ///< why there is none; empty where there is
+  /// Least and largest height that may be meant at each point of the reference, as
+  /// response_spread() says; equal where the draw has as many branches there.
+  std::vector<double> lower = {};
+  std::vector<double> upper = {};           ///< likewise
+  std::vector<double> peak_frequency = {};  ///< of each peak of the reference, Hz; NaN without
+  std::vector<double> peak_height = {};     ///< likewise
+};
+
+/// Curves of draws at the points of a reference. Several threads may ask at once.
+class ResponseOfDraws {
+ public:
+  /// As response_spread(); all of them must outlive it.
+  ResponseOfDraws(const HarmonicBalance& balance, const ResponseCurve& reference,
+                  const ResponseRange& range);
+
+  /// @param drawn  a structure as it may be. @throws InputError  as HarmonicBalance of it.
+  [[nodiscard]] DrawnResponse of(StructureDraw drawn) const;
+
+  /// A point of the reference: the branch that it lies on, of those at its frequency.
+  struct Station {
+    double angular_frequency = 0.0;  ///< rad/s
+    std::size_t branch = 0;          ///< from below
+    std::size_t branches = 0;        ///< how many there are
+  };
+
+ private:
+  [[nodiscard]] bool add_heights(const CurveHeights& heights, double gain,
+                                 DrawnResponse& response) const;
+  void add_peaks(const ResponseCurve& curve, double gain, DrawnResponse& response) const;
+
+  const HarmonicBalance& balance_;
+  const ResponseCurve& reference_;
+  const ResponseRange& range_;
+  HarmonicBalanceOptions options_;
+  std::vector<Station> stations_;
 };
 
 /// Follows the curve of each draw and tells, at the frequency of each point of the reference, between
