@@ -33,6 +33,7 @@ constexpr std::array kTableKinds{
     TableKind{kHarmonicsKind, {"source", "harmonic", "frequency"}},
     TableKind{kForceControlKind, {"level", "force_before", "force_after"}},
     TableKind{kDissipationKind, {"amplitude", "dissipation", "loss_factor"}},
+    TableKind{kEnsembleTableKind, {"group", "output", "unit"}},
     TableKind{kLevelsKind, {"amplitude", "dissipation"}},
     TableKind{kDampingLevelsKind, {"amplitude", "damping_ratio", "decay_time"}},
     TableKind{kDensityKind, {"slip_force", "density"}},
@@ -143,8 +144,11 @@ std::string file_kind(std::string_view head) {
     if (!schema.empty()) return std::string(schema);
   }
   if (name == "an HTML page" && is_report(head)) return std::string(kReportKind);
-  if (name == "an HDF5 file" && head.find(kSamplesKind) != std::string_view::npos) {
-    return std::string(kSamplesKind);
+  if (head.starts_with(kJournalKind)) return std::string(kJournalKind);
+  for (const std::string_view schema : {kSamplesKind, kEnsembleKind}) {
+    if (name == "an HDF5 file" && head.find(schema) != std::string_view::npos) {
+      return std::string(schema);
+    }
   }
   if (!name.empty()) return std::string(name);
   if (const std::string_view schema = toml_schema(head); !schema.empty())

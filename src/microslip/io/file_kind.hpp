@@ -10,6 +10,14 @@ namespace microslip {
 inline constexpr std::string_view kJointKind = "microslip.joint/1";  ///< joint.json
 /// joint_samples.h5
 inline constexpr std::string_view kSamplesKind = "microslip.joint_samples/1";
+/// plan of an ensemble
+inline constexpr std::string_view kEnsemblePlanKind = "microslip.ensemble/1";
+/// of add_ensemble_result()
+inline constexpr std::string_view kEnsembleKind = "microslip.ensemble_result/1";
+/// of JournalWriter
+inline constexpr std::string_view kJournalKind = "microslip.journal/1";
+/// of ensemble_table() and sweep_table()
+inline constexpr std::string_view kEnsembleTableKind = "a table of an ensemble";
 inline constexpr std::string_view kRigKind = "microslip.rig/1";       ///< rig.toml
 inline constexpr std::string_view kModelKind = "microslip.model/1";   ///< model.toml
 inline constexpr std::string_view kLevelsKind = "a table of levels";  ///< levels.csv
