@@ -135,6 +135,11 @@ if(TARGET microslip_cli)
     PATTERN "words.txt" EXCLUDE)
 endif()
 
+# What needs MPI, by itself: nobody has to install that for the rest.
+if(TARGET microslip_mpi)
+  install(TARGETS microslip_mpi RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT mpi)
+endif()
+
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT plain)
 foreach(library IN ITEMS plotly uplot) # part of the library, and of each report
   install(

@@ -3,10 +3,13 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
+
+#include "microslip/ensemble/team.hpp"
 
 /// @file
 /// What the subcommands share. Each lives in a file of its own, adds itself to the program by one
@@ -52,10 +55,23 @@ struct Call {
   std::string command_line;  ///< as typed, quoted where a shell would need it
   bool quiet = false;
   std::function<int()> run;  ///< set by the subcommand that was chosen; gives the exit status
+  /// Who does the blocks of an ensemble. @param threads  as many at most; 0: as is usual.
+  std::function<std::unique_ptr<Team>(std::size_t threads)> make_team = make_local_team;
+
+  /// This process alone.
+  [[nodiscard]] static std::unique_ptr<Team> make_local_team(std::size_t threads);
 };
 
 /// The program with all of its subcommands. Both must live until the call has run.
 [[nodiscard]] std::unique_ptr<CLI::App> make_program(Call& call);
+
+/// The program of a cluster, which has the subcommands that share their work alone.
+[[nodiscard]] std::unique_ptr<CLI::App> make_cluster_program(Call& call);
+
+/// What main() does: parses the command line, runs the subcommand and tells what went wrong.
+/// @param make  make_program() or make_cluster_program(). @return the exit status.
+[[nodiscard]] int run_program(int argc, char** argv, Call& call,
+                              std::unique_ptr<CLI::App> (*make)(Call& call));
 
 void add_measure(CLI::App& program, Call& call);
 void add_reduce(CLI::App& program, Call& call);
@@ -74,6 +90,7 @@ void add_verify(CLI::App& program, Call& call);
 void add_report(CLI::App& program, Call& call);
 void add_plot(CLI::App& program, Call& call);
 void add_demo(CLI::App& program, Call& call);
+void add_ensemble(CLI::App& program, Call& call);
 
 /// An example at the end of a subcommand's help.
 void add_examples(CLI::App& command, const std::vector<std::string>& lines);

@@ -15,6 +15,10 @@ constexpr const char* kDescription =
     "Identifies the friction model of a jointed structure from the energy it dissipates per\n"
     "cycle, and simulates the joint. All numbers are SI unless a unit is given.";
 
+constexpr const char* kClusterDescription =
+    "The part of microslip that shares its work among the ranks of an MPI cluster:\n"
+    "`mpirun -n 64 microslip-mpi ensemble plan.toml --out result.h5`.";
+
 std::string exit_status_text() {
   std::string text = "Exit status:\n";
   for (const ExitStatusText& line : kExitStatusTexts) {
@@ -23,14 +27,29 @@ std::string exit_status_text() {
   return text;
 }
 
-}  // namespace
-
-std::unique_ptr<CLI::App> make_program(Call& call) {
-  auto program = std::make_unique<CLI::App>(kDescription, "microslip");
-  program->set_version_flag("--version", "microslip " + std::string(kVersion));
+std::unique_ptr<CLI::App> empty_program(const char* description, const std::string& name) {
+  auto program = std::make_unique<CLI::App>(description, name);
+  program->set_version_flag("--version", name + " " + std::string(kVersion));
   program->require_subcommand(1);
   program->formatter(make_help_formatter(help_width()));
   program->footer(exit_status_text());
+  return program;
+}
+
+}  // namespace
+
+std::unique_ptr<Team> Call::make_local_team(std::size_t threads) {
+  return std::make_unique<LocalTeam>(Execution::threads(threads));
+}
+
+std::unique_ptr<CLI::App> make_cluster_program(Call& call) {
+  std::unique_ptr<CLI::App> program = empty_program(kClusterDescription, "microslip-mpi");
+  add_ensemble(*program, call);
+  return program;
+}
+
+std::unique_ptr<CLI::App> make_program(Call& call) {
+  std::unique_ptr<CLI::App> program = empty_program(kDescription, "microslip");
   add_measure(*program, call);
   add_reduce(*program, call);
   add_levels(*program, call);
@@ -41,6 +60,7 @@ std::unique_ptr<CLI::App> make_program(Call& call) {
   add_frf(*program, call);
   add_backbone(*program, call);
   add_march(*program, call);
+  add_ensemble(*program, call);
   add_loop(*program, call);
   add_dissipation(*program, call);
   add_report(*program, call);

@@ -9,7 +9,7 @@ file(
   GLOB folders
   RELATIVE "${ROOT}"
   "${ROOT}/src/microslip/*")
-foreach(folder IN LISTS folders ITEMS apps/microslip bench tests)
+foreach(folder IN LISTS folders ITEMS apps/microslip apps/microslip-mpi bench tests)
   if(NOT EXISTS "${ROOT}/${folder}/CMakeLists.txt")
     continue()
   endif()

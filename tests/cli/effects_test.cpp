@@ -298,6 +298,11 @@ const Files& inputs() {
     all["joint400.json"] = edited(all.at("joint.json"), "1.7e5 -> 4e5");
     all["modes400.toml"] = edited(all.at("modes.toml"), "5.08e5 -> 4e5");
     all["atom_levels.csv"] = atom_levels();
+    all["atom_plan.toml"] =
+        edited(edited(all.at("bootstrap.toml"), "\"levels.csv\" -> \"atom_levels.csv\""),
+               "linear_damping = true -> linear_damping = false");
+    all["failing.toml"] = edited(all.at("sweep.toml"), "from = 4e5 -> from = -4e5");
+    all["failing.toml"] = edited(all["failing.toml"], "[sweep] -> most_failed = 1.0\n[sweep]");
     all["beats.csv"] = two_modes(all.at("decay.csv"));
     all["two.csv"] = two_channels(all.at("decay.csv"));
     Files made = run(all, words("measure rig.toml --out test --quiet")).files;
@@ -470,6 +475,11 @@ TEST(EffectsTable, HasEveryKeyOfTheDocumentedFiles) {
        {"rig.toml", "modes.toml", "structure.toml", "model.toml", "joint.json", "four.json"}) {
     for (const std::string& key : keys_in(files.at(name))) {
       EXPECT_TRUE(has_row(name, key)) << name << " " << key << kAddRow;
+    }
+  }
+  for (const char* name : {"predict.toml", "bootstrap.toml", "design.toml", "sweep.toml"}) {
+    for (const std::string& key : keys_in(files.at(name))) {
+      EXPECT_TRUE(has_row("plan.toml", key)) << name << " " << key << kAddRow;
     }
   }
   for (const std::string& key : keys_in(files.at("drawn_model.toml"))) {

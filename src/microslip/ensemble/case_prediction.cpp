@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/ensemble/case_prediction.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/dynamics/march.hpp"
+#include "microslip/io/load_file.hpp"
+#include "microslip/workflow/backbone_draws.hpp"
+#include "microslip/workflow/model_text.hpp"
+#include "microslip/workflow/response_draws.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+
+HarmonicBalance balance_of_case(const PlannedCase& planned, const ModelFile& model) {
+  HarmonicBalanceOptions options;
+  options.harmonics = planned.harmonics;
+  options.samples = planned.samples;
+  return {model.structure, {model.response}, options};
+}
+
+void require_converged(const Summary& summary) {
+  if (summary.converged()) return;
+  throw InputError(
+      "the model itself", "not converged",
+      fmt::format("must have a response, for what differs from it: {}", summary.reason));
+}
+
+void append(std::vector<double>& values, const std::vector<double>& more) {
+  std::ranges::copy(more, std::back_inserter(values));
+}
+
+/// What an output is called and measures.
+struct OutputShape {
+  const char* name;
+  Dimension dimension;
+};
+
+std::vector<EnsembleOutput> over(const std::vector<OutputShape>& shapes,
+                                 const std::vector<double>& axis, const std::string& axis_name,
+                                 const Dimension& axis_dimension) {
+  std::vector<EnsembleOutput> outputs;
+  for (const OutputShape& shape : shapes) {
+    outputs.push_back({shape.name, shape.dimension, axis, axis_name, axis_dimension});
+  }
+  return outputs;
+}
+
+/// A curve over the frequency, and its peaks.
+class ResponseCase : public CasePrediction {
+ public:
+  ResponseCase(const PlannedCase& planned, const ModelFile& model)
+      : balance_(balance_of_case(planned, model)),
+        range_{planned.force ? Target{Quantity::kForceAmplitude, *planned.force}
+                             : Target{Quantity::kResponse, *planned.response},
+               kTwoPi * planned.from, kTwoPi * planned.to},
+        reference_(
+            balance_.follow(range_.kept, Quantity::kAngularFrequency, range_.from, range_.to)) {
+    require_converged(reference_.summary);
+    prediction_ = std::make_unique<ResponseOfDraws>(balance_, reference_, range_);
+    const bool of_force = !planned.force;
+    ResponseCurve told = reference_;
+    (void)add_truncation(balance_, range_.kept.quantity, told);
+    add_response_warnings(balance_, model, told);
+    warnings_ = std::move(told.warnings);
+    const Dimension height = of_force ? kForce : kLength;
+    std::vector<double> axis;
+    for (const SteadyVibration& point : reference_.points) axis.push_back(point.frequency());
+    outputs_ = over({{of_force ? "force_lower" : "displacement_lower", height},
+                     {of_force ? "force_upper" : "displacement_upper", height}},
+                    axis, "frequency", kFrequency);
+    if (reference_.peaks.empty()) return;
+    axis.clear();
+    for (const SteadyVibration& peak : reference_.peaks) axis.push_back(peak.frequency());
+    std::ranges::move(over({{"peak_frequency", kFrequency},
+                            {of_force ? "peak_force" : "peak_displacement", height}},
+                           axis, "peak_of_model", kFrequency),
+                      std::back_inserter(outputs_));
+  }
+
+  const std::vector<EnsembleOutput>& outputs() const override { return outputs_; }
+  const std::vector<Warning>& warnings() const override { return warnings_; }
+
+  JobResult of(StructureDraw drawn) const override {
+    DrawnResponse response = prediction_->of(std::move(drawn));
+    if (!response.failure.empty()) return {{}, std::move(response.failure)};
+    JobResult result{std::move(response.lower), {}};
+    append(result.values, response.upper);
+    append(result.values, response.peak_frequency);
+    append(result.values, response.peak_height);
+    return result;
+  }
+
+ private:
+  HarmonicBalance balance_;
+  ResponseRange range_;
+  ResponseCurve reference_;
+  std::unique_ptr<const ResponseOfDraws> prediction_;  ///< refers to those above
+  std::vector<EnsembleOutput> outputs_;
+  std::vector<Warning> warnings_;
+};
+
+class BackboneCase : public CasePrediction {
+ public:
+  BackboneCase(const PlannedCase& planned, const ModelFile& model)
+      : balance_(balance_of_case(planned, model)),
+        responses_(planned.responses),
+        mode_(planned.mode - 1),
+        reference_(balance_.resonances(responses_, mode_)) {
+    require_converged(reference_.summary);
+    ResponseCurve told = reference_;
+    (void)add_truncation(balance_, Quantity::kPhaseLag, told);
+    add_model_warnings(model, told);
+    warnings_ = std::move(told.warnings);
+    std::vector<double> axis;
+    for (const SteadyVibration& point : reference_.points) axis.push_back(point.response);
+    outputs_ =
+        over({{"force", kForce}, {"frequency", kFrequency}, {"damping_ratio", kDimensionless}},
+             axis, "displacement", kLength);
+  }
+
+  const std::vector<EnsembleOutput>& outputs() const override { return outputs_; }
+  const std::vector<Warning>& warnings() const override { return warnings_; }
+
+  JobResult of(StructureDraw drawn) const override {
+    DrawnBackbone backbone =
+        drawn_backbone(balance_, reference_, responses_, mode_, std::move(drawn));
+    if (!backbone.failure.empty()) return {{}, std::move(backbone.failure)};
+    JobResult result{std::move(backbone.force), {}};
+    append(result.values, backbone.frequency);
+    append(result.values, backbone.damping_ratio);
+    return result;
+  }
+
+ private:
+  HarmonicBalance balance_;
+  std::vector<double> responses_;
+  std::size_t mode_;
+  ResponseCurve reference_;
+  std::vector<EnsembleOutput> outputs_;
+  std::vector<Warning> warnings_;
+};
+
+/// Largest and mean values of a motion in time.
+class MarchCase : public CasePrediction {
+ public:
+  MarchCase(const PlannedCase& planned, const ModelFile& model)
+      : nominal_(model.structure),
+        file_(planned.force_file),
+        loads_(read_loads(planned.force_file, model.structure)) {
+    options_.points = {model.response};
+    options_.step = planned.step;
+    outputs_ = {{"largest_displacement", kLength},
+                {"largest_velocity", kVelocity},
+                {"largest_acceleration", kAcceleration},
+                {"rms_displacement", kLength},
+                {"rms_velocity", kVelocity},
+                {"rms_acceleration", kAcceleration}};
+    MarchResult own = march(model.structure, loads_, options_);
+    require_converged(own.summary);
+    warnings_ = std::move(own.warnings);
+  }
+
+  const std::vector<EnsembleOutput>& outputs() const override { return outputs_; }
+  const std::vector<Warning>& warnings() const override { return warnings_; }
+  std::vector<std::string> files() const override { return {file_}; }
+
+  JobResult of(StructureDraw drawn) const override {
+    const MarchResult result = march(drawn.structure, loads_of(drawn.structure), options_);
+    if (!result.summary.converged()) return {{}, result.summary.reason};
+    const LargestMotion& largest = result.largest.front();
+    const PointMotion& motion = result.points.front();
+    JobResult done{{largest.displacement, largest.velocity, largest.acceleration,
+                    rms(motion.displacement), rms(motion.velocity), rms(motion.acceleration)},
+                   {}};
+    for (double& value : done.values) value *= drawn.response_gain;
+    return done;
+  }
+
+ private:
+  static double rms(const std::vector<double>& values) {
+    double sum = 0.0;
+    for (const double value : values) sum += value * value;
+    return std::sqrt(sum / static_cast<double>(values.size()));
+  }
+
+  /// A force that is read acts by what it is, as the excitations of a draw do.
+  LoadHistory loads_of(const JointedStructure& drawn) const {
+    LoadHistory loads = loads_;
+    for (std::size_t d = 0; d < nominal_.excitations().size(); ++d) {
+      const Excitation& nominal = nominal_.excitations()[d];
+      const auto& harmonics = nominal.harmonics;
+      const auto first = std::ranges::find_if(harmonics, [](auto h) { return std::abs(h) > 0.0; });
+      const auto n = static_cast<std::size_t>(first - harmonics.begin());
+      if (first == harmonics.end()) continue;
+      const double gain = std::abs(harmonics[n]) / std::abs(drawn.excitations()[d].harmonics[n]);
+      for (PointForce& load : loads.forces) {
+        if (load.point != nominal.point) continue;
+        for (double& force : load.force) force /= gain;
+      }
+    }
+    return loads;
+  }
+
+  JointedStructure nominal_;
+  std::string file_;
+  LoadHistory loads_;
+  MarchOptions options_;
+  std::vector<EnsembleOutput> outputs_;
+  std::vector<Warning> warnings_;
+};
+
+}  // namespace
+
+std::unique_ptr<const CasePrediction> make_case(const PlannedCase& planned, const ModelFile& model,
+                                                const std::string& plan) {
+  try {
+    switch (planned.kind) {
+      case PlannedCase::Kind::kBackbone:
+        return std::make_unique<BackboneCase>(planned, model);
+      case PlannedCase::Kind::kMarch:
+        return std::make_unique<MarchCase>(planned, model);
+      case PlannedCase::Kind::kFrf:
+        break;
+    }
+    return std::make_unique<ResponseCase>(planned, model);
+  } catch (const InputError& error) {
+    throw error.renamed(fmt::format("{}: case '{}': {}", plan, planned.name, error.name()));
+  }
+}
+
+std::vector<Warning> warnings_of(const std::vector<std::unique_ptr<const CasePrediction>>& cases,
+                                 const std::vector<PlannedCase>& planned) {
+  std::vector<Warning> warnings;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    for (const Warning& warning : cases[i]->warnings()) {
+      warnings.push_back(
+          {warning.code, fmt::format("Case '{}': {}", planned[i].name, warning.text)});
+    }
+  }
+  return warnings;
+}
+
+}  // namespace microslip

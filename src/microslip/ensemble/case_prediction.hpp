@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "microslip/base/summary.hpp"
+#include "microslip/dynamics/structure_draws.hpp"
+#include "microslip/ensemble/ensemble_jobs.hpp"
+#include "microslip/io/ensemble_plan_file.hpp"
+#include "microslip/io/model_file.hpp"
+
+namespace microslip {
+
+/// A case of a plan: what it predicts of structures that differ in numbers from that of a model,
+/// over the axes that the model's own prediction has. Immutable.
+class CasePrediction {
+ public:
+  virtual ~CasePrediction() = default;
+
+  /// What a structure gives.
+  [[nodiscard]] virtual const std::vector<EnsembleOutput>& outputs() const = 0;
+
+  /// Of one structure. @throws InputError  where the structure breaks a rule of the method.
+  [[nodiscard]] virtual JobResult of(StructureDraw drawn) const = 0;
+
+  /// What must be known of the prediction of the model itself, and so of all.
+  [[nodiscard]] virtual const std::vector<Warning>& warnings() const = 0;
+
+  /// Files that it follows from beside those of the model.
+  [[nodiscard]] virtual std::vector<std::string> files() const { return {}; }
+};
+
+/// Predicts the model itself, which gives the axes.
+/// @param planned  the case. @param model  as read. @param plan  its file, for messages.
+/// @throws InputError  naming the case, where that does not converge, or an option does not fit.
+[[nodiscard]] std::unique_ptr<const CasePrediction> make_case(const PlannedCase& planned,
+                                                              const ModelFile& model,
+                                                              const std::string& plan);
+
+/// Warnings of cases, each with the name of its case.
+/// @param cases    that were made. @param planned  of these.
+[[nodiscard]] std::vector<Warning> warnings_of(
+    const std::vector<std::unique_ptr<const CasePrediction>>& cases,
+    const std::vector<PlannedCase>& planned);
+
+}  // namespace microslip

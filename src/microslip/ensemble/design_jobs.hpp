@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "microslip/ensemble/ensemble_jobs.hpp"
+#include "microslip/ensemble/found_density.hpp"
+#include "microslip/joint/joint.hpp"
+#include "microslip/observe/levels.hpp"
+
+namespace microslip {
+
+/// Virtual tests of a joint that is known, identified: what error to expect of so many levels with
+/// such a noise. Each design, a number of levels with a noise of each kind, is a group; test i has
+/// the random numbers i in all of them, so that designs differ by what they are alone.
+///
+///     A_i* = A_i(1 + σ_A z),  D_i* = max(0, D(A_i)(1 + σ_D z)),  k_i* = k_eq(A_i) + σ_k k z
+class DesignJobs : public EnsembleJobs {
+ public:
+  /// @throws  as make_ensemble_jobs().
+  DesignJobs(DesignPlan design, const EnsemblePlan& plan);
+
+  JobResult run(std::size_t group, std::uint64_t index) const override;
+
+ private:
+  struct Design {
+    std::size_t levels = 0;
+    double noise = 0.0;
+    double amplitude_noise = 0.0;
+    double secant_noise = 0.0;  ///< 0: k_eq is not measured
+  };
+
+  void add_designs();
+  void add_group(const Design& design);
+  [[nodiscard]] Levels tested(const Design& design, std::uint64_t index) const;
+  [[nodiscard]] std::vector<double> judged(const InversionResult& result,
+                                           std::uint64_t index) const;
+
+  DesignPlan plan_;
+  std::uint64_t seed_;
+  double confidence_;
+  std::optional<Joint> truth_;
+  double linear_damping_ = 0.0;  ///< β of the truth, J/m²
+  std::optional<FoundDensity> found_;
+  std::vector<Design> designs_;
+};
+
+}  // namespace microslip

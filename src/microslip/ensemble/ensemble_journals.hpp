@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "microslip/ensemble/block_layout.hpp"
+#include "microslip/io/ensemble_result_file.hpp"
+#include "microslip/io/journal_file.hpp"
+
+namespace microslip {
+
+/// All journals of a result: what is done of it.
+class EnsembleJournals {
+ public:
+  /// Opens those beside the result that are there.
+  /// @param out      path of the result. @param heading  of the plan and its inputs.
+  /// @throws InputError  where one is of something else, naming what has changed.
+  /// @throws FileError, FormatError  as JournalReader.
+  EnsembleJournals(const std::string& out, const std::string& heading,
+                   const std::vector<EnsembleGroup>& groups, const BlockLayout& layout);
+
+  /// Whether a block is done.
+  [[nodiscard]] bool has(std::uint64_t block) const { return places_[block].journal != kNowhere; }
+  /// Results of a block that is done.
+  [[nodiscard]] std::vector<JobResult> results(std::uint64_t block) const;
+  /// The paths of those that are there.
+  [[nodiscard]] std::vector<std::string> paths() const;
+
+  /// Rows of all jobs of a group, which are done: NaN where they failed. This object must outlive
+  /// it.
+  [[nodiscard]] RowPass rows_of(std::size_t group) const;
+
+ private:
+  static constexpr std::uint32_t kNowhere = 0xFFFFFFFFU;
+  struct Place {
+    std::uint32_t journal = kNowhere;
+    JournalBlock block = {};
+  };
+
+  const std::vector<EnsembleGroup>& groups_;
+  const BlockLayout& layout_;
+  std::vector<JournalReader> journals_;
+  std::vector<Place> places_;  ///< one a block
+};
+
+}  // namespace microslip

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "microslip/base/progress.hpp"
+#include "microslip/base/summary.hpp"
+#include "microslip/ensemble/team.hpp"
+#include "microslip/io/ensemble_result_file.hpp"
+
+/// @file
+/// An ensemble from its plan to its result. What is finished stands in a journal beside the result,
+/// `RESULT.journal` or of a share `RESULT.3-of-20.journal`, so that a stop costs the blocks in work
+/// alone; a run takes what any of them holds and does the rest.
+
+namespace microslip {
+
+/// A share of the blocks of an ensemble: number i of n has blocks i − 1, i − 1 + n, …
+struct EnsembleShard {
+  std::uint64_t number = 1;  ///< i, from 1
+  std::uint64_t count = 1;   ///< n, ≥ i
+
+  /// "3/20". @throws InputError  for anything else.
+  [[nodiscard]] static EnsembleShard parse(const std::string& text);
+};
+
+/// What is to be done.
+struct EnsembleRun {
+  std::string plan;                         ///< path of the plan
+  std::string out;                          ///< of the result, HDF5
+  std::string table;                        ///< of the table, CSV
+  std::optional<EnsembleShard> shard = {};  ///< only this share, and no result
+  bool merge = false;                       ///< nothing is computed: all blocks must be there
+  bool keep_journals = false;               ///< they stay where the result is written
+  std::string command = {};                 ///< that the table is made by
+  Progress progress = {};                   ///< of the jobs, those done before among them
+};
+
+/// What came of it.
+struct FinishedEnsemble {
+  EnsembleResult result;               ///< empty where shards are missing
+  std::uint64_t jobs = 0;              ///< of the plan
+  std::uint64_t done_before = 0;       ///< of these, found in journals
+  std::uint64_t done_now = 0;          ///< by this run
+  std::uint64_t failed = 0;            ///< of all that are done
+  double wall_seconds = 0.0;           ///< of what was done now
+  std::string journal = {};            ///< where a share stands; empty where the result does
+  std::vector<Warning> warnings = {};  ///< what must be known of it
+};
+
+/// Reads the plan, does the jobs that no journal holds, and writes result and table: both or none.
+/// @param run   what is to be done; the same in all processes of the team.
+/// @param team  who does it.
+/// @return nothing where this process does not coordinate.
+/// @throws FileError, FormatError, InputError  as the readers; where a journal is of another plan,
+///     other inputs or another version, naming what has changed; for a merge without all blocks,
+///     naming what is missing.
+/// @throws NothingFound  where more jobs fail than the plan allows: the journal keeps what is done.
+/// @throws WriteError    where the disk does not take it: the journal keeps what is done.
+/// @throws Cancelled     as progress says.
+[[nodiscard]] std::optional<FinishedEnsemble> run_ensemble(const EnsembleRun& run, Team& team);
+
+/// The summary.
+[[nodiscard]] std::string describe_ensemble(const EnsembleRun& run, const FinishedEnsemble& done);
+
+}  // namespace microslip

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/ensemble/ensemble_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "microslip/ensemble/ensemble_run.hpp"
+#include "microslip/io/csv_writer.hpp"
+#include "microslip/workflow/provenance.hpp"
+#include "microslip/workflow/summary_text.hpp"
+
+namespace microslip {
+namespace {
+
+/// Of a sweep: beyond it the values are in the HDF5 file alone.
+constexpr double kMostRows = 1e6;
+/// Curves of a sweep with more values are in the HDF5 file alone.
+constexpr std::size_t kMostValuesOfSweep = 16;
+constexpr std::size_t kMostReasonsTold = 10;
+
+/// The shortest text that reads back as the same; empty for what is none.
+std::string number_text(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
+
+/// A table of text, whose rows have units of their own.
+class TextTable {
+ public:
+  explicit TextTable(std::vector<std::string> names)
+      : names_(std::move(names)), columns_(names_.size()) {}
+
+  void add(const std::vector<std::string>& row) {
+    for (std::size_t c = 0; c < columns_.size(); ++c) columns_[c].push_back(row[c]);
+  }
+  [[nodiscard]] bool empty() const { return columns_.front().empty(); }
+
+  void write_to(CsvWriter& table) const {
+    for (std::size_t c = 0; c < columns_.size(); ++c) table.add_text(names_[c], columns_[c]);
+  }
+
+ private:
+  std::vector<std::string> names_;
+  std::vector<std::vector<std::string>> columns_;
+};
+
+std::string axis_text(const EnsembleOutput& output) {
+  if (output.axis.empty()) return "";
+  return fmt::format("{} [{}]", output.axis_name, si_unit(output.axis_dimension));
+}
+
+void add_statistics(const GroupResult& group, TextTable& table) {
+  std::size_t at = 0;
+  for (const EnsembleOutput& output : group.group.outputs) {
+    for (std::size_t i = 0; i < output.size(); ++i, ++at) {
+      const ColumnStatistics& s = group.values[at];
+      table.add({group.group.name, output.name, si_unit(output.dimension), axis_text(output),
+                 output.axis.empty() ? "" : number_text(output.axis[i]), fmt::format("{}", s.count),
+                 number_text(s.mean), number_text(s.std), number_text(s.minimum),
+                 number_text(s.lower), number_text(s.median), number_text(s.upper),
+                 number_text(s.maximum)});
+    }
+  }
+}
+
+/// Rows of the outputs that are short.
+void add_grid(const GroupResult& group, const RowPass& rows, TextTable& table) {
+  const std::vector<SweepAxis>& axes = group.group.grid;
+  std::uint64_t job = 0;
+  rows([&](std::span<const double> row) {
+    std::vector<std::string> place(axes.size());
+    std::uint64_t rest = job++;
+    for (std::size_t a = axes.size(); a-- > 0;) {
+      place[a] = number_text(axes[a].values[rest % axes[a].values.size()]);
+      rest /= axes[a].values.size();
+    }
+    std::size_t at = 0;
+    for (const EnsembleOutput& output : group.group.outputs) {
+      for (std::size_t i = 0; i < output.size(); ++i, ++at) {
+        if (output.size() > kMostValuesOfSweep) continue;
+        std::vector<std::string> cells{group.group.name, output.name, si_unit(output.dimension),
+                                       axis_text(output),
+                                       output.axis.empty() ? "" : number_text(output.axis[i])};
+        cells.insert(cells.end(), place.begin(), place.end());
+        cells.push_back(number_text(row[at]));
+        table.add(cells);
+      }
+    }
+  });
+}
+
+double rows_of_sweep(const EnsembleResult& result) {
+  double rows = 0.0;
+  for (const GroupResult& group : result.groups) {
+    for (const EnsembleOutput& output : group.group.outputs) {
+      if (output.size() > kMostValuesOfSweep) continue;
+      rows += static_cast<double>(group.group.jobs) * static_cast<double>(output.size());
+    }
+  }
+  return rows;
+}
+
+std::string failures_comment(const GroupResult& group) {
+  std::string text = fmt::format("\n{}: {} jobs, {} failed", group.group.name, group.group.jobs,
+                                 group.failed.count);
+  for (std::size_t i = 0; i < std::min(group.failed.reasons.size(), kMostReasonsTold); ++i) {
+    const FailedJobs::Reason& reason = group.failed.reasons[i];
+    text += fmt::format("\nfailed: {}: {}, first number {}: {}", group.group.name, reason.count,
+                        reason.first, reason.text);
+  }
+  return text;
+}
+
+std::string comment_of(const EnsembleResult& result, const std::string& command,
+                       const std::vector<Warning>& warnings) {
+  std::string text =
+      heading_of(command) + fmt::format("\n{} of seed {}, {} % between lower and upper",
+                                        result.kind, result.seed, 100.0 * result.confidence);
+  for (const std::string& one : result.fingerprint) {
+    if (one.starts_with("sha256")) text += "\n" + one;
+  }
+  for (const std::string& note : result.notes) {
+    if (!note.starts_with("warning: ")) text += "\n" + note;  // those follow
+  }
+  for (const GroupResult& group : result.groups) text += failures_comment(group);
+  return with_warnings(text, warnings);
+}
+
+TextTable statistics_table(const EnsembleResult& result) {
+  TextTable rows({"group", "output", "unit", "axis", "at", "count", "mean", "std", "minimum",
+                  "lower", "median", "upper", "maximum"});
+  for (const GroupResult& group : result.groups) add_statistics(group, rows);
+  return rows;
+}
+
+TextTable grid_table(const EnsembleResult& result,
+                     const std::function<RowPass(std::size_t group)>& rows_of) {
+  std::vector<std::string> names{"group", "output", "unit", "axis", "at"};
+  for (const SweepAxis& axis : result.groups.front().group.grid) {
+    std::string name = axis.number;  // brackets would be those of a unit
+    std::ranges::replace(name, '[', '(');
+    std::ranges::replace(name, ']', ')');
+    names.push_back(std::move(name));
+  }
+  names.emplace_back("value");
+  TextTable rows(std::move(names));
+  for (std::size_t g = 0; g < result.groups.size(); ++g) {
+    add_grid(result.groups[g], rows_of(g), rows);
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string ensemble_table(const EnsembleResult& result,
+                           const std::function<RowPass(std::size_t group)>& rows_of,
+                           const std::string& command, const std::vector<Warning>& warnings) {
+  CsvWriter table;
+  table.add_comment(comment_of(result, command, warnings));
+  const bool grid = !result.groups.front().group.grid.empty();
+  const double rows = grid ? rows_of_sweep(result) : 0.0;
+  if (grid && rows > 0.0 && rows <= kMostRows) {
+    grid_table(result, rows_of).write_to(table);
+  } else {
+    if (grid)
+      table.add_comment("values of the grid are in the HDF5 file; these are over all of it");
+    statistics_table(result).write_to(table);
+  }
+  return table.str();
+}
+
+std::vector<Warning> ensemble_warnings(const EnsembleResult& result) {
+  std::vector<Warning> warnings;
+  for (const GroupResult& group : result.groups) {
+    if (group.failed.count > 0) {
+      warnings.push_back(
+          {"jobs_failed", fmt::format("{} of {} jobs of '{}' failed and are in no quantile; the "
+                                      "reasons stand in the files.",
+                                      group.failed.count, group.group.jobs, group.group.name)});
+    }
+    std::size_t at = 0;
+    for (const EnsembleOutput& output : group.group.outputs) {
+      std::uint64_t least = group.group.jobs;
+      for (std::size_t i = 0; i < output.size(); ++i) {
+        least = std::min(least, group.values[at++].count);
+      }
+      const std::uint64_t there = group.group.jobs - group.failed.count;
+      if (least < there) {
+        warnings.push_back(
+            {"values_missing",
+             fmt::format("{} of {} jobs of '{}' have no {} somewhere: its quantiles are those of "
+                         "the others.",
+                         there - least, there, group.group.name, output.name)});
+      }
+    }
+  }
+  const double fewest = 2.0 / (1.0 - result.confidence);
+  const auto few = std::ranges::find_if(result.groups, [&](const GroupResult& group) {
+    return static_cast<double>(group.group.jobs) < fewest - 1e-6;
+  });
+  const bool grid = few != result.groups.end() && !few->group.grid.empty();
+  if (few != result.groups.end() && !grid) {
+    warnings.push_back(
+        {"few_jobs", fmt::format("'{}' has {} jobs: beyond its quantiles of {} % lies none. "
+                                 "Take {:.0f} or more.",
+                                 few->group.name, few->group.jobs, 100.0 * result.confidence,
+                                 std::ceil(fewest - 1e-6))});
+  }
+  return warnings;
+}
+
+std::string describe_ensemble(const EnsembleRun& run, const FinishedEnsemble& done) {
+  std::string text = line("jobs", fmt::format("{}", done.jobs));
+  if (done.done_before > 0) {
+    text += line("done before", fmt::format("{}, from journals", done.done_before));
+  }
+  text +=
+      line("done now",
+           done.done_now == 0
+               ? std::string("0")
+               : fmt::format("{} in {:.3g} s, {:.4g} a second", done.done_now, done.wall_seconds,
+                             static_cast<double>(done.done_now) / done.wall_seconds));
+  text += line("failed", fmt::format("{}", done.failed));
+  if (!done.journal.empty()) {
+    text += line("journal", done.journal);
+    return text + line("next", "`merge` when all shards are done");
+  }
+  for (const GroupResult& group : done.result.groups) {
+    std::size_t at = 0;
+    for (const EnsembleOutput& output : group.group.outputs) {
+      const ColumnStatistics& s = group.values[at];
+      at += output.size();
+      if (output.size() != 1 || !group.group.grid.empty()) continue;
+      text += line(group.group.name,
+                   fmt::format("{} {:.5g}, {:.5g} to {:.5g} {}", output.name, s.median, s.lower,
+                               s.upper, si_unit(output.dimension)));
+    }
+  }
+  text += line("result", run.out);
+  return text + line("table", run.table);
+}
+
+}  // namespace microslip

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "microslip/ensemble/ensemble_jobs.hpp"
+#include "microslip/identify/inversion.hpp"
+
+namespace microslip {
+
+/// What an identification of an ensemble tells: area, and where it is sought linear_damping; the
+/// density over slip forces, the dissipation over amplitudes.
+class FoundDensity {
+ public:
+  /// @param stiffness       k, N/m.
+  /// @param lowest, highest amplitudes of the levels, m.
+  /// @param points          of the curves, ≥ 2.
+  /// @param linear_damping  whether it is sought.
+  FoundDensity(double stiffness, double lowest, double highest, std::size_t points,
+               bool linear_damping);
+
+  /// What it tells.
+  [[nodiscard]] const std::vector<EnsembleOutput>& outputs() const { return outputs_; }
+
+  /// Of one result.
+  [[nodiscard]] std::vector<double> of(const InversionResult& result) const;
+
+ private:
+  double stiffness_;
+  bool linear_damping_;
+  std::vector<EnsembleOutput> outputs_;
+};
+
+/// φ of a result at a slip force, 1/N: linear between its knots, 0 beyond them, without its atom.
+[[nodiscard]] double density_at(const InversionResult& result, double slip_force);
+
+/// Options of an identification as planned.
+[[nodiscard]] InversionOptions inversion_options(const PlannedIdentification& planned);
+
+}  // namespace microslip

@@ -1,0 +1,75 @@
+#!/usr/bin/env bash
+# The ranks of MPI give the bytes that one process gives, however many they are and whichever of them is killed.
+# Usage: ensemble_ranks.sh MICROSLIP MICROSLIP-MPI EXAMPLES [KILLS]
+set -euo pipefail
+program="$1" ranks="$2" examples="$3" kills="${4:-${MICROSLIP_RANK_KILLS:-4}}"
+folder="$(mktemp -d)"
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+export OMPI_MCA_btl_vader_single_copy_mechanism=none # sandboxes forbid it, and Open MPI says so
+export OMPI_MCA_btl=self,vader OMPI_MCA_plm_rsh_agent=sh
+
+fail() {
+  echo "ensemble_ranks: $*" >&2
+  exit 1
+}
+
+cp "$examples/one_mass/joint.json" .
+sed 's/^damping_ratio/frequency_std = [0.01]\n&/' "$examples/one_mass/model.toml" >model.toml
+cat >plan.toml <<'END'
+schema = "microslip.ensemble/1"
+kind = "predict"
+raw = ["*"]
+[predict]
+model = "model.toml"
+draws = 300
+[[case]]
+kind = "frf"
+force_N = 0.05
+frequency_Hz = [0.12, 0.18]
+END
+
+"$program" ensemble plan.toml --out whole.h5 --threads 1 --quiet
+for n in 1 2 3 7; do
+  mpirun -n "$n" "$ranks" ensemble plan.toml --out r.h5 --quiet
+  cmp r.h5 whole.h5 || fail "$n ranks gave other bytes"
+  rm r.h5
+done
+
+# Any rank is killed at any moment; then another number of ranks goes on.
+RANDOM=1
+for ((i = 0; i < kills; ++i)); do
+  mpirun -n 3 "$ranks" ensemble plan.toml --out r.h5 --quiet >killed.log 2>&1 &
+  mpi=$!
+  sleep "0.$((RANDOM % 5))$((RANDOM % 10))"
+  mapfile -t processes < <(pgrep -f "^$ranks ensemble plan.toml --out r.h5" || true)
+  if ((${#processes[@]} > 0)); then
+    kill -9 "${processes[RANDOM % ${#processes[@]}]}" 2>/dev/null || true
+  fi
+  wait "$mpi" || true
+  while pgrep -f "^$ranks ensemble plan.toml --out r.h5" >/dev/null; do sleep 0.05; done
+  mpirun -n $((1 + RANDOM % 4)) "$ranks" ensemble plan.toml --out r.h5 --quiet
+  cmp r.h5 whole.h5 || fail "after kill $i other bytes"
+  [[ ! -e r.h5.journal ]] || fail "after kill $i a journal is left"
+  rm r.h5
+done
+
+# A wrong call is told once, by rank 0, and ends all of them.
+status=0
+mpirun -n 3 "$ranks" ensemble nothing.toml --out r.h5 >told.log 2>&1 || status=$?
+[[ $status -eq 2 ]] || fail "a missing plan: status $status"
+[[ $(grep -c '^microslip: nothing.toml' told.log) -eq 1 ]] || fail "not told once: $(cat told.log)"
+
+# A rank that reads other inputs is named. Each rank has a folder of its own here.
+for r in 0 1; do
+  mkdir "rank$r"
+  cp plan.toml model.toml joint.json "rank$r"
+done
+sed -i 's/frequency_std = \[0.01\]/frequency_std = [0.02]/' rank1/model.toml
+status=0
+mpirun -n 2 sh -c "cd rank\$OMPI_COMM_WORLD_RANK && exec $ranks ensemble plan.toml --out r.h5" \
+  >told.log 2>&1 || status=$?
+[[ $status -eq 2 ]] || fail "other inputs: status $status: $(cat told.log)"
+grep -q 'rank 1 on .*sha256 of model.toml' told.log || fail "not named: $(cat told.log)"
+echo "ensemble_ranks: 1, 2, 3, 7 ranks and $kills kills gave the same bytes"
