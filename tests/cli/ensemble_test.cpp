@@ -30,13 +30,12 @@ force_N = 0.05
 frequency_Hz = [0.12, 0.18]
 )";
 
-Sandbox uncertain_mass(const std::string& plan = kPlan) {
-  const Sandbox box = one_mass();
-  std::string model = box.get("model.toml");
+Sandbox uncertain_mass() {
+  std::string model = test::get(MICROSLIP_EXAMPLES "/one_mass/model.toml");
   model.insert(model.find("damping_ratio"), "frequency_std = [0.01]\n");
-  box.put("model.toml", model);
-  box.put("plan.toml", plan);
-  return box;
+  return Sandbox{{"model.toml", model},
+                 {"joint.json", test::get(MICROSLIP_EXAMPLES "/one_mass/joint.json")},
+                 {"plan.toml", kPlan}};
 }
 
 const Arguments kCall{"ensemble", "plan.toml", "--out", "r.h5"};
