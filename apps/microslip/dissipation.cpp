@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "command.hpp"
+#include "draw_arguments.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/joint_file.hpp"
@@ -19,6 +20,7 @@ struct DissipationOptions {
   std::string joint;
   std::string amplitude;
   std::string out;
+  JointDrawArguments draws;
 };
 
 int run(const DissipationOptions& options, const Call& call) {
@@ -30,10 +32,11 @@ int run(const DissipationOptions& options, const Call& call) {
   if (amplitude.front() > 0.0) check_displacement("FROM of --amplitude", amplitude.front());
   check_displacement("TO of --amplitude", amplitude.back());
   const JointFile file = read_joint(options.joint);
-  const JointTable table = dissipation_of(file, amplitude);
+  const JointTable table =
+      dissipation_of(file, amplitude, draws_of(file, options.draws, call.quiet));
   write_file(options.out, table.text);
   if (!call.quiet) show_warnings(table.warnings);
-  return kDone;
+  return table.taken && table.taken->too_many_failed() ? kNotConverged : kDone;
 }
 
 }  // namespace
@@ -58,9 +61,13 @@ void add_dissipation(CLI::App& program, Call& call) {
           "damping; - is standard output")
       ->required()
       ->type_name(kCsvValue);
+  add_joint_draw_arguments(*command, options->draws,
+                           "force_lower and force_upper [N], the same of the other columns");
   command->add_flag("--quiet", call.quiet, "No warnings on the screen; the file has them");
   add_examples(*command,
-               {"microslip dissipation joint.json --amplitude 1um:300um:50:log --out curve.csv"});
+               {"microslip dissipation joint.json --amplitude 1um:300um:50:log --out curve.csv",
+                "microslip dissipation joint.json --amplitude 1um:300um:50:log --draws 1000 \\",
+                "          --samples joint_samples.h5 --out curve.csv"});
   command->callback(
       [options, &call] { call.run = [options, &call] { return run(*options, call); }; });
 }

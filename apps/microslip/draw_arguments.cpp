@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "draw_arguments.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdint>
 #include <limits>
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/units.hpp"
 #include "microslip/workflow/quantity_text.hpp"
+#include "progress_bar.hpp"
+#include "recording_arguments.hpp"
 
 namespace microslip::app {
 
@@ -35,6 +39,44 @@ void add_correlation_argument(CLI::App& command, DrawArguments& arguments) {
       ->needs(command.get_option("--draws"))
       ->check(CLI::IsMember({"auto", "together", "independent"}))
       ->capture_default_str();
+}
+
+void add_joint_draw_arguments(CLI::App& command, JointDrawArguments& arguments,
+                              const std::string& columns) {
+  add_draw_arguments(command, arguments, columns);
+  CLI::Option* draws = command.get_option("--draws");
+  command
+      .add_option("--samples", arguments.samples,
+                  "Draws of the joint, joint_samples.h5: of identify --samples-out or calibrate")
+      ->needs(draws)
+      ->type_name(kHdf5Value);
+  command
+      .add_option("--normal-load-std", arguments.normal_load_std,
+                  "Relative standard deviation of the normal load, which scales all slip forces "
+                  "and leaves k: 0.1 or 10%")
+      ->needs(draws)
+      ->capture_default_str();
+}
+
+double parse_spread(std::string_view option, const std::string& text) {
+  const double spread = parse_quantity(option, text, kDimensionless);
+  if (spread >= 0.0 && spread <= DrawnJoints::kLargestSpread) return spread;
+  throw InputError(option, spread,
+                   fmt::format("must be from 0 to {:g}", DrawnJoints::kLargestSpread),
+                   "It is relative: 0.1 or 10%.");
+}
+
+JointUncertainty uncertainty_of(const JointDrawArguments& arguments) {
+  return {arguments.samples, parse_spread("--normal-load-std", arguments.normal_load_std)};
+}
+
+std::optional<LoneJointDraws> draws_of(const JointFile& file, const JointDrawArguments& arguments,
+                                       bool quiet) {
+  if (!arguments.any()) return std::nullopt;
+  LoneJointDraws draws =
+      microslip::draws_of(file, uncertainty_of(arguments), draw_options(arguments));
+  draws.progress = progress_bar("draws", quiet);
+  return draws;
 }
 
 DrawOptions draw_options(const DrawArguments& arguments) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "command.hpp"
+#include "microslip/workflow/joint_tables.hpp"
 #include "microslip/workflow/model_draws.hpp"
 
 /// @file
@@ -28,6 +31,28 @@ void add_draw_arguments(CLI::App& command, DrawArguments& arguments, const std::
 
 /// --correlation, of models, which may have several joints.
 void add_correlation_argument(CLI::App& command, DrawArguments& arguments);
+
+/// Draws of a joint by itself.
+struct JointDrawArguments : DrawArguments {
+  std::string samples;
+  std::string normal_load_std = "0";
+};
+
+/// The draws of a joint by itself: add_draw_arguments(), --samples and --normal-load-std.
+/// @param columns  that draws add, for the help.
+void add_joint_draw_arguments(CLI::App& command, JointDrawArguments& arguments,
+                              const std::string& columns);
+
+/// A standard deviation of a logarithm on the command line. @throws InputError  out of range.
+[[nodiscard]] double parse_spread(std::string_view option, const std::string& text);
+
+/// What --samples and --normal-load-std say. @throws InputError  out of range.
+[[nodiscard]] JointUncertainty uncertainty_of(const JointDrawArguments& arguments);
+
+/// The draws that are asked for, if any. @throws Error  as draws_of().
+[[nodiscard]] std::optional<LoneJointDraws> draws_of(const JointFile& file,
+                                                     const JointDrawArguments& arguments,
+                                                     bool quiet);
 
 /// Of arguments that ask for draws. @throws InputError  for values out of their range.
 [[nodiscard]] DrawOptions draw_options(const DrawArguments& arguments);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "command.hpp"
+#include "draw_arguments.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/joint_file.hpp"
 #include "microslip/io/output_files.hpp"
@@ -23,6 +24,7 @@ struct LoopOptions {
   std::string out;
   std::size_t points = 200;
   std::size_t elements = 1000;
+  JointDrawArguments draws;
 };
 
 DisplacementPath path_of(const LoopOptions& options) {
@@ -38,10 +40,11 @@ int run(const LoopOptions& options, const Call& call) {
   const DisplacementPath path = path_of(options);
   const NormalLoadLaw law =
       options.law == "total" ? NormalLoadLaw::kTotal : NormalLoadLaw::kIncremental;
-  const JointTable table = loop_of(file, path, law, options.elements);
+  const JointTable table =
+      loop_of(file, path, law, options.elements, draws_of(file, options.draws, call.quiet));
   write_file(options.out, table.text);
   if (!call.quiet) show_warnings(table.warnings);
-  return kDone;
+  return table.taken && table.taken->too_many_failed() ? kNotConverged : kDone;
 }
 
 }  // namespace
@@ -77,9 +80,12 @@ void add_loop(CLI::App& program, Call& call) {
   command->add_option("--out", options->out, "CSV to write; - is standard output")
       ->required()
       ->type_name(kCsvValue);
+  add_joint_draw_arguments(*command, options->draws, "lower and upper, of the force [N]");
   command->add_flag("--quiet", call.quiet, "No warnings on the screen; the file has them");
   add_examples(*command, {"microslip loop joint.json --amplitude 300um --out loop.csv",
-                          "microslip loop joint.json --path path.csv --out -"});
+                          "microslip loop joint.json --path path.csv --out -",
+                          "microslip loop joint.json --amplitude 300um --draws 1000 \\",
+                          "          --samples joint_samples.h5 --out loop.csv"});
   command->callback([options, &call] {
     if (options->path.empty() && options->amplitude.empty()) {
       throw CLI::RequiredError("--path or --amplitude");

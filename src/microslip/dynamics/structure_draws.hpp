@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <optional>
 #include <vector>
 
+#include "microslip/dynamics/drawn_joints.hpp"
 #include "microslip/dynamics/jointed_structure.hpp"
 
 namespace microslip {
@@ -26,35 +24,11 @@ struct StructureSpread {
   [[nodiscard]] bool any() const;
 };
 
-/// A joint as it may be.
-struct DrawnJoint {
-  Joint joint;                                ///< the draw
-  std::optional<double> linear_damping = {};  ///< β, J/m²; nothing: as the structure has it
-};
-
-/// Draws of one joint.
-struct JointDraws {
-  std::size_t count = 0;  ///< how many there are; 0: the joint is certain
-  /// Draw i < count; called by several threads at once.
-  std::function<DrawnJoint(std::size_t i)> at = {};
-};
-
-// g++ 12 says that scoped enumerators hide names of other types, which they do not.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wshadow"
-
-/// What the draws of several joints have to do with each other.
-enum class JointPairing {
-  kIndependent,  ///< each was drawn by itself
-  kTogether,     ///< draws of the same number belong together, as one calibration drew them
-};
-
-#pragma GCC diagnostic pop
-
 /// A structure as it may be.
 struct StructureDraw {
   JointedStructure structure;  ///< its excitations by what they are where 1 is read of the force
   double response_gain = 1.0;  ///< reading of the response over the response
+  std::vector<double> force_gain = {};  ///< reading of a force over the force; one an excitation
 };
 
 /// Structures as they may be: draw i of seed s, the same whatever the order and the number of those
@@ -64,8 +38,7 @@ struct StructureDraw {
 /// that the excitations of a draw are divided by their gains; whoever compares with a reading of
 /// the response multiplies by its gain.
 ///
-/// Draws of a joint are taken without repetition, in an order that the seed makes, from first to
-/// last, then again in another: N draws out of M ≥ N are N different ones.
+/// The joints of a draw are those of DrawnJoints.
 class StructureDraws {
  public:
   /// @param nominal  as it is thought to be.
@@ -73,14 +46,13 @@ class StructureDraws {
   /// @param joints   one a joint, or none.
   /// @param pairing  of those that have draws.
   /// @param seed     s.
-  /// @throws InputError  for standard deviations below 0 or above kLargestSpread; for lists of
-  ///                     another length than there are modes, joints, excitations; for draws that
-  ///                     belong together and are not as many.
+  /// @throws InputError  as DrawnJoints; for standard deviations below 0 or above kLargestSpread; for
+  ///                     lists of another length than there are modes, joints, excitations.
   StructureDraws(JointedStructure nominal, StructureSpread spread, std::vector<JointDraws> joints,
                  JointPairing pairing, std::uint64_t seed);
 
-  /// Beyond it a number is not known at all: e^{±1.96 · 1} is a factor 50 from end to end.
-  static constexpr double kLargestSpread = 1.0;
+  /// As of joints.
+  static constexpr double kLargestSpread = DrawnJoints::kLargestSpread;
 
   /// Draw i.
   /// @throws InputError  as JointedStructure: what is drawn may break its rules, as a spring in the
@@ -95,15 +67,12 @@ class StructureDraws {
  private:
   [[nodiscard]] ModalModel drawn_modes(std::uint64_t i) const;
   [[nodiscard]] std::vector<StructuralJoint> drawn_joints(std::uint64_t i) const;
-  [[nodiscard]] std::vector<Excitation> drawn_excitations(std::uint64_t i) const;
-  [[nodiscard]] std::size_t number_of_draw(std::size_t joint, std::uint64_t i) const;
+  [[nodiscard]] std::vector<double> drawn_gains(std::uint64_t i) const;
 
   JointedStructure nominal_;
   StructureSpread spread_;
-  std::vector<JointDraws> joints_;
-  JointPairing pairing_;
+  DrawnJoints joints_;
   std::uint64_t seed_;
-  std::vector<std::vector<std::size_t>> order_;  ///< of the draws of each joint
 };
 
 }  // namespace microslip

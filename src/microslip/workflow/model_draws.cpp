@@ -34,28 +34,17 @@ void check_stiffness(const JointSamples& samples, double stiffness, const std::s
 }
 
 /// Whether one calibration drew them all.
-bool are_of_one_calibration(const std::vector<std::shared_ptr<const JointSamples>>& samples) {
+bool are_of_one_calibration(const std::vector<std::optional<JointSamples>>& samples) {
   const JointSamples* first = nullptr;
   for (const auto& one : samples) {
     if (!one) continue;
-    if (first == nullptr) first = one.get();
+    if (first == nullptr) first = &*one;
     if (!one->provenance || !first->provenance || one->size() != first->size()) return false;
     if (one->method != first->method || one->seed != first->seed) return false;
     if (one->method != "posterior of modal levels") return false;
     if (one->provenance->inputs != first->provenance->inputs) return false;
   }
   return true;
-}
-
-JointDraws joint_draws(std::shared_ptr<const JointSamples> samples, bool damping_said) {
-  const std::size_t count = samples->size();
-  return {count, [samples = std::move(samples), damping_said](std::size_t i) {
-            DrawnJoint drawn{samples->joint(i), {}};
-            if (!damping_said && !samples->linear_damping.empty()) {
-              drawn.linear_damping = samples->linear_damping[i];
-            }
-            return drawn;
-          }};
 }
 
 std::string share_text(const DrawsTaken& taken) {
@@ -78,6 +67,26 @@ void DrawOptions::check() const {
                    "1000 tell the edges of a band of 95 % to some 5 % of its width.");
 }
 
+void DrawOptions::check_size(std::size_t values, const std::string& remedy) const {
+  if (values == 0 || count <= kMostValues / values) return;
+  throw InputError("`draws`", static_cast<double>(count),
+                   fmt::format("must be {} at most: each is {} numbers here, of which 2^27, 1 GiB, "
+                               "are kept",
+                               kMostValues / values, values),
+                   remedy);
+}
+
+JointDraws joint_draws_of(JointSamples samples, bool damping_said) {
+  const auto kept = std::make_shared<const JointSamples>(std::move(samples));
+  return {kept->size(), [kept, damping_said](std::size_t i) {
+            DrawnJoint drawn{kept->joint(i)};
+            if (!damping_said && !kept->linear_damping.empty()) {
+              drawn.linear_damping = kept->linear_damping[i];
+            }
+            return drawn;
+          }};
+}
+
 JointSamples samples_for(const std::string& path, double stiffness, const std::string& name) {
   JointSamples samples = read_joint_samples(path);
   check_stiffness(samples, stiffness, path, name);
@@ -87,14 +96,12 @@ JointSamples samples_for(const std::string& path, double stiffness, const std::s
 StructureDraws draws_of(const ModelFile& model, const std::string& file,
                         const DrawOptions& options) {
   options.check();
-  std::vector<std::shared_ptr<const JointSamples>> samples;
-  for (std::size_t j = 0; j < model.joint_samples.size(); ++j) {
+  std::vector<std::optional<JointSamples>> samples(model.joint_samples.size());
+  for (std::size_t j = 0; j < samples.size(); ++j) {
+    if (model.joint_samples[j].empty()) continue;
     const StructuralJoint& joint = model.structure.joints()[j];
-    samples.push_back(model.joint_samples[j].empty()
-                          ? nullptr
-                          : std::make_shared<const JointSamples>(
-                                samples_for(model.joint_samples[j], joint.joint.stiffness(),
-                                            fmt::format("'{}'", joint.name))));
+    samples[j] = samples_for(model.joint_samples[j], joint.joint.stiffness(),
+                             fmt::format("'{}'", joint.name));
   }
   const bool together =
       options.correlation == Correlation::kTogether ||
@@ -102,7 +109,7 @@ StructureDraws draws_of(const ModelFile& model, const std::string& file,
   std::vector<JointDraws> joints;
   for (std::size_t j = 0; j < samples.size(); ++j) {
     const bool said = j < model.damping_said.size() && model.damping_said[j];
-    joints.push_back(samples[j] ? joint_draws(samples[j], said) : JointDraws{});
+    joints.push_back(samples[j] ? joint_draws_of(*std::move(samples[j]), said) : JointDraws{});
   }
   StructureDraws draws(model.structure, model.spread, std::move(joints),
                        together ? JointPairing::kTogether : JointPairing::kIndependent,

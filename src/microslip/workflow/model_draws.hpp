@@ -43,8 +43,16 @@ struct DrawOptions {
   ///                     N < 2/(1 − P); for more than kMostDraws.
   void check() const;
 
+  /// That all draws together, kept for their quantiles, are not too many numbers.
+  /// @param values  of one draw.
+  /// @param remedy  what the user can do beside fewer draws, a sentence.
+  /// @throws InputError  for N times these above kMostValues.
+  void check_size(std::size_t values, const std::string& remedy) const;
+
   /// More are a mistake.
   static constexpr std::size_t kMostDraws = 1'000'000;
+  /// 1 GiB.
+  static constexpr std::size_t kMostValues = std::size_t{1} << 27U;
 };
 
 /// Draws of a model file: the samples of its joints, which are read, and its spread.
@@ -60,6 +68,11 @@ struct DrawOptions {
 /// @throws FileError, FormatError, InputError  as draws_of().
 [[nodiscard]] JointSamples samples_for(const std::string& path, double stiffness,
                                        const std::string& name);
+
+/// Samples as draws of a joint.
+/// @param samples       of it.
+/// @param damping_said  the model says its linear damping: that of the draws is not used.
+[[nodiscard]] JointDraws joint_draws_of(JointSamples samples, bool damping_said);
 
 /// What became of the draws of a prediction.
 struct DrawsTaken {
