@@ -3,14 +3,18 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "command.hpp"
+#include "draw_arguments.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/dynamics/march.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/load_file.hpp"
 #include "microslip/io/model_file.hpp"
 #include "microslip/io/output_files.hpp"
+#include "microslip/workflow/march_draws.hpp"
+#include "microslip/workflow/model_draws.hpp"
 #include "microslip/workflow/model_text.hpp"
 #include "microslip/workflow/quantity_text.hpp"
 #include "prediction.hpp"
@@ -29,6 +33,8 @@ struct MarchArguments : ModelArguments {
   std::string law = "incremental";
   std::string elements = "1000";
   bool no_error_estimate = false;
+  std::string peaks;
+  DrawArguments draws;
 };
 
 MarchOptions march_options(const MarchArguments& arguments, const ModelFile& model) {
@@ -43,15 +49,46 @@ MarchOptions march_options(const MarchArguments& arguments, const ModelFile& mod
   return options;
 }
 
+/// The table, the peaks, and the summary of a march with draws.
+int run_draws(const MarchArguments& arguments, const ModelFile& model, const LoadHistory& loads,
+              const MarchOptions& options, const Call& call) {
+  const DrawOptions drawn = draw_options(arguments.draws);
+  const StructureDraws draws = draws_of(model, arguments.model, drawn);
+  const DrawnMarch march =
+      drawn_march(model, loads, options, draws, drawn, Execution::threads(),
+                  progress_bar("time", call.quiet), progress_bar("draws", call.quiet));
+  std::string heading = heading_of(call.command_line, model);
+  OutputFiles peaks;
+  if (march.has_band()) {
+    heading += "\n" + draws_comment(march.taken, uncertain_text(model)) + "\n" +
+               march_peaks_comment(march);
+    if (!arguments.peaks.empty()) peaks.add(arguments.peaks, march_peaks_table(march, heading));
+  }
+  write_drawn_march(arguments.out, model, loads, heading, march);
+  peaks.commit();
+  const int status = tell_ending(march.march.summary, true, arguments, call, [&] {
+    const std::string spread =
+        march.has_band()
+            ? describe_march_spread(march) + describe_draws(march.taken, uncertain_text(model))
+            : "";
+    return describe_march(arguments.model, arguments.forces, model, loads, march.march, spread);
+  });
+  return march.taken.too_many_failed() ? kNotConverged : status;
+}
+
 int run(const MarchArguments& arguments, const Call& call) {
   check_output(arguments.out);
   const ModelFile model = read_model(arguments.model);
   // Without joints the table is one of point motions, as a recording can be.
-  check_output(arguments.out, model.structure.joints().empty() ? std::string_view{} : kMarchKind);
+  std::vector<PlannedOutput> outputs{
+      {arguments.out, model.structure.joints().empty() ? std::string_view{} : kMarchKind}};
+  if (!arguments.peaks.empty()) outputs.push_back({arguments.peaks, kMarchPeaksKind});
+  check_outputs(outputs);
   const MarchOptions options = march_options(arguments, model);
   const NormalLoadLaw law =
       arguments.law == "total" ? NormalLoadLaw::kTotal : NormalLoadLaw::kIncremental;
   const LoadHistory loads = read_loads(arguments.forces, model.structure, law);
+  if (arguments.draws.any()) return run_draws(arguments, model, loads, options, call);
   const MarchResult result =
       march_to_table(arguments.out, model, loads, options, heading_of(call.command_line, model),
                      progress_bar("time", call.quiet));
@@ -102,12 +139,24 @@ void add_march(CLI::App& program, Call& call) {
       ->add_option("--elements", arguments->elements,
                    "Jenkins elements of a joint whose normal load varies")
       ->capture_default_str();
+  add_draw_arguments(*command, arguments->draws,
+                     "displacement_lower and displacement_upper [m] at each time, the same of each "
+                     "column that is marched");
+  add_correlation_argument(*command, arguments->draws);
+  command
+      ->add_option("--peaks-csv", arguments->peaks,
+                   "Largest values and rms of each column as CSV, with the values between which "
+                   "those of the draws lie")
+      ->needs(command->get_option("--draws"))
+      ->type_name(kCsvValue);
   command->add_flag("--quiet", call.quiet, "No summary, no progress");
   add_examples(
       *command,
       {"microslip march model.toml --force-file force.csv --out march.csv",
        "microslip march model.toml --force-file force.csv --step 20ms --every 10 --out -",
-       "microslip march model.toml --force-file force.csv --no-error-estimate --out march.csv"});
+       "microslip march model.toml --force-file force.csv --no-error-estimate --out march.csv",
+       "microslip march model.toml --force-file force.csv --draws 1000 --out march.csv \\",
+       "          --peaks-csv peaks.csv"});
   command->callback(
       [arguments, &call] { call.run = [arguments, &call] { return run(*arguments, call); }; });
 }

@@ -40,6 +40,10 @@ TEST(FileKind, KnowsTablesOfATestAndOfAMarch) {
   EXPECT_EQ(file_kind("time [s],force [N]," + motion + joint + "\n"), kMarchKind);
   EXPECT_EQ(file_kind("time [s],force at a [N],force at b [N]," + motion + joint + "\n"),
             kMarchKind);
+  const std::string band = ",displacement_lower [m],displacement_upper [m],joint force_upper [N]";
+  EXPECT_EQ(file_kind("time [s],force [N]," + motion + joint + band + "\n"), kMarchKind);
+  EXPECT_EQ(file_kind("statistic,displacement [m],displacement_lower [m],draws [1]\n"),
+            kMarchPeaksKind);
   // A recording of the same channels, and one whose joint was measured but not marched.
   EXPECT_NE(file_kind("time [s],force [N]," + motion + "\n"), kMarchKind);
   EXPECT_NE(file_kind("time [s],force [N]" + joint + "\n"), kMarchKind);

@@ -38,6 +38,7 @@ constexpr std::array kTableKinds{
     TableKind{kDampingLevelsKind, {"amplitude", "damping_ratio", "decay_time"}},
     TableKind{kDensityKind, {"slip_force", "density"}},
     TableKind{kPeaksKind, {"frequency", "frequency_lower", "draws"}},
+    TableKind{kMarchPeaksKind, {"statistic", "displacement_lower", "draws"}},
     TableKind{kResponseKind, {"frequency", "displacement", "phase"}},
     TableKind{kBackboneKind, {"frequency", "displacement", "damping_ratio"}},
     TableKind{kLoopKind, {"displacement", "force"}},
@@ -51,8 +52,12 @@ bool is_histories(const std::vector<std::string>& names) {
 }
 
 /// time, forces, displacement, velocity, acceleration, and a joint's displacement and force at the
-/// end: no recording is like that.
-bool is_march(const std::vector<std::string>& names) {
+/// end, but for what draws add: no recording is like that.
+bool is_march(std::vector<std::string> names) {
+  while (names.size() > 1 &&
+         (names.back().ends_with("_lower") || names.back().ends_with("_upper"))) {
+    names.pop_back();
+  }
   constexpr std::array<std::string_view, 3> kMotion{"displacement", "velocity", "acceleration"};
   const auto motion = std::search(names.begin(), names.end(), kMotion.begin(), kMotion.end());
   return names.front() == "time" && names.end() - motion > 4 &&

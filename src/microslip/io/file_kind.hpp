@@ -42,6 +42,8 @@ inline constexpr std::string_view kLoopKind = "a table of forces on a path";  //
 inline constexpr std::string_view kResponseKind = "a table of a frequency response";
 /// of peaks_table()
 inline constexpr std::string_view kPeaksKind = "a table of peaks of draws";
+/// of march_peaks_table()
+inline constexpr std::string_view kMarchPeaksKind = "a table of peaks of draws of a march";
 inline constexpr std::string_view kBackboneKind = "a table of a backbone";  ///< of backbone_table()
 /// of verification_table()
 inline constexpr std::string_view kVerificationKind = "a table of a verification";

@@ -51,7 +51,24 @@ std::string comment_lines(const std::vector<std::string>& texts) {
   return lines;
 }
 
-std::string header_line(const JointedStructure& structure, const LoadHistory& loads) {
+/// A column that is marched.
+struct MarchedColumn {
+  std::string name;
+  Dimension dimension;
+};
+
+std::vector<MarchedColumn> marched_columns(const JointedStructure& structure) {
+  std::vector<MarchedColumn> columns{
+      {"displacement", kLength}, {"velocity", kVelocity}, {"acceleration", kAcceleration}};
+  for (const StructuralJoint& joint : structure.joints()) {
+    columns.push_back({fmt::format("{} displacement", joint.name), kLength});
+    columns.push_back({fmt::format("{} force", joint.name), kForce});
+  }
+  return columns;
+}
+
+std::string header_line(const JointedStructure& structure, const LoadHistory& loads,
+                        bool with_band) {
   std::string line;
   const auto add = [&](std::string_view name, const Dimension& dimension) {
     check_column_name(name);
@@ -59,12 +76,12 @@ std::string header_line(const JointedStructure& structure, const LoadHistory& lo
   };
   add("time", kTime);
   for (const PointForce& at : loads.forces) add(force_name(loads, at), kForce);
-  add("displacement", kLength);
-  add("velocity", kVelocity);
-  add("acceleration", kAcceleration);
-  for (const StructuralJoint& joint : structure.joints()) {
-    add(fmt::format("{} displacement", joint.name), kLength);
-    add(fmt::format("{} force", joint.name), kForce);
+  const std::vector<MarchedColumn> columns = marched_columns(structure);
+  for (const MarchedColumn& column : columns) add(column.name, column.dimension);
+  for (const MarchedColumn& column : columns) {
+    if (!with_band) break;
+    add(column.name + "_lower", column.dimension);
+    add(column.name + "_upper", column.dimension);
   }
   return line + '\n';
 }
@@ -72,15 +89,15 @@ std::string header_line(const JointedStructure& structure, const LoadHistory& lo
 }  // namespace
 
 MarchTable::MarchTable(const std::string& path, const JointedStructure& structure,
-                       const LoadHistory& loads, std::string_view heading)
+                       const LoadHistory& loads, std::string_view heading, bool with_band)
     : loads_(loads),
       stream_(std::make_unique<TableStream>(
           path, heading.empty() ? std::string() : comment_lines({std::string(heading)}),
-          header_line(structure, loads))) {}
+          header_line(structure, loads, with_band))) {}
 
 MarchTable::~MarchTable() = default;
 
-void MarchTable::add(const MarchRow& row) {
+void MarchTable::add(const MarchRow& row, std::span<const double> band) {
   line_.clear();
   const auto put = [&](double value) {
     finite_ = finite_ && std::isfinite(value);
@@ -96,6 +113,7 @@ void MarchTable::add(const MarchRow& row) {
     put(row.joint_displacement[j]);
     put(row.joint_force[j]);
   }
+  for (const double edge : band) put(edge);
   line_ += '\n';
   if (finite_) stream_->add(line_);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,9 @@
 ///     force [N]           that acts; force at POINT [N] where there are several
 ///     displacement [m], velocity [m/s], acceleration [m/s^2]    at the response point
 ///     NAME displacement [m], NAME force [N]                     of each joint
+///
+/// and, where there are draws, between which values they lie: `displacement_lower [m]`,
+/// `displacement_upper [m]`, and the same of each column after the forces that act.
 ///
 /// Its comments tell how the march ended, "NOT CONVERGED" where it did not, the estimated error,
 /// where the energy went, and what warnings there were.
@@ -30,16 +34,19 @@ class MarchTable {
   /// @param structure  that is marched.
   /// @param loads      that are marched; kept by reference.
   /// @param heading    the first comment; may be empty.
+  /// @param with_band  whether each row has a band.
   /// @throws FileError  as OutputFiles.
   MarchTable(const std::string& path, const JointedStructure& structure, const LoadHistory& loads,
-             std::string_view heading);
+             std::string_view heading, bool with_band = false);
   MarchTable(const MarchTable&) = delete;
   MarchTable& operator=(const MarchTable&) = delete;
   ~MarchTable();
 
   /// Adds a row with one point. From the first on that is not finite none is written.
+  /// @param row   of the march.
+  /// @param band  lower and upper of each column after the forces, in their order; empty without.
   /// @throws FileError  where it cannot be written.
-  void add(const MarchRow& row);
+  void add(const MarchRow& row, std::span<const double> band = {});
 
   /// Writes the comments and gives the file its name. @param result  with all warnings.
   /// @throws FileError  where it cannot be written or replaced.

@@ -261,7 +261,7 @@ MarchResult march_to_table(const std::string& path, const ModelFile& model,
 
 std::string describe_march(const std::string& file, const std::string& forces,
                            const ModelFile& model, const LoadHistory& loads,
-                           const MarchResult& result) {
+                           const MarchResult& result, const std::string& draws) {
   std::string text = fmt::format("March from {:g} to {:g} s\n", loads.time.front(), result.reached);
   text += describe_model(file, model.structure);
   text += line("loads", fmt::format("{}, {} times", input_name(forces), loads.time.size()));
@@ -278,7 +278,7 @@ std::string describe_march(const std::string& file, const std::string& forces,
     text += line("estimated error",
                  fmt::format("{:.2g} of the largest displacement", *result.error_estimate));
   }
-  return text + describe_damping(model) + describe_warnings(result.warnings);
+  return text + draws + describe_damping(model) + describe_warnings(result.warnings);
 }
 
 }  // namespace microslip

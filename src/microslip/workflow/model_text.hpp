@@ -87,8 +87,9 @@ void add_response_warnings(const HarmonicBalance& balance, const ModelFile& mode
                                          const std::string& heading, const Progress& progress);
 
 /// The summary of a march. @param file, forces  those of the model and of the loads.
+/// @param draws  lines on them; empty without.
 [[nodiscard]] std::string describe_march(const std::string& file, const std::string& forces,
                                          const ModelFile& model, const LoadHistory& loads,
-                                         const MarchResult& result);
+                                         const MarchResult& result, const std::string& draws = {});
 
 }  // namespace microslip
