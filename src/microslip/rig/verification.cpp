@@ -57,33 +57,32 @@ std::size_t nearest_mode(const JointedStructure& structure, double omega) {
   return static_cast<std::size_t>(nearest - all.begin());
 }
 
-/// See PredictedLevel::frequency_offset.
-std::optional<double> frequency_offset(const HarmonicBalance& balance,
-                                       const SteadyVibration& predicted,
-                                       const RecordAnalysis& record, double response) {
-  const double lag = recorded_lag(record);
-  if (!(lag > 0.0 && lag < std::numbers::pi)) return std::nullopt;
-  const Target phase{Quantity::kPhaseLag, lag};
-  const Target level{Quantity::kResponse, response};
-  const auto offset = [&](const VibrationResult& found) -> std::optional<double> {
-    const double difference = found.vibration.frequency() - record.fit.frequency();
-    if (!found.summary.converged()) return std::nullopt;
-    if (!(std::abs(difference) <= kFarthest * record.fit.frequency())) return std::nullopt;
-    return difference;
-  };
-  if (const auto near = offset(balance.solve(phase, level, predicted))) return near;
-  return offset(balance.solve(phase, level, nearest_mode(balance.structure(), record.fit.omega)));
+/// A solution that converged, within 20 % of the frequency of the record.
+bool is_near(const VibrationResult& found, const RecordedSetting& setting) {
+  const double difference = found.vibration.angular_frequency - setting.angular_frequency;
+  return found.summary.converged() && std::abs(difference) <= kFarthest * setting.angular_frequency;
 }
 
-HarmonicBalance balance_of(const Verifier& verifier, std::vector<Complex> force,
-                           std::size_t least_harmonics) {
-  const Reducer& reducer = verifier.reducer();
-  HarmonicBalanceOptions options = verifier.options().balance;
-  options.harmonics = std::max(options.harmonics, least_harmonics);
-  return {rig_structure(reducer.rig(), reducer.state(), verifier.joint(), std::move(force),
-                        verifier.options().linear_damping),
-          {reducer.rig().excitation.channel, ResponseKind::kAcceleration},
-          options};
+/// With the recorded phase and another quantity of the record.
+std::optional<SteadyVibration> at_phase(const HarmonicBalance& balance,
+                                        const RecordedSetting& setting, const Target& other,
+                                        const SteadyVibration& start) {
+  if (!(setting.phase_lag > 0.0 && setting.phase_lag < std::numbers::pi)) return std::nullopt;
+  const Target phase{Quantity::kPhaseLag, setting.phase_lag};
+  VibrationResult found = balance.solve(phase, other, start);
+  if (is_near(found, setting)) return std::move(found.vibration);
+  found = balance.solve(phase, other, nearest_mode(balance.structure(), setting.angular_frequency));
+  if (is_near(found, setting)) return std::move(found.vibration);
+  return std::nullopt;
+}
+
+RecordedSetting setting_of(const RecordAnalysis& record, const ReducedLevel& level, bool sine) {
+  return {.angular_frequency = record.fit.omega,
+          .response = level.response_amplitude,
+          .force = level.force_amplitude,
+          .phase_lag = recorded_lag(record),
+          .force_shape = force_shape(record, sine),
+          .harmonics = record.fit.order()};
 }
 
 PredictedLevel predicted_level(const SteadyVibration& vibration) {
@@ -202,7 +201,41 @@ Verifier::Verifier(Rig rig, Joint joint, VerificationOptions options)
   if (!(options_.history_cycles >= 0.0)) {
     throw InputError("history_cycles", options_.history_cycles, "must be 0 or more");
   }
-  (void)balance_of(*this, {1.0}, 1);  // throws where the rig or an option makes none
+  // Throws where the rig or an option makes none.
+  (void)balance({.force_shape = {1.0}});
+}
+
+HarmonicBalance Verifier::balance(const RecordedSetting& setting) const {
+  const Rig& rig = reducer_.rig();
+  HarmonicBalanceOptions options = options_.balance;
+  options.harmonics = std::max(options.harmonics, setting.harmonics);
+  return {
+      rig_structure(rig, reducer_.state(), joint_, setting.force_shape, options_.linear_damping),
+      {rig.excitation.channel, ResponseKind::kAcceleration},
+      options};
+}
+
+PredictedVibration predict_at(const HarmonicBalance& balance, const RecordedSetting& setting,
+                              const SteadyVibration* start) {
+  const Target frequency{Quantity::kAngularFrequency, setting.angular_frequency};
+  const Target response{Quantity::kResponse, setting.response};
+  VibrationResult found = start == nullptr ? balance.solve(frequency, response)
+                                           : balance.solve(frequency, response, *start);
+  PredictedVibration predicted{std::move(found.vibration), {}, std::move(found.summary)};
+  predicted.level = predicted_level(predicted.vibration);
+  if (const auto there = at_phase(balance, setting, response, predicted.vibration)) {
+    predicted.level.frequency_offset =
+        there->frequency() - setting.angular_frequency / (2.0 * std::numbers::pi);
+  }
+  return predicted;
+}
+
+std::optional<PredictedPeak> predict_peak(const HarmonicBalance& balance,
+                                          const RecordedSetting& setting,
+                                          const SteadyVibration& start) {
+  const auto there = at_phase(balance, setting, {Quantity::kForceAmplitude, setting.force}, start);
+  if (!there) return std::nullopt;
+  return PredictedPeak{there->frequency(), there->response};
 }
 
 Verification Verifier::verify(const Recording& recording) const {
@@ -213,21 +246,19 @@ Verification Verifier::verify(const Recording& recording) const {
   Verification result;
   result.recorded = reduced_level(record, reducer_);
   result.phase = std::arg(record.whole.exciter_acceleration.c(1));
-  const double response = result.recorded.response_amplitude;
+  result.setting = setting_of(record, result.recorded, options_.sine);
 
-  const HarmonicBalance balance =
-      balance_of(*this, force_shape(record, options_.sine), record.fit.order());
-  const VibrationResult found = balance.solve({Quantity::kAngularFrequency, record.fit.omega},
-                                              {Quantity::kResponse, response});
-  result.summary = found.summary;
-  result.predicted = predicted_level(found.vibration);
-  result.predicted.frequency_offset = frequency_offset(balance, found.vibration, record, response);
+  const HarmonicBalance balance = this->balance(result.setting);
+  PredictedVibration found = predict_at(balance, result.setting);
+  result.summary = std::move(found.summary);
+  result.predicted = found.level;
+  result.vibration = std::move(found.vibration);
 
   const JointedStructure& structure = balance.structure();
   const Complex drive_point =
-      found.vibration.acceleration(structure.linear(), rig.excitation.channel)[1];
+      result.vibration.acceleration(structure.linear(), rig.excitation.channel)[1];
   const std::vector<Harmonics> harmonics = channel_harmonics(
-      found.vibration, force_harmonics(found.vibration, structure.excitations().front()), rig,
+      result.vibration, force_harmonics(result.vibration, structure.excitations().front()), rig,
       state, record.layout);
   for (std::size_t j = 0; j < harmonics.size(); ++j) {
     result.channels.push_back(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <complex>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -56,10 +57,37 @@ struct PredictedLevel {
   std::optional<double> frequency_offset = {};
 };
 
+/// What a record gives to a model: enough to ask others the same.
+struct RecordedSetting {
+  double angular_frequency = 0.0;  ///< ω, rad/s
+  double response = 0.0;           ///< |A_1| at the exciter, m/s²
+  double force = 0.0;              ///< |F_1|, N
+  double phase_lag = 0.0;          ///< of the displacement at the exciter behind the force, rad
+  /// s_1, s_2, … of the force: see Excitation.
+  std::vector<std::complex<double>> force_shape = {};
+  std::size_t harmonics = 1;  ///< that the prediction has at least
+};
+
+/// What a model does at the setting of a record.
+struct PredictedVibration {
+  SteadyVibration vibration;  ///< at the recorded frequency and response
+  PredictedLevel level;       ///< of it
+  Summary summary;            ///< of the harmonic balance
+};
+
+/// Where a model vibrates with the recorded force and phase: its resonance where the record is of
+/// one.
+struct PredictedPeak {
+  double frequency = 0.0;  ///< Hz
+  double response = 0.0;   ///< |A_1| at the exciter, m/s²
+};
+
 /// Predicted against recorded: one record.
 struct Verification {
-  ReducedLevel recorded;     ///< what the reduction says of the record, with its flags
-  PredictedLevel predicted;  ///< what the model does instead
+  ReducedLevel recorded;      ///< what the reduction says of the record, with its flags
+  RecordedSetting setting;    ///< what of it is given to the model
+  PredictedLevel predicted;   ///< what the model does instead
+  SteadyVibration vibration;  ///< the same, whole
   std::vector<ChannelComparison> channels;  ///< force, accelerometers, vibrometer
   std::optional<std::size_t> drive_point =
       {};                       ///< which of them is the accelerometer at the exciter
@@ -130,6 +158,10 @@ class Verifier {
   /// @throws InputError  as Reducer::reduce(). Not converging is a status.
   [[nodiscard]] Verification verify(const Recording& recording) const;
 
+  /// The balance of the rig with its joint at a record; the response point is the exciter.
+  /// @throws InputError  as rig_structure().
+  [[nodiscard]] HarmonicBalance balance(const RecordedSetting& setting) const;
+
   /// Of the rig; what the reduction of the records works with.
   [[nodiscard]] const Reducer& reducer() const { return reducer_; }
   /// The joint of the prediction.
@@ -142,5 +174,22 @@ class Verifier {
   Joint joint_;
   VerificationOptions options_;
 };
+
+/// What a model does at the frequency and the response of a record.
+/// @param balance  of the model.
+/// @param setting  of the record.
+/// @param start    a vibration near it, where one is known.
+[[nodiscard]] PredictedVibration predict_at(const HarmonicBalance& balance,
+                                            const RecordedSetting& setting,
+                                            const SteadyVibration* start = nullptr);
+
+/// Where a model has the force and the phase of a record; nothing where it does so not within 20 %
+/// of its frequency.
+/// @param balance  of the model.
+/// @param setting  of the record.
+/// @param start    a vibration near it.
+[[nodiscard]] std::optional<PredictedPeak> predict_peak(const HarmonicBalance& balance,
+                                                        const RecordedSetting& setting,
+                                                        const SteadyVibration& start);
 
 }  // namespace microslip

@@ -46,6 +46,7 @@ std::string comment_of(const VerifiedRecordings& verified, const std::string& co
   if (!damping.empty()) comment += "\nlinear damping of the joint: " + damping;
   std::vector<std::vector<Warning>> warnings = verified.warnings;
   warnings.push_back(verification_warnings(batch));
+  if (verified.spread) warnings.push_back(verified.spread->warnings);
   return with_warnings(std::move(comment), joined_warnings(warnings));
 }
 
@@ -115,8 +116,19 @@ VerifiedRecordings verify_recordings(const RecordingsVerification& options) {
   const auto read = [&](std::size_t i) {
     return read_named_recordings(options.recordings[i], options.reading, verified.warnings[i]);
   };
+  // Read before the records, which take longer.
+  JointDraws draws;
+  if (options.draws && !options.draws->samples.empty()) {
+    draws = joint_draws_of(
+        samples_for(options.draws->samples, joint.joint.stiffness(), "the joint"), false);
+  }
   verified.batch = verify_batch(verified.verifier, count, read,
                                 {.skip_faulty = options.skip_faulty, .progress = options.progress});
+  if (options.draws && verified.batch.converged() && !verified.batch.records.empty()) {
+    verified.spread = verification_spread(
+        verified.verifier, verified.batch.records, std::move(draws), options.draws->rig,
+        options.draws->options, options.draws->execution, options.draws->progress);
+  }
   return verified;
 }
 
@@ -132,6 +144,10 @@ void add_tables(const VerifiedRecordings& verified, const VerificationTables& ta
   for (const auto& [path, kind, make] : outputs_of(tables)) {
     CsvWriter table = make(verified.batch.records);
     table.add_comment(comment);
+    if (verified.spread) table.add_comment(checked_comment(*verified.spread));
+    if (verified.spread && kind == kVerificationKind) {
+      add_checked(*verified.spread, verified.batch.records, table);
+    }
     files.add(path, table.str());
   }
 }
