@@ -338,11 +338,23 @@ const Files& inputs() {
                              "joint_samples.h5 --quiet"))
                   .files;
     all["joint_samples.h5"] = written.at("joint_samples.h5");
+    all["identified.json"] = written.at("identified.json");
+    for (const char* call :
+         {"frf drawn_model.toml --force 50 --frequency 10:20 --draws 40 --out drawn_frf.csv",
+          "backbone drawn_model.toml --response 0.1mm:1mm:5 --draws 40 --out drawn_backbone.csv",
+          "march drawn_model.toml --force-file other_force.csv --draws 40 --out drawn_march.csv",
+          "dissipation identified.json --amplitude 1um:300um:5 --draws 40 --samples "
+          "joint_samples.h5 --out drawn_curve.csv",
+          "loop identified.json --amplitude 100um --points 10 --draws 40 --samples "
+          "joint_samples.h5 --out drawn_loop.csv"}) {
+      const std::string text(call);
+      const std::string name = text.substr(text.rfind(' ') + 1);
+      all[name] = run(all, words(text + " --quiet")).files.at(name);
+    }
     for (const char* name : {"levels.csv", "joint.json", "level_01.csv", "level_02.csv"}) {
       all[std::string("folder/") + name] = all.at(name);
     }
     all["folder/rig.toml"] = made.at("test/rig.toml");
-    all["identified.json"] = written.at("identified.json");
     return all;
   }();
   return files;

@@ -57,6 +57,73 @@ TEST(PaperResponse, ThePhaseDoesNotJumpByATurn) {
               {3.0 * degrees, 360.0 - 3.0 * degrees, 360.0 - 0.1 * degrees});
 }
 
+// ---- Bands of draws. ----
+
+const BandLayer& band(const Figure& panel, std::size_t i = 0) {
+  return std::get<BandLayer>(panel.layers.at(i));
+}
+
+// Behind the curve, in its unit; at one response a band of the force is turned over.
+TEST(BandOfDraws, LiesBehindAResponse) {
+  PredictedResponse response{{10.0, 11.0}, {0.5, 0.5}, {2e-3, 1e-3}, {0.5, 2.0}};
+  response.band = {{1e-3, 0.5e-3}, {3e-3, 2e-3}};
+  const FigureGrid at_force = response_figure(response);
+  expect_near(band(at_force.panels[0]).upper, {3.0, 2.0});
+  expect_near(line(at_force.panels[0], 1).y, {2.0, 1.0});
+  EXPECT_EQ(at_force.panels[1].layers.size(), 1U);
+  PredictedResponse kept{{10.0, 11.0}, {0.5, 0.25}, {1e-3, 1e-3}, {0.5, 2.0}};
+  kept.band = {{0.25, 0.2}, {1.0, 0.5}};
+  const FigureGrid at_response = response_figure(kept);
+  expect_near(band(at_response.panels[0]).lower, {1.0, 2.0});
+  expect_near(band(at_response.panels[0]).upper, {4.0, 5.0});
+}
+
+// An area is one between two lines over x: where the curve turns back another begins.
+TEST(BandOfDraws, HasAPartBetweenTwoTurns) {
+  PredictedResponse response{
+      {10.0, 12.0, 11.0, 13.0}, {1.0, 1.0, 1.0, 1.0}, {1.0, 4.0, 3.0, 2.0}, {0.1, 0.2, 0.3, 0.4}};
+  response.band = {{0.5, 3.5, 2.5, 1.5}, {1.5, 4.5, 3.5, 2.5}};
+  const Figure panel = response_figure(response).panels[0];
+  ASSERT_EQ(panel.layers.size(), 4U);
+  EXPECT_EQ(band(panel, 0).x, (Numbers{10.0, 12.0}));
+  EXPECT_EQ(band(panel, 1).x, (Numbers{12.0, 11.0}));
+  EXPECT_EQ(band(panel, 2).x, (Numbers{11.0, 13.0}));
+  EXPECT_EQ(band(panel, 1).legend, band(panel, 2).legend);
+}
+
+TEST(BandOfDraws, LiesBehindBackboneJointAndPath) {
+  const FigureGrid backbone =
+      backbone_figure({{1.0, 2.0}, {55.0, 54.0}, {0.01, 0.02}, {{54.0, 53.0}, {56.0, 55.0}}, {}});
+  EXPECT_EQ(band(backbone.panels[0]).lower, (Numbers{54.0, 53.0}));
+  EXPECT_EQ(backbone.panels[1].layers.size(), 1U);
+  DissipationCurve curve{{1.0, 2.0}, {1.0, 3.0}, {10.0, 9.0}, {0.1, 0.2}};
+  curve.loss_band = {{0.05, 0.1}, {0.2, 0.3}};
+  EXPECT_EQ(band(joint_figures(curve).panels[2]).upper, (Numbers{0.2, 0.3}));
+  const Figure path =
+      path_figure({0.0, 1.0, 0.5}, {0.0, 2.0, 1.0}, {{0.0, 1.5, 0.5}, {0.0, 2.5, 1.5}});
+  ASSERT_EQ(path.layers.size(), 3U);
+  EXPECT_EQ(band(path, 1).x, (Numbers{1.0, 0.5}));
+}
+
+// A long history is drawn by parts: of each the widest band.
+TEST(BandOfDraws, OfALongHistoryIsTheWidestOfEachPart) {
+  HistorySignal signal{"displacement", "displacement", "m", {}, {}};
+  constexpr std::size_t kCount = 20'000;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    signal.time.push_back(static_cast<double>(i));
+    signal.values.push_back(0.0);
+    signal.band.lower.push_back(i == 5 ? -2.0 : -1.0);
+    signal.band.upper.push_back(i == kCount - 1 ? 3.0 : 1.0);
+  }
+  const std::vector<HistorySignal> signals{signal};
+  const Figure panel = histories_figure(signals).panels[0];
+  ASSERT_EQ(panel.layers.size(), 2U);
+  EXPECT_EQ(band(panel).x.size(), 4000U);
+  EXPECT_EQ(std::ranges::min(band(panel).lower), -2.0);
+  EXPECT_EQ(std::ranges::max(band(panel).upper), 3.0);
+  EXPECT_TRUE(line(panel, 1).legend.empty());
+}
+
 TEST(PaperBackbone, IsOverTheAmplitude) {
   const PredictedBackbone backbone{{1e-6, 1e-3}, {50.0, 40.0}, {0.01, 0.03}};
   const FigureGrid grid = backbone_figure(backbone);

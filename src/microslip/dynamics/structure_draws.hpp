@@ -46,8 +46,8 @@ class StructureDraws {
   /// @param joints   one a joint, or none.
   /// @param pairing  of those that have draws.
   /// @param seed     s.
-  /// @throws InputError  as DrawnJoints; for standard deviations below 0 or above kLargestSpread; for
-  ///                     lists of another length than there are modes, joints, excitations.
+  /// @throws InputError  as DrawnJoints; for standard deviations below 0 or above kLargestSpread;
+  ///                     for lists of another length than there are modes, joints, excitations.
   StructureDraws(JointedStructure nominal, StructureSpread spread, std::vector<JointDraws> joints,
                  JointPairing pairing, std::uint64_t seed);
 

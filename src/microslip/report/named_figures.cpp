@@ -58,7 +58,7 @@ FigureGrid panels_of_test(const ResultInput& input, const FigureOptions& options
 
 FigureGrid loops(const ResultInput& input, const FigureOptions& options) {
   if (!input.path) return alone(loops_figure(input.test, options));
-  return alone(path_figure(input.path->displacement, input.path_force));
+  return alone(path_figure(input.path->displacement, input.path_force, input.path_band));
 }
 
 FigureGrid resonance(const ResultInput& input, const FigureOptions& options) {

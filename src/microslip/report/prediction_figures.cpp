@@ -14,6 +14,8 @@
 namespace microslip {
 namespace {
 
+constexpr const char* kOfDraws = "band of draws";
+
 LineLayer line_of(const std::vector<double>& x, const std::vector<double>& y) {
   return {x, y, "", {.colour = kBlue}};
 }
@@ -25,18 +27,36 @@ Figure panel_of(const std::vector<double>& x, const std::vector<double>& y) {
   return panel;
 }
 
-/// The force is the same all along but for what a solver leaves.
-bool is_constant(const std::vector<double>& values) {
-  constexpr double kSame = 1e-6;
-  if (values.empty()) return true;
-  const auto [lowest, highest] = std::ranges::minmax(values);
-  return highest - lowest <= kSame * highest;
+/// The band behind a curve. A curve that turns back has one for each part between two turns, since
+/// each is an area between two lines over x.
+void add_curve_band(Figure& panel, const std::vector<double>& x, const CurveBand& band) {
+  if (band.lower.empty()) return;
+  std::vector<Layer> parts;
+  for (std::size_t from = 0; from + 1 < x.size();) {
+    std::size_t to = from + 1;
+    while (to + 1 < x.size() && (x[to] - x[to - 1]) * (x[to + 1] - x[to]) >= 0.0) ++to;
+    const auto part = [&](const std::vector<double>& values) {
+      return std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(from),
+                                 values.begin() + static_cast<std::ptrdiff_t>(to + 1));
+    };
+    parts.emplace_back(BandLayer{part(x), part(band.lower), part(band.upper), kOfDraws, kBlue});
+    from = to;
+  }
+  panel.layers.insert(panel.layers.begin(), parts.begin(), parts.end());
 }
 
-std::vector<double> over_force(const PredictedResponse& response) {
-  std::vector<double> receptance = response.displacement;
-  for (std::size_t i = 0; i < receptance.size(); ++i) receptance[i] /= response.force.at(i);
+std::vector<double> receptance_of(const std::vector<double>& displacement,
+                                  const std::vector<double>& force) {
+  std::vector<double> receptance = displacement;
+  for (std::size_t i = 0; i < receptance.size(); ++i) receptance[i] /= force.at(i);
   return receptance;
+}
+
+/// The most force is the least receptance.
+CurveBand receptance_of(const PredictedResponse& response) {
+  if (response.band.lower.empty()) return {};
+  return {receptance_of(response.displacement, response.band.upper),
+          receptance_of(response.displacement, response.band.lower)};
 }
 
 /// Without the steps of a whole turn from −π to π.
@@ -49,8 +69,9 @@ std::vector<double> continuous(std::vector<double> phase) {
 }
 
 Figure over_amplitude(const std::vector<double>& amplitude, const std::vector<double>& values,
-                      bool log, std::string_view x_label) {
+                      const CurveBand& band, bool log, std::string_view x_label) {
   Figure panel = panel_of(amplitude, values);
+  add_curve_band(panel, amplitude, band);
   show_x(panel, x_label, "m");
   panel.x.log = log;
   return panel;
@@ -64,11 +85,12 @@ bool reaches_far(const std::vector<double>& amplitude) {
   return lowest > 0.0 && highest > kFar * lowest;
 }
 
-/// The lowest and the highest of each part, in their order.
+/// The lowest and the highest of each part, in their order, with the widest band of the part.
 HistorySignal thinned(const HistorySignal& signal) {
   constexpr std::size_t kParts = 2000;
   if (signal.values.size() <= 2 * kParts) return signal;
   HistorySignal thin{signal.name, signal.quantity, signal.unit, {}, {}};
+  const bool has_band = !signal.band.lower.empty();
   const std::size_t count = signal.values.size();
   for (std::size_t part = 0; part < kParts; ++part) {
     const auto begin = signal.values.begin() + static_cast<std::ptrdiff_t>(part * count / kParts);
@@ -76,9 +98,15 @@ HistorySignal thinned(const HistorySignal& signal) {
         signal.values.begin() + static_cast<std::ptrdiff_t>((part + 1) * count / kParts);
     auto [low, high] = std::minmax_element(begin, end);
     if (high < low) std::swap(low, high);
+    const auto [from, to] = std::pair{begin - signal.values.begin(), end - signal.values.begin()};
     for (const auto at : {low, high}) {
       thin.time.push_back(signal.time.at(static_cast<std::size_t>(at - signal.values.begin())));
       thin.values.push_back(*at);
+      if (!has_band) continue;
+      thin.band.lower.push_back(
+          *std::min_element(signal.band.lower.begin() + from, signal.band.lower.begin() + to));
+      thin.band.upper.push_back(
+          *std::max_element(signal.band.upper.begin() + from, signal.band.upper.begin() + to));
     }
   }
   return thin;
@@ -94,18 +122,21 @@ AxisOfSignals axis_of(const HistorySignal& signal) {
 Figure history_panel(std::span<const HistorySignal> signals, const AxisOfSignals& axis) {
   const auto& [quantity, unit] = axis;
   Figure panel;
+  std::vector<Layer> bands;
   for (const HistorySignal& signal : signals) {
     if (axis_of(signal) != axis) continue;
     const HistorySignal thin = thinned(signal);
+    const auto colour = static_cast<int>(panel.layers.size());
+    if (!thin.band.lower.empty()) {
+      bands.emplace_back(BandLayer{thin.time, thin.band.lower, thin.band.upper, kOfDraws, colour});
+    }
     panel.layers.emplace_back(
-        LineLayer{thin.time,
-                  thin.values,
-                  signal.name,
-                  {.colour = static_cast<int>(panel.layers.size()), .width = 1.4}});
+        LineLayer{thin.time, thin.values, signal.name, {.colour = colour, .width = 1.4}});
   }
-  check_figure(panel);
   // One signal is named by the axis.
   if (panel.layers.size() == 1) std::get<LineLayer>(panel.layers.front()).legend.clear();
+  panel.layers.insert(panel.layers.begin(), bands.begin(), bands.end());
+  check_figure(panel);
   show_x(panel, "time", "s");
   show_y(panel, quantity, unit.empty() ? "?" : unit);
   return panel;
@@ -114,13 +145,15 @@ Figure history_panel(std::span<const HistorySignal> signals, const AxisOfSignals
 }  // namespace
 
 FigureGrid response_figure(const PredictedResponse& response) {
-  Figure amplitude = is_constant(response.force)
-                         ? panel_of(response.frequency, response.displacement)
-                         : panel_of(response.frequency, over_force(response));
+  const bool at_force = is_same_all_along(response.force);
+  Figure amplitude =
+      panel_of(response.frequency, at_force ? response.displacement
+                                            : receptance_of(response.displacement, response.force));
+  add_curve_band(amplitude, response.frequency, at_force ? response.band : receptance_of(response));
   Figure phase = panel_of(response.frequency, continuous(response.phase));
   show_x(amplitude, "frequency", "Hz");
   show_x(phase, "frequency", "Hz");
-  if (is_constant(response.force)) {
+  if (at_force) {
     show_y(amplitude, "displacement amplitude", "m");
   } else {
     show_y(amplitude, "displacement over force", "m/N");
@@ -134,8 +167,10 @@ FigureGrid response_figure(const PredictedResponse& response) {
 FigureGrid backbone_figure(const PredictedBackbone& backbone, const FigureOptions& options) {
   const bool log = is_log(options, reaches_far(backbone.displacement));
   constexpr const char* kLabel = "displacement amplitude";
-  Figure frequency = over_amplitude(backbone.displacement, backbone.frequency, log, kLabel);
-  Figure damping = over_amplitude(backbone.displacement, backbone.damping_ratio, log, kLabel);
+  Figure frequency = over_amplitude(backbone.displacement, backbone.frequency,
+                                    backbone.frequency_band, log, kLabel);
+  Figure damping = over_amplitude(backbone.displacement, backbone.damping_ratio,
+                                  backbone.damping_band, log, kLabel);
   show_y(frequency, "resonance frequency", "Hz");
   show_y(damping, "damping ratio ζ", "%");
   return {"", 2, {std::move(frequency), std::move(damping)}};
@@ -144,9 +179,11 @@ FigureGrid backbone_figure(const PredictedBackbone& backbone, const FigureOption
 FigureGrid joint_figures(const DissipationCurve& curve, const FigureOptions& options) {
   const bool log = is_log(options, reaches_far(curve.amplitude));
   constexpr const char* kLabel = "joint amplitude A";
-  Figure energy = over_amplitude(curve.amplitude, curve.dissipation, log, kLabel);
-  Figure secant = over_amplitude(curve.amplitude, curve.secant_stiffness, log, kLabel);
-  Figure loss = over_amplitude(curve.amplitude, curve.loss_factor, log, kLabel);
+  Figure energy =
+      over_amplitude(curve.amplitude, curve.dissipation, curve.dissipation_band, log, kLabel);
+  Figure secant =
+      over_amplitude(curve.amplitude, curve.secant_stiffness, curve.secant_band, log, kLabel);
+  Figure loss = over_amplitude(curve.amplitude, curve.loss_factor, curve.loss_band, log, kLabel);
   show_y(energy, "dissipation per cycle D", "J");
   show_y(secant, "secant stiffness k_eq", "N/m");
   show_y(loss, "loss factor η", "1");
@@ -167,8 +204,10 @@ FigureGrid histories_figure(std::span<const HistorySignal> signals) {
   return grid;
 }
 
-Figure path_figure(const std::vector<double>& displacement, const std::vector<double>& force) {
+Figure path_figure(const std::vector<double>& displacement, const std::vector<double>& force,
+                   const CurveBand& band) {
   Figure figure = panel_of(displacement, force);
+  add_curve_band(figure, displacement, band);
   show_x(figure, "joint displacement", "m");
   show_y(figure, "joint force", "N");
   return figure;

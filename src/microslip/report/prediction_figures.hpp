@@ -10,7 +10,8 @@
 #include "microslip/workflow/result_input.hpp"
 
 /// @file
-/// What a model predicts, as figures. All values are SI.
+/// What a model predicts, as figures. All values are SI. Where draws were taken, the band of a curve
+/// lies behind it.
 
 namespace microslip {
 
@@ -37,6 +38,6 @@ namespace microslip {
 /// Force over displacement along a path. @throws InputError  without points, or where lengths
 /// differ.
 [[nodiscard]] Figure path_figure(const std::vector<double>& displacement,
-                                 const std::vector<double>& force);
+                                 const std::vector<double>& force, const CurveBand& band = {});
 
 }  // namespace microslip

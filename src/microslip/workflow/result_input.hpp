@@ -26,12 +26,19 @@ struct DensityCurve {
   bool of_records = false;                   ///< covered by records, not by levels
 };
 
+/// Between which values the draws of a curve lie, one a point; empty without draws.
+struct CurveBand {
+  std::vector<double> lower = {};  ///< in the unit of the curve
+  std::vector<double> upper = {};  ///< likewise
+};
+
 /// Steady vibrations over frequency; one length.
 struct PredictedResponse {
   std::vector<double> frequency;     ///< Hz, in the order of the curve
   std::vector<double> force;         ///< amplitude, N; > 0
   std::vector<double> displacement;  ///< amplitude of the first harmonic, m
   std::vector<double> phase;         ///< lag behind the force, rad
+  CurveBand band = {};               ///< of the displacement or, where that is kept, of the force
 };
 
 /// Vibrations in phase resonance; one length.
@@ -39,6 +46,8 @@ struct PredictedBackbone {
   std::vector<double> displacement;   ///< amplitude, m
   std::vector<double> frequency;      ///< Hz
   std::vector<double> damping_ratio;  ///< 1
+  CurveBand frequency_band = {};      ///< Hz
+  CurveBand damping_band = {};        ///< 1
 };
 
 /// Dissipation, secant stiffness and loss factor of a joint; one length.
@@ -47,6 +56,9 @@ struct DissipationCurve {
   std::vector<double> dissipation;       ///< J
   std::vector<double> secant_stiffness;  ///< N/m
   std::vector<double> loss_factor;       ///< 1
+  CurveBand dissipation_band = {};       ///< J
+  CurveBand secant_band = {};            ///< N/m
+  CurveBand loss_band = {};              ///< 1
 };
 
 /// A signal over time.
@@ -56,6 +68,7 @@ struct HistorySignal {
   std::string unit;            ///< SI; "" where it is not known
   std::vector<double> time;    ///< s
   std::vector<double> values;  ///< one a time, in that unit
+  CurveBand band = {};         ///< of `values`
 };
 
 /// What a folder or a file holds of results.
@@ -69,11 +82,15 @@ struct ResultInput {
   std::optional<DissipationCurve> dissipation = {};  ///< of a CSV of dissipation
   std::optional<DisplacementPath> path = {};         ///< of a CSV of loop
   std::vector<double> path_force = {};               ///< N, one a point of the path
+  CurveBand path_band = {};                          ///< of the force, N
   std::optional<JointSamples> samples = {};          ///< of joint_samples.h5
   std::vector<HistorySignal> history = {};           ///< of a CSV of march, or a recording
   std::size_t left_out = 0;                          ///< channels beyond those that a figure holds
   std::string no_record = {};  ///< why a record of a joint is not there, a sentence
 };
+
+/// Whether a force is kept: its values differ by what a solver leaves, 1e-6 of them.
+[[nodiscard]] bool is_same_all_along(const std::vector<double>& values);
 
 /// @param path  a folder as read_experiment() takes it, a table or model of this program, a
 ///              recording, or "-" for a table or model on standard input.
