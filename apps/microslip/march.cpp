@@ -97,6 +97,19 @@ int run(const MarchArguments& arguments, const Call& call) {
   });
 }
 
+void add_march_draws(CLI::App& command, MarchArguments& arguments) {
+  add_draw_arguments(command, arguments.draws,
+                     "displacement_lower and displacement_upper [m] at each time, the same of each "
+                     "column that is marched");
+  add_correlation_argument(command, arguments.draws);
+  command
+      .add_option("--peaks-csv", arguments.peaks,
+                  "Largest values and rms of each column as CSV, with the values between which "
+                  "those of the draws lie")
+      ->needs(command.get_option("--draws"))
+      ->type_name(kCsvValue);
+}
+
 }  // namespace
 
 void add_march(CLI::App& program, Call& call) {
@@ -139,16 +152,7 @@ void add_march(CLI::App& program, Call& call) {
       ->add_option("--elements", arguments->elements,
                    "Jenkins elements of a joint whose normal load varies")
       ->capture_default_str();
-  add_draw_arguments(*command, arguments->draws,
-                     "displacement_lower and displacement_upper [m] at each time, the same of each "
-                     "column that is marched");
-  add_correlation_argument(*command, arguments->draws);
-  command
-      ->add_option("--peaks-csv", arguments->peaks,
-                   "Largest values and rms of each column as CSV, with the values between which "
-                   "those of the draws lie")
-      ->needs(command->get_option("--draws"))
-      ->type_name(kCsvValue);
+  add_march_draws(*command, *arguments);
   command->add_flag("--quiet", call.quiet, "No summary, no progress");
   add_examples(
       *command,

@@ -350,7 +350,9 @@ const Files& inputs() {
       const std::string text(call);
       const std::string name = text.substr(text.rfind(' ') + 1);
       all[name] = run(all, words(text + " --quiet")).files.at(name);
+      all["curves/" + name.substr(name.find('_') + 1)] = all.at(name);
     }
+    all["curves/levels.csv"] = all.at("levels.csv");
     for (const char* name : {"levels.csv", "joint.json", "level_01.csv", "level_02.csv"}) {
       all[std::string("folder/") + name] = all.at(name);
     }

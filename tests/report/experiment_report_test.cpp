@@ -881,5 +881,28 @@ TEST(TestReportFault, LengthsOfARecordDiffer) {
             "b.csv.found.size() = 399; must be 400, that of what belongs to it");
 }
 
+// Tables of predictions in the folder have a section, their bands behind the curves; without any
+// there is none.
+TEST(ExperimentReport, ShowsCurvesOfPredictionsWithTheirBands) {
+  ExperimentResults results = exact_results();
+  const auto has_curves = [](const ReportDocument& document) {
+    return std::ranges::count(titles_of(document), "Curves") == 1;
+  };
+  EXPECT_FALSE(has_curves(experiment_report(results)));
+  results.curves.response = PredictedResponse{
+      {10.0, 11.0}, {0.5, 0.5}, {2e-3, 1e-3}, {0.5, 2.0}, {{1e-3, 5e-4}, {3e-3, 2e-3}}};
+  results.curves.march = {
+      {"displacement", "displacement", "m", {0.0, 1.0}, {0.0, 1.0}, {{0.0, 0.5}, {0.0, 1.5}}},
+      {"joint", "joint force", "N", {0.0, 1.0}, {0.0, 2.0}, {}}};
+  const ReportDocument document = experiment_report(results);
+  ASSERT_TRUE(has_curves(document));
+  EXPECT_EQ(trace(figure(document, "Frequency response"), "band of draws").y,
+            (std::vector<double>{3.0, 2.0}));
+  const ReportFigure& march = figure(document, "March");
+  EXPECT_EQ(trace(march, "band of draws").y, (std::vector<double>{0.0, 1.5}));
+  EXPECT_TRUE(contains(march.figure.caption, "neither edge"));
+  EXPECT_EQ(figure(document, "March: joint force").figure.layers.size(), 1U);
+}
+
 }  // namespace
 }  // namespace microslip::experiment_report_test

@@ -50,6 +50,7 @@ std::vector<ReportSection> sections_of(const ExperimentResults& results,
     add(joints_at_levels_section(results));
     add(told_section(results));
     if (!has_test(results)) {
+      add(curves_section(results));
       add(provenance_section(results));
       return all;
     }
@@ -74,6 +75,7 @@ std::vector<ReportSection> sections_of(const ExperimentResults& results,
     add(predictions_section(results));
     add(rig_section(results));
   }
+  add(curves_section(results));
   add(provenance_section(results));
   return all;
 }

@@ -24,6 +24,7 @@ namespace microslip {
                                           const std::optional<MethodComparison>& methods);
 [[nodiscard]] ReportSection stiffness_section(const ExperimentResults& results);
 [[nodiscard]] ReportSection responses_section(const ExperimentResults& results);
+[[nodiscard]] ReportSection curves_section(const ExperimentResults& results);
 [[nodiscard]] ReportSection predictions_section(const ExperimentResults& results);
 [[nodiscard]] ReportSection rig_section(const ExperimentResults& results);
 [[nodiscard]] ReportSection provenance_section(const ExperimentResults& results);

@@ -72,6 +72,7 @@ class FolderReader {
     read_rig_file();
     read_verification();
     read_force_control();
+    read_curves();
     return std::move(results_);
   }
 
@@ -290,6 +291,34 @@ class FolderReader {
       const std::vector<LevelRecord> shown = results_.predictions;
       add_harmonics({input->text, input->path}, "recorded", "predicted", results_.predictions);
       if (!shown.empty()) results_.predictions.resize(shown.size());
+    }
+  }
+
+  /// A table of that kind; another of the same name is told of, and left alone.
+  std::optional<NamedInput> find(const std::string& name, std::string_view kind) {
+    const std::string path = folder_ + "/" + name;
+    std::error_code none;
+    if (!fs::is_regular_file(path, none)) return std::nullopt;
+    if (file_kind(read_kind_head(path)) == kind) return find(name);
+    results_.warnings.push_back(
+        {"other_table", fmt::format("{} is not {}: it is not shown.", name, kind)});
+    return std::nullopt;
+  }
+
+  /// Of predictions by a model.
+  void read_curves() {
+    PredictedCurves& curves = results_.curves;
+    if (const auto input = find("frf.csv", kResponseKind)) {
+      curves.response = predicted_response({input->text, input->path});
+    }
+    if (const auto input = find("backbone.csv", kBackboneKind)) {
+      curves.backbone = predicted_backbone({input->text, input->path});
+    }
+    if (const auto input = find("curve.csv", kDissipationKind)) {
+      curves.joint = dissipation_curve({input->text, input->path});
+    }
+    if (const auto input = find("march.csv", kMarchKind)) {
+      curves.march = marched_histories({input->text, input->path});
     }
   }
 

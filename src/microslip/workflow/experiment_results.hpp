@@ -14,6 +14,7 @@
 #include "microslip/observe/levels.hpp"
 #include "microslip/rig/rig.hpp"
 #include "microslip/workflow/calibration_results.hpp"
+#include "microslip/workflow/predicted_curves.hpp"
 
 /// @file
 /// What a test and its evaluation left behind. All values are SI.
@@ -212,6 +213,7 @@ struct ExperimentResults {
   std::optional<JointBackbone> true_backbone = {};     ///< of a virtual test
   std::vector<ChannelMisfit> comparisons = {};         ///< one a channel and record
   std::vector<LevelRecord> predictions = {};           ///< recorded, and predicted as the other
+  PredictedCurves curves = {};                         ///< of a model, by frf and others
   std::optional<LevelsOfModes> modal_levels = {};      ///< of several joints, or as measured alone
   std::vector<DensityFound> densities = {};            ///< of several joints
   std::optional<CalibrationSummary> calibration = {};  ///< of several joints

@@ -13,6 +13,7 @@
 #include <span>
 #include <utility>
 
+#include "microslip/base/error.hpp"
 #include "microslip/io/csv_writer.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/memory.hpp"

@@ -33,80 +33,6 @@ DensityCurve density_of(const std::string& text, const std::string& file) {
           .upper = std::move(table.upper)};
 }
 
-/// NAME_lower and NAME_upper, or lower and upper, where draws made them.
-CurveBand band_columns_of(const CsvTable& table, const std::string& name,
-                          const Dimension& dimension) {
-  const std::string prefix = name.empty() ? "" : name + "_";
-  if (!table.has(prefix + "lower") && !table.has(prefix + "upper")) return {};
-  CurveBand band{table.numbers(prefix + "lower", dimension),
-                 table.numbers(prefix + "upper", dimension)};
-  return band;
-}
-
-PredictedResponse response_of(const CsvTable& table) {
-  PredictedResponse response{.frequency = table.numbers("frequency", kFrequency),
-                             .force = table.numbers("force", kForce),
-                             .displacement = table.numbers("displacement", kLength),
-                             .phase = table.numbers("phase", kAngle)};
-  response.band = band_columns_of(table, "", is_same_all_along(response.force) ? kLength : kForce);
-  return response;
-}
-
-PredictedBackbone backbone_of(const CsvTable& table) {
-  return {.displacement = table.numbers("displacement", kLength),
-          .frequency = table.numbers("frequency", kFrequency),
-          .damping_ratio = table.numbers("damping_ratio", kDimensionless),
-          .frequency_band = band_columns_of(table, "frequency", kFrequency),
-          .damping_band = band_columns_of(table, "damping_ratio", kDimensionless)};
-}
-
-DissipationCurve dissipation_of(const CsvTable& table) {
-  return {.amplitude = table.numbers("amplitude", kLength),
-          .dissipation = table.numbers("dissipation", kEnergy),
-          .secant_stiffness = table.numbers("secant_stiffness", kStiffness),
-          .loss_factor = table.numbers("loss_factor", kDimensionless),
-          .dissipation_band = band_columns_of(table, "dissipation", kEnergy),
-          .secant_band = band_columns_of(table, "secant_stiffness", kStiffness),
-          .loss_band = band_columns_of(table, "loss_factor", kDimensionless)};
-}
-
-/// What a column of a march shows: "NAME force" of a joint, "force at POINT", "velocity".
-HistorySignal named_signal(const std::string& column) {
-  for (const std::string quantity : {"displacement", "force"}) {
-    const std::string ending = " " + quantity;
-    if (column.ends_with(ending)) {
-      return {column.substr(0, column.size() - ending.size()), "joint " + quantity, "", {}, {}};
-    }
-  }
-  return {column, column.starts_with("force at ") ? "force" : column, "", {}, {}};
-}
-
-/// A column of a band belongs to the one that it is a band of.
-bool is_edge(const CsvTable& table, const std::string& column) {
-  for (const std::string_view ending : {"_lower", "_upper"}) {
-    if (column.ends_with(ending) && table.has(column.substr(0, column.size() - ending.size()))) {
-      return true;
-    }
-  }
-  return false;
-}
-
-std::vector<HistorySignal> march_of(const CsvTable& table) {
-  std::vector<HistorySignal> signals;
-  const std::vector<double> time = table.numbers("time", kTime);
-  for (const CsvColumn& column : table.columns()) {
-    const std::optional<Unit> unit = find_unit(column.unit.value_or(""));
-    if (column.name == "time" || !unit || is_edge(table, column.name)) continue;
-    HistorySignal signal = named_signal(column.name);
-    signal.unit = si_unit(unit->dimension);
-    signal.time = time;
-    signal.values = table.numbers(column.name, unit->dimension);
-    signal.band = band_columns_of(table, column.name, unit->dimension);
-    signals.push_back(std::move(signal));
-  }
-  return signals;
-}
-
 /// Channels of one dimension share an axis, which their unit names; one that is alone, or has no
 /// unit, has its own name.
 std::string quantity_of(const Channel& channel, const std::vector<Channel>& channels) {
@@ -161,18 +87,18 @@ bool add_text(const std::string& kind, const std::string& text, const std::strin
   if (kind == kDensityKind) {
     input.density = density_of(text, file);
   } else if (kind == kResponseKind) {
-    input.response = response_of({text, file});
+    input.response = predicted_response({text, file});
   } else if (kind == kBackboneKind) {
-    input.backbone = backbone_of({text, file});
+    input.backbone = predicted_backbone({text, file});
   } else if (kind == kDissipationKind) {
-    input.dissipation = dissipation_of({text, file});
+    input.dissipation = dissipation_curve({text, file});
   } else if (kind == kLoopKind) {
     input.path = parse_path(text, file);
     const CsvTable table(text, file);
     input.path_force = table.numbers("force", kForce);
-    input.path_band = band_columns_of(table, "", kForce);
+    input.path_band = band_columns(table, "", kForce);
   } else if (kind == kMarchKind) {
-    input.history = march_of({text, file});
+    input.history = marched_histories({text, file});
   } else {
     return false;
   }
@@ -231,13 +157,6 @@ TimeCut cut_of(const ResultInput& input, const std::vector<double>& time, double
 }
 
 }  // namespace
-
-bool is_same_all_along(const std::vector<double>& values) {
-  constexpr double kSame = 1e-6;
-  if (values.empty()) return true;
-  const auto [lowest, highest] = std::ranges::minmax(values);
-  return highest - lowest <= kSame * highest;
-}
 
 ResultInput read_result(const std::string& path, std::size_t record) {
   ResultInput input{.name = input_name(path)};

@@ -8,6 +8,7 @@
 #include "microslip/io/joint_samples_file.hpp"
 #include "microslip/io/path_file.hpp"
 #include "microslip/workflow/experiment_results.hpp"
+#include "microslip/workflow/predicted_curves.hpp"
 
 namespace microslip {
 
@@ -24,51 +25,6 @@ struct DensityCurve {
   std::vector<double> atom_slip_force = {};  ///< N; marked
   std::string name = "identified";           ///< in the legend
   bool of_records = false;                   ///< covered by records, not by levels
-};
-
-/// Between which values the draws of a curve lie, one a point; empty without draws.
-struct CurveBand {
-  std::vector<double> lower = {};  ///< in the unit of the curve
-  std::vector<double> upper = {};  ///< likewise
-};
-
-/// Steady vibrations over frequency; one length.
-struct PredictedResponse {
-  std::vector<double> frequency;     ///< Hz, in the order of the curve
-  std::vector<double> force;         ///< amplitude, N; > 0
-  std::vector<double> displacement;  ///< amplitude of the first harmonic, m
-  std::vector<double> phase;         ///< lag behind the force, rad
-  CurveBand band = {};               ///< of the displacement or, where that is kept, of the force
-};
-
-/// Vibrations in phase resonance; one length.
-struct PredictedBackbone {
-  std::vector<double> displacement;   ///< amplitude, m
-  std::vector<double> frequency;      ///< Hz
-  std::vector<double> damping_ratio;  ///< 1
-  CurveBand frequency_band = {};      ///< Hz
-  CurveBand damping_band = {};        ///< 1
-};
-
-/// Dissipation, secant stiffness and loss factor of a joint; one length.
-struct DissipationCurve {
-  std::vector<double> amplitude;         ///< m
-  std::vector<double> dissipation;       ///< J
-  std::vector<double> secant_stiffness;  ///< N/m
-  std::vector<double> loss_factor;       ///< 1
-  CurveBand dissipation_band = {};       ///< J
-  CurveBand secant_band = {};            ///< N/m
-  CurveBand loss_band = {};              ///< 1
-};
-
-/// A signal over time.
-struct HistorySignal {
-  std::string name;            ///< in the legend
-  std::string quantity;        ///< labels the axis: "joint force"; empty for that of the unit
-  std::string unit;            ///< SI; "" where it is not known
-  std::vector<double> time;    ///< s
-  std::vector<double> values;  ///< one a time, in that unit
-  CurveBand band = {};         ///< of `values`
 };
 
 /// What a folder or a file holds of results.
@@ -88,9 +44,6 @@ struct ResultInput {
   std::size_t left_out = 0;                          ///< channels beyond those that a figure holds
   std::string no_record = {};  ///< why a record of a joint is not there, a sentence
 };
-
-/// Whether a force is kept: its values differ by what a solver leaves, 1e-6 of them.
-[[nodiscard]] bool is_same_all_along(const std::vector<double>& values);
 
 /// @param path  a folder as read_experiment() takes it, a table or model of this program, a
 ///              recording, or "-" for a table or model on standard input.

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "microslip/base/units.hpp"
+
+/// @file
+/// What predictions wrote, as curves.
+
+namespace microslip {
+
+class CsvTable;
+
+/// Between which values the draws of a curve lie, one a point; empty without draws.
+struct CurveBand {
+  std::vector<double> lower = {};  ///< in the unit of the curve
+  std::vector<double> upper = {};  ///< likewise
+};
+
+/// Steady vibrations over frequency; one length.
+struct PredictedResponse {
+  std::vector<double> frequency;     ///< Hz, in the order of the curve
+  std::vector<double> force;         ///< amplitude, N; > 0
+  std::vector<double> displacement;  ///< amplitude of the first harmonic, m
+  std::vector<double> phase;         ///< lag behind the force, rad
+  CurveBand band = {};               ///< of the displacement or, where that is kept, of the force
+};
+
+/// Vibrations in phase resonance; one length.
+struct PredictedBackbone {
+  std::vector<double> displacement;   ///< amplitude, m
+  std::vector<double> frequency;      ///< Hz
+  std::vector<double> damping_ratio;  ///< 1
+  CurveBand frequency_band = {};      ///< Hz
+  CurveBand damping_band = {};        ///< 1
+};
+
+/// Dissipation, secant stiffness and loss factor of a joint; one length.
+struct DissipationCurve {
+  std::vector<double> amplitude;         ///< m
+  std::vector<double> dissipation;       ///< J
+  std::vector<double> secant_stiffness;  ///< N/m
+  std::vector<double> loss_factor;       ///< 1
+  CurveBand dissipation_band = {};       ///< J
+  CurveBand secant_band = {};            ///< N/m
+  CurveBand loss_band = {};              ///< 1
+};
+
+/// A signal over time.
+struct HistorySignal {
+  std::string name;            ///< in the legend
+  std::string quantity;        ///< labels the axis: "joint force"; empty for that of the unit
+  std::string unit;            ///< SI; "" where it is not known
+  std::vector<double> time;    ///< s
+  std::vector<double> values;  ///< one a time, in that unit
+  CurveBand band = {};         ///< of `values`
+};
+
+/// Curves of predictions that lie beside a test.
+struct PredictedCurves {
+  std::optional<PredictedResponse> response = {};  ///< of frf
+  std::optional<PredictedBackbone> backbone = {};  ///< of backbone
+  std::optional<DissipationCurve> joint = {};      ///< of dissipation
+  std::vector<HistorySignal> march = {};           ///< of march
+
+  /// Whether there is one.
+  [[nodiscard]] bool any() const { return response || backbone || joint || !march.empty(); }
+};
+
+/// Whether a force is kept: its values differ by what a solver leaves, 1e-6 of them.
+[[nodiscard]] bool is_same_all_along(const std::vector<double>& values);
+
+/// frf.csv, backbone.csv, curve.csv, march.csv, with their bands where draws made them.
+/// @throws FormatError  where a column is missing or a cell is wrong.
+[[nodiscard]] PredictedResponse predicted_response(const CsvTable& table);
+[[nodiscard]] PredictedBackbone predicted_backbone(const CsvTable& table);
+[[nodiscard]] DissipationCurve dissipation_curve(const CsvTable& table);
+[[nodiscard]] std::vector<HistorySignal> marched_histories(const CsvTable& table);
+
+/// The columns NAME_lower and NAME_upper, or lower and upper; none without draws.
+/// @param table      with both or none.
+/// @param name       of the curve; empty: lower and upper.
+/// @param dimension  of both.
+/// @throws FormatError  where one of the two is missing.
+[[nodiscard]] CurveBand band_columns(const CsvTable& table, const std::string& name,
+                                     const Dimension& dimension);
+
+}  // namespace microslip
