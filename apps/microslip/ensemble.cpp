@@ -45,7 +45,12 @@ EnsembleRun run_of(const EnsembleArguments& arguments, const Call& call) {
                   .keep_journals = arguments.keep_journals,
                   .command = call.command_line,
                   .progress = progress_bar("jobs", call.quiet)};
-  if (!arguments.shard.empty()) run.shard = EnsembleShard::parse(arguments.shard);
+  if (arguments.shard.empty()) return run;
+  try {
+    run.shard = EnsembleShard::parse(arguments.shard);
+  } catch (const InputError& error) {
+    throw error.renamed("--shard");
+  }
   return run;
 }
 

@@ -196,6 +196,23 @@ TEST(PaperPath, IsForceOverDisplacement) {
   expect_near(line(figure).x, {0.0, 100.0, -100.0});
 }
 
+// Curves have a panel each, in units that read well; numbers alone are no figure.
+TEST(EnsembleFigure, HasThePanelsOfTheCurves) {
+  const Numbers at{0.0, 1.0, 2.0, 3.0};
+  EnsembleCurve curve{"low", "slip_density", "1/N", "slip_force", "N", at, {4, 3, 2, 1}};
+  curve.band = {{3, 2, 1, 0}, {5, 4, 3, 2}};
+  const EnsembleCurve number{"low", "area", "1", "", "", {0.0}, {0.5}};
+  const FigureGrid grid = ensemble_figure(std::vector<EnsembleCurve>{number, curve});
+  ASSERT_EQ(grid.panels.size(), 1U);
+  EXPECT_EQ(axis_text(grid.panels[0].x), "slip force [N]");
+  EXPECT_EQ(axis_text(grid.panels[0].y), "slip density [1/N]");
+  EXPECT_EQ(std::get<BandLayer>(grid.panels[0].layers[0]).upper, (Numbers{5, 4, 3, 2}));
+  EXPECT_EQ(line(grid.panels[0], 1).y, (Numbers{4, 3, 2, 1}));
+  EXPECT_TRUE(
+      contains(input_fault([&] { return ensemble_figure(std::vector<EnsembleCurve>{number}); }),
+               "numbers alone"));
+}
+
 TEST(PredictionFigures, RefuseWhatIsEmptyOrUneven) {
   EXPECT_TRUE(contains(input_fault([] { return response_figure({}); }), "x.size() = 0"));
   EXPECT_TRUE(contains(input_fault([] {

@@ -14,6 +14,7 @@
 #include "microslip/dynamics/march.hpp"
 #include "microslip/io/load_file.hpp"
 #include "microslip/workflow/backbone_draws.hpp"
+#include "microslip/workflow/march_draws.hpp"
 #include "microslip/workflow/model_text.hpp"
 #include "microslip/workflow/response_draws.hpp"
 
@@ -155,9 +156,7 @@ class BackboneCase : public CasePrediction {
 class MarchCase : public CasePrediction {
  public:
   MarchCase(const PlannedCase& planned, const ModelFile& model)
-      : nominal_(model.structure),
-        file_(planned.force_file),
-        loads_(read_loads(planned.force_file, model.structure)) {
+      : file_(planned.force_file), loads_(read_loads(planned.force_file, model.structure)) {
     options_.points = {model.response};
     options_.step = planned.step;
     outputs_ = {{"largest_displacement", kLength},
@@ -168,7 +167,9 @@ class MarchCase : public CasePrediction {
                 {"rms_acceleration", kAcceleration}};
     MarchResult own = march(model.structure, loads_, options_);
     require_converged(own.summary);
+    options_.estimate_error = false;  // that of the model tells it for all
     warnings_ = std::move(own.warnings);
+    std::ranges::move(gain_warnings(model, loads_), std::back_inserter(warnings_));
   }
 
   const std::vector<EnsembleOutput>& outputs() const override { return outputs_; }
@@ -176,7 +177,7 @@ class MarchCase : public CasePrediction {
   std::vector<std::string> files() const override { return {file_}; }
 
   JobResult of(StructureDraw drawn) const override {
-    const MarchResult result = march(drawn.structure, loads_of(drawn.structure), options_);
+    const MarchResult result = march(drawn.structure, loads_over_gains(loads_, drawn), options_);
     if (!result.summary.converged()) return {{}, result.summary.reason};
     const LargestMotion& largest = result.largest.front();
     const PointMotion& motion = result.points.front();
@@ -194,25 +195,6 @@ class MarchCase : public CasePrediction {
     return std::sqrt(sum / static_cast<double>(values.size()));
   }
 
-  /// A force that is read acts by what it is, as the excitations of a draw do.
-  LoadHistory loads_of(const JointedStructure& drawn) const {
-    LoadHistory loads = loads_;
-    for (std::size_t d = 0; d < nominal_.excitations().size(); ++d) {
-      const Excitation& nominal = nominal_.excitations()[d];
-      const auto& harmonics = nominal.harmonics;
-      const auto first = std::ranges::find_if(harmonics, [](auto h) { return std::abs(h) > 0.0; });
-      const auto n = static_cast<std::size_t>(first - harmonics.begin());
-      if (first == harmonics.end()) continue;
-      const double gain = std::abs(harmonics[n]) / std::abs(drawn.excitations()[d].harmonics[n]);
-      for (PointForce& load : loads.forces) {
-        if (load.point != nominal.point) continue;
-        for (double& force : load.force) force /= gain;
-      }
-    }
-    return loads;
-  }
-
-  JointedStructure nominal_;
   std::string file_;
   LoadHistory loads_;
   MarchOptions options_;

@@ -37,8 +37,12 @@ std::vector<std::string> fingerprint_of(const EnsemblePlan& plan, const Ensemble
   for (const EnsembleGroup& group : jobs.groups()) {
     lines.push_back(fmt::format("values of {} = {}", group.name, group.width()));
   }
+  // As they lie beside the plan: from where it is called does not matter.
+  const std::string folder = plan.file.substr(0, plan.file.rfind('/') + 1);
   for (const InputHash& input : jobs.inputs()) {
-    lines.push_back(fmt::format("sha256 of {} = {}", input.file, input.sha256));
+    const bool beside = input.file.starts_with(folder);
+    lines.push_back(fmt::format(
+        "sha256 of {} = {}", beside ? input.file.substr(folder.size()) : input.file, input.sha256));
   }
   return lines;
 }

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "microslip/report/prediction_figures.hpp"
 #include "microslip/report/sections.hpp"
@@ -35,6 +40,43 @@ void add_panels(ReportSection& section, FigureGrid grid, const std::string& titl
   }
 }
 
+/// Numbers as a table, curves as figures.
+void add_ensemble(ReportSection& section, const std::vector<EnsembleCurve>& curves) {
+  ReportTable table{.title = "Ensemble",
+                    .caption =
+                        "From ensemble.csv: medians of all jobs, and between which values "
+                        "most of them lie.",
+                    .columns = {{"jobs of"},
+                                {"quantity"},
+                                {"at"},
+                                {"median"},
+                                {"lower"},
+                                {"upper"},
+                                {"unit"},
+                                {"jobs", "", 0}}};
+  const auto text = [](double value) {
+    return std::isnan(value) ? std::string() : fmt::format("{:.5g}", value);
+  };
+  for (const EnsembleCurve& curve : curves) {
+    if (is_curve(curve)) continue;
+    for (std::size_t i = 0; i < curve.at.size(); ++i) {
+      table.rows.push_back({curve.group, curve.output,
+                            curve.axis.empty() ? "" : text(curve.at[i]) + " " + curve.axis_unit,
+                            text(curve.median[i]), text(curve.band.lower[i]),
+                            text(curve.band.upper[i]), curve.unit, curve.count[i]});
+    }
+  }
+  if (!table.rows.empty()) section.blocks.emplace_back(std::move(table));
+  if (std::ranges::none_of(curves, is_curve)) return;
+  FigureGrid grid = ensemble_figure(curves);
+  for (Figure& panel : grid.panels) {
+    panel.title = panel.title.empty() ? panel.y.label : panel.title + ": " + panel.y.label;
+    panel.caption = "From ensemble.csv.";
+    panel.caption += kBandHolds;
+    section.blocks.emplace_back(ReportFigure{.figure = std::move(panel)});
+  }
+}
+
 }  // namespace
 
 ReportSection curves_section(const ExperimentResults& results) {
@@ -57,6 +99,7 @@ ReportSection curves_section(const ExperimentResults& results) {
   if (!curves.march.empty()) {
     add_panels(section, histories_figure(curves.march), "March", "From march.csv.");
   }
+  if (!curves.ensemble.empty()) add_ensemble(section, curves.ensemble);
   return section;
 }
 

@@ -122,7 +122,7 @@ bool has_densities(const ResultInput& input) { return !input.test.densities.empt
 constexpr const char* kNeedsDensities =
     "identifiability.csv, or joint.json of calibrate, or several joints";
 
-constexpr std::array<NamedFigure, 25> kFigures = {{
+constexpr std::array<NamedFigure, 26> kFigures = {{
     {"energies", "input energy, linear loss and joint dissipation over the amplitude", "levels.csv",
      has_levels, always, always, of_test<energies_figure>},
     {"density", "slip-force density with its band", "joint.json or density.csv", has_density, never,
@@ -160,6 +160,12 @@ constexpr std::array<NamedFigure, 25> kFigures = {{
      [](const ResultInput& input) { return !input.history.empty(); }, never, never,
      [](const ResultInput& input, const FigureOptions& /*options*/) {
        return histories_figure(input.history);
+     }},
+    {"ensemble", "curves of an ensemble: median and band of its jobs", "CSV of ensemble",
+     [](const ResultInput& input) { return std::ranges::any_of(input.ensemble, is_curve); }, never,
+     never,
+     [](const ResultInput& input, const FigureOptions& /*options*/) {
+       return ensemble_figure(input.ensemble);
      }},
     {"dissipation", "dissipation, secant stiffness and loss factor over the amplitude",
      "joint.json or a CSV of dissipation", has_dissipation, always, has_joint_curves,

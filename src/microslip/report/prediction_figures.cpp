@@ -16,6 +16,12 @@ namespace {
 
 constexpr const char* kOfDraws = "band of draws";
 
+/// "slip_force" as an axis says it.
+std::string words_of(std::string name) {
+  std::ranges::replace(name, '_', ' ');
+  return name;
+}
+
 LineLayer line_of(const std::vector<double>& x, const std::vector<double>& y) {
   return {x, y, "", {.colour = kBlue}};
 }
@@ -211,6 +217,31 @@ Figure path_figure(const std::vector<double>& displacement, const std::vector<do
   show_x(figure, "joint displacement", "m");
   show_y(figure, "joint force", "N");
   return figure;
+}
+
+bool is_curve(const EnsembleCurve& curve) {
+  constexpr std::size_t kFewest = 4;
+  return curve.at.size() >= kFewest;
+}
+
+FigureGrid ensemble_figure(std::span<const EnsembleCurve> curves) {
+  FigureGrid grid{.title = "", .columns = 2, .panels = {}};
+  const bool one_group = std::ranges::all_of(
+      curves, [&](const EnsembleCurve& curve) { return curve.group == curves.front().group; });
+  for (const EnsembleCurve& curve : curves) {
+    if (!is_curve(curve)) continue;
+    Figure panel = panel_of(curve.at, curve.median);
+    std::get<LineLayer>(panel.layers.front()).legend = "median";
+    add_curve_band(panel, curve.at, curve.band);
+    show_x(panel, words_of(curve.axis), curve.axis_unit);
+    show_y(panel, words_of(curve.output), curve.unit);
+    if (!one_group) panel.title = curve.group;
+    grid.panels.push_back(std::move(panel));
+  }
+  if (grid.panels.empty()) {
+    throw InputError("curves of the ensemble", "missing", "must be there: it has numbers alone");
+  }
+  return grid;
 }
 
 }  // namespace microslip

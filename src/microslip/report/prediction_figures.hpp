@@ -35,6 +35,13 @@ namespace microslip {
 /// @throws InputError  without signals, or where lengths differ.
 [[nodiscard]] FigureGrid histories_figure(std::span<const HistorySignal> signals);
 
+/// Whether an output of an ensemble is a curve, not some numbers.
+[[nodiscard]] bool is_curve(const EnsembleCurve& curve);
+
+/// The outputs of an ensemble that are curves, each with its band, in three columns.
+/// @throws InputError  without one.
+[[nodiscard]] FigureGrid ensemble_figure(std::span<const EnsembleCurve> curves);
+
 /// Force over displacement along a path. @throws InputError  without points, or where lengths
 /// differ.
 [[nodiscard]] Figure path_figure(const std::vector<double>& displacement,

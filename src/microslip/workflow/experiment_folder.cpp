@@ -320,6 +320,9 @@ class FolderReader {
     if (const auto input = find("march.csv", kMarchKind)) {
       curves.march = marched_histories({input->text, input->path});
     }
+    if (const auto input = find("ensemble.csv", kEnsembleTableKind)) {
+      curves.ensemble = ensemble_curves({input->text, input->path});
+    }
   }
 
   void read_force_control() {

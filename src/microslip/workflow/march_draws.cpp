@@ -95,34 +95,6 @@ std::size_t recorded_rows(const LoadHistory& loads, std::size_t every) {
   return last / every + 1 + (last % every == 0 ? 0 : 1);
 }
 
-/// What acts where this is read.
-LoadHistory loads_over_gains(const LoadHistory& read, const StructureDraw& drawn) {
-  LoadHistory loads = read;
-  for (PointForce& at : loads.forces) {
-    for (std::size_t d = 0; d < drawn.force_gain.size(); ++d) {
-      if (drawn.structure.excitations()[d].point != at.point) continue;
-      for (double& force : at.force) force /= drawn.force_gain[d];
-    }
-  }
-  return loads;
-}
-
-/// A gain that is uncertain and meets no force.
-std::vector<Warning> gain_warnings(const ModelFile& model, const LoadHistory& loads) {
-  std::vector<Warning> warnings;
-  for (std::size_t d = 0; d < model.spread.force_gain.size(); ++d) {
-    const std::string& point = model.structure.excitations()[d].point;
-    const bool acts =
-        std::ranges::find(loads.forces, point, &PointForce::point) != loads.forces.end();
-    if (acts || model.spread.force_gain[d] == 0.0) continue;
-    warnings.push_back(
-        {"gain_unused", fmt::format("gain_std of the excitation at '{}' is in no draw: no force of "
-                                    "the file acts there. Forces at other points are certain.",
-                                    point)});
-  }
-  return warnings;
-}
-
 using PerDraw = std::vector<std::vector<double>>;  // empty where the draw failed
 
 /// Between which values the draws lie, of each signal.
@@ -164,6 +136,32 @@ std::string spread_text(const StatisticSpread& spread, const std::string& unit) 
 }
 
 }  // namespace
+
+LoadHistory loads_over_gains(const LoadHistory& read, const StructureDraw& drawn) {
+  LoadHistory loads = read;
+  for (PointForce& at : loads.forces) {
+    for (std::size_t d = 0; d < drawn.force_gain.size(); ++d) {
+      if (drawn.structure.excitations()[d].point != at.point) continue;
+      for (double& force : at.force) force /= drawn.force_gain[d];
+    }
+  }
+  return loads;
+}
+
+std::vector<Warning> gain_warnings(const ModelFile& model, const LoadHistory& loads) {
+  std::vector<Warning> warnings;
+  for (std::size_t d = 0; d < model.spread.force_gain.size(); ++d) {
+    const std::string& point = model.structure.excitations()[d].point;
+    const bool acts =
+        std::ranges::find(loads.forces, point, &PointForce::point) != loads.forces.end();
+    if (acts || model.spread.force_gain[d] == 0.0) continue;
+    warnings.push_back(
+        {"gain_unused", fmt::format("gain_std of the excitation at '{}' is in no draw: no force of "
+                                    "the file acts there. Forces at other points are certain.",
+                                    point)});
+  }
+  return warnings;
+}
 
 DrawnMarch drawn_march(const ModelFile& model, const LoadHistory& loads, MarchOptions options,
                        const StructureDraws& draws, const DrawOptions& drawn,

@@ -69,6 +69,14 @@ struct DrawnMarch {
                                      const Execution& execution = Execution::threads(),
                                      const Progress& marching = {}, const Progress& drawing = {});
 
+/// What acts where a force is read with the gain of a draw: at the excitations the force over it.
+/// @param read  the loads. @param drawn  of the model.
+[[nodiscard]] LoadHistory loads_over_gains(const LoadHistory& read, const StructureDraw& drawn);
+
+/// A gain that is uncertain and meets no force.
+/// @param model  with its spread. @param loads  that act.
+[[nodiscard]] std::vector<Warning> gain_warnings(const ModelFile& model, const LoadHistory& loads);
+
 /// Peaks and rms of the signals as comments: a line each.
 [[nodiscard]] std::string march_peaks_comment(const DrawnMarch& march);
 

@@ -2,7 +2,12 @@
 #include "microslip/workflow/predicted_curves.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <limits>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "microslip/base/units.hpp"
@@ -10,6 +15,45 @@
 
 namespace microslip {
 namespace {
+
+/// A column whose cells may be empty: NaN.
+std::vector<double> numbers_or_none(const CsvTable& table, const std::string& name) {
+  std::vector<double> numbers;
+  const std::vector<std::string> cells = table.text(name);
+  for (std::size_t row = 0; row < cells.size(); ++row) {
+    double number = std::numeric_limits<double>::quiet_NaN();
+    const char* const end = cells[row].data() + cells[row].size();
+    const auto [rest, error] = std::from_chars(cells[row].data(), end, number);
+    if (!cells[row].empty() && (error != std::errc() || rest != end)) {
+      table.reject(row, name, "a number, or nothing");
+    }
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+/// "frequency [Hz]" by its parts.
+std::pair<std::string, std::string> name_and_unit(const std::string& text) {
+  const std::size_t bracket = text.find(" [");
+  if (bracket == std::string::npos || !text.ends_with(']')) return {text, ""};
+  return {text.substr(0, bracket), text.substr(bracket + 2, text.size() - bracket - 3)};
+}
+
+/// The least and the largest that may be meant become one curve: from the lower edge of the one to
+/// the upper edge of the other.
+void join_edges(std::vector<EnsembleCurve>& curves) {
+  constexpr std::string_view kLower = "_lower";
+  for (std::size_t i = 0; i + 1 < curves.size(); ++i) {
+    EnsembleCurve& low = curves[i];
+    if (!low.output.ends_with(kLower)) continue;
+    const std::string stem = low.output.substr(0, low.output.size() - kLower.size());
+    const EnsembleCurve& high = curves[i + 1];
+    if (high.group != low.group || high.output != stem + "_upper" || high.at != low.at) continue;
+    low.output = stem;
+    low.band.upper = high.band.upper;
+    curves.erase(curves.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+  }
+}
 
 /// What a column of a march shows: "NAME force" of a joint, "force at POINT", "velocity".
 HistorySignal named_signal(const std::string& column) {
@@ -90,6 +134,36 @@ std::vector<HistorySignal> marched_histories(const CsvTable& table) {
     signals.push_back(std::move(signal));
   }
   return signals;
+}
+
+std::vector<EnsembleCurve> ensemble_curves(const CsvTable& table) {
+  std::vector<EnsembleCurve> curves;
+  if (!table.has("median")) return curves;
+  const std::vector<std::string> group = table.text("group");
+  const std::vector<std::string> output = table.text("output");
+  const std::vector<std::string> unit = table.text("unit");
+  const std::vector<std::string> axis = table.text("axis");
+  const std::vector<double> at = numbers_or_none(table, "at");
+  const std::vector<double> median = numbers_or_none(table, "median");
+  const std::vector<double> lower = numbers_or_none(table, "lower");
+  const std::vector<double> upper = numbers_or_none(table, "upper");
+  const std::vector<double> count = numbers_or_none(table, "count");
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const bool same =
+        !curves.empty() && curves.back().group == group[row] && curves.back().output == output[row];
+    if (!same) {
+      const auto [name, axis_unit] = name_and_unit(axis[row]);
+      curves.push_back({group[row], output[row], unit[row], name, axis_unit});
+    }
+    EnsembleCurve& curve = curves.back();
+    curve.at.push_back(at[row]);
+    curve.median.push_back(median[row]);
+    curve.band.lower.push_back(lower[row]);
+    curve.band.upper.push_back(upper[row]);
+    curve.count.push_back(count[row]);
+  }
+  join_edges(curves);
+  return curves;
 }
 
 }  // namespace microslip

@@ -59,15 +59,31 @@ struct HistorySignal {
   CurveBand band = {};         ///< of `values`
 };
 
+/// What many jobs give of a quantity, at one place or along an axis; one length.
+struct EnsembleCurve {
+  std::string group;                ///< of the jobs
+  std::string output;               ///< its name
+  std::string unit;                 ///< SI, of its values
+  std::string axis = {};            ///< name of the axis; empty of a number
+  std::string axis_unit = {};       ///< SI, of the axis
+  std::vector<double> at = {};      ///< places on the axis; one NaN of a number
+  std::vector<double> median = {};  ///< NaN where no job has a value, as in the band
+  CurveBand band = {};              ///< lower and upper
+  std::vector<double> count = {};   ///< jobs that have a value
+};
+
 /// Curves of predictions that lie beside a test.
 struct PredictedCurves {
   std::optional<PredictedResponse> response = {};  ///< of frf
   std::optional<PredictedBackbone> backbone = {};  ///< of backbone
   std::optional<DissipationCurve> joint = {};      ///< of dissipation
   std::vector<HistorySignal> march = {};           ///< of march
+  std::vector<EnsembleCurve> ensemble = {};        ///< of ensemble
 
   /// Whether there is one.
-  [[nodiscard]] bool any() const { return response || backbone || joint || !march.empty(); }
+  [[nodiscard]] bool any() const {
+    return response || backbone || joint || !march.empty() || !ensemble.empty();
+  }
 };
 
 /// Whether a force is kept: its values differ by what a solver leaves, 1e-6 of them.
@@ -79,6 +95,9 @@ struct PredictedCurves {
 [[nodiscard]] PredictedBackbone predicted_backbone(const CsvTable& table);
 [[nodiscard]] DissipationCurve dissipation_curve(const CsvTable& table);
 [[nodiscard]] std::vector<HistorySignal> marched_histories(const CsvTable& table);
+/// Of ensemble, each output of each group; none of a sweep, whose values are no draws. NAME_lower
+/// and NAME_upper, which an frf has, become one: NAME.
+[[nodiscard]] std::vector<EnsembleCurve> ensemble_curves(const CsvTable& table);
 
 /// The columns NAME_lower and NAME_upper, or lower and upper; none without draws.
 /// @param table      with both or none.

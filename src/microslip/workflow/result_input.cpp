@@ -97,6 +97,9 @@ bool add_text(const std::string& kind, const std::string& text, const std::strin
     const CsvTable table(text, file);
     input.path_force = table.numbers("force", kForce);
     input.path_band = band_columns(table, "", kForce);
+  } else if (kind == kEnsembleTableKind) {
+    input.ensemble = ensemble_curves({text, file});
+    input.instead = "A sweep has values of its grid, in its table and its HDF5 file.";
   } else if (kind == kMarchKind) {
     input.history = marched_histories({text, file});
   } else {

@@ -39,6 +39,7 @@ struct ResultInput {
   std::optional<DisplacementPath> path = {};         ///< of a CSV of loop
   std::vector<double> path_force = {};               ///< N, one a point of the path
   CurveBand path_band = {};                          ///< of the force, N
+  std::vector<EnsembleCurve> ensemble = {};          ///< of a CSV of ensemble
   std::optional<JointSamples> samples = {};          ///< of joint_samples.h5
   std::vector<HistorySignal> history = {};           ///< of a CSV of march, or a recording
   std::size_t left_out = 0;                          ///< channels beyond those that a figure holds
