@@ -81,5 +81,25 @@ TEST(EvidenceChain, DrawsTheSmoothingOfEachJoint) {
   EXPECT_NEAR(rough / smooth, 1.0, 0.3);
 }
 
+// A joint of which the first half does not slip: 0 in truth, and a half of its coefficients would have
+// to be 0 at once. Their sum is 0, or next to nothing, in some of the draws, so that a band can begin there.
+TEST(EvidenceChain, DrawsReachAJointThatDoesNotSlip) {
+  LinearEvidence evidence = rough_and_smooth();
+  WeightedRows& losses = evidence.of(RowKind::kLoss);
+  RandomStream random(5, 0);
+  for (Eigen::Index i = 0; i < kCount; ++i) {
+    losses.data(i) = (i < kCount / 2 ? 0.0 : 5.0) / kNoise + random.normal();
+  }
+  const NormalEquations equations(evidence);
+  EvidenceWeights weights;
+  weights.lambda = {1e-2, 1e-2};
+  double next_to_nothing = 0.0;
+  draw_evidence(equations, settle_with(equations, weights), {1.0, 1.0, 1.0}, {400, 3},
+                [&](const Eigen::VectorXd& x) {
+                  next_to_nothing += x.head(2).sum() < 0.01 * kNoise ? 1.0 : 0.0;
+                });
+  EXPECT_GT(next_to_nothing, 0.025 * 400);
+}
+
 }  // namespace
 }  // namespace microslip::evidence_chain_test

@@ -43,6 +43,23 @@ TEST(JointUnknowns, AKnownStiffnessIsKept) {
   EXPECT_EQ(unknowns.joint(unknowns.stuck(), true).density().total().zeroth, 0.0);
 }
 
+// Knot by knot any exponent of the same range is told, to rounding.
+TEST(JointUnknowns, KnotsTellDensitiesOfAnyExponent) {
+  const JointUnknowns law(7e5, 2e-4, 0.01, -0.5, 30);
+  const JointUnknowns common = law.by_knots();
+  EXPECT_EQ(common.slip_displacement(), law.slip_displacement());
+  for (const double exponent : {0.0, -0.25, -0.5}) {
+    const JointUnknowns own(7e5, 2e-4, 0.01, exponent, 30);
+    const Eigen::VectorXd x = some_coefficients(own);
+    const Eigen::VectorXd y = common.projected(own, x);
+    EXPECT_NEAR(common.stiffness_row().dot(y), own.stiffness_row().dot(x), 1e-12);
+    for (const double a : {2e-6, 3.1e-5, 2e-4}) {
+      const double d = own.dissipation_row(a).dot(x);
+      EXPECT_NEAR(common.dissipation_row(a).dot(y), d, 1e-9 * d) << exponent << " " << a;
+    }
+  }
+}
+
 // A density of other knots is met at the new ones; its stiffness is kept.
 TEST(JointUnknowns, ProjectionFollowsTheDensity) {
   const JointUnknowns old(7e5, 2e-4, 0.01, 0.0, 60);

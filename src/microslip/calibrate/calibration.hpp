@@ -161,6 +161,7 @@ inline constexpr std::size_t kFewestModalLevels = 4;
 ///                             are known;
 ///   * `scatter_large`         losses scatter about what was found more than a usable measurement,
 ///                             or than was said;
+///   * `level_outlier`         the loss of a level is far off, beside the scatter of the others;
 ///   * `std_ignored`           standard deviations that not every level, or every loss, has;
 ///   * `sensor_contradicts`    a joint moves otherwise than its sensor shows.
 /// @param result  of calibrate(). @param levels  that it was found from.

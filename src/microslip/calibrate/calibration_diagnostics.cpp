@@ -2,11 +2,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
 #include <cmath>
+#include <cstddef>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "microslip/base/median.hpp"
 #include "microslip/base/percent.hpp"
 #include "microslip/calibrate/calibration.hpp"
+#include "microslip/calibrate/known_together.hpp"
 
 namespace microslip {
 namespace {
@@ -22,6 +28,12 @@ constexpr double kLargeOffset = 0.01;
 /// Scatter of losses: relative, and over the deviations that were told.
 constexpr double kLargeScatter = 0.15;
 constexpr double kLargeScatterRatio = 3.0;
+/// Losses without deviations scatter by this at least, relative.
+constexpr double kLeastScatter = 1e-3;
+/// Median of |N(0, 1)|.
+constexpr double kMedianOfNormal = 0.6745;
+/// In so many of all calibrations a level is called an outlier that is none.
+constexpr double kByChance = 1e-3;
 /// Of frequencies, relative: softening of joints is known better than that.
 constexpr double kLargeFrequencyScatter = 5e-4;
 /// A sensor and the structure may differ by this share of the amplitude.
@@ -68,14 +80,6 @@ void warn_of_groups(const CalibrationResult& result, std::vector<Warning>& warni
                                   "better than that of each of them. Measure modes in which they "
                                   "work differently, or their displacements.",
                                   names)});
-}
-
-/// Whether that is said of a joint already.
-bool known_only_together(const CalibrationResult& result, std::size_t joint) {
-  return std::ranges::count(result.known_in_sum, joint) > 0 ||
-         std::ranges::any_of(result.pairs, [joint](const JointPair& pair) {
-           return pair.known_only_together && (pair.first == joint || pair.second == joint);
-         });
 }
 
 void warn_of_unseen(const CalibrationResult& result, std::vector<Warning>& warnings) {
@@ -139,6 +143,32 @@ void warn_of_scatter(const CalibrationResult& result, std::vector<Warning>& warn
   } else if (!result.loss_std_given && scatter > kLargeScatter) {
     warnings.push_back({"scatter_large", fmt::format("losses scatter by {} about those found: {}.",
                                                      percent_text(scatter), worst_level(result))});
+  }
+}
+
+/// Levels whose loss is far off what the other ones scatter by: their median tells it, which one or
+/// two of many do not move. Corrected for the freedom that the densities took.
+void warn_of_outliers(const CalibrationResult& result, std::vector<Warning>& warnings) {
+  std::vector<double> sizes;
+  for (const CalibratedLevel& level : result.levels) {
+    if (level.found && std::isfinite(level.residual)) sizes.push_back(std::abs(level.residual));
+  }
+  const auto count = static_cast<double>(sizes.size());
+  if (count <= 2.0 * result.edf) return;
+  const double scatter =
+      median(std::move(sizes)) / kMedianOfNormal * std::sqrt(count / (count - result.edf));
+  const double least = result.loss_std_given ? 1.0 : kLeastScatter;
+  const double typical = std::max(scatter, least / result.loss_scatter);
+  const double most = boost::math::quantile(boost::math::normal(), 1.0 - 0.5 * kByChance / count);
+  for (std::size_t i = 0; i < result.levels.size(); ++i) {
+    const CalibratedLevel& level = result.levels[i];
+    if (!level.found || !(std::abs(level.residual) > most * typical)) continue;
+    warnings.push_back(
+        {"level_outlier",
+         fmt::format("level {} has {:.3g} times the loss found, {:.3g} times as far off as the "
+                     "levels scatter. It counted in full: correct it, or leave it out.",
+                     i + 1, level.measured_dissipation / level.dissipation,
+                     std::abs(level.residual) / typical)});
   }
 }
 
@@ -221,6 +251,7 @@ std::vector<Warning> diagnose(const CalibrationResult& result, const ModalLevels
   warn_of_offsets(result, warnings);
   warn_of_frequencies(result, warnings);
   warn_of_scatter(result, warnings);
+  warn_of_outliers(result, warnings);
   warn_of_std(result, levels, warnings);
   warn_of_sensors(result, levels, warnings);
   return warnings;

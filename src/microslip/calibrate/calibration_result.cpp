@@ -9,42 +9,32 @@
 
 #include "microslip/base/interpolation.hpp"
 #include "microslip/base/median.hpp"
-#include "microslip/calibrate/evidence_chain.hpp"
+#include "microslip/calibrate/calibration_draws.hpp"
 #include "microslip/identify/quantiles.hpp"
 #include "microslip/joint/dissipation.hpp"
 
 namespace microslip {
 namespace {
 
-/// Draws of the prior: as its variance needs, no more.
-constexpr std::size_t kPriorDraws = 400;
 /// Two joints are known only together where the sum of their losses is known so many times better
 /// than the loss of either, which is known to this share of it at best.
 constexpr double kTogetherRatio = 5.0;
 constexpr double kKnownAlone = 0.05;
-
-std::vector<Eigen::VectorXd> posterior_draws(const NormalEquations& equations,
-                                             const CalibratedState& state,
-                                             const GrowingRange& range,
-                                             const CalibrationOptions& options) {
-  std::vector<Eigen::VectorXd> draws;
-  draws.reserve(options.draws);
-  draw_evidence(equations, state.settled, range.least_scatter(), {options.draws, options.seed},
-                [&](const Eigen::VectorXd& x) { draws.push_back(x); });
-  return draws;
-}
-
-Eigen::VectorXd mean_of(const std::vector<Eigen::VectorXd>& draws) {
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(draws.front().size());
-  for (const Eigen::VectorXd& x : draws) sum += x;
-  return sum / static_cast<double>(draws.size());
-}
 
 Estimate band_of(std::vector<double> values, double confidence) {
   const double mean =
       std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
   const auto [lower, upper] = quantile_pair_above_zero(values, confidence);
   return {mean, lower, upper};
+}
+
+/// Losses of joints lie between 0 and what all lose together: where one has next to nothing, draws
+/// of it press against 0 and those of another against the sum. The shortest interval holds both
+/// ends; the least draw of a loss that may be 0 stands for 0.
+std::pair<double, double> band_of_loss(std::vector<double> values, double confidence) {
+  auto [lower, upper] = shortest_interval(values, confidence);
+  if (lower == values.front() && lower < upper - lower) lower = 0.0;
+  return {lower, upper};
 }
 
 /// Sums of what a linear map makes of draws, for their variance.
@@ -71,27 +61,16 @@ class Spread {
 };
 
 /// 1 − var(ψ | levels)/var(ψ), at the knots of each joint.
-void read_told(const NormalEquations& equations, const CalibratedState& state,
-               const std::vector<Eigen::VectorXd>& draws, std::uint64_t seed,
-               CalibrationResult& result) {
-  std::vector<Spread> before;
-  std::vector<Spread> after;
-  for (std::size_t j = 0; j < state.unknowns.count(); ++j) {
-    const Eigen::Index knots = state.unknowns.of(j).density_matrix().rows();
-    before.emplace_back(knots);
-    after.emplace_back(knots);
-  }
-  const auto add = [&](const Eigen::VectorXd& x, std::vector<Spread>& spreads) {
-    for (std::size_t j = 0; j < spreads.size(); ++j) {
-      spreads[j].add(state.unknowns.of(j).density_matrix() * state.unknowns.part(j, x));
-    }
-  };
-  draw_prior(equations, state.settled, {kPriorDraws, seed},
-             [&](const Eigen::VectorXd& x) { add(x, before); });
-  for (const Eigen::VectorXd& x : draws) add(x, after);
-  for (std::size_t j = 0; j < before.size(); ++j) {
-    const Eigen::VectorXd prior = before[j].variance();
-    const Eigen::VectorXd posterior = after[j].variance();
+void read_told(const CalibrationDraws& draws, CalibrationResult& result) {
+  for (std::size_t j = 0; j < draws.unknowns.count(); ++j) {
+    const Eigen::MatrixXd& density = draws.unknowns.of(j).density_matrix();
+    const auto variance_of = [&](const std::vector<Eigen::VectorXd>& all) {
+      Spread spread(density.rows());
+      for (const Eigen::VectorXd& x : all) spread.add(density * draws.unknowns.part(j, x));
+      return spread.variance();
+    };
+    const Eigen::VectorXd prior = variance_of(draws.prior);
+    const Eigen::VectorXd posterior = variance_of(draws.posterior);
     for (Eigen::Index i = 0; i < prior.size(); ++i) {
       const double share = prior(i) > 0.0 ? 1.0 - posterior(i) / prior(i) : 0.0;
       result.joints[j].told.push_back(std::clamp(share, 0.0, 1.0));
@@ -138,20 +117,20 @@ void read_bands(double confidence, CalibratedJoint& joint, std::vector<double> e
 }
 
 void read_joints(const CalibrationEvidence& evidence, const CalibrationOptions& options,
-                 const CalibratedState& state, const std::vector<Eigen::VectorXd>& draws,
+                 const CalibratedState& state, const CalibrationDraws& draws,
                  const std::vector<Joint>& joints, const LevelStates& states,
                  CalibrationResult& result) {
-  for (std::size_t j = 0; j < state.unknowns.count(); ++j) {
-    const JointUnknowns& unknowns = state.unknowns.of(j);
-    const std::size_t index = state.unknowns.index(j);
+  for (std::size_t j = 0; j < draws.unknowns.count(); ++j) {
+    const JointUnknowns& unknowns = draws.unknowns.of(j);
+    const std::size_t index = draws.unknowns.index(j);
     CalibratedJoint found{
         .name = states.structure().joints()[index].name, .index = index, .joint = joints[index]};
     found.slip_displacement = unknowns.slip_displacement();
-    found.exponent = unknowns.exponent();
+    found.exponent = state.unknowns.of(j).exponent();
     found.edf = state.settled.edf_by_joint.at(j);
     std::vector<double> elastic;
-    for (const Eigen::VectorXd& x : draws) {
-      const Eigen::VectorXd own = state.unknowns.part(j, x);
+    for (const Eigen::VectorXd& x : draws.posterior) {
+      const Eigen::VectorXd own = draws.unknowns.part(j, x);
       found.draws.push_back(read_draw(unknowns, own));
       elastic.push_back(unknowns.stiffness() * own(own.size() - 1));
     }
@@ -170,30 +149,29 @@ void read_joints(const CalibrationEvidence& evidence, const CalibrationOptions& 
 /// D of each joint that was found at a level, draw by draw, J, at the amplitude that the joint has in
 /// that draw; at the one amplitude of a level that the structure does not have.
 std::vector<std::vector<double>> losses_of_draws(const CalibrationEvidence& evidence,
-                                                 const CalibratedState& state,
-                                                 const std::vector<Eigen::VectorXd>& draws,
+                                                 const CalibrationDraws& draws,
                                                  const LevelStates& states, std::size_t level) {
-  std::vector<std::vector<double>> losses(state.unknowns.count());
+  std::vector<std::vector<double>> losses(draws.unknowns.count());
   if (states.at(level)) {
-    const std::vector<LinearLoss> about = losses_about(evidence, state.unknowns, states, level);
-    const Eigen::VectorXd mean = mean_of(draws);
+    const std::vector<LinearLoss> about = losses_about(evidence, draws.unknowns, states, level);
+    const Eigen::VectorXd mean = draws.mean();
     for (std::size_t j = 0; j < losses.size(); ++j) {
       // The joint is the mean of the draws; linear damping beside it is added to its band later.
-      const std::size_t index = state.unknowns.index(j);
+      const std::size_t index = draws.unknowns.index(j);
       const double a = used_amplitude(evidence, states, level, index);
       const double slip =
           about[j].value - states.structure().joints()[index].linear_damping * a * a;
-      for (const Eigen::VectorXd& x : draws) {
+      for (const Eigen::VectorXd& x : draws.posterior) {
         losses[j].push_back(std::max(0.0, slip + about[j].slope.dot(x - mean)));
       }
     }
     return losses;
   }
   for (std::size_t j = 0; j < losses.size(); ++j) {
-    const double a = used_amplitude(evidence, states, level, state.unknowns.index(j));
-    const Eigen::RowVectorXd row = state.unknowns.of(j).dissipation_row(a);
-    for (const Eigen::VectorXd& x : draws) {
-      losses[j].push_back(std::max(0.0, row.dot(state.unknowns.part(j, x))));
+    const double a = used_amplitude(evidence, states, level, draws.unknowns.index(j));
+    const Eigen::RowVectorXd row = draws.unknowns.of(j).dissipation_row(a);
+    for (const Eigen::VectorXd& x : draws.posterior) {
+      losses[j].push_back(std::max(0.0, row.dot(draws.unknowns.part(j, x))));
     }
   }
   return losses;
@@ -222,7 +200,7 @@ void read_vibration(const CalibrationEvidence& evidence, const LevelStates& stat
   }
 }
 
-CalibratedLevel read_level(const CalibrationEvidence& evidence, const CalibratedState& state,
+CalibratedLevel read_level(const CalibrationEvidence& evidence, const AllUnknowns& unknowns,
                            const std::vector<std::vector<double>>& losses,
                            const CalibrationOptions& options, const LevelStates& states,
                            std::size_t level) {
@@ -242,13 +220,13 @@ CalibratedLevel read_level(const CalibrationEvidence& evidence, const Calibrated
                            {loss, loss, loss}});
   }
   for (std::size_t j = 0; j < losses.size(); ++j) {
-    JointAtLevel& joint = told.joints[state.unknowns.index(j)];
-    const Estimate band = band_of(losses[j], options.confidence);
-    const StructuralJoint& placed = states.structure().joints()[state.unknowns.index(j)];
-    const double a = used_amplitude(evidence, states, level, state.unknowns.index(j));
+    JointAtLevel& joint = told.joints[unknowns.index(j)];
+    const auto [lower, upper] = band_of_loss(losses[j], options.confidence);
+    const StructuralJoint& placed = states.structure().joints()[unknowns.index(j)];
+    const double a = used_amplitude(evidence, states, level, unknowns.index(j));
     const double beside = placed.linear_damping * a * a;
-    joint.dissipation.lower = band.lower + beside;
-    joint.dissipation.upper = band.upper + beside;
+    joint.dissipation.lower = lower + beside;
+    joint.dissipation.upper = upper + beside;
   }
   if (states.at(level)) read_vibration(evidence, states, level, told);
   return told;
@@ -389,11 +367,11 @@ void read_residuals(const CalibrationEvidence& evidence, std::size_t level, doub
 }
 
 /// Levels over their standard deviations.
-void read_deviations(const CalibrationEvidence& evidence, const CalibratedState& state,
+void read_deviations(const CalibrationEvidence& evidence, const AllUnknowns& unknowns,
                      const LevelStates& states, CalibrationResult& result) {
   for (std::size_t i = 0; i < result.levels.size(); ++i) {
     if (!result.levels[i].found) continue;
-    const LevelDeviations deviations = deviations_about(evidence, state.unknowns, states, i);
+    const LevelDeviations deviations = deviations_about(evidence, unknowns, states, i);
     read_residuals(evidence, i, frequency_error(evidence.levels, i, *states.at(i)), deviations,
                    result);
   }
@@ -402,11 +380,11 @@ void read_deviations(const CalibrationEvidence& evidence, const CalibratedState&
 }  // namespace
 
 void read_calibration(const CalibrationEvidence& evidence, const CalibrationOptions& options,
-                      const CalibratedState& state, const GrowingRange& range, LevelStates& states,
+                      const CalibratedState& state, GrowingRange& range, LevelStates& states,
                       CalibrationResult& result) {
-  const NormalEquations equations(state.evidence);
-  const std::vector<Eigen::VectorXd> draws = posterior_draws(equations, state, range, options);
-  const std::vector<Joint> joints = range.joints(state.unknowns, mean_of(draws));
+  const CalibrationDraws draws = draw_all(range.with_other_exponents(state), range.least_scatter(),
+                                          options.draws, options.seed);
+  const std::vector<Joint> joints = range.joints(draws.unknowns, draws.mean());
   states.set_joints(joints);
   std::vector<std::size_t> all(evidence.levels.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
@@ -426,17 +404,18 @@ void read_calibration(const CalibrationEvidence& evidence, const CalibrationOpti
                                  : 0.0;
   result.edf = state.settled.edf;
   read_joints(evidence, options, state, draws, joints, states, result);
-  read_told(equations, state, draws, options.seed, result);
+  read_told(draws, result);
   std::vector<std::vector<std::vector<double>>> losses;
   for (const std::size_t level : all) {
-    losses.push_back(losses_of_draws(evidence, state, draws, states, level));
-    result.levels.push_back(read_level(evidence, state, losses.back(), options, states, level));
+    losses.push_back(losses_of_draws(evidence, draws, states, level));
+    result.levels.push_back(
+        read_level(evidence, draws.unknowns, losses.back(), options, states, level));
   }
   read_pairs(losses, result);
   read_loss_told(losses, result);
   if (result.joints.size() > 2) read_groups(losses, result);
   read_offsets(evidence, states, result);
-  read_deviations(evidence, state, states, result);
+  read_deviations(evidence, draws.unknowns, states, result);
 }
 
 }  // namespace microslip

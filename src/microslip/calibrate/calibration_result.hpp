@@ -12,7 +12,7 @@ namespace microslip {
 /// Draws the posterior, and reads joints, levels and what cannot be told apart from the draws. The
 /// states are solved once more with the joints that come of it.
 void read_calibration(const CalibrationEvidence& evidence, const CalibrationOptions& options,
-                      const CalibratedState& state, const GrowingRange& range, LevelStates& states,
+                      const CalibratedState& state, GrowingRange& range, LevelStates& states,
                       CalibrationResult& result);
 
 }  // namespace microslip

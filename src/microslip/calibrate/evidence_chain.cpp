@@ -65,10 +65,14 @@ void draw_evidence(const NormalEquations& equations, const SettledEvidence& sett
     target.rows.push_back(chain_rows(evidence, kind, least[static_cast<std::size_t>(kind)]));
     start.scale.push_back(settled.weights.of(kind));
   }
+  if (length.draws == 0) return;
   PosteriorChain chain(target, std::move(start));
-  RandomStream random(length.seed, 0);
+  RandomStream random(length.seed, 2 * length.chain);
   chain.settle(random);
-  for (std::size_t i = 0; i < length.draws; ++i) keep(chain.next(random));
+  for (std::size_t i = 0; i < length.draws; ++i) {
+    chain.next(random);
+    keep(chain.projected(random).x);
+  }
 }
 
 void draw_prior(const NormalEquations& equations, const SettledEvidence& settled,
@@ -78,7 +82,7 @@ void draw_prior(const NormalEquations& equations, const SettledEvidence& settled
   TruncatedGaussian prior(limits);
   prior.set(equations.prior_hessian(settled.weights), equations.prior_linear());
   Eigen::VectorXd x = limits.moved_inside(settled.x, kInside * prior.standard_deviation());
-  RandomStream random(length.seed, 1);
+  RandomStream random(length.seed, 2 * length.chain + 1);
   const std::size_t forgotten = length.draws / kForgottenShare;
   for (std::size_t i = 0; i < forgotten + length.draws; ++i) {
     prior.move(x, random, kMostReflections);

@@ -18,11 +18,13 @@ namespace microslip {
 struct ChainLength {
   std::size_t draws = 0;
   std::uint64_t seed = 0;
+  std::uint64_t chain = 0;  ///< its number: chains of one seed are independent
 };
 
 /// Draws of PosteriorChain: x, τ of losses and of frequencies, and the smoothing. The λ of the
 /// joints are drawn together, in the ratio in which they settled, with a local factor for each place
-/// of each.
+/// of each. Coefficients that may be 0 are 0 in some of the draws (PosteriorChain::projected()): a
+/// joint that does not slip at small amplitudes has no loss there in them.
 /// @param settled  where it starts.
 /// @param least    smallest τ of each kind.
 /// @param keep     called with each draw.

@@ -34,10 +34,17 @@ constexpr int kMostPasses = 30;
 constexpr int kPassesOfWeights = 8;
 /// Largest relative change of an amplitude that counts as none: far below what levels tell of it.
 constexpr double kSmallestChange = 1e-5;
+/// The same before exponents are compared: a tenth of what levels tell of it.
+constexpr double kSteady = 1e-3;
 /// χ₀ that are tried beside 0, and what their −2 ln likelihood must gain, as for records.
 constexpr std::array kTriedExponents = {-0.25, -0.5, -0.75};
 constexpr std::array kAllExponents = {0.0, -0.25, -0.5, -0.75};
 constexpr double kStrongEvidence = 6.0;
+/// χ₀ that draws have.
+constexpr std::array kDrawnExponents = {0.0, -0.125, -0.25, -0.375, -0.5, -0.625, -0.75};
+/// Chains of draws with exponents of their own: one of this share of probability has one at least.
+/// A power of 2, so that each odd number goes through all of them.
+constexpr std::size_t kExponentChains = 16;
 /// Losses without a deviation scatter by this at least, relative: few levels leave no residual.
 constexpr double kLeastLossScatter = 1e-3;
 /// Times the largest amplitude of a joint at the levels that were found.
@@ -70,6 +77,16 @@ double objective(const LinearEvidence& evidence, const EvidenceWeights& weights,
     sum += weights.lambda[j] * equations.roughness(j, x);
   }
   return sum / std::max(rows, 1.0);
+}
+
+/// Largest relative change of frequencies and displacements; 1 of those that were not found.
+double largest_change(const std::vector<double>& before, const std::vector<double>& after) {
+  double change = 0.0;
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    if (before[k] == after[k]) continue;
+    change = std::max(change, before[k] > 0.0 ? std::abs(after[k] / before[k] - 1.0) : 1.0);
+  }
+  return change;
 }
 
 }  // namespace
@@ -224,6 +241,18 @@ CalibratedState GrowingRange::grow() {
   }
 }
 
+/// Passes until displacements hardly change: likelihoods of exponents compare where the levels are
+/// linear about the joints that they are of.
+CalibratedState GrowingRange::steadied(CalibratedState state) {
+  keep_weights_ = false;
+  for (int i = 0; i < kPassesOfWeights; ++i) {
+    const std::vector<double> before = vibrations();
+    state = pass(all_, &state, exponents_);
+    if (largest_change(before, vibrations()) < kSteady) break;
+  }
+  return state;
+}
+
 /// Passes with exponents, from a state of other ones.
 CalibratedState GrowingRange::tried(const CalibratedState& start,
                                     const std::vector<double>& exponents) {
@@ -282,12 +311,7 @@ CalibratedState GrowingRange::converge(CalibratedState state) {
     const std::vector<double> before = vibrations();
     keep_weights_ = i >= kPassesOfWeights;
     state = pass(all_, &state, exponents_);
-    const std::vector<double> after = vibrations();
-    double change = 0.0;
-    for (std::size_t k = 0; k < before.size(); ++k) {
-      if (before[k] == after[k]) continue;
-      change = std::max(change, before[k] > 0.0 ? std::abs(after[k] / before[k] - 1.0) : 1.0);
-    }
+    const double change = largest_change(before, vibrations());
     summary_.residual = change;
     summary_.iterations = i + 1;
     if (change > kSmallestChange) continue;
@@ -341,13 +365,77 @@ CalibratedState GrowingRange::find(const std::function<void()>& tick) {
   CalibratedState state = grow();
   require_levels(state);
   require_losses(state);
-  state = converge(choose_exponents(state));
+  state = converge(choose_exponents(steadied(std::move(state))));
   require_levels(state);
   if (!fit_stiffness) return state;
   evidence_.fit_stiffness = true;
   evidence_.frequency = FrequencyUse::kAbsolute;
   keep_weights_ = false;
   return converge(choose_exponents(relinearised(state)));
+}
+
+/// About the joints that were found, as they explain the levels with any exponent: λ and τ are near.
+CalibratedState GrowingRange::beside(const CalibratedState& found,
+                                     const std::vector<double>& exponents) {
+  AllUnknowns now = unknowns(exponents);
+  Eigen::VectorXd x = projected(now, found.unknowns, found.settled.x);
+  CalibratedState state = linear_about(all_, std::move(now), std::move(x));
+  state.settled = settle(NormalEquations(state.evidence), found.settled.weights, least_);
+  if (tick_) tick_();
+  return state;
+}
+
+/// Exponents of one joint, each as many times of kExponentChains as it is likely.
+std::vector<double> GrowingRange::likely_exponents(std::size_t joint, const CalibratedState& found,
+                                                   ExponentStates& states) {
+  std::vector<double> likelihood;
+  for (const double exponent : kDrawnExponents) {
+    std::vector<double> exponents = exponents_;
+    exponents[joint] = exponent;
+    const CalibratedState& state = state_with(exponents, found, states).state;
+    const double fall = state.settled.likelihood - found.settled.likelihood;
+    likelihood.push_back(state.found < found.found ? 0.0 : std::exp(-0.5 * fall));
+  }
+  const double sum = std::accumulate(likelihood.begin(), likelihood.end(), 0.0);
+  std::vector<double> likely;
+  double below = 0.0;
+  for (std::size_t i = 0; i < likelihood.size(); ++i) {
+    below += likelihood[i] / sum * static_cast<double>(kExponentChains);
+    while (static_cast<double>(likely.size()) + 0.5 < below) likely.push_back(kDrawnExponents[i]);
+  }
+  return likely;
+}
+
+WeighedState& GrowingRange::state_with(const std::vector<double>& exponents,
+                                       const CalibratedState& found, ExponentStates& states) {
+  auto known = states.find(exponents);
+  if (known == states.end()) {
+    known = states.emplace(exponents, WeighedState{beside(found, exponents)}).first;
+  }
+  return known->second;
+}
+
+std::vector<WeighedState> GrowingRange::with_other_exponents(const CalibratedState& found) {
+  keep_weights_ = false;
+  ExponentStates states;
+  states.emplace(exponents_, WeighedState{found});
+  std::vector<std::vector<double>> likely;
+  for (std::size_t j = 0; j < sought_.size(); ++j) {
+    likely.push_back(likely_exponents(j, found, states));
+  }
+  for (std::size_t chain = 0; chain < kExponentChains; ++chain) {
+    std::vector<double> exponents;
+    for (std::size_t j = 0; j < sought_.size(); ++j) {
+      exponents.push_back(likely[j][chain * (2 * j + 1) % kExponentChains]);
+    }
+    ++state_with(exponents, found, states).weight;
+  }
+  std::vector<WeighedState> drawn;
+  for (auto& [exponents, state] : states) {
+    if (state.weight > 0) drawn.push_back(std::move(state));
+  }
+  (void)linear_about(all_, found.unknowns, found.about);  // others have moved the levels
+  return drawn;
 }
 
 /// The same joints in the terms of other evidence.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +27,12 @@ struct CalibratedState {
   SettledEvidence settled;
 };
 
+/// A state, and how many of the draws are of it.
+struct WeighedState {
+  CalibratedState state;
+  std::size_t weight = 0;
+};
+
 /// What is settled with the joints given, and with those of its own result, is the same.
 class GrowingRange {
  public:
@@ -35,6 +42,13 @@ class GrowingRange {
 
   /// Finds it. @param tick  called after each pass; throws to stop.
   [[nodiscard]] CalibratedState find(const std::function<void()>& tick);
+
+  /// What was found, and the same with other exponents of the joints as often as they are likely:
+  /// levels hardly tell how a joint goes on below the amplitudes at which it shows, and a band for
+  /// one exponent alone is far too narrow there. The likelihood of an exponent is taken with those
+  /// of the other joints as they were found.
+  /// @param found  by find(). @return at least one.
+  [[nodiscard]] std::vector<WeighedState> with_other_exponents(const CalibratedState& found);
 
   /// Smallest τ of each kind of rows that is believed.
   [[nodiscard]] const std::array<double, kRowKinds.size()>& least_scatter() const { return least_; }
@@ -64,7 +78,16 @@ class GrowingRange {
   void take_if_likelier(const CalibratedState& start, const std::vector<double>& exponents,
                         CalibratedState& best);
   [[nodiscard]] CalibratedState choose_exponents(const CalibratedState& start);
+  [[nodiscard]] CalibratedState steadied(CalibratedState state);
   [[nodiscard]] CalibratedState converge(CalibratedState state);
+  using ExponentStates = std::map<std::vector<double>, WeighedState>;
+  [[nodiscard]] CalibratedState beside(const CalibratedState& found,
+                                       const std::vector<double>& exponents);
+  [[nodiscard]] WeighedState& state_with(const std::vector<double>& exponents,
+                                         const CalibratedState& found, ExponentStates& states);
+  [[nodiscard]] std::vector<double> likely_exponents(std::size_t joint,
+                                                     const CalibratedState& found,
+                                                     ExponentStates& states);
   [[nodiscard]] CalibratedState relinearised(const CalibratedState& state);
   void require_levels(const CalibratedState& state) const;
   void require_losses(const CalibratedState& state) const;

@@ -38,13 +38,31 @@ JointUnknowns::JointUnknowns(double stiffness, double length, double lowest, dou
       theta_scale_(0.5 / basis_.area().sum()) {
   if (exponent != 0.0) begin_power_law();
   refine(exponent == 0.0 ? 1 : kRefinement);
-  slip_.push_back(0.0);
+  // The first coefficient carries the knots below the lowest amplitude along.
+  const auto below = static_cast<Eigen::Index>(basis_.knots().size()) - basis_.size();
+  place_.assign(basis_.knots().begin() + below, basis_.knots().end());
+  there_ = basis_.nodal().bottomRows(basis_.size()).diagonal();
+  read_density();
+}
+
+void JointUnknowns::read_density() {
+  slip_.assign(1, 0.0);
   for (const double s : knots_) slip_.push_back(length_ * s);
   density_ = Eigen::MatrixXd::Zero(nodal_.rows() + 1, size());
-  density_.bottomLeftCorner(nodal_.rows(), basis_.size()) =
+  density_.bottomLeftCorner(nodal_.rows(), nodal_.cols()) =
       (stiffness_ / length_ * theta_scale_) * nodal_;
   density_.row(0) = density_.row(1);  // constant below the first knot
   area_ = trapezoid_weights(slip_).transpose() * density_ / stiffness_;
+}
+
+JointUnknowns JointUnknowns::by_knots() const {
+  JointUnknowns all = *this;
+  const auto count = static_cast<Eigen::Index>(knots_.size());
+  all.nodal_ = Eigen::MatrixXd::Identity(count, count);
+  all.place_ = knots_;
+  all.there_ = Eigen::VectorXd::Ones(count);
+  all.read_density();
+  return all;
 }
 
 // Below the knots of the basis θ is constant and ψ goes on as the power law, on knots an e-fold
@@ -85,7 +103,7 @@ void JointUnknowns::refine(int parts) {
 Eigen::RowVectorXd JointUnknowns::dissipation_row(double amplitude) const {
   const Eigen::VectorXd scaled = Eigen::VectorXd::Constant(1, amplitude / length_);
   Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(size());
-  row.head(basis_.size()) =
+  row.head(nodal_.cols()) =
       (stiffness_ * length_ * length_ * theta_scale_) * (dissipation_rows(scaled, knots_) * nodal_);
   return row;
 }
@@ -93,14 +111,14 @@ Eigen::RowVectorXd JointUnknowns::dissipation_row(double amplitude) const {
 Eigen::RowVectorXd JointUnknowns::secant_row(double amplitude) const {
   const Eigen::VectorXd scaled = Eigen::VectorXd::Constant(1, amplitude / length_);
   Eigen::RowVectorXd row = stiffness_ * stiffness_row();
-  row.head(basis_.size()) -=
+  row.head(nodal_.cols()) -=
       (stiffness_ * theta_scale_) * (softening_rows(scaled, knots_) * nodal_);
   return row;
 }
 
 Eigen::RowVectorXd JointUnknowns::stiffness_row() const {
   Eigen::RowVectorXd row = area_;
-  row(basis_.size()) = 1.0;
+  row(nodal_.cols()) = 1.0;
   return row;
 }
 
@@ -127,13 +145,11 @@ Eigen::VectorXd JointUnknowns::projected(const JointUnknowns& other,
   const Eigen::VectorXd psi = other.density_ * x;
   const std::vector<double> density(psi.begin(), psi.end());
   Eigen::VectorXd found = Eigen::VectorXd::Zero(size());
-  // The first coefficient carries the knots below the lowest amplitude along.
-  const auto below = static_cast<Eigen::Index>(basis_.knots().size()) - basis_.size();
-  for (Eigen::Index c = 0; c < basis_.size(); ++c) {
-    const double s = basis_.knots()[static_cast<std::size_t>(below + c)];
+  for (Eigen::Index c = 0; c < there_.size(); ++c) {
+    const double s = place_[static_cast<std::size_t>(c)];
     const double at = std::min(length_ * s, other.slip_.back());
-    const double scale = stiffness_ / length_ * theta_scale_ * basis_.nodal()(below + c, c);
-    found(c) = interpolate(other.slip_, density, at) / scale;
+    found(c) =
+        interpolate(other.slip_, density, at) / (stiffness_ / length_ * theta_scale_ * there_(c));
   }
   const double whole = other.stiffness_row().dot(x);
   found(size() - 1) = std::max(0.0, whole - stiffness_row().dot(found));

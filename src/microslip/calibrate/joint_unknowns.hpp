@@ -27,7 +27,11 @@ class JointUnknowns {
   /// @param coefficients  how many θ.
   JointUnknowns(double stiffness, double length, double lowest, double exponent, int coefficients);
 
-  [[nodiscard]] Eigen::Index size() const { return basis_.size() + 1; }
+  /// The same range with a coefficient for each knot of ψ in place of θ: densities of any exponent
+  /// can be told by it. It has no penalty().
+  [[nodiscard]] JointUnknowns by_knots() const;
+
+  [[nodiscard]] Eigen::Index size() const { return nodal_.cols() + 1; }
   [[nodiscard]] double stiffness() const { return stiffness_; }
   [[nodiscard]] double length() const { return length_; }
   [[nodiscard]] double exponent() const { return exponent_; }
@@ -59,6 +63,7 @@ class JointUnknowns {
  private:
   void begin_power_law();
   void refine(int parts);
+  void read_density();
 
   double stiffness_;
   double length_;
@@ -67,6 +72,8 @@ class JointUnknowns {
   double theta_scale_;
   std::vector<double> knots_;  // s
   Eigen::MatrixXd nodal_;      // p at them from θ
+  std::vector<double> place_;  // s of each coefficient
+  Eigen::VectorXd there_;      // p at its place from a coefficient
   std::vector<double> slip_;
   Eigen::MatrixXd density_;
   Eigen::RowVectorXd area_;  // ∫ψ dx* over k₀, and 0 of e

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "microslip/base/percent.hpp"
+#include "microslip/calibrate/known_together.hpp"
 #include "microslip/report/calibration_figures.hpp"
 #include "microslip/report/calibration_layers.hpp"
 #include "microslip/report/calibration_sections.hpp"
@@ -100,12 +101,7 @@ double most_told(const ExperimentResults& results, const std::string& joint) {
 
 /// Joints whose density stands on others, or on nothing.
 bool is_doubtful(const CalibrationSummary& found, const std::string& joint, double told) {
-  const auto only_together = [&](const PairSummary& pair) {
-    return pair.known_only_together && (pair.first == joint || pair.second == joint);
-  };
-  const bool in_sum = found.known_in_sum.size() > 1 &&
-                      std::ranges::find(found.known_in_sum, joint) != found.known_in_sum.end();
-  return told < kTold || in_sum || std::ranges::any_of(found.pairs, only_together);
+  return told < kTold || known_only_together(found, joint);
 }
 
 ReportTable joints_table(const ExperimentResults& results) {

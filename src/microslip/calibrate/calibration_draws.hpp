@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "microslip/calibrate/growing_range.hpp"
+
+/// @file
+/// Draws of all exponents in the same terms. Internal to calibrate.
+
+namespace microslip {
+
+/// Coefficients that draws have in common, and the draws. Those of one exponent are spread evenly
+/// over all.
+struct CalibrationDraws {
+  AllUnknowns unknowns;
+  std::vector<Eigen::VectorXd> posterior = {};
+  std::vector<Eigen::VectorXd> prior = {};  ///< of what is possible without the levels
+
+  /// Mean of the posterior.
+  [[nodiscard]] Eigen::VectorXd mean() const;
+};
+
+/// Draws each state by its weight. Where there are several, the coefficients are ψ at the knots.
+/// @param states  GrowingRange::with_other_exponents().
+/// @param least   smallest τ of each kind of rows.
+/// @param count   of draws of the posterior.
+/// @param seed    of the draws.
+[[nodiscard]] CalibrationDraws draw_all(const std::vector<WeighedState>& states,
+                                        const std::array<double, kRowKinds.size()>& least,
+                                        std::size_t count, std::uint64_t seed);
+
+}  // namespace microslip
