@@ -13,15 +13,25 @@ namespace {
 /// density with a dip and a peak. The same in each run.
 Levels reference_levels() { return testing::noisy_levels(testing::reference_joint(), 2); }
 
-/// Both passes, the whole λ path and all that the result holds.
-void identify_90_levels(benchmark::State& state) {
+void invert_reference_levels(benchmark::State& state, bool edges) {
   const Levels levels = reference_levels();
+  InversionOptions options;
+  options.edges = edges;
   for (auto _ : state) {
-    const InversionResult result = invert(levels, testing::kStiffness);
+    const InversionResult result = invert(levels, testing::kStiffness, options);
     benchmark::DoNotOptimize(result.density.data());
   }
 }
+
+/// Both passes, the whole λ path and all that the result holds, of a smooth density.
+void identify_90_levels(benchmark::State& state) { invert_reference_levels(state, false); }
 BENCHMARK(identify_90_levels)->Unit(benchmark::kMillisecond);
+
+/// The same with edges and a trend of the smoothness sought.
+void identify_90_levels_with_edges(benchmark::State& state) {
+  invert_reference_levels(state, true);
+}
+BENCHMARK(identify_90_levels_with_edges)->Unit(benchmark::kMillisecond);
 
 /// The same with 1000 draws from the posterior and their band, on one processor. @param state  tells
 /// how many independent draws they are worth where that is least.

@@ -108,6 +108,10 @@ TEST(calibrate, NamesWhatIsWrong) {
   expect("file", edited(model, "stiffness_N_per_m = 900000\n", ""), levels);
   expect("must differ from joint[0].name", edited(model, "\"joint2\"", "\"joint1\""), levels);
   expect("must be usable as the name of a file", edited(model, "\"joint2\"", "\"a/b\""), levels);
+  // dissipation_lower_joint1 is of the band of joint1.
+  expect("must not begin with lower_ or upper_", edited(model, "\"joint2\"", "\"lower_joint1\""),
+         levels);
+  expect("the loss of joint 'std'", edited(model, "\"joint2\"", "\"std\""), levels);
   expect("must be absolute to find stiffnesses", model, levels, {"--stiffness", "fit"});
   expect("--samples", model, levels, {"--samples", "10"});
   expect("--harmonics", model, levels, {"--harmonics", "0"});

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <numbers>
 #include <vector>
 
@@ -53,18 +55,24 @@ struct Case {
   double top;
   double exponent;
   int coefficients;
+  std::vector<BasisEdge> edges = {};
+
+  [[nodiscard]] InversionBasis basis() const {
+    return {lowest, top, exponent, coefficients, edges};
+  }
 };
 
 const std::vector<Case> kCases{
-    {0.0071, 1.0, 0.0, 56}, {0.0071, 1.0, -0.5, 56}, {1e-4, 1.0, -0.9, 30},
-    {0.2, 0.6, -0.3, 12},   {0.9, 1.0, 0.0, 10},
+    {0.0071, 1.0, 0.0, 56}, {0.0071, 1.0, -0.5, 56},
+    {1e-4, 1.0, -0.9, 30},  {0.2, 0.6, -0.3, 12},
+    {0.9, 1.0, 0.0, 10},    {0.0071, 1.0, -0.5, 30, {{10, 10.3}, {20, 19.6}}},
 };
 
 // K against tanh-sinh quadrature in long double of the definition (7). Both are sums of positive
 // terms: the error is a few rounding errors of the result.
 TEST(InversionBasis, DissipationIsTheIntegral) {
   for (const Case& c : kCases) {
-    const InversionBasis basis(c.lowest, c.top, c.exponent, c.coefficients);
+    const InversionBasis basis = c.basis();
     const Eigen::VectorXd theta = random_theta(basis.size(), 1);
     const Eigen::VectorXd nodal = basis.nodal() * theta;
     const Eigen::VectorXd a = amplitudes(c.lowest);
@@ -84,7 +92,7 @@ TEST(InversionBasis, DissipationIsTheIntegral) {
 // value, the area, is what is asked for.
 TEST(InversionBasis, SofteningIsTheIntegral) {
   for (const Case& c : kCases) {
-    const InversionBasis basis(c.lowest, c.top, c.exponent, c.coefficients);
+    const InversionBasis basis = c.basis();
     const Eigen::VectorXd theta = random_theta(basis.size(), 2);
     const Eigen::VectorXd nodal = basis.nodal() * theta;
     const Eigen::VectorXd a = amplitudes(c.lowest);
@@ -109,7 +117,7 @@ TEST(InversionBasis, SofteningIsTheIntegral) {
 // that of k itself.
 TEST(InversionBasis, IsTheDensityOfAJoint) {
   for (const Case& c : kCases) {
-    const InversionBasis basis(c.lowest, c.top, c.exponent, c.coefficients);
+    const InversionBasis basis = c.basis();
     for (const bool constant : {true, false}) {
       Eigen::VectorXd theta = random_theta(basis.size(), 3);
       if (constant) theta.setOnes();
@@ -138,9 +146,9 @@ TEST(InversionBasis, IsTheDensityOfAJoint) {
 
 TEST(InversionBasis, Layout) {
   for (const Case& c : kCases) {
-    const InversionBasis basis(c.lowest, c.top, c.exponent, c.coefficients);
+    const InversionBasis basis = c.basis();
     const std::vector<double>& s = basis.knots();
-    EXPECT_EQ(basis.size(), c.coefficients);
+    EXPECT_EQ(basis.size(), c.coefficients + std::ssize(c.edges));
     EXPECT_TRUE(std::ranges::is_sorted(s, std::less_equal<>())) << "strictly rising";
     EXPECT_EQ(s.back(), c.top);
     EXPECT_GT(s.front(), 0.0);
@@ -166,6 +174,32 @@ TEST(InversionBasis, PenaltyIsTheIntegralOfTheSquaredCurvature) {
   EXPECT_LT((rows * Eigen::VectorXd::Ones(41)).norm(), 1e-12);
   EXPECT_LT((rows * v).norm(), 1e-11);
   EXPECT_NEAR((rows * v.cwiseAbs2()).squaredNorm(), 4.0 * 39.0 / 40.0, 1e-10);
+}
+
+// Between two edges a straight line costs nothing, and nor does a jump from one to the next; what
+// bends costs as without edges.
+TEST(InversionBasis, EdgesCostNothing) {
+  const InversionBasis basis(0.01, 1.0, 0.0, 41, {{15, 15.25}});
+  ASSERT_EQ(basis.ranges(), 2);
+  ASSERT_EQ(basis.edges().size(), 1U);
+  const Eigen::MatrixXd rows = basis.second_differences();
+  ASSERT_EQ(rows.rows(), basis.size() - 4);
+  Eigen::VectorXd v(basis.size());  // 0 to 1 over the coordinate of the knots
+  for (Eigen::Index i = 0; i < v.size(); ++i) {
+    const double at = i < 15 ? static_cast<double>(i) : i < 17 ? 15.25 : static_cast<double>(i - 1);
+    v(i) = at / 40.0;
+  }
+  Eigen::VectorXd jumps = 3.0 - v.array();
+  jumps.tail(basis.size() - 16) = 1.0 + 2.0 * v.tail(basis.size() - 16).array();
+  EXPECT_LT((rows * jumps).norm(), 1e-10);
+  // (θ″)² = 4 over all but half a spacing at each end of both ranges.
+  EXPECT_NEAR((rows * v.cwiseAbs2()).squaredNorm(), 4.0 * (40.0 - 0.5 - 0.5 - 0.625 - 0.375) / 40.0,
+              1e-9);
+  // θ of the edge stands twice, at places 1e−6 apart.
+  const auto edge = std::ranges::adjacent_find(basis.knots(),
+                                               [](double a, double b) { return b - a < 2e-6 * a; });
+  ASSERT_NE(edge, basis.knots().end());
+  EXPECT_DOUBLE_EQ(*edge, basis.edges().front());
 }
 
 // One slider: D = 4s(a − s), k_eq by its closed form; nothing below slip.

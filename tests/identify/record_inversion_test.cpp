@@ -15,6 +15,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/interpolation.hpp"
 #include "microslip/base/random.hpp"
+#include "microslip/identify/diagnostics.hpp"
 #include "microslip/identify/identification.hpp"
 #include "microslip/identify/record_start.hpp"
 #include "support/densities.hpp"
@@ -267,6 +268,23 @@ TEST(RecordVerdicts, TellRecordsThatContradict) {
   const RecordInversionResult same = of_two(1.0, 1.0);
   EXPECT_EQ(broken(same), "");
   EXPECT_EQ(same.records.front().verdicts.size(), kRecordDepartures.size());
+}
+
+// A spring of 1e5 N/m, its force to 0.1 %: there is no friction to be found.
+TEST(RecordVerdicts, SayThatNothingSlips) {
+  ForceRecord record = reference_record("sines");
+  RandomStream random(8, 0);
+  const double largest = std::ranges::max(record.displacement);
+  for (std::size_t i = 0; i < record.force.size(); ++i) {
+    record.force[i] = 1e5 * (record.displacement[i] + 1e-3 * largest * random.normal());
+  }
+  const std::vector<RecordEvidence> spring{{record, PathStart::kVirgin}};
+  const std::vector<Warning> warnings =
+      diagnose(invert_records(spring, {}, {.draws = 200}), {.records = spring});
+  EXPECT_TRUE(std::ranges::any_of(
+      warnings, [](const Warning& warning) { return warning.code == "no_slip"; }));
+  const std::vector<RecordEvidence> joint{{reference_record("sines"), PathStart::kVirgin}};
+  EXPECT_TRUE(diagnose(invert_records(joint, {}, {.draws = 200}), {.records = joint}).empty());
 }
 
 TEST(RecordVerdicts, AreNoneWhereTheViscousPartIsSought) {

@@ -100,6 +100,9 @@ TEST(Csv, ReadsNumbersAtTheEdgesOfTheRange) {
 
 TEST(Csv, ReadsTheHeaderOfAPieceOfATable) {
   EXPECT_EQ(csv_column_names("# c\na [m],b\n1,"), (std::vector<std::string>{"a", "b"}));
+  // A column that stands twice is refused by who reads the table, not taken for another kind.
+  EXPECT_EQ(csv_column_names("time [s],force [N],force [N]\n"),
+            (std::vector<std::string>{"time", "force", "force"}));
   EXPECT_TRUE(csv_column_names("1,2\n").empty());
   EXPECT_TRUE(csv_column_names("{\"a\": 1}").empty());
 }

@@ -111,6 +111,16 @@ GrowingRange::GrowingRange(CalibrationEvidence evidence, const std::vector<std::
   }
 }
 
+/// Deviations that were told are believed until the displacements are steady: about joints that are
+/// wrong, scatter can pass for what the joints are wrong by, and keeps them so.
+ScatterBounds GrowingRange::bounds() const {
+  ScatterBounds bounds{.least = least_};
+  if (!deviations_believed_) return bounds;
+  if (evidence_.loss_std_given) bounds.most[0] = bounds.least[0];
+  if (evidence_.frequency_std_given) bounds.most[1] = bounds.least[1];
+  return bounds;
+}
+
 /// Least and largest amplitude of a joint. A level that was sought in vain counts where it is not
 /// far beyond the others: it may be found yet.
 std::pair<double, double> GrowingRange::reach(std::size_t joint) const {
@@ -199,9 +209,9 @@ CalibratedState GrowingRange::pass(const std::vector<std::size_t>& which,
     if (tick_) tick_();
     return state;
   }
-  state.settled = settle_from_afar(equations, least_);
+  state.settled = settle_from_afar(equations, bounds());
   if (before) {
-    SettledEvidence near = settle(equations, before->settled.weights, least_);
+    SettledEvidence near = settle(equations, before->settled.weights, bounds());
     if (near.likelihood < state.settled.likelihood) state.settled = std::move(near);
   }
   if (tick_) tick_();
@@ -362,10 +372,13 @@ CalibratedState GrowingRange::find(const std::function<void()>& tick) {
     evidence_.fit_stiffness = false;
     evidence_.frequency = FrequencyUse::kChange;
   }
+  deviations_believed_ = true;
   CalibratedState state = grow();
   require_levels(state);
   require_losses(state);
-  state = converge(choose_exponents(steadied(std::move(state))));
+  state = steadied(std::move(state));
+  deviations_believed_ = false;
+  state = converge(choose_exponents(state));
   require_levels(state);
   if (!fit_stiffness) return state;
   evidence_.fit_stiffness = true;
@@ -380,7 +393,7 @@ CalibratedState GrowingRange::beside(const CalibratedState& found,
   AllUnknowns now = unknowns(exponents);
   Eigen::VectorXd x = projected(now, found.unknowns, found.settled.x);
   CalibratedState state = linear_about(all_, std::move(now), std::move(x));
-  state.settled = settle(NormalEquations(state.evidence), found.settled.weights, least_);
+  state.settled = settle(NormalEquations(state.evidence), found.settled.weights, bounds());
   if (tick_) tick_();
   return state;
 }
@@ -441,7 +454,7 @@ std::vector<WeighedState> GrowingRange::with_other_exponents(const CalibratedSta
 /// The same joints in the terms of other evidence.
 CalibratedState GrowingRange::relinearised(const CalibratedState& state) {
   CalibratedState anew = linear_about(all_, state.unknowns, state.settled.x);
-  anew.settled = settle_from_afar(NormalEquations(anew.evidence), least_);
+  anew.settled = settle_from_afar(NormalEquations(anew.evidence), bounds());
   return anew;
 }
 

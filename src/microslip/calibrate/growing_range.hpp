@@ -69,6 +69,7 @@ class GrowingRange {
   [[nodiscard]] CalibratedState pass(const std::vector<std::size_t>& which,
                                      const CalibratedState* before,
                                      const std::vector<double>& exponents);
+  [[nodiscard]] ScatterBounds bounds() const;
   [[nodiscard]] std::pair<double, double> reach(std::size_t joint) const;
   [[nodiscard]] AllUnknowns unknowns(const std::vector<double>& exponents) const;
   [[nodiscard]] std::vector<double> amplitude_shares() const;
@@ -102,6 +103,7 @@ class GrowingRange {
   std::vector<double> given_stiffness_;
   std::vector<double> exponents_;
   bool keep_weights_ = false;
+  bool deviations_believed_ = false;
   std::function<void()> tick_;
   Summary summary_;
 };

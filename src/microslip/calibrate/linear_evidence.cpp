@@ -214,7 +214,7 @@ SettledEvidence settle_with(const NormalEquations& equations, const EvidenceWeig
 }
 
 SettledEvidence settle(const NormalEquations& equations, EvidenceWeights weights,
-                       const std::array<double, kRowKinds.size()>& least) {
+                       const ScatterBounds& bounds) {
   SettledEvidence settled;
   std::vector<bool> start = all_free(equations);
   for (int round = 0; round < kMostRounds; ++round) {
@@ -229,7 +229,8 @@ SettledEvidence settle(const NormalEquations& equations, EvidenceWeights weights
     }
     for (const RowKind kind : {RowKind::kLoss, RowKind::kFrequency}) {
       if (!equations.evidence().of(kind).tells()) continue;
-      const double next = std::max(now.next_scatter(kind), least[static_cast<std::size_t>(kind)]);
+      const auto k = static_cast<std::size_t>(kind);
+      const double next = std::clamp(now.next_scatter(kind), bounds.least[k], bounds.most[k]);
       change = std::max(change, std::abs(std::log(next / weights.of(kind))));
       weights.of(kind) = next;
     }
@@ -238,14 +239,13 @@ SettledEvidence settle(const NormalEquations& equations, EvidenceWeights weights
   return settled;
 }
 
-SettledEvidence settle_from_afar(const NormalEquations& equations,
-                                 const std::array<double, kRowKinds.size()>& least) {
+SettledEvidence settle_from_afar(const NormalEquations& equations, const ScatterBounds& bounds) {
   std::optional<SettledEvidence> best;
   for (const double lambda : kFirstLambdas) {
     EvidenceWeights start;
     start.lambda.assign(equations.evidence().roughness.size(), lambda);
-    start.scatter = least;
-    SettledEvidence found = settle(equations, std::move(start), least);
+    start.scatter = bounds.least;
+    SettledEvidence found = settle(equations, std::move(start), bounds);
     if (!best || found.likelihood < best->likelihood) best = std::move(found);
   }
   return std::move(*best);

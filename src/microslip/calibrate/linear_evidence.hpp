@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "microslip/identify/quadratic_program.hpp"
@@ -65,6 +66,14 @@ struct EvidenceWeights {
   [[nodiscard]] double of(RowKind kind) const { return scatter[static_cast<std::size_t>(kind)]; }
 };
 
+/// Between which τ of each kind of rows is sought.
+struct ScatterBounds {
+  std::array<double, kRowKinds.size()> least{};
+  std::array<double, kRowKinds.size()> most{std::numeric_limits<double>::infinity(),
+                                            std::numeric_limits<double>::infinity(),
+                                            std::numeric_limits<double>::infinity()};
+};
+
 /// AᵀA, Aᵀb and LᵀL, from which every weighing is a sum.
 class NormalEquations {
  public:
@@ -113,10 +122,10 @@ struct SettledEvidence {
 /// λ and τ by restricted likelihood on the coefficients that are not 0 [Wood & Fasiolo, Biometrics
 /// 73 (2017) 1071: λ_j ← λ_j (r_j/λ_j − tr H⁻¹S_j)/‖L_jx‖²; τ² ← residual over what freedom the
 /// solution leaves].
-/// @param start  weights to begin with: near those of the solution.
-/// @param least  smallest τ of each kind.
+/// @param start   weights to begin with: near those of the solution.
+/// @param bounds  of τ.
 [[nodiscard]] SettledEvidence settle(const NormalEquations& equations, EvidenceWeights start,
-                                     const std::array<double, kRowKinds.size()>& least);
+                                     const ScatterBounds& bounds);
 
 /// The most likely coefficients with weights that are kept.
 [[nodiscard]] SettledEvidence settle_with(const NormalEquations& equations,
@@ -125,6 +134,6 @@ struct SettledEvidence {
 /// As settle() where nothing is known of the weights: the most likely of what several λ lead to, as
 /// the likelihood has a second maximum where all is scatter.
 [[nodiscard]] SettledEvidence settle_from_afar(const NormalEquations& equations,
-                                               const std::array<double, kRowKinds.size()>& least);
+                                               const ScatterBounds& bounds);
 
 }  // namespace microslip

@@ -212,6 +212,7 @@ ShapedModel shaped(const PassedModel& passed, const ScaledLevels& levels,
   const bool same = pass.edges.empty() && pass.trend == 0.0 && !options.lambda;
   ShapedModel found{same ? passed.model : InversionModel(levels, pass)};
   found.model.shape_sought = sought;
+  found.model.trend = pass.trend;
   if (same) return found;
   run_path(found.model, options, options.path_points, inner);
   tell_kinds_apart(found.model, levels);

@@ -61,6 +61,8 @@ struct InversionResult {
 
   /// Slip forces at which the density jumps, N, rising: two knots each.
   std::vector<double> edges;
+  /// By what ln λ is more at the last knot than at the first: smoothness changes along the density.
+  double smoothing_trend = 0.0;
 
   std::optional<double> linear_damping;   ///< β, J/m²
   std::optional<double> atom_slip_force;  ///< N; nothing where the data do not reach macro-slip

@@ -110,6 +110,7 @@ class InversionModel {
   double most_edf = 0.0;
   bool lambda_fixed = false;
   bool shape_sought = false;         ///< edges and trend
+  double trend = 0.0;                ///< of PassOptions
   double scatter = 0.0;              ///< σ̂, in units of 1/W
   double dissipation_scatter = 1.0;  ///< of the rows of D, over σ̂
   double softening_scatter = 1.0;    ///< of those of k_eq, over σ̂

@@ -235,6 +235,7 @@ void read_model(const InversionModel& model, const std::vector<InversionModel>& 
   for (const InversionModel& other : elsewhere) {
     result.posterior.elsewhere.push_back(posterior_of(other, levels, result.slip_force));
   }
+  result.smoothing_trend = model.trend;
   for (const double s : model.basis().edges()) {
     result.edges.push_back(model.largest_slip_force() * s);
   }

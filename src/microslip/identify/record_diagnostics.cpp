@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <cmath>
+#include <cstddef>
+#include <numeric>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "microslip/base/percent.hpp"
 #include "microslip/identify/diagnostics.hpp"
 
 namespace microslip {
 namespace {
+
+/// A loss that is not so many of its standard deviations off 0 may as well be none: one that is not
+/// there comes out at 2 of them, as it cannot be negative.
+constexpr double kLeastLossTold = 3.0;
 
 /// What a departure is called, is, and calls for.
 struct DepartureText {
@@ -53,6 +61,45 @@ Warning contradiction(const std::string& name, std::string_view what, const Leve
                       name, what, percent_text(verdict.share), percent_text(verdict.noise))};
 }
 
+/// D at the largest displacement a from draw to draw: 4∫x*(a − x*)ψ dx*, by Simpson's rule, exact
+/// for a straight ψ.
+std::vector<double> losses_of_draws(const RecordInversionResult& result) {
+  const std::vector<double>& x = result.slip_displacement;
+  const double a = x.back();
+  std::vector<double> losses;
+  for (const StiffnessDraw& draw : result.draws) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+      const double middle = 0.5 * (x[i] + x[i + 1]);
+      const double psi = 0.5 * (draw.density[i] + draw.density[i + 1]);
+      sum += (x[i + 1] - x[i]) / 6.0 *
+             (x[i] * (a - x[i]) * draw.density[i] + 4.0 * middle * (a - middle) * psi +
+              x[i + 1] * (a - x[i + 1]) * draw.density[i + 1]);
+    }
+    losses.push_back(4.0 * sum);
+  }
+  return losses;
+}
+
+/// Forces of a spring tell no friction: what was found of it is what cannot be ruled out.
+void warn_of_no_slip(const RecordInversionResult& result, std::vector<Warning>& warnings) {
+  const std::vector<double> losses = losses_of_draws(result);
+  if (losses.size() < 2) return;
+  const auto n = static_cast<double>(losses.size());
+  const double mean = std::accumulate(losses.begin(), losses.end(), 0.0) / n;
+  double square = 0.0;
+  for (const double loss : losses) square += (loss - mean) * (loss - mean);
+  const double deviation = std::sqrt(square / n);
+  if (mean >= kLeastLossTold * deviation && mean > 0.0) return;
+  warnings.push_back(
+      {"no_slip",
+       fmt::format("the force is that of a spring: the loss is not told from 0, {:.3g} J at the "
+                   "largest displacement with a standard deviation of {:.3g} J. Of the density "
+                   "only the upper end of the band says something. Take the joint to larger "
+                   "displacements.",
+                   mean, deviation)});
+}
+
 }  // namespace
 
 std::string_view to_string(RecordDeparture departure) { return text_of(departure).code; }
@@ -73,6 +120,7 @@ std::vector<Warning> diagnose(const RecordInversionResult& result, const JointEv
                        text.remedy)});
     }
   }
+  warn_of_no_slip(result, warnings);
   for (std::size_t t = 0; t < result.levels.size(); ++t) {
     const LevelFit& fit = result.levels[t];
     const std::string name = evidence.name_of_levels(t);

@@ -40,7 +40,9 @@ class CsvTable::Parser {
         position_(text_.data()),
         scanner_(text_, table.file_, ',') {}
 
-  void parse_header() {
+  /// @param names_differ  whether two columns of one name are refused.
+  void parse_header(bool names_differ = true) {
+    names_differ_ = names_differ;
     if (text_.starts_with(kByteOrderMark)) position_ += kByteOrderMark.size();
     while (position_ != end_ && skip_blank_or_comment()) {
     }
@@ -128,7 +130,7 @@ class CsvTable::Parser {
                         in_quotes(text));
     }
     const auto [first, is_new] = seen.emplace(column->name, number);
-    if (!is_new) {
+    if (!is_new && names_differ_) {
       throw FormatError(scanner_.place(cell.begin), "columns with different names",
                         fmt::format("{} as column {} and as column {}", in_quotes(column->name),
                                     first->second, number),
@@ -213,6 +215,7 @@ class CsvTable::Parser {
   const char* end_;
   const char* position_;
   CellScanner scanner_;
+  bool names_differ_ = true;
 };
 
 namespace {
@@ -359,7 +362,7 @@ std::vector<std::string> csv_column_names(std::string_view head) {
   CsvTable table;
   table.text_ = head;
   try {
-    CsvTable::Parser(table).parse_header();
+    CsvTable::Parser(table).parse_header(false);
   } catch (const FormatError&) {
     return names;
   }

@@ -75,6 +75,14 @@ void check_names_apart(const CsvTable& table, std::span<const std::string> joint
   }
 }
 
+/// dissipation_std is that of all joints together: none may be called std.
+void check_not_std(const CsvTable& table, std::span<const std::string> joints) {
+  if (!table.has("dissipation_std") || std::ranges::find(joints, "std") == joints.end()) return;
+  throw FormatError({table.file()}, "a column that belongs to one joint of the model",
+                    "'dissipation_std', the loss of joint 'std' or a standard deviation",
+                    "Rename the joint in the model.");
+}
+
 /// A column of a joint that the model does not have would be left alone in silence.
 void check_joint_names(const CsvTable& table, std::span<const std::string> joints) {
   const std::vector<std::string_view> known(joints.begin(), joints.end());
@@ -124,6 +132,7 @@ ModalLevels parse_modal_levels(std::string text, std::string_view file,
   levels.damping_ratio_std = non_negative_column(table, "damping_ratio_std", kDimensionless);
   check_joint_names(table, joints);
   check_names_apart(table, joints);
+  check_not_std(table, joints);
   for (const std::string& joint : joints) {
     JointLevels found = read_joint_columns(table, joint);
     if (!found.amplitude.empty() || !found.dissipation.empty()) {

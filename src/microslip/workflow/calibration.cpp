@@ -53,6 +53,15 @@ void check_file_name(const std::string& model, const std::string& joint) {
                    "Rename it in the model.");
 }
 
+/// dissipation_lower_x of calibration.csv is of the band of x, or the loss of a joint lower_x:
+/// nobody could tell.
+void check_column_name(const std::string& model, const std::string& joint) {
+  if (!joint.starts_with("lower_") && !joint.starts_with("upper_")) return;
+  throw InputError(fmt::format("{}: name of a joint", input_name(model)), in_quotes(joint),
+                   "must not begin with lower_ or upper_, as columns of calibration.csv do",
+                   "Rename it in the model.");
+}
+
 ModelFile read_model_to_calibrate(const std::string& path) {
   ModelFile model = read_model(path, JointsToFind::kAllowed);
   if (model.to_find.empty()) {
@@ -62,6 +71,7 @@ ModelFile read_model_to_calibrate(const std::string& path) {
   for (const std::size_t joint : model.to_find) {
     check_file_name(path, model.structure.joints()[joint].name);
   }
+  for (const StructuralJoint& joint : model.structure.joints()) check_column_name(path, joint.name);
   return model;
 }
 

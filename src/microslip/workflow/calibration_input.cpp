@@ -166,19 +166,18 @@ void add_offsets(const NamedValues& values, const CalibrationKeys& keys,
 LevelsOfModes calibrated_levels_of(const NamedInput& input) {
   const CsvTable table(input.text, input.path);
   LevelsOfModes levels = levels_with_modes(table);
-  const auto read = [&table](const char* name, const Dimension& dimension) {
-    return table.numbers_if_present(name, dimension);
-  };
-  levels.measured_frequency = read("measured_frequency", kFrequency);
-  levels.measured_frequency_std = read("measured_frequency_std", kFrequency);
+  levels.measured_frequency = table.numbers_if_present("measured_frequency", kFrequency);
+  levels.measured_frequency_std = table.numbers_if_present("measured_frequency_std", kFrequency);
   levels.frequency = table.numbers("frequency", kFrequency);
-  levels.frequency_residual = read("frequency_residual", kDimensionless);
-  levels.measured_dissipation = read("measured_dissipation", kEnergy);
-  levels.measured_dissipation_std = read("measured_dissipation_std", kEnergy);
+  levels.frequency_residual = table.numbers_if_present("frequency_residual", kDimensionless);
+  levels.measured_dissipation = table.numbers_if_present("measured_dissipation", kEnergy);
+  levels.measured_dissipation_std = table.numbers_if_present("measured_dissipation_std", kEnergy);
   levels.dissipation = table.numbers("dissipation", kEnergy);
-  levels.residual = read("residual", kDimensionless);
-  levels.measured_damping_ratio = read("measured_damping_ratio", kDimensionless);
-  levels.measured_damping_ratio_std = read("measured_damping_ratio_std", kDimensionless);
+  levels.residual = table.numbers_if_present("residual", kDimensionless);
+  levels.measured_damping_ratio =
+      table.numbers_if_present("measured_damping_ratio", kDimensionless);
+  levels.measured_damping_ratio_std =
+      table.numbers_if_present("measured_damping_ratio_std", kDimensionless);
   levels.damping_ratio = table.numbers("damping_ratio", kDimensionless);
   add_joint_columns(table,
                     {{"measured_amplitude_", &kLength, &JointOverLevels::measured_amplitude},
@@ -193,15 +192,12 @@ LevelsOfModes calibrated_levels_of(const NamedInput& input) {
 LevelsOfModes modal_levels_of(const NamedInput& input) {
   const CsvTable table(input.text, input.path);
   LevelsOfModes levels = levels_with_modes(table);
-  const auto read = [&table](const char* name, const Dimension& dimension) {
-    return table.numbers_if_present(name, dimension);
-  };
-  levels.measured_frequency = read("frequency", kFrequency);
-  levels.measured_frequency_std = read("frequency_std", kFrequency);
-  levels.measured_dissipation = read("dissipation", kEnergy);
-  levels.measured_dissipation_std = read("dissipation_std", kEnergy);
-  levels.measured_damping_ratio = read("damping_ratio", kDimensionless);
-  levels.measured_damping_ratio_std = read("damping_ratio_std", kDimensionless);
+  levels.measured_frequency = table.numbers_if_present("frequency", kFrequency);
+  levels.measured_frequency_std = table.numbers_if_present("frequency_std", kFrequency);
+  levels.measured_dissipation = table.numbers_if_present("dissipation", kEnergy);
+  levels.measured_dissipation_std = table.numbers_if_present("dissipation_std", kEnergy);
+  levels.measured_damping_ratio = table.numbers_if_present("damping_ratio", kDimensionless);
+  levels.measured_damping_ratio_std = table.numbers_if_present("damping_ratio_std", kDimensionless);
   std::vector<std::string_view> not_joints;
   for (const CsvColumn& column : table.columns()) {
     if (column.name.ends_with("_std")) not_joints.emplace_back(column.name);

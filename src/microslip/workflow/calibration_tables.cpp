@@ -69,6 +69,7 @@ void add_joints_to(NamedValues& record, const CalibrationResult& found) {
   add("slipping_share",
       [](const Joint& joint) { return 1.0 - joint.joint.density().elastic_remainder(); });
   add("degrees_of_freedom", &Joint::edf);
+  add("loss_told", &Joint::loss_told);
   add("covered_from_N",
       [](const Joint& joint) { return joint.joint.stiffness() * joint.least_amplitude; });
   add("covered_to_N",

@@ -361,6 +361,9 @@ void add_path(const InversionResult& result, NamedValues& record) {
   record.emplace_back("lambda", result.path[result.chosen].lambda);
   record.emplace_back("degrees_of_freedom", result.edf);
   if (!result.edges.empty()) record.emplace_back("edges_N", result.edges);
+  if (result.smoothing_trend != 0.0) {
+    record.emplace_back("smoothing_trend", result.smoothing_trend);
+  }
   record.emplace_back("scatter", result.scatter);
   record.emplace_back("scatter_of", result.scatter_is_relative ? "dissipation" : "dissipation_std");
   record.emplace_back("scatter_dissipation", result.dissipation_scatter);
