@@ -86,7 +86,8 @@ void warn_of_unseen(const CalibrationResult& result, std::vector<Warning>& warni
   for (std::size_t j = 0; j < result.joints.size(); ++j) {
     const CalibratedJoint& joint = result.joints[j];
     const double most = std::ranges::max(joint.told);
-    if (joint.loss_told < kLeastLossTold && !known_only_together(result, j)) {
+    if (known_only_together(result, j)) continue;  // which says more
+    if (joint.loss_told < kLeastLossTold) {
       warnings.push_back(
           {"joint_not_seen",
            fmt::format("the loss of {} is not told from 0: it is {:.2g} of its standard deviations "

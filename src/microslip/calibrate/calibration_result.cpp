@@ -2,6 +2,7 @@
 #include "microslip/calibrate/calibration_result.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -366,6 +367,34 @@ void read_residuals(const CalibrationEvidence& evidence, std::size_t level, doub
   told.frequency_residual = error / (deviations.frequency * result.frequency_scatter);
 }
 
+/// No draw of a density above 0 has a loss of 0, however little is told of it: the band of a loss
+/// that is within the error of a level goes on to 0. Where one joint may have none, the others may
+/// have all.
+/// @param sought  joints of the structure that were found, and their losses without slip, J.
+void open_bands(const std::vector<std::pair<std::size_t, double>>& sought,
+                const LevelDeviations& deviations, const CalibrationResult& result,
+                CalibratedLevel& told) {
+  const boost::math::normal standard;
+  const double deviations_of_band =
+      boost::math::quantile(standard, 0.5 * (1.0 + result.confidence)) * result.loss_scatter;
+  bool opened = false;
+  for (const auto& [joint, beside] : sought) {
+    Estimate& loss = told.joints[joint].dissipation;
+    const double own = deviations.joints[joint];
+    const double error = deviations_of_band * (std::isnan(own) ? deviations.loss : own);
+    if (!(loss.lower > beside && loss.lower - beside < error)) continue;
+    loss.lower = beside;
+    opened = true;
+  }
+  if (!opened) return;
+  double lower = 0.0;
+  for (const JointAtLevel& joint : told.joints) lower += joint.dissipation.lower;
+  for (const auto& [joint, beside] : sought) {
+    Estimate& loss = told.joints[joint].dissipation;
+    loss.upper = std::max(loss.upper, told.dissipation - (lower - loss.lower));
+  }
+}
+
 /// Levels over their standard deviations.
 void read_deviations(const CalibrationEvidence& evidence, const AllUnknowns& unknowns,
                      const LevelStates& states, CalibrationResult& result) {
@@ -374,6 +403,13 @@ void read_deviations(const CalibrationEvidence& evidence, const AllUnknowns& unk
     const LevelDeviations deviations = deviations_about(evidence, unknowns, states, i);
     read_residuals(evidence, i, frequency_error(evidence.levels, i, *states.at(i)), deviations,
                    result);
+    std::vector<std::pair<std::size_t, double>> sought;
+    for (std::size_t j = 0; j < unknowns.count(); ++j) {
+      const std::size_t joint = unknowns.index(j);
+      const double a = used_amplitude(evidence, states, i, joint);
+      sought.emplace_back(joint, states.structure().joints()[joint].linear_damping * a * a);
+    }
+    open_bands(sought, deviations, result, result.levels[i]);
   }
 }
 
