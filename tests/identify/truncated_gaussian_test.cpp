@@ -140,6 +140,28 @@ TEST(TruncatedGaussian, LimitsTheFirstCoefficientsAlone) {
   EXPECT_NEAR(negative, 2000, 4 * 32);  // √4000/2 = 32
 }
 
+// Two budgets of one coefficient each cut a box out of the positive quadrant, in which a Gaussian that
+// is wide is uniform: means at half of the sides. 20 000 draws tell them to 0.3 % of a side or so.
+TEST(TruncatedGaussian, KeepsToSeveralBudgets) {
+  constexpr int kOfBox = 20'000;
+  MatrixXd budgets(2, 2);
+  budgets << 2.0, 0.0,  //
+      0.0, 4.0;
+  TruncatedGaussian gaussian({2, budgets});
+  gaussian.set(1e-2 * MatrixXd::Identity(2, 2), VectorXd::Zero(2));
+  RandomStream random(8, 0);
+  VectorXd x = VectorXd::Constant(2, 0.1);
+  VectorXd mean = VectorXd::Zero(2);
+  for (int i = 0; i < kOfBox; ++i) {
+    gaussian.move(x, random);
+    ASSERT_LE(x(0), 0.5 + 1e-9);
+    ASSERT_LE(x(1), 0.25 + 1e-9);
+    mean += x / kOfBox;
+  }
+  EXPECT_NEAR(mean(0), 0.25, kBound * 0.5);
+  EXPECT_NEAR(mean(1), 0.125, kBound * 0.25);
+}
+
 TEST(TruncatedGaussian, RepeatsWithItsSeed) {
   const auto draw = [](std::uint64_t seed) {
     RandomStream random(seed, 0);

@@ -15,6 +15,7 @@
 #include "microslip/base/stopwatch.hpp"
 #include "microslip/identify/edge_search.hpp"
 #include "microslip/identify/inversion_model.hpp"
+#include "microslip/identify/inversion_passes.hpp"
 #include "microslip/identify/inversion_result.hpp"
 #include "microslip/identify/signed_density.hpp"
 
@@ -148,14 +149,8 @@ void run_path(InversionModel& model, const InversionOptions& options, std::size_
   model.degrees_of_freedom = scatter.degrees_of_freedom;
 }
 
-/// What a pass assumed, and what it found.
-struct PassedModel {
-  PassOptions pass;
-  InversionModel model;
-};
+}  // namespace
 
-/// A first pass with rough weights, then the one that counts: its weights, reference and penalty
-/// come from the first. A third would change nothing. λ is chosen in both.
 PassedModel two_passes(const ScaledLevels& levels, const InversionOptions& options, double top,
                        bool atom, InnerSolutions& inner) {
   PassOptions pass;
@@ -183,6 +178,8 @@ PassedModel two_passes(const ScaledLevels& levels, const InversionOptions& optio
   tell_kinds_apart(second, levels);
   return {std::move(pass), std::move(second)};
 }
+
+namespace {
 
 /// A model, and others with its edges at places that are as likely.
 struct ShapedModel {

@@ -76,7 +76,15 @@ Eigen::MatrixXd InversionBasis::softening(const Eigen::VectorXd& amplitude) cons
   return softening_rows(amplitude, knots_) * nodal_;
 }
 
-Eigen::VectorXd InversionBasis::area() const {
+Eigen::VectorXd InversionBasis::knot_places() const {
+  Eigen::VectorXd places(nodal_.rows());
+  for (Eigen::Index j = 0; j < places.size(); ++j) {
+    places(j) = coordinate_(std::max<Eigen::Index>(0, j - kTailKnots)) / intervals_;
+  }
+  return places;
+}
+
+Eigen::VectorXd InversionBasis::knot_area() const {
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(nodal_.rows());
   weights(0) = knots_.front();
   for (Eigen::Index j = 0; j + 1 < nodal_.rows(); ++j) {
@@ -85,8 +93,10 @@ Eigen::VectorXd InversionBasis::area() const {
     weights(j) += half;
     weights(j + 1) += half;
   }
-  return nodal_.transpose() * weights;
+  return weights;
 }
+
+Eigen::VectorXd InversionBasis::area() const { return nodal_.transpose() * knot_area(); }
 
 // The second derivative by three neighbours, times the root of the length that it stands for: the sum
 // of squares is close to the integral of its square.

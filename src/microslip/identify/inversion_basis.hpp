@@ -64,6 +64,12 @@ class InversionBasis {
   /// 1 − k_eq/k of each amplitude from θ: amplitudes × coefficients.
   [[nodiscard]] Eigen::MatrixXd softening(const Eigen::VectorXd& amplitude) const;
 
+  /// Area ∫p ds from p at the knots: one a knot.
+  [[nodiscard]] Eigen::VectorXd knot_area() const;
+
+  /// Where each knot is among those that are equally spaced, 0 to 1; 0 for the ones below them.
+  [[nodiscard]] Eigen::VectorXd knot_places() const;
+
   /// Area ∫p ds from θ.
   [[nodiscard]] Eigen::VectorXd area() const;
 

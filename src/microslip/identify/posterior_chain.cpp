@@ -42,14 +42,9 @@ PosteriorChain::PosteriorChain(const ChainTarget& target, ChainStart start)
       gaussian_(target.limits),
       moved_(target.limits) {
   for (std::size_t g = 0; g < target.rows.size(); ++g) {
-    const ChainRows& rows = target.rows[g];
-    scale_[g] = std::max({scale_[g], rows.least_scale, kLeastScale});
-    Eigen::MatrixXd& information = information_.emplace_back(rows.design.transpose() * rows.design);
-    if (!rows.scale_known) {
-      information.diagonal().array() += kRidge * information.diagonal().mean();
-    }
+    scale_[g] = std::max({scale_[g], target.rows[g].least_scale, kLeastScale});
   }
-  set_error(0.0);
+  read_rows();
   for (const auto& row : target.penalty.rowwise()) {
     std::vector<Eigen::Index>& columns = penalised_.emplace_back();
     for (Eigen::Index j = 0; j < row.size(); ++j) {
@@ -75,6 +70,23 @@ PosteriorChain::PosteriorChain(const ChainTarget& target, ChainStart start)
   }
   const Eigen::VectorXd given_others = whole_hessian().diagonal().cwiseSqrt().cwiseInverse();
   x_ = target.limits.moved_inside(x_, kInside * given_others);
+}
+
+void PosteriorChain::read_rows() {
+  information_.clear();
+  for (const ChainRows& rows : target_.rows) {
+    Eigen::MatrixXd& information = information_.emplace_back(rows.design.transpose() * rows.design);
+    if (!rows.scale_known) {
+      information.diagonal().array() += kRidge * information.diagonal().mean();
+    }
+  }
+  set_error(0.0);
+}
+
+void PosteriorChain::renew() {
+  read_rows();
+  gaussian_.set_limits(target_.limits);
+  moved_.set_limits(target_.limits);
 }
 
 // All but the smoothing, with a ~ N(x, w²) near coefficients that need it.
@@ -250,7 +262,7 @@ QuadraticProgram::Solution PosteriorChain::projected(RandomStream& random) const
   for (double& value : noise) value = random.normal();
   linear += Eigen::LLT<Eigen::MatrixXd>(hessian).matrixL() * noise;
   std::vector<bool> free(static_cast<std::size_t>(x_.size()), true);
-  return QuadraticProgram(target_.limits.budget_weights, 1.0)
+  return QuadraticProgram(target_.limits.budget_weights.col(0), 1.0)
       .solve(hessian, linear, std::move(free));
 }
 

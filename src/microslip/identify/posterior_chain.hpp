@@ -78,6 +78,10 @@ class PosteriorChain {
   /// Steps until the start is forgotten, during which w is found.
   void settle(RandomStream& random);
 
+  /// Reads rows and limits of the target again, which were changed: as a step of another chain
+  /// that moves what they depend on. The last draw is within the new limits.
+  void renew();
+
   /// What the data are wrong by in the draws to come: δ of the shifts of all rows. Data do not
   /// correct it.
   void set_error(double error);
@@ -97,12 +101,15 @@ class PosteriorChain {
   /// @return  x, and whether it is the least.
   [[nodiscard]] QuadraticProgram::Solution projected(RandomStream& random) const;
 
+  /// Coefficients of the last draw.
+  [[nodiscard]] const Eigen::VectorXd& coefficients() const { return x_; }
   /// λ of the last draw. @param block  of the penalty.
   [[nodiscard]] double lambda(std::size_t block = 0) const { return smoothing_[block].lambda; }
   /// τ of the last draw. @param kind  of the rows.
   [[nodiscard]] double scale(std::size_t kind = 0) const { return scale_[kind]; }
 
  private:
+  void read_rows();
   void step(RandomStream& random, int most_reflections);
   void gather_data(RandomStream& random);
   void add_data(Eigen::MatrixXd& hessian, Eigen::VectorXd& linear) const;

@@ -32,14 +32,14 @@ void turn(double c, double s, Eigen::VectorXd& position, Eigen::VectorXd& veloci
 }  // namespace
 
 bool LinearLimits::hold(const Eigen::VectorXd& x) const {
-  return x.head(positive).minCoeff() >= 0.0 && budget_weights.dot(x) <= 1.0;
+  return x.head(positive).minCoeff() >= 0.0 && (budget_weights.transpose() * x).maxCoeff() <= 1.0;
 }
 
 Eigen::VectorXd LinearLimits::moved_inside(const Eigen::VectorXd& x,
                                            const Eigen::VectorXd& least) const {
   Eigen::VectorXd moved = x;
   moved.head(positive) = x.head(positive).cwiseMax(least.head(positive));
-  const double used = budget_weights.dot(moved);
+  const double used = (budget_weights.transpose() * moved).maxCoeff();
   if (used >= 1.0) moved.head(positive) *= (1.0 - kLeftOfBudget) / used;
   return moved;
 }
@@ -82,17 +82,20 @@ Eigen::VectorXd TruncatedGaussian::from_standardised(const Eigen::VectorXd& z) c
   return mean_ + factor_.triangularView<Eigen::Lower>().transpose().solve(z);
 }
 
-void TruncatedGaussian::set_limits() {
+void TruncatedGaussian::prepare_limits() {
   const Eigen::Index n = mean_.size();
   const Eigen::Index positive = limits_.positive;
-  const bool budget = limits_.budget_weights.maxCoeff() > 0.0;
-  normals_.setZero(n, positive + (budget ? 1 : 0));
+  const Eigen::Index budgets =
+      limits_.budget_weights.maxCoeff() > 0.0 ? limits_.budget_weights.cols() : 0;
+  normals_.setZero(n, positive + budgets);
   normals_.leftCols(positive).diagonal().setOnes();
-  if (budget) normals_.rightCols(1) = -limits_.budget_weights;
+  normals_.rightCols(budgets) = -limits_.budget_weights.leftCols(budgets);
   factor_.triangularView<Eigen::Lower>().solveInPlace(normals_);
   offset_.resize(normals_.cols());
   offset_.head(positive) = mean_.head(positive);
-  if (budget) offset_(positive) = 1.0 - limits_.budget_weights.dot(mean_);
+  for (Eigen::Index b = 0; b < budgets; ++b) {
+    offset_(positive + b) = 1.0 - limits_.budget_weights.col(b).dot(mean_);
+  }
   const Eigen::VectorXd scale = normals_.colwise().norm().cwiseInverse();
   limits_set_ = true;
   normals_ *= scale.asDiagonal();
@@ -123,7 +126,7 @@ void TruncatedGaussian::reflect(Eigen::Index limit) {
 }
 
 void TruncatedGaussian::move(Eigen::VectorXd& x, RandomStream& random, int most_reflections) {
-  if (!limits_set_) set_limits();
+  if (!limits_set_) prepare_limits();
   reflections_.assign(static_cast<std::size_t>(offset_.size()), 0);
   position_ = standardised(x);
   velocity_.resize(position_.size());

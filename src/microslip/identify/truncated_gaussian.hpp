@@ -13,10 +13,10 @@
 
 namespace microslip {
 
-/// x_j ≥ 0 for the first `positive` coefficients, and mᵀx ≤ 1.
+/// x_j ≥ 0 for the first `positive` coefficients, and mᵀx ≤ 1 of each budget.
 struct LinearLimits {
   Eigen::Index positive = 0;
-  Eigen::VectorXd budget_weights;  ///< m ≥ 0, one a coefficient; 0 for no such limit
+  Eigen::MatrixXd budget_weights;  ///< m ≥ 0: coefficients × budgets; 0 for no such limit
 
   /// Whether x keeps to them.
   [[nodiscard]] bool hold(const Eigen::VectorXd& x) const;
@@ -44,6 +44,12 @@ class TruncatedGaussian {
   /// @throws InputError  where they are not finite.
   void set(const Eigen::MatrixXd& hessian, const Eigen::VectorXd& linear);
 
+  /// Other limits for the draws to come, which the last one is within.
+  void set_limits(LinearLimits limits) {
+    limits_ = std::move(limits);
+    limits_set_ = false;
+  }
+
   /// ln of the integral of exp(−½xᵀHx + gᵀx) without the limits, less ½n ln 2π.
   [[nodiscard]] double log_integral() const;
 
@@ -68,7 +74,7 @@ class TruncatedGaussian {
     double time;
     Eigen::Index limit;
   };
-  void set_limits();
+  void prepare_limits();
   [[nodiscard]] Hit next_hit(double before, Eigen::Index last) const;
   void reflect(Eigen::Index limit);
 
