@@ -2,8 +2,10 @@
 
 #include <benchmark/benchmark.h>
 
+#include "microslip/identify/assemblies.hpp"
 #include "microslip/identify/bands.hpp"
 #include "microslip/identify/inversion.hpp"
+#include "support/assemblies.hpp"
 #include "support/densities.hpp"
 
 namespace microslip::bench {
@@ -48,6 +50,22 @@ void identify_with_1000_draws(benchmark::State& state) {
   state.counters["effective"] = effective;
 }
 BENCHMARK(identify_with_1000_draws)->Unit(benchmark::kMillisecond);
+
+/// Five assemblies of 30 levels each, 1000 draws of all and of the next one, on one processor.
+/// @param state  tells how many independent draws they are worth for the spreads.
+void identify_five_assemblies(benchmark::State& state) {
+  const auto assemblies = testing::measured_assemblies(testing::reference_joint(), {}, 5, 1);
+  AssembliesOptions options;
+  options.execution = Execution::serial();
+  double effective = 0.0;
+  for (auto _ : state) {
+    const AssembliesResult result = identify_assemblies(assemblies, {}, options);
+    benchmark::DoNotOptimize(result.draws.data());
+    effective = result.effective_draws;
+  }
+  state.counters["effective"] = effective;
+}
+BENCHMARK(identify_five_assemblies)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace microslip::bench

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "microslip/identify/assemblies.hpp"
+#include "microslip/identify/assembly_chain.hpp"
+#include "microslip/identify/assembly_model.hpp"
+
+/// @file
+/// Where draws of assemblies start. Internal: Eigen stays out of the installed headers.
+
+namespace microslip {
+
+/// What is known of the stiffnesses before anything is fitted.
+struct StiffnessOfAssemblies {
+  AssemblyStiffness from = AssemblyStiffness::kGiven;
+  double middle = 0.0;            ///< kₘ, geometric mean, N/m
+  Eigen::VectorXd log_stiffness;  ///< ln κ of each, as known or as its k_eq begin with
+};
+
+/// The levels of all assemblies over each other, and the model of them with its weights.
+struct StartOfAssemblies {
+  AssemblyModel model;
+  AssemblyStart start = {};
+  double covered = 0.0;  ///< largest scaled amplitude of a level, below the last knot
+};
+
+/// Scales the amplitudes of all assemblies such that their D lie on one curve, in turn with the
+/// inversion of all levels together, which gives knots, prior and smoothing. The knots go on above
+/// the levels as far as scales differ: of an assembly with smaller slip forces than the others, that
+/// is seen.
+/// @param levels     of each assembly; must outlive the result.
+/// @throws InputError  where they are too few.
+[[nodiscard]] StartOfAssemblies start_of_assemblies(std::span<const Assembly> assemblies,
+                                                    const StiffnessOfAssemblies& stiffness,
+                                                    int coefficients);
+
+}  // namespace microslip
