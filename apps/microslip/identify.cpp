@@ -12,6 +12,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/output_files.hpp"
+#include "microslip/io/output_folders.hpp"
 #include "microslip/workflow/identification_text.hpp"
 #include "option_names.hpp"
 
@@ -34,7 +35,25 @@ int finish(const IdentifyArguments& arguments, const Call& call, const Identific
   return found.summary.converged() ? kDone : kNotConverged;
 }
 
+int run_assemblies(const IdentifyArguments& arguments, const Call& call) {
+  const AssembliesIdentification options =
+      assemblies_options(arguments, evidence_files(arguments), call);
+  IdentifiedAssemblies done = read_assemblies(options);
+  OutputFolders folders;
+  folders.make(options.out);
+  std::vector<PlannedOutput> planned;
+  for (const ResultFile& file : done.files) planned.push_back({file.path, file.kind});
+  check_outputs(planned);
+  identify_read_assemblies(options, done);
+  OutputFiles outputs;
+  for (const ResultFile& file : done.files) outputs.add(file.path, file.content);
+  outputs.commit();
+  if (!call.quiet) fmt::print("{}", with_option_names(describe_assemblies(options, done)));
+  return done.found.summary.converged() ? kDone : kNotConverged;
+}
+
 int run(const IdentifyArguments& arguments, const Call& call) {
+  if (arguments.of_assemblies()) return run_assemblies(arguments, call);
   std::vector<PlannedOutput> outputs{{arguments.out, kJointKind}};
   if (!arguments.density_csv.empty()) outputs.push_back({arguments.density_csv, kDensityKind});
   if (!arguments.samples_out.empty()) outputs.push_back({arguments.samples_out, kSamplesKind});
@@ -77,22 +96,24 @@ void add_identify(CLI::App& program, Call& call) {
           "amplitude_std, dissipation_std, secant_stiffness [N/m], secant_stiffness_std; "
           "resonance_frequency or frequency [Hz], which the joint is held against. Or "
           "recordings of force and displacement of the joint over time; told by the content. "
-          "Several files, of both kinds or one, are taken together")
+          "Several files, of both kinds or one, are taken together; see --assemblies")
       ->required()
       ->type_name(kRecordingValue);
   add_identify_arguments(*command, *options);
   command->add_flag("--quiet", call.quiet, "No summary, no progress");
-  add_examples(*command, {"microslip identify levels.csv --stiffness 1.7e5 --out joint.json",
-                          "microslip identify levels.csv --stiffness 1.7e5 --bands 1000 \\",
-                          "          --out joint.json --density-csv density.csv",
-                          "microslip identify levels.csv --stiffness 170kN/m --method spline \\",
-                          "          --smoothing p=0.99999 --smoothing-unit mm --out joint.json",
-                          "microslip identify record.csv --out joint.json",
-                          "microslip identify record.csv levels.csv --out joint.json",
-                          "microslip identify record.csv --samples 2000 \\",
-                          "          --samples-out joint_samples.h5 --out joint.json",
-                          "microslip identify record.csv --force f --displacement u \\",
-                          "          --start unknown --out joint.json"});
+  add_examples(*command,
+               {"microslip identify levels.csv --stiffness 1.7e5 --out joint.json",
+                "microslip identify levels.csv --stiffness 1.7e5 --bands 1000 \\",
+                "          --out joint.json --density-csv density.csv",
+                "microslip identify levels.csv --stiffness 170kN/m --method spline \\",
+                "          --smoothing p=0.99999 --smoothing-unit mm --out joint.json",
+                "microslip identify record.csv --out joint.json",
+                "microslip identify record.csv levels.csv --out joint.json",
+                "microslip identify levels.csv --assemblies column --stiffness 1.7e5 \\",
+                "          --out assemblies", "microslip identify record.csv --samples 2000 \\",
+                "          --samples-out joint_samples.h5 --out joint.json",
+                "microslip identify record.csv --force f --displacement u \\",
+                "          --start unknown --out joint.json"});
   command->callback(
       [options, &call] { call.run = [options, &call] { return run(*options, call); }; });
 }

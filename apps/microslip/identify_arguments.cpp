@@ -198,6 +198,17 @@ void refuse_options_of_levels(const IdentifyArguments& options, const EvidenceFi
   }
 }
 
+/// What an option says of the column `assembly`, where levels are of one joint.
+AssemblyColumn assembly_column(const IdentifyArguments& options) {
+  return options.assemblies ? AssemblyColumn::kIgnored : AssemblyColumn::kUnsaid;
+}
+
+std::uint64_t draws_of_posterior(const IdentifyArguments& options) {
+  constexpr std::uint64_t kFewest = 100;
+  constexpr std::uint64_t kMost = 100'000;  // more memory than use
+  return parse_whole_number("--samples", options.samples.value_or("1000"), kFewest, kMost);
+}
+
 std::optional<PathStart> start_of(const IdentifyArguments& options) {
   if (options.start == "auto") return std::nullopt;
   return options.start == "virgin" ? PathStart::kVirgin : PathStart::kUnknown;
@@ -205,7 +216,10 @@ std::optional<PathStart> start_of(const IdentifyArguments& options) {
 
 void add_output_options(CLI::App& command, IdentifyArguments& options) {
   command
-      .add_option("--out", options.out, "Joint model to write, joint.json; - is standard output")
+      .add_option("--out", options.out,
+                  "Joint model to write, joint.json; - is standard output. With --assemblies a "
+                  "folder: joint.json of their middle, joint_samples.h5 of the next one, "
+                  "assembly_NAME.json of each, assemblies.csv and densities.csv")
       ->required()
       ->type_name(kJsonValue);
   command
@@ -310,6 +324,15 @@ void add_identify_arguments(CLI::App& command, IdentifyArguments& arguments) {
   add_output_options(command, arguments);
   add_method_options(command, arguments);
   add_band_options(command, arguments);
+  command
+      .add_option(
+          "--assemblies", arguments.assemblies,
+          "Levels of several assemblies of a joint, three or more. column: the column "
+          "assembly names that of each level; files: each file is one; none: all are of "
+          "one joint, which goes without saying where no column names several. Found are "
+          "what they have in common, how k, slip forces and the shape of the density "
+          "differ, and draws of the next one. k is a column stiffness [N/m], or --stiffness")
+      ->check(CLI::IsMember({"column", "files", "none"}));
   add_record_options(command, arguments);
 }
 
@@ -331,30 +354,55 @@ LevelsIdentification levels_options(const IdentifyArguments& arguments, bool qui
   all.options = library_options(arguments, quiet);
   all.stiffness = stiffness_of(arguments);
   all.use_inner_reversals = arguments.inner_reversals == "use";
+  all.assemblies = assembly_column(arguments);
   return all;
 }
 
 RecordsIdentification records_options(const IdentifyArguments& arguments,
                                       const EvidenceFiles& files, bool quiet) {
-  constexpr std::uint64_t kFewest = 100;
-  constexpr std::uint64_t kMost = 100'000;  // more memory than use
   refuse_options_of_levels(arguments, files);
   if (files.records.empty()) refuse_options_of_recordings(arguments);
   RecordsIdentification all;
   all.records = files.records;
   all.levels = files.levels;
   all.use_inner_reversals = arguments.inner_reversals == "use";
+  all.assemblies = assembly_column(arguments);
   all.channels = {arguments.force, arguments.displacement};
   if (arguments.stiffness || files.records.empty()) all.stiffness = stiffness_of(arguments);
   all.start = start_of(arguments);
   all.options.viscous = arguments.viscous == "fit";
-  all.options.draws =
-      parse_whole_number("--samples", arguments.samples.value_or("1000"), kFewest, kMost);
+  all.options.draws = draws_of_posterior(arguments);
   all.options.seed = seed_of(arguments);
   all.samples_out = arguments.samples_out;
   all.options.progress = progress_bar("draws", quiet);
   all.reading = read_options(arguments.reading, progress_bar("reading", quiet));
   all.assumed_units = arguments.reading.assumed_units;
+  return all;
+}
+
+AssembliesIdentification assemblies_options(const IdentifyArguments& arguments,
+                                            const EvidenceFiles& files, const Call& call) {
+  const Foreign of_one("belongs to one joint, and these are several assemblies");
+  if (!files.records.empty()) {
+    throw InputError("--assemblies", in_quotes(*arguments.assemblies),
+                     fmt::format("takes levels alone, and {} is a record", files.records.front()),
+                     "The subcommand levels makes levels of a record.");
+  }
+  refuse_options_of_levels(arguments, files);
+  refuse_options_of_recordings(arguments);
+  of_one.refuse("--density-csv", arguments.density_csv, "", "densities.csv in --out holds them.");
+  of_one.refuse("--samples-out", arguments.samples_out, "",
+                "joint_samples.h5 in --out holds them.");
+  AssembliesIdentification all;
+  all.levels = files.levels;
+  all.by = *arguments.assemblies == "files" ? AssembliesBy::kFiles : AssembliesBy::kColumn;
+  if (arguments.stiffness) all.stiffness = stiffness_of(arguments);
+  all.use_inner_reversals = arguments.inner_reversals == "use";
+  all.options.draws = draws_of_posterior(arguments);
+  all.options.seed = seed_of(arguments);
+  all.options.progress = progress_bar("draws", call.quiet);
+  all.out = arguments.out;
+  all.command = call.command_line;
   return all;
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "command.hpp"
+#include "microslip/workflow/assemblies_identification.hpp"
 #include "microslip/workflow/evidence_kind.hpp"
 #include "microslip/workflow/levels_identification.hpp"
 #include "microslip/workflow/records_identification.hpp"
@@ -34,6 +36,10 @@ struct IdentifyArguments {
   std::string loss_factor = "0";
   std::string fit = "none";
   std::string inner_reversals = "leave-out";
+  std::optional<std::string> assemblies;
+
+  /// Whether levels are of several assemblies that differ.
+  [[nodiscard]] bool of_assemblies() const { return assemblies && *assemblies != "none"; }
   // Of records.
   std::string force;
   std::string displacement;
@@ -66,5 +72,11 @@ struct EvidenceFiles {
 /// @throws InputError  likewise, where one belongs to one table of levels by itself.
 [[nodiscard]] RecordsIdentification records_options(const IdentifyArguments& arguments,
                                                     const EvidenceFiles& files, bool quiet);
+
+/// Of levels of several assemblies.
+/// @throws InputError  likewise, where one belongs to a joint by itself; for a record.
+[[nodiscard]] AssembliesIdentification assemblies_options(const IdentifyArguments& arguments,
+                                                          const EvidenceFiles& files,
+                                                          const Call& call);
 
 }  // namespace microslip::app

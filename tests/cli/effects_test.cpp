@@ -84,6 +84,24 @@ std::string full_levels() {
   return text;
 }
 
+/// Of three assemblies whose k and slip forces differ; with repeated levels that turn inside.
+std::string assembled_levels() {
+  std::string text =
+      "assembly,stiffness [N/m],amplitude [m],dissipation [J],secant_stiffness [N/m],reversals [1]";
+  const Joint joint = sample_joint();
+  for (int j = 0; j < 3; ++j) {
+    const double k = 1.7e5 * (1.0 + 0.04 * j);
+    for (int i = 1; i <= 8; ++i) {
+      const double a = 2.5e-5 * i;
+      const double moved = a * (1.0 + 0.06 * j);
+      const double d = dissipation(joint, moved) * (1.0 + 0.01 * std::sin(7.0 * i + j));
+      text += fmt::format("\n{},{:.12g},{:.12g},{:.12g},{:.12g},{}", "abc"[j], k, a, d,
+                          secant_stiffness(joint, moved) * k / 1.7e5, i == 7 ? 4 : 2);
+    }
+  }
+  return text + '\n';
+}
+
 /// Levels with a frequency in each of these columns: of the drive, which wanders, and of resonance.
 std::string heard_levels(const std::vector<std::string>& columns) {
   const Joint joint = sample_joint();
@@ -272,6 +290,10 @@ const Files& inputs() {
   static const Files files = [] {
     Files all = documented_files();
     all["full_levels.csv"] = full_levels();
+    all["assembled_levels.csv"] = assembled_levels();
+    for (const char* name : {"first.csv", "second.csv", "third.csv"}) {
+      all[name] = all.at("full_levels.csv");
+    }
     all["driven_levels.csv"] = heard_levels({"frequency"});
     all["heard_levels.csv"] = heard_levels({"frequency", "resonance_frequency"});
     all["decay.csv"] = sample_decay_text();

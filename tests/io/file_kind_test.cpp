@@ -19,6 +19,10 @@ TEST(FileKind, KnowsTheFilesOfTheProgram) {
   EXPECT_EQ(file_kind("# c\namplitude [um],dissipation [J],source\n1,2,"), kLevelsKind);
   EXPECT_EQ(file_kind("mode [1],displacement [m],frequency [Hz],damping_ratio [1]\n1,2,3,4"),
             kModalLevelsKind);
+  EXPECT_EQ(file_kind("assembly,levels [1],stiffness [N/m],slip_force_scale [1]\na,1,2,3"),
+            kAssembliesKind);
+  EXPECT_EQ(file_kind("assembly,slip_force [N],density [1/N],lower [1/N]\na,1,2,3"),
+            kDensitiesKind);
   EXPECT_EQ(
       file_kind("amplitude [m],force [N],dissipation [J],secant_stiffness [N/m],loss_factor [1]\n"),
       kDissipationKind);

@@ -46,6 +46,21 @@ TEST(LevelsFile, ReadsWhatIsOptional) {
 }
 
 // That of the resonance counts where both are there, and with the deviation of the same name.
+TEST(LevelsFile, ReadsAssembliesWhereTheyAreAskedFor) {
+  const std::string text =
+      "assembly,stiffness [kN/mm],amplitude [m],dissipation [J],reversals [1]\n"
+      "a,1,1,1,2\nb 2,2,1,1,4\n,3,1,1,2\n";
+  const LevelsFile file = parse_levels(text, "levels.csv");
+  EXPECT_EQ(file.assembly, (std::vector<std::string>{"a", "b 2", ""}));
+  EXPECT_TRUE(file.stiffness.empty());
+  const auto all = [&] { return parse_levels(text, "levels.csv", {.assemblies = true}); };
+  EXPECT_NE(message_of<FormatError>(all).find("levels.csv:4"), std::string::npos);
+  const LevelsFile two = without_inner_reversals(
+      parse_levels(text.substr(0, text.rfind(",3")), "levels.csv", {.assemblies = true}));
+  EXPECT_EQ(two.assembly, std::vector<std::string>{"a"});
+  EXPECT_EQ(two.stiffness, Numbers{1e6});
+}
+
 TEST(LevelsFile, ReadsFrequencies) {
   const std::string text =
       "amplitude [m],dissipation [J],frequency [Hz],frequency_std [Hz],resonance_frequency [Hz]\n"

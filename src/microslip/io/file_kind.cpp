@@ -36,6 +36,8 @@ constexpr std::array kTableKinds{
     TableKind{kEnsembleTableKind, {"group", "output", "unit"}},
     TableKind{kLevelsKind, {"amplitude", "dissipation"}},
     TableKind{kDampingLevelsKind, {"amplitude", "damping_ratio", "decay_time"}},
+    TableKind{kAssembliesKind, {"assembly", "stiffness", "slip_force_scale"}},
+    TableKind{kDensitiesKind, {"assembly", "slip_force", "density"}},
     TableKind{kDensityKind, {"slip_force", "density"}},
     TableKind{kPeaksKind, {"frequency", "frequency_lower", "draws"}},
     TableKind{kMarchPeaksKind, {"statistic", "displacement_lower", "draws"}},

@@ -32,6 +32,10 @@ inline constexpr std::string_view kCalibrationKind = "a table of a calibration";
 /// identifiability.csv
 inline constexpr std::string_view kIdentifiabilityKind =
     "a table of densities and what is told of them";
+/// assemblies.csv
+inline constexpr std::string_view kAssembliesKind = "a table of assemblies";
+/// densities.csv
+inline constexpr std::string_view kDensitiesKind = "a table of densities of assemblies";
 inline constexpr std::string_view kDensityKind = "a table of a density";  ///< of parse_density()
 /// of `microslip dissipation`
 inline constexpr std::string_view kDissipationKind = "a table of a dissipation curve";

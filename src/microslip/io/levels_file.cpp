@@ -39,6 +39,19 @@ void read_frequency(const CsvTable& table, Levels& levels) {
   }
 }
 
+/// Names in the column `assembly`, and k beside them.
+void read_assemblies(const CsvTable& table, bool used, LevelsFile& file) {
+  if (table.has("assembly")) file.assembly = table.text("assembly");
+  if (!used) return;
+  for (std::size_t row = 0; row < file.assembly.size(); ++row) {
+    if (file.assembly[row].empty()) {
+      table.reject(row, "assembly", "the name of an assembly", "Name it, or remove the level.");
+    }
+  }
+  file.stiffness = table.numbers_if_present("stiffness", kStiffness);
+  require_positive(table, "stiffness", file.stiffness);
+}
+
 }  // namespace
 
 LevelsFile parse_levels(std::string text, std::string_view file, const LevelsReadOptions& options) {
@@ -71,8 +84,10 @@ LevelsFile parse_levels(std::string text, std::string_view file, const LevelsRea
   }
   std::vector<std::string> flags;
   if (table.has("flags")) flags = table.text("flags");
-  return {std::move(levels), table.file(), table.row_lines(), std::move(reversals),
-          std::move(flags)};
+  LevelsFile read{std::move(levels), table.file(), table.row_lines(), std::move(reversals),
+                  std::move(flags)};
+  read_assemblies(table, options.assemblies, read);
+  return read;
 }
 
 std::vector<std::size_t> LevelsFile::lines_with_inner_reversals() const {
@@ -96,6 +111,8 @@ LevelsFile without_inner_reversals(const LevelsFile& file) {
   result.line = kept(file.line);
   result.reversals = kept(file.reversals);
   result.flags = kept(file.flags);
+  result.assembly = kept(file.assembly);
+  result.stiffness = kept(file.stiffness);
   result.levels.linear_dissipation = kept(file.levels.linear_dissipation);
   result.levels.frequency = kept(file.levels.frequency);
   result.levels.frequency_std = kept(file.levels.frequency_std);

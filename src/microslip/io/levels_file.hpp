@@ -13,7 +13,9 @@
 /// levels.csv: one row a level. Needed: `amplitude [m]`, `dissipation [J]`. Used when there:
 /// `amplitude_std [m]`, `dissipation_std [J]`, `secant_stiffness [N/m]`, `secant_stiffness_std
 /// [N/m]`, `resonance_frequency [Hz]` or else `frequency [Hz]` with the same name and `_std`,
-/// `reversals [1]` of the joint displacement in a cycle, and `flags`. Other columns are left alone.
+/// `reversals [1]` of the joint displacement in a cycle, `flags`, and `assembly`, the name of the
+/// assembly that a level was measured on; of several assemblies also `stiffness [N/m]`, k of each.
+/// Other columns are left alone.
 
 namespace microslip {
 
@@ -24,6 +26,8 @@ struct LevelsFile {
   std::vector<std::size_t> line;        ///< one a level, from 1
   std::vector<double> reversals;        ///< one a level, 1; empty where the file does not tell
   std::vector<std::string> flags = {};  ///< one a level, between blanks; empty where there are none
+  std::vector<std::string> assembly = {};  ///< one a level; empty where the file does not tell
+  std::vector<double> stiffness = {};  ///< k of the assembly of a level, N/m; if it was asked for
 
   /// D tells of the density where the joint turns twice a cycle; with inner reversals it holds the
   /// loss of inner loops too [AR14 (7)].
@@ -41,6 +45,7 @@ struct LevelsFile {
 /// What parse_levels() reads beside what every identification uses.
 struct LevelsReadOptions {
   bool linear_dissipation = false;  ///< the column `linear_dissipation [J]`, W_lin, must be there
+  bool assemblies = false;          ///< no name in `assembly` is empty; `stiffness [N/m]` is read
 };
 
 /// Levels from the text of a levels.csv.

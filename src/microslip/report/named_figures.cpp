@@ -120,7 +120,7 @@ bool test_has(const ResultInput& input) {
 bool has_densities(const ResultInput& input) { return !input.test.densities.empty(); }
 
 constexpr const char* kNeedsDensities =
-    "identifiability.csv, or joint.json of calibrate, or several joints";
+    "identifiability.csv, or joint.json of calibrate, or densities.csv, or several joints";
 
 constexpr std::array<NamedFigure, 26> kFigures = {{
     {"energies", "input energy, linear loss and joint dissipation over the amplitude", "levels.csv",

@@ -11,6 +11,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/csv.hpp"
+#include "microslip/workflow/assembly_tables.hpp"
 #include "microslip/workflow/record_entries.hpp"
 #include "microslip/workflow/sampled_curves.hpp"
 
@@ -211,12 +212,14 @@ LevelsOfModes modal_levels_of(const NamedInput& input) {
 
 std::vector<DensityFound> densities_of(const NamedInput& input) {
   const CsvTable table(input.text, input.path);
-  const std::vector<std::string> joint = table.text("joint");
+  const bool of_assemblies = table.has("assembly");
+  const std::vector<std::string> joint = table.text(of_assemblies ? "assembly" : "joint");
   const std::vector<double> force = table.numbers("slip_force", kForce);
   const std::vector<double> density = table.numbers("density", kPerForce);
   const std::vector<double> lower = table.numbers("lower", kPerForce);
   const std::vector<double> upper = table.numbers("upper", kPerForce);
-  const std::vector<double> told = table.numbers("told", kDimensionless);
+  const std::vector<double> told =
+      of_assemblies ? std::vector<double>{} : table.numbers("told", kDimensionless);
   std::vector<DensityFound> found;
   for (std::size_t row = 0; row < joint.size(); ++row) {
     auto of = std::ranges::find(found, joint[row], &DensityFound::name);
@@ -225,11 +228,15 @@ std::vector<DensityFound> densities_of(const NamedInput& input) {
       table.reject(row, "slip_force", "rising slip forces of each joint");
     }
     if (lower[row] > upper[row]) table.reject(row, "lower", "at most `upper`");
-    if (!(told[row] >= 0.0 && told[row] <= 1.0)) table.reject(row, "told", "from 0 to 1");
     of->slip_force.push_back(force[row]);
     of->density.push_back(density[row]);
-    of->lower.push_back(lower[row]);
-    of->upper.push_back(upper[row]);
+    // Of assemblies one band is looked at, which all others are in.
+    if (!of_assemblies || joint[row] == kNextAssembly) {
+      of->lower.push_back(lower[row]);
+      of->upper.push_back(upper[row]);
+    }
+    if (of_assemblies) continue;
+    if (!(told[row] >= 0.0 && told[row] <= 1.0)) table.reject(row, "told", "from 0 to 1");
     of->told.push_back(told[row]);
   }
   return found;

@@ -21,7 +21,8 @@ namespace microslip {
 /// @throws FormatError  where a column is missing, or a mode is none.
 [[nodiscard]] LevelsOfModes modal_levels_of(const NamedInput& input);
 
-/// identifiability.csv, a density a joint in their order there.
+/// identifiability.csv, a density a joint in their order there; or densities.csv, one an assembly,
+/// with the band of the next one alone.
 /// @throws FormatError  where a column is missing, or slip forces of a joint do not rise.
 [[nodiscard]] std::vector<DensityFound> densities_of(const NamedInput& input);
 

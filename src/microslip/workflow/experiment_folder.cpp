@@ -362,7 +362,7 @@ bool add_result_file(const std::string& kind, const std::string& text, const std
     results.modal_levels = calibrated_levels_of(input);
   } else if (kind == kModalLevelsKind) {
     results.modal_levels = modal_levels_of(input);
-  } else if (kind == kIdentifiabilityKind) {
+  } else if (kind == kIdentifiabilityKind || kind == kDensitiesKind) {
     results.densities = densities_of(input);
   } else if (kind == kCalibrationFileKind) {
     results.calibration = calibration_summary_of(parse_calibration(text, path), path);

@@ -50,6 +50,7 @@ void check_sizes(const LevelsFile& file) {
   check_size(file, levels.dissipation_std, "dissipation_std", kEnergies, kEnergy);
   check_size(file, levels.linear_dissipation, "linear_dissipation", kEnergies, kEnergy);
   check_size(file, levels.secant_stiffness, "secant_stiffness", kStiffnesses, kStiffness);
+  check_size(file, file.stiffness, "stiffness", kStiffnesses, kStiffness);
   check_size(file, levels.secant_stiffness_std, "secant_stiffness_std",
              {kSmallestStiffness, kLargestStiffness}, kStiffness);
 }
@@ -96,12 +97,25 @@ void warn_of_flags(const LevelsFile& file, std::vector<Warning>& warnings) {
                              "; the summary of the command that wrote them says what they mean."});
 }
 
+void check_assembly_column(const LevelsFile& file, AssemblyColumn use) {
+  if (use != AssemblyColumn::kUnsaid) return;
+  const std::set<std::string> names(file.assembly.begin(), file.assembly.end());
+  if (names.size() < 2) return;
+  throw InputError(fmt::format("{}: column assembly", printable(file.file)),
+                   fmt::format("{} names", names.size()),
+                   "must be said to be assemblies that differ, or levels of one joint",
+                   "`assemblies column` finds how they differ, `assemblies none` takes all as of "
+                   "one joint.");
+}
+
 }  // namespace
 
 LevelTable read_level_table(const std::string& path, const LevelTableOptions& options) {
   LevelTable table{.input = {path, read_file(path)}};
   const LevelsFile all = parse_levels(table.input.text, input_name(path),
-                                      {.linear_dissipation = options.linear_dissipation});
+                                      {.linear_dissipation = options.linear_dissipation,
+                                       .assemblies = options.assemblies == AssemblyColumn::kUsed});
+  check_assembly_column(all, options.assemblies);
   table.reversed = all.lines_with_inner_reversals();
   table.used = usable_levels(all, options.use_inner_reversals);
   check_sizes(table.used);

@@ -18,11 +18,19 @@ namespace microslip {
 inline constexpr double kSmallestStiffness = 1e-6;
 inline constexpr double kLargestStiffness = 1e15;  ///< N/m
 
+/// What levels of which a column `assembly` names several are.
+enum class AssemblyColumn {
+  kUnsaid,   ///< nobody said it: refused
+  kIgnored,  ///< of one joint
+  kUsed,     ///< of several; the names may not be empty
+};
+
 /// What is taken of it.
 struct LevelTableOptions {
   /// Takes levels with inner reversals, too, whose D is not that of one loop [AR14 (7)].
   bool use_inner_reversals = false;
-  bool linear_dissipation = false;  ///< W_lin must be there
+  bool linear_dissipation = false;                      ///< W_lin must be there
+  AssemblyColumn assemblies = AssemblyColumn::kUnsaid;  ///< how the column `assembly` is taken
 };
 
 /// The levels of a file.
@@ -35,6 +43,8 @@ struct LevelTable {
 
 /// @throws FileError, FormatError  as parse_levels(), at the cell that no joint can have, and where
 ///                                 all levels have inner reversals.
+/// @throws InputError              where levels are of several assemblies and nobody said what that
+///                                 means.
 [[nodiscard]] LevelTable read_level_table(const std::string& path,
                                           const LevelTableOptions& options = {});
 

@@ -43,9 +43,10 @@ Identification identified(const LevelsFile& file, const LevelsIdentification& op
 
 IdentifiedLevels identify_levels(const LevelsIdentification& options) {
   const bool linear_loss = options.texts.common_errors.loss_factor_std > 0.0;
-  LevelTable table = read_level_table(
-      options.levels,
-      {.use_inner_reversals = options.use_inner_reversals, .linear_dissipation = linear_loss});
+  LevelTable table =
+      read_level_table(options.levels, {.use_inner_reversals = options.use_inner_reversals,
+                                        .linear_dissipation = linear_loss,
+                                        .assemblies = options.assemblies});
   IdentifiedLevels done{.input = std::move(table.input), .found = identified(table.used, options)};
   done.count = table.used.levels.size();
   done.reversed = std::move(table.reversed);

@@ -24,6 +24,7 @@ struct LevelsIdentification {
   IdentificationOptions options = {};  ///< of the method
   /// Takes levels with inner reversals, too, whose D is not that of one loop [AR14 (7)].
   bool use_inner_reversals = false;
+  AssemblyColumn assemblies = AssemblyColumn::kUnsaid;  ///< how the column `assembly` is taken
   OptionTexts texts = {};  ///< what joint.json tells of the options; with the common errors
 };
 

@@ -123,7 +123,8 @@ void gather_records(const RecordsIdentification& options, Gathered& all) {
 
 void gather_levels(const RecordsIdentification& options, Gathered& all) {
   for (const std::string& path : options.levels) {
-    LevelTable table = read_level_table(path, {.use_inner_reversals = options.use_inner_reversals});
+    LevelTable table = read_level_table(path, {.use_inner_reversals = options.use_inner_reversals,
+                                               .assemblies = options.assemblies});
     of_record(path, [&] { all.levels.emplace_back(table.used.levels); });
     all.tables.push_back(path);
     all.counts.push_back(table.used.levels.size());

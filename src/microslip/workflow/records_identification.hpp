@@ -12,6 +12,7 @@
 #include "microslip/io/named_values.hpp"
 #include "microslip/io/recordings.hpp"
 #include "microslip/workflow/force_records.hpp"
+#include "microslip/workflow/level_table.hpp"
 
 /// @file
 /// Recordings of force and displacement, and tables of levels with them, to joint.json and
@@ -29,6 +30,7 @@ struct RecordsIdentification {
   RecordInversionOptions options = {};    ///< of the method
   RecordingReadOptions reading = {};      ///< of the recordings
   bool use_inner_reversals = false;       ///< of the levels, as LevelTableOptions
+  AssemblyColumn assemblies = AssemblyColumn::kUnsaid;  ///< of the levels, likewise
   /// The texts of the units that `reading` assumes, for joint.json.
   std::vector<std::string> assumed_units = {};
   std::string samples_out = {};  ///< file that the draws go to; empty for none

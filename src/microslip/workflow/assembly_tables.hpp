@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "microslip/identify/assemblies.hpp"
+#include "microslip/io/csv_writer.hpp"
+#include "microslip/io/joint_samples_file.hpp"
+#include "microslip/io/named_values.hpp"
+#include "microslip/workflow/assembly_levels.hpp"
+
+/// @file
+/// Assemblies in files.
+
+namespace microslip {
+
+/// How densities.csv calls the middle of the assemblies and the one that comes next. No assembly is
+/// called so.
+inline constexpr std::string_view kCommonDensity = "common";
+inline constexpr std::string_view kNextAssembly = "next";
+
+/// What joint.json of the middle says: spreads, assumptions, warnings.
+[[nodiscard]] NamedValues record_of_assemblies(const AssembliesResult& found);
+
+/// What the joint.json of one assembly says. @param assembly  from 0.
+[[nodiscard]] NamedValues record_of_assembly(const AssembliesResult& found, std::size_t assembly);
+
+/// assemblies.csv: a row each.
+[[nodiscard]] CsvWriter assemblies_table(const AssembliesResult& found, const AssemblyLevels& read);
+
+/// densities.csv: `common`, `next` and each assembly, one below the other.
+[[nodiscard]] CsvWriter densities_table(const AssembliesResult& found);
+
+/// The draws of the next assembly.
+[[nodiscard]] JointSamples samples_of_next(const AssembliesResult& found,
+                                           const Provenance& provenance);
+
+}  // namespace microslip
