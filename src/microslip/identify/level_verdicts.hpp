@@ -16,12 +16,19 @@
 
 namespace microslip {
 
+// g++ 12 says that scoped enumerators hide names of other types, which they do not.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wshadow"
+
 /// What no such joint does over its levels.
 enum class LevelDeparture {
   kOrder,      ///< D or k_eq of rising levels is another than of falling ones
   kSecant,     ///< k_eq is not that of the joint that D tells of
   kFrequency,  ///< the frequency rises, or falls beyond the softening of that joint
 };
+
+#pragma GCC diagnostic pop
+
 inline constexpr std::array kLevelDepartures = {LevelDeparture::kOrder, LevelDeparture::kSecant,
                                                 LevelDeparture::kFrequency};  ///< all
 
