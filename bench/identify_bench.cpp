@@ -2,8 +2,11 @@
 
 #include <benchmark/benchmark.h>
 
+#include <vector>
+
 #include "microslip/identify/assemblies.hpp"
 #include "microslip/identify/bands.hpp"
+#include "microslip/identify/further_levels.hpp"
 #include "microslip/identify/inversion.hpp"
 #include "support/assemblies.hpp"
 #include "support/densities.hpp"
@@ -66,6 +69,22 @@ void identify_five_assemblies(benchmark::State& state) {
   state.counters["effective"] = effective;
 }
 BENCHMARK(identify_five_assemblies)->Unit(benchmark::kMillisecond);
+
+/// A plan of ten further levels for the density, from the same, by 1000 draws on one processor.
+void plan_10_levels_after_90(benchmark::State& state) {
+  const LevelEvidence evidence(reference_levels());
+  for (auto _ : state) {
+    const InversionResult result = invert(evidence, testing::kStiffness);
+    const std::vector<Joint> joints = drawn_joints(
+        result, result.posterior.samples(1, 1000, Execution::serial()), testing::kStiffness);
+    const FurtherLevels further =
+        further_levels(evidence, result, joints, testing::equal_steps(128));
+    const LevelDesign design =
+        design_levels(further, density_target(joints, {0.5, testing::kReach}), 10);
+    benchmark::DoNotOptimize(design.after);
+  }
+}
+BENCHMARK(plan_10_levels_after_90)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace microslip::bench

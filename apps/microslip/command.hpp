@@ -86,6 +86,7 @@ void add_backbone(CLI::App& program, Call& call);
 void add_march(CLI::App& program, Call& call);
 void add_convert(CLI::App& program, Call& call);
 void add_ringdown(CLI::App& program, Call& call);
+void add_plan(CLI::App& program, Call& call);
 void add_verify(CLI::App& program, Call& call);
 void add_report(CLI::App& program, Call& call);
 void add_plot(CLI::App& program, Call& call);

@@ -28,7 +28,6 @@ namespace microslip::app {
 namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
-constexpr double kHighestFrequency = 1e9;  // Hz
 
 struct FrfOptions {
   PredictionArguments prediction;
@@ -43,16 +42,6 @@ struct FrfOptions {
   /// Whether the response is kept and the force found.
   [[nodiscard]] bool of_force() const { return force.empty(); }
 };
-
-std::pair<double, double> parse_frequencies(const std::string& text) {
-  const auto [from, to] = parse_way("--frequency", text, kFrequency);
-  for (const auto& [end, value] : {std::pair{"FROM", from}, std::pair{"TO", to}}) {
-    const std::string name = fmt::format("{} of --frequency", end);
-    if (!(value > 0.0)) throw InputError(name, value, "must be above 0 Hz");
-    if (!(value <= kHighestFrequency)) throw InputError(name, value, "must be 1e9 or less");
-  }
-  return {from, to};
-}
 
 double parse_accuracy(const std::string& text) {
   const double accuracy = parse_quantity("--accuracy", text, kDimensionless);
@@ -77,7 +66,7 @@ std::vector<double> parse_at(const std::string& text, std::pair<double, double> 
 }
 
 ResponseRange range_of(const FrfOptions& options) {
-  const std::pair<double, double> range = parse_frequencies(options.frequency);
+  const std::pair<double, double> range = parse_frequencies("--frequency", options.frequency);
   const double from = kTwoPi * range.first;
   const double to = kTwoPi * range.second;
   if (!options.of_force()) {
@@ -149,7 +138,7 @@ int run(const FrfOptions& options, const Call& call) {
   }
   HarmonicBalanceOptions drawn;
   drawn.accuracy = parse_accuracy(options.accuracy);
-  drawn.frequencies = parse_at(options.at, parse_frequencies(options.frequency));
+  drawn.frequencies = parse_at(options.at, parse_frequencies("--frequency", options.frequency));
   const HarmonicBalance balance = balance_of(model, options.prediction, std::move(drawn));
   ResponseCurve curve = curve_of(balance, range, call.quiet);
   const std::string truncation = add_truncation(

@@ -14,6 +14,7 @@
 #include "microslip/workflow/quantity_text.hpp"
 #include "microslip/workflow/smoothing_text.hpp"
 #include "progress_bar.hpp"
+#include "stiffness_argument.hpp"
 
 namespace microslip::app {
 namespace {
@@ -33,23 +34,6 @@ std::vector<std::string> names_of(const Map& map) {
   std::vector<std::string> names;
   for (const auto& [name, value] : map) names.push_back(name);
   return names;
-}
-
-double stiffness_of(const IdentifyArguments& options) {
-  constexpr std::string_view kRemedy =
-      "Give the stiffness of the stuck joint, for instance from a low-level test.";
-  if (!options.stiffness) {
-    throw InputError("--stiffness", InputState{"missing"},
-                     "must be given with levels: slip forces are k times A", kRemedy);
-  }
-  const double k = parse_quantity("--stiffness", *options.stiffness, kStiffness);
-  if (k > 0.0 && !(k >= kSmallestStiffness && k <= kLargestStiffness)) {
-    throw InputError("--stiffness", k, "must be from 1e-6 to 1e15 N/m", "Check its unit.");
-  }
-  if (!(k > 0.0)) {
-    throw InputError("--stiffness", k, "must be above 0 N/m", kRemedy);
-  }
-  return k;
 }
 
 /// A standard deviation of a gain or of the loss factor, as a share of it.
@@ -352,7 +336,7 @@ LevelsIdentification levels_options(const IdentifyArguments& arguments, bool qui
                errors_of(arguments), arguments.samples_out};
   if (draws_of_levels(arguments).none()) check_unused(arguments, all.texts.common_errors);
   all.options = library_options(arguments, quiet);
-  all.stiffness = stiffness_of(arguments);
+  all.stiffness = parse_stiffness(arguments.stiffness);
   all.use_inner_reversals = arguments.inner_reversals == "use";
   all.assemblies = assembly_column(arguments);
   return all;
@@ -368,7 +352,8 @@ RecordsIdentification records_options(const IdentifyArguments& arguments,
   all.use_inner_reversals = arguments.inner_reversals == "use";
   all.assemblies = assembly_column(arguments);
   all.channels = {arguments.force, arguments.displacement};
-  if (arguments.stiffness || files.records.empty()) all.stiffness = stiffness_of(arguments);
+  if (arguments.stiffness || files.records.empty())
+    all.stiffness = parse_stiffness(arguments.stiffness);
   all.start = start_of(arguments);
   all.options.viscous = arguments.viscous == "fit";
   all.options.draws = draws_of_posterior(arguments);

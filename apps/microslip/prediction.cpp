@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::uint64_t kMostHarmonics = 1000;
 constexpr std::uint64_t kMostSamples = 1'000'000;
+constexpr double kHighestFrequency = 1e9;  // Hz
 
 }  // namespace
 
@@ -62,6 +63,16 @@ double parse_force(std::string_view option, std::string_view text) {
   const double force = parse_quantity(option, text, kForce);
   if (force >= 1e-12 && force <= 1e12) return force;
   throw InputError(option, force, "must be above 0 N: from 1e-12 to 1e12");
+}
+
+std::pair<double, double> parse_frequencies(std::string_view option, std::string_view text) {
+  const auto [from, to] = parse_way(option, text, kFrequency);
+  for (const auto& [end, value] : {std::pair{"FROM", from}, std::pair{"TO", to}}) {
+    const std::string name = fmt::format("{} of {}", end, option);
+    if (!(value > 0.0)) throw InputError(name, value, "must be above 0 Hz");
+    if (!(value <= kHighestFrequency)) throw InputError(name, value, "must be 1e9 or less");
+  }
+  return {from, to};
 }
 
 int tell_ending(const Summary& ended, bool found, const ModelArguments& arguments, const Call& call,

@@ -3,6 +3,8 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "command.hpp"
@@ -42,6 +44,10 @@ void add_prediction_arguments(CLI::App& command, PredictionArguments& arguments,
 
 /// A force on the command line. @throws InputError  where it is none, or one that nothing bears.
 [[nodiscard]] double parse_force(std::string_view option, std::string_view text);
+
+/// FROM:TO of frequencies on the command line, either way round, Hz. @throws InputError  likewise.
+[[nodiscard]] std::pair<double, double> parse_frequencies(std::string_view option,
+                                                          std::string_view text);
 
 /// Prints the summary, or says on standard error what nothing else would say.
 /// @param found    whether something was found, and written.

@@ -26,6 +26,8 @@ TEST(FileKind, KnowsTheFilesOfTheProgram) {
   EXPECT_EQ(
       file_kind("amplitude [m],force [N],dissipation [J],secant_stiffness [N/m],loss_factor [1]\n"),
       kDissipationKind);
+  EXPECT_EQ(file_kind("rank [1],amplitude [m],repeats [1],width_before [1/N],width_after [1/N]\n"),
+            kPlanKind);
   EXPECT_EQ(file_kind("slip_force [N],density [1/N]\n"), kDensityKind);
   EXPECT_EQ(file_kind("displacement [m],normal_load [1]\n"), kPathKind);
   EXPECT_EQ(file_kind("displacement [m],force [N]\n"), kLoopKind);

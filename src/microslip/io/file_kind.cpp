@@ -35,6 +35,7 @@ constexpr std::array kTableKinds{
     TableKind{kDissipationKind, {"amplitude", "dissipation", "loss_factor"}},
     TableKind{kEnsembleTableKind, {"group", "output", "unit"}},
     TableKind{kLevelsKind, {"amplitude", "dissipation"}},
+    TableKind{kPlanKind, {"amplitude", "repeats", "width_after"}},
     TableKind{kDampingLevelsKind, {"amplitude", "damping_ratio", "decay_time"}},
     TableKind{kAssembliesKind, {"assembly", "stiffness", "slip_force_scale"}},
     TableKind{kDensitiesKind, {"assembly", "slip_force", "density"}},
