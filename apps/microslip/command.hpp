@@ -88,6 +88,7 @@ void add_convert(CLI::App& program, Call& call);
 void add_ringdown(CLI::App& program, Call& call);
 void add_plan(CLI::App& program, Call& call);
 void add_verify(CLI::App& program, Call& call);
+void add_watch(CLI::App& program, Call& call);
 void add_report(CLI::App& program, Call& call);
 void add_plot(CLI::App& program, Call& call);
 void add_demo(CLI::App& program, Call& call);

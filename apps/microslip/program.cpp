@@ -56,6 +56,7 @@ std::unique_ptr<CLI::App> make_program(Call& call) {
   add_calibrate(*program, call);
   add_identify(*program, call);
   add_plan(*program, call);
+  add_watch(*program, call);
   add_verify(*program, call);
   add_model(*program, call);
   add_frf(*program, call);

@@ -294,6 +294,7 @@ const Files& inputs() {
     for (const char* name : {"first.csv", "second.csv", "third.csv"}) {
       all[name] = all.at("full_levels.csv");
     }
+    all["watched/levels.csv"] = full_levels();
     all["driven_levels.csv"] = heard_levels({"frequency"});
     all["heard_levels.csv"] = heard_levels({"frequency", "resonance_frequency"});
     all["decay.csv"] = sample_decay_text();

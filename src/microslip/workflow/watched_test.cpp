@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/workflow/watched_test.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/input_file.hpp"
+#include "microslip/io/output_files.hpp"
+#include "microslip/io/text.hpp"
+#include "microslip/workflow/evidence_kind.hpp"
+#include "microslip/workflow/identification_text.hpp"
+#include "microslip/workflow/levels_identification.hpp"
+#include "microslip/workflow/recordings_reduction.hpp"
+#include "microslip/workflow/records_identification.hpp"
+#include "microslip/workflow/summary_text.hpp"
+
+namespace microslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kRigFile = "rig.toml";
+constexpr std::string_view kLevelsFile = "levels.csv";
+constexpr std::string_view kJointFile = "joint.json";
+constexpr std::string_view kDensityFile = "density.csv";
+constexpr std::string_view kNextFile = "next_levels.csv";
+constexpr std::string_view kReportFile = "watch.html";
+/// By which a file shows that it was written here.
+constexpr std::string_view kWatchCommand = "microslip watch";
+constexpr std::size_t kRanked = 3;  // levels of next_levels.csv
+
+bool is_record_name(std::string_view name) {
+  constexpr std::array<std::string_view, 8> kEndings{".csv", ".txt", ".uff",  ".unv",
+                                                     ".uf",  ".mat", ".hdf5", ".h5"};
+  std::string lower(name);
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return std::ranges::any_of(kEndings,
+                             [&](std::string_view ending) { return lower.ends_with(ending); });
+}
+
+/// What microslip writes into folders of tests, and is no record.
+bool is_result_name(std::string_view name) {
+  constexpr std::array<std::string_view, 9> kResults{
+      kDensityFile,        kNextFile,          "truth.csv",
+      "force_control.csv", "calibration.csv",  "identifiability.csv",
+      "modal_levels.csv",  "joint_samples.h5", "peaks.csv"};
+  return std::ranges::find(kResults, name) != kResults.end() || name.starts_with("verification") ||
+         name.starts_with("before_control_");
+}
+
+std::string file_name(const std::string& path) { return fs::path(path).filename().string(); }
+
+bool is_among(const std::vector<std::string>& files, const std::string& path) {
+  return std::ranges::find(files, path) != files.end();
+}
+
+std::string length_in_um(double metres) { return fmt::format("{:.4g} µm", 1e6 * metres); }
+
+std::string level_line(const ReducedLevel& level) {
+  std::string text = fmt::format("A = {}, D = {:.4g} J", length_in_um(level.amplitude.value),
+                                 level.dissipation.value);
+  if (level.secant_stiffness) {
+    text += fmt::format(", k_eq = {:.5g} N/m", level.secant_stiffness->value);
+  }
+  for (const Warning& flag : level.flags) text += ", " + flag.code;
+  return text;
+}
+
+std::string joint_line(const Identification& found, std::size_t levels) {
+  std::string text = levels > 0 ? counted(levels, "level") + ": " : "";
+  text += fmt::format("k = {:.5g} N/m, {:.3g} of it slips up to {:.4g} N", found.joint.stiffness(),
+                      found.joint.density().total().zeroth, found.covered_to);
+  for (const Warning& warning : found.warnings) text += ", " + warning.code;
+  return text;
+}
+
+/// A fault ends what is done now, and no more: the next file may mend it.
+template <typename Call>
+bool told(const Call& call, std::vector<std::string>& faults) {
+  try {
+    call();
+    return true;
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& error) {
+    faults.emplace_back(error.what());
+    return false;
+  }
+}
+
+/// What a file holds, where it is whole and right.
+std::string evidence_line(const std::string& path, bool is_table) {
+  if (is_table) {
+    const LevelTable table = read_level_table(path);
+    return counted(table.used.levels.size(), "level");
+  }
+  const ForceRecords found = read_force_records({path}, {}, {});
+  std::size_t samples = 0;
+  for (const NamedForceRecord& record : found.records) samples += record.record.size();
+  return fmt::format("{} of force and displacement, {} samples",
+                     counted(found.records.size(), "record"), samples);
+}
+
+}  // namespace
+
+WatchedTest::WatchedTest(WatchedTestOptions options) : options_(std::move(options)) {
+  if (!fs::is_directory(options_.folder)) {
+    throw FileError(options_.folder, "is no folder", "Name the one into which the records come.");
+  }
+  check_own();
+}
+
+std::string WatchedTest::path(const std::string& name) const {
+  return (fs::path(options_.folder) / name).string();
+}
+
+std::string WatchedTest::report_path() const { return path(std::string(kReportFile)); }
+
+void WatchedTest::check_own() const {
+  std::vector<std::string_view> written{kJointFile, kNextFile, kReportFile};
+  if (fs::exists(path(std::string(kRigFile)))) written.push_back(kLevelsFile);
+  // A density has no comment that tells: it belongs to the joint beside it.
+  if (!fs::exists(path(std::string(kJointFile)))) written.push_back(kDensityFile);
+  for (const std::string_view name : written) {
+    const std::string file = path(std::string(name));
+    if (!fs::exists(file) || fs::file_size(file) == 0) continue;
+    if (read_file(file).find(kWatchCommand) != std::string::npos) continue;
+    throw InputError(file, "there already", "is written here, and nothing of others is replaced",
+                     "Move it away, or watch a folder with the records alone.");
+  }
+}
+
+bool WatchedTest::reads(const std::string& name) const {
+  if (name == kRigFile) return true;
+  if (name == kLevelsFile && fs::exists(path(std::string(kRigFile)))) return false;
+  return is_record_name(name) && !is_result_name(name);
+}
+
+WatchedTestNews WatchedTest::evaluate(const FolderChange& files) {
+  WatchedTestNews news;
+  for (const std::string& file : files.changed) faulty_.erase(file);
+  std::vector<std::string> records = files.whole;
+  const std::string rig = path(std::string(kRigFile));
+  const bool of_a_rig = std::erase(records, rig) > 0;
+  if (!of_a_rig && fs::exists(rig)) return news;  // it is being written
+  if (records.empty()) return news;
+  if (of_a_rig) {
+    told([&] { of_rig(records, files, news); }, news.faults);
+  } else {
+    of_evidence(records, files, news);
+  }
+  return news;
+}
+
+void WatchedTest::of_rig(const std::vector<std::string>& files, const FolderChange& change,
+                         WatchedTestNews& news) {
+  // All are reduced anew when the rig has changed; else what was faulty is faulty still.
+  if (is_among(change.changed, path(std::string(kRigFile)))) faulty_.clear();
+  std::vector<std::string> asked;
+  for (const std::string& file : files) {
+    if (!faulty_.contains(file)) asked.push_back(file);
+  }
+  if (asked.empty()) return;
+  const ReducedRecordings reduced = reduce_recordings({.rig = path(std::string(kRigFile)),
+                                                       .recordings = asked,
+                                                       .reduction = {},
+                                                       .reading = {},
+                                                       .skip_faulty = true,
+                                                       .progress = options_.progress});
+  for (const RejectedRecord& rejected : reduced.batch.rejected) {
+    const std::string& file = asked[rejected.index];
+    faulty_[file] = rejected.reason;
+    news.faults.push_back(fmt::format("{}: {}", file_name(file), rejected.reason));
+  }
+  for (const ReducedLevel& level : reduced.batch.levels) {
+    for (const std::string& file : change.changed) {
+      if (!level.source.starts_with(file)) continue;
+      news.records.push_back(fmt::format("{}{}: {}", file_name(file),
+                                         level.source.substr(file.size()), level_line(level)));
+      break;
+    }
+  }
+  if (reduced.batch.levels.empty()) return;
+  const std::string levels = path(std::string(kLevelsFile));
+  write_file(levels, levels_text(reduced, options_.command));
+  identify_table(levels, options_.stiffness.value_or(reduced.reducer.state().stiffness), news);
+}
+
+WatchedTest::Kept WatchedTest::sort_out(const std::vector<std::string>& files,
+                                        const FolderChange& change, WatchedTestNews& news) {
+  Kept kept;
+  for (const std::string& file : files) {
+    if (faulty_.contains(file)) continue;
+    const bool right = told(
+        [&] {
+          const bool is_table = evidence_kind(file) == EvidenceKind::kLevels;
+          if (is_among(change.changed, file)) {
+            news.records.push_back(
+                fmt::format("{}: {}", file_name(file), evidence_line(file, is_table)));
+          }
+          (is_table ? kept.levels : kept.records).push_back(file);
+        },
+        news.faults);
+    if (!right) faulty_[file] = news.faults.back();
+  }
+  return kept;
+}
+
+void WatchedTest::of_evidence(const std::vector<std::string>& files, const FolderChange& change,
+                              WatchedTestNews& news) {
+  const Kept kept = sort_out(files, change, news);
+  if (kept.records.empty() && kept.levels.empty()) return;
+  if (kept.records.empty() && !options_.stiffness) {
+    throw InputError("`stiffness`", InputState{"missing"},
+                     "must be given with levels: slip forces are k times A",
+                     "Give the stiffness of the stuck joint, for instance from a low-level test.");
+  }
+  if (kept.records.empty() && kept.levels.size() == 1) {
+    told([&] { identify_table(kept.levels.front(), *options_.stiffness, news); }, news.faults);
+  } else {
+    told([&] { identify_together(kept, news); }, news.faults);
+  }
+}
+
+void WatchedTest::identify_table(const std::string& levels, double stiffness,
+                                 WatchedTestNews& news) {
+  LevelsIdentification options;
+  options.levels = levels;
+  options.stiffness = stiffness;
+  options.options.bands = BandOptions{.progress = options_.progress};
+  const IdentifiedLevels done = identify_levels(options);
+  news.joint = joint_line(done.found, done.count);
+  OutputFiles outputs;
+  outputs.add(path(std::string(kJointFile)),
+              joint_text(done.found, options.options, done.input, options_.command, options.texts));
+  outputs.add(path(std::string(kDensityFile)), density_csv(done.found));
+  outputs.commit();
+  plan_next(levels, stiffness, done.count, news);
+}
+
+void WatchedTest::identify_together(const Kept& kept, WatchedTestNews& news) {
+  RecordsIdentification options;
+  options.records = kept.records;
+  options.levels = kept.levels;
+  options.stiffness = options_.stiffness;
+  options.options.progress = options_.progress;
+  const IdentifiedRecords done = identify_records(options);
+  news.joint = joint_line(done.found, 0);
+  OutputFiles outputs;
+  outputs.add(path(std::string(kJointFile)), joint_text(options, done, options_.command));
+  outputs.add(path(std::string(kDensityFile)), density_csv(done.found));
+  outputs.commit();
+}
+
+void WatchedTest::plan_next(const std::string& levels, double stiffness, std::size_t count,
+                            WatchedTestNews& news) {
+  if (count < kFewestToPlan) {
+    news.next = fmt::format(
+        "{} are there: first {} or more in equal steps from the smallest to the "
+        "largest amplitude",
+        counted(count, "level"), kFewestToPlan);
+    return;
+  }
+  LevelPlanning planning{.levels = levels, .stiffness = stiffness, .target = options_.target};
+  planning.count = kRanked;
+  planning.amplitude = options_.amplitude;
+  planning.progress = options_.progress;
+  const LevelPlan plan = plan_levels(planning);
+  write_file(path(std::string(kNextFile)), plan_text(plan, planning, options_.command));
+  const DesignedLevel& first = plan.design.levels.front();
+  const bool area = options_.target == PlanTarget::kArea;
+  news.next = fmt::format("{}; the width of the {} is then {:.3g} in place of {:.3g}{}",
+                          length_in_um(plan.amplitude[first.candidate]), area ? "area" : "density",
+                          first.after, first.before, area ? "" : " 1/N");
+}
+
+}  // namespace microslip

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "microslip/base/progress.hpp"
+#include "microslip/workflow/folder_watch.hpp"
+#include "microslip/workflow/level_plan.hpp"
+
+/// @file
+/// A test that is running: what its folder holds so far, evaluated again whenever a record comes.
+
+namespace microslip {
+
+/// What is watched, and what is done.
+struct WatchedTestOptions {
+  std::string folder = {};                   ///< with the records
+  std::optional<double> stiffness = {};      ///< k, N/m; without it that of rig.toml, or of records
+  PlanTarget target = PlanTarget::kDensity;  ///< of the next level; kDensity or kArea
+  /// Between which the next level may lie, m; without it the lowest and highest that are there.
+  std::optional<std::pair<double, double>> amplitude = {};
+  std::string command = {};  ///< that the files are made by
+  Progress progress = {};    ///< told of all that takes long; may cancel
+};
+
+/// What there is to tell.
+struct WatchedTestNews {
+  std::vector<std::string> records = {};  ///< one line a record that is new
+  std::vector<std::string> faults = {};   ///< files that are left out until they change, and why
+  std::string joint = {};                 ///< what is known of it; empty where nothing is
+  std::string next = {};                  ///< the level to measure next
+};
+
+/// The files of a folder that watch_test() reads and writes.
+///
+/// With a rig.toml in it all records are of that rig: they are reduced to levels.csv. Without, tables of
+/// levels and recordings of force and displacement are told by their content. Then joint.json and
+/// density.csv are written, with 1000 draws, and next_levels.csv where one table of levels is all
+/// there is.
+class WatchedTest {
+ public:
+  /// @throws InputError  where the folder holds a file of a name that is written and that is not of
+  ///                     an earlier watch: nothing of others is replaced.
+  explicit WatchedTest(WatchedTestOptions options);
+
+  /// Whether a file of the folder is read. @param name  of it.
+  [[nodiscard]] bool reads(const std::string& name) const;
+
+  /// The report that belongs to the folder, which the caller writes.
+  [[nodiscard]] std::string report_path() const;
+
+  /// Evaluates what is whole. What is faulty is told once and left out until it changes.
+  /// @throws InputError  where k is not known. @throws Cancelled  as the progress says.
+  WatchedTestNews evaluate(const FolderChange& files);
+
+ private:
+  struct Kept {
+    std::vector<std::string> records;  // recordings of force and displacement
+    std::vector<std::string> levels;   // tables
+  };
+
+  [[nodiscard]] std::string path(const std::string& name) const;
+  void check_own() const;
+  void of_rig(const std::vector<std::string>& files, const FolderChange& change,
+              WatchedTestNews& news);
+  void of_evidence(const std::vector<std::string>& files, const FolderChange& change,
+                   WatchedTestNews& news);
+  Kept sort_out(const std::vector<std::string>& files, const FolderChange& change,
+                WatchedTestNews& news);
+  void identify_table(const std::string& levels, double stiffness, WatchedTestNews& news);
+  void identify_together(const Kept& kept, WatchedTestNews& news);
+  void plan_next(const std::string& levels, double stiffness, std::size_t count,
+                 WatchedTestNews& news);
+
+  WatchedTestOptions options_;
+  std::map<std::string, std::string> faulty_;  // by path, until it changes
+};
+
+}  // namespace microslip
