@@ -85,6 +85,30 @@ milliseconds interval_of(const std::string& text) {
   return milliseconds(static_cast<milliseconds::rep>(1000.0 * seconds));
 }
 
+void say(std::FILE* stream, const std::string& text) {
+  std::string line = with_option_names(text);
+  std::ranges::replace_if(
+      line, [](char c) { return static_cast<unsigned char>(c) < 0x20; }, '?');
+  fmt::print(stream, "{}\n", line);
+  std::fflush(stream);
+}
+
+void tell(WatchedNews news, const std::string& text) {
+  switch (news) {
+    case WatchedNews::kFault:
+      say(stderr, "microslip: warning: " + text);
+      return;
+    case WatchedNews::kJoint:
+      say(stdout, "joint: " + text);
+      return;
+    case WatchedNews::kNext:
+      say(stdout, "next: " + text);
+      return;
+    case WatchedNews::kRecord:
+      say(stdout, text);
+  }
+}
+
 WatchedTestOptions options_of(const WatchArguments& arguments, const Call& call) {
   WatchedTestOptions options;
   options.folder = arguments.folder;
@@ -96,25 +120,9 @@ WatchedTestOptions options_of(const WatchArguments& arguments, const Call& call)
     check_displacement("TO of --amplitude", options.amplitude->second);
   }
   options.command = call.command_line;
+  options.tell = tell;
   options.progress = [](std::size_t, std::size_t) { return !StopOnSignal::asked(); };
   return options;
-}
-
-void say(std::FILE* stream, const std::string& text) {
-  std::string line = with_option_names(text);
-  std::ranges::replace_if(
-      line, [](char c) { return static_cast<unsigned char>(c) < 0x20; }, '?');
-  fmt::print(stream, "{}\n", line);
-  std::fflush(stream);
-}
-
-void tell(const WatchedTestNews& news) {
-  for (const std::string& fault : news.faults) {
-    say(stderr, fmt::format("microslip: warning: {} Left out until it changes.", fault));
-  }
-  for (const std::string& record : news.records) say(stdout, record);
-  if (!news.joint.empty()) say(stdout, "joint: " + news.joint);
-  if (!news.next.empty()) say(stdout, "next: " + news.next);
 }
 
 /// A folder may hold what no report can show: that is no reason to stop.
@@ -141,10 +149,8 @@ void watch(const WatchArguments& arguments, const Call& call) {
                      [&](const std::string& name) { return test.reads(name); });
   while (!StopOnSignal::asked() && std::ferror(stdout) == 0) {
     const FolderChange change = folder.look();
-    if (change.any()) {
-      const WatchedTestNews news = test.evaluate(change);
-      tell(news);
-      if (!news.joint.empty() && !arguments.no_report) write_watch_report(arguments, test, call);
+    if (change.any() && test.evaluate(change) && !arguments.no_report) {
+      write_watch_report(arguments, test, call);
     }
     if (arguments.once && !change.waiting) return;
     rest(interval);

@@ -66,6 +66,8 @@ TEST(plan, SaysWhatIsAtFault) {
   refused({"--joint", "lap"}, {"--joint", "belongs to --target peak"});
   refused({"--count", "0"}, {"--count"});
   refused({"--amplitude", "300um:20um"}, {"--amplitude"});
+  refused({"--amplitude", "10um:1mm"}, {"TO of --amplitude", "0.0006 m or less"});
+  refused({"--range", "10:200"}, {"TO of --range", "102 N or less"});
   refused({"--draws", "3"}, {"--draws", "1000 tell"});
   expect_refused(box, {"plan", "few.csv", "--stiffness", "1.7e5", "--out", "next.csv"},
                  {"few.csv", "must be 8 or more", "Begin with 8 levels"});

@@ -127,7 +127,10 @@ TEST(watch, ReplacesNothingOfOthers) {
 
 TEST(watch, SaysWhatIsAtFault) {
   const Sandbox box{{"levels.csv", sample_levels_text()}};
-  expect_refused(box, with(kWatch, {"--once"}), {"--stiffness", "missing"});
+  const Outcome unknown = box.run(with(kWatch, {"--once"}));
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_TRUE(says(unknown.err, "--stiffness") && says(unknown.err, "missing")) << unknown.err;
+  EXPECT_FALSE(box.has("joint.json"));
   expect_refused(box, {"watch", "nowhere"}, {"nowhere", "is no folder"});
   expect_refused(box, {"watch", ".", "--interval", "0"}, {"--interval"});
   const Sandbox empty;

@@ -38,8 +38,9 @@ std::vector<double> amplitudes_between(double from, double to) {
     grid.push_back(from * std::pow(to / from, share));
   }
   for (double& a : grid) {
-    const double unit = std::pow(10.0, std::floor(std::log10(a)) - 3.0);
-    a = std::clamp(std::round(a / unit) * unit, from, to);
+    // A quotient of whole numbers is the double next to what is written: 7.197e-06.
+    const double units = std::pow(10.0, 3.0 - std::floor(std::log10(a)));
+    a = std::clamp(std::round(a * units) / units, from, to);
   }
   std::ranges::sort(grid);
   const auto alike = [](double a, double b) { return b - a < 1e-9 * b; };
@@ -79,6 +80,19 @@ void check_enough(const LevelEvidence& evidence) {
       fmt::format("Begin with {} levels or more in equal steps from the smallest to the largest "
                   "amplitude that the test is to have.",
                   kFewestToPlan));
+}
+
+/// Far beyond the levels nothing is known that a plan could rest on.
+void check_reach(std::string_view name, double reach, double highest,
+                 const LevelPlanning& options) {
+  constexpr double kFarthest = 3.0;
+  if (reach <= kFarthest * highest) return;
+  const bool forces = name == "`range`";
+  throw InputError(fmt::format("TO of {}", name), forces ? options.stiffness * reach : reach,
+                   fmt::format("must be {:.4g} {} or less, {:g} times what the levels reach",
+                               kFarthest * highest * (forces ? options.stiffness : 1.0),
+                               forces ? "N" : "m", kFarthest),
+                   "Measure a level between, and plan again.");
 }
 
 /// A posterior, and the levels that it is of.
@@ -140,8 +154,10 @@ void plan_by(const LevelEvidence& evidence, const LevelPlanning& options, LevelP
   check_enough(evidence);
   const std::vector<double>& measured = evidence.levels().amplitude;
   const auto [from, to] = options.amplitude.value_or(std::pair{measured.front(), measured.back()});
+  check_reach("`amplitude`", to, measured.back(), options);
   plan.amplitude = amplitudes_between(from, to);
   plan.range = options.range.value_or(std::pair{options.stiffness * from, options.stiffness * to});
+  check_reach("`range`", plan.range.second / options.stiffness, measured.back(), options);
   const Known known =
       known_up_to(std::max(to, plan.range.second / options.stiffness), evidence, options.stiffness);
   plan.warnings = diagnose(known.result, known.evidence, options.stiffness, {});

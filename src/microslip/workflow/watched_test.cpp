@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -82,17 +84,16 @@ std::string joint_line(const Identification& found, std::size_t levels) {
   return text;
 }
 
-/// A fault ends what is done now, and no more: the next file may mend it.
-template <typename Call>
-bool told(const Call& call, std::vector<std::string>& faults) {
+/// What is at fault in a call, if anything: it ends that call and no more, as the next file may mend
+/// it.
+std::optional<std::string> fault_in(const std::function<void()>& call) {
   try {
     call();
-    return true;
+    return std::nullopt;
   } catch (const Cancelled&) {
     throw;
   } catch (const Error& error) {
-    faults.emplace_back(error.what());
-    return false;
+    return error.what();
   }
 }
 
@@ -144,24 +145,36 @@ bool WatchedTest::reads(const std::string& name) const {
   return is_record_name(name) && !is_result_name(name);
 }
 
-WatchedTestNews WatchedTest::evaluate(const FolderChange& files) {
-  WatchedTestNews news;
+bool WatchedTest::done(const std::function<void()>& call) const {
+  const std::optional<std::string> fault = fault_in(call);
+  if (fault) options_.tell(WatchedNews::kFault, *fault);
+  return !fault;
+}
+
+void WatchedTest::tell_left_out(const std::string& file, const std::string& fault) {
+  faulty_[file] = fault;
+  options_.tell(WatchedNews::kFault,
+                fmt::format("{}: {} Left out until it changes.", file_name(file), fault));
+}
+
+bool WatchedTest::evaluate(const FolderChange& files) {
+  joint_written_ = false;
+  if (!done([&] { check_own(); })) return false;
   for (const std::string& file : files.changed) faulty_.erase(file);
   std::vector<std::string> records = files.whole;
   const std::string rig = path(std::string(kRigFile));
   const bool of_a_rig = std::erase(records, rig) > 0;
-  if (!of_a_rig && fs::exists(rig)) return news;  // it is being written
-  if (records.empty()) return news;
+  if (!of_a_rig && fs::exists(rig)) return false;  // it is being written
+  if (records.empty()) return false;
   if (of_a_rig) {
-    told([&] { of_rig(records, files, news); }, news.faults);
+    (void)done([&] { of_rig(records, files); });
   } else {
-    of_evidence(records, files, news);
+    of_evidence(records, files);
   }
-  return news;
+  return joint_written_;
 }
 
-void WatchedTest::of_rig(const std::vector<std::string>& files, const FolderChange& change,
-                         WatchedTestNews& news) {
+void WatchedTest::of_rig(const std::vector<std::string>& files, const FolderChange& change) {
   // All are reduced anew when the rig has changed; else what was faulty is faulty still.
   if (is_among(change.changed, path(std::string(kRigFile)))) faulty_.clear();
   std::vector<std::string> asked;
@@ -177,46 +190,43 @@ void WatchedTest::of_rig(const std::vector<std::string>& files, const FolderChan
                                                        .progress = options_.progress});
   for (const RejectedRecord& rejected : reduced.batch.rejected) {
     const std::string& file = asked[rejected.index];
-    faulty_[file] = rejected.reason;
-    news.faults.push_back(fmt::format("{}: {}", file_name(file), rejected.reason));
+    tell_left_out(file, rejected.reason);
   }
   for (const ReducedLevel& level : reduced.batch.levels) {
     for (const std::string& file : change.changed) {
       if (!level.source.starts_with(file)) continue;
-      news.records.push_back(fmt::format("{}{}: {}", file_name(file),
-                                         level.source.substr(file.size()), level_line(level)));
+      options_.tell(WatchedNews::kRecord,
+                    fmt::format("{}{}: {}", file_name(file), level.source.substr(file.size()),
+                                level_line(level)));
       break;
     }
   }
   if (reduced.batch.levels.empty()) return;
   const std::string levels = path(std::string(kLevelsFile));
   write_file(levels, levels_text(reduced, options_.command));
-  identify_table(levels, options_.stiffness.value_or(reduced.reducer.state().stiffness), news);
+  identify_table(levels, options_.stiffness.value_or(reduced.reducer.state().stiffness));
 }
 
 WatchedTest::Kept WatchedTest::sort_out(const std::vector<std::string>& files,
-                                        const FolderChange& change, WatchedTestNews& news) {
+                                        const FolderChange& change) {
   Kept kept;
   for (const std::string& file : files) {
     if (faulty_.contains(file)) continue;
-    const bool right = told(
-        [&] {
-          const bool is_table = evidence_kind(file) == EvidenceKind::kLevels;
-          if (is_among(change.changed, file)) {
-            news.records.push_back(
-                fmt::format("{}: {}", file_name(file), evidence_line(file, is_table)));
-          }
-          (is_table ? kept.levels : kept.records).push_back(file);
-        },
-        news.faults);
-    if (!right) faulty_[file] = news.faults.back();
+    const std::optional<std::string> fault = fault_in([&] {
+      const bool is_table = evidence_kind(file) == EvidenceKind::kLevels;
+      if (is_among(change.changed, file)) {
+        options_.tell(WatchedNews::kRecord,
+                      fmt::format("{}: {}", file_name(file), evidence_line(file, is_table)));
+      }
+      (is_table ? kept.levels : kept.records).push_back(file);
+    });
+    if (fault) tell_left_out(file, *fault);
   }
   return kept;
 }
 
-void WatchedTest::of_evidence(const std::vector<std::string>& files, const FolderChange& change,
-                              WatchedTestNews& news) {
-  const Kept kept = sort_out(files, change, news);
+void WatchedTest::of_evidence(const std::vector<std::string>& files, const FolderChange& change) {
+  const Kept kept = sort_out(files, change);
   if (kept.records.empty() && kept.levels.empty()) return;
   if (kept.records.empty() && !options_.stiffness) {
     throw InputError("`stiffness`", InputState{"missing"},
@@ -224,49 +234,50 @@ void WatchedTest::of_evidence(const std::vector<std::string>& files, const Folde
                      "Give the stiffness of the stuck joint, for instance from a low-level test.");
   }
   if (kept.records.empty() && kept.levels.size() == 1) {
-    told([&] { identify_table(kept.levels.front(), *options_.stiffness, news); }, news.faults);
+    (void)done([&] { identify_table(kept.levels.front(), *options_.stiffness); });
   } else {
-    told([&] { identify_together(kept, news); }, news.faults);
+    (void)done([&] { identify_together(kept); });
   }
 }
 
-void WatchedTest::identify_table(const std::string& levels, double stiffness,
-                                 WatchedTestNews& news) {
+void WatchedTest::identify_table(const std::string& levels, double stiffness) {
   LevelsIdentification options;
   options.levels = levels;
   options.stiffness = stiffness;
   options.options.bands = BandOptions{.progress = options_.progress};
   const IdentifiedLevels done = identify_levels(options);
-  news.joint = joint_line(done.found, done.count);
+  options_.tell(WatchedNews::kJoint, joint_line(done.found, done.count));
   OutputFiles outputs;
   outputs.add(path(std::string(kJointFile)),
               joint_text(done.found, options.options, done.input, options_.command, options.texts));
   outputs.add(path(std::string(kDensityFile)), density_csv(done.found));
   outputs.commit();
-  plan_next(levels, stiffness, done.count, news);
+  joint_written_ = true;
+  plan_next(levels, stiffness, done.count);
 }
 
-void WatchedTest::identify_together(const Kept& kept, WatchedTestNews& news) {
+void WatchedTest::identify_together(const Kept& kept) {
   RecordsIdentification options;
   options.records = kept.records;
   options.levels = kept.levels;
   options.stiffness = options_.stiffness;
   options.options.progress = options_.progress;
   const IdentifiedRecords done = identify_records(options);
-  news.joint = joint_line(done.found, 0);
+  options_.tell(WatchedNews::kJoint, joint_line(done.found, 0));
   OutputFiles outputs;
   outputs.add(path(std::string(kJointFile)), joint_text(options, done, options_.command));
   outputs.add(path(std::string(kDensityFile)), density_csv(done.found));
   outputs.commit();
+  joint_written_ = true;
 }
 
-void WatchedTest::plan_next(const std::string& levels, double stiffness, std::size_t count,
-                            WatchedTestNews& news) {
+void WatchedTest::plan_next(const std::string& levels, double stiffness, std::size_t count) {
   if (count < kFewestToPlan) {
-    news.next = fmt::format(
-        "{} are there: first {} or more in equal steps from the smallest to the "
-        "largest amplitude",
-        counted(count, "level"), kFewestToPlan);
+    options_.tell(
+        WatchedNews::kNext,
+        fmt::format("{} are there: first {} or more in equal steps from the smallest to the "
+                    "largest amplitude",
+                    counted(count, "level"), kFewestToPlan));
     return;
   }
   LevelPlanning planning{.levels = levels, .stiffness = stiffness, .target = options_.target};
@@ -277,9 +288,11 @@ void WatchedTest::plan_next(const std::string& levels, double stiffness, std::si
   write_file(path(std::string(kNextFile)), plan_text(plan, planning, options_.command));
   const DesignedLevel& first = plan.design.levels.front();
   const bool area = options_.target == PlanTarget::kArea;
-  news.next = fmt::format("{}; the width of the {} is then {:.3g} in place of {:.3g}{}",
-                          length_in_um(plan.amplitude[first.candidate]), area ? "area" : "density",
-                          first.after, first.before, area ? "" : " 1/N");
+  options_.tell(
+      WatchedNews::kNext,
+      fmt::format("{}; the width of the {} is then {:.3g} in place of {:.3g}{}",
+                  length_in_um(plan.amplitude[first.candidate]), area ? "area" : "density",
+                  first.after, first.before, area ? "" : " 1/N"));
 }
 
 }  // namespace microslip

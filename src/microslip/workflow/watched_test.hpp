@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -16,6 +18,20 @@
 
 namespace microslip {
 
+// g++ 12 says that scoped enumerators hide names of other types, which they do not.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wshadow"
+
+/// What a line tells of.
+enum class WatchedNews {
+  kRecord,  ///< a record that is new
+  kFault,   ///< what could not be done, and why; a file that is left out until it changes
+  kJoint,   ///< what is known of it
+  kNext,    ///< the level to measure next
+};
+
+#pragma GCC diagnostic pop
+
 /// What is watched, and what is done.
 struct WatchedTestOptions {
   std::string folder = {};                   ///< with the records
@@ -24,15 +40,10 @@ struct WatchedTestOptions {
   /// Between which the next level may lie, m; without it the lowest and highest that are there.
   std::optional<std::pair<double, double>> amplitude = {};
   std::string command = {};  ///< that the files are made by
-  Progress progress = {};    ///< told of all that takes long; may cancel
-};
-
-/// What there is to tell.
-struct WatchedTestNews {
-  std::vector<std::string> records = {};  ///< one line a record that is new
-  std::vector<std::string> faults = {};   ///< files that are left out until they change, and why
-  std::string joint = {};                 ///< what is known of it; empty where nothing is
-  std::string next = {};                  ///< the level to measure next
+  /// Gets each line as soon as it is known.
+  std::function<void(WatchedNews, const std::string&)> tell = [](WatchedNews, const std::string&) {
+  };
+  Progress progress = {};  ///< told of all that takes long; may cancel
 };
 
 /// The files of a folder that watch_test() reads and writes.
@@ -54,8 +65,9 @@ class WatchedTest {
   [[nodiscard]] std::string report_path() const;
 
   /// Evaluates what is whole. What is faulty is told once and left out until it changes.
+  /// @return whether a joint was written.
   /// @throws InputError  where k is not known. @throws Cancelled  as the progress says.
-  WatchedTestNews evaluate(const FolderChange& files);
+  bool evaluate(const FolderChange& files);
 
  private:
   struct Kept {
@@ -65,19 +77,18 @@ class WatchedTest {
 
   [[nodiscard]] std::string path(const std::string& name) const;
   void check_own() const;
-  void of_rig(const std::vector<std::string>& files, const FolderChange& change,
-              WatchedTestNews& news);
-  void of_evidence(const std::vector<std::string>& files, const FolderChange& change,
-                   WatchedTestNews& news);
-  Kept sort_out(const std::vector<std::string>& files, const FolderChange& change,
-                WatchedTestNews& news);
-  void identify_table(const std::string& levels, double stiffness, WatchedTestNews& news);
-  void identify_together(const Kept& kept, WatchedTestNews& news);
-  void plan_next(const std::string& levels, double stiffness, std::size_t count,
-                 WatchedTestNews& news);
+  void of_rig(const std::vector<std::string>& files, const FolderChange& change);
+  void of_evidence(const std::vector<std::string>& files, const FolderChange& change);
+  Kept sort_out(const std::vector<std::string>& files, const FolderChange& change);
+  void identify_table(const std::string& levels, double stiffness);
+  void identify_together(const Kept& kept);
+  void plan_next(const std::string& levels, double stiffness, std::size_t count);
+  bool done(const std::function<void()>& call) const;  // or tells the fault
+  void tell_left_out(const std::string& file, const std::string& fault);
 
   WatchedTestOptions options_;
   std::map<std::string, std::string> faulty_;  // by path, until it changes
+  bool joint_written_ = false;                 // by the last evaluation
 };
 
 }  // namespace microslip
