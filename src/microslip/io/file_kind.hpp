@@ -36,7 +36,7 @@ inline constexpr std::string_view kIdentifiabilityKind =
 inline constexpr std::string_view kAssembliesKind = "a table of assemblies";
 /// densities.csv
 inline constexpr std::string_view kDensitiesKind = "a table of densities of assemblies";
-inline constexpr std::string_view kDensityKind = "a table of a density";  ///< of parse_density()
+inline constexpr std::string_view kDensityKind = "a table of a density";    ///< of parse_density()
 inline constexpr std::string_view kPlanKind = "a table of planned levels";  ///< of plan_text()
 /// of `microslip dissipation`
 inline constexpr std::string_view kDissipationKind = "a table of a dissipation curve";
