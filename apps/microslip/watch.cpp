@@ -120,7 +120,9 @@ WatchedTestOptions options_of(const WatchArguments& arguments, const Call& call)
     check_displacement("TO of --amplitude", options.amplitude->second);
   }
   options.command = call.command_line;
-  options.tell = tell;
+  options.tell = [quiet = call.quiet](WatchedNews news, const std::string& text) {
+    if (!quiet || news == WatchedNews::kFault) tell(news, text);
+  };
   options.progress = [](std::size_t, std::size_t) { return !StopOnSignal::asked(); };
   return options;
 }
@@ -202,6 +204,7 @@ void add_watch(CLI::App& program, Call& call) {
       ->capture_default_str();
   command->add_flag("--once", options->once, "Evaluate what is there, and end");
   command->add_flag("--no-report", options->no_report, "Without the report");
+  command->add_flag("--quiet", call.quiet, "No lines but of what is at fault");
   add_examples(*command, {"microslip watch test",
                           "microslip watch test --stiffness 1.7e5 --amplitude 2um:400um",
                           "microslip watch test --once --no-report"});
