@@ -381,7 +381,7 @@ AssembliesIdentification assemblies_options(const IdentifyArguments& arguments,
   AssembliesIdentification all;
   all.levels = files.levels;
   all.by = *arguments.assemblies == "files" ? AssembliesBy::kFiles : AssembliesBy::kColumn;
-  if (arguments.stiffness) all.stiffness = stiffness_of(arguments);
+  if (arguments.stiffness) all.stiffness = parse_stiffness(arguments.stiffness);
   all.use_inner_reversals = arguments.inner_reversals == "use";
   all.options.draws = draws_of_posterior(arguments);
   all.options.seed = seed_of(arguments);
