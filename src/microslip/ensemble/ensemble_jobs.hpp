@@ -47,10 +47,10 @@ class EnsembleJobs {
 
  protected:
   // Filled by the constructor of each kind.
-  std::vector<EnsembleGroup> groups_;
-  std::vector<InputHash> inputs_;
-  std::vector<std::string> notes_;
-  std::vector<Warning> warnings_;
+  std::vector<EnsembleGroup> groups_;  ///< of groups()
+  std::vector<InputHash> inputs_;      ///< of inputs()
+  std::vector<std::string> notes_;     ///< of notes()
+  std::vector<Warning> warnings_;      ///< of warnings()
 };
 
 /// The jobs of a plan; its inputs are read here.

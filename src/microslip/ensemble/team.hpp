@@ -43,6 +43,8 @@ class Team {
 
   /// Deals blocks, and returns at all when all are done or nothing more is to be dealt.
   /// @param blocks   their numbers; those of the coordinator count.
+  /// @param work     what each process does of a block.
+  /// @param receive  what the coordinator does with the results.
   /// @throws  at the coordinator what work throws anywhere, and what receive throws.
   /// @throws StoppedElsewhere  at the others where that is.
   virtual void deal(const std::vector<std::uint64_t>& blocks, const Work& work,
@@ -52,6 +54,7 @@ class Team {
 /// What a process ends by where another one tells why.
 class StoppedElsewhere : public std::exception {
  public:
+  /// For who asks all the same.
   [[nodiscard]] const char* what() const noexcept override { return "stopped by another process"; }
 };
 

@@ -37,6 +37,7 @@ class JournalReader {
   /// @throws FormatError  where it is no journal, or its heading is not whole.
   explicit JournalReader(const std::string& path);
   ~JournalReader();
+  /// Takes over the file of another one.
   JournalReader(JournalReader&& other) noexcept;
   JournalReader& operator=(JournalReader&&) = delete;
 

@@ -89,12 +89,12 @@ struct PredictedCurves {
 /// Whether a force is kept: its values differ by what a solver leaves, 1e-6 of them.
 [[nodiscard]] bool is_same_all_along(const std::vector<double>& values);
 
-/// frf.csv, backbone.csv, curve.csv, march.csv, with their bands where draws made them.
+/// frf.csv, and those below their tables; with their bands where draws made them.
 /// @throws FormatError  where a column is missing or a cell is wrong.
 [[nodiscard]] PredictedResponse predicted_response(const CsvTable& table);
-[[nodiscard]] PredictedBackbone predicted_backbone(const CsvTable& table);
-[[nodiscard]] DissipationCurve dissipation_curve(const CsvTable& table);
-[[nodiscard]] std::vector<HistorySignal> marched_histories(const CsvTable& table);
+[[nodiscard]] PredictedBackbone predicted_backbone(const CsvTable& table);  ///< backbone.csv
+[[nodiscard]] DissipationCurve dissipation_curve(const CsvTable& table);    ///< curve.csv
+[[nodiscard]] std::vector<HistorySignal> marched_histories(const CsvTable& table);  ///< march.csv
 /// Of ensemble, each output of each group; none of a sweep, whose values are no draws. NAME_lower
 /// and NAME_upper, which an frf has, become one: NAME.
 [[nodiscard]] std::vector<EnsembleCurve> ensemble_curves(const CsvTable& table);
