@@ -112,8 +112,21 @@ std::string seen_twice(const std::string& decay) {
   return text;
 }
 
+/// Levels as three assemblies have them, all alike.
+std::string of_three_assemblies(const std::string& levels) {
+  std::istringstream lines(levels);
+  std::string line;
+  std::getline(lines, line);
+  std::string text = line + ",assembly\n";
+  while (std::getline(lines, line)) {
+    for (const char* name : {"first", "second", "third"}) text += line + "," + name + "\n";
+  }
+  return text;
+}
+
 TEST(Help, ExamplesRun) {
   const Sandbox box({{"levels.csv", sample_levels_text()},
+                     {"campaign.csv", of_three_assemblies(sample_levels_text())},
                      {"path.csv", "displacement [m]\n0\n1e-4\n-1e-4\n"},
                      {"record.csv", record_text(sample_record())},
                      {"decay.csv", sample_decay_text()},

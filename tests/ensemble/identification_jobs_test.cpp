@@ -153,7 +153,7 @@ TEST(DesignJobs, TellWhatMoreLevelsAreWorth) {
   const Inputs inputs(kDesign);
   const auto jobs = inputs.jobs();
   ASSERT_EQ(jobs->groups().size(), 4U);
-  EXPECT_EQ(jobs->groups()[1].name, "10 levels, noise 0.01");
+  EXPECT_EQ(jobs->groups()[1].name, "10 levels - noise 0.01");
   const auto error = [&](std::size_t group) {
     return spread_of_value(*jobs, group, 2, 30).mean;  // dissipation_error
   };
@@ -193,7 +193,7 @@ TEST(DesignJobs, MeasureTheSecantStiffness) {
   const Inputs without(kDesign);
   const auto jobs = inputs.jobs();
   const auto other = without.jobs();
-  EXPECT_EQ(jobs->groups()[1].name, "10 levels, noise 0.01, of k_eq 1e-05");
+  EXPECT_EQ(jobs->groups()[1].name, "10 levels - noise 0.01 - of k_eq 1e-05");
   EXPECT_LT(spread_of_value(*jobs, 1, 0, 20).mean, spread_of_value(*other, 1, 0, 20).mean);
 }
 

@@ -99,9 +99,9 @@ void DesignJobs::add_designs() {
 }
 
 void DesignJobs::add_group(const Design& design) {
-  std::string name = fmt::format("{} levels, noise {:g}", design.levels, design.noise);
-  if (design.amplitude_noise > 0.0) name += fmt::format(", of A {:g}", design.amplitude_noise);
-  if (design.secant_noise > 0.0) name += fmt::format(", of k_eq {:g}", design.secant_noise);
+  std::string name = fmt::format("{} levels - noise {:g}", design.levels, design.noise);
+  if (design.amplitude_noise > 0.0) name += fmt::format(" - of A {:g}", design.amplitude_noise);
+  if (design.secant_noise > 0.0) name += fmt::format(" - of k_eq {:g}", design.secant_noise);
   const auto same = std::ranges::find(groups_, name, &EnsembleGroup::name);
   if (same != groups_.end()) return;  // a number that is given twice
   EnsembleGroup group{name,
