@@ -8,6 +8,7 @@
 #include "microslip/identify/bands.hpp"
 #include "microslip/identify/further_levels.hpp"
 #include "microslip/identify/inversion.hpp"
+#include "microslip/identify/inverted_joint.hpp"
 #include "support/assemblies.hpp"
 #include "support/densities.hpp"
 

@@ -104,20 +104,14 @@ class MpiTeam::Dealer {
       if (!stopped_ && !receive_(block, done)) stop();
       answer();
     }
-    while (left_ < ended_.size()) {
-      answer();
-      pause();
-    }
+    see_off();
     if (!failure_.empty()) throw Error(failure_);
   }
 
   /// Has all others leave, whatever they do: something went wrong here.
   void abandon() noexcept {
     stop();
-    while (left_ < ended_.size()) {
-      answer();
-      pause();
-    }
+    see_off();
   }
 
  private:
@@ -140,6 +134,14 @@ class MpiTeam::Dealer {
     if (stopped_) return;
     stopped_ = true;
     for (std::size_t rank = 1; rank < ended_.size(); ++rank) end(rank, kStop);
+  }
+
+  /// Answers until all others have left.
+  void see_off() {
+    while (left_ < ended_.size()) {
+      answer();
+      pause();
+    }
   }
 
   void answer() {

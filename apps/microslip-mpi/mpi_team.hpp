@@ -24,7 +24,6 @@ class MpiTeam : public Team {
   MpiTeam();
 
   bool coordinates() const override { return rank_ == 0; }
-  std::size_t size() const override { return static_cast<std::size_t>(size_); }
   void agree(const std::string& text, const std::string& failure) override;
   void deal(const std::vector<std::uint64_t>& blocks, const Work& work,
             const Receive& receive) override;

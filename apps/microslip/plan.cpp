@@ -87,9 +87,7 @@ LevelPlanning planning_of(const PlanOptions& options, bool quiet) {
   all.stiffness = parse_stiffness(options.stiffness);
   all.count = parse_whole_number("--count", options.count, 1, kMostDesigned);
   if (!options.amplitude.empty()) {
-    all.amplitude = parse_interval("--amplitude", options.amplitude, kLength);
-    check_displacement("FROM of --amplitude", all.amplitude->first);
-    check_displacement("TO of --amplitude", all.amplitude->second);
+    all.amplitude = parse_displacements("--amplitude", options.amplitude);
   }
   if (!options.range.empty()) all.range = parse_interval("--range", options.range, kForce);
   all.draws = parse_whole_number("--draws", options.draws, 100, LevelPlanning::kMostDraws,

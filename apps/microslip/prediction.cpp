@@ -75,6 +75,13 @@ std::pair<double, double> parse_frequencies(std::string_view option, std::string
   return {from, to};
 }
 
+std::pair<double, double> parse_displacements(std::string_view option, std::string_view text) {
+  const auto [from, to] = parse_interval(option, text, kLength);
+  check_displacement(fmt::format("FROM of {}", option), from);
+  check_displacement(fmt::format("TO of {}", option), to);
+  return {from, to};
+}
+
 int tell_ending(const Summary& ended, bool found, const ModelArguments& arguments, const Call& call,
                 const std::function<std::string()>& summary) {
   const bool converged = ended.converged();

@@ -49,6 +49,10 @@ void add_prediction_arguments(CLI::App& command, PredictionArguments& arguments,
 [[nodiscard]] std::pair<double, double> parse_frequencies(std::string_view option,
                                                           std::string_view text);
 
+/// FROM:TO of displacements on the command line, the lower first, m. @throws InputError  likewise.
+[[nodiscard]] std::pair<double, double> parse_displacements(std::string_view option,
+                                                            std::string_view text);
+
 /// Prints the summary, or says on standard error what nothing else would say.
 /// @param found    whether something was found, and written.
 /// @param summary  composes it; called where there is.

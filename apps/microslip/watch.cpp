@@ -18,6 +18,7 @@
 #include "microslip/workflow/quantity_text.hpp"
 #include "microslip/workflow/watched_test.hpp"
 #include "option_names.hpp"
+#include "prediction.hpp"
 #include "report_html.hpp"
 #include "stiffness_argument.hpp"
 
@@ -115,9 +116,7 @@ WatchedTestOptions options_of(const WatchArguments& arguments, const Call& call)
   if (arguments.stiffness) options.stiffness = parse_stiffness(arguments.stiffness);
   if (arguments.target == "area") options.target = PlanTarget::kArea;
   if (!arguments.amplitude.empty()) {
-    options.amplitude = parse_interval("--amplitude", arguments.amplitude, kLength);
-    check_displacement("FROM of --amplitude", options.amplitude->first);
-    check_displacement("TO of --amplitude", options.amplitude->second);
+    options.amplitude = parse_displacements("--amplitude", arguments.amplitude);
   }
   options.command = call.command_line;
   options.tell = [quiet = call.quiet](WatchedNews news, const std::string& text) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
+#include "microslip/identify/inverted_joint.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 #include "support/densities.hpp"

@@ -272,4 +272,10 @@ std::string usual_units(const Dimension& dimension) {
   return quantity != nullptr ? std::string(quantity->units) : base_units(dimension);
 }
 
+std::string length_text(double metres) {
+  if (metres < 1e-3) return fmt::format("{:.4g} µm", 1e6 * metres);
+  if (metres < 1.0) return fmt::format("{:.4g} mm", 1e3 * metres);
+  return fmt::format("{:.4g} m", metres);
+}
+
 }  // namespace microslip

@@ -86,6 +86,10 @@ struct Unit {
 /// The SI unit as columns are labelled: "m", "N/m", "1/N", or in base units where it has none.
 [[nodiscard]] std::string si_unit(const Dimension& dimension);
 
+/// A length in a sentence, of four digits: "12.5 µm", "3 mm", "1.2 m".
+/// @param metres  ≥ 0, m.
+[[nodiscard]] std::string length_text(double metres);
+
 /// Units in use for a dimension, SI first: "m, mm, um (µm), nm, cm, in, ft, mil".
 [[nodiscard]] std::string usual_units(const Dimension& dimension);
 

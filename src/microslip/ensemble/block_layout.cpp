@@ -6,12 +6,10 @@
 #include <string_view>
 #include <utility>
 
+#include "microslip/base/little_endian.hpp"
+
 namespace microslip {
 namespace {
-
-void append_whole(std::string& bytes, std::uint64_t value) {
-  for (unsigned i = 0; i < 8; ++i) bytes += static_cast<char>(value >> (8U * i) & 0xFFU);
-}
 
 /// Takes pieces off the front of a block.
 class BlockReader {
@@ -19,10 +17,9 @@ class BlockReader {
   explicit BlockReader(std::string_view bytes) : left_(bytes) {}
 
   bool take_whole(std::uint64_t& value) {
-    if (left_.size() < 8) return false;
-    value = 0;
-    for (unsigned i = 8; i-- > 0;) value = value << 8U | static_cast<unsigned char>(left_[i]);
-    left_.remove_prefix(8);
+    if (left_.size() < kLittleEndianSize) return false;
+    value = from_little_endian(left_);
+    left_.remove_prefix(kLittleEndianSize);
     return true;
   }
 
@@ -87,10 +84,10 @@ std::string block_bytes(const std::vector<JobResult>& results) {
     bytes += result.failure.empty() ? '\0' : '\1';
     if (result.failure.empty()) {
       for (const double value : result.values) {
-        append_whole(bytes, std::bit_cast<std::uint64_t>(value));
+        append_little_endian(bytes, std::bit_cast<std::uint64_t>(value));
       }
     } else {
-      append_whole(bytes, result.failure.size());
+      append_little_endian(bytes, result.failure.size());
       bytes += result.failure;
     }
   }

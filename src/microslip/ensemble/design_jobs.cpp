@@ -13,6 +13,7 @@
 #include "microslip/ensemble/input_hashes.hpp"
 #include "microslip/identify/bands.hpp"
 #include "microslip/identify/density_comparison.hpp"
+#include "microslip/identify/inverted_joint.hpp"
 #include "microslip/io/joint_file.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"

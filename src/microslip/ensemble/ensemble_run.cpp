@@ -229,10 +229,11 @@ class Coordinator {
            prepared_.plan.most_failed * static_cast<double>(done_.jobs);
   }
 
-  [[noreturn]] void fail_by_failures() const {
+  /// Failures in the blocks that are done, from one to before another.
+  FailedJobs failures_of(const EnsembleJournals& found, std::uint64_t first,
+                         std::uint64_t end) const {
     FailedJobs failed;
-    const EnsembleJournals found = journals();
-    for (std::uint64_t block = 0; block < layout_.size(); ++block) {
+    for (std::uint64_t block = first; block < end; ++block) {
       if (!found.has(block)) continue;
       const JobRange range = layout_.jobs_of(block);
       const std::vector<JobResult> results = found.results(block);
@@ -240,6 +241,11 @@ class Coordinator {
         if (!results[i].failure.empty()) add_failure(failed, results[i].failure, range.first + i);
       }
     }
+    return failed;
+  }
+
+  [[noreturn]] void fail_by_failures() const {
+    FailedJobs failed = failures_of(journals(), 0, layout_.size());
     std::ranges::stable_sort(failed.reasons, std::ranges::greater(), &FailedJobs::Reason::count);
     throw NothingFound(fmt::format(
         "{}: not converged: {} of {} jobs failed, more than most_failed = {:g} of all; most often: "
@@ -253,15 +259,7 @@ class Coordinator {
   GroupResult result_of(const EnsembleJournals& found, std::size_t group) const {
     GroupResult result{prepared_.jobs->groups()[group], {}};
     const auto [first, end] = layout_.blocks_of(group);
-    for (std::uint64_t block = first; block < end; ++block) {
-      const JobRange range = layout_.jobs_of(block);
-      const std::vector<JobResult> results = found.results(block);
-      for (std::uint64_t i = 0; i < results.size(); ++i) {
-        if (!results[i].failure.empty()) {
-          add_failure(result.failed, results[i].failure, range.first + i);
-        }
-      }
-    }
+    result.failed = failures_of(found, first, end);
     result.values =
         column_statistics(found.rows_of(group), result.group.width(), prepared_.plan.confidence);
     return result;

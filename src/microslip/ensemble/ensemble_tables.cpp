@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "microslip/ensemble/ensemble_run.hpp"
+#include "microslip/ensemble/sweep_jobs.hpp"
 #include "microslip/io/csv_writer.hpp"
 #include "microslip/workflow/provenance.hpp"
 #include "microslip/workflow/summary_text.hpp"
@@ -68,12 +70,7 @@ void add_grid(const GroupResult& group, const RowPass& rows, TextTable& table) {
   const std::vector<SweepAxis>& axes = group.group.grid;
   std::uint64_t job = 0;
   rows([&](std::span<const double> row) {
-    std::vector<std::string> place(axes.size());
-    std::uint64_t rest = job++;
-    for (std::size_t a = axes.size(); a-- > 0;) {
-      place[a] = number_text(axes[a].values[rest % axes[a].values.size()]);
-      rest /= axes[a].values.size();
-    }
+    const std::vector<double> place = values_at(axes, job++);
     std::size_t at = 0;
     for (const EnsembleOutput& output : group.group.outputs) {
       for (std::size_t i = 0; i < output.size(); ++i, ++at) {
@@ -81,7 +78,7 @@ void add_grid(const GroupResult& group, const RowPass& rows, TextTable& table) {
         std::vector<std::string> cells{group.group.name, output.name, si_unit(output.dimension),
                                        axis_text(output),
                                        output.axis.empty() ? "" : number_text(output.axis[i])};
-        cells.insert(cells.end(), place.begin(), place.end());
+        std::ranges::transform(place, std::back_inserter(cells), number_text);
         cells.push_back(number_text(row[at]));
         table.add(cells);
       }

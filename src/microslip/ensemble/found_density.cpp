@@ -3,6 +3,7 @@
 
 #include "microslip/base/interpolation.hpp"
 #include "microslip/identify/identification.hpp"
+#include "microslip/identify/inverted_joint.hpp"
 #include "microslip/joint/dissipation.hpp"
 
 namespace microslip {
@@ -15,6 +16,13 @@ std::vector<double> even(double from, double to, std::size_t count) {
     values.push_back(from + (to - from) * static_cast<double>(i) / last);
   }
   return values;
+}
+
+/// φ, 1/N: linear between the knots, 0 beyond them, without the atom.
+double density_at(const InversionResult& result, double slip_force) {
+  const bool inside =
+      slip_force >= result.slip_force.front() && slip_force <= result.slip_force.back();
+  return inside ? interpolate(result.slip_force, result.density, slip_force) : 0.0;
 }
 
 }  // namespace
@@ -42,12 +50,6 @@ std::vector<double> FoundDensity::of(const InversionResult& result) const {
     }
   }
   return values;
-}
-
-double density_at(const InversionResult& result, double slip_force) {
-  const bool inside =
-      slip_force >= result.slip_force.front() && slip_force <= result.slip_force.back();
-  return inside ? interpolate(result.slip_force, result.density, slip_force) : 0.0;
 }
 
 InversionOptions inversion_options(const PlannedIdentification& planned) {

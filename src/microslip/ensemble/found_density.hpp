@@ -31,9 +31,6 @@ class FoundDensity {
   std::vector<EnsembleOutput> outputs_;
 };
 
-/// φ of a result at a slip force, 1/N: linear between its knots, 0 beyond them, without its atom.
-[[nodiscard]] double density_at(const InversionResult& result, double slip_force);
-
 /// Options of an identification as planned.
 [[nodiscard]] InversionOptions inversion_options(const PlannedIdentification& planned);
 

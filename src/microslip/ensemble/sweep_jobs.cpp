@@ -16,17 +16,6 @@
 namespace microslip {
 namespace {
 
-/// Of a grid whose last axis runs fastest.
-std::vector<double> values_at(const std::vector<SweepAxis>& axes, std::uint64_t index) {
-  std::vector<double> values(axes.size());
-  for (std::size_t a = axes.size(); a-- > 0;) {
-    const std::uint64_t count = axes[a].values.size();
-    values[a] = axes[a].values[index % count];
-    index /= count;
-  }
-  return values;
-}
-
 /// Numbers that no prediction of one structure uses would give the same everywhere.
 void check_number_matters(const SweepAxis& axis, const std::string& plan) {
   const std::string key = axis.path.substr(0, axis.path.rfind('['));
@@ -114,6 +103,16 @@ JointedStructure SweepJobs::structure_at(const std::vector<double>& values) cons
           std::move(joints),
           {structure.excitations().begin(), structure.excitations().end()},
           structure.damping()};
+}
+
+std::vector<double> values_at(const std::vector<SweepAxis>& axes, std::uint64_t point) {
+  std::vector<double> values(axes.size());
+  for (std::size_t a = axes.size(); a-- > 0;) {
+    const std::uint64_t count = axes[a].values.size();
+    values[a] = axes[a].values[point % count];
+    point /= count;
+  }
+  return values;
 }
 
 JobResult SweepJobs::run(std::size_t group, std::uint64_t index) const {

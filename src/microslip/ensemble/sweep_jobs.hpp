@@ -39,4 +39,10 @@ class SweepJobs : public EnsembleJobs {
   std::vector<std::unique_ptr<const CasePrediction>> cases_;
 };
 
+/// The numbers at a point of a grid, whose last axis runs fastest.
+/// @param axes   of the grid.
+/// @param point  from 0 to before the product of their sizes.
+[[nodiscard]] std::vector<double> values_at(const std::vector<SweepAxis>& axes,
+                                            std::uint64_t point);
+
 }  // namespace microslip

@@ -30,8 +30,6 @@ class Team {
 
   /// Whether this process is the one that receives, writes and tells.
   [[nodiscard]] virtual bool coordinates() const = 0;
-  /// Processes.
-  [[nodiscard]] virtual std::size_t size() const = 0;
 
   /// Comes to the same everywhere, before anything is dealt.
   /// @param text     that all must have alike: a fingerprint.
@@ -65,7 +63,6 @@ class LocalTeam : public Team {
   explicit LocalTeam(Execution execution = Execution::threads());
 
   bool coordinates() const override { return true; }
-  std::size_t size() const override { return 1; }
   void agree(const std::string& text, const std::string& failure) override;
   void deal(const std::vector<std::uint64_t>& blocks, const Work& work,
             const Receive& receive) override;

@@ -3,20 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <string>
+#include "microslip/base/units.hpp"
 
 namespace microslip {
-namespace {
-
-/// In µm, mm or m.
-std::string length_text(double metres) {
-  if (metres < 1e-3) return fmt::format("{:.4g} µm", 1e6 * metres);
-  if (metres < 1.0) return fmt::format("{:.4g} mm", 1e3 * metres);
-  return fmt::format("{:.4g} m", metres);
-}
-
-}  // namespace
-
 std::optional<Warning> beyond_identification(const Joint& joint, double amplitude,
                                              std::optional<double> covered_to) {
   constexpr double kBeyond = 1.02;

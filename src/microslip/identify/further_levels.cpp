@@ -11,6 +11,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/interpolation.hpp"
+#include "microslip/identify/inverted_joint.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 
@@ -20,15 +21,6 @@ namespace {
 constexpr std::size_t kDensityPoints = 40;
 constexpr double kToldNothing = 100.0;     // σ over D of a level that tells nothing
 constexpr double kLeastLevelShare = 1e-4;  // σ over D of any level
-
-Joint joint_with(const InversionResult& result, const std::vector<double>& density,
-                 double atom_weight, double stiffness) {
-  std::vector<DensityPart> parts{PiecewiseLinearPart{result.slip_force, density}};
-  if (result.atom_slip_force && atom_weight > 0.0) {
-    parts.emplace_back(AtomsPart{{*result.atom_slip_force}, {atom_weight}});
-  }
-  return Joint(stiffness, SlipDensity(std::move(parts)));
-}
 
 /// The scatter that was found, as LevelEvidence takes it.
 LevelScatter level_scatter(const LevelEvidence& evidence, const InversionResult& result,
@@ -111,16 +103,6 @@ void add_secant(const LevelEvidence& evidence, std::span<const Joint> joints,
 
 }  // namespace
 
-std::vector<Joint> drawn_joints(const InversionResult& result,
-                                std::span<const DensitySample> samples, double stiffness) {
-  std::vector<Joint> joints;
-  joints.reserve(samples.size());
-  for (const DensitySample& sample : samples) {
-    joints.push_back(joint_with(result, sample.density, sample.atom_weight, stiffness));
-  }
-  return joints;
-}
-
 LevelEvidence reaching_to(const LevelEvidence& evidence, const InversionResult& result,
                           double stiffness, double amplitude) {
   Levels levels = evidence.levels();
@@ -128,7 +110,7 @@ LevelEvidence reaching_to(const LevelEvidence& evidence, const InversionResult& 
     throw InputError("amplitude to reach", amplitude, "must be above those of the levels");
   }
   const LevelRows deviation = deviations_of(evidence, result, stiffness);
-  const Joint joint = joint_with(result, result.density, result.atom_weight, stiffness);
+  const Joint joint = joint_of(result, stiffness);
   levels.amplitude.push_back(amplitude);
   levels.dissipation.push_back(dissipation(joint, amplitude));
   levels.dissipation_std = deviation.dissipation;

@@ -14,14 +14,6 @@
 
 namespace microslip {
 
-/// The draws as joints.
-/// @param result     that they are of.
-/// @param samples    of its posterior.
-/// @param stiffness  k, N/m.
-[[nodiscard]] std::vector<Joint> drawn_joints(const InversionResult& result,
-                                              std::span<const DensitySample> samples,
-                                              double stiffness);
-
 /// The same levels, and one more of which nothing is known, with 100 times its D as standard
 /// deviation: draws of their posterior reach to its amplitude, and are there what the prior and
 /// Φ0 ≤ 1 leave possible. The others have the standard deviations that `result` found.

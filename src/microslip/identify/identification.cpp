@@ -15,6 +15,7 @@
 #include "microslip/base/stopwatch.hpp"
 #include "microslip/identify/diagnostics.hpp"
 #include "microslip/identify/differences.hpp"
+#include "microslip/identify/inverted_joint.hpp"
 #include "microslip/identify/stiffness_evidence.hpp"
 
 namespace microslip {
@@ -24,14 +25,6 @@ constexpr std::size_t kPlotPoints = 400;
 
 void append(std::vector<Warning>& all, std::vector<Warning> more) {
   std::ranges::move(more, std::back_inserter(all));
-}
-
-Joint joint_of(double stiffness, std::vector<double> slip_force, std::vector<double> density,
-               std::optional<std::pair<double, double>> atom) {
-  std::vector<DensityPart> parts;
-  parts.emplace_back(PiecewiseLinearPart{std::move(slip_force), std::move(density)});
-  if (atom && atom->second > 0.0) parts.emplace_back(AtomsPart{{atom->first}, {atom->second}});
-  return Joint(stiffness, SlipDensity(std::move(parts)));
 }
 
 /// A density that may be negative, made one that a joint can have.
@@ -53,7 +46,7 @@ Joint feasible_joint(double stiffness, const SignedDensity& found, std::vector<W
                                     "scaled down to 1. k may be too low.",
                                     area)});
   }
-  return joint_of(stiffness, found.slip_force, std::move(density), std::nullopt);
+  return Joint(stiffness, SlipDensity({PiecewiseLinearPart{found.slip_force, std::move(density)}}));
 }
 
 void read_density_of_joint(Identification& found) {
@@ -195,12 +188,6 @@ std::vector<Warning> warnings_of_table(const JointEvidence& evidence, std::size_
 }
 
 }  // namespace
-
-Joint joint_of(const InversionResult& result, double stiffness) {
-  std::optional<std::pair<double, double>> atom;
-  if (result.atom_slip_force) atom.emplace(*result.atom_slip_force, result.atom_weight);
-  return joint_of(stiffness, result.slip_force, result.density, atom);
-}
 
 std::string_view to_string(IdentificationMethod method) {
   switch (method) {

@@ -97,11 +97,6 @@ struct Identification {
   Summary summary;                ///< of the method
 };
 
-/// The joint of a result of invert().
-/// @param result     with its atom, where it has one.
-/// @param stiffness  k that it was found with, N/m.
-[[nodiscard]] Joint joint_of(const InversionResult& result, double stiffness);
-
 /// Levels to joint by the chosen method, judged: see diagnose() in diagnostics.hpp and
 /// stiffness_evidence.hpp for the warnings.
 /// Methods whose density may be negative give a joint with max(φ, 0), scaled to an area of 1 where

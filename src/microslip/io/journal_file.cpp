@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/little_endian.hpp"
 #include "microslip/io/file_descriptor.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/file_output.hpp"
@@ -28,9 +29,8 @@ namespace microslip {
 namespace {
 
 constexpr std::string_view kJournalEnding = ".journal";
-constexpr std::size_t kNumberSize = 8;
 constexpr std::size_t kSumSize = 16;
-constexpr std::size_t kBlockHeadSize = 2 * kNumberSize + kSumSize;
+constexpr std::size_t kBlockHeadSize = 2 * kLittleEndianSize + kSumSize;
 /// A heading beyond it is none of ours.
 constexpr std::uint64_t kLargestHeading = std::uint64_t{64} << 20U;
 
@@ -50,22 +50,6 @@ bool is_journal_of(const std::string& out, std::string_view name) {
 }
 
 std::string first_line() { return std::string(kJournalKind) + "\n"; }
-
-std::string little_endian(std::uint64_t value) {
-  std::string bytes;
-  for (std::size_t i = 0; i < kNumberSize; ++i) {
-    bytes += static_cast<char>(value >> (8U * i) & 0xFFU);
-  }
-  return bytes;
-}
-
-std::uint64_t from_little_endian(std::string_view bytes) {
-  std::uint64_t value = 0;
-  for (std::size_t i = kNumberSize; i-- > 0;) {
-    value = value << 8U | static_cast<unsigned char>(bytes[i]);
-  }
-  return value;
-}
 
 std::string check_sum(std::string_view numbers, std::string_view content) {
   Sha256 sum;
@@ -151,12 +135,12 @@ struct JournalReader::State {
     if (size - offset < kBlockHeadSize) return std::nullopt;
     const std::string head = read_at(file.number(), offset, kBlockHeadSize, path);
     if (head.size() < kBlockHeadSize) return std::nullopt;
-    const std::string_view numbers = std::string_view(head).substr(0, 2 * kNumberSize);
+    const std::string_view numbers = std::string_view(head).substr(0, 2 * kLittleEndianSize);
     const JournalBlock block{from_little_endian(numbers), offset + kBlockHeadSize,
-                             from_little_endian(numbers.substr(kNumberSize))};
+                             from_little_endian(numbers.substr(kLittleEndianSize))};
     if (block.size > size - block.offset) return std::nullopt;
     const std::string content = read_at(file.number(), block.offset, block.size, path);
-    return std::pair{block, check_sum(numbers, content) == head.substr(2 * kNumberSize)};
+    return std::pair{block, check_sum(numbers, content) == head.substr(2 * kLittleEndianSize)};
   }
 
   void scan() {
@@ -228,7 +212,9 @@ JournalWriter::JournalWriter(const std::string& path, std::string_view heading) 
 JournalWriter::~JournalWriter() = default;
 
 void JournalWriter::append(std::uint64_t number, std::string_view content) {
-  const std::string numbers = little_endian(number) + little_endian(content.size());
+  std::string numbers;
+  append_little_endian(numbers, number);
+  append_little_endian(numbers, content.size());
   std::string record = numbers + check_sum(numbers, content);
   record += content;
   if (::lseek(state_->file.number(), static_cast<off_t>(state_->end), SEEK_SET) < 0) {

@@ -157,15 +157,20 @@ RecordingFormat recording_format(const std::string& path) {
   return format;
 }
 
-RecordingFormat recording_format_of_name(std::string_view path) {
-  if (path == "-") return RecordingFormat::kCsv;
+std::optional<RecordingFormat> find_recording_format_of_name(std::string_view path) {
   std::string name(path);
   std::ranges::transform(name, name.begin(), [](char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   });
   const auto* found =
       std::ranges::find_if(kEndings, [&](const Ending& e) { return name.ends_with(e.text); });
-  if (found != kEndings.end()) return found->format;
+  if (found == kEndings.end()) return std::nullopt;
+  return found->format;
+}
+
+RecordingFormat recording_format_of_name(std::string_view path) {
+  if (path == "-") return RecordingFormat::kCsv;
+  if (const auto format = find_recording_format_of_name(path)) return *format;
   throw InputError("name of the output", in_quotes(path),
                    "must end in .csv, .uff, .unv, .uf, .mat, .h5 or .hdf5",
                    "Or give the format with `format`.");

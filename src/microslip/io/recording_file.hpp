@@ -31,7 +31,10 @@ enum class RecordingFormat {
 [[nodiscard]] RecordingFormat recording_format(const std::string& path);
 
 /// The format that a name calls for: .csv; .uff .unv .uf (binary); .mat; .h5 .hdf5, in capitals or
-/// not. "-" is CSV.
+/// not. Nothing where it ends otherwise.
+[[nodiscard]] std::optional<RecordingFormat> find_recording_format_of_name(std::string_view path);
+
+/// The format of an output, as find_recording_format_of_name(). "-" is CSV.
 /// @throws InputError  where it ends otherwise.
 [[nodiscard]] RecordingFormat recording_format_of_name(std::string_view path);
 

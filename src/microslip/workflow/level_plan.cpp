@@ -9,8 +9,10 @@
 #include <span>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/units.hpp"
 #include "microslip/identify/diagnostics.hpp"
 #include "microslip/identify/further_levels.hpp"
+#include "microslip/identify/inverted_joint.hpp"
 #include "microslip/io/csv_writer.hpp"
 #include "microslip/workflow/level_table.hpp"
 #include "microslip/workflow/planned_peak.hpp"
@@ -163,13 +165,8 @@ void plan_by(const LevelEvidence& evidence, const LevelPlanning& options, LevelP
   plan.warnings = diagnose(known.result, known.evidence, options.stiffness, {});
   std::vector<Joint> joints =
       drawn_joints(known.result, planning_draws(known.result, options), options.stiffness);
-  const Joint found =
-      drawn_joints(known.result,
-                   std::vector<DensitySample>{
-                       {known.result.density, known.result.area, 0.0, known.result.atom_weight}},
-                   options.stiffness)
-          .front();
-  const DesignTarget target = target_of(joints, options, plan, found);
+  const DesignTarget target =
+      target_of(joints, options, plan, joint_of(known.result, options.stiffness));
   plan.draws = joints.size();
   plan.design = design_levels(further_levels(known.evidence, known.result, joints, plan.amplitude),
                               target, options.count);
@@ -199,14 +196,12 @@ std::string target_text(const LevelPlan& plan, const LevelPlanning& options) {
 
 double fall_of(double before, double after) { return before > 0.0 ? 1.0 - after / before : 0.0; }
 
-std::string amplitude_text(double metres) { return fmt::format("{:.4g} µm", 1e6 * metres); }
-
 /// Amplitudes at which what is planned is nearly all that they can tell.
 std::string exhausted_text(const LevelPlan& plan) {
   std::string list;
   for (const DesignedLevel& level : plan.design.levels) {
     if (fall_of(level.after, level.endless) >= kHardlyHelps) continue;
-    list += (list.empty() ? "" : ", ") + amplitude_text(plan.amplitude[level.candidate]);
+    list += (list.empty() ? "" : ", ") + length_text(plan.amplitude[level.candidate]);
   }
   if (list.empty()) {
     return "more of the same still helps at each amplitude: repeated for ever, it lowers the width "
@@ -284,7 +279,7 @@ std::string describe_plan(const LevelPlan& plan, const LevelPlanning& options) {
   std::size_t rank = 0;
   for (const DesignedLevel& level : plan.design.levels) {
     text += line(fmt::format("next {}", ++rank),
-                 fmt::format("{}{}: then {}", amplitude_text(plan.amplitude[level.candidate]),
+                 fmt::format("{}{}: then {}", length_text(plan.amplitude[level.candidate]),
                              level.repeats > 1 ? fmt::format(", {} times", level.repeats) : "",
                              width_text(level.after, options.target)));
   }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "microslip/base/units.hpp"
 #include "microslip/workflow/model_text.hpp"
 #include "microslip/workflow/summary_text.hpp"
 
@@ -26,8 +27,7 @@ std::string describe_model(const Verifier& verifier) {
                                                natural_frequency(verifier.reducer().state(), 0.0)));
   std::string covered = fmt::format("k = {:.5g} N/m", joint.stiffness());
   if (options.covered_to) {
-    covered +=
-        fmt::format(", identified up to {:.4g} µm", 1e6 * *options.covered_to / joint.stiffness());
+    covered += ", identified up to " + length_text(*options.covered_to / joint.stiffness());
   }
   text += line("joint", covered);
   if (options.linear_damping > 0.0) {

@@ -12,8 +12,10 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/units.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/output_files.hpp"
+#include "microslip/io/recording_file.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/workflow/evidence_kind.hpp"
 #include "microslip/workflow/identification_text.hpp"
@@ -37,17 +39,6 @@ constexpr std::string_view kReportFile = "watch.html";
 constexpr std::string_view kWatchCommand = "microslip watch";
 constexpr std::size_t kRanked = 3;  // levels of next_levels.csv
 
-bool is_record_name(std::string_view name) {
-  constexpr std::array<std::string_view, 8> kEndings{".csv", ".txt", ".uff",  ".unv",
-                                                     ".uf",  ".mat", ".hdf5", ".h5"};
-  std::string lower(name);
-  for (char& c : lower) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return std::ranges::any_of(kEndings,
-                             [&](std::string_view ending) { return lower.ends_with(ending); });
-}
-
 /// What microslip writes into folders of tests, and is no record.
 bool is_result_name(std::string_view name) {
   constexpr std::array<std::string_view, 9> kResults{
@@ -64,10 +55,8 @@ bool is_among(const std::vector<std::string>& files, const std::string& path) {
   return std::ranges::find(files, path) != files.end();
 }
 
-std::string length_in_um(double metres) { return fmt::format("{:.4g} µm", 1e6 * metres); }
-
 std::string level_line(const ReducedLevel& level) {
-  std::string text = fmt::format("A = {}, D = {:.4g} J", length_in_um(level.amplitude.value),
+  std::string text = fmt::format("A = {}, D = {:.4g} J", length_text(level.amplitude.value),
                                  level.dissipation.value);
   if (level.secant_stiffness) {
     text += fmt::format(", k_eq = {:.5g} N/m", level.secant_stiffness->value);
@@ -142,7 +131,9 @@ void WatchedTest::check_own() const {
 bool WatchedTest::reads(const std::string& name) const {
   if (name == kRigFile) return true;
   if (name == kLevelsFile && fs::exists(path(std::string(kRigFile)))) return false;
-  return is_record_name(name) && !is_result_name(name);
+  const bool is_record =
+      find_recording_format_of_name(name) || name.ends_with(".txt") || name.ends_with(".TXT");
+  return is_record && !is_result_name(name);
 }
 
 bool WatchedTest::done(const std::function<void()>& call) const {
@@ -247,12 +238,8 @@ void WatchedTest::identify_table(const std::string& levels, double stiffness) {
   options.options.bands = BandOptions{.progress = options_.progress};
   const IdentifiedLevels done = identify_levels(options);
   options_.tell(WatchedNews::kJoint, joint_line(done.found, done.count));
-  OutputFiles outputs;
-  outputs.add(path(std::string(kJointFile)),
-              joint_text(done.found, options.options, done.input, options_.command, options.texts));
-  outputs.add(path(std::string(kDensityFile)), density_csv(done.found));
-  outputs.commit();
-  joint_written_ = true;
+  write_joint(joint_text(done.found, options.options, done.input, options_.command, options.texts),
+              density_csv(done.found));
   plan_next(levels, stiffness, done.count);
 }
 
@@ -264,9 +251,13 @@ void WatchedTest::identify_together(const Kept& kept) {
   options.options.progress = options_.progress;
   const IdentifiedRecords done = identify_records(options);
   options_.tell(WatchedNews::kJoint, joint_line(done.found, 0));
+  write_joint(joint_text(options, done, options_.command), density_csv(done.found));
+}
+
+void WatchedTest::write_joint(const std::string& joint, const std::string& density) {
   OutputFiles outputs;
-  outputs.add(path(std::string(kJointFile)), joint_text(options, done, options_.command));
-  outputs.add(path(std::string(kDensityFile)), density_csv(done.found));
+  outputs.add(path(std::string(kJointFile)), joint);
+  outputs.add(path(std::string(kDensityFile)), density);
   outputs.commit();
   joint_written_ = true;
 }
@@ -288,11 +279,10 @@ void WatchedTest::plan_next(const std::string& levels, double stiffness, std::si
   write_file(path(std::string(kNextFile)), plan_text(plan, planning, options_.command));
   const DesignedLevel& first = plan.design.levels.front();
   const bool area = options_.target == PlanTarget::kArea;
-  options_.tell(
-      WatchedNews::kNext,
-      fmt::format("{}; the width of the {} is then {:.3g} in place of {:.3g}{}",
-                  length_in_um(plan.amplitude[first.candidate]), area ? "area" : "density",
-                  first.after, first.before, area ? "" : " 1/N"));
+  options_.tell(WatchedNews::kNext,
+                fmt::format("{}; the width of the {} is then {:.3g} in place of {:.3g}{}",
+                            length_text(plan.amplitude[first.candidate]), area ? "area" : "density",
+                            first.after, first.before, area ? "" : " 1/N"));
 }
 
 }  // namespace microslip

@@ -82,6 +82,7 @@ class WatchedTest {
   Kept sort_out(const std::vector<std::string>& files, const FolderChange& change);
   void identify_table(const std::string& levels, double stiffness);
   void identify_together(const Kept& kept);
+  void write_joint(const std::string& joint, const std::string& density);
   void plan_next(const std::string& levels, double stiffness, std::size_t count);
   bool done(const std::function<void()>& call) const;  // or tells the fault
   void tell_left_out(const std::string& file, const std::string& fault);
