@@ -18,6 +18,7 @@
 #include "microslip/io/model_file.hpp"
 #include "microslip/io/recording_file.hpp"
 #include "support/effort.hpp"
+#include "support/figures.hpp"
 #include "support/jointed_records.hpp"
 #include "support/messages.hpp"
 #include "support/reference_csv.hpp"
@@ -146,6 +147,8 @@ TEST(ModalReducer, FindsTheReferenceStructure) {
       EXPECT_NEAR(joint.dissipation.value, d, 0.02 * d);
       EXPECT_NEAR(joint.dissipation.value, d, 4.0 * joint.dissipation.std);
       EXPECT_LE(joint.dissipation.std, 0.03 * d);
+      test::record_deviation("amplitude", joint.amplitude.value, a);
+      test::record_deviation("dissipation", joint.dissipation.value, d);
       sum += d;
     }
     EXPECT_NEAR(level.dissipation.value, sum, 5e-3 * sum);
