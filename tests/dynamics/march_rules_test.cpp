@@ -264,6 +264,13 @@ TEST(MarchRows, NeedNotBeManyForTheLargestAndTheError) {
   EXPECT_NEAR(of_few.largest[0].displacement, of_many.largest[0].displacement,
               1e-3 * of_many.largest[0].displacement);
   EXPECT_NEAR(of_few.reach[0], of_many.reach[0], 1e-3 * of_many.reach[0]);
+  ASSERT_EQ(of_few.sizes.size(), 5U);  // w, ẇ, ẅ, u, F
+  for (std::size_t s = 0; s < of_few.sizes.size(); ++s) {
+    EXPECT_NEAR(of_few.sizes[s].peak, of_many.sizes[s].peak, 1e-3 * of_many.sizes[s].peak);
+    EXPECT_NEAR(of_few.sizes[s].rms, of_many.sizes[s].rms, 1e-3 * of_many.sizes[s].rms);
+  }
+  EXPECT_EQ(of_few.sizes[1].peak, of_few.largest[0].velocity);
+  EXPECT_EQ(of_few.sizes[3].peak, of_few.reach[0]);
   ASSERT_TRUE(of_few.error_estimate && of_many.error_estimate);
   EXPECT_NEAR(*of_few.error_estimate, *of_many.error_estimate, 0.5 * *of_many.error_estimate);
 }

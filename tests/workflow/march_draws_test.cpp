@@ -89,6 +89,16 @@ TEST(MarchDraws, TellPeakAndRmsOfAKnownMotion) {
   EXPECT_NEAR(found.signals[0].peak.value, 0.6, 1e-9);
   // By trapezia over whole periods: exact for these harmonics.
   EXPECT_NEAR(found.signals[0].rms.value, 0.3 * std::sqrt(1.5), 1e-9);
+  // The same of few times, unequally far apart: what is between them counts.
+  const LoadHistory few{{0.0, 0.1, 2.0 * kPeriod}, {{"mass", {0.3, 0.3, 0.3}}}, {}};
+  const DrawnMarch of_few = drawn_march(
+      model_of(undamped), few, {.step = 0.01 * kPeriod, .points = {"mass"}},
+      StructureDraws(undamped, {.response_gain = 0.01}, {}, JointPairing::kIndependent, 1),
+      {.count = 40});
+  // Steps are 1/100 of a period: the peak lies within half of one of an end, cos(π/100) = 1 − 5e-4;
+  // of the trapezia the ends of unequal steps are left.
+  EXPECT_NEAR(of_few.signals[0].peak.value, 0.6, 0.6 * 5e-4);
+  EXPECT_NEAR(of_few.signals[0].rms.value, 0.3 * std::sqrt(1.5), 1e-4);
   // Every seventh time and the last.
   EXPECT_EQ(found.times.size(), 30U);
   EXPECT_EQ(found.times.back(), 200U);

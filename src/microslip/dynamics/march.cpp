@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -53,6 +56,41 @@ void check_step(double step, const std::vector<double>& time) {
                    "Take longer steps, or march over less time.");
 }
 
+/// Peak and ∫ x² dt of signals, by the trapezium rule over times that need not be equally far apart.
+class SizeSums {
+ public:
+  explicit SizeSums(std::size_t signals) : peak_(signals), before_(signals), square_(signals) {}
+
+  void add(double time, std::span<const double> values) {
+    const double step = begun_ ? time - time_ : 0.0;
+    for (std::size_t s = 0; s < values.size(); ++s) {
+      const double now = values[s] * values[s];
+      peak_[s] = std::max(peak_[s], std::abs(values[s]));
+      square_[s] += 0.5 * step * (before_[s] + now);
+      before_[s] = now;
+    }
+    length_ += step;
+    time_ = time;
+    begun_ = true;
+  }
+
+  [[nodiscard]] std::vector<SignalSize> sizes() const {
+    std::vector<SignalSize> sizes;
+    for (std::size_t s = 0; s < peak_.size(); ++s) {
+      sizes.push_back({peak_[s], length_ > 0.0 ? std::sqrt(square_[s] / length_) : peak_[s]});
+    }
+    return sizes;
+  }
+
+ private:
+  std::vector<double> peak_;
+  std::vector<double> before_;  // x² at the last time
+  std::vector<double> square_;
+  double time_ = 0.0;
+  double length_ = 0.0;
+  bool begun_ = false;
+};
+
 /// Takes the state at each time of the axis: makes rows, and keeps the largest values.
 class Recorder {
  public:
@@ -62,7 +100,9 @@ class Recorder {
       : sink_(sink),
         result_(result),
         joint_displacement_(structure.joints().size()),
-        joint_force_(structure.joints().size()) {
+        joint_force_(structure.joints().size()),
+        signals_(kOfPoint * options.points.size() + kOfJoint * structure.joints().size()),
+        sums_(signals_.size()) {
     for (const std::string& point : options.points) {
       shapes_.push_back(structure.linear().shape(point));
     }
@@ -74,10 +114,13 @@ class Recorder {
   }
 
   /// At every step: what is largest need not be at a time of the axis.
-  void watch(const MarchState& state) {
+  void watch(const MarchState& state, double time) {
     move_points(state);
     move_joints(state);
+    sums_.add(time, signals_);
   }
+
+  void finish() { result_.sizes = sums_.sizes(); }
 
   /// What was watched last, at a time of the axis.
   void take(std::size_t index, double time, bool recorded) {
@@ -88,6 +131,9 @@ class Recorder {
   }
 
  private:
+  static constexpr std::size_t kOfPoint = 3;  // w, ẇ, ẅ
+  static constexpr std::size_t kOfJoint = 2;  // u, F
+
   void move_points(const MarchState& state) {
     for (std::size_t p = 0; p < shapes_.size(); ++p) {
       double w = 0.0;
@@ -101,6 +147,8 @@ class Recorder {
       displacement_[p] = w;
       velocity_[p] = v;
       acceleration_[p] = a;
+      std::ranges::copy(std::array{w, v, a},
+                        signals_.begin() + static_cast<std::ptrdiff_t>(kOfPoint * p));
       LargestMotion& largest = result_.largest[p];
       largest.displacement = std::max(largest.displacement, std::abs(w));
       largest.velocity = std::max(largest.velocity, std::abs(v));
@@ -112,6 +160,9 @@ class Recorder {
     for (std::size_t j = 0; j < joint_force_.size(); ++j) {
       joint_displacement_[j] = state.joint(j).displacement();
       joint_force_[j] = state.joint(j).force();
+      const std::size_t at = kOfPoint * shapes_.size() + kOfJoint * j;
+      signals_[at] = joint_displacement_[j];
+      signals_[at + 1] = joint_force_[j];
       result_.reach[j] = std::max(result_.reach[j], std::abs(joint_displacement_[j]));
     }
   }
@@ -120,6 +171,8 @@ class Recorder {
   MarchResult& result_;
   std::vector<std::span<const double>> shapes_;
   std::vector<double> displacement_, velocity_, acceleration_, joint_displacement_, joint_force_;
+  std::vector<double> signals_;  // all of these, one point after the other, then the joints
+  SizeSums sums_;
 };
 
 /// What marches over the time axis.
@@ -143,7 +196,7 @@ struct March {
   [[nodiscard]] std::string run(double longest, Recorder& recorder, const Progress& progress) {
     const std::size_t intervals = loads.time.size() - 1;
     std::size_t told = 0;  // steps
-    recorder.watch(state);
+    recorder.watch(state, loads.time.front());
     recorder.take(0, loads.time.front(), true);
     for (std::size_t k = 0; k < intervals; ++k) {
       if (std::string failure = pass(k, longest, recorder); !failure.empty()) {
@@ -171,7 +224,8 @@ struct March {
       if (!steps.take(state)) {
         return failure(begin + length * static_cast<double>(i) / static_cast<double>(count));
       }
-      recorder.watch(state);
+      recorder.watch(state,
+                     begin + length * static_cast<double>(i + 1) / static_cast<double>(count));
       if (coarse && i % 2 == 1) coarse->take(state);
     }
     return "";
@@ -306,6 +360,7 @@ MarchResult march_rows(const JointedStructure& structure, const LoadHistory& loa
   Recorder recorder(structure, options, sink, result);
   March march(structure, loads, options);
   const std::string failure = march.run(longest, recorder, progress);
+  recorder.finish();
   finish(structure, march.state, result);
   add_error(march.coarse, structure, result);
   add_damping(structure, result);

@@ -152,6 +152,12 @@ struct LargestMotion {
   double acceleration = 0.0;  ///< max |ẅ|, m/s²
 };
 
+/// How large a signal of a march was.
+struct SignalSize {
+  double peak = 0.0;  ///< max |x|
+  double rms = 0.0;   ///< √(∫ x² dt/T), x² straight between two steps
+};
+
 /// Up to where the march got. Where it stopped early the records end at the last recorded time that
 /// was reached.
 struct MarchResult {
@@ -162,6 +168,9 @@ struct MarchResult {
   /// At the ends of all steps up to there, recorded or not; in the order of the options.
   std::vector<LargestMotion> largest;
   std::vector<double> reach;  ///< likewise max |u| of each joint, m
+  /// Likewise of all signals: w, ẇ, ẅ of each point of the options, then u and F of each joint of
+  /// the structure.
+  std::vector<SignalSize> sizes;
   MarchEnergy energy;         ///< up to the last time that was reached
   std::size_t steps = 0;      ///< taken, those cut at reversals twice
   std::size_t reversals = 0;  ///< of all joints

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <numbers>
 #include <utility>
@@ -152,7 +151,7 @@ class BackboneCase : public CasePrediction {
   std::vector<Warning> warnings_;
 };
 
-/// Largest and mean values of a motion in time.
+/// How large a motion in time is: peaks and rms of w, ẇ and ẅ.
 class MarchCase : public CasePrediction {
  public:
   MarchCase(const PlannedCase& planned, const ModelFile& model)
@@ -165,7 +164,7 @@ class MarchCase : public CasePrediction {
                 {"rms_displacement", kLength},
                 {"rms_velocity", kVelocity},
                 {"rms_acceleration", kAcceleration}};
-    MarchResult own = march(model.structure, loads_, options_);
+    MarchResult own = march_rows(model.structure, loads_, options_, [](const MarchRow&) {});
     require_converged(own.summary);
     options_.estimate_error = false;  // that of the model tells it for all
     warnings_ = std::move(own.warnings);
@@ -177,24 +176,19 @@ class MarchCase : public CasePrediction {
   std::vector<std::string> files() const override { return {file_}; }
 
   JobResult of(StructureDraw drawn) const override {
-    const MarchResult result = march(drawn.structure, loads_over_gains(loads_, drawn), options_);
+    const MarchResult result = march_rows(drawn.structure, loads_over_gains(loads_, drawn),
+                                          options_, [](const MarchRow&) {});
     if (!result.summary.converged()) return {{}, result.summary.reason};
-    const LargestMotion& largest = result.largest.front();
-    const PointMotion& motion = result.points.front();
-    JobResult done{{largest.displacement, largest.velocity, largest.acceleration,
-                    rms(motion.displacement), rms(motion.velocity), rms(motion.acceleration)},
-                   {}};
-    for (double& value : done.values) value *= drawn.response_gain;
+    JobResult done;
+    for (double SignalSize::*which : {&SignalSize::peak, &SignalSize::rms}) {
+      for (std::size_t s = 0; s < outputs_.size() / 2; ++s) {
+        done.values.push_back(drawn.response_gain * (result.sizes[s].*which));
+      }
+    }
     return done;
   }
 
  private:
-  static double rms(const std::vector<double>& values) {
-    double sum = 0.0;
-    for (const double value : values) sum += value * value;
-    return std::sqrt(sum / static_cast<double>(values.size()));
-  }
-
   std::string file_;
   LoadHistory loads_;
   MarchOptions options_;

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <span>
 #include <utility>
@@ -42,53 +42,37 @@ std::vector<double> values_in(const MarchRow& row, double response_gain) {
   return values;
 }
 
-/// What is kept of a march: some rows, and peak and ∫ x² dt of all.
-class KeptMarch {
+/// The rows of a march that are recorded.
+class KeptRows {
  public:
-  KeptMarch(std::size_t signals, std::size_t last, std::size_t every, double gain)
-      : last_(last), every_(every), gain_(gain), peak(signals), square_(signals) {}
+  KeptRows(std::size_t last, std::size_t every, double gain)
+      : last_(last), every_(every), gain_(gain) {}
 
   void add(const MarchRow& row) {
-    std::vector<double> now = values_in(row, gain_);
-    const double step = before_.empty() ? 0.0 : row.time - time_;
-    for (std::size_t s = 0; s < now.size(); ++s) {
-      peak[s] = std::max(peak[s], std::abs(now[s]));
-      const double earlier = before_.empty() ? 0.0 : before_[s] * before_[s];
-      square_[s] += 0.5 * step * (earlier + now[s] * now[s]);
-    }
-    length_ += step;
-    time_ = row.time;
-    if (row.index % every_ == 0 || row.index == last_) {
-      times.push_back(row.index);
-      rows.insert(rows.end(), now.begin(), now.end());
-    }
-    before_ = std::move(now);
-  }
-
-  [[nodiscard]] std::vector<double> rms() const {
-    std::vector<double> values;
-    for (const double square : square_) {
-      values.push_back(length_ > 0.0 ? std::sqrt(square / length_) : 0.0);
-    }
-    return values;
+    if (row.index % every_ != 0 && row.index != last_) return;
+    const std::vector<double> now = values_in(row, gain_);
+    times.push_back(row.index);
+    rows.insert(rows.end(), now.begin(), now.end());
   }
 
  private:
   std::size_t last_;
   std::size_t every_;
   double gain_;
-  double time_ = 0.0;
-  double length_ = 0.0;
-  std::vector<double> before_;
 
  public:
-  std::vector<double> peak;
   std::vector<std::size_t> times;
   std::vector<double> rows;
-
- private:
-  std::vector<double> square_;
 };
+
+/// Peak or rms of each signal, those of the point as they are read.
+std::vector<double> sizes_of(const MarchResult& march, double SignalSize::*which, double gain) {
+  std::vector<double> values;
+  for (const SignalSize& size : march.sizes) {
+    values.push_back(size.*which * (values.size() < kOfPoint ? gain : 1.0));
+  }
+  return values;
+}
 
 std::size_t recorded_rows(const LoadHistory& loads, std::size_t every) {
   const std::size_t last = loads.time.size() - 1;
@@ -115,12 +99,12 @@ void take_marches(const LoadHistory& loads, const MarchOptions& options, std::si
   PerDraw rms(drawn.count);
   const auto take = [&](std::size_t i) -> std::string {
     const StructureDraw draw = draws.draw(i);
-    KeptMarch kept(result.signals.size(), loads.time.size() - 1, every, draw.response_gain);
+    KeptRows kept(loads.time.size() - 1, every, draw.response_gain);
     const MarchResult found = march_rows(draw.structure, loads_over_gains(loads, draw), options,
                                          [&](const MarchRow& row) { kept.add(row); });
     if (!found.summary.converged()) return found.summary.reason;
-    peaks[i] = kept.peak;
-    rms[i] = kept.rms();
+    peaks[i] = sizes_of(found, &SignalSize::peak, draw.response_gain);
+    rms[i] = sizes_of(found, &SignalSize::rms, draw.response_gain);
     rows[i] = std::move(kept.rows);
     return "";
   };
@@ -173,13 +157,12 @@ DrawnMarch drawn_march(const ModelFile& model, const LoadHistory& loads, MarchOp
   const std::size_t every = std::exchange(options.every, 1);
   drawn.check_size(result.signals.size() * recorded_rows(loads, every),
                    "Write fewer times by `every`, or take fewer draws.");
-  KeptMarch kept(result.signals.size(), loads.time.size() - 1, every, 1.0);
+  KeptRows kept(loads.time.size() - 1, every, 1.0);
   result.march = march_rows(
       model.structure, loads, options, [&](const MarchRow& row) { kept.add(row); }, marching);
-  const std::vector<double> rms = kept.rms();
   for (std::size_t s = 0; s < result.signals.size(); ++s) {
-    result.signals[s].peak.value = kept.peak[s];
-    result.signals[s].rms.value = rms[s];
+    result.signals[s].peak.value = result.march.sizes[s].peak;
+    result.signals[s].rms.value = result.march.sizes[s].rms;
   }
   result.times = std::move(kept.times);
   result.rows = std::move(kept.rows);

@@ -29,8 +29,8 @@ struct StatisticSpread {
 struct MarchedSignal {
   std::string name;           ///< as its column: "displacement", "lap force"
   Dimension dimension;        ///< of its values
-  StatisticSpread peak = {};  ///< max |x| over the times of the axis
-  StatisticSpread rms = {};   ///< √(∫ x² dt/T), by the trapezium rule between these
+  StatisticSpread peak = {};  ///< max |x| at the ends of all steps
+  StatisticSpread rms = {};   ///< √(∫ x² dt/T), as SignalSize
 };
 
 /// A march with what draws make of it.
