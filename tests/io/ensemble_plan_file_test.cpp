@@ -94,6 +94,17 @@ TEST(EnsemblePlan, ReadsDraws) {
   EXPECT_EQ(plan.cases[2].force_file, "dir/force.csv");
 }
 
+// A whole number that no double has in full stands in the settings as it is.
+TEST(EnsemblePlan, TellsLargeSeedsApart) {
+  for (const char* seed : {"9007199254740992", "9007199254740993", "9223372036854775807"}) {
+    const EnsemblePlan plan = parse_ensemble_plan(
+        replaced(kPredict, "kind = \"predict\"", std::string("kind = \"predict\"\nseed = ") + seed),
+        "plan.toml");
+    EXPECT_EQ(std::to_string(plan.seed), seed);
+    EXPECT_EQ(std::ranges::count(plan.settings, std::string("seed = ") + seed), 1) << seed;
+  }
+}
+
 TEST(EnsemblePlan, ReadsTheOtherKinds) {
   EXPECT_EQ(std::get<BootstrapPlan>(parse_ensemble_plan(kBootstrap, "p").work).stiffness, 1.7e5);
   const auto design = std::get<DesignPlan>(parse_ensemble_plan(kDesign, "p").work);
@@ -149,6 +160,7 @@ TEST(EnsemblePlan, NamesAWrongValue) {
       {kPredict, "\"log\"", "\"logg\"", "must be one of linear, log"},
       {kPredict, "kind = \"march\"", "kind = \"dance\"", "must be one of frf, backbone, march"},
       {kPredict, "name = \"low\"", "name = \"a/b\"", "without /"},
+      {kPredict, "name = \"low\"", "name = \"a\\u0000b\"", "without / and control characters"},
       {kPredict, "name = \"low\"", "name = \"case 2\"", "must differ"},
       {kPredict, "[predict]", "confidence = 1.0\n[predict]", "must be above 0 and below 1"},
       {kPredict, "[predict]", "raw = [1]\n[predict]", "raw[0]"},

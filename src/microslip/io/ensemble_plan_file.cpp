@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <sstream>
 
@@ -279,10 +280,12 @@ PlannedCase read_case(const toml::table& raw, const TomlTable& table, std::strin
                       std::size_t number) {
   PlannedCase planned;
   planned.name = table.has("name") ? table.text("name") : fmt::format("case {}", number);
-  if (planned.name.empty() || planned.name.find_first_of("/\t\r\n") != std::string::npos ||
-      planned.name == ".") {
+  const bool unfit = std::ranges::any_of(planned.name, [](char c) {
+    return c == '/' || static_cast<unsigned char>(c) < 0x20;  // no name of a group of HDF5
+  });
+  if (planned.name.empty() || unfit || planned.name == ".") {
     throw InputError(table.name("name"), in_quotes(planned.name),
-                     "must be a text without / and tabs");
+                     "must be a text without / and control characters");
   }
   const std::string kind = one_of(table, "kind", {"frf", "backbone", "march"});
   if (kind == "frf") {
@@ -322,9 +325,12 @@ std::vector<PlannedCase> read_cases(const toml::table& content, const TomlTable&
 
 // ---- The plan. ----
 
-/// Numbers by the shortest text that reads back as the same.
+/// Numbers by the shortest text that reads back as the same, whole ones that no double has in full.
 std::string value_text(const toml::node& node) {
-  if (const auto number = node.value<double>(); node.is_number()) return fmt::format("{}", *number);
+  if (node.is_number()) {
+    const auto number = node.value<double>();
+    return number ? fmt::format("{}", *number) : fmt::format("{}", *node.value<std::int64_t>());
+  }
   if (const toml::array* array = node.as_array()) {
     std::vector<std::string> values;
     for (const toml::node& value : *array) values.push_back(value_text(value));
@@ -424,6 +430,10 @@ EnsemblePlan parse_ensemble_plan(std::string_view text, std::string_view file) {
   read_work(content, top, file, plan);
   if (with_cases) plan.cases = read_cases(content, top, file);
   plan.settings = settings_of(content);
+  const auto* design = std::get_if<DesignPlan>(&plan.work);
+  if (design != nullptr && design->draws > 0) {  // bands of the jobs are of it
+    plan.settings.push_back(fmt::format("confidence = {}", plan.confidence));
+  }
   return plan;
 }
 

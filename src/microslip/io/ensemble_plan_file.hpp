@@ -127,7 +127,8 @@ struct EnsemblePlan {
   std::variant<PredictPlan, BootstrapPlan, DesignPlan, SweepPlan> work;  ///< of the kind
   std::vector<PlannedCase> cases = {};                                   ///< of predict and sweep
   /// What the jobs follow from, "key = value" each: all of the plan but raw, confidence and
-  /// most_failed, which can change without a job being done again.
+  /// most_failed, which can change without a job being done again. The confidence is among them
+  /// where a design has draws, of which each job makes a band.
   std::vector<std::string> settings = {};
 
   static constexpr double kMostJobs = 1e9;  ///< of a plan
