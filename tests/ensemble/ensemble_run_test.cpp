@@ -18,7 +18,10 @@
 #include "microslip/identify/quantiles.hpp"
 #include "microslip/io/csv.hpp"
 #include "microslip/io/journal_file.hpp"
+#include "microslip/io/load_file.hpp"
 #include "microslip/io/model_file.hpp"
+#include "microslip/workflow/march_draws.hpp"
+#include "microslip/workflow/model_draws.hpp"
 #include "microslip/workflow/nothing_found.hpp"
 #include "microslip/workflow/response_draws.hpp"
 
@@ -204,6 +207,38 @@ TEST(Ensemble, TellsOtherThingsOfKeptJournals) {
   EXPECT_EQ(done.result.confidence, 0.5);
 }
 
+// The band of a design's identification is of that confidence: there another one is another job.
+TEST(Ensemble, RefusesAnotherConfidenceForBandsOfDesigns) {
+  const std::string plan = R"(schema = "microslip.ensemble/1"
+kind = "design"
+[design]
+joint = "joint.json"
+count = 3
+levels = [20]
+noise = [0.01]
+amplitude_m = [0.05, 1.0]
+draws = 40
+)";
+  const Campaign campaign(plan);
+  EnsembleRun asked = campaign.asked();
+  asked.keep_journals = true;
+  (void)campaign.run(asked);
+  test::put(campaign.file("plan.toml"), replaced(plan, "[design]", "confidence = 0.5\n[design]"));
+  const std::string told = test::message_of<InputError>([&] { (void)campaign.run(asked); });
+  EXPECT_NE(told.find("confidence = 0.5, it was 0.95"), std::string::npos) << told;
+  test::put(campaign.file("plan.toml"), replaced(plan, "[design]", "confidence = 0.95\n[design]"));
+  EXPECT_EQ(campaign.run(asked).done_now, 0U);
+}
+
+// More blocks than memory could name are refused before any is begun.
+TEST(Ensemble, RefusesBlocksThatAreTooSmall) {
+  const Campaign campaign(
+      replaced(replaced(kPlan, "block = 3", "block = 4"), "draws = 60", "draws = 400000000"));
+  const std::string told =
+      test::message_of<InputError>([&] { (void)campaign.run(campaign.asked()); });
+  EXPECT_NE(told.find("block = 4; must be 80 or more for 8e+08 jobs"), std::string::npos) << told;
+}
+
 // ---- The numbers. ----
 
 /// Statistics of an output of a group.
@@ -240,6 +275,36 @@ TEST(Ensemble, DrawsWhatAResponseDraws) {
   const ColumnStatistics& height = statistics_of(done, "low", "peak_displacement");
   EXPECT_EQ(height.lower, spread.peaks[0].height_lower);
   EXPECT_EQ(height.upper, spread.peaks[0].height_upper);
+}
+
+// So is a march, at times that are not equally far apart: peaks and rms are the same numbers as
+// those of drawn_march().
+TEST(Ensemble, MarchesAsAMarchOfDraws) {
+  const std::size_t cases = kPlan.find("[[case]]");
+  const Campaign campaign(kPlan.substr(0, kPlan.find("raw")) +
+                          kPlan.substr(kPlan.find("[predict]"), cases - kPlan.find("[predict]")) +
+                          "[[case]]\nkind = \"march\"\nforce_file = \"force.csv\"\n");
+  std::string force = "time [s],force [N]\n";
+  for (int i = 0; i < 60; ++i) {
+    const double time = i < 40 ? 0.05 * i : 2.0 + 1.5 * (i - 40);
+    force += std::to_string(time) + "," + (i % 3 == 0 ? "0.1" : "-0.02") + "\n";
+  }
+  test::put(campaign.file("force.csv"), force);
+  const FinishedEnsemble done = campaign.run(campaign.asked());
+  const ModelFile model = read_model(campaign.file("model.toml"));
+  const DrawOptions options{60, 0.95, 1};
+  const DrawnMarch march = drawn_march(
+      model, read_loads(campaign.file("force.csv"), model.structure), {.points = {model.response}},
+      draws_of(model, campaign.file("model.toml"), options), options);
+  const std::vector<std::string> kinds{"displacement", "velocity", "acceleration"};
+  for (std::size_t s = 0; s < kinds.size(); ++s) {
+    const ColumnStatistics& peak = statistics_of(done, "case 1", "largest_" + kinds[s]);
+    EXPECT_EQ(peak.lower, march.signals[s].peak.lower) << kinds[s];
+    EXPECT_EQ(peak.upper, march.signals[s].peak.upper) << kinds[s];
+    const ColumnStatistics& rms = statistics_of(done, "case 1", "rms_" + kinds[s]);
+    EXPECT_EQ(rms.lower, march.signals[s].rms.lower) << kinds[s];
+    EXPECT_EQ(rms.upper, march.signals[s].rms.upper) << kinds[s];
+  }
 }
 
 const std::string kSweepPlan = R"(schema = "microslip.ensemble/1"
@@ -298,6 +363,21 @@ TEST(Ensemble, SweepsTheGrid) {
   }
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-12);
+}
+
+// The shape of a point that nobody asks for moves nothing: that is told of its axis, and of no other.
+TEST(Ensemble, TellsOfANumberThatChangesNothing) {
+  const Campaign campaign(
+      replaced(kSweepPlan, "joint: stiffness_N_per_m", "structure.point[1].shape[0]"));
+  test::put(campaign.file("model.toml"),
+            replaced(test::get(campaign.file("model.toml")), "[[joint]]",
+                     "[[structure.point]]\nname = \"beside\"\nshape = [1.0]\n[[joint]]"));
+  const FinishedEnsemble done = campaign.run(campaign.asked());
+  ASSERT_EQ(done.warnings.size(), 1U);
+  EXPECT_EQ(done.warnings[0].code, "axis_without_effect");
+  EXPECT_NE(done.warnings[0].text.find("'structure.point[1].shape[0]' changes nothing"),
+            std::string::npos);
+  EXPECT_NE(test::get(campaign.file("r.h5.csv")).find("axis_without_effect"), std::string::npos);
 }
 
 TEST(Ensemble, RefusesANumberThatIsNotThere) {

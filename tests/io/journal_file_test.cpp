@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <atomic>
+#include <barrier>
 #include <csignal>
 #include <cstddef>
+#include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "io/support.hpp"
@@ -120,6 +124,34 @@ TEST(Journal, HasOneWriter) {
   const std::string path = folder.file("j");
   const JournalWriter first(path, "of a test\n");
   EXPECT_THROW((JournalWriter{path, "of a test\n"}), FileError);
+}
+
+// Of two that begin at once one gets it, and what it appends is in the file of that name.
+TEST(Journal, HasOneWriterOfTwoThatBeginAtOnce) {
+  const test::TemporaryFolder folder;
+  for (int round = 0; round < 50; ++round) {
+    const std::string path = folder.file("j" + std::to_string(round));
+    std::barrier<> begin(2);
+    std::barrier<> end(2);
+    std::atomic<int> writers = 0;
+    const auto write = [&] {
+      begin.arrive_and_wait();
+      std::unique_ptr<JournalWriter> journal;
+      try {
+        journal = std::make_unique<JournalWriter>(path, "of a test\n");
+        journal->append(1, "content");
+        ++writers;
+      } catch (const FileError&) {
+        // The other one has it.
+      }
+      end.arrive_and_wait();
+    };
+    std::thread other(write);
+    write();
+    other.join();
+    EXPECT_EQ(writers, 1);
+    EXPECT_EQ(JournalReader(path).blocks().size(), 1U);
+  }
 }
 
 /// No file becomes larger than this while it lives.

@@ -47,7 +47,7 @@ std::string difference(const std::string& old_heading, const std::string& new_he
 EnsembleJournals::EnsembleJournals(const std::string& out, const std::string& heading,
                                    const std::vector<EnsembleGroup>& groups,
                                    const BlockLayout& layout)
-    : groups_(groups), layout_(layout), places_(layout.size()) {
+    : out_(out), groups_(groups), layout_(layout), places_(layout.size()) {
   for (const std::string& path : journals_beside(out)) {
     JournalReader journal(path);
     if (journal.heading() != heading) {
@@ -66,6 +66,10 @@ EnsembleJournals::EnsembleJournals(const std::string& out, const std::string& he
 
 std::vector<JobResult> EnsembleJournals::results(std::uint64_t block) const {
   const Place& place = places_[block];
+  if (!has(block)) {
+    throw FileError(out_, "has lost its journal meanwhile",
+                    "Another run may have ended with it: see whether the result is there.");
+  }
   const JobRange range = layout_.jobs_of(block);
   const JournalReader& journal = journals_[place.journal];
   auto results =

@@ -25,7 +25,7 @@ class EnsembleJournals {
 
   /// Whether a block is done.
   [[nodiscard]] bool has(std::uint64_t block) const { return places_[block].journal != kNowhere; }
-  /// Results of a block that is done.
+  /// Results of a block that is done. @throws FileError  where it is not: another run removed it.
   [[nodiscard]] std::vector<JobResult> results(std::uint64_t block) const;
   /// The paths of those that are there.
   [[nodiscard]] std::vector<std::string> paths() const;
@@ -41,6 +41,7 @@ class EnsembleJournals {
     JournalBlock block = {};
   };
 
+  std::string out_;
   const std::vector<EnsembleGroup>& groups_;
   const BlockLayout& layout_;
   std::vector<JournalReader> journals_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <iterator>
 #include <memory>
 #include <utility>
@@ -17,6 +18,7 @@
 #include "microslip/ensemble/ensemble_jobs.hpp"
 #include "microslip/ensemble/ensemble_journals.hpp"
 #include "microslip/ensemble/ensemble_tables.hpp"
+#include "microslip/ensemble/grid_effects.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/io/text.hpp"
@@ -62,6 +64,14 @@ struct Prepared {
 /// A block is dealt as one message.
 void check_block(const EnsemblePlan& plan, const EnsembleJobs& jobs, std::uint64_t block) {
   constexpr double kLargestBlock = 1e9;  // bytes
+  constexpr double kMostBlocks = 1e7;    // some 40 bytes of memory each
+  double jobs_of_all = 0.0;
+  for (const EnsembleGroup& group : jobs.groups()) jobs_of_all += static_cast<double>(group.jobs);
+  if (jobs_of_all > kMostBlocks * static_cast<double>(block)) {
+    throw InputError(fmt::format("{}: block", plan.file), static_cast<double>(block),
+                     fmt::format("must be {:g} or more for {:g} jobs",
+                                 std::ceil(jobs_of_all / kMostBlocks), jobs_of_all));
+  }
   for (const EnsembleGroup& group : jobs.groups()) {
     const double size = 8.0 * static_cast<double>(group.width()) * static_cast<double>(block);
     if (size <= kLargestBlock) continue;
@@ -171,8 +181,7 @@ class Coordinator {
 
   FinishedEnsemble finish() {
     done_.wall_seconds = watch_.seconds();
-    if (writer_) writer_->sync();
-    writer_.reset();  // others may open it now
+    if (writer_) writer_->sync();  // kept open: nobody takes up a journal that is to be removed
     if (cancelled_) throw Cancelled();
     if (too_many_failed()) fail_by_failures();
     if (run_.shard) {
@@ -280,12 +289,13 @@ class Coordinator {
     for (std::size_t g = 0; g < prepared_.jobs->groups().size(); ++g) {
       result.groups.push_back(result_of(found, g));
     }
+    const auto rows = [&](std::size_t group) { return found.rows_of(group); };
     done_.warnings = prepared_.jobs->warnings();
     std::ranges::move(ensemble_warnings(result), std::back_inserter(done_.warnings));
+    std::ranges::move(grid_warnings(result, rows), std::back_inserter(done_.warnings));
     for (const Warning& warning : done_.warnings) {
       result.notes.push_back(fmt::format("warning: {}: {}", warning.code, warning.text));
     }
-    const auto rows = [&](std::size_t group) { return found.rows_of(group); };
     OutputFiles outputs;
     add_ensemble_result(result, rows, run_.out, outputs);
     outputs.add(run_.table, ensemble_table(result, rows, run_.command, done_.warnings));

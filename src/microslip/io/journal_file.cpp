@@ -117,6 +117,33 @@ std::uint64_t size_of(int file, const std::string& path) {
   return static_cast<std::uint64_t>(status.st_size);
 }
 
+/// Whether the file that is open is still the one of that name: another run may have removed it.
+bool is_at(int file, const std::string& path) {
+  struct stat open {};
+  struct stat named {};
+  if (::fstat(file, &open) != 0) fail_to_write(path, errno);
+  return ::stat(path.c_str(), &named) == 0 && open.st_dev == named.st_dev &&
+         open.st_ino == named.st_ino;
+}
+
+/// The journal, made where it is not there or empty, which no other process has or gets meanwhile.
+/// Its heading comes under another name, so that it is whole or not there.
+FileDescriptor open_alone(const std::string& path, std::string_view heading) {
+  constexpr mode_t kMode = 0666;  // less what umask takes
+  for (;;) {
+    FileDescriptor file(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kMode));
+    if (!file.is_open()) fail_to_write(path, errno);
+    if (::flock(file.number(), LOCK_EX | LOCK_NB) != 0) {
+      if (errno != EWOULDBLOCK) fail_to_write(path, errno);
+      throw FileError(path, "is being written by another run",
+                      "Wait until that has ended, or choose another name for the result.");
+    }
+    if (!is_at(file.number(), path)) continue;
+    if (size_of(file.number(), path) > 0) return file;
+    write_file(path, fmt::format("{}{}\n{}", first_line(), heading.size(), heading));
+  }
+}
+
 }  // namespace
 
 struct JournalReader::State {
@@ -192,19 +219,7 @@ struct JournalWriter::State {
 
 JournalWriter::JournalWriter(const std::string& path, std::string_view heading) {
   check_output(path, kJournalKind);
-  std::error_code none;
-  const std::uintmax_t old_size = std::filesystem::file_size(path, none);
-  if (none || old_size == 0) {
-    write_file(path, fmt::format("{}{}\n{}", first_line(), heading.size(), heading));
-  }
-  FileDescriptor file(::open(path.c_str(), O_RDWR | O_CLOEXEC));
-  if (!file.is_open()) fail_to_write(path, errno);
-  if (::flock(file.number(), LOCK_EX | LOCK_NB) != 0) {
-    if (errno != EWOULDBLOCK) fail_to_write(path, errno);
-    throw FileError(path, "is being written by another run",
-                    "Wait until that has ended, or choose another name for the result.");
-  }
-  state_ = std::make_unique<State>(State{path, std::move(file)});
+  state_ = std::make_unique<State>(State{path, open_alone(path, heading)});
   state_->end = JournalReader(path).end();
   state_->cut();
 }

@@ -57,7 +57,8 @@ class JournalReader {
   std::unique_ptr<State> state_;
 };
 
-/// A journal to go on with. While it lives, no other process can open it so.
+/// A journal to go on with. While it lives, no other process can open it so; nor do two that begin at
+/// once.
 class JournalWriter {
  public:
   /// Opens the journal and cuts off what is not whole at its end; makes it where it is not there or
