@@ -46,6 +46,18 @@ TEST(plan, RanksAmplitudesAndSaysWhereMoreDoesNotHelp) {
   EXPECT_EQ(levels, 6.0);
 }
 
+// No option of plan says what several assemblies mean: the message names none.
+TEST(plan, TakesLevelsOfOneJoint) {
+  std::string levels = "amplitude [m],dissipation [J],assembly\n";
+  for (int i = 1; i <= 20; ++i) {
+    levels +=
+        std::to_string(i) + "e-5," + std::to_string(i * i) + "e-5,A" + std::to_string(i % 2) + "\n";
+  }
+  const Sandbox box{{"levels.csv", levels}};
+  expect_refused(box, {"plan", "levels.csv", "--stiffness", "1.7e5", "--out", "p.csv"},
+                 {"column assembly", "2 names", "must be one", "Keep the rows of one assembly"});
+}
+
 TEST(plan, ReplacesItsOwnKindAlone) {
   const Sandbox box = sandbox();
   expect_done(box, kPlan);

@@ -105,6 +105,28 @@ TEST(watch, TakesTablesOfLevelsAndRecordsOfForce) {
   EXPECT_TRUE(other.has("joint.json"));
 }
 
+// A plan holds for the joint that it was made with: with a second table there is none, and the old
+// one does not stay.
+TEST(watch, LeavesNoPlanOfAnEarlierJoint) {
+  const Sandbox box{{"levels.csv", sample_levels_text()}};
+  const Arguments call = with(kWatch, {"--once", "--stiffness", "1.7e5"});
+  EXPECT_EQ(box.run(call).status, 0);
+  EXPECT_TRUE(box.has("next_levels.csv"));
+  box.put("more_levels.csv", sample_levels_text());
+  const Outcome two = box.run(call);
+  EXPECT_EQ(two.status, 0) << two.err;
+  EXPECT_TRUE(says(two.out, "next: next_levels.csv was of the joint before")) << two.out;
+  EXPECT_FALSE(box.has("next_levels.csv"));
+  EXPECT_TRUE(box.has("joint.json"));
+}
+
+// What comes back from a reader need not end in a full stop.
+TEST(watch, SaysFaultsInSentences) {
+  const Sandbox box{{"record.csv", record_text(sample_record())}, {"broken.mat", "garbage"}};
+  const Outcome once = box.run(with(kWatch, {"--once"}));
+  EXPECT_TRUE(says(once.err, ". Left out until it changes.")) << once.err;
+}
+
 TEST(watch, WritesAReport) {
   const Sandbox box{{"levels.csv", sample_levels_text()}};
   const Arguments call{"watch", ".", "--interval", "0.1", "--once", "--stiffness", "1.7e5"};

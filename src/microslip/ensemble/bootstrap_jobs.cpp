@@ -47,7 +47,8 @@ BootstrapJobs::BootstrapJobs(const BootstrapPlan& bootstrap, const EnsemblePlan&
     : bootstrap_(bootstrap),
       seed_(plan.seed),
       options_(inversion_options(bootstrap.identification)) {
-  const LevelTable table = read_level_table(bootstrap.levels);
+  const LevelTable table =
+      read_level_table(bootstrap.levels, {.assemblies = AssemblyColumn::kRefused});
   measured_ = table.used.levels;
   try {
     evidence_.emplace(measured_);

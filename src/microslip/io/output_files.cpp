@@ -264,4 +264,6 @@ void write_file(const std::string& path, std::string_view content) {
   files.commit();
 }
 
+void remove_file(const std::string& path) { ::unlink(path.c_str()); }
+
 }  // namespace microslip

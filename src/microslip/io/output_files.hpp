@@ -75,4 +75,8 @@ class OutputFiles {
 /// One file, whole or not at all. @throws FileError  as OutputFiles.
 void write_file(const std::string& path, std::string_view content);
 
+/// Removes a file that this program wrote and that holds no longer; one that cannot be removed stays.
+/// @param path  of it.
+void remove_file(const std::string& path);
+
 }  // namespace microslip

@@ -224,7 +224,7 @@ std::string one_more_text(const LevelPlan& plan, PlanTarget target) {
 
 LevelPlan plan_levels(const LevelPlanning& options) {
   check_planning(options);
-  LevelTable table = read_level_table(options.levels);
+  LevelTable table = read_level_table(options.levels, {.assemblies = AssemblyColumn::kRefused});
   LevelPlan plan;
   plan.input = std::move(table.input);
   plan.used = table.used.levels.size();

@@ -98,12 +98,17 @@ void warn_of_flags(const LevelsFile& file, std::vector<Warning>& warnings) {
 }
 
 void check_assembly_column(const LevelsFile& file, AssemblyColumn use) {
-  if (use != AssemblyColumn::kUnsaid) return;
+  if (use == AssemblyColumn::kIgnored || use == AssemblyColumn::kUsed) return;
   const std::set<std::string> names(file.assembly.begin(), file.assembly.end());
   if (names.size() < 2) return;
-  throw InputError(fmt::format("{}: column assembly", printable(file.file)),
-                   fmt::format("{} names", names.size()),
-                   "must be said to be assemblies that differ, or levels of one joint",
+  const std::string name = fmt::format("{}: column assembly", printable(file.file));
+  const std::string found = fmt::format("{} names", names.size());
+  if (use == AssemblyColumn::kRefused) {
+    throw InputError(name, found, "must be one: levels of one joint are asked for",
+                     "Keep the rows of one assembly, or remove the column to take all as of one "
+                     "joint.");
+  }
+  throw InputError(name, found, "must be said to be assemblies that differ, or levels of one joint",
                    "`assemblies column` finds how they differ, `assemblies none` takes all as of "
                    "one joint.");
 }

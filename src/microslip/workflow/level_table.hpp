@@ -20,7 +20,8 @@ inline constexpr double kLargestStiffness = 1e15;  ///< N/m
 
 /// What levels of which a column `assembly` names several are.
 enum class AssemblyColumn {
-  kUnsaid,   ///< nobody said it: refused
+  kUnsaid,   ///< nobody said it: refused, as the option `assemblies` says it
+  kRefused,  ///< levels of one joint are asked for, and nothing can say it
   kIgnored,  ///< of one joint
   kUsed,     ///< of several; the names may not be empty
 };

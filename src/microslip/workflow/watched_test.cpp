@@ -89,7 +89,7 @@ std::optional<std::string> fault_in(const std::function<void()>& call) {
 /// What a file holds, where it is whole and right.
 std::string evidence_line(const std::string& path, bool is_table) {
   if (is_table) {
-    const LevelTable table = read_level_table(path);
+    const LevelTable table = read_level_table(path, {.assemblies = AssemblyColumn::kRefused});
     return counted(table.used.levels.size(), "level");
   }
   const ForceRecords found = read_force_records({path}, {}, {});
@@ -145,11 +145,12 @@ bool WatchedTest::done(const std::function<void()>& call) const {
 void WatchedTest::tell_left_out(const std::string& file, const std::string& fault) {
   faulty_[file] = fault;
   options_.tell(WatchedNews::kFault,
-                fmt::format("{}: {} Left out until it changes.", file_name(file), fault));
+                fmt::format("{}: {}{} Left out until it changes.", file_name(file), fault,
+                            fault.ends_with('.') ? "" : "."));
 }
 
 bool WatchedTest::evaluate(const FolderChange& files) {
-  joint_written_ = false;
+  joint_written_ = planned_ = false;
   if (!done([&] { check_own(); })) return false;
   for (const std::string& file : files.changed) faulty_.erase(file);
   std::vector<std::string> records = files.whole;
@@ -162,7 +163,18 @@ bool WatchedTest::evaluate(const FolderChange& files) {
   } else {
     of_evidence(records, files);
   }
+  if (joint_written_ && !planned_) forget_plan();
   return joint_written_;
+}
+
+/// One that rests on other evidence than the joint that is there now.
+void WatchedTest::forget_plan() const {
+  const std::string plan = path(std::string(kNextFile));
+  if (!fs::exists(plan) || fs::file_size(plan) == 0) return;
+  remove_file(plan);
+  options_.tell(WatchedNews::kNext, fmt::format("{} was of the joint before, and is removed: "
+                                                "there is no plan for this one",
+                                                kNextFile));
 }
 
 void WatchedTest::of_rig(const std::vector<std::string>& files, const FolderChange& change) {
@@ -277,6 +289,7 @@ void WatchedTest::plan_next(const std::string& levels, double stiffness, std::si
   planning.progress = options_.progress;
   const LevelPlan plan = plan_levels(planning);
   write_file(path(std::string(kNextFile)), plan_text(plan, planning, options_.command));
+  planned_ = true;
   const DesignedLevel& first = plan.design.levels.front();
   const bool area = options_.target == PlanTarget::kArea;
   options_.tell(WatchedNews::kNext,

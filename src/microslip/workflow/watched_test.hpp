@@ -51,7 +51,7 @@ struct WatchedTestOptions {
 /// With a rig.toml in it all records are of that rig: they are reduced to levels.csv. Without, tables of
 /// levels and recordings of force and displacement are told by their content. Then joint.json and
 /// density.csv are written, with 1000 draws, and next_levels.csv where one table of levels is all
-/// there is.
+/// there is; one of an earlier joint is removed.
 class WatchedTest {
  public:
   /// @throws InputError  where the folder holds a file of a name that is written and that is not of
@@ -83,6 +83,7 @@ class WatchedTest {
   void identify_table(const std::string& levels, double stiffness);
   void identify_together(const Kept& kept);
   void write_joint(const std::string& joint, const std::string& density);
+  void forget_plan() const;
   void plan_next(const std::string& levels, double stiffness, std::size_t count);
   bool done(const std::function<void()>& call) const;  // or tells the fault
   void tell_left_out(const std::string& file, const std::string& fault);
@@ -90,6 +91,7 @@ class WatchedTest {
   WatchedTestOptions options_;
   std::map<std::string, std::string> faulty_;  // by path, until it changes
   bool joint_written_ = false;                 // by the last evaluation
+  bool planned_ = false;                       // likewise, next_levels.csv
 };
 
 }  // namespace microslip
