@@ -232,5 +232,19 @@ TEST(march, ShowsProgressAndEndsOnInterrupt) {
   expect_interruptible(box, march_call({"--step", "1us"}));
 }
 
+// Neither the march nor its peaks are written of some of the draws.
+TEST(march, EndsOnInterruptWhileItDraws) {
+  const Sandbox box = one_mass_with_force();
+  std::string model = box.get("model.toml");
+  const std::string section = "[structure]";
+  model.insert(model.find(section) + section.size(), "\nfrequency_std = [0.01]\n");
+  box.put("model.toml", model);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    expect_interruptible(
+        box, march_call({"--draws", "1000000", "--every", "400", "--peaks-csv", "peaks.csv"}),
+        signal, "draws");
+  }
+}
+
 }  // namespace
 }  // namespace microslip::cli_test::march_test

@@ -167,11 +167,14 @@ Arguments with(Arguments call, const Arguments& more) {
   return call;
 }
 
-void expect_interruptible(const Sandbox& box, const Arguments& arguments, int signal) {
+void expect_interruptible(const Sandbox& box, const Arguments& arguments, int signal,
+                          const std::string& bar) {
   const auto before = box.content();
   Running program(arguments, box.path(), {.columns = 80});
-  program.read_terminal(
-      [](const std::string& shown) { return shown.find("s left") != std::string::npos; });
+  program.read_terminal([&](const std::string& shown) {
+    const std::size_t begin = shown.rfind(bar + " [");
+    return begin != std::string::npos && shown.find("s left", begin) != std::string::npos;
+  });
   program.send(signal);
   const Outcome outcome = program.wait();
   EXPECT_EQ(outcome.signal, signal) << typed(arguments);

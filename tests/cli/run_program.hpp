@@ -112,7 +112,9 @@ Outcome expect_done(const Sandbox& box, const Arguments& arguments, const Circum
 
 /// Expects that the call, stopped by a signal while its progress bar tells the time left, ends by
 /// that signal and leaves everything as it was.
-void expect_interruptible(const Sandbox& box, const Arguments& arguments, int signal = SIGINT);
+/// @param bar  what the bar must be of; a call may have several, one after the other.
+void expect_interruptible(const Sandbox& box, const Arguments& arguments, int signal = SIGINT,
+                          const std::string& bar = "");
 
 /// For messages: what was typed.
 std::string typed(const Arguments& arguments);

@@ -77,6 +77,14 @@ TEST(verify, ComparesEachChannelOfEachRecord) {
   EXPECT_NE(box.get("out.csv").find("# rig.toml: sha256 "), std::string::npos);
 }
 
+TEST(verify, EndsOnInterruptWhileItDraws) {
+  const RigSandbox box;
+  for (const int signal : {SIGINT, SIGTERM}) {
+    expect_interruptible(box, with(kCall, {"--draws", "1000000", "--normal-load-std", "0.05"}),
+                         signal, "draws");
+  }
+}
+
 TEST(verify, AWrongJointIsWorse) {
   const RigSandbox box;
   expect_done(box, with(kCall, {"--quiet"}));
