@@ -514,7 +514,8 @@ TEST(EffectsTable, HasEveryKeyOfTheDocumentedFiles) {
       EXPECT_TRUE(has_row(name, key)) << name << " " << key << kAddRow;
     }
   }
-  for (const char* name : {"predict.toml", "bootstrap.toml", "design.toml", "sweep.toml"}) {
+  for (const char* name :
+       {"predict.toml", "bootstrap.toml", "design.toml", "rig_design.toml", "sweep.toml"}) {
     for (const std::string& key : keys_in(files.at(name))) {
       EXPECT_TRUE(has_row("plan.toml", key)) << name << " " << key << kAddRow;
     }

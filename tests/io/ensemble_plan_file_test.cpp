@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/support.hpp"
@@ -92,6 +93,38 @@ TEST(EnsemblePlan, ReadsDraws) {
   EXPECT_NEAR(plan.cases[1].responses[1], 0.2, 1e-15);
   EXPECT_EQ(plan.cases[1].responses[2], 0.4);
   EXPECT_EQ(plan.cases[2].force_file, "dir/force.csv");
+}
+
+const std::string kRigDesign = R"(schema = "microslip.ensemble/1"
+kind = "design"
+[design]
+rig = "rig.toml"
+count = 5
+levels = [10]
+sensors = [["acc1", "ldv"], ["acc1"]]
+)";
+
+TEST(EnsemblePlan, ReadsDesignsOfARig) {
+  const auto plan = std::get<DesignPlan>(parse_ensemble_plan(kRigDesign, "dir/p.toml").work);
+  EXPECT_EQ(plan.rig, "dir/rig.toml");
+  EXPECT_TRUE(plan.joint.empty());
+  EXPECT_EQ(plan.sensor_noise, std::vector<double>{1.0});
+  ASSERT_EQ(plan.sensors.size(), 2U);
+  EXPECT_EQ(plan.sensors[0], (std::vector<std::string>{"acc1", "ldv"}));
+  for (const auto& [by, told] : std::vector<std::pair<std::string, std::string>>{
+           {"count = 5\njoint = \"j.json\"", "one of the keys joint and rig"},
+           {"count = 5\nnoise = [0.1]", "unknown key 'noise'"},
+           {"count = 5\nsensor_noise = [-1]", "sensor_noise[0] = -1"}}) {
+    EXPECT_NE(message(replaced(kRigDesign, "count = 5", by)).find(told), std::string::npos) << by;
+  }
+  for (const auto& [by, told] : std::vector<std::pair<std::string, std::string>>{
+           {"[\"acc1\"]", "must be an array of arrays"},
+           {"[]", "must have a choice"},
+           {"[[\"a\"], [\"a\"]]", "sensors[1] = [a]; must differ"},
+           {"[[1]]", "sensors[0][0]"}}) {
+    const std::string text = replaced(kRigDesign, "[[\"acc1\", \"ldv\"], [\"acc1\"]]", by);
+    EXPECT_NE(message(text).find(told), std::string::npos) << message(text);
+  }
 }
 
 // A whole number that no double has in full stands in the settings as it is.

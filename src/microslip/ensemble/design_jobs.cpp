@@ -64,17 +64,18 @@ std::pair<double, double> judge_band(const InversionResult& result, const Densit
 
 DesignJobs::DesignJobs(DesignPlan design, const EnsemblePlan& plan)
     : plan_(std::move(design)), seed_(plan.seed), confidence_(plan.confidence) {
-  const JointFile file = read_joint(plan_.joint);
-  truth_ = file.joint;
-  linear_damping_ = identified_damping(file).value_or(0.0);
-  if (!(dissipation(*truth_, plan_.lowest) > 0.0)) {
-    throw InputError(fmt::format("{}: design.amplitude_m[0]", plan.file), plan_.lowest,
-                     "must be one at which the joint loses energy");
+  if (plan_.rig.empty()) {
+    take_joint(plan.file);
+  } else {
+    take_rig(plan.file);
   }
-  found_.emplace(truth_->stiffness(), plan_.lowest, plan_.highest, kPoints,
+  found_.emplace(stiffness_, plan_.lowest, plan_.highest, kPoints,
                  plan_.identification.linear_damping);
-  add_designs();
-  inputs_ = hashes_of({plan_.joint});
+  if (rig_) {
+    add_rig_designs();
+  } else {
+    add_designs();
+  }
   notes_.push_back(fmt::format(
       "errors are relative: density_error as ‖φ − φ_true‖/‖φ_true‖ from 5 to 95 % of kA_max, "
       "dissipation_error as rms over the amplitudes"));
@@ -84,6 +85,44 @@ DesignJobs::DesignJobs(DesignPlan design, const EnsemblePlan& plan)
         plan_.identification.linear_damping
             ? ""
             : "; no identification seeks it: linear_damping = true does"));
+  }
+}
+
+void DesignJobs::take_joint(const std::string& plan) {
+  const JointFile file = read_joint(plan_.joint);
+  truth_ = file.joint;
+  stiffness_ = truth_->stiffness();
+  linear_damping_ = identified_damping(file).value_or(0.0);
+  inputs_ = hashes_of({plan_.joint});
+  if (dissipation(*truth_, plan_.lowest) > 0.0) return;
+  throw InputError(fmt::format("{}: design.amplitude_m[0]", plan), plan_.lowest,
+                   "must be one at which the joint loses energy");
+}
+
+void DesignJobs::take_rig(const std::string& plan) {
+  rig_.emplace(plan_, plan);
+  truth_ = rig_->truth().joint;
+  stiffness_ = rig_->stiffness();
+  linear_damping_ = identified_damping(rig_->truth()).value_or(0.0);
+  plan_.lowest = rig_->lowest();
+  plan_.highest = rig_->highest();
+  plan_.equal_ratios = rig_->equal_ratios();
+  inputs_ = hashes_of(rig_->files());
+  warnings_ = rig_->warnings();
+  notes_.push_back("tests: records of the rig under a sinusoidal force, reduced to levels");
+  for (std::size_t s = 0; s < plan_.sensors.size(); ++s) {
+    notes_.push_back(fmt::format("sensors {}: {}", s + 1, fmt::join(plan_.sensors[s], ", ")));
+  }
+}
+
+void DesignJobs::add_rig_designs() {
+  for (std::size_t tests = 0; tests < plan_.levels.size(); ++tests) {
+    for (const double noise : plan_.sensor_noise) {
+      for (std::size_t s = 0; s < std::max<std::size_t>(1, plan_.sensors.size()); ++s) {
+        add_group(
+            {.levels = plan_.levels[tests], .tests = tests, .sensor_noise = noise, .sensors = s});
+      }
+    }
   }
 }
 
@@ -99,10 +138,21 @@ void DesignJobs::add_designs() {
   }
 }
 
-void DesignJobs::add_group(const Design& design) {
+std::string DesignJobs::name_of(const Design& design) const {
+  if (rig_) {
+    std::string name =
+        fmt::format("{} levels - noise of the sensors x {:g}", design.levels, design.sensor_noise);
+    if (!plan_.sensors.empty()) name += fmt::format(" - sensors {}", design.sensors + 1);
+    return name;
+  }
   std::string name = fmt::format("{} levels - noise {:g}", design.levels, design.noise);
   if (design.amplitude_noise > 0.0) name += fmt::format(" - of A {:g}", design.amplitude_noise);
   if (design.secant_noise > 0.0) name += fmt::format(" - of k_eq {:g}", design.secant_noise);
+  return name;
+}
+
+void DesignJobs::add_group(const Design& design) {
+  const std::string name = name_of(design);
   const auto same = std::ranges::find(groups_, name, &EnsembleGroup::name);
   if (same != groups_.end()) return;  // a number that is given twice
   EnsembleGroup group{name,
@@ -121,6 +171,12 @@ void DesignJobs::add_group(const Design& design) {
 
 Levels DesignJobs::tested(const Design& design, std::uint64_t index) const {
   RandomStream random(seed_, index);
+  if (rig_) {
+    // Records have streams of their own: each test has a seed of 53 bits for them.
+    constexpr double kSeeds = 9007199254740992.0;
+    const auto seed = static_cast<std::uint64_t>(kSeeds * random.uniform());
+    return rig_->levels(design.tests, design.sensor_noise, design.sensors, seed);
+  }
   Levels levels;
   for (std::size_t i = 0; i < design.levels; ++i) {
     const double a = amplitude_of(plan_, i, design.levels);
@@ -139,7 +195,7 @@ Levels DesignJobs::tested(const Design& design, std::uint64_t index) const {
 }
 
 std::vector<double> DesignJobs::judged(const InversionResult& result, std::uint64_t index) const {
-  const double k = truth_->stiffness();
+  const double k = stiffness_;
   const double reach = k * plan_.highest;
   std::vector<double> found;
   std::vector<double> truth;
@@ -165,9 +221,8 @@ std::vector<double> DesignJobs::judged(const InversionResult& result, std::uint6
 
 JobResult DesignJobs::run(std::size_t group, std::uint64_t index) const {
   try {
-    const InversionResult result =
-        invert(LevelEvidence(tested(designs_[group], index)), truth_->stiffness(),
-               inversion_options(plan_.identification));
+    const InversionResult result = invert(LevelEvidence(tested(designs_[group], index)), stiffness_,
+                                          inversion_options(plan_.identification));
     if (!result.summary.converged()) return {{}, result.summary.reason};
     JobResult done{judged(result, index), {}};
     std::ranges::copy(found_->of(result), std::back_inserter(done.values));

@@ -177,13 +177,61 @@ std::vector<std::size_t> read_numbers_of_levels(const TomlTable& table) {
   return numbers;
 }
 
-DesignPlan read_design(const toml::table& raw, const TomlTable& table, std::string_view file) {
+/// Texts of an array.
+std::vector<std::string> texts_in(const toml::array& array, const std::string& name) {
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < array.size(); ++i) {
+    const auto text = array.get(i)->value_exact<std::string>();
+    if (!text) throw wrong_type(fmt::format("{}[{}]", name, i), described(*array.get(i)), kText);
+    texts.push_back(*text);
+  }
+  return texts;
+}
+
+std::vector<std::vector<std::string>> read_sensors(const toml::table& raw, const TomlTable& table) {
+  constexpr std::string_view kExpected = "an array of arrays of channels";
+  const toml::array* choices = raw.get_as<toml::array>("sensors");
+  if (choices == nullptr) {
+    throw wrong_type(table.name("sensors"), described(*raw.get("sensors")), kExpected);
+  }
+  std::vector<std::vector<std::string>> sensors;
+  for (std::size_t i = 0; i < choices->size(); ++i) {
+    const toml::array* choice = choices->get_as<toml::array>(i);
+    if (choice == nullptr) {
+      throw wrong_type(table.name("sensors", i), described(*choices->get(i)), kExpected);
+    }
+    sensors.push_back(texts_in(*choice, table.name("sensors", i)));
+    if (std::ranges::find(sensors.begin(), sensors.end() - 1, sensors.back()) !=
+        sensors.end() - 1) {
+      throw InputError(table.name("sensors", i),
+                       fmt::format("[{}]", fmt::join(sensors.back(), ", ")),
+                       "must differ from the others");
+    }
+  }
+  if (sensors.empty()) {
+    throw InputError(table.name("sensors"), "an empty array", "must have a choice at least");
+  }
+  return sensors;
+}
+
+/// A design whose tests are records of a rig.
+void read_rig_design(const toml::table& raw, const TomlTable& table, std::string_view file,
+                     DesignPlan& plan) {
+  table.allow_only({"rig", "count", "levels", "sensor_noise", "sensors", "linear_damping", "atom",
+                    "edges", "draws"});
+  plan.rig = path_of(table, "rig", file);
+  if (table.has("sensor_noise")) {
+    plan.sensor_noise = read_list(raw, table, "sensor_noise", {0.0, 1e6});
+  }
+  if (table.has("sensors")) plan.sensors = read_sensors(raw, table);
+}
+
+/// A design whose levels are those of a joint with noise.
+void read_joint_design(const toml::table& raw, const TomlTable& table, std::string_view file,
+                       DesignPlan& plan) {
   table.allow_only({"joint", "count", "levels", "noise", "amplitude_noise", "secant_noise",
                     "amplitude_m", "spacing", "linear_damping", "atom", "edges", "draws"});
-  DesignPlan plan;
   plan.joint = path_of(table, "joint", file);
-  plan.count = whole_in(table, "count", 1, kMostDraws);
-  plan.levels = read_numbers_of_levels(table);
   plan.noise = read_list(raw, table, "noise", {1e-9, 1.0});
   if (table.has("amplitude_noise")) {
     plan.amplitude_noise = read_list(raw, table, "amplitude_noise", {0.0, 1.0});
@@ -200,6 +248,20 @@ DesignPlan read_design(const toml::table& raw, const TomlTable& table, std::stri
   plan.lowest = ends[0];
   plan.highest = ends[1];
   plan.equal_ratios = table.has("spacing") && one_of(table, "spacing", {"linear", "log"}) == "log";
+}
+
+DesignPlan read_design(const toml::table& raw, const TomlTable& table, std::string_view file) {
+  if (table.has("rig") && table.has("joint")) {
+    throw FormatError(table.place("rig"), "one of the keys joint and rig", "both");
+  }
+  DesignPlan plan;
+  if (table.has("rig")) {
+    read_rig_design(raw, table, file, plan);
+  } else {
+    read_joint_design(raw, table, file, plan);
+  }
+  plan.count = whole_in(table, "count", 1, kMostDraws);
+  plan.levels = read_numbers_of_levels(table);
   plan.draws = whole_or(table, "draws", 0, 40, 1'000'000);
   plan.identification = read_identification(raw, table);
   return plan;

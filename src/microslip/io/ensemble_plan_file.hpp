@@ -28,7 +28,11 @@
 ///     [design]     joint (the truth), count, levels = […] (numbers of them), noise = […] (of D,
 ///                  relative), amplitude_m = [lowest, highest]; optional spacing = "linear" | "log",
 ///                  amplitude_noise = […] and secant_noise = […] (relative), linear_damping, atom,
-///                  edges, draws (of each identification, for the band)
+///                  edges, draws (of each identification, for the band). With rig in place of
+///                  joint, noise and amplitudes, records of its sensors are reduced: rig, count,
+///                  levels; optional sensor_noise = […] (factors of that of the rig), sensors =
+///                  [["acc1", "ldv"], …] (channels that are looked at), linear_damping, atom, edges,
+///                  draws
 ///     [sweep]      model
 ///     [[sweep.axis]]  number = "structure.loss_factor[1]" or, of the file of a joint,
 ///                  "JOINT: stiffness_N_per_m"; values = […]
@@ -87,17 +91,20 @@ struct BootstrapPlan {
 
 /// Virtual tests of a joint that is known, and what they find.
 struct DesignPlan {
-  std::string joint;                            ///< path of joint.json, the truth, as it is opened
-  std::size_t count = 0;                        ///< tests of each design
-  std::vector<std::size_t> levels = {};         ///< numbers of levels
-  std::vector<double> noise = {};               ///< of D, relative standard deviation
-  std::vector<double> amplitude_noise = {0.0};  ///< of A, relative
-  std::vector<double> secant_noise = {};        ///< of k_eq over k; empty: it is not measured
-  double lowest = 0.0;                          ///< amplitude, m
-  double highest = 0.0;                         ///< amplitude, m
-  bool equal_ratios = false;                    ///< of the amplitudes
-  std::size_t draws = 0;                        ///< of each identification; 0: no band
-  PlannedIdentification identification = {};    ///< options of each
+  std::string joint = {};  ///< path of joint.json, the truth, as it is opened
+  std::string rig = {};    ///< path of rig.toml, as it is opened; empty: levels are drawn
+  std::size_t count = 0;   ///< tests of each design
+  std::vector<std::size_t> levels = {};                ///< numbers of levels
+  std::vector<double> sensor_noise = {1.0};            ///< of a rig: factors of its noise
+  std::vector<std::vector<std::string>> sensors = {};  ///< of a rig: channels; empty: all
+  std::vector<double> noise = {};                      ///< of D, relative standard deviation
+  std::vector<double> amplitude_noise = {0.0};         ///< of A, relative
+  std::vector<double> secant_noise = {};      ///< of k_eq over k; empty: it is not measured
+  double lowest = 0.0;                        ///< amplitude, m
+  double highest = 0.0;                       ///< amplitude, m
+  bool equal_ratios = false;                  ///< of the amplitudes
+  std::size_t draws = 0;                      ///< of each identification; 0: no band
+  PlannedIdentification identification = {};  ///< options of each
 };
 
 /// A number that is varied.
