@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <limits>
 #include <utility>
 
@@ -24,7 +23,8 @@ std::string joint_of_rig(const Rig& rig, const std::string& path) {
                      "must name the file of the true joint",
                      "Add joint = \"FILE\" to [contact]; the path is relative to the rig's.");
   }
-  return (std::filesystem::path(path).parent_path() / rig.contact.joint).string();
+  if (rig.contact.joint.starts_with('/')) return rig.contact.joint;
+  return path.substr(0, path.rfind('/') + 1) + rig.contact.joint;  // beside the rig
 }
 
 /// Channels that can be chosen.
