@@ -13,10 +13,10 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/median.hpp"
 #include "microslip/base/stopwatch.hpp"
-#include "microslip/identify/edge_search.hpp"
 #include "microslip/identify/inversion_model.hpp"
 #include "microslip/identify/inversion_passes.hpp"
 #include "microslip/identify/inversion_result.hpp"
+#include "microslip/identify/level_edges.hpp"
 #include "microslip/identify/signed_density.hpp"
 
 namespace microslip {

@@ -68,6 +68,10 @@ double InversionBasis::slip_force(double at) const {
   return std::pow(from_ + (to_ - from_) * (at / intervals_), 1.0 / power_);
 }
 
+double InversionBasis::place(double s) const {
+  return intervals_ * (std::pow(s, power_) - from_) / (to_ - from_);
+}
+
 Eigen::MatrixXd InversionBasis::dissipation(const Eigen::VectorXd& amplitude) const {
   return dissipation_rows(amplitude, knots_) * nodal_;
 }

@@ -52,6 +52,9 @@ class InversionBasis {
   /// The slip force s at a place among the equally spaced knots. @param at  in their spacings.
   [[nodiscard]] double slip_force(double at) const;
 
+  /// The inverse: where a slip force s is among them, in their spacings.
+  [[nodiscard]] double place(double s) const;
+
   /// Knots s, rising.
   [[nodiscard]] const std::vector<double>& knots() const { return knots_; }
 
