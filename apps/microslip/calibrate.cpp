@@ -25,6 +25,7 @@ struct CalibrateArguments {
   std::string frequency = "change";
   std::string stiffness = "given";
   std::string shapes = "found";
+  std::string edges = "sought";
   std::string forcing = "excitation";
   std::string harmonics = "5";
   std::string samples = "1000";
@@ -44,6 +45,7 @@ CalibrationOptions library_options(const CalibrateArguments& arguments, bool qui
   options.frequency = frequency_use(arguments.frequency);
   options.fit_stiffness = arguments.stiffness == "fit";
   options.stuck_shapes = arguments.shapes == "stuck";
+  options.edges = arguments.edges == "sought";
   options.balance.forcing = arguments.forcing == "modal" ? Forcing::kModal : Forcing::kExcitation;
   options.balance.harmonics =
       parse_whole_number("--harmonics", arguments.harmonics, 1, kMostHarmonics);
@@ -98,6 +100,13 @@ void add_method_options(CLI::App& command, CalibrateArguments& arguments) {
                   "joints found; stuck: of the stuck structure, which is wrong where joints slip, "
                   "for comparison")
       ->check(CLI::IsMember({"found", "stuck"}))
+      ->capture_default_str();
+  command
+      .add_option(
+          "--edges", arguments.edges,
+          "Forces at which the density of a joint may jump, where the levels make them very "
+          "likely: 20 for each joint are needed; none goes without")
+      ->check(CLI::IsMember({"sought", "none"}))
       ->capture_default_str();
   command
       .add_option("--forcing", arguments.forcing,

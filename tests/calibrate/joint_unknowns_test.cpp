@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
@@ -56,6 +57,54 @@ TEST(JointUnknowns, KnotsTellDensitiesOfAnyExponent) {
     for (const double a : {2e-6, 3.1e-5, 2e-4}) {
       const double d = own.dissipation_row(a).dot(x);
       EXPECT_NEAR(common.dissipation_row(a).dot(y), d, 1e-9 * d) << exponent << " " << a;
+    }
+  }
+}
+
+// Two knots at each edge, the density on either side as it likes; one beside the top has no room.
+TEST(JointUnknowns, JumpAtTheirEdges) {
+  const std::vector<double> edges{3e-5, 9e-5};
+  for (const double exponent : {0.0, -0.5}) {
+    const JointUnknowns unknowns(7e5, 2e-4, 0.01, exponent, 30, {3e-5, 9e-5, 1.999e-4});
+    ASSERT_EQ(unknowns.edges().size(), 2U);
+    ASSERT_EQ(unknowns.ranges().size(), 3U);
+    EXPECT_EQ(unknowns.penalty().rows(), unknowns.size() - 1 - 2 * 3);
+    EXPECT_EQ(unknowns.middles().size(), unknowns.penalty().rows());
+    const Eigen::VectorXd x = some_coefficients(unknowns);
+    const Joint joint = unknowns.joint(x, false);
+    for (std::size_t e = 0; e < 2; ++e) {
+      EXPECT_NEAR(unknowns.edges()[e], edges[e], 1e-12 * edges[e]);
+      const double f = joint.stiffness() * edges[e];
+      const double jump = joint.density().density(f * (1.0 + 1e-5)) - joint.density().density(f);
+      EXPECT_GT(std::abs(jump), 0.02 * joint.density().density(f)) << exponent << " " << e;
+    }
+    for (const double a : {2e-6, 3.1e-5, 1.7e-4, 2e-4}) {
+      const double d = dissipation(joint, a);
+      EXPECT_NEAR(unknowns.dissipation_row(a).dot(x), d, 1e-9 * d) << exponent << " " << a;
+      const double k = secant_stiffness(joint, a);
+      EXPECT_NEAR(unknowns.secant_row(a).dot(x), k, 1e-7 * k) << exponent << " " << a;
+    }
+  }
+}
+
+// Knots with all edges tell densities whose edges are at any of those places. Coefficients of a power law lie
+// on straight lines between a quarter of the knots: beside an edge they are other ones, where it is
+// off by some 1e-4.
+TEST(JointUnknowns, KnotsTellDensitiesWithEdgesElsewhere) {
+  for (const double exponent : {0.0, -0.25}) {
+    const JointUnknowns smooth(7e5, 2e-4, 0.01, exponent, 30);
+    const JointUnknowns common = smooth.by_knots({3e-5, 3.3e-5, 3.3e-5, 9e-5});
+    const double accuracy = exponent == 0.0 ? 1e-9 : 1e-3;
+    for (const std::vector<double>& edges :
+         {std::vector{3e-5}, std::vector{3.3e-5, 9e-5}, std::vector<double>{}}) {
+      const JointUnknowns own(7e5, 2e-4, 0.01, exponent, 30, edges);
+      const Eigen::VectorXd x = some_coefficients(own);
+      const Eigen::VectorXd y = common.projected(own, x);
+      EXPECT_NEAR(common.stiffness_row().dot(y), own.stiffness_row().dot(x), 1e-12);
+      for (const double a : {2e-6, 3.1e-5, 5e-5, 2e-4}) {
+        const double d = own.dissipation_row(a).dot(x);
+        EXPECT_NEAR(common.dissipation_row(a).dot(y), d, accuracy * d) << exponent << " " << a;
+      }
     }
   }
 }

@@ -63,7 +63,9 @@ class Solved {
   }
 
   [[nodiscard]] LinearEvidence linear() const {
-    return linearise(evidence_, unknowns_, states_, all_, Eigen::VectorXd::Ones(unknowns_.size()));
+    return in_terms_of(
+        evidence_, unknowns_,
+        linearise(evidence_, unknowns_, states_, all_, Eigen::VectorXd::Ones(unknowns_.size())));
   }
   [[nodiscard]] LevelDeviations deviations(std::size_t level) const {
     return deviations_about(evidence_, unknowns_, states_, level);

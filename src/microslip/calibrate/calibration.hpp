@@ -34,6 +34,8 @@ struct CalibrationOptions {
   /// Takes the displacements of the joints from the shapes of the stuck structure. For comparison:
   /// shapes change as joints slip.
   bool stuck_shapes = false;
+  /// Seeks slip forces at which a density jumps; 20 levels for each joint that is sought are needed.
+  bool edges = true;
   HarmonicBalanceOptions balance = {};         ///< harmonics and what drives
   int coefficients = 40;                       ///< of the density of each joint; ≥ 10
   std::size_t draws = 1000;                    ///< of the posterior; ≥ 100
@@ -44,6 +46,12 @@ struct CalibrationOptions {
 
   /// @throws InputError  naming the option that breaks a rule.
   void check() const;
+};
+
+/// A slip force at which a density jumps.
+struct DensityEdge {
+  double slip_force = 0.0;  ///< N
+  double deviation = 0.0;   ///< its standard deviation, N
 };
 
 /// A joint that was found.
@@ -61,8 +69,11 @@ struct CalibratedJoint {
   std::vector<double> told = {};
   /// Its loss over the standard deviation of it over the draws, 1, at the level where that is most.
   double loss_told = 0.0;
-  Estimate stiffness = {};             ///< k, N/m
-  Estimate elastic_stiffness = {};     ///< K_e, N/m: what does not slip within the levels
+  Estimate stiffness = {};              ///< k, N/m
+  Estimate elastic_stiffness = {};      ///< K_e, N/m: what does not slip within the levels
+  std::vector<DensityEdge> edges = {};  ///< rising; the draws have theirs as far off as they may be
+  /// By what −2 ln of the likelihood falls with all of them, 1; 17 and more each.
+  double edges_evidence = 0.0;
   double exponent = 0.0;               ///< χ₀ of the prior
   double edf = 0.0;                    ///< effective degrees of freedom of its density
   double least_amplitude = 0.0;        ///< of the levels, m
@@ -116,6 +127,7 @@ struct CalibrationResult {
   double frequency_scatter = 0.0;      ///< of the frequencies, likewise; 0 without
   bool loss_std_given = false;         ///< whether σ of all losses was known
   bool frequency_std_given = false;    ///< whether σ of all frequencies was known
+  bool edges_sought = false;           ///< whether the levels were enough, and it was asked for
   double edf = 0.0;                    ///< effective degrees of freedom of all densities together
   double confidence = 0.0;             ///< of the bands
   std::vector<Warning> warnings = {};  ///< see diagnose()

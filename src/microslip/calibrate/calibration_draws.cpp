@@ -12,8 +12,19 @@ namespace {
 /// Draws of the prior: as its variance needs, no more.
 constexpr std::size_t kPriorDraws = 400;
 
+/// Where a joint has edges in any of the states, m.
+std::vector<double> all_edges(const std::vector<WeighedState>& states, std::size_t joint) {
+  std::vector<double> all;
+  for (const WeighedState& one : states) {
+    const std::vector<double> own = one.state.unknowns.of(joint).edges();
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  std::ranges::sort(all);
+  return all;
+}
+
 /// Coefficients by which all states can be told: of each joint those of a state that goes on as a
-/// power law, whose knots are the finest.
+/// power law, whose knots are the finest, and the edges of all.
 AllUnknowns common_unknowns(const std::vector<WeighedState>& states) {
   const AllUnknowns& first = states.front().state.unknowns;
   if (states.size() == 1) return first;
@@ -25,7 +36,9 @@ AllUnknowns common_unknowns(const std::vector<WeighedState>& states) {
     };
     const auto finest = std::ranges::find_if(states, is_power_law);
     which.push_back(first.index(j));
-    joints.push_back((finest == states.end() ? first : finest->state.unknowns).of(j).by_knots());
+    joints.push_back((finest == states.end() ? first : finest->state.unknowns)
+                         .of(j)
+                         .by_knots(all_edges(states, j)));
   }
   return {std::move(which), std::move(joints)};
 }

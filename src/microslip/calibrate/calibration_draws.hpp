@@ -26,7 +26,7 @@ struct CalibrationDraws {
 };
 
 /// Draws each state by its weight. Where there are several, the coefficients are ψ at the knots.
-/// @param states  GrowingRange::with_other_exponents().
+/// @param states  GrowingRange::with_others().
 /// @param least   smallest τ of each kind of rows.
 /// @param count   of draws of the posterior.
 /// @param seed    of the draws.

@@ -147,6 +147,19 @@ void read_joints(const CalibrationEvidence& evidence, const CalibrationOptions& 
   }
 }
 
+/// Slip forces of the edges, by the stiffness found.
+void read_edges(const GrowingRange& range, CalibrationResult& result) {
+  for (std::size_t j = 0; j < result.joints.size(); ++j) {
+    const FoundEdges& found = range.edges()[j];
+    CalibratedJoint& joint = result.joints[j];
+    joint.edges_evidence = found.evidence;
+    for (std::size_t e = 0; e < found.slip_displacement.size(); ++e) {
+      const double k = joint.joint.stiffness();
+      joint.edges.push_back({k * found.slip_displacement[e], k * found.deviation[e]});
+    }
+  }
+}
+
 /// D of each joint that was found at a level, draw by draw, J, at the amplitude that the joint has in
 /// that draw; at the one amplitude of a level that the structure does not have.
 std::vector<std::vector<double>> losses_of_draws(const CalibrationEvidence& evidence,
@@ -418,8 +431,8 @@ void read_deviations(const CalibrationEvidence& evidence, const AllUnknowns& unk
 void read_calibration(const CalibrationEvidence& evidence, const CalibrationOptions& options,
                       const CalibratedState& state, GrowingRange& range, LevelStates& states,
                       CalibrationResult& result) {
-  const CalibrationDraws draws = draw_all(range.with_other_exponents(state), range.least_scatter(),
-                                          options.draws, options.seed);
+  const CalibrationDraws draws =
+      draw_all(range.with_others(state), range.least_scatter(), options.draws, options.seed);
   const std::vector<Joint> joints = range.joints(draws.unknowns, draws.mean());
   states.set_joints(joints);
   std::vector<std::size_t> all(evidence.levels.size());
@@ -438,8 +451,10 @@ void read_calibration(const CalibrationEvidence& evidence, const CalibrationOpti
   result.frequency_scatter = state.evidence.of(RowKind::kFrequency).tells()
                                  ? state.settled.weights.of(RowKind::kFrequency)
                                  : 0.0;
+  result.edges_sought = range.edges_sought();
   result.edf = state.settled.edf;
   read_joints(evidence, options, state, draws, joints, states, result);
+  read_edges(range, result);
   read_told(draws, result);
   std::vector<std::vector<std::vector<double>>> losses;
   for (const std::size_t level : all) {

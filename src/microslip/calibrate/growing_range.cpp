@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/calibrate/joint_edges.hpp"
 
 namespace microslip {
 namespace {
@@ -45,6 +46,11 @@ constexpr std::array kDrawnExponents = {0.0, -0.125, -0.25, -0.375, -0.5, -0.625
 /// Chains of draws with exponents of their own: one of this share of probability has one at least.
 /// A power of 2, so that each odd number goes through all of them.
 constexpr std::size_t kExponentChains = 16;
+/// Levels for each joint: fewer hardly tell an edge from a smooth density.
+constexpr std::size_t kFewestForEdges = 20;
+/// Places of edges beside those found.
+constexpr std::size_t kPlacesOfEdges = 8;
+constexpr std::size_t kFound = static_cast<std::size_t>(-1);
 /// Losses without a deviation scatter by this at least, relative: few levels leave no residual.
 constexpr double kLeastLossScatter = 1e-3;
 /// Times the largest amplitude of a joint at the levels that were found.
@@ -102,7 +108,8 @@ GrowingRange::GrowingRange(CalibrationEvidence evidence, const std::vector<std::
       least_{evidence_.loss_std_given ? 1.0 : kLeastLossScatter,
              evidence_.frequency_std_given ? 1.0 : kLeastFrequencyScatter, 1.0},
       all_(evidence_.levels.size()),
-      exponents_(sought.size(), 0.0) {
+      exponents_(sought.size(), 0.0),
+      edges_(sought.size()) {
   std::iota(all_.begin(), all_.end(), std::size_t{0});
   std::ranges::stable_sort(all_, {},
                            [&](std::size_t i) { return evidence_.levels.displacement[i]; });
@@ -141,11 +148,18 @@ std::pair<double, double> GrowingRange::reach(std::size_t joint) const {
 }
 
 AllUnknowns GrowingRange::unknowns(const std::vector<double>& exponents) const {
+  JointEdgePlaces edges;
+  for (const FoundEdges& found : edges_) edges.push_back(found.slip_displacement);
+  return unknowns(exponents, edges);
+}
+
+AllUnknowns GrowingRange::unknowns(const std::vector<double>& exponents,
+                                   const JointEdgePlaces& edges) const {
   std::vector<JointUnknowns> joints;
   for (std::size_t j = 0; j < sought_.size(); ++j) {
     const auto [least, largest] = reach(sought_[j]);
     joints.emplace_back(given_stiffness_[j], largest, std::clamp(least / largest, kLeastRange, 0.5),
-                        exponents[j], options_.coefficients);
+                        exponents[j], options_.coefficients, edges[j]);
   }
   return {sought_, std::move(joints)};
 }
@@ -165,10 +179,12 @@ CalibratedState GrowingRange::linear_about(const std::vector<std::size_t>& which
                                            AllUnknowns unknowns, Eigen::VectorXd x) {
   states_.set_joints(joints(unknowns, x));
   states_.solve(which);
-  LinearEvidence linear = linearise(evidence_, unknowns, states_, which, x);
+  LinearisedLevels linear = linearise(evidence_, unknowns, states_, which, x);
+  LinearEvidence evidence = in_terms_of(evidence_, unknowns, linear);
   const auto found = static_cast<std::size_t>(std::ranges::count_if(
       which, [&](std::size_t level) { return states_.at(level).has_value(); }));
-  return {std::move(unknowns), which, found, std::move(x), std::move(linear), {}};
+  return {std::move(unknowns), which, found, std::move(x), std::move(linear),
+          std::move(evidence), {}};
 }
 
 /// To the joints that were settled, or a part of the way to them where the levels, which are not
@@ -378,19 +394,93 @@ CalibratedState GrowingRange::find(const std::function<void()>& tick) {
   require_losses(state);
   state = steadied(std::move(state));
   deviations_believed_ = false;
-  state = converge(choose_exponents(state));
+  state = choose_exponents(state);
+  if (!fit_stiffness) {
+    state = converge(with_edges(std::move(state)));
+    require_levels(state);
+    weigh_edges(state);
+    return state;
+  }
+  state = converge(std::move(state));
   require_levels(state);
-  if (!fit_stiffness) return state;
   evidence_.fit_stiffness = true;
   evidence_.frequency = FrequencyUse::kAbsolute;
   keep_weights_ = false;
-  return converge(choose_exponents(relinearised(state)));
+  state = converge(with_edges(choose_exponents(relinearised(state))));
+  weigh_edges(state);
+  return state;
+}
+
+bool GrowingRange::edges_sought() const {
+  return options_.edges && all_.size() >= kFewestForEdges * sought_.size();
+}
+
+/// Gives the joint that gains most its edges. Those that have some keep them.
+/// @return whether there is one.
+bool GrowingRange::find_edges(const CalibratedState& state) {
+  double most = 0.0;
+  std::size_t where = 0;
+  std::vector<double> places;
+  for (std::size_t j = 0; j < sought_.size(); ++j) {
+    if (!edges_[j].slip_displacement.empty()) continue;
+    JointEdges model(evidence_, state.linear, state.unknowns, j, bounds());
+    const EdgedFit without = model.present(state.settled.weights);
+    const EdgedFit found = model.search().find(without);
+    if (tick_) tick_();
+    const double gain = without.evidence - found.evidence;
+    if (found.edges.empty() || !(gain > most)) continue;
+    most = gain;
+    where = j;
+    places = model.slip_displacements(found.edges);
+  }
+  if (places.empty()) return false;
+  edges_[where].slip_displacement = std::move(places);
+  return true;
+}
+
+// One joint after the other, as a jump that one of them leaves unexplained may pass for one of
+// another.
+CalibratedState GrowingRange::with_edges(CalibratedState state) {
+  if (!edges_sought()) return state;
+  state = steadied(std::move(state));
+  bool any = false;
+  while (find_edges(state)) {
+    any = true;
+    state = tried(state, exponents_);
+  }
+  return any ? choose_exponents(state) : state;
+}
+
+/// How sure the edges are, and where else they may be.
+void GrowingRange::weigh_edges(const CalibratedState& found) {
+  for (std::size_t j = 0; j < sought_.size(); ++j) {
+    FoundEdges& edges = edges_[j];
+    edges.slip_displacement = found.unknowns.of(j).edges();
+    if (edges.slip_displacement.empty()) continue;
+    JointEdges model(evidence_, found.linear, found.unknowns, j, bounds());
+    EdgeSearch search = model.search();
+    const EdgedFit fit = model.present(found.settled.weights);
+    edges.evidence = model.fit({}, 0.0, fit, true).evidence - fit.evidence;
+    const std::vector<double> deviations = search.deviations(fit);
+    for (std::size_t e = 0; e < fit.edges.size(); ++e) {
+      std::vector<BasisEdge> moved = fit.edges;
+      moved[e].at -= deviations[e];
+      edges.deviation.push_back(edges.slip_displacement[e] - model.slip_displacements(moved)[e]);
+    }
+    for (const auto& places : search.elsewhere(fit, deviations, kPlacesOfEdges)) {
+      edges.elsewhere.push_back(model.slip_displacements(places));
+    }
+  }
 }
 
 /// About the joints that were found, as they explain the levels with any exponent: λ and τ are near.
-CalibratedState GrowingRange::beside(const CalibratedState& found,
-                                     const std::vector<double>& exponents) {
-  AllUnknowns now = unknowns(exponents);
+CalibratedState GrowingRange::beside(const CalibratedState& found, const Variant& variant) {
+  JointEdgePlaces edges;
+  for (std::size_t j = 0; j < sought_.size(); ++j) {
+    edges.push_back(variant.places[j] == kFound ? edges_[j].slip_displacement
+                                                : edges_[j].elsewhere[variant.places[j]]);
+  }
+  AllUnknowns now = unknowns(variant.exponents, edges);
   Eigen::VectorXd x = projected(now, found.unknowns, found.settled.x);
   CalibratedState state = linear_about(all_, std::move(now), std::move(x));
   state.settled = settle(NormalEquations(state.evidence), found.settled.weights, bounds());
@@ -400,12 +490,12 @@ CalibratedState GrowingRange::beside(const CalibratedState& found,
 
 /// Exponents of one joint, each as many times of kExponentChains as it is likely.
 std::vector<double> GrowingRange::likely_exponents(std::size_t joint, const CalibratedState& found,
-                                                   ExponentStates& states) {
+                                                   VariantStates& states) {
   std::vector<double> likelihood;
   for (const double exponent : kDrawnExponents) {
-    std::vector<double> exponents = exponents_;
-    exponents[joint] = exponent;
-    const CalibratedState& state = state_with(exponents, found, states).state;
+    Variant variant{exponents_, std::vector(sought_.size(), kFound)};
+    variant.exponents[joint] = exponent;
+    const CalibratedState& state = state_with(variant, found, states).state;
     const double fall = state.settled.likelihood - found.settled.likelihood;
     likelihood.push_back(state.found < found.found ? 0.0 : std::exp(-0.5 * fall));
   }
@@ -419,32 +509,35 @@ std::vector<double> GrowingRange::likely_exponents(std::size_t joint, const Cali
   return likely;
 }
 
-WeighedState& GrowingRange::state_with(const std::vector<double>& exponents,
-                                       const CalibratedState& found, ExponentStates& states) {
-  auto known = states.find(exponents);
+WeighedState& GrowingRange::state_with(const Variant& variant, const CalibratedState& found,
+                                       VariantStates& states) {
+  auto known = states.find(variant);
   if (known == states.end()) {
-    known = states.emplace(exponents, WeighedState{beside(found, exponents)}).first;
+    known = states.emplace(variant, WeighedState{beside(found, variant)}).first;
   }
   return known->second;
 }
 
-std::vector<WeighedState> GrowingRange::with_other_exponents(const CalibratedState& found) {
+std::vector<WeighedState> GrowingRange::with_others(const CalibratedState& found) {
   keep_weights_ = false;
-  ExponentStates states;
-  states.emplace(exponents_, WeighedState{found});
+  VariantStates states;
+  states.emplace(Variant{exponents_, std::vector(sought_.size(), kFound)}, WeighedState{found});
   std::vector<std::vector<double>> likely;
   for (std::size_t j = 0; j < sought_.size(); ++j) {
     likely.push_back(likely_exponents(j, found, states));
   }
   for (std::size_t chain = 0; chain < kExponentChains; ++chain) {
-    std::vector<double> exponents;
+    Variant variant;
     for (std::size_t j = 0; j < sought_.size(); ++j) {
-      exponents.push_back(likely[j][chain * (2 * j + 1) % kExponentChains]);
+      variant.exponents.push_back(likely[j][chain * (2 * j + 1) % kExponentChains]);
+      const std::size_t others = edges_[j].elsewhere.size();
+      const std::size_t place = (chain * (2 * j + 1) + j) % (others + 1);
+      variant.places.push_back(place == others ? kFound : place);
     }
-    ++state_with(exponents, found, states).weight;
+    ++state_with(variant, found, states).weight;
   }
   std::vector<WeighedState> drawn;
-  for (auto& [exponents, state] : states) {
+  for (auto& [variant, state] : states) {
     if (state.weight > 0) drawn.push_back(std::move(state));
   }
   (void)linear_about(all_, found.unknowns, found.about);  // others have moved the levels

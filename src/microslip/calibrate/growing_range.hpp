@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <functional>
 #include <map>
@@ -23,7 +24,8 @@ struct CalibratedState {
   std::vector<std::size_t> levels;  ///< that it is of
   std::size_t found = 0;            ///< how many of them the structure has
   Eigen::VectorXd about;            ///< coefficients that it is linear about
-  LinearEvidence evidence;
+  LinearisedLevels linear;
+  LinearEvidence evidence;  ///< of them
   SettledEvidence settled;
 };
 
@@ -31,6 +33,15 @@ struct CalibratedState {
 struct WeighedState {
   CalibratedState state;
   std::size_t weight = 0;
+};
+
+/// Edges of a joint that were found.
+struct FoundEdges {
+  std::vector<double> slip_displacement = {};  ///< x*, m; rising
+  std::vector<double> deviation = {};          ///< standard deviation of each place, m
+  /// By what −2 ln of the likelihood falls with them all
+  double evidence = 0.0;
+  std::vector<std::vector<double>> elsewhere = {};  ///< other places of all, as likely, m
 };
 
 /// What is settled with the joints given, and with those of its own result, is the same.
@@ -43,12 +54,17 @@ class GrowingRange {
   /// Finds it. @param tick  called after each pass; throws to stop.
   [[nodiscard]] CalibratedState find(const std::function<void()>& tick);
 
-  /// What was found, and the same with other exponents of the joints as often as they are likely:
-  /// levels hardly tell how a joint goes on below the amplitudes at which it shows, and a band for
-  /// one exponent alone is far too narrow there. The likelihood of an exponent is taken with those
-  /// of the other joints as they were found.
+  /// What was found, and the same with other exponents of the joints as often as they are likely,
+  /// and with edges at other places: levels hardly tell how a joint goes on below the amplitudes at
+  /// which it shows, and a band for one exponent alone is far too narrow there. The likelihood of
+  /// an exponent is taken with those of the other joints as they were found.
   /// @param found  by find(). @return at least one.
-  [[nodiscard]] std::vector<WeighedState> with_other_exponents(const CalibratedState& found);
+  [[nodiscard]] std::vector<WeighedState> with_others(const CalibratedState& found);
+
+  /// Whether edges are asked for, and the levels enough.
+  [[nodiscard]] bool edges_sought() const;
+  /// Edges of each joint that is sought; after find().
+  [[nodiscard]] const std::vector<FoundEdges>& edges() const { return edges_; }
 
   /// Smallest τ of each kind of rows that is believed.
   [[nodiscard]] const std::array<double, kRowKinds.size()>& least_scatter() const { return least_; }
@@ -71,7 +87,10 @@ class GrowingRange {
                                      const std::vector<double>& exponents);
   [[nodiscard]] ScatterBounds bounds() const;
   [[nodiscard]] std::pair<double, double> reach(std::size_t joint) const;
+  using JointEdgePlaces = std::vector<std::vector<double>>;  // [joint], m
   [[nodiscard]] AllUnknowns unknowns(const std::vector<double>& exponents) const;
+  [[nodiscard]] AllUnknowns unknowns(const std::vector<double>& exponents,
+                                     const JointEdgePlaces& edges) const;
   [[nodiscard]] std::vector<double> amplitude_shares() const;
   [[nodiscard]] CalibratedState grow();
   [[nodiscard]] CalibratedState tried(const CalibratedState& start,
@@ -81,14 +100,23 @@ class GrowingRange {
   [[nodiscard]] CalibratedState choose_exponents(const CalibratedState& start);
   [[nodiscard]] CalibratedState steadied(CalibratedState state);
   [[nodiscard]] CalibratedState converge(CalibratedState state);
-  using ExponentStates = std::map<std::vector<double>, WeighedState>;
-  [[nodiscard]] CalibratedState beside(const CalibratedState& found,
-                                       const std::vector<double>& exponents);
-  [[nodiscard]] WeighedState& state_with(const std::vector<double>& exponents,
-                                         const CalibratedState& found, ExponentStates& states);
+
+  [[nodiscard]] bool find_edges(const CalibratedState& state);
+  [[nodiscard]] CalibratedState with_edges(CalibratedState state);
+  void weigh_edges(const CalibratedState& found);
+  /// Exponents of the joints, and which of FoundEdges::elsewhere; kFound those found.
+  struct Variant {
+    std::vector<double> exponents;
+    std::vector<std::size_t> places;
+    auto operator<=>(const Variant&) const = default;
+  };
+  using VariantStates = std::map<Variant, WeighedState>;
+  [[nodiscard]] CalibratedState beside(const CalibratedState& found, const Variant& variant);
+  [[nodiscard]] WeighedState& state_with(const Variant& variant, const CalibratedState& found,
+                                         VariantStates& states);
   [[nodiscard]] std::vector<double> likely_exponents(std::size_t joint,
                                                      const CalibratedState& found,
-                                                     ExponentStates& states);
+                                                     VariantStates& states);
   [[nodiscard]] CalibratedState relinearised(const CalibratedState& state);
   void require_levels(const CalibratedState& state) const;
   void require_losses(const CalibratedState& state) const;
@@ -102,6 +130,7 @@ class GrowingRange {
   std::vector<std::size_t> all_;  // levels by rising displacement
   std::vector<double> given_stiffness_;
   std::vector<double> exponents_;
+  std::vector<FoundEdges> edges_;
   bool keep_weights_ = false;
   bool deviations_believed_ = false;
   std::function<void()> tick_;

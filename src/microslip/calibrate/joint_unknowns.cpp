@@ -27,14 +27,45 @@ Eigen::VectorXd trapezoid_weights(const std::vector<double>& knots) {
   return weights;
 }
 
+BasisEdge place_of(const InversionBasis& uniform, double s) {
+  const double at = uniform.place(s);
+  return {static_cast<int>(std::lround(at)), at};
+}
+
+/// As the range grows its knots move: two edges may come as close as neighbouring ones.
+std::vector<BasisEdge> places_with_room(const InversionBasis& uniform, double length,
+                                        int coefficients, const std::vector<double>& edges) {
+  std::vector<BasisEdge> places;
+  int knot = 0;
+  for (const double x : edges) {
+    const BasisEdge edge = place_of(uniform, x / length);
+    if (edge.knot <= knot || edge.knot + 1 >= coefficients) continue;
+    knot = edge.knot;
+    places.push_back(edge);
+  }
+  return places;
+}
+
+/// Closer to each other, relative, two knots are those of an edge, or one.
+constexpr double kOfAnEdge = 10.0 * InversionBasis::kWidth;
+constexpr double kSameKnot = 1e-3 * InversionBasis::kWidth;
+
 }  // namespace
 
 JointUnknowns::JointUnknowns(double stiffness, double length, double lowest, double exponent,
-                             int coefficients)
+                             int coefficients, const std::vector<double>& edges)
+    : JointUnknowns(stiffness, length, lowest, exponent, coefficients,
+                    places_with_room(InversionBasis(lowest, 1.0, exponent, coefficients), length,
+                                     coefficients, edges)) {}
+
+JointUnknowns::JointUnknowns(double stiffness, double length, double lowest, double exponent,
+                             int coefficients, const std::vector<BasisEdge>& edges)
     : stiffness_(stiffness),
       length_(length),
+      lowest_(lowest),
       exponent_(exponent),
-      basis_(lowest, 1.0, exponent, coefficients),
+      coefficients_(coefficients),
+      basis_(lowest, 1.0, exponent, coefficients, edges),
       theta_scale_(0.5 / basis_.area().sum()) {
   if (exponent != 0.0) begin_power_law();
   refine(exponent == 0.0 ? 1 : kRefinement);
@@ -55,14 +86,43 @@ void JointUnknowns::read_density() {
   area_ = trapezoid_weights(slip_).transpose() * density_ / stiffness_;
 }
 
-JointUnknowns JointUnknowns::by_knots() const {
-  JointUnknowns all = *this;
-  const auto count = static_cast<Eigen::Index>(knots_.size());
+JointUnknowns JointUnknowns::with_edges(const std::vector<BasisEdge>& edges) const {
+  return {stiffness_, length_, lowest_, exponent_, coefficients_, edges};
+}
+
+JointUnknowns JointUnknowns::by_knots(const std::vector<double>& edges) const {
+  JointUnknowns all = with_edges({});
+  for (const double x : edges) {
+    all.knots_.push_back(x / length_);
+    all.knots_.push_back(x / length_ * (1.0 + InversionBasis::kWidth));
+  }
+  std::ranges::sort(all.knots_);
+  const auto same = [](double left, double right) { return right - left < kSameKnot * right; };
+  all.knots_.erase(std::unique(all.knots_.begin(), all.knots_.end(), same), all.knots_.end());
+  const auto count = static_cast<Eigen::Index>(all.knots_.size());
   all.nodal_ = Eigen::MatrixXd::Identity(count, count);
-  all.place_ = knots_;
+  all.place_ = all.knots_;
   all.there_ = Eigen::VectorXd::Ones(count);
   all.read_density();
   return all;
+}
+
+std::vector<double> JointUnknowns::edges() const {
+  std::vector<double> all = basis_.edges();
+  for (double& s : all) s *= length_;
+  return all;
+}
+
+BasisEdge JointUnknowns::place(double slip_displacement) const {
+  return place_of(uniform(), slip_displacement / length_);
+}
+
+std::vector<Eigen::Index> JointUnknowns::ranges() const {
+  std::vector<Eigen::Index> counts;
+  for (Eigen::Index range = 0; range < basis_.ranges(); ++range) {
+    counts.push_back(basis_.size_of(range));
+  }
+  return counts;
 }
 
 // Below the knots of the basis θ is constant and ψ goes on as the power law, on knots an e-fold
@@ -79,7 +139,12 @@ void JointUnknowns::refine(int parts) {
   const Eigen::MatrixXd& nodal = basis_.nodal();
   const auto power = [this](double s) { return std::pow(s, exponent_); };
   const auto tail = static_cast<Eigen::Index>(knots_.size());
-  nodal_.resize(tail + static_cast<Eigen::Index>(coarse.size() - 1) * parts + 1, basis_.size());
+  const auto parts_after = [&](std::size_t i) {
+    return coarse[i + 1] - coarse[i] < kOfAnEdge * coarse[i] ? 1 : parts;
+  };
+  Eigen::Index rows = tail + 1;
+  for (std::size_t i = 0; i + 1 < coarse.size(); ++i) rows += parts_after(i);
+  nodal_.resize(rows, basis_.size());
   for (Eigen::Index i = 0; i < tail; ++i) {
     const double s = knots_[static_cast<std::size_t>(i)];
     nodal_.row(i) = power(s) / power(coarse.front()) * nodal.row(0);
@@ -88,8 +153,8 @@ void JointUnknowns::refine(int parts) {
     const auto row = static_cast<Eigen::Index>(i);
     const Eigen::RowVectorXd left = nodal.row(row) / power(coarse[i]);
     const Eigen::RowVectorXd right = nodal.row(row + 1) / power(coarse[i + 1]);
-    for (int part = 0; part < parts; ++part) {
-      const double share = static_cast<double>(part) / parts;
+    for (int part = 0; part < parts_after(i); ++part) {
+      const double share = static_cast<double>(part) / parts_after(i);
       const double s = coarse[i] + share * (coarse[i + 1] - coarse[i]);
       nodal_.row(static_cast<Eigen::Index>(knots_.size())) =
           power(s) * ((1.0 - share) * left + share * right);

@@ -24,17 +24,38 @@ class JointUnknowns {
   /// @param length        X, m: where the density ends.
   /// @param lowest        smallest amplitude over X, in (0, 1).
   /// @param exponent      χ₀ of the basis, in (−1, 0].
-  /// @param coefficients  how many θ.
-  JointUnknowns(double stiffness, double length, double lowest, double exponent, int coefficients);
+  /// @param coefficients  how many θ without edges.
+  /// @param edges         where ψ may jump, rising, m; one too close to the next or to an end is
+  ///                      left out.
+  JointUnknowns(double stiffness, double length, double lowest, double exponent, int coefficients,
+                const std::vector<double>& edges = {});
 
-  /// The same range with a coefficient for each knot of ψ in place of θ: densities of any exponent
-  /// can be told by it. It has no penalty().
-  [[nodiscard]] JointUnknowns by_knots() const;
+  /// The same with edges at these places of uniform().
+  [[nodiscard]] JointUnknowns with_edges(const std::vector<BasisEdge>& edges) const;
+
+  /// The same range with a coefficient for each knot of ψ in place of θ: densities of any exponent,
+  /// and with any of these edges, can be told by it. It has no penalty().
+  /// @param edges  rising, m.
+  [[nodiscard]] JointUnknowns by_knots(const std::vector<double>& edges = {}) const;
 
   [[nodiscard]] Eigen::Index size() const { return nodal_.cols() + 1; }
   [[nodiscard]] double stiffness() const { return stiffness_; }
   [[nodiscard]] double length() const { return length_; }
   [[nodiscard]] double exponent() const { return exponent_; }
+
+  /// How many θ without edges.
+  [[nodiscard]] int coefficients() const { return coefficients_; }
+
+  /// Where ψ may jump, m.
+  [[nodiscard]] std::vector<double> edges() const;
+  /// The basis of θ without edges, of s.
+  [[nodiscard]] InversionBasis uniform() const { return {lowest_, 1.0, exponent_, coefficients_}; }
+  /// The place of a slip displacement among the knots of uniform().
+  [[nodiscard]] BasisEdge place(double slip_displacement) const;
+  /// Where the middle of each row of penalty() is among them.
+  [[nodiscard]] Eigen::VectorXd middles() const { return basis_.middles(); }
+  /// How many θ are of each range between edges.
+  [[nodiscard]] std::vector<Eigen::Index> ranges() const;
 
   /// 0 and knots through which ψ is straight, m.
   [[nodiscard]] const std::vector<double>& slip_displacement() const { return slip_; }
@@ -61,13 +82,17 @@ class JointUnknowns {
                                           const Eigen::VectorXd& x) const;
 
  private:
+  JointUnknowns(double stiffness, double length, double lowest, double exponent, int coefficients,
+                const std::vector<BasisEdge>& edges);
   void begin_power_law();
   void refine(int parts);
   void read_density();
 
   double stiffness_;
   double length_;
+  double lowest_;
   double exponent_;
+  int coefficients_;
   InversionBasis basis_;
   double theta_scale_;
   std::vector<double> knots_;  // s

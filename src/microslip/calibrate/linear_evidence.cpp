@@ -20,11 +20,6 @@ constexpr std::array kFirstLambdas = {1e-4, 1e-1, 1e2};
 /// Of each element of the diagonal: rounding, so that a factor exists.
 constexpr double kRidge = 1e-13;
 
-Eigen::MatrixXd with_ridge(Eigen::MatrixXd hessian) {
-  hessian.diagonal() *= 1.0 + kRidge;
-  return hessian;
-}
-
 std::vector<Eigen::Index> free_of(const QuadraticProgram::Solution& solution) {
   std::vector<Eigen::Index> index;
   for (std::size_t i = 0; i < solution.free.size(); ++i) {
@@ -144,6 +139,11 @@ std::vector<bool> all_free(const NormalEquations& equations) {
 }
 
 }  // namespace
+
+Eigen::MatrixXd with_ridge(Eigen::MatrixXd hessian) {
+  hessian.diagonal() *= 1.0 + kRidge;
+  return hessian;
+}
 
 NormalEquations::NormalEquations(const LinearEvidence& evidence) : evidence_(evidence) {
   for (std::size_t k = 0; k < kRowKinds.size(); ++k) {

@@ -32,6 +32,8 @@ struct RoughnessBlock {
   Eigen::Index begin = 0;
   Eigen::Index free_count = 0;  ///< coefficients that it acts on: columns of L
   Eigen::MatrixXd rows;         ///< L, over those alone
+  /// How many of them are of each range on which a straight line costs nothing.
+  std::vector<Eigen::Index> ranges = {};
 };
 
 /// One kind of rows, each over its standard deviation where that is known and else over a guess.
@@ -73,6 +75,9 @@ struct ScatterBounds {
                                             std::numeric_limits<double>::infinity(),
                                             std::numeric_limits<double>::infinity()};
 };
+
+/// With rounding more on its diagonal, so that it has a factor.
+[[nodiscard]] Eigen::MatrixXd with_ridge(Eigen::MatrixXd hessian);
 
 /// AᵀA, Aᵀb and LᵀL, from which every weighing is a sum.
 class NormalEquations {

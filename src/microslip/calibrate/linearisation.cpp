@@ -20,19 +20,7 @@ constexpr double kSoughtStiffness = 0.5;
 /// must not rule.
 constexpr double kLeastLoss = 1e-9;
 
-/// One row before it is weighed.
-struct Row {
-  Eigen::RowVectorXd design;
-  double data = 0.0;
-  double deviation = 1.0;
-  double by_displacement = 0.0;  ///< what the error of the displacement adds to the deviation
-  std::size_t level = 0;
-  std::size_t joint = kAllJoints;  ///< whose loss it is
-
-  static constexpr std::size_t kAllJoints = static_cast<std::size_t>(-1);
-};
-
-/// How the quantities of a level answer to the coefficients.
+/// How the quantities of a level answer to the loss and the stiffness of each joint there.
 class AnswersOfLevel {
  public:
   AnswersOfLevel(const CalibrationEvidence& evidence, const AllUnknowns& unknowns,
@@ -46,21 +34,19 @@ class AnswersOfLevel {
                                        evidence.forcing)) {
     for (std::size_t j = 0; j < unknowns.count(); ++j) {
       const double a = used_amplitude(evidence, states, level, unknowns.index(j));
-      dissipation_.push_back(unknowns.of(j).dissipation_row(a));
-      secant_.push_back(unknowns.of(j).secant_row(a));
-      area_.push_back(std::numbers::pi * a * a);
+      amplitude_.push_back(a);
     }
   }
 
   /// D of one joint of the structure: what it is, and its derivative.
   [[nodiscard]] Eigen::RowVectorXd loss(std::size_t joint, double& value) const {
-    Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(unknowns_.size());
+    Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(size());
     const StructuralJoint& placed = states_.structure().joints()[joint];
     const double a = used_amplitude(evidence_, states_, level_, joint);
     value = dissipation(placed.joint, a) + placed.linear_damping * a * a;
     for (std::size_t j = 0; j < unknowns_.count(); ++j) {
       if (unknowns_.index(j) != joint) continue;
-      row.segment(unknowns_.begin(j), unknowns_.of(j).size()) += dissipation_[j];
+      row(static_cast<Eigen::Index>(2 * j)) += 1.0;
     }
     const bool sensed = !std::isnan(evidence_.measured_amplitude(level_, joint));
     if (evidence_.stuck_shapes || sensed) return row;
@@ -93,6 +79,10 @@ class AnswersOfLevel {
   [[nodiscard]] const SteadyVibration& vibration() const { return vibration_; }
 
  private:
+  [[nodiscard]] Eigen::Index size() const {
+    return static_cast<Eigen::Index>(2 * unknowns_.count());
+  }
+
   [[nodiscard]] double displacement_deviation() const {
     const double given = ModalLevels::value(evidence_.levels.displacement_std, level_);
     return std::isnan(given) ? 0.0 : given;
@@ -115,11 +105,12 @@ class AnswersOfLevel {
 
   /// Of what has the derivative `by_kappa` with respect to κ of each joint of the structure.
   [[nodiscard]] Eigen::RowVectorXd answer(const Eigen::RowVectorXcd& by_kappa) const {
-    Eigen::RowVectorXd row(unknowns_.size());
+    Eigen::RowVectorXd row(size());
     for (std::size_t j = 0; j < unknowns_.count(); ++j) {
       const std::complex<double> by = by_kappa(static_cast<Eigen::Index>(unknowns_.index(j)));
-      row.segment(unknowns_.begin(j), unknowns_.of(j).size()) =
-          by.real() * secant_[j] - by.imag() / area_[j] * dissipation_[j];
+      const auto at = static_cast<Eigen::Index>(2 * j);
+      row(at) = -by.imag() / (std::numbers::pi * amplitude_[j] * amplitude_[j]);
+      row(at + 1) = by.real();
     }
     return row;
   }
@@ -130,10 +121,46 @@ class AnswersOfLevel {
   std::size_t level_;
   const SteadyVibration& vibration_;
   LevelSensitivity sensitivity_;
+  std::vector<double> amplitude_;  // of the joints that are sought
+};
+
+/// D and k_eq of each joint that is sought at a level, from coefficients.
+class JointRows {
+ public:
+  /// @param amplitude  of each joint that is sought, m.
+  JointRows(const AllUnknowns& unknowns, const std::vector<double>& amplitude)
+      : unknowns_(unknowns) {
+    for (std::size_t j = 0; j < unknowns.count(); ++j) {
+      dissipation_.push_back(unknowns.of(j).dissipation_row(amplitude[j]));
+      secant_.push_back(unknowns.of(j).secant_row(amplitude[j]));
+    }
+  }
+
+  /// What answers to these as `by` has it, from coefficients.
+  [[nodiscard]] Eigen::RowVectorXd of(const Eigen::RowVectorXd& by) const {
+    Eigen::RowVectorXd row(unknowns_.size());
+    for (std::size_t j = 0; j < unknowns_.count(); ++j) {
+      const auto at = static_cast<Eigen::Index>(2 * j);
+      row.segment(unknowns_.begin(j), unknowns_.of(j).size()) =
+          by(at) * dissipation_[j] + by(at + 1) * secant_[j];
+    }
+    return row;
+  }
+
+ private:
+  const AllUnknowns& unknowns_;
   std::vector<Eigen::RowVectorXd> dissipation_;
   std::vector<Eigen::RowVectorXd> secant_;
-  std::vector<double> area_;
 };
+
+std::vector<double> amplitudes_of(const CalibrationEvidence& evidence, const AllUnknowns& unknowns,
+                                  const LevelStates& states, std::size_t level) {
+  std::vector<double> all;
+  for (std::size_t j = 0; j < unknowns.count(); ++j) {
+    all.push_back(used_amplitude(evidence, states, level, unknowns.index(j)));
+  }
+  return all;
+}
 
 double joint_entry(const CalibrationEvidence& evidence, std::size_t joint, std::size_t level,
                    std::vector<double> JointLevels::*values) {
@@ -155,20 +182,22 @@ double sensor_share(const CalibrationEvidence& evidence, const LevelStates& stat
 /// are often known far less well than their sum.
 void add_losses(const CalibrationEvidence& evidence, const AllUnknowns& unknowns,
                 const LevelStates& states, std::size_t level, const AnswersOfLevel& answers,
-                std::vector<Row>& rows) {
+                std::vector<LevelRow>& rows) {
   double sum = 0.0;
   double variance = 0.0;
-  Row together{.design = Eigen::RowVectorXd::Zero(unknowns.size())};
+  LevelRow together{.by =
+                        Eigen::RowVectorXd::Zero(static_cast<Eigen::Index>(2 * unknowns.count()))};
   for (std::size_t j = 0; j < states.structure().joints().size(); ++j) {
     double value = 0.0;
-    Row row{.design = answers.loss(j, value)};
-    together.design += row.design;
+    LevelRow row{.by = answers.loss(j, value)};
+    together.by += row.by;
     sum += value;
     const double share = sensor_share(evidence, states, level, j);
     variance += share * share;
     const double measured = joint_entry(evidence, j, level, &JointLevels::dissipation);
     if (std::isnan(measured)) continue;
     row.data = measured - value;
+    row.size = measured;
     const double given = joint_entry(evidence, j, level, &JointLevels::dissipation_std);
     row.level = level;
     row.joint = j;
@@ -179,6 +208,7 @@ void add_losses(const CalibrationEvidence& evidence, const AllUnknowns& unknowns
   const MeasuredLoss measured = measured_loss(evidence.levels, level, answers.vibration());
   if (std::isnan(measured.value)) return;
   together.data = measured.value - sum;
+  together.size = measured.value;
   together.level = level;
   together.deviation = evidence.loss_std_given ? std::hypot(measured.deviation, std::sqrt(variance))
                                                : std::max(sum, measured.scattered);
@@ -194,51 +224,59 @@ void add_losses(const CalibrationEvidence& evidence, const AllUnknowns& unknowns
 ///     σ_i² ← σ_i²(1 + c_i² Σ_r 1/σ_r²)   over the rows r of the same quantity at such levels
 ///
 /// the mean has the variance 1/Σ_r(1/σ_r²) + c². Of a level alone that is σ² + c².
-void add_displacement_errors(const ModalLevels& levels, std::vector<Row>& rows) {
+void add_displacement_errors(const ModalLevels& levels, std::vector<LevelRow>& rows) {
   std::map<std::tuple<std::size_t, double, std::size_t>, double> precision;
-  const auto key = [&](const Row& row) {
+  const auto key = [&](const LevelRow& row) {
     return std::tuple(levels.mode[row.level], levels.displacement[row.level], row.joint);
   };
-  for (const Row& row : rows) precision[key(row)] += 1.0 / (row.deviation * row.deviation);
-  for (Row& row : rows) {
+  for (const LevelRow& row : rows) precision[key(row)] += 1.0 / (row.deviation * row.deviation);
+  for (LevelRow& row : rows) {
     if (row.by_displacement == 0.0) continue;  // where deviations are not known, too
     row.deviation *= std::hypot(1.0, row.by_displacement * std::sqrt(precision[key(row)]));
   }
 }
 
-Row frequency_row(const CalibrationEvidence& evidence, std::size_t level,
-                  const AnswersOfLevel& answers, double measured) {
+LevelRow frequency_row(const CalibrationEvidence& evidence, std::size_t level,
+                       const AnswersOfLevel& answers, double measured) {
   const double omega = answers.vibration().angular_frequency;
-  Row row{.design = answers.frequency() / omega,
-          .data = frequency_error(evidence.levels, level, answers.vibration()),
-          .level = level};
+  LevelRow row{.by = answers.frequency() / omega,
+               .data = frequency_error(evidence.levels, level, answers.vibration()),
+               .level = level};
   if (!evidence.frequency_std_given) return row;
   row.deviation = ModalLevels::value(evidence.levels.frequency_std, level) / measured;
   row.by_displacement = answers.frequency_share() / omega;
   return row;
 }
 
-WeightedRows weighed(const std::vector<Row>& rows, const Eigen::VectorXd& x) {
+std::vector<JointRows> joint_rows(const AllUnknowns& unknowns, const LinearisedLevels& levels) {
+  std::vector<JointRows> all;
+  for (const std::vector<double>& amplitude : levels.amplitude) {
+    all.emplace_back(unknowns, amplitude);
+  }
+  return all;
+}
+
+WeightedRows weighed(const std::vector<LevelRow>& rows, Eigen::Index columns,
+                     const std::vector<JointRows>& of_level) {
   WeightedRows result;
-  result.design.resize(static_cast<Eigen::Index>(rows.size()), x.size());
+  result.design.resize(static_cast<Eigen::Index>(rows.size()), columns);
   result.data.resize(static_cast<Eigen::Index>(rows.size()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    result.design.row(at) = rows[i].design / rows[i].deviation;
-    result.data(at) = rows[i].data / rows[i].deviation + result.design.row(at).dot(x);
+    result.design.row(at) = of_level[rows[i].place].of(rows[i].by) / rows[i].deviation;
+    result.data(at) = rows[i].data / rows[i].deviation;
   }
   return result;
 }
 
 /// Takes what all levels of a mode have in common from their frequencies: an offset of each mode,
 /// which no joint has to explain.
-void centre_modes(const ModalLevels& levels, const std::vector<std::size_t>& which,
-                  const std::vector<Row>& raw, WeightedRows& rows) {
+void centre_modes(const ModalLevels& levels, const std::vector<LevelRow>& raw, WeightedRows& rows) {
   const std::size_t modes = levels.mode.empty() ? 0 : 1 + std::ranges::max(levels.mode);
   for (std::size_t m = 0; m < modes; ++m) {
     std::vector<Eigen::Index> of_mode;
-    for (std::size_t i = 0; i < which.size(); ++i) {
-      if (levels.mode[which[i]] == m) of_mode.push_back(static_cast<Eigen::Index>(i));
+    for (std::size_t i = 0; i < raw.size(); ++i) {
+      if (levels.mode[raw[i].level] == m) of_mode.push_back(static_cast<Eigen::Index>(i));
     }
     if (of_mode.empty()) continue;  // a single one becomes nothing
     // 1/σ is what an offset of 1 makes of a row.
@@ -253,16 +291,6 @@ void centre_modes(const ModalLevels& levels, const std::vector<std::size_t>& whi
     rows.design(of_mode, Eigen::all) = design - offset * (offset.transpose() * design);
     rows.data(of_mode) = data - offset * offset.dot(data);
     rows.freedom_taken += 1.0;
-  }
-}
-
-void add_frequencies(const CalibrationEvidence& evidence, const std::vector<std::size_t>& levels,
-                     const std::vector<Row>& rows, const Eigen::VectorXd& x,
-                     LinearEvidence& linear) {
-  WeightedRows& frequencies = linear.of(RowKind::kFrequency);
-  frequencies = weighed(rows, x);
-  if (evidence.frequency == FrequencyUse::kChange) {
-    centre_modes(evidence.levels, levels, rows, frequencies);
   }
 }
 
@@ -286,6 +314,12 @@ AllUnknowns::AllUnknowns(std::vector<std::size_t> which, std::vector<JointUnknow
     : which_(std::move(which)), joints_(std::move(joints)) {
   begin_.push_back(0);
   for (const JointUnknowns& joint : joints_) begin_.push_back(begin_.back() + joint.size());
+}
+
+AllUnknowns AllUnknowns::with(std::size_t j, JointUnknowns joint) const {
+  std::vector<JointUnknowns> joints = joints_;
+  joints[j] = std::move(joint);
+  return {which_, std::move(joints)};
 }
 
 double CalibrationEvidence::measured_amplitude(std::size_t level, std::size_t joint) const {
@@ -344,10 +378,11 @@ std::vector<LinearLoss> losses_about(const CalibrationEvidence& evidence,
                                      const AllUnknowns& unknowns, const LevelStates& states,
                                      std::size_t level) {
   const AnswersOfLevel answers(evidence, unknowns, states, level);
+  const JointRows rows(unknowns, amplitudes_of(evidence, unknowns, states, level));
   std::vector<LinearLoss> losses;
   for (std::size_t j = 0; j < unknowns.count(); ++j) {
     LinearLoss& loss = losses.emplace_back();
-    loss.slope = answers.loss(unknowns.index(j), loss.value);
+    loss.slope = rows.of(answers.loss(unknowns.index(j), loss.value));
   }
   return losses;
 }
@@ -356,12 +391,14 @@ LevelDeviations deviations_about(const CalibrationEvidence& evidence, const AllU
                                  const LevelStates& states, std::size_t level) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   const AnswersOfLevel answers(evidence, unknowns, states, level);
-  const auto whole = [](const Row& row) { return std::hypot(row.deviation, row.by_displacement); };
+  const auto whole = [](const LevelRow& row) {
+    return std::hypot(row.deviation, row.by_displacement);
+  };
   LevelDeviations found{kUnknown, std::vector(evidence.column.size(), kUnknown), kUnknown};
-  std::vector<Row> losses;
+  std::vector<LevelRow> losses;
   add_losses(evidence, unknowns, states, level, answers, losses);
-  for (const Row& row : losses) {
-    (row.joint == Row::kAllJoints ? found.loss : found.joints[row.joint]) = whole(row);
+  for (const LevelRow& row : losses) {
+    (row.joint == LevelRow::kAllJoints ? found.loss : found.joints[row.joint]) = whole(row);
   }
   const double frequency = ModalLevels::value(evidence.levels.frequency, level);
   if (!std::isnan(frequency)) {
@@ -370,34 +407,51 @@ LevelDeviations deviations_about(const CalibrationEvidence& evidence, const AllU
   return found;
 }
 
-LinearEvidence linearise(const CalibrationEvidence& evidence, const AllUnknowns& unknowns,
-                         const LevelStates& states, const std::vector<std::size_t>& which,
-                         const Eigen::VectorXd& x) {
-  std::vector<Row> losses;
-  std::vector<Row> frequencies;
-  std::vector<std::size_t> with_frequency;
+LinearisedLevels linearise(const CalibrationEvidence& evidence, const AllUnknowns& unknowns,
+                           const LevelStates& states, const std::vector<std::size_t>& which,
+                           const Eigen::VectorXd& x) {
+  LinearisedLevels linear;
   double largest = 0.0;
   for (const std::size_t level : which) {
     if (!states.at(level)) continue;
+    const std::size_t place = linear.amplitude.size();
+    linear.amplitude.push_back(amplitudes_of(evidence, unknowns, states, level));
     const AnswersOfLevel answers(evidence, unknowns, states, level);
-    add_losses(evidence, unknowns, states, level, answers, losses);
+    const std::size_t before = linear.losses.size();
+    add_losses(evidence, unknowns, states, level, answers, linear.losses);
+    for (std::size_t i = before; i < linear.losses.size(); ++i) linear.losses[i].place = place;
     const double frequency = ModalLevels::value(evidence.levels.frequency, level);
     if (evidence.frequency == FrequencyUse::kIgnore || std::isnan(frequency)) continue;
-    frequencies.push_back(frequency_row(evidence, level, answers, frequency));
-    with_frequency.push_back(level);
+    linear.frequencies.push_back(frequency_row(evidence, level, answers, frequency));
+    linear.frequencies.back().place = place;
   }
-  add_displacement_errors(evidence.levels, losses);
-  add_displacement_errors(evidence.levels, frequencies);
-  for (const Row& row : losses) largest = std::max(largest, row.deviation);
-  for (Row& row : losses) row.deviation = std::max(row.deviation, kLeastLoss * largest);
+  add_displacement_errors(evidence.levels, linear.losses);
+  add_displacement_errors(evidence.levels, linear.frequencies);
+  for (const LevelRow& row : linear.losses) largest = std::max(largest, row.deviation);
+  for (LevelRow& row : linear.losses) {
+    row.deviation = std::max(row.deviation, kLeastLoss * largest);
+  }
+  const std::vector<JointRows> of_level = joint_rows(unknowns, linear);
+  for (std::vector<LevelRow>* rows : {&linear.losses, &linear.frequencies}) {
+    for (LevelRow& row : *rows) row.data += of_level[row.place].of(row.by).dot(x);
+  }
+  return linear;
+}
 
+LinearEvidence in_terms_of(const CalibrationEvidence& evidence, const AllUnknowns& unknowns,
+                           const LinearisedLevels& levels) {
+  const std::vector<JointRows> of_level = joint_rows(unknowns, levels);
   LinearEvidence linear;
-  linear.of(RowKind::kLoss) = weighed(losses, x);
-  add_frequencies(evidence, with_frequency, frequencies, x, linear);
+  linear.of(RowKind::kLoss) = weighed(levels.losses, unknowns.size(), of_level);
+  WeightedRows& frequencies = linear.of(RowKind::kFrequency);
+  frequencies = weighed(levels.frequencies, unknowns.size(), of_level);
+  if (evidence.frequency == FrequencyUse::kChange) {
+    centre_modes(evidence.levels, levels.frequencies, frequencies);
+  }
   add_stiffnesses(evidence, unknowns, linear);
   for (std::size_t j = 0; j < unknowns.count(); ++j) {
-    linear.roughness.push_back(
-        {unknowns.begin(j), unknowns.of(j).size() - 1, unknowns.of(j).penalty()});
+    linear.roughness.push_back({unknowns.begin(j), unknowns.of(j).size() - 1,
+                                unknowns.of(j).penalty(), unknowns.of(j).ranges()});
   }
   return linear;
 }

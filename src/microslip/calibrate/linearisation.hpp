@@ -33,6 +33,9 @@ class AllUnknowns {
   [[nodiscard]] Eigen::Index begin(std::size_t j) const { return begin_[j]; }
   [[nodiscard]] Eigen::Index size() const { return begin_.back(); }
 
+  /// The same with other unknowns of one joint.
+  [[nodiscard]] AllUnknowns with(std::size_t j, JointUnknowns joint) const;
+
   /// The coefficients of one joint among those of all.
   [[nodiscard]] Eigen::VectorXd part(std::size_t j, const Eigen::VectorXd& x) const {
     return x.segment(begin_[j], joints_[j].size());
@@ -111,13 +114,41 @@ struct LevelDeviations {
                                                const AllUnknowns& unknowns,
                                                const LevelStates& states, std::size_t level);
 
+/// What a level shows before it is weighed, linear in the loss D_j and the stiffness k_eq,j of the
+/// joints that are sought at their amplitudes there.
+struct LevelRow {
+  Eigen::RowVectorXd by;         ///< how it answers to D_1, k_eq,1, D_2, k_eq,2 …
+  double data = 0.0;             ///< what is measured of it
+  double size = 0.0;             ///< the loss that was measured, J
+  double deviation = 1.0;        ///< standard deviation
+  double by_displacement = 0.0;  ///< what the error of the displacement adds to the deviation
+  std::size_t level = 0;
+  std::size_t joint = kAllJoints;  ///< whose loss it is
+  std::size_t place = 0;           ///< of the level among LinearisedLevels::amplitude
+
+  static constexpr std::size_t kAllJoints = static_cast<std::size_t>(-1);
+};
+
+/// Levels that are solved, linear about the joints of the states: whatever coefficients the
+/// densities have.
+struct LinearisedLevels {
+  std::vector<LevelRow> losses;
+  std::vector<LevelRow> frequencies;
+  std::vector<std::vector<double>> amplitude;  ///< [solved level][joint that is sought], m
+};
+
 /// Rows of levels that are solved. A loss of unknown deviation counts with itself as one, a
 /// frequency likewise: the scatter that is found is then relative. Repeated levels, of one mode at
 /// one displacement, count as their mean would: the error of the displacement is theirs together.
 /// @param x  the coefficients that the joints of the states are of.
-[[nodiscard]] LinearEvidence linearise(const CalibrationEvidence& evidence,
-                                       const AllUnknowns& unknowns, const LevelStates& states,
-                                       const std::vector<std::size_t>& which,
-                                       const Eigen::VectorXd& x);
+[[nodiscard]] LinearisedLevels linearise(const CalibrationEvidence& evidence,
+                                         const AllUnknowns& unknowns, const LevelStates& states,
+                                         const std::vector<std::size_t>& which,
+                                         const Eigen::VectorXd& x);
+
+/// The same with the coefficients of any unknowns of these joints, and their priors.
+[[nodiscard]] LinearEvidence in_terms_of(const CalibrationEvidence& evidence,
+                                         const AllUnknowns& unknowns,
+                                         const LinearisedLevels& levels);
 
 }  // namespace microslip

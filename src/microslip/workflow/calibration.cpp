@@ -108,6 +108,7 @@ NamedValues options_record(const CalibrationOptions& options) {
   record.emplace_back("frequency", std::string(to_string(options.frequency)));
   record.emplace_back("stiffness", options.fit_stiffness ? "fit" : "given");
   record.emplace_back("shapes", options.stuck_shapes ? "stuck" : "found");
+  record.emplace_back("edges", options.edges ? "sought" : "none");
   record.emplace_back("forcing",
                       options.balance.forcing == Forcing::kModal ? "modal" : "excitation");
   record.emplace_back("harmonics", static_cast<double>(options.balance.harmonics));
@@ -199,6 +200,15 @@ void compose_files(const ModelCalibration& options, const ModalLevels& levels,
 
 // ---- The summary. ----
 
+std::string describe_edges(const CalibratedJoint& joint) {
+  if (joint.edges.empty()) return {};
+  std::vector<std::string> places;
+  for (const DensityEdge& edge : joint.edges) {
+    places.push_back(fmt::format("{:.4g} ± {:.2g} N", edge.slip_force, edge.deviation));
+  }
+  return line("", fmt::format("its density jumps at {}", fmt::join(places, ", ")));
+}
+
 std::string describe_joint(const CalibratedJoint& joint) {
   const double k = joint.joint.stiffness();
   std::string text =
@@ -207,7 +217,8 @@ std::string describe_joint(const CalibratedJoint& joint) {
                            percent_text(1.0 - joint.joint.density().elastic_remainder()),
                            k * joint.largest_amplitude)) +
       line("", fmt::format("the levels took {} of what was not known of its density at most",
-                           percent_text(std::ranges::max(joint.told))));
+                           percent_text(std::ranges::max(joint.told)))) +
+      describe_edges(joint);
   return text;
 }
 

@@ -70,10 +70,29 @@ void add_joints_to(NamedValues& record, const CalibrationResult& found) {
       [](const Joint& joint) { return 1.0 - joint.joint.density().elastic_remainder(); });
   add("degrees_of_freedom", &Joint::edf);
   add("loss_told", &Joint::loss_told);
+  add("edges_evidence", &Joint::edges_evidence);
   add("covered_from_N",
       [](const Joint& joint) { return joint.joint.stiffness() * joint.least_amplitude; });
   add("covered_to_N",
       [](const Joint& joint) { return joint.joint.stiffness() * joint.largest_amplitude; });
+}
+
+/// What was sought of edges, and edge by edge those of all joints.
+void add_edges_to(NamedValues& record, const CalibrationResult& found) {
+  std::vector<std::string> names;
+  std::vector<double> force;
+  std::vector<double> deviation;
+  for (const CalibratedJoint& joint : found.joints) {
+    for (const DensityEdge& edge : joint.edges) {
+      names.push_back(joint.name);
+      force.push_back(edge.slip_force);
+      deviation.push_back(edge.deviation);
+    }
+  }
+  record.emplace_back("edges", found.edges_sought ? "sought" : "none");
+  record.emplace_back("edge_joint", list_of_texts(names));
+  record.emplace_back("edge_N", std::move(force));
+  record.emplace_back("edge_std_N", std::move(deviation));
 }
 
 /// Modes without frequencies are left out.
@@ -121,6 +140,7 @@ NamedValues record_of_calibration(const CalibrationResult& found) {
   record.emplace_back("frequency_scatter_of",
                       found.frequency_std_given ? "frequency_std" : "frequency");
   add_joints_to(record, found);
+  add_edges_to(record, found);
   add_offsets_to(record, found);
   add_pairs_to(record, found);
   add_warnings(found.warnings, record);
@@ -219,6 +239,11 @@ NamedValues record_of_calibration(const CalibrationResult& found, const Calibrat
   record.emplace_back("told", joint.told);
   record.emplace_back("reference_exponent", joint.exponent);
   record.emplace_back("degrees_of_freedom", joint.edf);
+  if (!joint.edges.empty()) {
+    record.emplace_back("edges_N", of_each(joint.edges, &DensityEdge::slip_force));
+    record.emplace_back("edges_std_N", of_each(joint.edges, &DensityEdge::deviation));
+    record.emplace_back("edges_evidence", joint.edges_evidence);
+  }
   add_warnings(found.warnings, record);
   return record;
 }

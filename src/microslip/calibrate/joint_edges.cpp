@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/calibrate/joint_edges.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "microslip/base/median.hpp"
+
+namespace microslip {
+namespace {
+
+/// Share of a loss that the knots follow a density with kinks to, as for levels of one joint: less
+/// scatter proves no edge.
+constexpr double kResolvedLoss = 3e-3;
+/// Degrees of freedom that the levels must leave the scatter.
+constexpr double kLeastFreedom = 10.0;
+/// Edges that may have to come together before one of them tells: the ends of one population.
+constexpr std::size_t kLookAhead = 2;
+/// By how much more smoothing an edge may ask for than there was.
+constexpr double kMuchMore = 1e3;
+
+double log_determinant(const Eigen::MatrixXd& matrix) {
+  const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
+  return 2.0 * factor.matrixLLT().diagonal().array().log().sum();
+}
+
+EvidenceWeights weights_of(const EdgedFit& fit) {
+  EvidenceWeights weights;
+  const auto kinds = static_cast<std::ptrdiff_t>(kRowKinds.size());
+  weights.lambda.assign(fit.weights.begin(), fit.weights.end() - kinds);
+  std::copy(fit.weights.end() - kinds, fit.weights.end(), weights.scatter.begin());
+  return weights;
+}
+
+/// What costs nothing: straight lines, and what does not slip of each joint.
+double free_count(const LinearEvidence& evidence) {
+  double count = 0.0;
+  for (const RoughnessBlock& block : evidence.roughness) {
+    count += 1.0 + 2.0 * static_cast<double>(block.ranges.size());
+  }
+  return count;
+}
+
+/// What the lines on the ranges of a joint add to the Hessian and to −2 ln p.
+double hold_lines(const RoughnessBlock& block, const Eigen::VectorXd& x, Eigen::MatrixXd& hessian) {
+  const double size = x.segment(block.begin, block.free_count).squaredNorm() /
+                          static_cast<double>(block.free_count) +
+                      1e-300;
+  double lines = 0.0;
+  Eigen::Index begin = block.begin;
+  for (const Eigen::Index count : block.ranges) {
+    const double variance = static_cast<double>(count) * size;
+    lines += 2.0 * std::log(variance);
+    hessian.diagonal().segment(begin, count).array() += 1.0 / variance;
+    begin += count;
+  }
+  return lines;
+}
+
+double evidence_of(const NormalEquations& equations, const SettledEvidence& settled) {
+  const LinearEvidence& evidence = equations.evidence();
+  const double freedom = evidence.of(RowKind::kLoss).count() +
+                         std::max(0.0, evidence.of(RowKind::kFrequency).count()) -
+                         free_count(evidence);
+  if (freedom < kLeastFreedom || !settled.solution.converged) {
+    return std::numeric_limits<double>::infinity();
+  }
+  Eigen::MatrixXd hessian = with_ridge(equations.hessian(settled.weights));
+  double sum = 0.0;
+  for (const RowKind kind : kRowKinds) {
+    const double scatter = settled.weights.of(kind);
+    sum += equations.residual(kind, settled.x) / (scatter * scatter) +
+           2.0 * evidence.of(kind).count() * std::log(scatter);
+  }
+  for (std::size_t j = 0; j < evidence.roughness.size(); ++j) {
+    const RoughnessBlock& block = evidence.roughness[j];
+    const double lambda = settled.weights.lambda[j];
+    sum += lambda * equations.roughness(j, settled.x) + hold_lines(block, settled.x, hessian) -
+           static_cast<double>(block.rows.rows()) * std::log(lambda) -
+           log_determinant(block.rows * block.rows.transpose());
+  }
+  return sum + log_determinant(hessian);
+}
+
+/// A scatter below what the knots resolve proves nothing.
+ScatterBounds resolved(ScatterBounds bounds, const LinearisedLevels& levels) {
+  std::vector<double> told;
+  for (const LevelRow& row : levels.losses) {
+    if (row.size > 0.0) told.push_back(row.size / row.deviation);
+  }
+  if (told.empty()) return bounds;
+  const auto loss = static_cast<std::size_t>(RowKind::kLoss);
+  bounds.least[loss] = std::max(bounds.least[loss], kResolvedLoss * median(std::move(told)));
+  bounds.most[loss] = std::max(bounds.most[loss], bounds.least[loss]);
+  return bounds;
+}
+
+}  // namespace
+
+JointEdges::JointEdges(const CalibrationEvidence& evidence, const LinearisedLevels& levels,
+                       AllUnknowns unknowns, std::size_t joint, const ScatterBounds& bounds)
+    : evidence_(evidence),
+      levels_(levels),
+      unknowns_(std::move(unknowns)),
+      joint_(joint),
+      bounds_(resolved(bounds, levels)) {}
+
+AllUnknowns JointEdges::with(const std::vector<BasisEdge>& edges) const {
+  return unknowns_.with(joint_, unknowns_.of(joint_).with_edges(edges));
+}
+
+EdgedFit JointEdges::start(const EvidenceWeights& weights) {
+  EdgedFit fit;
+  fit.weights = weights.lambda;
+  fit.weights.insert(fit.weights.end(), weights.scatter.begin(), weights.scatter.end());
+  return fit;
+}
+
+EdgedFit JointEdges::present(const EvidenceWeights& weights) {
+  std::vector<BasisEdge> edges;
+  for (const double x : unknowns_.of(joint_).edges()) {
+    edges.push_back(unknowns_.of(joint_).place(x));
+  }
+  return fit(std::move(edges), 0.0, start(weights), false);
+}
+
+EdgedFit JointEdges::fit(std::vector<BasisEdge> edges, double trend, const EdgedFit& start,
+                         bool coarse) {
+  const LinearEvidence linear = in_terms_of(evidence_, with(edges), levels_);
+  const NormalEquations equations(linear);
+  EdgedFit best{.edges = std::move(edges), .trend = trend, .weights = start.weights};
+  const auto try_from = [&](const EvidenceWeights& weights) {
+    const SettledEvidence settled = settle(equations, weights, bounds_);
+    const double evidence = evidence_of(equations, settled);
+    if (!(evidence < best.evidence)) return;
+    best.weights = JointEdges::start(settled.weights).weights;
+    best.evidence = evidence;
+  };
+  EvidenceWeights weights = weights_of(start);
+  try_from(weights);
+  if (!coarse) return best;
+  weights.lambda[joint_] = std::min(kMostLambda, kMuchMore * weights.lambda[joint_]);
+  try_from(weights);
+  return best;
+}
+
+HeldBends JointEdges::bends(const EdgedFit& fit) {
+  const AllUnknowns unknowns = with(fit.edges);
+  const LinearEvidence linear = in_terms_of(evidence_, unknowns, levels_);
+  const NormalEquations equations(linear);
+  const EvidenceWeights weights = weights_of(fit);
+  const SettledEvidence settled = settle_with(equations, weights);
+  std::vector<Eigen::Index> free;
+  for (std::size_t i = 0; i < settled.solution.free.size(); ++i) {
+    if (settled.solution.free[i]) free.push_back(static_cast<Eigen::Index>(i));
+  }
+  const RoughnessBlock& block = linear.roughness[joint_];
+  Eigen::MatrixXd penalty = Eigen::MatrixXd::Zero(block.rows.rows(), linear.size());
+  penalty.middleCols(block.begin, block.free_count) = block.rows;
+  const Eigen::MatrixXd own = penalty(Eigen::all, free);
+  const Eigen::MatrixXd hessian = with_ridge(equations.hessian(weights))(free, free);
+  const Eigen::LLT<Eigen::MatrixXd> factor(hessian);
+  return {.bend = penalty * settled.x,
+          .bound = weights.lambda[joint_] * own * factor.solve(own.transpose()),
+          .middles = unknowns.of(joint_).middles()};
+}
+
+EdgeSearch JointEdges::search() {
+  const JointUnknowns& own = unknowns_.of(joint_);
+  Eigen::VectorXd amplitude(static_cast<Eigen::Index>(levels_.amplitude.size()));
+  for (std::size_t i = 0; i < levels_.amplitude.size(); ++i) {
+    amplitude(static_cast<Eigen::Index>(i)) = levels_.amplitude[i][joint_] / own.length();
+  }
+  return {*this,
+          {.uniform = own.uniform(),
+           .amplitude = std::move(amplitude),
+           .coefficients = own.coefficients(),
+           .look_ahead = kLookAhead,
+           .trend = false}};
+}
+
+std::vector<double> JointEdges::slip_displacements(const std::vector<BasisEdge>& edges) const {
+  return unknowns_.of(joint_).with_edges(edges).edges();
+}
+
+}  // namespace microslip

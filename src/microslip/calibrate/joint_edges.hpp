@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "microslip/calibrate/linearisation.hpp"
+#include "microslip/identify/edge_search.hpp"
+
+/// @file
+/// Edges of the density of one joint among several. Internal to calibrate.
+
+namespace microslip {
+
+/// Levels linear about the joints found so far, with edges in the density of one of them. With
+/// λ and τ as settle() has them for the edges,
+///
+///     −2 ln p = Σ_kinds (‖Ax − b‖²/τ² + 2m ln τ) + Σ_j λ_j‖L_j x‖²
+///               + ln det(H + diag p) − Σ_j ln det⁺(λ_j L_jᵀL_j) − Σ_j Σ_ranges 2 ln p_r,
+///
+/// all coefficients integrated out. What costs nothing, a straight line on each of the ranges
+/// between edges, is given the size of the solution as its prior deviation 1/√p_r, as in
+/// InversionModel::evidence(). Infinite where the levels leave too little freedom.
+class JointEdges final : public EdgedModel {
+ public:
+  /// @param evidence  with the levels. @param levels  linear. Both must outlive this.
+  /// @param unknowns  of all joints; the edges of the others stay.
+  /// @param joint     among them.
+  /// @param bounds    of τ.
+  JointEdges(const CalibrationEvidence& evidence, const LinearisedLevels& levels,
+             AllUnknowns unknowns, std::size_t joint, const ScatterBounds& bounds);
+
+  [[nodiscard]] EdgedFit fit(std::vector<BasisEdge> edges, double trend, const EdgedFit& start,
+                             bool coarse) override;
+  [[nodiscard]] HeldBends bends(const EdgedFit& fit) override;
+
+  /// A fit with the weights of all joints.
+  [[nodiscard]] static EdgedFit start(const EvidenceWeights& weights);
+  /// With edges as the unknowns have them.
+  [[nodiscard]] EdgedFit present(const EvidenceWeights& weights);
+
+  [[nodiscard]] EdgeSearch search();
+
+  /// Slip displacements of edges, m.
+  [[nodiscard]] std::vector<double> slip_displacements(const std::vector<BasisEdge>& edges) const;
+
+ private:
+  [[nodiscard]] AllUnknowns with(const std::vector<BasisEdge>& edges) const;
+
+  const CalibrationEvidence& evidence_;
+  const LinearisedLevels& levels_;
+  AllUnknowns unknowns_;
+  std::size_t joint_;
+  ScatterBounds bounds_;
+};
+
+}  // namespace microslip
