@@ -109,7 +109,10 @@ inline double loss_coverage(const CalibrationResult& found, const SimulatedTest&
   double held = 0.0;
   for (std::size_t i = 0; i < test.levels.size(); ++i) {
     const Estimate& band = found.levels[i].joints[joint].dissipation;
-    const double loss = std::max(0.0, test.loss[joint][i]);  // but for rounding
+    const double a = test.amplitude[joint][i];
+    const double work = test.truth.joints()[joint].joint.stiffness() * a * a;
+    const bool none = std::abs(test.loss[joint][i]) < 1e-13 * work;  // but for rounding
+    const double loss = none ? 0.0 : test.loss[joint][i];
     held += loss >= band.lower && loss <= band.upper ? 1.0 : 0.0;
   }
   return held / static_cast<double>(test.levels.size());

@@ -50,7 +50,6 @@ constexpr std::size_t kExponentChains = 16;
 constexpr std::size_t kFewestForEdges = 20;
 /// Places of edges beside those found.
 constexpr std::size_t kPlacesOfEdges = 8;
-constexpr std::size_t kFound = static_cast<std::size_t>(-1);
 /// Losses without a deviation scatter by this at least, relative: few levels leave no residual.
 constexpr double kLeastLossScatter = 1e-3;
 /// Times the largest amplitude of a joint at the levels that were found.
@@ -66,6 +65,18 @@ Eigen::VectorXd projected(const AllUnknowns& now, const AllUnknowns& before,
         now.of(j).projected(before.of(j), before.part(j, x));
   }
   return found;
+}
+
+/// Empty ranges of one of the chains, each as often as it is likely, those of two in another order.
+std::vector<bool> emptied(const FoundEdges& edges, std::size_t chain) {
+  std::vector<bool> empty = edges.empty;
+  for (std::size_t range = 0; range < empty.size(); ++range) {
+    const std::size_t place = chain * (2 * range + 1) % kExponentChains;
+    const double share = (static_cast<double>(place) + 0.5) / static_cast<double>(kExponentChains);
+    empty[range] = share < edges.emptiness[range];
+  }
+  const bool all = !empty.empty() && std::ranges::find(empty, false) == empty.end();
+  return all ? edges.empty : empty;
 }
 
 /// What settle() makes least, over the number of levels: they may have become more.
@@ -147,19 +158,27 @@ std::pair<double, double> GrowingRange::reach(std::size_t joint) const {
   return {least, with_missed};
 }
 
-AllUnknowns GrowingRange::unknowns(const std::vector<double>& exponents) const {
-  JointEdgePlaces edges;
-  for (const FoundEdges& found : edges_) edges.push_back(found.slip_displacement);
-  return unknowns(exponents, edges);
+/// Edges and empty ranges as they were found.
+GrowingRange::Variant GrowingRange::found_with(const std::vector<double>& exponents) const {
+  Variant variant{exponents, std::vector(sought_.size(), kFound), {}};
+  for (const FoundEdges& found : edges_) variant.empty.push_back(found.empty);
+  return variant;
 }
 
-AllUnknowns GrowingRange::unknowns(const std::vector<double>& exponents,
-                                   const JointEdgePlaces& edges) const {
+AllUnknowns GrowingRange::unknowns(const Variant& variant) const {
   std::vector<JointUnknowns> joints;
   for (std::size_t j = 0; j < sought_.size(); ++j) {
     const auto [least, largest] = reach(sought_[j]);
+    const std::vector<double>& edges = variant.places[j] == kFound
+                                           ? edges_[j].slip_displacement
+                                           : edges_[j].elsewhere[variant.places[j]];
     joints.emplace_back(given_stiffness_[j], largest, std::clamp(least / largest, kLeastRange, 0.5),
-                        exponents[j], options_.coefficients, edges[j]);
+                        variant.exponents[j], options_.coefficients, edges);
+    const std::vector<bool>& empty = variant.empty[j];
+    const bool any = std::ranges::find(empty, true) != empty.end();
+    if (any && joints.back().ranges().size() == empty.size()) {
+      joints.back() = joints.back().without(empty);
+    }
   }
   return {sought_, std::move(joints)};
 }
@@ -192,7 +211,7 @@ CalibratedState GrowingRange::linear_about(const std::vector<std::size_t>& which
 CalibratedState GrowingRange::step(const std::vector<std::size_t>& which,
                                    const CalibratedState& before,
                                    const std::vector<double>& exponents) {
-  const AllUnknowns now = unknowns(exponents);
+  const AllUnknowns now = unknowns(found_with(exponents));
   const Eigen::VectorXd from = projected(now, before.unknowns, before.about);
   Eigen::VectorXd to = projected(now, before.unknowns, before.settled.x);
   if (keep_weights_) to = 0.5 * (to + from);  // where whole steps go to and fro
@@ -212,7 +231,7 @@ CalibratedState GrowingRange::pass(const std::vector<std::size_t>& which,
                                    const std::vector<double>& exponents) {
   CalibratedState state = [&] {
     if (before) return step(which, *before, exponents);
-    AllUnknowns first = unknowns(exponents);
+    AllUnknowns first = unknowns(found_with(exponents));
     Eigen::VectorXd x(first.size());
     for (std::size_t j = 0; j < first.count(); ++j) {
       x.segment(first.begin(j), first.of(j).size()) = first.of(j).stuck();
@@ -425,7 +444,7 @@ bool GrowingRange::find_edges(const CalibratedState& state) {
     if (!edges_[j].slip_displacement.empty()) continue;
     JointEdges model(evidence_, state.linear, state.unknowns, j, bounds());
     const EdgedFit without = model.present(state.settled.weights);
-    const EdgedFit found = model.search().find(without);
+    const EdgedFit found = model.find(without);
     if (tick_) tick_();
     const double gain = without.evidence - found.evidence;
     if (found.edges.empty() || !(gain > most)) continue;
@@ -435,7 +454,31 @@ bool GrowingRange::find_edges(const CalibratedState& state) {
   }
   if (places.empty()) return false;
   edges_[where].slip_displacement = std::move(places);
+  edges_[where].empty.assign(edges_[where].slip_displacement.size() + 1, false);
   return true;
+}
+
+/// Ranges between edges on which nothing slips, where that is likelier than not: both are as likely
+/// before. Each with those of the others as they are.
+void GrowingRange::find_emptiness(const CalibratedState& state) {
+  for (std::size_t j = 0; j < sought_.size(); ++j) {
+    FoundEdges& edges = edges_[j];
+    edges.emptiness.assign(edges.empty.size(), 0.0);
+    if (state.unknowns.of(j).edges().size() + 1 != edges.empty.size()) continue;
+    const JointEdges model(evidence_, state.linear, state.unknowns, j, bounds());
+    for (std::size_t range = 0; range < edges.empty.size(); ++range) {
+      std::vector<bool> with = edges.empty;
+      std::vector<bool> without = edges.empty;
+      with[range] = false;
+      without[range] = true;
+      if (std::ranges::find(without, false) == without.end()) continue;
+      const double fall = model.evidence_without(with, state.settled.weights) -
+                          model.evidence_without(without, state.settled.weights);
+      if (std::isnan(fall)) continue;
+      edges.emptiness[range] = 1.0 / (1.0 + std::exp(-0.5 * fall));
+      edges.empty[range] = edges.emptiness[range] > 0.5;
+    }
+  }
 }
 
 // One joint after the other, as a jump that one of them leaves unexplained may pass for one of
@@ -447,12 +490,17 @@ CalibratedState GrowingRange::with_edges(CalibratedState state) {
   while (find_edges(state)) {
     any = true;
     state = tried(state, exponents_);
+    find_emptiness(state);
+    state = tried(state, exponents_);
   }
   return any ? choose_exponents(state) : state;
 }
 
 /// How sure the edges are, and where else they may be.
 void GrowingRange::weigh_edges(const CalibratedState& found) {
+  const std::vector<FoundEdges> before = edges_;
+  find_emptiness(found);
+  for (std::size_t j = 0; j < sought_.size(); ++j) edges_[j].empty = before[j].empty;
   for (std::size_t j = 0; j < sought_.size(); ++j) {
     FoundEdges& edges = edges_[j];
     edges.slip_displacement = found.unknowns.of(j).edges();
@@ -475,12 +523,7 @@ void GrowingRange::weigh_edges(const CalibratedState& found) {
 
 /// About the joints that were found, as they explain the levels with any exponent: λ and τ are near.
 CalibratedState GrowingRange::beside(const CalibratedState& found, const Variant& variant) {
-  JointEdgePlaces edges;
-  for (std::size_t j = 0; j < sought_.size(); ++j) {
-    edges.push_back(variant.places[j] == kFound ? edges_[j].slip_displacement
-                                                : edges_[j].elsewhere[variant.places[j]]);
-  }
-  AllUnknowns now = unknowns(variant.exponents, edges);
+  AllUnknowns now = unknowns(variant);
   Eigen::VectorXd x = projected(now, found.unknowns, found.settled.x);
   CalibratedState state = linear_about(all_, std::move(now), std::move(x));
   state.settled = settle(NormalEquations(state.evidence), found.settled.weights, bounds());
@@ -493,7 +536,7 @@ std::vector<double> GrowingRange::likely_exponents(std::size_t joint, const Cali
                                                    VariantStates& states) {
   std::vector<double> likelihood;
   for (const double exponent : kDrawnExponents) {
-    Variant variant{exponents_, std::vector(sought_.size(), kFound)};
+    Variant variant = found_with(exponents_);
     variant.exponents[joint] = exponent;
     const CalibratedState& state = state_with(variant, found, states).state;
     const double fall = state.settled.likelihood - found.settled.likelihood;
@@ -521,7 +564,7 @@ WeighedState& GrowingRange::state_with(const Variant& variant, const CalibratedS
 std::vector<WeighedState> GrowingRange::with_others(const CalibratedState& found) {
   keep_weights_ = false;
   VariantStates states;
-  states.emplace(Variant{exponents_, std::vector(sought_.size(), kFound)}, WeighedState{found});
+  states.emplace(found_with(exponents_), WeighedState{found});
   std::vector<std::vector<double>> likely;
   for (std::size_t j = 0; j < sought_.size(); ++j) {
     likely.push_back(likely_exponents(j, found, states));
@@ -529,7 +572,9 @@ std::vector<WeighedState> GrowingRange::with_others(const CalibratedState& found
   for (std::size_t chain = 0; chain < kExponentChains; ++chain) {
     Variant variant;
     for (std::size_t j = 0; j < sought_.size(); ++j) {
-      variant.exponents.push_back(likely[j][chain * (2 * j + 1) % kExponentChains]);
+      const std::size_t turn = chain * (2 * j + 1) % kExponentChains;
+      variant.exponents.push_back(likely[j][turn]);
+      variant.empty.push_back(emptied(edges_[j], turn));
       const std::size_t others = edges_[j].elsewhere.size();
       const std::size_t place = (chain * (2 * j + 1) + j) % (others + 1);
       variant.places.push_back(place == others ? kFound : place);

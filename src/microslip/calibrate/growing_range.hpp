@@ -42,6 +42,9 @@ struct FoundEdges {
   /// By what −2 ln of the likelihood falls with them all
   double evidence = 0.0;
   std::vector<std::vector<double>> elsewhere = {};  ///< other places of all, as likely, m
+  /// Ranges between them, from 0 to the first on: whether nothing slips there, and how likely that is
+  std::vector<bool> empty = {};
+  std::vector<double> emptiness = {};
 };
 
 /// What is settled with the joints given, and with those of its own result, is the same.
@@ -87,10 +90,17 @@ class GrowingRange {
                                      const std::vector<double>& exponents);
   [[nodiscard]] ScatterBounds bounds() const;
   [[nodiscard]] std::pair<double, double> reach(std::size_t joint) const;
-  using JointEdgePlaces = std::vector<std::vector<double>>;  // [joint], m
-  [[nodiscard]] AllUnknowns unknowns(const std::vector<double>& exponents) const;
-  [[nodiscard]] AllUnknowns unknowns(const std::vector<double>& exponents,
-                                     const JointEdgePlaces& edges) const;
+  /// What is drawn beside the coefficients, of each joint: χ₀, which of FoundEdges::elsewhere or
+  /// kFound, and empty ranges.
+  struct Variant {
+    std::vector<double> exponents;
+    std::vector<std::size_t> places;
+    std::vector<std::vector<bool>> empty;
+    auto operator<=>(const Variant&) const = default;
+  };
+  static constexpr std::size_t kFound = static_cast<std::size_t>(-1);
+  [[nodiscard]] Variant found_with(const std::vector<double>& exponents) const;
+  [[nodiscard]] AllUnknowns unknowns(const Variant& variant) const;
   [[nodiscard]] std::vector<double> amplitude_shares() const;
   [[nodiscard]] CalibratedState grow();
   [[nodiscard]] CalibratedState tried(const CalibratedState& start,
@@ -103,13 +113,8 @@ class GrowingRange {
 
   [[nodiscard]] bool find_edges(const CalibratedState& state);
   [[nodiscard]] CalibratedState with_edges(CalibratedState state);
+  void find_emptiness(const CalibratedState& state);
   void weigh_edges(const CalibratedState& found);
-  /// Exponents of the joints, and which of FoundEdges::elsewhere; kFound those found.
-  struct Variant {
-    std::vector<double> exponents;
-    std::vector<std::size_t> places;
-    auto operator<=>(const Variant&) const = default;
-  };
   using VariantStates = std::map<Variant, WeighedState>;
   [[nodiscard]] CalibratedState beside(const CalibratedState& found, const Variant& variant);
   [[nodiscard]] WeighedState& state_with(const Variant& variant, const CalibratedState& found,

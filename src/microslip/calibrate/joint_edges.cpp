@@ -20,6 +20,9 @@ constexpr double kResolvedLoss = 3e-3;
 constexpr double kLeastFreedom = 10.0;
 /// Edges that may have to come together before one of them tells: the ends of one population.
 constexpr std::size_t kLookAhead = 2;
+/// Spacings of the knots: an edge whose place is known no better may be where a density bends, or
+/// falls fast.
+constexpr double kToldFromABend = 0.3;
 /// By how much more smoothing an edge may ask for than there was.
 constexpr double kMuchMore = 1e3;
 
@@ -121,11 +124,29 @@ EdgedFit JointEdges::start(const EvidenceWeights& weights) {
 }
 
 EdgedFit JointEdges::present(const EvidenceWeights& weights) {
-  std::vector<BasisEdge> edges;
-  for (const double x : unknowns_.of(joint_).edges()) {
-    edges.push_back(unknowns_.of(joint_).place(x));
+  return fit(unknowns_.of(joint_).basis_edges(), 0.0, start(weights), false);
+}
+
+EdgedFit JointEdges::find(const EdgedFit& start) {
+  EdgeSearch one = search();
+  EdgedFit found = one.find(start);
+  while (!found.edges.empty()) {
+    const std::vector<double> deviations = one.deviations(found);
+    const auto vaguest = std::ranges::max_element(deviations);
+    if (*vaguest <= kToldFromABend) break;
+    std::vector<BasisEdge> others = found.edges;
+    others.erase(others.begin() + (vaguest - deviations.begin()));
+    found = one.renewed(fit(std::move(others), 0.0, found, false));
   }
-  return fit(std::move(edges), 0.0, start(weights), false);
+  return found;
+}
+
+double JointEdges::evidence_without(const std::vector<bool>& empty,
+                                    const EvidenceWeights& start) const {
+  const LinearEvidence linear =
+      in_terms_of(evidence_, unknowns_.with(joint_, unknowns_.of(joint_).without(empty)), levels_);
+  const NormalEquations equations(linear);
+  return evidence_of(equations, settle(equations, start, bounds_));
 }
 
 EdgedFit JointEdges::fit(std::vector<BasisEdge> edges, double trend, const EdgedFit& start,

@@ -39,6 +39,14 @@ class JointEdges final : public EdgedModel {
   /// With edges as the unknowns have them.
   [[nodiscard]] EdgedFit present(const EvidenceWeights& weights);
 
+  /// All edges that are worth their price, and whose place is known well enough to tell them from
+  /// a bend.
+  [[nodiscard]] EdgedFit find(const EdgedFit& start);
+
+  /// −2 ln p with ψ = 0 on some of the ranges between the edges of the unknowns.
+  [[nodiscard]] double evidence_without(const std::vector<bool>& empty,
+                                        const EvidenceWeights& start) const;
+
   [[nodiscard]] EdgeSearch search();
 
   /// Slip displacements of edges, m.

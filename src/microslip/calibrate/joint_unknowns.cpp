@@ -66,6 +66,7 @@ JointUnknowns::JointUnknowns(double stiffness, double length, double lowest, dou
       exponent_(exponent),
       coefficients_(coefficients),
       basis_(lowest, 1.0, exponent, coefficients, edges),
+      empty_(static_cast<std::size_t>(basis_.ranges()), false),
       theta_scale_(0.5 / basis_.area().sum()) {
   if (exponent != 0.0) begin_power_law();
   refine(exponent == 0.0 ? 1 : kRefinement);
@@ -90,6 +91,51 @@ JointUnknowns JointUnknowns::with_edges(const std::vector<BasisEdge>& edges) con
   return {stiffness_, length_, lowest_, exponent_, coefficients_, edges};
 }
 
+JointUnknowns JointUnknowns::without(const std::vector<bool>& empty) const {
+  JointUnknowns fewer = with_edges(basis_edges());
+  fewer.empty_ = empty;
+  const std::vector<Eigen::Index> columns = fewer.kept();
+  fewer.nodal_ = fewer.nodal_(Eigen::all, columns).eval();
+  fewer.there_ = fewer.there_(columns).eval();
+  std::vector<double> places;
+  for (const Eigen::Index c : columns) places.push_back(fewer.place_[static_cast<std::size_t>(c)]);
+  fewer.place_ = std::move(places);
+  fewer.read_density();
+  return fewer;
+}
+
+/// θ of the basis that are not of empty ranges.
+std::vector<Eigen::Index> JointUnknowns::kept() const {
+  std::vector<Eigen::Index> columns;
+  Eigen::Index begin = 0;
+  for (Eigen::Index range = 0; range < basis_.ranges(); ++range) {
+    const Eigen::Index end = begin + basis_.size_of(range);
+    for (; begin < end; ++begin) {
+      if (!empty_[static_cast<std::size_t>(range)]) columns.push_back(begin);
+    }
+  }
+  return columns;
+}
+
+/// Rows of the second differences of the basis that are of those.
+std::vector<Eigen::Index> JointUnknowns::kept_rows() const {
+  std::vector<Eigen::Index> rows;
+  Eigen::Index begin = 0;
+  for (Eigen::Index range = 0; range < basis_.ranges(); ++range) {
+    const Eigen::Index end = begin + std::max<Eigen::Index>(0, basis_.size_of(range) - 2);
+    for (; begin < end; ++begin) {
+      if (!empty_[static_cast<std::size_t>(range)]) rows.push_back(begin);
+    }
+  }
+  return rows;
+}
+
+Eigen::MatrixXd JointUnknowns::penalty() const {
+  return basis_.second_differences()(kept_rows(), kept());
+}
+
+Eigen::VectorXd JointUnknowns::middles() const { return basis_.middles()(kept_rows()); }
+
 JointUnknowns JointUnknowns::by_knots(const std::vector<double>& edges) const {
   JointUnknowns all = with_edges({});
   for (const double x : edges) {
@@ -113,14 +159,16 @@ std::vector<double> JointUnknowns::edges() const {
   return all;
 }
 
-BasisEdge JointUnknowns::place(double slip_displacement) const {
-  return place_of(uniform(), slip_displacement / length_);
+std::vector<BasisEdge> JointUnknowns::basis_edges() const {
+  std::vector<BasisEdge> all;
+  for (const double s : basis_.edges()) all.push_back(place_of(uniform(), s));
+  return all;
 }
 
 std::vector<Eigen::Index> JointUnknowns::ranges() const {
   std::vector<Eigen::Index> counts;
   for (Eigen::Index range = 0; range < basis_.ranges(); ++range) {
-    counts.push_back(basis_.size_of(range));
+    if (!empty_[static_cast<std::size_t>(range)]) counts.push_back(basis_.size_of(range));
   }
   return counts;
 }

@@ -33,6 +33,10 @@ class JointUnknowns {
   /// The same with edges at these places of uniform().
   [[nodiscard]] JointUnknowns with_edges(const std::vector<BasisEdge>& edges) const;
 
+  /// The same with ψ = 0 on some of the ranges between edges, which have no coefficients then.
+  /// @param empty  which of them; not all.
+  [[nodiscard]] JointUnknowns without(const std::vector<bool>& empty) const;
+
   /// The same range with a coefficient for each knot of ψ in place of θ: densities of any exponent,
   /// and with any of these edges, can be told by it. It has no penalty().
   /// @param edges  rising, m.
@@ -50,11 +54,11 @@ class JointUnknowns {
   [[nodiscard]] std::vector<double> edges() const;
   /// The basis of θ without edges, of s.
   [[nodiscard]] InversionBasis uniform() const { return {lowest_, 1.0, exponent_, coefficients_}; }
-  /// The place of a slip displacement among the knots of uniform().
-  [[nodiscard]] BasisEdge place(double slip_displacement) const;
+  /// The same among the knots of uniform().
+  [[nodiscard]] std::vector<BasisEdge> basis_edges() const;
   /// Where the middle of each row of penalty() is among them.
-  [[nodiscard]] Eigen::VectorXd middles() const { return basis_.middles(); }
-  /// How many θ are of each range between edges.
+  [[nodiscard]] Eigen::VectorXd middles() const;
+  /// How many θ are of each range between edges that has some.
   [[nodiscard]] std::vector<Eigen::Index> ranges() const;
 
   /// 0 and knots through which ψ is straight, m.
@@ -68,7 +72,7 @@ class JointUnknowns {
   [[nodiscard]] Eigen::RowVectorXd stiffness_row() const;                    ///< 1
 
   /// L with ‖Lθ‖² the roughness of θ: over all coefficients but the last.
-  [[nodiscard]] Eigen::MatrixXd penalty() const { return basis_.second_differences(); }
+  [[nodiscard]] Eigen::MatrixXd penalty() const;
 
   /// The joint of coefficients; a stiffness that is known is kept.
   /// @param known  whether k is k₀.
@@ -84,6 +88,8 @@ class JointUnknowns {
  private:
   JointUnknowns(double stiffness, double length, double lowest, double exponent, int coefficients,
                 const std::vector<BasisEdge>& edges);
+  [[nodiscard]] std::vector<Eigen::Index> kept() const;
+  [[nodiscard]] std::vector<Eigen::Index> kept_rows() const;
   void begin_power_law();
   void refine(int parts);
   void read_density();
@@ -94,6 +100,7 @@ class JointUnknowns {
   double exponent_;
   int coefficients_;
   InversionBasis basis_;
+  std::vector<bool> empty_;  // which of its ranges
   double theta_scale_;
   std::vector<double> knots_;  // s
   Eigen::MatrixXd nodal_;      // p at them from θ
