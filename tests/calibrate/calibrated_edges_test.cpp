@@ -95,6 +95,7 @@ TEST(CalibratedEdges, ARangeWithoutSlipIsTakenAsOne) {
   EXPECT_EQ(smooth.joints[0].edges_evidence, 0.0);
   const CalibrationResult found = calibrated(clean, 300, true, test);
   expect_edges(found.joints[0], {10.0, 30.0}, 300);
+  EXPECT_TRUE(found.joints[1].edges.empty());
   const CalibratedJoint& lap = found.joints[0];
   const double typical = 0.5 / 20.0 * lap.stiffness.mean;  // ψ/k of the box, over 1/N
   for (std::size_t i = 0; i < lap.slip_displacement.size(); ++i) {

@@ -115,6 +115,7 @@ TEST(calibrate, NamesWhatIsWrong) {
   expect("must be absolute to find stiffnesses", model, levels, {"--stiffness", "fit"});
   expect("--samples", model, levels, {"--samples", "10"});
   expect("--harmonics", model, levels, {"--harmonics", "0"});
+  expect("--edges", model, levels, {"--edges", "maybe"});
   std::string known =
       edited(model, "stiffness_N_per_m = 500000\n", "file = \"truth_joint2.json\"\n");
   known = edited(known, "stiffness_N_per_m = 900000\n", "file = \"truth_joint2.json\"\n");

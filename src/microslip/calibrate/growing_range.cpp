@@ -481,19 +481,39 @@ void GrowingRange::find_emptiness(const CalibratedState& state) {
   }
 }
 
+/// With other exponents, and edges of the others, some may not be worth their price any more.
+/// @return whether there is one.
+bool GrowingRange::thin_edges(const CalibratedState& state) {
+  bool any = false;
+  for (std::size_t j = 0; j < sought_.size(); ++j) {
+    if (edges_[j].slip_displacement.empty()) continue;
+    JointEdges model(evidence_, state.linear, state.unknowns, j, bounds());
+    const EdgedFit kept = model.kept(state.settled.weights);
+    if (tick_) tick_();
+    if (kept.edges.size() == edges_[j].slip_displacement.size()) continue;
+    any = true;
+    edges_[j] = {};
+    if (kept.edges.empty()) continue;
+    edges_[j].slip_displacement = model.slip_displacements(kept.edges);
+    edges_[j].empty.assign(kept.edges.size() + 1, false);
+  }
+  return any;
+}
+
 // One joint after the other, as a jump that one of them leaves unexplained may pass for one of
 // another.
 CalibratedState GrowingRange::with_edges(CalibratedState state) {
   if (!edges_sought()) return state;
   state = steadied(std::move(state));
-  bool any = false;
   while (find_edges(state)) {
-    any = true;
     state = tried(state, exponents_);
     find_emptiness(state);
-    state = tried(state, exponents_);
+    state = choose_exponents(state);
   }
-  return any ? choose_exponents(state) : state;
+  if (!thin_edges(state)) return state;
+  state = tried(state, exponents_);
+  find_emptiness(state);
+  return choose_exponents(state);
 }
 
 /// How sure the edges are, and where else they may be.

@@ -112,6 +112,7 @@ class GrowingRange {
   [[nodiscard]] CalibratedState converge(CalibratedState state);
 
   [[nodiscard]] bool find_edges(const CalibratedState& state);
+  [[nodiscard]] bool thin_edges(const CalibratedState& state);
   [[nodiscard]] CalibratedState with_edges(CalibratedState state);
   void find_emptiness(const CalibratedState& state);
   void weigh_edges(const CalibratedState& found);

@@ -127,9 +127,14 @@ EdgedFit JointEdges::present(const EvidenceWeights& weights) {
   return fit(unknowns_.of(joint_).basis_edges(), 0.0, start(weights), false);
 }
 
-EdgedFit JointEdges::find(const EdgedFit& start) {
+EdgedFit JointEdges::find(const EdgedFit& start) { return told_from_bends(search().find(start)); }
+
+EdgedFit JointEdges::kept(const EvidenceWeights& weights) {
+  return told_from_bends(search().renewed(present(weights)));
+}
+
+EdgedFit JointEdges::told_from_bends(EdgedFit found) {
   EdgeSearch one = search();
-  EdgedFit found = one.find(start);
   while (!found.edges.empty()) {
     const std::vector<double> deviations = one.deviations(found);
     const auto vaguest = std::ranges::max_element(deviations);

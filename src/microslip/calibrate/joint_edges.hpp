@@ -43,6 +43,9 @@ class JointEdges final : public EdgedModel {
   /// a bend.
   [[nodiscard]] EdgedFit find(const EdgedFit& start);
 
+  /// Those of the unknowns that still are.
+  [[nodiscard]] EdgedFit kept(const EvidenceWeights& weights);
+
   /// −2 ln p with ψ = 0 on some of the ranges between the edges of the unknowns.
   [[nodiscard]] double evidence_without(const std::vector<bool>& empty,
                                         const EvidenceWeights& start) const;
@@ -53,6 +56,7 @@ class JointEdges final : public EdgedModel {
   [[nodiscard]] std::vector<double> slip_displacements(const std::vector<BasisEdge>& edges) const;
 
  private:
+  [[nodiscard]] EdgedFit told_from_bends(EdgedFit found);
   [[nodiscard]] AllUnknowns with(const std::vector<BasisEdge>& edges) const;
 
   const CalibrationEvidence& evidence_;
