@@ -382,10 +382,11 @@ void read_residuals(const CalibrationEvidence& evidence, std::size_t level, doub
 
 /// No draw of a density above 0 has a loss of 0, however little is told of it: the band of a loss
 /// that is within the error of a level goes on to 0. Where one joint may have none, the others may
-/// have all.
-/// @param sought  joints of the structure that were found, and their losses without slip, J.
+/// have all, up to the error of the sum.
+/// @param sought        joints of the structure that were found, and their losses without slip, J.
+/// @param above         by how much the loss of all joints together may be more than found, J.
 void open_bands(const std::vector<std::pair<std::size_t, double>>& sought,
-                const LevelDeviations& deviations, const CalibrationResult& result,
+                const LevelDeviations& deviations, double above, const CalibrationResult& result,
                 CalibratedLevel& told) {
   const boost::math::normal standard;
   const double deviations_of_band =
@@ -404,13 +405,28 @@ void open_bands(const std::vector<std::pair<std::size_t, double>>& sought,
   for (const JointAtLevel& joint : told.joints) lower += joint.dissipation.lower;
   for (const auto& [joint, beside] : sought) {
     Estimate& loss = told.joints[joint].dissipation;
-    loss.upper = std::max(loss.upper, told.dissipation - (lower - loss.lower));
+    loss.upper = std::max(loss.upper, told.dissipation + above - (lower - loss.lower));
   }
 }
 
+/// By how much the upper end of the band of the loss of all joints that were found is above its mean.
+/// @param losses  [joint][draw], J.
+double above_the_sum(const std::vector<std::vector<double>>& losses, double confidence) {
+  std::vector<double> sum(losses.front().size(), 0.0);
+  for (const std::vector<double>& of_joint : losses) {
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += of_joint[i];
+  }
+  const double mean =
+      std::accumulate(sum.begin(), sum.end(), 0.0) / static_cast<double>(sum.size());
+  return std::max(0.0, quantile_pair_above_zero(sum, confidence).second - mean);
+}
+
 /// Levels over their standard deviations.
+/// @param losses  [level][joint][draw], J.
 void read_deviations(const CalibrationEvidence& evidence, const AllUnknowns& unknowns,
-                     const LevelStates& states, CalibrationResult& result) {
+                     const LevelStates& states,
+                     const std::vector<std::vector<std::vector<double>>>& losses,
+                     CalibrationResult& result) {
   for (std::size_t i = 0; i < result.levels.size(); ++i) {
     if (!result.levels[i].found) continue;
     const LevelDeviations deviations = deviations_about(evidence, unknowns, states, i);
@@ -422,7 +438,8 @@ void read_deviations(const CalibrationEvidence& evidence, const AllUnknowns& unk
       const double a = used_amplitude(evidence, states, i, joint);
       sought.emplace_back(joint, states.structure().joints()[joint].linear_damping * a * a);
     }
-    open_bands(sought, deviations, result, result.levels[i]);
+    open_bands(sought, deviations, above_the_sum(losses[i], result.confidence), result,
+               result.levels[i]);
   }
 }
 
@@ -466,7 +483,7 @@ void read_calibration(const CalibrationEvidence& evidence, const CalibrationOpti
   read_loss_told(losses, result);
   if (result.joints.size() > 2) read_groups(losses, result);
   read_offsets(evidence, states, result);
-  read_deviations(evidence, draws.unknowns, states, result);
+  read_deviations(evidence, draws.unknowns, states, losses, result);
 }
 
 }  // namespace microslip
