@@ -34,7 +34,7 @@ struct CalibrationOptions {
   /// Takes the displacements of the joints from the shapes of the stuck structure. For comparison:
   /// shapes change as joints slip.
   bool stuck_shapes = false;
-  /// Seeks slip forces at which a density jumps; 20 levels for each joint that is sought are needed.
+  /// Seeks slip forces at which a density jumps; 20 levels for each joint are needed.
   bool edges = true;
   HarmonicBalanceOptions balance = {};         ///< harmonics and what drives
   int coefficients = 40;                       ///< of the density of each joint; ≥ 10

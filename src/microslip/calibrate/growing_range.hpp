@@ -42,7 +42,8 @@ struct FoundEdges {
   /// By what −2 ln of the likelihood falls with them all
   double evidence = 0.0;
   std::vector<std::vector<double>> elsewhere = {};  ///< other places of all, as likely, m
-  /// Ranges between them, from 0 to the first on: whether nothing slips there, and how likely that is
+  /// Ranges between them, from 0 to the first on: whether nothing slips there, and how likely
+  /// that is.
   std::vector<bool> empty = {};
   std::vector<double> emptiness = {};
 };

@@ -81,7 +81,8 @@ class EdgeSearch {
   /// With each edge where it is likeliest, and without those that are not worth their price.
   [[nodiscard]] EdgedFit renewed(EdgedFit fit);
 
-  /// Standard deviation of the place of each edge, in spacings: −2 log of the likelihood rises by 1 there.
+  /// Standard deviation of the place of each edge, in spacings: −2 log of the likelihood rises by 1
+  /// there.
   [[nodiscard]] std::vector<double> deviations(const EdgedFit& fit);
 
   /// Other places of all edges together, each as likely as another to the extent that the
