@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -58,7 +61,7 @@ struct Edged {
   std::vector<double> edges;  ///< of lap, N
 };
 
-// The smooth prior alone held a half to nine tenths of the losses, missed by a quarter beside a jump.
+// The smooth prior alone held 0.66 to 0.88 of the losses.
 TEST(CalibratedEdges, BandsHoldTheLossesOfJointsThatReleaseTheirStiffness) {
   MICROSLIP_OF_RELEASE_ALONE();
   const std::vector<Edged> cases{{"from 0", box(6e5, 0.0, 30.0), tent(9e5, 110.0, 0.5), {30.0}},
@@ -68,18 +71,55 @@ TEST(CalibratedEdges, BandsHoldTheLossesOfJointsThatReleaseTheirStiffness) {
                                   {30.0}}};
   for (const Edged& known : cases) {
     SimulatedTest test = tested(known.lap, known.other);
+    const CalibrationResult found = calibrated(testing::clean_losses(test), 300, true, test);
+    ASSERT_TRUE(found.summary.converged()) << found.summary.reason;
+    EXPECT_TRUE(found.edges_sought);
+    expect_edges(found.joints[0], known.edges, 300);
+    EXPECT_GT(found.joints[0].edges_evidence, 17.0);
+    EXPECT_TRUE(found.joints[1].edges.empty()) << known.name;
+    EXPECT_GE(
+        0.5 * (testing::loss_coverage(found, test, 0) + testing::loss_coverage(found, test, 1)),
+        0.90)
+        << known.name;
+  }
+}
+
+/// Trials of each of the cases of the study, which is not run without: MICROSLIP_EDGE_TRIALS.
+std::uint64_t edge_trials() {
+  const char* set = std::getenv("MICROSLIP_EDGE_TRIALS");
+  return set == nullptr ? 0 : std::strtoull(set, nullptr, 10);
+}
+
+// Joints and seeds that nothing was chosen by. Levels of one trial hang together, so that what a
+// band holds of them scatters by up to √(0.95·0.05/n) over n trials: 2.5 times that below 0.95 once
+// in a hundred and fifty.
+TEST(CalibratedEdges, BandsOfUnseenJointsHoldTheirLosses) {
+  MICROSLIP_OF_RELEASE_ALONE();
+  if (edge_trials() == 0) GTEST_SKIP() << "a study, of MICROSLIP_EDGE_TRIALS trials";
+  const Joint smooth(7e5, SlipDensity({PiecewiseLinearPart{{0, 30, 80}, {0.004, 0.008, 0.0}}}));
+  const Joint ramp(5e5, SlipDensity({PiecewiseLinearPart{{0, 25}, {0.0, 0.048}}}));
+  const Joint two(8e5, SlipDensity({UniformPart{0, 12, 0.3}, UniformPart{12, 45, 0.3}}));
+  const std::vector<Edged> cases{{"ramp", ramp, smooth, {}},
+                                 {"step", two, smooth, {}},
+                                 {"narrow box", box(4e5, 15.0, 22.0), smooth, {}},
+                                 {"smooth both", tent(5e5, 70.0, 0.7), smooth, {}}};
+  for (const Edged& known : cases) {
+    SimulatedTest test = tested(known.lap, known.other);
     const std::vector<double> clean = testing::clean_losses(test);
-    double held = 0.0;
-    for (const std::uint64_t seed : {300U}) {
-      const CalibrationResult found = calibrated(clean, seed, true, test);
-      ASSERT_TRUE(found.summary.converged()) << found.summary.reason;
-      EXPECT_TRUE(found.edges_sought);
-      expect_edges(found.joints[0], known.edges, seed);
-      EXPECT_GT(found.joints[0].edges_evidence, 17.0);
-      EXPECT_TRUE(found.joints[1].edges.empty()) << known.name;
-      for (std::size_t j = 0; j < 2; ++j) held += testing::loss_coverage(found, test, j) / 2.0;
+    std::array<double, 2> held{};
+    const std::uint64_t trials = edge_trials();
+    std::uint64_t with_edges = 0;
+    for (std::uint64_t i = 0; i < trials; ++i) {
+      const CalibrationResult found = calibrated(clean, 1000 + i, true, test);
+      with_edges += found.joints[0].edges.empty() ? 0 : 1;
+      for (std::size_t j = 0; j < 2; ++j) {
+        held[j] += testing::loss_coverage(found, test, j) / static_cast<double>(trials);
+      }
     }
-    EXPECT_GE(held, 0.90) << known.name;
+    std::cout << "  " << known.name << ": held " << held[0] << ", " << held[1] << "; edges in "
+              << with_edges << " of " << trials << '\n';
+    const double least = 0.95 - 2.5 * std::sqrt(0.95 * 0.05 / static_cast<double>(trials));
+    for (const double one : held) EXPECT_GE(one, least) << known.name;
   }
 }
 

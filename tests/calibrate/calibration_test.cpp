@@ -76,7 +76,7 @@ TEST(Calibration, SaysThatJointsOfASymmetricPairAreKnownOnlyTogether) {
 
 // Of two joints that stand side by side one does not slip: the other has all of the loss. Its band ends at
 // the sum and what that may be more. Ended at the sum, bands held 0.37 of the losses, and 0.75 now:
-// still short of 0.95, as bands of the other joint that do not begin at 0 leave no room for all.
+// still short of 0.95.
 TEST(Calibration, TheBandOfAJointThatMayHaveAllHoldsIt) {
   MICROSLIP_OF_RELEASE_ALONE();
   const JointedStructure one = testing::chain_structure(
