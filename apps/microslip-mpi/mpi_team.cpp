@@ -261,9 +261,18 @@ MpiTeam::MpiTeam() {
 }
 
 void MpiTeam::agree(const std::string& text, const std::string& failure) {
-  // A rank says "!" and why it cannot, or "=" and its text; behind the name of the process.
-  const std::string said =
-      name_of_process(rank_) + "\n" + (failure.empty() ? "=" + text : "!" + failure);
+  // A rank says "!" and why it cannot, or "=" and what of the text of rank 0 is otherwise here, if
+  // anything; behind the name of the process. It is short, however much the inputs are.
+  auto length = static_cast<std::uint64_t>(text.size());
+  MPI_Bcast(&length, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
+  std::string first = text;
+  first.resize(length);
+  MPI_Bcast(first.data(), static_cast<int>(length), MPI_BYTE, 0, MPI_COMM_WORLD);
+  std::string told = "!" + failure;
+  if (failure.empty())
+    told = "=" + (coordinates() || text == first ? "" : first_difference(text, first));
+  constexpr std::size_t kMostTold = 1000;
+  const std::string said = name_of_process(rank_) + "\n" + told.substr(0, kMostTold);
   const int size = static_cast<int>(said.size());
   std::vector<int> sizes(static_cast<std::size_t>(size_));
   MPI_Gather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, MPI_COMM_WORLD);
@@ -281,9 +290,9 @@ void MpiTeam::agree(const std::string& text, const std::string& failure) {
     const std::string rest = one.substr(end + 2);
     if (one[end + 1] == '!') {
       fault.emplace(one.substr(0, end), in_quotes(rest, 400), "must be able to take part");
-    } else if (rest != text) {
-      fault.emplace(one.substr(0, end), in_quotes(first_difference(rest, text), 300),
-                    "must have the same inputs as rank 0", "Have all ranks read the same files.");
+    } else if (!rest.empty()) {
+      fault.emplace(one.substr(0, end), in_quotes(rest, 300), "must have the same inputs as rank 0",
+                    "Have all ranks read the same files.");
     }
   }
   int go_on = failure.empty() && !fault ? 1 : 0;

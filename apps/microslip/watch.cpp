@@ -148,8 +148,13 @@ void watch(const WatchArguments& arguments, const Call& call) {
   WatchedTest test(options_of(arguments, call));
   FolderWatch folder(arguments.folder, interval,
                      [&](const std::string& name) { return test.reads(name); });
+  bool told = call.quiet;
   while (!StopOnSignal::asked() && std::ferror(stdout) == 0) {
     const FolderChange change = folder.look();
+    if (!told && !change.any() && !change.waiting) {
+      say(stdout, fmt::format("{}: no record yet", arguments.folder));
+    }
+    told = true;
     if (change.any() && test.evaluate(change) && !arguments.no_report) {
       write_watch_report(arguments, test, call);
     }

@@ -127,6 +127,14 @@ TEST(watch, SaysFaultsInSentences) {
   EXPECT_TRUE(says(once.err, ". Left out until it changes.")) << once.err;
 }
 
+TEST(watch, SaysThatNothingIsThere) {
+  const Sandbox box{};
+  const Outcome once = box.run(with(kWatch, {"--once"}));
+  EXPECT_EQ(once.status, 0) << once.err;
+  EXPECT_EQ(once.out, ".: no record yet\n");
+  EXPECT_EQ(box.run(with(kWatch, {"--once", "--quiet"})).out, "");
+}
+
 TEST(watch, WritesAReport) {
   const Sandbox box{{"levels.csv", sample_levels_text()}};
   const Arguments call{"watch", ".", "--interval", "0.1", "--once", "--stiffness", "1.7e5"};
