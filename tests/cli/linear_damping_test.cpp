@@ -12,6 +12,7 @@
 #include "cli/samples.hpp"
 #include "microslip/base/units.hpp"
 #include "microslip/io/csv.hpp"
+#include "support/replaced.hpp"
 
 /// @file
 /// The linear damping that an identification found beside a joint reaches every prediction by it.
@@ -32,18 +33,12 @@ std::string joint_text(const std::string& damping) {
   return text.insert(text.rfind('}'), identification);
 }
 
-std::string changed(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
 /// What each command starts from: the reference rig, as a test and as a model.
 class Start : public Sandbox {
  public:
   explicit Start(const std::string& damping) {
     put("joint.json", joint_text(damping));
-    put("rig.toml", changed(test::get(kExample + "rig.toml"), "count = 90", "count = 2"));
+    put("rig.toml", test::replaced(test::get(kExample + "rig.toml"), "count = 90", "count = 2"));
     for (const char* name : {"model.toml", "recordings/level_05.csv"}) {
       fs::copy_file(kExample + name, file(fs::path(name).filename().string()));
     }
@@ -192,8 +187,9 @@ TEST(linear_damping, IsWhatTheModelSays) {
   const auto table = [&](const std::string& in_joint, const std::string& in_model) {
     const Start box(in_joint);
     if (!in_model.empty()) {
-      box.put("model.toml", changed(box.get("model.toml"), "[[joint]]\n",
-                                    "[[joint]]\nlinear_damping_J_per_m2 = " + in_model + "\n"));
+      box.put("model.toml",
+              test::replaced(box.get("model.toml"), "[[joint]]\n",
+                             "[[joint]]\nlinear_damping_J_per_m2 = " + in_model + "\n"));
     }
     const Outcome run = expect_done(box, frf);
     EXPECT_EQ(run.out.find("linear damping ") == std::string::npos,
@@ -248,7 +244,7 @@ TEST(linear_damping, GoesFromIdentifyToThePrediction) {
       call.insert(call.end(), way.begin(), way.end());
       EXPECT_EQ(box.run(call).status, 0) << typed(call);
       box.put("model.toml",
-              changed(test::get(kExample + "model.toml"), "joint.json", "found.json"));
+              test::replaced(test::get(kExample + "model.toml"), "joint.json", "found.json"));
       expect_done(box, {"backbone", "model.toml", "--response", "1um:0.2mm:5", "--out", "b.csv"});
       return box.get("b.csv");
     };
@@ -267,8 +263,8 @@ TEST(linear_damping, IsRefusedWhereItIsNone) {
   }
   for (const std::string value : {"-1.0", "nan", "inf", "1e16"}) {
     const Start box("8500");
-    box.put("model.toml", changed(box.get("model.toml"), "[[joint]]\n",
-                                  "[[joint]]\nlinear_damping_J_per_m2 = " + value + "\n"));
+    box.put("model.toml", test::replaced(box.get("model.toml"), "[[joint]]\n",
+                                         "[[joint]]\nlinear_damping_J_per_m2 = " + value + "\n"));
     expect_refused(box, {"backbone", "model.toml", "--response", "1um:2um:2", "--out", "o.csv"},
                    {"model.toml:", "linear_damping_J_per_m2 = ", "must be"});
   }

@@ -15,6 +15,7 @@
 #include "microslip/io/joint_file.hpp"
 #include "microslip/io/sha256.hpp"
 #include "microslip/joint/joint.hpp"
+#include "support/replaced.hpp"
 
 namespace microslip::cli_test::reduce_test {
 namespace {
@@ -218,12 +219,6 @@ channel = "acc1"
                  {"level_05.csv", "stepped-sine"});
 }
 
-std::string changed(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
 TEST(reduce, NamesWhatIsWrong) {
   const RigSandbox box;
   const std::string level = box.get("level_05.csv");
@@ -232,19 +227,21 @@ TEST(reduce, NamesWhatIsWrong) {
     box.put("bad.csv", recording);
     expect_refused(box, {"reduce", "rig.toml", "bad.csv", "--out", "levels.csv"}, parts);
   };
-  refused(changed(level, "acc2 [m/s^2]", "other [m/s^2]"), {"bad.csv", "'acc2'", "missing"});
-  refused(changed(level, "force [N]", "force [m]"), {"bad.csv", "'force'", "force"});
-  refused(changed(level, "force [N]", "force"), {"bad.csv", "'force'", "--assume-units force=N"});
-  refused(changed(level, "force [N]", "force [stone]"), {"bad.csv:1", "stone"});
+  refused(test::replaced(level, "acc2 [m/s^2]", "other [m/s^2]"), {"bad.csv", "'acc2'", "missing"});
+  refused(test::replaced(level, "force [N]", "force [m]"), {"bad.csv", "'force'", "force"});
+  refused(test::replaced(level, "force [N]", "force"),
+          {"bad.csv", "'force'", "--assume-units force=N"});
+  refused(test::replaced(level, "force [N]", "force [stone]"), {"bad.csv:1", "stone"});
   refused(level.substr(0, level.find('\n', 4000) + 1), {"bad.csv", "fewer than 3"});
   refused("", {"bad.csv"});
   refused("time [s],force [N]\n0,1\n1,nan\n", {"bad.csv:3", "nan"});
   const Arguments call{"reduce", "rig.toml", "level_05.csv", "--out", "levels.csv"};
-  box.put("rig.toml", changed(rig, "length_m", "lenght_m"));
+  box.put("rig.toml", test::replaced(rig, "length_m", "lenght_m"));
   expect_refused(box, call, {"rig.toml", "lenght_m", "length_m"});
-  box.put("rig.toml", changed(rig, "channel = \"force\"", "channel = \"Force\""));
+  box.put("rig.toml", test::replaced(rig, "channel = \"force\"", "channel = \"Force\""));
   expect_refused(box, call, {"level_05.csv", "'Force'", "'force'"});
-  box.put("rig.toml", changed(rig, "stiffness_N_per_m = 1.7e5", "stick_frequency_Hz = 95.0"));
+  box.put("rig.toml",
+          test::replaced(rig, "stiffness_N_per_m = 1.7e5", "stick_frequency_Hz = 95.0"));
   expect_refused(box, call, {"rig.toml", "stick_frequency_Hz", "95"});
   box.put("rig.toml", rig);
   expect_refused(box, {"reduce", "rig.toml", "none.csv", "--out", "levels.csv"}, {"none.csv"});

@@ -15,6 +15,7 @@
 #include "microslip/io/csv.hpp"
 #include "support/effort.hpp"
 #include "support/figures.hpp"
+#include "support/replaced.hpp"
 
 namespace microslip::cli_test::ringdown_test {
 namespace {
@@ -25,10 +26,6 @@ Arguments call(const Arguments& more = {}) {
   Arguments arguments{"ringdown", "decay.csv", "--modal-mass", "2", "--out", "levels.csv"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
 }
 
 TEST(ringdown, WritesLevelsOfADecay) {
@@ -230,7 +227,7 @@ TEST(ringdown, FollowsAWeakModeOfARealBlow) {
 
 TEST(ringdown, TakesUnitsAndRanges) {
   const Sandbox box = sandbox();
-  box.put("decay.csv", replaced(sample_decay_text(), "acc1 [m/s^2]", "acc1"));
+  box.put("decay.csv", test::replaced(sample_decay_text(), "acc1 [m/s^2]", "acc1"));
   expect_refused(box, call(), {"decay.csv", "'acc1'", "--assume-units"});
   expect_done(box, call({"--assume-units", "acc1=m/s^2", "--frequency", "50Hz", "--band", "40:70",
                          "--from", "100ms", "--to", "1.5"}));

@@ -10,6 +10,7 @@
 
 #include "cli/run_program.hpp"
 #include "microslip/io/csv.hpp"
+#include "support/replaced.hpp"
 
 namespace microslip::cli_test::verify_test {
 namespace {
@@ -34,12 +35,6 @@ const Arguments kCall{"verify",       "rig.toml",     "joint.json", "level_01.cs
 
 CsvTable table(const Sandbox& box, const std::string& name) {
   return CsvTable(box.get(name), name);
-}
-
-std::string changed(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
 }
 
 std::string header_of(const CsvTable& found) {
@@ -89,7 +84,7 @@ TEST(verify, AWrongJointIsWorse) {
   const RigSandbox box;
   expect_done(box, with(kCall, {"--quiet"}));
   const std::vector<double> right = table(box, "out.csv").numbers("NRMSE", kDimensionless);
-  box.put("joint.json", changed(box.get("joint.json"), "1.7e5", "1.53e5"));
+  box.put("joint.json", test::replaced(box.get("joint.json"), "1.7e5", "1.53e5"));
   expect_done(box, with(kCall, {"--quiet"}));
   const std::vector<double> wrong = table(box, "out.csv").numbers("NRMSE", kDimensionless);
   EXPECT_GE(wrong[5], 20.0 * right[5]);  // the force of level 5
@@ -156,12 +151,12 @@ TEST(verify, WhatDoesNotConvergeIsWrittenAndMarked) {
   const RigSandbox box;
   std::string record = box.get("level_12.csv");
   for (const std::string name : {"acc1", "acc2", "acc3"}) {
-    record = changed(record, name + " [m/s^2]", name + " [km/s^2]");
+    record = test::replaced(record, name + " [m/s^2]", name + " [km/s^2]");
   }
   box.put("level_01.csv", record);
   box.put("joint.json", R"({"schema": "microslip.joint/1", "stiffness_N_per_m": 1.7e5,
                             "density": [{"type": "atoms", "slip_force_N": [1e9], "weight": [1]}]})");
-  box.put("rig.toml", changed(box.get("rig.toml"), "[0.0028, 0.0018, 0.0011]", "[0.0]"));
+  box.put("rig.toml", test::replaced(box.get("rig.toml"), "[0.0028, 0.0018, 0.0011]", "[0.0]"));
   const Outcome run = box.run(kCall);
   EXPECT_EQ(run.status, 3) << run.out << run.err;
   EXPECT_NE(run.out.find("(!)"), std::string::npos) << run.out;
@@ -177,9 +172,9 @@ TEST(verify, NamesWhatIsWrong) {
   const auto refused = [&](const Arguments& call, const std::vector<std::string>& parts) {
     expect_refused(box, with(call, {"--out", "out.csv"}), parts);
   };
-  box.put("bad.csv", changed(level, "acc2 [m/s^2]", "other [m/s^2]"));
+  box.put("bad.csv", test::replaced(level, "acc2 [m/s^2]", "other [m/s^2]"));
   refused({"verify", "rig.toml", "joint.json", "bad.csv"}, {"bad.csv", "'acc2'", "missing"});
-  box.put("bad.csv", changed(level, "force [N]", "force"));
+  box.put("bad.csv", test::replaced(level, "force [N]", "force"));
   refused({"verify", "rig.toml", "joint.json", "bad.csv"}, {"bad.csv", "--assume-units force=N"});
   refused({"verify", "rig.toml", "rig.toml", "level_05.csv"}, {"rig.toml"});
   refused({"verify", "joint.json", "rig.toml", "level_05.csv"}, {"joint.json"});
@@ -199,14 +194,15 @@ TEST(verify, NamesWhatIsWrong) {
           {"joint.json", "a table of predicted histories"});
   refused({"verify", "none.toml", "none.json", "none.csv", "--harmonics-csv", "out.csv"},
           {"out.csv", "would be written twice"});
-  box.put("rig.toml", changed(rig, "stiffness_N_per_m = 1.7e5", "stick_frequency_Hz = 95.0"));
+  box.put("rig.toml",
+          test::replaced(rig, "stiffness_N_per_m = 1.7e5", "stick_frequency_Hz = 95.0"));
   refused(call, {"rig.toml", "stick_frequency_Hz", "95"});
 }
 
 // Not an error: another beam may be what is to be tried. But it is said.
 TEST(verify, ARecordOfAnotherRigIsFlagged) {
   const RigSandbox box;
-  box.put("rig.toml", changed(box.get("rig.toml"), "length_m = 0.583", "length_m = 0.60"));
+  box.put("rig.toml", test::replaced(box.get("rig.toml"), "length_m = 0.583", "length_m = 0.60"));
   const Outcome run =
       box.run({"verify", "rig.toml", "joint.json", "level_05.csv", "--out", "out.csv"});
   EXPECT_EQ(run.status, 0) << run.err;

@@ -24,6 +24,7 @@
 #include "microslip/workflow/model_draws.hpp"
 #include "microslip/workflow/nothing_found.hpp"
 #include "microslip/workflow/response_draws.hpp"
+#include "support/replaced.hpp"
 
 namespace microslip::ensemble_run_test {
 namespace {
@@ -46,20 +47,14 @@ kind = "backbone"
 response_m = [0.1, 0.4]
 )";
 
-std::string replaced(std::string text, const std::string& old, const std::string& by) {
-  const std::size_t at = text.find(old);
-  EXPECT_NE(at, std::string::npos) << old;
-  return text.replace(at, old.size(), by);
-}
-
 /// The example of one mass, whose frequency is uncertain, with a plan.
 class Campaign {
  public:
   explicit Campaign(const std::string& plan = kPlan) {
     const std::string example = MICROSLIP_EXAMPLES "/one_mass/";
     test::put(file("joint.json"), test::get(example + "joint.json"));
-    test::put(file("model.toml"), replaced(test::get(example + "model.toml"), "[structure]",
-                                           "[structure]\nfrequency_std = [0.01]\n"));
+    test::put(file("model.toml"), test::replaced(test::get(example + "model.toml"), "[structure]",
+                                                 "[structure]\nfrequency_std = [0.01]\n"));
     test::put(file("plan.toml"), plan);
   }
 
@@ -184,7 +179,7 @@ TEST(Ensemble, RefusesToGoOnWithAChange) {
     asked.shard = EnsembleShard{1, 40};
     (void)campaign.run(asked);
     test::put(campaign.file(change.file),
-              replaced(test::get(campaign.file(change.file)), change.old, change.by));
+              test::replaced(test::get(campaign.file(change.file)), change.old, change.by));
     const std::vector<std::string> before = campaign.names();
     const std::string told =
         test::message_of<InputError>([&] { (void)campaign.run(campaign.asked()); });
@@ -201,7 +196,7 @@ TEST(Ensemble, TellsOtherThingsOfKeptJournals) {
   asked.keep_journals = true;
   (void)campaign.run(asked);
   test::put(campaign.file("plan.toml"),
-            replaced(kPlan, "raw = [\"peak_frequency\"]", "raw = [\"*\"]\nconfidence = 0.5"));
+            test::replaced(kPlan, "raw = [\"peak_frequency\"]", "raw = [\"*\"]\nconfidence = 0.5"));
   const FinishedEnsemble done = campaign.run(asked);
   EXPECT_EQ(done.done_now, 0U);
   EXPECT_EQ(done.result.confidence, 0.5);
@@ -223,17 +218,19 @@ draws = 40
   EnsembleRun asked = campaign.asked();
   asked.keep_journals = true;
   (void)campaign.run(asked);
-  test::put(campaign.file("plan.toml"), replaced(plan, "[design]", "confidence = 0.5\n[design]"));
+  test::put(campaign.file("plan.toml"),
+            test::replaced(plan, "[design]", "confidence = 0.5\n[design]"));
   const std::string told = test::message_of<InputError>([&] { (void)campaign.run(asked); });
   EXPECT_NE(told.find("confidence = 0.5, it was 0.95"), std::string::npos) << told;
-  test::put(campaign.file("plan.toml"), replaced(plan, "[design]", "confidence = 0.95\n[design]"));
+  test::put(campaign.file("plan.toml"),
+            test::replaced(plan, "[design]", "confidence = 0.95\n[design]"));
   EXPECT_EQ(campaign.run(asked).done_now, 0U);
 }
 
 // More blocks than memory could name are refused before any is begun.
 TEST(Ensemble, RefusesBlocksThatAreTooSmall) {
-  const Campaign campaign(
-      replaced(replaced(kPlan, "block = 3", "block = 4"), "draws = 60", "draws = 400000000"));
+  const Campaign campaign(test::replaced(test::replaced(kPlan, "block = 3", "block = 4"),
+                                         "draws = 60", "draws = 400000000"));
   const std::string told =
       test::message_of<InputError>([&] { (void)campaign.run(campaign.asked()); });
   EXPECT_NE(told.find("block = 4; must be 80 or more for 8e+08 jobs"), std::string::npos) << told;
@@ -368,10 +365,10 @@ TEST(Ensemble, SweepsTheGrid) {
 // The shape of a point that nobody asks for moves nothing: that is told of its axis, and of no other.
 TEST(Ensemble, TellsOfANumberThatChangesNothing) {
   const Campaign campaign(
-      replaced(kSweepPlan, "joint: stiffness_N_per_m", "structure.point[1].shape[0]"));
+      test::replaced(kSweepPlan, "joint: stiffness_N_per_m", "structure.point[1].shape[0]"));
   test::put(campaign.file("model.toml"),
-            replaced(test::get(campaign.file("model.toml")), "[[joint]]",
-                     "[[structure.point]]\nname = \"beside\"\nshape = [1.0]\n[[joint]]"));
+            test::replaced(test::get(campaign.file("model.toml")), "[[joint]]",
+                           "[[structure.point]]\nname = \"beside\"\nshape = [1.0]\n[[joint]]"));
   const FinishedEnsemble done = campaign.run(campaign.asked());
   ASSERT_EQ(done.warnings.size(), 1U);
   EXPECT_EQ(done.warnings[0].code, "axis_without_effect");
@@ -391,7 +388,7 @@ TEST(Ensemble, RefusesANumberThatIsNotThere) {
            {"kind = \"backbone\"\nresponse_m = [0.4]",
             "kind = \"frf\"\nforce_N = 0.02\nfrequency_Hz = [0.1, 0.2]\nharmonics = 1\nsamples = 5",
             ""}}) {
-    const Campaign campaign(replaced(kSweepPlan, old, by));
+    const Campaign campaign(test::replaced(kSweepPlan, old, by));
     if (told.empty()) continue;
     const std::string found =
         test::message_of<Error>([&] { (void)campaign.run(campaign.asked()); });
@@ -403,7 +400,7 @@ TEST(Ensemble, RefusesANumberThatIsNotThere) {
 // is there; more of them than allowed stop the run, whose journal goes on when that is changed.
 TEST(Ensemble, KeepsFailedJobsWithTheirReason) {
   const std::string plan =
-      replaced(kSweepPlan, "values = [0.2, 0.25, 0.3]", "values = [-0.2, 0.25, 0.3]");
+      test::replaced(kSweepPlan, "values = [0.2, 0.25, 0.3]", "values = [-0.2, 0.25, 0.3]");
   const Campaign campaign("most_failed = 0.4\n" + plan);
   test::put(campaign.file("joint.json"), kUniformJoint);
   const FinishedEnsemble done = campaign.run(campaign.asked());
@@ -429,7 +426,7 @@ TEST(Ensemble, KeepsFailedJobsWithTheirReason) {
 }
 
 TEST(Ensemble, RefusesAnOutputThatIsNotThere) {
-  const Campaign campaign(replaced(kPlan, "peak_frequency", "peak_freqency"));
+  const Campaign campaign(test::replaced(kPlan, "peak_frequency", "peak_freqency"));
   const std::string told =
       test::message_of<InputError>([&] { (void)campaign.run(campaign.asked()); });
   EXPECT_NE(told.find("raw[0] = 'peak_freqency'; must be '*' or one of"), std::string::npos)

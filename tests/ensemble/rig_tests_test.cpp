@@ -12,6 +12,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/ensemble/ensemble_jobs.hpp"
 #include "microslip/io/ensemble_plan_file.hpp"
+#include "support/replaced.hpp"
 
 /// Designs by virtual records of the reference rig: three accelerometers and a vibrometer.
 
@@ -28,12 +29,6 @@ sensor_noise = [0.0, 1.0, 30.0]
 sensors = [["acc1", "acc2", "acc3", "ldv"], ["acc1"]]
 )";
 
-std::string replaced(std::string text, const std::string& old, const std::string& by) {
-  const std::size_t at = text.find(old);
-  EXPECT_NE(at, std::string::npos) << old;
-  return text.replace(at, old.size(), by);
-}
-
 class Inputs {
  public:
   Inputs() {
@@ -42,7 +37,8 @@ class Inputs {
     test::put(folder_.file("joint.json"), test::get(example + "joint.json"));
   }
   void change_rig(const std::string& old, const std::string& by) const {
-    test::put(folder_.file("rig.toml"), replaced(test::get(folder_.file("rig.toml")), old, by));
+    test::put(folder_.file("rig.toml"),
+              test::replaced(test::get(folder_.file("rig.toml")), old, by));
   }
   [[nodiscard]] std::unique_ptr<const EnsembleJobs> jobs(const std::string& plan = kPlan) const {
     test::put(folder_.file("plan.toml"), plan);
@@ -106,7 +102,7 @@ TEST(RigTests, LookAtTheirSensorsAlone) {
 TEST(RigTests, RefuseWhatCannotBe) {
   const Inputs inputs;
   const auto told = [&](const std::string& old, const std::string& by) {
-    return test::message_of<Error>([&] { (void)inputs.jobs(replaced(kPlan, old, by)); });
+    return test::message_of<Error>([&] { (void)inputs.jobs(test::replaced(kPlan, old, by)); });
   };
   EXPECT_NE(told("[\"acc1\"]]", "[\"acc9\"]]").find("must be one of acc1, acc2, acc3, ldv"),
             std::string::npos);

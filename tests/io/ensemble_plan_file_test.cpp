@@ -11,6 +11,7 @@
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/io/changed_number.hpp"
+#include "support/replaced.hpp"
 
 namespace microslip::ensemble_plan_file_test {
 namespace {
@@ -67,12 +68,6 @@ force_N = 0.1
 frequency_Hz = [0.1, 0.2]
 )";
 
-std::string replaced(std::string text, const std::string& old, const std::string& by) {
-  const std::size_t at = text.find(old);
-  EXPECT_NE(at, std::string::npos) << old;
-  return text.replace(at, old.size(), by);
-}
-
 std::string message(const std::string& text) {
   return test::message_of<Error>([&] { (void)parse_ensemble_plan(text, "dir/plan.toml"); });
 }
@@ -115,14 +110,15 @@ TEST(EnsemblePlan, ReadsDesignsOfARig) {
            {"count = 5\njoint = \"j.json\"", "one of the keys joint and rig"},
            {"count = 5\nnoise = [0.1]", "unknown key 'noise'"},
            {"count = 5\nsensor_noise = [-1]", "sensor_noise[0] = -1"}}) {
-    EXPECT_NE(message(replaced(kRigDesign, "count = 5", by)).find(told), std::string::npos) << by;
+    EXPECT_NE(message(test::replaced(kRigDesign, "count = 5", by)).find(told), std::string::npos)
+        << by;
   }
   for (const auto& [by, told] : std::vector<std::pair<std::string, std::string>>{
            {"[\"acc1\"]", "must be an array of arrays"},
            {"[]", "must have a choice"},
            {"[[\"a\"], [\"a\"]]", "sensors[1] = [a]; must differ"},
            {"[[1]]", "sensors[0][0]"}}) {
-    const std::string text = replaced(kRigDesign, "[[\"acc1\", \"ldv\"], [\"acc1\"]]", by);
+    const std::string text = test::replaced(kRigDesign, "[[\"acc1\", \"ldv\"], [\"acc1\"]]", by);
     EXPECT_NE(message(text).find(told), std::string::npos) << message(text);
   }
 }
@@ -130,9 +126,10 @@ TEST(EnsemblePlan, ReadsDesignsOfARig) {
 // A whole number that no double has in full stands in the settings as it is.
 TEST(EnsemblePlan, TellsLargeSeedsApart) {
   for (const char* seed : {"9007199254740992", "9007199254740993", "9223372036854775807"}) {
-    const EnsemblePlan plan = parse_ensemble_plan(
-        replaced(kPredict, "kind = \"predict\"", std::string("kind = \"predict\"\nseed = ") + seed),
-        "plan.toml");
+    const EnsemblePlan plan =
+        parse_ensemble_plan(test::replaced(kPredict, "kind = \"predict\"",
+                                           std::string("kind = \"predict\"\nseed = ") + seed),
+                            "plan.toml");
     EXPECT_EQ(std::to_string(plan.seed), seed);
     EXPECT_EQ(std::ranges::count(plan.settings, std::string("seed = ") + seed), 1) << seed;
   }
@@ -217,11 +214,11 @@ TEST(EnsemblePlan, NamesAWrongValue) {
       {kSweep, "count = 3", "count = 600000", "a grid of 1.2e+06 points"},
   };
   for (const Wrong& wrong : all) {
-    std::string text = replaced(wrong.plan, wrong.old, wrong.by);
+    std::string text = test::replaced(wrong.plan, wrong.old, wrong.by);
     // A grid that is too large has two long axes.
     if (wrong.told.starts_with("a grid")) {
-      text =
-          replaced(text, "values = [0.1, 0.2]", "values = { from = 1, to = 2, count = 1000000 }");
+      text = test::replaced(text, "values = [0.1, 0.2]",
+                            "values = { from = 1, to = 2, count = 1000000 }");
       EXPECT_NE(message(text).find("a grid of 6e+11 points"), std::string::npos) << message(text);
       continue;
     }
@@ -242,7 +239,7 @@ TEST(EnsemblePlan, KnowsWhatJobsFollowFrom) {
   }
   for (const char* counts : {"seed = 2\n", "block = 3\n"})
     EXPECT_NE(settings(counts + kPredict), before);
-  EXPECT_NE(settings(replaced(kPredict, "0.1, 0.2", "0.1, 0.3")), before);
+  EXPECT_NE(settings(test::replaced(kPredict, "0.1, 0.2", "0.1, 0.3")), before);
   EXPECT_NE(std::ranges::find(before, "case[0].force_N = 0.1"), before.end());
 }
 
