@@ -67,6 +67,14 @@ Eigen::VectorXd projected(const AllUnknowns& now, const AllUnknowns& before,
   return found;
 }
 
+/// Edges whose ranges are not looked at yet. @param places  x*, m; rising.
+FoundEdges edges_at(std::vector<double> places) {
+  FoundEdges edges;
+  if (!places.empty()) edges.empty.assign(places.size() + 1, false);
+  edges.slip_displacement = std::move(places);
+  return edges;
+}
+
 /// Empty ranges of one of the chains, each as often as it is likely, those of two in another order.
 std::vector<bool> emptied(const FoundEdges& edges, std::size_t chain) {
   std::vector<bool> empty = edges.empty;
@@ -453,8 +461,7 @@ bool GrowingRange::find_edges(const CalibratedState& state) {
     places = model.slip_displacements(found.edges);
   }
   if (places.empty()) return false;
-  edges_[where].slip_displacement = std::move(places);
-  edges_[where].empty.assign(edges_[where].slip_displacement.size() + 1, false);
+  edges_[where] = edges_at(std::move(places));
   return true;
 }
 
@@ -492,10 +499,7 @@ bool GrowingRange::thin_edges(const CalibratedState& state) {
     if (tick_) tick_();
     if (kept.edges.size() == edges_[j].slip_displacement.size()) continue;
     any = true;
-    edges_[j] = {};
-    if (kept.edges.empty()) continue;
-    edges_[j].slip_displacement = model.slip_displacements(kept.edges);
-    edges_[j].empty.assign(kept.edges.size() + 1, false);
+    edges_[j] = edges_at(model.slip_displacements(kept.edges));
   }
   return any;
 }
@@ -505,13 +509,12 @@ bool GrowingRange::thin_edges(const CalibratedState& state) {
 CalibratedState GrowingRange::with_edges(CalibratedState state) {
   if (!edges_sought()) return state;
   state = steadied(std::move(state));
-  while (find_edges(state)) {
-    state = tried(state, exponents_);
-    find_emptiness(state);
-    state = choose_exponents(state);
-  }
-  if (!thin_edges(state)) return state;
-  state = tried(state, exponents_);
+  while (find_edges(state)) state = with_new_edges(state);
+  return thin_edges(state) ? with_new_edges(state) : state;
+}
+
+CalibratedState GrowingRange::with_new_edges(const CalibratedState& before) {
+  const CalibratedState state = tried(before, exponents_);
   find_emptiness(state);
   return choose_exponents(state);
 }

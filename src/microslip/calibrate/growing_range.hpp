@@ -115,6 +115,7 @@ class GrowingRange {
   [[nodiscard]] bool find_edges(const CalibratedState& state);
   [[nodiscard]] bool thin_edges(const CalibratedState& state);
   [[nodiscard]] CalibratedState with_edges(CalibratedState state);
+  [[nodiscard]] CalibratedState with_new_edges(const CalibratedState& before);
   void find_emptiness(const CalibratedState& state);
   void weigh_edges(const CalibratedState& found);
   using VariantStates = std::map<Variant, WeighedState>;

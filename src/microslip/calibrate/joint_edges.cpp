@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "microslip/base/median.hpp"
+#include "microslip/identify/quadratic_program.hpp"
 
 namespace microslip {
 namespace {
@@ -180,10 +181,7 @@ HeldBends JointEdges::bends(const EdgedFit& fit) {
   const NormalEquations equations(linear);
   const EvidenceWeights weights = weights_of(fit);
   const SettledEvidence settled = settle_with(equations, weights);
-  std::vector<Eigen::Index> free;
-  for (std::size_t i = 0; i < settled.solution.free.size(); ++i) {
-    if (settled.solution.free[i]) free.push_back(static_cast<Eigen::Index>(i));
-  }
+  const std::vector<Eigen::Index> free = free_coefficients(settled.solution);
   const RoughnessBlock& block = linear.roughness[joint_];
   Eigen::MatrixXd penalty = Eigen::MatrixXd::Zero(block.rows.rows(), linear.size());
   penalty.middleCols(block.begin, block.free_count) = block.rows;

@@ -20,14 +20,6 @@ constexpr std::array kFirstLambdas = {1e-4, 1e-1, 1e2};
 /// Of each element of the diagonal: rounding, so that a factor exists.
 constexpr double kRidge = 1e-13;
 
-std::vector<Eigen::Index> free_of(const QuadraticProgram::Solution& solution) {
-  std::vector<Eigen::Index> index;
-  for (std::size_t i = 0; i < solution.free.size(); ++i) {
-    if (solution.free[i]) index.push_back(static_cast<Eigen::Index>(i));
-  }
-  return index;
-}
-
 /// One round: the solution with given weights, and what it says of them.
 class Round {
  public:
@@ -37,7 +29,7 @@ class Round {
     const Eigen::Index n = hessian.rows();
     QuadraticProgram program(Eigen::VectorXd::Zero(n), 1.0);
     solution_ = program.solve(hessian, equations.linear(weights), std::move(start));
-    const std::vector<Eigen::Index> free = free_of(solution_);
+    const std::vector<Eigen::Index> free = free_coefficients(solution_);
     const Eigen::MatrixXd reduced = hessian(free, free);
     const Eigen::LLT<Eigen::MatrixXd> factor(reduced);
     const auto size = static_cast<Eigen::Index>(free.size());

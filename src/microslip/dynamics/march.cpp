@@ -109,8 +109,6 @@ class Recorder {
     for (auto* values : {&displacement_, &velocity_, &acceleration_}) {
       values->resize(shapes_.size());
     }
-    result.largest.resize(shapes_.size());
-    result.reach.resize(joint_force_.size());
   }
 
   /// At every step: what is largest need not be at a time of the axis.
@@ -120,7 +118,17 @@ class Recorder {
     sums_.add(time, signals_);
   }
 
-  void finish() { result_.sizes = sums_.sizes(); }
+  void finish() {
+    result_.sizes = sums_.sizes();
+    const auto peak = [&](std::size_t signal) { return result_.sizes[signal].peak; };
+    for (std::size_t p = 0; p < shapes_.size(); ++p) {
+      const std::size_t at = kOfPoint * p;
+      result_.largest.push_back({peak(at), peak(at + 1), peak(at + 2)});
+    }
+    for (std::size_t j = 0; j < joint_force_.size(); ++j) {
+      result_.reach.push_back(peak(place_of_joint(j)));
+    }
+  }
 
   /// What was watched last, at a time of the axis.
   void take(std::size_t index, double time, bool recorded) {
@@ -133,6 +141,10 @@ class Recorder {
  private:
   static constexpr std::size_t kOfPoint = 3;  // w, ẇ, ẅ
   static constexpr std::size_t kOfJoint = 2;  // u, F
+
+  [[nodiscard]] std::size_t place_of_joint(std::size_t j) const {
+    return kOfPoint * shapes_.size() + kOfJoint * j;
+  }
 
   void move_points(const MarchState& state) {
     for (std::size_t p = 0; p < shapes_.size(); ++p) {
@@ -149,10 +161,6 @@ class Recorder {
       acceleration_[p] = a;
       std::ranges::copy(std::array{w, v, a},
                         signals_.begin() + static_cast<std::ptrdiff_t>(kOfPoint * p));
-      LargestMotion& largest = result_.largest[p];
-      largest.displacement = std::max(largest.displacement, std::abs(w));
-      largest.velocity = std::max(largest.velocity, std::abs(v));
-      largest.acceleration = std::max(largest.acceleration, std::abs(a));
     }
   }
 
@@ -160,10 +168,9 @@ class Recorder {
     for (std::size_t j = 0; j < joint_force_.size(); ++j) {
       joint_displacement_[j] = state.joint(j).displacement();
       joint_force_[j] = state.joint(j).force();
-      const std::size_t at = kOfPoint * shapes_.size() + kOfJoint * j;
+      const std::size_t at = place_of_joint(j);
       signals_[at] = joint_displacement_[j];
       signals_[at + 1] = joint_force_[j];
-      result_.reach[j] = std::max(result_.reach[j], std::abs(joint_displacement_[j]));
     }
   }
 

@@ -12,20 +12,11 @@
 #include "microslip/io/rig_file.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/rig/virtual_record.hpp"
+#include "microslip/workflow/measurement_run.hpp"
 #include "microslip/workflow/recordings_reduction.hpp"
 
 namespace microslip {
 namespace {
-
-std::string joint_of_rig(const Rig& rig, const std::string& path) {
-  if (rig.contact.joint.empty()) {
-    throw InputError(input_name(path) + ": contact.joint", "none",
-                     "must name the file of the true joint",
-                     "Add joint = \"FILE\" to [contact]; the path is relative to the rig's.");
-  }
-  if (rig.contact.joint.starts_with('/')) return rig.contact.joint;
-  return path.substr(0, path.rfind('/') + 1) + rig.contact.joint;  // beside the rig
-}
 
 /// Channels that can be chosen.
 std::vector<std::string> channels_of(const Rig& rig) {
@@ -56,8 +47,8 @@ InputError of_file(const InputError& error, const std::string& file) {
 RigTests::RigTests(const DesignPlan& design, const std::string& plan)
     : file_(design.rig),
       rig_(read_rig(design.rig)),
-      truth_(read_joint(joint_of_rig(rig_, design.rig))),
-      files_{design.rig, joint_of_rig(rig_, design.rig)} {
+      files_{design.rig, true_joint_path(rig_, design.rig)},
+      truth_(read_joint(files_.back())) {
   if (!rig_.test) {
     throw InputError(input_name(file_) + ": test", "none", "must be there for virtual tests",
                      "Add the section [test].");

@@ -62,8 +62,8 @@ class RigTests {
 
   std::string file_;
   Rig rig_;
+  std::vector<std::string> files_;  // of the rig, then of its joint
   JointFile truth_;
-  std::vector<std::string> files_;
   std::vector<VirtualMeasurement> tests_;  // one a number of levels
   StickState state_;                       // of the records
   std::vector<Reducer> reducers_;          // one a choice of sensors

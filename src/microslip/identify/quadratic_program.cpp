@@ -189,4 +189,12 @@ void read_optimality(const QuadraticProgram::Solution& solution, std::string_vie
                                         solution.kkt_residual, kWanted);
 }
 
+std::vector<Eigen::Index> free_coefficients(const QuadraticProgram::Solution& solution) {
+  std::vector<Eigen::Index> index;
+  for (std::size_t i = 0; i < solution.free.size(); ++i) {
+    if (solution.free[i]) index.push_back(static_cast<Eigen::Index>(i));
+  }
+  return index;
+}
+
 }  // namespace microslip

@@ -81,4 +81,8 @@ class QuadraticProgram {
 void read_optimality(const QuadraticProgram::Solution& solution, std::string_view what,
                      Summary& summary);
 
+/// Indices of the coefficients that are not held at 0.
+[[nodiscard]] std::vector<Eigen::Index> free_coefficients(
+    const QuadraticProgram::Solution& solution);
+
 }  // namespace microslip

@@ -116,10 +116,7 @@ class Joined {
   explicit Joined(const SettledRecords& settled) {
     const SmoothingProblem& problem = settled.model.problem();
     const QuadraticProgram::Solution& solution = settled.best.solution;
-    std::vector<Index> free;
-    for (Index j = 0; j < problem.size(); ++j) {
-      if (solution.free[static_cast<std::size_t>(j)]) free.push_back(j);
-    }
+    const std::vector<Index> free = free_coefficients(solution);
     design_ = problem.design()(Eigen::all, free);
     ridge_ = problem.hessian(settled.best.lambda)(free, free) - design_.transpose() * design_;
     residual_ = problem.data() - problem.design() * solution.x;

@@ -36,14 +36,6 @@ double log_determinant(const Eigen::MatrixXd& positive) {
 
 }  // namespace
 
-std::vector<Eigen::Index> free_coefficients(const QuadraticProgram::Solution& solution) {
-  std::vector<Eigen::Index> index;
-  for (std::size_t i = 0; i < solution.free.size(); ++i) {
-    if (solution.free[i]) index.push_back(static_cast<Eigen::Index>(i));
-  }
-  return index;
-}
-
 SmoothingProblem::SmoothingProblem(Eigen::MatrixXd design, Eigen::VectorXd data,
                                    Eigen::MatrixXd penalty, Eigen::VectorXd area,
                                    Eigen::Index unpenalised)

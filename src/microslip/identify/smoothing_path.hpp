@@ -110,10 +110,6 @@ class SmoothingProblem {
   std::shared_ptr<LazySpectrum> spectrum_ = std::make_shared<LazySpectrum>();  // of all copies
 };
 
-/// Indices of the coefficients that are not held at 0.
-[[nodiscard]] std::vector<Eigen::Index> free_coefficients(
-    const QuadraticProgram::Solution& solution);
-
 /// The inner solutions of an inversion: the result rests on them, though it is none of them.
 struct InnerSolutions {
   std::size_t count = 0;

@@ -48,20 +48,10 @@ struct MeasurementInputs {
   std::string provenance;  ///< lines
 };
 
-std::string joint_path_of(const Rig& rig, const std::string& rig_path) {
-  if (rig.contact.joint.empty()) {
-    throw InputError(
-        input_name(rig_path) + ": contact.joint", "none", "must name the file of the true joint",
-        "Add joint = \"FILE\" to [contact], a joint that you take for the true one; the path is "
-        "relative to the rig's.");
-  }
-  return (fs::path(rig_path).parent_path() / rig.contact.joint).string();
-}
-
 MeasurementInputs read_inputs(const MeasurementRun& options) {
   const NamedInput rig_input{options.rig, read_file(options.rig, kLargestInput)};
   Rig rig = parse_rig(rig_input);
-  const std::string joint_path = joint_path_of(rig, options.rig);
+  const std::string joint_path = true_joint_path(rig, options.rig);
   if (!fs::exists(joint_path)) {
     throw InputError(input_name(options.rig) + ": contact.joint", "'" + joint_path + "'",
                      "must be there", "The path is relative to the folder of the rig.");
@@ -355,6 +345,16 @@ std::vector<Warning> warnings_of(const MeasurementInputs& inputs, const VirtualM
 }
 
 }  // namespace
+
+std::string true_joint_path(const Rig& rig, const std::string& rig_path) {
+  if (rig.contact.joint.empty()) {
+    throw InputError(
+        input_name(rig_path) + ": contact.joint", "none", "must name the file of the true joint",
+        "Add joint = \"FILE\" to [contact], a joint that you take for the true one; the path is "
+        "relative to the rig's.");
+  }
+  return (fs::path(rig_path).parent_path() / rig.contact.joint).string();
+}
 
 FinishedMeasurement run_measurement(const MeasurementRun& options) {
   const MeasurementInputs inputs = read_inputs(options);

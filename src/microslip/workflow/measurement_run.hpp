@@ -36,6 +36,11 @@ struct FinishedMeasurement {
   std::vector<Warning> warnings;     ///< each kind once, as in the files
 };
 
+/// The file of the true joint of a virtual test, beside that of the rig.
+/// @param rig       its contact. @param rig_path  of its file.
+/// @throws InputError  where the rig names none.
+[[nodiscard]] std::string true_joint_path(const Rig& rig, const std::string& rig_path);
+
 /// Reads rig and joint, solves the test, and writes records, truth.csv, force_control.csv and
 /// rig.toml into the folder: all or none.
 /// @throws FileError, FormatError, InputError  as the readers and measure_virtually(), and where
