@@ -431,10 +431,10 @@ TEST(ModelFileFault, JointFilesThatAreBroken) {
 TEST(ModelFileFault, ExcitationAndResponse) {
   expect_faults({
       {"point = \"tip\"", "point = \"tipp\"",
-       "model.toml:22:9: excitation[0].point = 'tipp'; must be the name of a structure.point: "
+       "model.toml:22:9: excitation[0].point = 'tipp'; must be the name of a point: "
        "'tip, root'. Is it to be 'tip'?"},
       {"[response]\npoint = \"root\"", "[response]\npoint = \"engine\"",
-       "model.toml:28:9: response.point = 'engine'; must be the name of a structure.point: "
+       "model.toml:28:9: response.point = 'engine'; must be the name of a point: "
        "'tip, root'"},
       {"[1.0, 0.05]", "[0, 0]",
        "model.toml:23:13: excitation[0].harmonics = no harmonic; must have one that is not 0"},

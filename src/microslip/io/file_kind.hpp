@@ -18,9 +18,10 @@ inline constexpr std::string_view kEnsembleKind = "microslip.ensemble_result/1";
 inline constexpr std::string_view kJournalKind = "microslip.journal/1";
 /// of ensemble_table() and sweep_table()
 inline constexpr std::string_view kEnsembleTableKind = "a table of an ensemble";
-inline constexpr std::string_view kRigKind = "microslip.rig/1";       ///< rig.toml
-inline constexpr std::string_view kModelKind = "microslip.model/1";   ///< model.toml
-inline constexpr std::string_view kLevelsKind = "a table of levels";  ///< levels.csv
+inline constexpr std::string_view kRigKind = "microslip.rig/1";              ///< rig.toml
+inline constexpr std::string_view kStructureKind = "microslip.structure/1";  ///< STRUCTURE.toml
+inline constexpr std::string_view kModelKind = "microslip.model/1";          ///< model.toml
+inline constexpr std::string_view kLevelsKind = "a table of levels";         ///< levels.csv
 /// of `microslip ringdown` without modal mass
 inline constexpr std::string_view kDampingLevelsKind = "a table of damping ratios";
 inline constexpr std::string_view kCalibrationFileKind =

@@ -61,7 +61,11 @@ void write_joint(const ModelFile& model, std::size_t number, TomlLines& lines) {
   const StructuralJoint& joint = model.structure.joints()[number];
   lines.element("joint");
   lines.add("name", joint.name);
-  lines.add("file", model.joint_files[number]);
+  if (model.joint_files[number].empty()) {
+    lines.add("stiffness_N_per_m", joint.joint.stiffness());
+  } else {
+    lines.add("file", model.joint_files[number]);
+  }
   const bool drawn = number < model.joint_samples.size() && !model.joint_samples[number].empty();
   if (drawn) lines.add("samples", model.joint_samples[number]);
   const double load = spread_at(model.spread.normal_load, number);

@@ -9,7 +9,8 @@
 namespace microslip {
 
 /// The text of a model.toml that parse_model() reads back as the same model, but for the rounding
-/// of ω/2π. The joint files are named as in `model.joint_files`; they are not written. Linear
+/// of ω/2π. The joint files are named as in `model.joint_files`, and
+/// a joint without one by its stiffness; they are not written. Linear
 /// damping of a joint is left out only where it is 0 and `identified_damping` tells that its file
 /// has none.
 /// @param model    its joint files are told one a joint.

@@ -116,6 +116,34 @@ std::string TomlTable::text(std::string_view key) const {
   return text->get();
 }
 
+std::vector<std::string> TomlTable::texts(std::string_view key) const {
+  const toml::node& node = at(key);
+  const toml::array* array = node.as_array();
+  if (!array) {
+    throw wrong(node, key_path(path_, key), "an array of texts",
+                node.is_string() ? "Write it in [ ]." : "");
+  }
+  std::vector<std::string> result;
+  for (const toml::node& element : *array) {
+    const toml::value<std::string>* text = element.as_string();
+    if (!text) throw wrong(element, element_path(key, result.size()), kText);
+    result.push_back(text->get());
+  }
+  return result;
+}
+
+bool TomlTable::boolean(std::string_view key) const {
+  const toml::node& node = at(key);
+  const toml::value<bool>* value = node.as_boolean();
+  if (!value) throw wrong(node, key_path(path_, key), "true or false");
+  return value->get();
+}
+
+bool TomlTable::is_text(std::string_view key) const {
+  const toml::node* node = table_.get(key);
+  return node != nullptr && node->is_string();
+}
+
 TomlTable TomlTable::table(std::string_view key) const {
   const toml::node& node = at(key);
   const std::string path = key_path(path_, key);

@@ -35,6 +35,8 @@ class TomlTable {
   void allow_only(const std::vector<std::string_view>& keys) const;
 
   [[nodiscard]] bool has(std::string_view key) const;
+  /// Whether its value is a text; false where the key is missing.
+  [[nodiscard]] bool is_text(std::string_view key) const;
 
   // Each throws FormatError where the key is missing, and InputError where it has another type.
 
@@ -44,6 +46,8 @@ class TomlTable {
   /// An integer, 0 or more.
   [[nodiscard]] std::size_t whole(std::string_view key) const;
   [[nodiscard]] std::string text(std::string_view key) const;
+  [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
+  [[nodiscard]] bool boolean(std::string_view key) const;
   [[nodiscard]] TomlTable table(std::string_view key) const;
   /// [[key]], or an array of inline tables.
   [[nodiscard]] std::vector<TomlTable> tables(std::string_view key) const;

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/structure_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/base/units.hpp"
+#include "microslip/io/calculix_matrices.hpp"
+#include "microslip/io/file_kind.hpp"
+#include "microslip/io/input_file.hpp"
+#include "microslip/io/joint_file.hpp"
+#include "microslip/io/matrix_market.hpp"
+#include "microslip/io/mesh_file.hpp"
+#include "microslip/io/model_tables.hpp"
+#include "microslip/io/structure_places.hpp"
+#include "microslip/io/structured_input.hpp"
+#include "microslip/io/text.hpp"
+#include "microslip/io/toml_input.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr std::size_t kLargestStructureFile = std::size_t{16} << 20U;
+constexpr std::string_view kAttachmentKey = "attachment";
+
+/// What the matrices of a file are in.
+struct MatrixUnits {
+  double length = 1.0;  ///< m
+  double force = 1.0;   ///< N
+};
+
+double read_unit(const TomlTable& table, std::string_view key, const Dimension& dimension) {
+  if (!table.has(key)) return 1.0;
+  try {
+    return parse_unit(table.text(key), dimension).factor();
+  } catch (const InputError& error) {
+    throw error.renamed(table.name(key));
+  }
+}
+
+/// Reads a file that a key names; messages on the file itself name the key, too.
+template <class Read>
+auto read_named(const TomlTable& table, std::string_view key, const std::string& path, Read read) {
+  try {
+    return read(path);
+  } catch (const FileError& error) {
+    throw FileError(table.name(key), error.what());
+  }
+}
+
+bool turns(const DegreeOfFreedom& degree) { return degree.direction >= NodalDirection::kTurnX; }
+
+/// Energy is force times length; a rotation has no unit. Of rows that nobody's are told, all are
+/// translations.
+void convert(SymmetricEntries& matrix, const std::vector<DegreeOfFreedom>& degrees,
+             const MatrixUnits& units) {
+  if (units.length == 1.0 && units.force == 1.0) return;
+  const auto scale = [&](std::int32_t row) {
+    const auto i = static_cast<std::size_t>(row);
+    return i < degrees.size() && turns(degrees[i]) ? 1.0 : units.length;
+  };
+  const double energy = units.force * units.length;
+  for (std::size_t i = 0; i < matrix.value.size(); ++i) {
+    matrix.value[i] *= energy / (scale(matrix.row[i]) * scale(matrix.column[i]));
+  }
+}
+
+StructuralMatrices read_matrix_files(const TomlTable& table, std::string_view file) {
+  if (table.has("calculix")) {
+    for (const std::string_view key : {"stiffness", "mass", "degrees_of_freedom"}) {
+      if (!table.has(key)) continue;
+      throw FormatError(table.place(key), "calculix, or stiffness and mass", "both");
+    }
+    const std::string job = path_beside(table, "calculix", "a job of CalculiX", file);
+    return read_named(table, "calculix", job, read_calculix_matrices);
+  }
+  StructuralMatrices matrices;
+  const std::string stiffness = path_beside(table, "stiffness", "a matrix", file);
+  const std::string mass = path_beside(table, "mass", "a matrix", file);
+  matrices.stiffness = read_named(table, "stiffness", stiffness, read_matrix_market);
+  matrices.mass = read_named(table, "mass", mass, read_matrix_market);
+  if (table.has("degrees_of_freedom")) {
+    const std::string degrees = path_beside(table, "degrees_of_freedom", "a file", file);
+    matrices.degrees = read_named(table, "degrees_of_freedom", degrees, read_degrees);
+  }
+  return matrices;
+}
+
+StructuralMatrices read_matrices(const TomlTable& table, std::string_view file,
+                                 const MatrixUnits& units) {
+  StructuralMatrices matrices = read_matrix_files(table, file);
+  if (matrices.mass.size != matrices.stiffness.size) {
+    throw InputError(table.name(table.has("mass") ? "mass" : "calculix"),
+                     fmt::format("{} rows", matrices.mass.size),
+                     fmt::format("must have {}, as the stiffness matrix", matrices.stiffness.size));
+  }
+  if (!matrices.degrees.empty() && matrices.degrees.size() != matrices.stiffness.size) {
+    throw InputError(table.name("degrees_of_freedom"),
+                     fmt::format("{} lines", matrices.degrees.size()),
+                     fmt::format("must be {}, one a row of the matrices", matrices.stiffness.size));
+  }
+  convert(matrices.stiffness, matrices.degrees, units);
+  convert(matrices.mass, matrices.degrees, units);
+  return matrices;
+}
+
+MeshFile read_nodes(const TomlTable& top, std::string_view file, double length_unit) {
+  MeshFile all;
+  if (!top.has("nodes")) return all;
+  const TomlTable table = top.table("nodes");
+  table.allow_only({"file"});
+  std::vector<std::string> names;
+  if (table.is_text("file")) {
+    names.push_back(table.text("file"));
+  } else {
+    names = table.texts("file");
+  }
+  for (const std::string& name : names) {
+    const std::string path = (std::filesystem::path(file).parent_path() / name).string();
+    MeshFile mesh = read_named(table, "file", path,
+                               [&](const std::string& its) { return read_mesh(its, length_unit); });
+    all.nodes.insert(all.nodes.end(), mesh.nodes.begin(), mesh.nodes.end());
+    for (NodeSet& set : mesh.sets) all.sets.push_back(std::move(set));
+  }
+  return all;
+}
+
+MeshPoint read_mesh_point(const TomlTable& table, const NodeSets& sets,
+                          const std::vector<MeshPoint>& before) {
+  table.allow_only(
+      {"name", kNodeKey, kNodesKey, kSetKey, kRowKey, kSpiderKey, kAtKey, "direction"});
+  MeshPoint point{.name = table.text("name"), .place = {.name = {}, .nodes = {}}};
+  check_name(table, point.name, before, "point");
+  point.place = read_place(table, sets);
+  point.direction = read_direction(table, !point.place.row);
+  return point;
+}
+
+MeshPlace read_side(const TomlTable& joint, std::string_view key, const NodeSets& sets) {
+  const TomlTable side = joint.table(key);
+  side.allow_only({kNodeKey, kNodesKey, kSetKey, kRowKey, kSpiderKey, kAtKey});
+  return read_place(side, sets);
+}
+
+MeshJoint read_mesh_joint(const TomlTable& table, const std::string& name, double stiffness,
+                          const NodeSets& sets) {
+  MeshJoint joint{.name = name, .to = read_side(table, "to", sets), .stiffness = stiffness};
+  if (table.has("from")) joint.from = read_side(table, "from", sets);
+  const bool rows = joint.to.row && (!joint.from || joint.from->row);
+  joint.direction = read_direction(table, !rows);
+  return joint;
+}
+
+void read_joints(const TomlTable& top, std::string_view file, const NodeSets& sets,
+                 StructureFile& read) {
+  if (!top.has("joint")) return;
+  const std::vector<TomlTable> tables = top.tables("joint");
+  for (const TomlTable& table : tables) {
+    table.allow_only({"name", "to", "from", "direction", "file", kStiffnessKey, kSamplesKey,
+                      kNormalLoadSpreadKey, kLinearDampingKey});
+    const std::string name = joint_name(table, read.sources.size(), tables.size());
+    check_name(table, name, read.structure.joints, "joint");
+    read.sources.push_back(read_joint_source(table, file, JointsToFind::kAllowed));
+    const double stiffness = read.sources.back().joint.stiffness();
+    read.structure.joints.push_back(read_mesh_joint(table, name, stiffness, sets));
+  }
+}
+
+void read_damping(const TomlTable& modes, StructureFile& read) {
+  const bool viscous = modes.has("damping_ratio");
+  if (viscous == modes.has("loss_factor")) {
+    throw FormatError(modes.place(viscous ? "loss_factor" : "count"),
+                      "in modes one of the keys damping_ratio and loss_factor",
+                      viscous ? "both" : "neither");
+  }
+  const std::string_view key = viscous ? "damping_ratio" : "loss_factor";
+  read.loss_factor = read_positive(modes, key, kLargestLossFactor);
+  if (read.loss_factor.empty()) throw wrong_count(modes, key, 0, "must have one at least");
+  read.law = viscous ? DampingLaw::kViscous : DampingLaw::kHysteretic;
+  if (!viscous) return;
+  for (double& value : read.loss_factor) value *= 2.0;
+}
+
+void read_modes(const TomlTable& modes, StructureFile& read) {
+  modes.allow_only({"count", "up_to_Hz", "joints", kAttachmentKey, "loss_factor", "damping_ratio"});
+  if (modes.has("count") == modes.has("up_to_Hz")) {
+    throw FormatError(modes.place("up_to_Hz"), "in modes one of the keys count and up_to_Hz",
+                      modes.has("count") ? "both" : "neither");
+  }
+  if (modes.has("count")) {
+    read.count = modes.whole("count");
+    if (*read.count == 0 || *read.count > kMostModes) {
+      throw InputError(modes.name("count"), static_cast<double>(*read.count),
+                       fmt::format("must be from 1 to {}", kMostModes));
+    }
+  } else {
+    read.highest_frequency = modes.number("up_to_Hz");
+    if (!(*read.highest_frequency > 0.0 && *read.highest_frequency <= kHighestFrequency)) {
+      throw InputError(modes.name("up_to_Hz"), *read.highest_frequency,
+                       fmt::format("must be above 0, to {:g}", kHighestFrequency));
+    }
+  }
+  if (modes.has("joints")) {
+    const std::string joints = modes.text("joints");
+    if (joints != "free" && joints != "stuck") {
+      throw InputError(modes.name("joints"), in_quotes(joints), "must be free or stuck");
+    }
+    read.joints = joints == "stuck" ? JointsInModes::kStuck : JointsInModes::kFree;
+  }
+  if (modes.has(kAttachmentKey)) read.attachment = modes.boolean(kAttachmentKey);
+  read_damping(modes, read);
+}
+
+StructureFile read_tables(const TomlTable& top, std::string_view file) {
+  top.allow_only({"schema", "matrices", "nodes", "set", "support", "point", "joint", "modes",
+                  "excitation", "response", "accelerometer"});
+  StructureFile read;
+  const TomlTable matrices = top.table("matrices");
+  matrices.allow_only(
+      {"stiffness", "mass", "degrees_of_freedom", "calculix", "length_unit", "force_unit"});
+  const MatrixUnits units{.length = read_unit(matrices, "length_unit", kLength),
+                          .force = read_unit(matrices, "force_unit", kForce)};
+  // The short tables first: a slip in them need not wait for millions of entries.
+  read_modes(top.table("modes"), read);
+  MeshFile mesh = read_nodes(top, file, units.length);
+  const NodeSets sets(top, mesh);
+  if (top.has("support")) {
+    for (const TomlTable& table : top.tables("support")) {
+      read.structure.supports.push_back(read_support(table, sets));
+    }
+  }
+  std::vector<std::string> names;
+  for (const TomlTable& table : top.tables("point")) {
+    read.structure.points.push_back(read_mesh_point(table, sets, read.structure.points));
+    names.push_back(read.structure.points.back().name);
+  }
+  read_joints(top, file, sets, read);
+  read.driven = read_driven_points(top, names);
+  read.structure.matrices = read_matrices(matrices, file, units);
+  read.structure.nodes = std::move(mesh.nodes);
+  return read;
+}
+
+}  // namespace
+
+StructureFile parse_structure(std::string_view text, std::string_view file) {
+  const toml::table content = parse_toml(text, file);
+  const TomlTable top(content, file);
+  check_schema(top.place("schema"), top.text("schema"), kStructureKind, "a structure");
+  return read_tables(top, file);
+}
+
+StructureFile read_structure_file(const std::string& path) {
+  return parse_structure(read_file(path, kLargestStructureFile), input_name(path));
+}
+
+}  // namespace microslip

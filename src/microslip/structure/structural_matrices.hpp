@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+/// @file
+/// The matrices of a discretised structure, K and M of M ẍ + K x = f, before modes are made of
+/// them.
+
+namespace microslip {
+
+/// A symmetric matrix by its entries on and below the diagonal; entries of one place add up.
+struct SymmetricEntries {
+  std::size_t size = 0;              ///< rows, and columns
+  std::vector<std::int32_t> row;     ///< from 0
+  std::vector<std::int32_t> column;  ///< from 0, ≤ row; one an entry
+  std::vector<double> value;         ///< finite; one an entry
+};
+
+/// The largest matrix that is taken, rows: indices are of 32 bits, and a factor needs more.
+inline constexpr std::size_t kMostDegreesOfFreedom = 20'000'000;
+
+/// The direction in which a degree of freedom displaces its node, or the axis it turns it about.
+enum class NodalDirection : std::uint8_t { kX, kY, kZ, kTurnX, kTurnY, kTurnZ };
+
+inline constexpr std::size_t kNodalDirections = 6;  ///< how many there are
+
+/// "x", "y", "z", "rx", "ry", "rz".
+inline constexpr std::array<std::string_view, kNodalDirections> kNodalDirectionNames = {
+    "x", "y", "z", "rx", "ry", "rz"};
+
+/// What a row of the matrices belongs to.
+struct DegreeOfFreedom {
+  std::int64_t node = 0;                          ///< its number in the mesh
+  NodalDirection direction = NodalDirection::kX;  ///< translation, m, or rotation, rad
+
+  friend auto operator<=>(const DegreeOfFreedom&, const DegreeOfFreedom&) = default;
+};
+
+/// K and M of a structure without its joints, in SI.
+struct StructuralMatrices {
+  SymmetricEntries stiffness;  ///< K, N/m (N m/rad of rotations); n × n
+  SymmetricEntries mass;       ///< M, kg (kg m² of rotations); n × n
+  /// One a row; empty where it is not known whose the rows are.
+  std::vector<DegreeOfFreedom> degrees = {};
+};
+
+}  // namespace microslip

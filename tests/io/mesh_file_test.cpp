@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/mesh_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/support.hpp"
+#include "microslip/base/error.hpp"
+
+namespace microslip::mesh_file_test {
+namespace {
+
+using test::message_of;
+using Nodes = std::vector<std::int64_t>;
+
+MeshFile mesh_of(const std::string& text, double length_unit = 1.0) {
+  const test::TemporaryFolder folder;
+  test::put(folder.file("mesh"), text);
+  return read_mesh(folder.file("mesh"), length_unit);
+}
+
+TEST(MeshFile, ReadsAnInputOfCalculix) {
+  const MeshFile mesh = mesh_of(
+      "** a plate\n*Heading\nno nodes\n*NODE, NSET=Nall\n1, 0, 0, 0\n 2 , 1.5e3, +2, -1.\n7,3\n"
+      "*ELEMENT, TYPE=C3D8, ELSET=E\n1, 1,2,3,4,5,6,7,8\n"
+      "*NSET, NSET=left\n7, 1,\n2\n*NSET, NSET=even, GENERATE\n2, 6, 2\n*nset, nset=both\nLEFT, "
+      "9\r\n*STEP\n",
+      1e-3);
+  ASSERT_EQ(mesh.nodes.size(), 3U);
+  EXPECT_EQ(mesh.nodes[1].number, 2);
+  EXPECT_EQ(mesh.nodes[1].position, (Vector3{1.5, 2e-3, -1e-3}));
+  EXPECT_EQ(mesh.nodes[2].position, (Vector3{3e-3, 0.0, 0.0}));
+  ASSERT_EQ(mesh.sets.size(), 4U);
+  EXPECT_EQ(mesh.sets[0].name, "NALL");
+  EXPECT_EQ(mesh.sets[1].nodes, (Nodes{1, 2, 7}));
+  EXPECT_EQ(mesh.sets[2].nodes, (Nodes{2, 4, 6}));
+  EXPECT_EQ(mesh.sets[3].nodes, (Nodes{1, 2, 7, 9}));
+}
+
+TEST(MeshFile, FollowsFilesThatAreIncluded) {
+  const test::TemporaryFolder folder;
+  test::put(folder.file("all.inp"), "*INCLUDE, INPUT=mesh.msh\n*NSET,NSET=A\n1\n");
+  test::put(folder.file("mesh.msh"), "*NODE\n1,0,0,0\n");
+  const MeshFile mesh = read_mesh(folder.file("all.inp"), 1.0);
+  EXPECT_EQ(mesh.nodes.size(), 1U);
+  EXPECT_EQ(mesh.sets.size(), 1U);
+  test::put(folder.file("mesh.msh"), "*INCLUDE, INPUT=all.inp\n");
+  EXPECT_NE(message_of<InputError>([&] {
+              return read_mesh(folder.file("all.inp"), 1.0);
+            }).find("Do files include each other?"),
+            std::string::npos);
+}
+
+TEST(MeshFile, ReadsUniversalFiles) {
+  const std::string label = "        12         0         0        11";
+  const MeshFile short_form =
+      mesh_of("    -1\n    15\n" + label + "  1.50000E+00 -2.00000E+00  0.00000E+00\n    -1\n");
+  ASSERT_EQ(short_form.nodes.size(), 1U);
+  EXPECT_EQ(short_form.nodes[0].number, 12);
+  EXPECT_EQ(short_form.nodes[0].position, (Vector3{1.5, -2.0, 0.0}));
+  const MeshFile long_form = mesh_of(
+      "    -1\n   164\n         5mm (milli-newton)           2\n"
+      "  1.0000000000000000D+03  1.0000000000000000D+03  1.0000000000000000D+00\n"
+      "  2.7314999999999998D+02\n    -1\n    -1\n  2411\n" +
+      label +
+      "\n   1.5000000000000000D+03  -2.0000000000000000D+00   0.0000000000000000D+00\n    -1\n");
+  ASSERT_EQ(long_form.nodes.size(), 1U);
+  EXPECT_DOUBLE_EQ(long_form.nodes[0].position[0], 1.5);
+  EXPECT_DOUBLE_EQ(long_form.nodes[0].position[1], -2e-3);
+}
+
+TEST(MeshFile, ReadsATable) {
+  const MeshFile mesh = mesh_of("# nodes\nnode [1],x [mm],y [m],z [m]\n3,1500,2,0\n");
+  ASSERT_EQ(mesh.nodes.size(), 1U);
+  EXPECT_EQ(mesh.nodes[0].number, 3);
+  EXPECT_EQ(mesh.nodes[0].position, (Vector3{1.5, 2.0, 0.0}));
+}
+
+TEST(MeshFileFault, IsNamedByItsPlace) {
+  const auto fault = [](const std::string& text) {
+    const std::string message = message_of<FormatError>([&] { return mesh_of(text); });
+    const std::size_t end = message.find("/mesh");
+    return end == std::string::npos ? message : message.substr(end + 1);
+  };
+  EXPECT_EQ(fault("*NODE\n1, a, 0, 0\n"), "mesh:2: expected a coordinate, found 'a'");
+  EXPECT_EQ(fault("*NODE\n-1, 0, 0, 0\n"), "mesh:2: expected the number of a node, found '-1'");
+  EXPECT_EQ(fault("*NSET\n1\n"), "mesh:1: expected *NSET, NSET=NAME, found '*NSET'");
+  EXPECT_EQ(fault("*NSET,NSET=A\nfoo\n"), "mesh:2: expected the number of a node, found 'foo'");
+  EXPECT_EQ(fault("*NSET,NSET=A,GENERATE\n1,999999999999\n"),
+            "mesh:2: expected up to 20000000 nodes, from first to last, found 1 to 999999999999");
+  EXPECT_EQ(fault("*SYSTEM\n"),
+            "mesh:1: expected nodes in global coordinates, found *SYSTEM. Give the nodes in a "
+            "table: node [1], x [m], y [m], z [m].");
+  EXPECT_EQ(
+      fault("*HEADING\nnothing\n"),
+      "mesh: expected nodes: *NODE of CalculiX, datasets 15 or 2411, or a table node, x, y, z, "
+      "found none");
+  EXPECT_EQ(fault("node [1],x [m],y [m],z [m]\n1.5,0,0,0\n"),
+            "mesh:2:1: expected the number of a node in column 1 'node [1]', found '1.5'");
+}
+
+}  // namespace
+}  // namespace microslip::mesh_file_test

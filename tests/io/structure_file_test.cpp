@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/structure_file.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "io/support.hpp"
+#include "microslip/base/error.hpp"
+#include "support/replaced.hpp"
+
+namespace microslip::structure_file_test {
+namespace {
+
+using test::message_of;
+
+/// All keys there are but those that exclude each other; lines are those of the messages below.
+const std::string kText =
+    "schema = \"microslip.structure/1\"\n"
+    "[matrices]\n"
+    "stiffness = \"k.mtx\"\n"
+    "mass = \"m.mtx\"\n"
+    "degrees_of_freedom = \"rows.dof\"\n"
+    "length_unit = \"mm\"\n"
+    "force_unit = \"kN\"\n"
+    "[nodes]\n"
+    "file = [\"nodes.csv\", \"sets.inp\"]\n"
+    "[[set]]\n"
+    "name = \"low\"\n"
+    "box = {z_m = [0, 0.1]}\n"
+    "[[set]]\n"
+    "name = \"pair\"\n"
+    "nodes = [1, 2]\n"
+    "[[support]]\n"
+    "set = \"top\"\n"
+    "directions = [\"x\", \"rz\"]\n"
+    "[[support]]\n"
+    "rows = [3]\n"
+    "[[point]]\n"
+    "name = \"tip\"\n"
+    "node = 2\n"
+    "direction = \"-z\"\n"
+    "[[point]]\n"
+    "name = \"first\"\n"
+    "row = 1\n"
+    "[[joint]]\n"
+    "name = \"bolt\"\n"
+    "from = {set = \"pair\", spider = \"rigid\", at_m = [0, 0, 0.05]}\n"
+    "to = {node = 1}\n"
+    "direction = [3, 0, 4]\n"
+    "file = \"joint.json\"\n"
+    "linear_damping_J_per_m2 = 12\n"
+    "[[joint]]\n"
+    "name = \"pin\"\n"
+    "to = {nodes = [1, 2]}\n"
+    "direction = \"ry\"\n"
+    "stiffness_N_per_m = 2e5\n"
+    "[modes]\n"
+    "count = 2\n"
+    "joints = \"stuck\"\n"
+    "attachment = false\n"
+    "loss_factor = [0.003, 0.002]\n"
+    "[excitation]\n"
+    "point = \"tip\"\n"
+    "channel = \"force\"\n"
+    "[response]\n"
+    "point = \"first\"\n"
+    "[[accelerometer]]\n"
+    "channel = \"acc\"\n"
+    "point = \"tip\"\n";
+
+class StructureFolder {
+ public:
+  StructureFolder() {
+    test::put(folder_.file("k.mtx"),
+              "%%MatrixMarket matrix coordinate real symmetric\n3 3 3\n1 1 5\n2 2 6\n3 3 7\n");
+    test::put(folder_.file("m.mtx"),
+              "%%MatrixMarket matrix coordinate real symmetric\n3 3 3\n1 1 1\n2 2 2\n3 3 3\n");
+    test::put(folder_.file("rows.dof"), "1 z\n2 z\n2 rx\n");
+    test::put(folder_.file("nodes.csv"), "node [1],x [m],y [m],z [m]\n1,0,0,0\n2,0,0,0.1\n");
+    test::put(folder_.file("sets.inp"), "*NSET,NSET=TOP\n2\n");
+    test::put(folder_.file("joint.json"),
+              R"({"schema": "microslip.joint/1", "stiffness_N_per_m": 1e5, "density": []})");
+  }
+  [[nodiscard]] StructureFile parse(const std::string& text = kText) const {
+    return parse_structure(text, folder_.file("s.toml"));
+  }
+  /// The message on the text with one piece replaced, without the folder.
+  [[nodiscard]] std::string fault(const std::string& from, const std::string& to) const {
+    const std::string message =
+        message_of<Error>([&] { return parse(test::replaced(kText, from, to)); });
+    const std::size_t name = message.find("s.toml");
+    return name == std::string::npos ? message : message.substr(name);
+  }
+
+ private:
+  test::TemporaryFolder folder_;
+};
+
+TEST(StructureFile, IsReadWhole) {
+  const StructureFolder folder;
+  const StructureFile file = folder.parse();
+  const MeshedStructure& structure = file.structure;
+  ASSERT_EQ(structure.matrices.degrees.size(), 3U);
+  EXPECT_EQ(structure.nodes.size(), 2U);
+  ASSERT_EQ(structure.supports.size(), 2U);
+  EXPECT_EQ(structure.supports[0].nodes.size(), 1U);
+  EXPECT_EQ(structure.supports[0].held,
+            (std::array<bool, 6>{true, false, false, false, false, true}));
+  EXPECT_EQ(structure.supports[1].rows, (std::vector<std::size_t>{2}));
+  ASSERT_EQ(structure.points.size(), 2U);
+  EXPECT_EQ(structure.points[0].direction.axis, (Vector3{0.0, 0.0, -1.0}));
+  EXPECT_EQ(structure.points[1].place.row, std::size_t{0});
+  ASSERT_EQ(structure.joints.size(), 2U);
+  const MeshJoint& bolt = structure.joints[0];
+  EXPECT_EQ(bolt.stiffness, 1e5);
+  EXPECT_EQ(bolt.direction.axis, (Vector3{0.6, 0.0, 0.8}));
+  ASSERT_TRUE(bolt.from.has_value());
+  EXPECT_EQ(bolt.from->spider, Spider::kRigid);
+  EXPECT_EQ(bolt.from->at, (Vector3{0.0, 0.0, 0.05}));
+  EXPECT_TRUE(structure.joints[1].direction.turns);
+  EXPECT_EQ(structure.joints[1].stiffness, 2e5);
+  EXPECT_EQ(file.sources[0].linear_damping, 12.0);
+  EXPECT_TRUE(file.sources[1].file.empty());
+  EXPECT_EQ(file.count, std::size_t{2});
+  EXPECT_EQ(file.joints, JointsInModes::kStuck);
+  EXPECT_FALSE(file.attachment);
+  EXPECT_EQ(file.loss_factor, (std::vector<double>{0.003, 0.002}));
+  EXPECT_EQ(file.law, DampingLaw::kHysteretic);
+  EXPECT_EQ(file.driven.response, "first");
+  EXPECT_EQ(file.driven.channels[0], "force");
+  EXPECT_EQ(file.driven.accelerometers.size(), 1U);
+}
+
+// kN and mm: 1 kN/mm = 1e6 N/m; of a rotation 1 kN mm = 1 N m; 1 kN s²/mm = 1e6 kg.
+TEST(StructureFile, MatricesBecomeSI) {
+  const StructureFile file = StructureFolder().parse();
+  const std::vector<double>& stiffness = file.structure.matrices.stiffness.value;
+  EXPECT_DOUBLE_EQ(stiffness[0], 5e6);
+  EXPECT_DOUBLE_EQ(stiffness[2], 7.0);
+  EXPECT_DOUBLE_EQ(file.structure.matrices.mass.value[1], 2e6);
+}
+
+TEST(StructureFile, DampingRatiosAreViscous) {
+  const StructureFolder folder;
+  const StructureFile file = folder.parse(
+      test::replaced(kText, "loss_factor = [0.003, 0.002]", "damping_ratio = [0.003]"));
+  EXPECT_EQ(file.law, DampingLaw::kViscous);
+  EXPECT_EQ(file.loss_factor, (std::vector<double>{0.006}));
+}
+
+TEST(StructureFileFault, NamesThePlace) {
+  const StructureFolder folder;
+  const auto expect = [&](const std::string& from, const std::string& to,
+                          const std::string& message) {
+    EXPECT_EQ(folder.fault(from, to), message);
+  };
+  expect("mass = \"m.mtx\"\n", "",
+         "s.toml:2:1: expected the key 'mass' in matrices, found the keys 'degrees_of_freedom, "
+         "force_unit, length_unit, stiffness'");
+  expect("mass = \"m.mtx\"\n", "mass = \"m.mtx\"\ncalculix = \"job\"\n",
+         "s.toml:3:13: expected calculix, or stiffness and mass, found both");
+  expect("length_unit = \"mm\"", "length_unit = \"kg\"",
+         "s.toml:6:15: matrices.length_unit = 'kg'; must be a unit of length and is one of mass. "
+         "Units "
+         "that fit: m, mm, um (µm), nm, cm, in, ft, mil.");
+  expect("set = \"top\"", "set = \"tap\"",
+         "s.toml:17:7: support[0].set = 'tap'; must be a [[set]] of the file, or a set of the mesh "
+         "of [nodes]. Is it to be 'TOP'?");
+  expect("node = 2\n", "",
+         "s.toml:21:1: expected one of the keys node, nodes, set, row, found none");
+  expect("node = 2\n", "node = 2\nrow = 1\n",
+         "s.toml:24:7: expected one of the keys node, nodes, set, row, found node and row");
+  expect("node = 2\n", "node = 0\n",
+         "s.toml:23:8: point[0].node = 0; must be the number of a node, 1 or more");
+  expect(
+      "direction = \"-z\"", "direction = \"up\"",
+      "s.toml:24:13: point[0].direction = 'up'; must be x, y, z, rx, ry or rz, one of them with - "
+      "before it, or a vector [x, y, z]");
+  expect("direction = \"-z\"\n", "",
+         "s.toml:21:1: expected the key 'direction' in point[0], found the keys 'name, node'");
+  expect(
+      "row = 1\n", "row = 1\ndirection = \"x\"\n",
+      "s.toml:28:13: expected a place with nodes, found rows, which have their own. Leave it out.");
+  expect("row = 1\n", "row = 1.5\n",
+         "s.toml:27:7: point[1].row = 1.5; must be a row of the matrices, counted from 1");
+  expect("to = {node = 1}", "to = {node = 1, spider = \"rigid\"}",
+         "s.toml:31:26: joint[0].to.spider = 'rigid'; needs two nodes or more, and would have no "
+         "effect. Leave it out.");
+  expect("nodes = [1, 2]\n", "nodes = [1, 2, 1]\n",
+         "s.toml:15:16: set[1].nodes[2] = 1; must be there once only");
+  expect("{z_m = [0, 0.1]}", "{z_m = [0.2, 0.3]}",
+         "s.toml:12:7: set[0].box = none of 2 nodes; must have a node at least. Its numbers are in "
+         "m.");
+  expect("name = \"pair\"", "name = \"top\"",
+         "s.toml:14:8: set[1].name = 'top'; must be a text, and no set of the file or of the mesh "
+         "before it");
+  expect("name = \"pin\"", "name = \"bolt\"",
+         "s.toml:36:8: joint[1].name = 'bolt'; must differ from joint[0].name");
+  expect("stiffness_N_per_m = 2e5\n", "",
+         "s.toml:35:1: expected the key 'file' in joint[1], found the keys 'direction, name, to'");
+  expect("count = 2\n", "",
+         "s.toml:40:1: expected in modes one of the keys count and up_to_Hz, found neither");
+  expect("count = 2\n", "count = 0\n", "s.toml:41:9: modes.count = 0; must be from 1 to 5000");
+  expect("count = 2\n", "up_to_Hz = -1.0\n",
+         "s.toml:41:12: modes.up_to_Hz = -1; must be above 0, to 1e+09");
+  expect("joints = \"stuck\"", "joints = \"fixed\"",
+         "s.toml:42:10: modes.joints = 'fixed'; must be free or stuck");
+  expect("attachment = false", "attachment = 0",
+         "s.toml:43:14: modes.attachment = 0; must be true or false");
+  expect("loss_factor = [0.003, 0.002]", "loss_factor = []",
+         "s.toml:44:15: modes.loss_factor = 0 values; must have one at least");
+  expect(
+      "point = \"tip\"\nchannel", "point = \"tap\"\nchannel",
+      "s.toml:46:9: excitation.point = 'tap'; must be the name of a point: 'tip, first'. Is it to "
+      "be 'tip'?");
+}
+
+}  // namespace
+}  // namespace microslip::structure_file_test
