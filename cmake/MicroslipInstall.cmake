@@ -59,6 +59,12 @@ if(microslip_type STREQUAL "STATIC_LIBRARY")
     endif()
     string(APPEND microslip_requires_private " ${microslip_hdf5_module}")
   endif()
+  if(MICROSLIP_WITH_MODES)
+    install(
+      FILES "${PROJECT_SOURCE_DIR}/cmake/FindMumpsSequential.cmake"
+      DESTINATION "${microslip_package_dir}"
+      COMPONENT library)
+  endif()
   if(MICROSLIP_WITH_MAT)
     string(APPEND microslip_requires_private " zlib")
   endif()

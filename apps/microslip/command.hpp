@@ -62,6 +62,10 @@ struct Call {
   [[nodiscard]] static std::unique_ptr<Team> make_local_team(std::size_t threads);
 };
 
+/// A program without subcommands.
+[[nodiscard]] std::unique_ptr<CLI::App> empty_program(const char* description,
+                                                      const std::string& name);
+
 /// The program with all of its subcommands. Both must live until the call has run.
 [[nodiscard]] std::unique_ptr<CLI::App> make_program(Call& call);
 
@@ -81,6 +85,7 @@ void add_calibrate(CLI::App& program, Call& call);
 void add_loop(CLI::App& program, Call& call);
 void add_dissipation(CLI::App& program, Call& call);
 void add_model(CLI::App& program, Call& call);
+void add_modes(CLI::App& program, Call& call);
 void add_frf(CLI::App& program, Call& call);
 void add_backbone(CLI::App& program, Call& call);
 void add_march(CLI::App& program, Call& call);

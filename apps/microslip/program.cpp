@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
 #include <memory>
-#include <string>
 
 #include "command.hpp"
-#include "help_formatter.hpp"
-#include "microslip/base/version.hpp"
 
 namespace microslip::app {
 namespace {
@@ -15,38 +10,7 @@ constexpr const char* kDescription =
     "Identifies the friction model of a jointed structure from the energy it dissipates per\n"
     "cycle, and simulates the joint. All numbers are SI unless a unit is given.";
 
-constexpr const char* kClusterDescription =
-    "The part of microslip that shares its work among the ranks of an MPI cluster:\n"
-    "`mpirun -n 64 microslip-mpi ensemble plan.toml --out result.h5`.";
-
-std::string exit_status_text() {
-  std::string text = "Exit status:\n";
-  for (const ExitStatusText& line : kExitStatusTexts) {
-    text += fmt::format("  {}  {}\n", static_cast<int>(line.status), line.text);
-  }
-  return text;
-}
-
-std::unique_ptr<CLI::App> empty_program(const char* description, const std::string& name) {
-  auto program = std::make_unique<CLI::App>(description, name);
-  program->set_version_flag("--version", name + " " + std::string(kVersion));
-  program->require_subcommand(1);
-  program->formatter(make_help_formatter(help_width()));
-  program->footer(exit_status_text());
-  return program;
-}
-
 }  // namespace
-
-std::unique_ptr<Team> Call::make_local_team(std::size_t threads) {
-  return std::make_unique<LocalTeam>(Execution::threads(threads));
-}
-
-std::unique_ptr<CLI::App> make_cluster_program(Call& call) {
-  std::unique_ptr<CLI::App> program = empty_program(kClusterDescription, "microslip-mpi");
-  add_ensemble(*program, call);
-  return program;
-}
 
 std::unique_ptr<CLI::App> make_program(Call& call) {
   std::unique_ptr<CLI::App> program = empty_program(kDescription, "microslip");
@@ -58,6 +22,9 @@ std::unique_ptr<CLI::App> make_program(Call& call) {
   add_plan(*program, call);
   add_watch(*program, call);
   add_verify(*program, call);
+#ifdef MICROSLIP_WITH_MODES
+  add_modes(*program, call);
+#endif
   add_model(*program, call);
   add_frf(*program, call);
   add_backbone(*program, call);

@@ -508,8 +508,8 @@ TEST(EffectsTable, HasEveryOption) {
 
 TEST(EffectsTable, HasEveryKeyOfTheDocumentedFiles) {
   const std::map<std::string, std::string> files = documented_files();
-  for (const char* name :
-       {"rig.toml", "modes.toml", "structure.toml", "model.toml", "joint.json", "four.json"}) {
+  for (const char* name : {"rig.toml", "modes.toml", "structure.toml", "frame.toml", "model.toml",
+                           "joint.json", "four.json"}) {
     for (const std::string& key : keys_in(files.at(name))) {
       EXPECT_TRUE(has_row(name, key)) << name << " " << key << kAddRow;
     }

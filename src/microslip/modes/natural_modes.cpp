@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/modes/natural_modes.hpp"
+
+#include <Spectra/SymGEigsShiftSolver.h>
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/base/random.hpp"
+#include "microslip/base/stopwatch.hpp"
+
+namespace microslip {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+/// Up to here a dense solution takes less time than is noticed.
+constexpr Index kDenseRows = 300;
+/// More than are wanted, so that a gap between eigenvalues lies behind the last.
+constexpr Index kSpareModes = 8;
+/// Of θ = 1/(ω² − σ), relative; Rayleigh–Ritz squares the error of a shape.
+constexpr double kLanczosTolerance = 1e-11;
+constexpr Index kMostRestarts = 300;
+constexpr int kMostSearches = 8;
+/// Between eigenvalues, relative: less is one multiple eigenvalue.
+constexpr double kGap = 1e-6;
+/// Of a rigid body, relative: strain energy over that of the diagonal of K, and ω² over the next.
+constexpr double kRigidStrain = 1e-9;
+constexpr double kRigidGap = 1e-4;
+/// Residuals beyond this are said.
+constexpr double kResidualAllowed = 1e-6;
+
+double trace_ratio(const VibratingSystem& system) {
+  const double stiffness = system.stiffness.diagonal().sum();
+  const double mass = system.mass.diagonal().sum();
+  if (stiffness > 0.0 && mass > 0.0) return stiffness / mass;
+  throw InputError("trace of the stiffness and of the mass matrix",
+                   fmt::format("{:.6g} and {:.6g}", stiffness, mass), "must be positive");
+}
+
+MatrixXd random_block(Index rows, Index columns, std::uint64_t stream) {
+  RandomStream random(1, stream);
+  MatrixXd block(rows, columns);
+  for (double& value : block.reshaped()) value = random.normal();
+  return block;
+}
+
+/// x less what of it lies along modes that are known already.
+class Deflation {
+ public:
+  Deflation(const Eigen::SparseMatrix<double>& mass, const MatrixXd& known)
+      : known_(known), momenta_(mass * known) {}
+
+  void project(Eigen::Ref<VectorXd> x) const {
+    if (known_.cols() > 0) x -= known_ * (momenta_.transpose() * x);
+  }
+
+ private:
+  const MatrixXd& known_;
+  MatrixXd momenta_;
+};
+
+/// (K − σM)⁻¹, for Spectra.
+class InverseOperator {
+ public:
+  using Scalar = double;
+  InverseOperator(const ShiftedFactor& factor, const Deflation& deflation, Index size,
+                  const std::function<void()>& counted)
+      : factor_(factor), deflation_(deflation), size_(size), counted_(counted) {}
+
+  [[nodiscard]] Index rows() const { return size_; }
+  [[nodiscard]] Index cols() const { return size_; }
+  void set_shift(double /*shift*/) {}  // the factor is there
+  void perform_op(const double* in, double* out) const {
+    counted_();
+    VectorXd x = factor_.solve(Eigen::Map<const VectorXd>(in, size_));
+    deflation_.project(x);
+    Eigen::Map<VectorXd>(out, size_) = x;
+  }
+
+ private:
+  const ShiftedFactor& factor_;
+  const Deflation& deflation_;
+  Index size_;
+  const std::function<void()>& counted_;
+};
+
+/// M, for Spectra.
+class MassOperator {
+ public:
+  using Scalar = double;
+  explicit MassOperator(const Eigen::SparseMatrix<double>& mass) : mass_(mass) {}
+
+  [[nodiscard]] Index rows() const { return mass_.rows(); }
+  [[nodiscard]] Index cols() const { return mass_.cols(); }
+  void perform_op(const double* in, double* out) const {
+    Eigen::Map<VectorXd>(out, rows()).noalias() = mass_ * Eigen::Map<const VectorXd>(in, rows());
+  }
+
+ private:
+  const Eigen::SparseMatrix<double>& mass_;
+};
+
+struct Pairs {
+  VectorXd eigenvalues;
+  MatrixXd shapes;
+};
+
+/// Rayleigh–Ritz in the span of some columns: rising eigenvalues, shapes of unit modal mass.
+Pairs ritz_pairs(const VibratingSystem& system, MatrixXd basis) {
+  for (Index i = 0; i < basis.cols(); ++i) {
+    basis.col(i) /= std::sqrt(basis.col(i).dot(system.mass * basis.col(i)));
+  }
+  MatrixXd stiffness = basis.transpose() * system.stiffness_times(basis);
+  MatrixXd mass = basis.transpose() * (system.mass * basis);
+  stiffness = (0.5 * (stiffness + stiffness.transpose())).eval();
+  mass = (0.5 * (mass + mass.transpose())).eval();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(stiffness, mass);
+  return {solver.eigenvalues(), basis * solver.eigenvectors()};
+}
+
+MatrixXd inverse_iterated(const VibratingSystem& system, const ShiftedFactor& factor,
+                          const MatrixXd& shapes) {
+  return factor.solve(system.mass * shapes);
+}
+
+/// All modes of a small system. Where M has no inverse, by θ = 1/(ω² − σ) of the Cholesky factors of
+/// K − σM: what moves without mass has θ = 0.
+MatrixXd dense_shapes(const VibratingSystem& system, double shift) {
+  const MatrixXd unit = MatrixXd::Identity(system.size(), system.size());
+  const MatrixXd stiffness = system.stiffness_times(unit);
+  const MatrixXd mass(system.mass);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> inertia(mass, Eigen::EigenvaluesOnly);
+  const VectorXd& moments = inertia.eigenvalues();
+  const double least = static_cast<double>(moments.size()) * kEpsilon * moments.maxCoeff();
+  const auto with_mass = static_cast<Index>((moments.array() > least).count());
+  if (with_mass == system.size()) {
+    return Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(stiffness, mass).eigenvectors();
+  }
+  const Eigen::LLT<MatrixXd> factor(stiffness - shift * mass);
+  const MatrixXd half = factor.matrixL().solve(mass);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(
+      factor.matrixL().solve(half.transpose()).eval());
+  return factor.matrixU().solve(solver.eigenvectors().rightCols(with_mass).rowwise().reverse());
+}
+
+/// Seeks modes from one shift, and keeps what is found.
+class Search {
+ public:
+  Search(const VibratingSystem& system, const ModeRange& range, const Progress& progress)
+      : system_(system), range_(range), progress_(progress) {}
+
+  NaturalModes run() {
+    factorise(-1e-10 * trace_ratio(system_));
+    refuse_negative_stiffness();
+    wanted_ = wanted_modes();
+    find_lowest(wanted_ + kSpareModes);
+    keep_off_rigid_bodies();
+    refine();
+    seek_missed();
+    return result();
+  }
+
+ private:
+  void factorise(double shift) {
+    shift_ = shift;
+    factor_ = std::make_shared<const ShiftedFactor>(system_, shift);
+  }
+
+  void refuse_negative_stiffness() const {
+    const std::size_t negative = factor_->eigenvalues_below();
+    if (negative == 0) return;
+    throw InputError("stiffness matrix",
+                     fmt::format("{} negative eigenvalue{}", negative, negative == 1 ? "" : "s"),
+                     "must have none beyond rounding",
+                     "Are the two matrices exchanged, entries missing or written with few digits?");
+  }
+
+  [[nodiscard]] Index wanted_modes() {
+    if (range_.count) {
+      return std::min(static_cast<Index>(*range_.count), system_.size());
+    }
+    const double highest = 2.0 * std::numbers::pi * range_.highest_frequency.value();
+    const std::size_t below =
+        ShiftedFactor(system_, highest * highest * (1.0 + 1e-12)).eigenvalues_below();
+    if (below > kMostModes) {
+      throw InputError("modes in the range", static_cast<double>(below),
+                       fmt::format("must be {} at most", kMostModes));
+    }
+    if (below > 0) return static_cast<Index>(below);
+    find_lowest(1);
+    throw InputError(
+        "highest frequency", *range_.highest_frequency,
+        fmt::format("must be above the first mode, {:.6g} Hz",
+                    std::sqrt(std::max(pairs_.eigenvalues(0), 0.0)) / (2.0 * std::numbers::pi)));
+  }
+
+  void find_lowest(Index count) {
+    if (system_.size() <= kDenseRows || 3 * count > system_.size()) {
+      pairs_ = ritz_pairs(system_, dense_shapes(system_, shift_));
+      whole_ = true;
+    } else {
+      pairs_ = ritz_pairs(system_, lanczos(count, MatrixXd(system_.size(), 0)));
+    }
+  }
+
+  /// Shapes of the modes nearest to the shift, beside those known.
+  [[nodiscard]] MatrixXd lanczos(Index count, const MatrixXd& known) {
+    const Deflation deflation(system_.mass, known);
+    const Index basis = std::min(system_.size(), std::max<Index>(2 * count + 10, 40));
+    expected_ = solves_ + 2 * static_cast<std::size_t>(basis);
+    const std::function<void()> counted = [this] { count_solve(); };
+    InverseOperator inverse(*factor_, deflation, system_.size(), counted);
+    MassOperator mass(system_.mass);
+    Spectra::SymGEigsShiftSolver<InverseOperator, MassOperator, Spectra::GEigsMode::ShiftInvert>
+        solver(inverse, mass, count, basis, shift_);
+    // From where the operator leads: no component without mass, which Lanczos would keep.
+    const MatrixXd random = random_block(system_.size(), 1, ++searches_);
+    VectorXd start(system_.size());
+    inverse.perform_op(VectorXd(system_.mass * random.col(0)).data(), start.data());
+    solver.init(start.data());
+    solver.compute(Spectra::SortRule::LargestMagn, kMostRestarts, kLanczosTolerance);
+    iterations_ += static_cast<int>(solver.num_iterations());
+    return solver.eigenvectors();
+  }
+
+  void count_solve() {
+    ++solves_;
+    expected_ = std::max(expected_, solves_);
+    if (progress_ && !progress_(solves_, expected_)) throw Cancelled();
+  }
+
+  [[nodiscard]] std::size_t rigid_bodies() const {
+    std::size_t rigid = 0;
+    const VectorXd diagonal = system_.stiffness.diagonal();
+    for (Index i = 0; i < pairs_.eigenvalues.size(); ++i) {
+      const double scale = pairs_.shapes.col(i).cwiseAbs2().dot(diagonal);
+      if (pairs_.eigenvalues(i) > kRigidStrain * scale) break;
+      const bool last = i + 1 == pairs_.eigenvalues.size();
+      const bool far = !last && pairs_.eigenvalues(i) < kRigidGap * pairs_.eigenvalues(i + 1);
+      const bool rounding = pairs_.eigenvalues(i) < 1e3 * kEpsilon * scale;
+      if (far || rounding) rigid = static_cast<std::size_t>(i) + 1;
+    }
+    return rigid;
+  }
+
+  /// Near the eigenvalue 0 of rigid bodies, others lose the digits by which theirs is nearer.
+  void keep_off_rigid_bodies() {
+    const auto rigid = static_cast<Index>(rigid_bodies());
+    if (rigid == 0 || rigid == pairs_.eigenvalues.size()) return;
+    factorise(-0.01 * pairs_.eigenvalues(rigid));
+    refine();
+  }
+
+  void refine() {
+    pairs_ = ritz_pairs(system_, inverse_iterated(system_, *factor_, pairs_.shapes));
+  }
+
+  /// How many modes there are to the last gap, and the middle of it.
+  struct Checked {
+    Index count;
+    double eigenvalue;
+  };
+  [[nodiscard]] std::optional<Checked> last_gap() const {
+    for (Index i = std::min(wanted_, pairs_.eigenvalues.size() - 1); i < pairs_.eigenvalues.size();
+         ++i) {
+      const double below = i == 0 ? 0.0 : pairs_.eigenvalues(i - 1);
+      const double above = pairs_.eigenvalues(i);
+      if (above - below > kGap * above) return Checked{i, 0.5 * (below + above)};
+    }
+    return std::nullopt;
+  }
+
+  void seek_missed() {
+    if (whole_ && pairs_.eigenvalues.size() <= wanted_) {
+      sturm_ = "all modes of the system";
+      missing_ = false;
+      return;
+    }
+    for (int search = 0; search < kMostSearches; ++search) {
+      if (const Index fewer = wanted_ + 1 - pairs_.eigenvalues.size(); fewer > 0) {
+        add(lanczos(fewer, pairs_.shapes));
+      }
+      const std::optional<Checked> checked = last_gap();
+      if (!checked) {
+        sturm_ = "not counted: no gap behind the last mode";
+        return;
+      }
+      const auto below =
+          static_cast<Index>(ShiftedFactor(system_, checked->eigenvalue).eigenvalues_below());
+      missing_ = below != checked->count;
+      sturm_ =
+          fmt::format("{} modes counted below {:.6g} Hz, {} found", below,
+                      std::sqrt(checked->eigenvalue) / (2.0 * std::numbers::pi), checked->count);
+      if (below <= checked->count) return;
+      add(lanczos(below - checked->count + 2, pairs_.shapes));
+    }
+  }
+
+  void add(const MatrixXd& further) {
+    MatrixXd all(system_.size(), pairs_.shapes.cols() + further.cols());
+    all << pairs_.shapes, further;
+    pairs_ = ritz_pairs(system_, all);
+    refine();
+  }
+
+  [[nodiscard]] VectorXd residuals(const NaturalModes& modes) const {
+    const MatrixXd strained = system_.stiffness_times(modes.shapes);
+    const MatrixXd moved = (system_.mass * modes.shapes) * modes.eigenvalues.asDiagonal();
+    VectorXd residual = VectorXd::Zero(modes.eigenvalues.size());
+    for (Index i = static_cast<Index>(modes.rigid_bodies); i < residual.size(); ++i) {
+      residual(i) =
+          (strained.col(i) - moved.col(i)).norm() / (strained.col(i).norm() + moved.col(i).norm());
+    }
+    return residual;
+  }
+
+  [[nodiscard]] NaturalModes result() {
+    NaturalModes modes;
+    const Index count = std::min(wanted_, pairs_.eigenvalues.size());
+    modes.rigid_bodies = std::min(rigid_bodies(), static_cast<std::size_t>(count));
+    modes.eigenvalues = pairs_.eigenvalues.head(count);
+    modes.eigenvalues.head(static_cast<Index>(modes.rigid_bodies)).setZero();
+    modes.shapes = pairs_.shapes.leftCols(count);
+    turn_positive(modes.shapes);
+    modes.residuals = residuals(modes);
+    modes.factor = factor_;
+    modes.shift = shift_;
+    summarise(modes);
+    return modes;
+  }
+
+  void summarise(NaturalModes& modes) const {
+    Summary& summary = modes.summary;
+    summary.method = searches_ > 0 ? "shift-invert Lanczos" : "dense eigenvalues";
+    summary.residual = modes.residuals.maxCoeff();
+    summary.iterations = iterations_;
+    summary.wall_seconds = watch_.seconds();
+    const bool exact = summary.residual < kResidualAllowed;
+    summary.stop = missing_ || !exact ? Stop::kDoubtful : Stop::kConverged;
+    summary.reason = sturm_;
+    if (!exact) summary.reason += fmt::format("; a residual is above {:g}", kResidualAllowed);
+  }
+
+  const VibratingSystem& system_;
+  const ModeRange& range_;
+  const Progress& progress_;
+  Stopwatch watch_;
+  double shift_ = 0.0;
+  std::shared_ptr<const ShiftedFactor> factor_;
+  Index wanted_ = 0;
+  Pairs pairs_;
+  std::size_t solves_ = 0;
+  std::size_t expected_ = 0;
+  std::uint64_t searches_ = 0;
+  int iterations_ = 0;
+  std::string sturm_ = "not all modes were found";
+  bool missing_ = true;
+  bool whole_ = false;  ///< all modes of the system are there
+};
+
+}  // namespace
+
+void turn_positive(MatrixXd& shapes) {
+  for (Index i = 0; i < shapes.cols(); ++i) {
+    Index largest = 0;
+    shapes.col(i).cwiseAbs().maxCoeff(&largest);
+    if (shapes(largest, i) < 0.0) shapes.col(i) *= -1.0;
+  }
+}
+
+NaturalModes find_natural_modes(const VibratingSystem& system, const ModeRange& range,
+                                const Progress& progress) {
+  if (range.count.has_value() == range.highest_frequency.has_value()) {
+    throw InputError("modes", InputState{"ambiguous"},
+                     "must be given by their count or by the highest frequency");
+  }
+  if (range.count && (*range.count == 0 || *range.count > kMostModes)) {
+    throw InputError("count of modes", static_cast<double>(*range.count),
+                     fmt::format("must be from 1 to {}", kMostModes));
+  }
+  if (range.highest_frequency &&
+      !(*range.highest_frequency > 0.0 && std::isfinite(*range.highest_frequency))) {
+    throw InputError("highest frequency", *range.highest_frequency,
+                     "must be positive and finite, Hz");
+  }
+  return Search(system, range, progress).run();
+}
+
+}  // namespace microslip

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/modes/structure_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "microslip/io/input_file.hpp"
+#include "microslip/io/model_writer.hpp"
+#include "microslip/io/structure_file.hpp"
+#include "microslip/workflow/path_from.hpp"
+#include "microslip/workflow/provenance.hpp"
+
+namespace microslip {
+namespace {
+
+/// Of the modes in a summary: more fill the screen.
+constexpr std::size_t kModesShown = 12;
+
+double in_hertz(double angular_frequency) { return angular_frequency / (2.0 * std::numbers::pi); }
+
+ModesOptions options_of(const StructureFile& file, const Progress& progress) {
+  ModesOptions options{.count = file.count,
+                       .highest_frequency = file.highest_frequency,
+                       .joints = file.joints,
+                       .attachment = file.attachment,
+                       .progress = progress};
+  for (const Excitation& excitation : file.driven.excitations) {
+    const bool there = std::ranges::find(options.attached_points, excitation.point) !=
+                       options.attached_points.end();
+    if (!there) options.attached_points.push_back(excitation.point);
+  }
+  return options;
+}
+
+ModalModel damped(const ModalModel& model, const std::vector<double>& loss_factor) {
+  std::vector<Mode> modes(model.modes().begin(), model.modes().end());
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    modes[i].loss_factor = loss_factor[std::min(i, loss_factor.size() - 1)];
+  }
+  return {std::move(modes), {model.points().begin(), model.points().end()}};
+}
+
+std::vector<StructuralJoint> joints_of(const StructureFile& file, const StructureModes& modes) {
+  std::vector<StructuralJoint> joints;
+  for (std::size_t j = 0; j < file.sources.size(); ++j) {
+    const JointSource& source = file.sources[j];
+    const bool stuck = file.joints == JointsInModes::kStuck;
+    joints.push_back({.name = file.structure.joints[j].name,
+                      .joint = source.joint,
+                      .shape = modes.joint_shapes[j],
+                      .spring_in_modes = stuck ? source.joint.stiffness() : 0.0,
+                      .linear_damping = source.linear_damping});
+  }
+  return joints;
+}
+
+std::string attachment_text(const StructureModes& modes) {
+  const std::size_t attached = modes.model.size() - modes.modes;
+  if (attached == 0) return {};
+  return fmt::format(
+      "\nOf {} modes those from number {} on are static attachments, no vibrations of the "
+      "structure: "
+      "with them joints\nand excited points give way under a constant force as in the matrices.",
+      modes.model.size(), modes.modes + 1);
+}
+
+std::string comment_of(const std::string& path, const std::string& command,
+                       const StructureModes& modes) {
+  std::string text = heading_of(command);
+  text += fmt::format("\n{}: {} degrees of freedom, {}", path, modes.degrees_of_freedom,
+                      modes.joints == JointsInModes::kStuck ? "joints stuck" : "joints free");
+  return text + attachment_text(modes);
+}
+
+std::string compliance_lines(const StructureModes& modes) {
+  std::string text;
+  for (const StaticCompliance& one : modes.compliances) {
+    const auto share = [&](double part) {
+      return one.exact > 0.0 ? 100.0 * part / one.exact : 0.0;
+    };
+    text +=
+        fmt::format("  {} '{}': static {:.4g} m/N, in the modes {:.4g} %, in the model {:.6g} %\n",
+                    one.is_joint ? "joint" : "point", one.name, one.exact, share(one.in_modes),
+                    share(one.in_model));
+  }
+  return text;
+}
+
+}  // namespace
+
+StructureModel model_of_structure(const std::string& path, const std::string& out,
+                                  const std::string& command, const Progress& progress) {
+  StructureFile file = read_structure_file(path);
+  StructureModes modes = compute_structure_modes(file.structure, options_of(file, progress));
+  std::vector<StructuralJoint> joints = joints_of(file, modes);
+  std::vector<JointSource> sources = std::move(file.sources);
+  for (JointSource& source : sources) {
+    if (!source.file.empty()) source.file = path_from(source.file, out);
+    if (!source.samples.empty()) source.samples = path_from(source.samples, out);
+  }
+  ModelFile model = make_model(damped(modes.model, file.loss_factor), file.law, std::move(joints),
+                               std::move(sources), std::move(file.driven));
+  std::string text = format_model(
+      model, with_warnings(comment_of(input_name(path), command, modes), modes.warnings));
+  return {std::move(model), std::move(modes), std::move(text)};
+}
+
+std::string describe_structure_model(const std::string& path, const StructureModel& model) {
+  const StructureModes& modes = model.modes;
+  std::string text = fmt::format(
+      "{}: {} degrees of freedom, {} modes{}, {}\n", path, modes.degrees_of_freedom, modes.modes,
+      modes.model.size() > modes.modes
+          ? fmt::format(" and {} static attachment{}", modes.model.size() - modes.modes,
+                        modes.model.size() - modes.modes == 1 ? "" : "s")
+          : "",
+      modes.joints == JointsInModes::kStuck ? "joints stuck" : "joints free");
+  for (std::size_t i = 0; i < std::min(modes.modes, kModesShown); ++i) {
+    text += fmt::format("  mode {:<3} {:>14.6f} Hz\n", i + 1,
+                        in_hertz(modes.model.modes()[i].angular_frequency));
+  }
+  if (modes.modes > kModesShown) {
+    text += fmt::format("  … mode {} {:.6f} Hz\n", modes.modes,
+                        in_hertz(modes.model.modes()[modes.modes - 1].angular_frequency));
+  }
+  if (modes.rigid_bodies > 0) {
+    text += fmt::format("  {} of them of rigid bodies, without stiffness\n", modes.rigid_bodies);
+  }
+  text += compliance_lines(modes);
+  return text + fmt::format("  {}\n", modes.summary.brief());
+}
+
+}  // namespace microslip

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/modes/structure_modes.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/modes/natural_modes.hpp"
+#include "microslip/modes/static_attachment.hpp"
+#include "microslip/modes/system_assembly.hpp"
+
+namespace microslip {
+namespace {
+
+using Eigen::Index;
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// Of a static compliance that a model lacks: more is said.
+constexpr double kLackAllowed = 0.01;
+/// Of the motion of a joint in a rigid body, relative to the largest: less is rounding.
+constexpr double kHeldByJoint = 1e-6;
+
+void add_springs(const MeshedStructure& structure, AssembledSystem& assembled) {
+  assembled.system.spring_motions = assembled.joints;
+  assembled.system.spring_stiffness = Eigen::VectorXd(assembled.joints.cols());
+  for (std::size_t j = 0; j < structure.joints.size(); ++j) {
+    const MeshJoint& joint = structure.joints[j];
+    if (!(joint.stiffness > 0.0 && std::isfinite(joint.stiffness))) {
+      throw InputError(fmt::format("stiffness of joint '{}'", joint.name), joint.stiffness,
+                       "must be positive and finite");
+    }
+    assembled.system.spring_stiffness(static_cast<Index>(j)) = joint.stiffness;
+  }
+}
+
+std::size_t point_index(const MeshedStructure& structure, const std::string& name) {
+  const auto found = std::ranges::find(structure.points, name, &MeshPoint::name);
+  if (found != structure.points.end()) {
+    return static_cast<std::size_t>(found - structure.points.begin());
+  }
+  std::string there;
+  for (const MeshPoint& point : structure.points) {
+    there += fmt::format("{}'{}'", there.empty() ? "" : ", ", point.name);
+  }
+  throw InputError("point", fmt::format("'{}'", name), "is not one of the structure",
+                   fmt::format("Points there are: {}.", there.empty() ? "none" : there));
+}
+
+/// The loads of the attachments, and whose they are.
+Sparse attached_loads(const MeshedStructure& structure, const AssembledSystem& assembled,
+                      const ModesOptions& options, std::vector<StaticCompliance>& names) {
+  std::vector<Eigen::SparseVector<double>> columns;
+  for (std::size_t j = 0; j < structure.joints.size(); ++j) {
+    names.push_back({.name = structure.joints[j].name, .is_joint = true});
+    columns.emplace_back(assembled.joints.col(static_cast<Index>(j)));
+  }
+  for (const std::string& name : options.attached_points) {
+    names.push_back({.name = name, .is_joint = false});
+    columns.emplace_back(assembled.points.col(static_cast<Index>(point_index(structure, name))));
+  }
+  Sparse loads(assembled.system.size(), static_cast<Index>(columns.size()));
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    loads.col(static_cast<Index>(j)) = columns[j];
+  }
+  return loads;
+}
+
+std::vector<double> shape_of(const Eigen::MatrixXd& shapes, const Sparse& motions, Index column) {
+  const Eigen::VectorXd shape = shapes.transpose() * Eigen::VectorXd(motions.col(column));
+  return {shape.begin(), shape.end()};
+}
+
+ModalModel model_of(const MeshedStructure& structure, const AssembledSystem& assembled,
+                    const Eigen::VectorXd& eigenvalues, const Eigen::MatrixXd& shapes) {
+  std::vector<Mode> modes;
+  for (const double eigenvalue : eigenvalues)
+    modes.push_back({.angular_frequency = std::sqrt(eigenvalue)});
+  std::vector<ModalPoint> points;
+  for (std::size_t i = 0; i < structure.points.size(); ++i) {
+    points.push_back({.name = structure.points[i].name,
+                      .shape = shape_of(shapes, assembled.points, static_cast<Index>(i))});
+  }
+  return {std::move(modes), std::move(points)};
+}
+
+/// How many of the motions of rigid bodies, those of modes without stiffness, move no joint.
+std::size_t not_held_by_joints(const StructureModes& found) {
+  const auto rigid = static_cast<Index>(found.rigid_bodies);
+  if (found.joint_shapes.empty() || found.joints == JointsInModes::kStuck) {
+    return found.rigid_bodies;
+  }
+  Eigen::MatrixXd moved(static_cast<Index>(found.joint_shapes.size()), rigid);
+  for (Index j = 0; j < moved.rows(); ++j) {
+    const std::vector<double>& shape = found.joint_shapes[static_cast<std::size_t>(j)];
+    moved.row(j) = Eigen::Map<const Eigen::RowVectorXd>(shape.data(), rigid);
+  }
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> rank(moved);
+  rank.setThreshold(kHeldByJoint);
+  return found.rigid_bodies - static_cast<std::size_t>(rank.rank());
+}
+
+void warn_of_rigid_bodies(StructureModes& found) {
+  if (found.rigid_bodies == 0) return;
+  const std::size_t loose = not_held_by_joints(found);
+  if (loose == 0) return;
+  found.warnings.push_back(
+      {"rigid_bodies", fmt::format("{} mode{} of 0 Hz {} held by nothing{}. Is a support missing?",
+                                   loose, loose == 1 ? "" : "s", loose == 1 ? "is" : "are",
+                                   found.joint_shapes.empty() ? "" : ", no joint either")});
+}
+
+void warn_of_lacks(bool attached, StructureModes& found) {
+  for (const StaticCompliance& one : found.compliances) {
+    const double lack = one.exact > 0.0 ? 1.0 - one.in_model / one.exact : 0.0;
+    if (lack <= kLackAllowed) continue;
+    found.warnings.push_back(
+        {"compliance_lacks",
+         fmt::format(
+             "{} '{}' gives way by {:.4g} m/N under a constant force, in the model by {:.3g} "
+             "% less. {}",
+             one.is_joint ? "Joint" : "Point", one.name, one.exact, 100.0 * lack,
+             attached ? "What is missing moves without mass."
+                      : "Take the attachments, or more modes.")});
+  }
+}
+
+void warn_of_search(StructureModes& found) {
+  if (found.summary.converged()) return;
+  found.warnings.push_back({"modes_doubtful", found.summary.reason + "."});
+}
+
+}  // namespace
+
+StructureModes compute_structure_modes(const MeshedStructure& structure,
+                                       const ModesOptions& options) {
+  AssembledSystem assembled = assemble_system(structure);
+  if (options.joints == JointsInModes::kStuck) add_springs(structure, assembled);
+  std::vector<StaticCompliance> compliances;
+  const Sparse loads = attached_loads(structure, assembled, options, compliances);
+  const ModeRange range{.count = options.count, .highest_frequency = options.highest_frequency};
+  const NaturalModes modes = find_natural_modes(assembled.system, range, options.progress);
+
+  Eigen::VectorXd eigenvalues = modes.eigenvalues;
+  Eigen::MatrixXd shapes = modes.shapes;
+  if (loads.cols() > 0) {
+    const StaticAttachment attachment = attach_statically(assembled.system, modes, loads);
+    for (std::size_t j = 0; j < compliances.size(); ++j) {
+      const auto column = static_cast<Index>(j);
+      compliances[j].exact = attachment.compliance(column);
+      compliances[j].in_modes = attachment.in_modes(column);
+      compliances[j].in_model = options.attachment
+                                    ? attachment.compliance(column) - attachment.massless(column)
+                                    : attachment.in_modes(column);
+    }
+    if (options.attachment && attachment.eigenvalues.size() > 0) {
+      const Index count = modes.eigenvalues.size();
+      const Index further = attachment.eigenvalues.size();
+      eigenvalues.conservativeResize(count + further);
+      eigenvalues.tail(further) = attachment.eigenvalues;
+      shapes.conservativeResize(Eigen::NoChange, count + further);
+      shapes.rightCols(further) = attachment.shapes;
+    }
+  }
+
+  StructureModes found{.model = model_of(structure, assembled, eigenvalues, shapes)};
+  for (std::size_t j = 0; j < structure.joints.size(); ++j) {
+    found.joint_shapes.push_back(shape_of(shapes, assembled.joints, static_cast<Index>(j)));
+  }
+  found.joints = options.joints;
+  found.modes = static_cast<std::size_t>(modes.eigenvalues.size());
+  found.rigid_bodies = modes.rigid_bodies;
+  found.residuals.assign(modes.residuals.begin(), modes.residuals.end());
+  found.compliances = std::move(compliances);
+  found.degrees_of_freedom = static_cast<std::size_t>(assembled.system.size());
+  found.summary = modes.summary;
+  warn_of_rigid_bodies(found);
+  warn_of_lacks(options.attachment, found);
+  warn_of_search(found);
+  return found;
+}
+
+}  // namespace microslip

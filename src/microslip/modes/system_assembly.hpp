@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/SparseCore>
+
+#include "microslip/modes/vibrating_system.hpp"
+#include "microslip/structure/meshed_structure.hpp"
+
+namespace microslip {
+
+/// What modes are sought of, and what moves in it. With x = T z, T of the degrees of freedom that
+/// are not held and of the rigid bodies that spiders make of nodes, K = Tᵀ K T and M = Tᵀ M T.
+struct AssembledSystem {
+  VibratingSystem system;              ///< its springs are none yet
+  Eigen::SparseMatrix<double> points;  ///< the motion of each point in z, a column each
+  Eigen::SparseMatrix<double> joints;  ///< likewise of each joint, `to` less `from`
+};
+
+/// @throws InputError  naming what is wrong: matrices that are empty, of different sizes, with
+///                     entries outside or not finite; a mass matrix with a negative eigenvalue; a
+///                     degree of freedom without stiffness and mass; a node, row or position that is
+///                     missing; nodes in two rigid bodies, or in one and held; names that are empty
+///                     or the same; a point or joint that does not move.
+[[nodiscard]] AssembledSystem assemble_system(const MeshedStructure& structure);
+
+}  // namespace microslip

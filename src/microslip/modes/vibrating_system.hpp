@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <cstddef>
+
+#include "microslip/modes/symmetric_factor.hpp"
+
+namespace microslip {
+
+/// M ẍ + (K + B diag(k) Bᵀ) x = f, in the degrees of freedom that are left when supports hold and
+/// rigid spiders bind what they do. Each column of B is a motion that a spring resists: kept apart
+/// from K, as the motion of many nodes would fill it.
+struct VibratingSystem {
+  Eigen::SparseMatrix<double> stiffness;       ///< K, both triangles; n × n
+  Eigen::SparseMatrix<double> mass;            ///< M, both triangles; n × n; ≥ 0
+  Eigen::SparseMatrix<double> spring_motions;  ///< B; n × s, s may be 0
+  Eigen::VectorXd spring_stiffness;            ///< k, N/m; s values, > 0
+
+  /// n.
+  [[nodiscard]] Eigen::Index size() const { return stiffness.rows(); }
+  /// (K + B diag(k) Bᵀ) x; x may have several columns.
+  [[nodiscard]] Eigen::MatrixXd stiffness_times(const Eigen::MatrixXd& x) const;
+};
+
+/// The factors of K + B diag(k) Bᵀ − σM, by those of the matrix that has the forces in the springs
+/// as unknowns of their own,
+///
+///     [ K − σM    B        ]
+///     [ Bᵀ       −diag(1/k) ]
+///
+/// whose negative eigenvalues are those of K + B diag(k) Bᵀ − σM and s more.
+class ShiftedFactor {
+ public:
+  /// @param system  must be there while this one is made only.
+  /// @param shift   σ, rad²/s²; no eigenvalue of the system.
+  /// @throws InputError  where that is singular, or the memory too small.
+  ShiftedFactor(const VibratingSystem& system, double shift);
+
+  /// x of (K + B diag(k) Bᵀ − σM) x = b; b may have several columns.
+  [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& right_sides) const;
+
+  /// The number of eigenvalues ω² below σ (Sturm count), where M has no negative one.
+  [[nodiscard]] std::size_t eigenvalues_below() const;
+
+ private:
+  Eigen::Index size_;
+  Eigen::Index springs_;
+  SymmetricFactor factor_;
+};
+
+}  // namespace microslip

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/modes/natural_modes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "microslip/base/error.hpp"
+#include "microslip/modes/system_assembly.hpp"
+#include "support/mass_chain.hpp"
+#include "support/messages.hpp"
+
+namespace microslip::natural_modes_test {
+namespace {
+
+using test::MassChains;
+
+VibratingSystem system_of(const MassChains& chains) {
+  return assemble_system({.matrices = chains.matrices()}).system;
+}
+
+/// Lanczos where there are more than 300 rows.
+constexpr std::size_t kLong = 700;
+
+void expect_closed_form(const NaturalModes& modes, const MassChains& chains, double tolerance) {
+  for (Eigen::Index i = 0; i < modes.eigenvalues.size(); ++i) {
+    const std::size_t number = static_cast<std::size_t>(i) / chains.chains + 1;
+    const double exact = chains.angular_frequency(number);
+    EXPECT_NEAR(std::sqrt(modes.eigenvalues(i)), exact, tolerance * exact) << i;
+  }
+}
+
+// The lowest ω² is 1e-6 of the largest: rounding of K costs 1e-16 · 1e6 of it.
+TEST(NaturalModes, AreThoseOfAChainInClosedForm) {
+  for (const std::size_t masses : {std::size_t{7}, std::size_t{100}, kLong}) {
+    const MassChains chain{.masses = masses};
+    const VibratingSystem system = system_of(chain);
+    const NaturalModes modes = find_natural_modes(system, {.count = 6});
+    ASSERT_EQ(modes.eigenvalues.size(), 6);
+    EXPECT_TRUE(modes.summary.converged()) << modes.summary.full();
+    EXPECT_EQ(modes.rigid_bodies, 0U);
+    expect_closed_form(modes, chain, 1e-10);
+    const Eigen::MatrixXd unit = modes.shapes.transpose() * (system.mass * modes.shapes);
+    EXPECT_LT((unit - Eigen::MatrixXd::Identity(6, 6)).norm(), 1e-12);
+    EXPECT_LT(modes.residuals.maxCoeff(), 1e-8);
+  }
+}
+
+TEST(NaturalModes, HaveRigidBodies) {
+  for (const std::size_t masses : {std::size_t{20}, kLong}) {
+    const MassChains chains{.masses = masses, .chains = 2, .held = false};
+    const NaturalModes modes = find_natural_modes(system_of(chains), {.count = 9});
+    ASSERT_EQ(modes.eigenvalues.size(), 9);
+    EXPECT_EQ(modes.rigid_bodies, 2U);
+    EXPECT_EQ(modes.eigenvalues(0), 0.0);
+    EXPECT_EQ(modes.eigenvalues(1), 0.0);
+    EXPECT_TRUE(modes.summary.converged()) << modes.summary.full();
+    expect_closed_form(modes, chains, 1e-9);
+  }
+}
+
+// Each eigenvalue five times: Lanczos from one vector sees it once, but for rounding.
+TEST(NaturalModes, OfMultipleEigenvaluesAreNotMissed) {
+  const MassChains chains{.masses = 120, .chains = 5};
+  const NaturalModes modes = find_natural_modes(system_of(chains), {.count = 15});
+  ASSERT_EQ(modes.eigenvalues.size(), 15);
+  EXPECT_TRUE(modes.summary.converged()) << modes.summary.full();
+  expect_closed_form(modes, chains, 1e-10);
+}
+
+TEST(NaturalModes, UpToAFrequencyAreAllBelowIt) {
+  const MassChains chain{.masses = kLong};
+  const double above = 0.5 * (chain.angular_frequency(12) + chain.angular_frequency(13));
+  const double hertz = above / (2.0 * std::numbers::pi);
+  const NaturalModes modes = find_natural_modes(system_of(chain), {.highest_frequency = hertz});
+  EXPECT_EQ(modes.eigenvalues.size(), 12);
+  const auto too_low = [&] {
+    return find_natural_modes(system_of(chain), {.highest_frequency = 1e-3 * hertz});
+  };
+  test::expect_message(test::message_or("none", too_low), "must be above the first mode, ");
+}
+
+TEST(NaturalModes, OfMoreThanThereAreAreAll) {
+  const MassChains chain{.masses = 7};
+  const NaturalModes modes = find_natural_modes(system_of(chain), {.count = 50});
+  EXPECT_EQ(modes.eigenvalues.size(), 7);
+  EXPECT_TRUE(modes.summary.converged());
+}
+
+// Every other mass is 0: the chain is one of half the masses with twice the compliance between them.
+TEST(NaturalModes, LeaveOutWhatHasNoMass) {
+  for (const std::size_t masses : {std::size_t{10}, std::size_t{800}}) {
+    MassChains chain{.masses = masses};
+    StructuralMatrices matrices = chain.matrices();
+    for (std::size_t i = 0; i < matrices.mass.value.size(); i += 2) matrices.mass.value[i] = 0.0;
+    const VibratingSystem system = assemble_system({.matrices = matrices}).system;
+    const MassChains half{.masses = masses / 2, .k = 0.5 * chain.k};
+    const NaturalModes modes = find_natural_modes(system, {.count = 5});
+    ASSERT_EQ(modes.eigenvalues.size(), 5);
+    EXPECT_TRUE(modes.summary.converged()) << modes.summary.full();
+    expect_closed_form(modes, half, 1e-9);
+  }
+}
+
+// A spring to the ground at the free end, in the matrix or beside it.
+TEST(NaturalModes, WithSpringsBesideAreThoseWithSpringsInTheMatrix) {
+  MassChains chain{.masses = kLong};
+  const double k = 3e4;
+  VibratingSystem beside = system_of(chain);
+  beside.spring_motions = Eigen::SparseMatrix<double>(beside.size(), 1);
+  beside.spring_motions.insert(beside.size() - 1, 0) = 1.0;
+  beside.spring_stiffness = Eigen::VectorXd::Constant(1, k);
+  StructuralMatrices matrices = chain.matrices();
+  MassChains::add(matrices.stiffness, kLong - 1, kLong - 1, k);
+  const VibratingSystem inside = assemble_system({.matrices = matrices}).system;
+  const NaturalModes a = find_natural_modes(beside, {.count = 8});
+  const NaturalModes b = find_natural_modes(inside, {.count = 8});
+  EXPECT_LT((a.eigenvalues - b.eigenvalues).norm(), 1e-10 * b.eigenvalues.norm());
+  EXPECT_TRUE(a.summary.converged()) << a.summary.full();
+}
+
+TEST(NaturalModes, RefuseWhatIsNoStructure) {
+  MassChains chain{.masses = 8};
+  StructuralMatrices matrices = chain.matrices();
+  MassChains::add(matrices.stiffness, 7, 7, -2.0 * chain.k + 1.0);
+  matrices.stiffness.value.back() = -0.9999 * chain.k;
+  const VibratingSystem system = assemble_system({.matrices = matrices}).system;
+  const std::string message =
+      test::message_or("none", [&] { return find_natural_modes(system, {.count = 3}); });
+  test::expect_message(message, "stiffness matrix = 1 negative eigenvalue");
+  const VibratingSystem sound = system_of(chain);
+  EXPECT_THROW((void)find_natural_modes(sound, {}), InputError);
+  EXPECT_THROW((void)find_natural_modes(sound, {.count = 0}), InputError);
+  EXPECT_THROW((void)find_natural_modes(sound, {.count = 1, .highest_frequency = 1.0}), InputError);
+  EXPECT_THROW((void)find_natural_modes(sound, {.highest_frequency = -1.0}), InputError);
+}
+
+TEST(NaturalModes, StopWhenAsked) {
+  const VibratingSystem system = system_of({.masses = kLong});
+  const auto stop = [](std::size_t done, std::size_t) { return done < 20; };
+  EXPECT_THROW((void)find_natural_modes(system, {.count = 6}, stop), Cancelled);
+}
+
+}  // namespace
+}  // namespace microslip::natural_modes_test

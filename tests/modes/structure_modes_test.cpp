@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/modes/structure_modes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <string>
+
+#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/io/matrix_market.hpp"
+#include "support/figures.hpp"
+#include "support/mass_chain.hpp"
+#include "support/messages.hpp"
+
+namespace microslip::structure_modes_test {
+namespace {
+
+using test::MassChains;
+
+const std::string kTwoJoints = MICROSLIP_TEST_DATA "/two_joints/";
+
+/// The structure of tests/data/two_joints: a joint between masses 2 and 3, one from mass 6 to ground.
+MeshedStructure two_joints() {
+  MeshedStructure structure;
+  structure.matrices.stiffness = read_matrix_market(kTwoJoints + "stiffness.mtx");
+  structure.matrices.mass = read_matrix_market(kTwoJoints + "mass.mtx");
+  structure.points.push_back({.name = "drive", .place = {.name = "row", .nodes = {}, .row = 0}});
+  structure.joints.push_back({.name = "joint1",
+                              .from = MeshPlace{.name = "row", .nodes = {}, .row = 1},
+                              .to = {.name = "row", .nodes = {}, .row = 2},
+                              .stiffness = 9e5});
+  structure.joints.push_back(
+      {.name = "joint2", .to = {.name = "row", .nodes = {}, .row = 5}, .stiffness = 5e5});
+  return structure;
+}
+
+Eigen::MatrixXd dense(const SymmetricEntries& entries) {
+  const auto size = static_cast<Eigen::Index>(entries.size);
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
+  for (std::size_t i = 0; i < entries.value.size(); ++i) {
+    matrix(entries.row[i], entries.column[i]) = entries.value[i];
+    matrix(entries.column[i], entries.row[i]) = entries.value[i];
+  }
+  return matrix;
+}
+
+// Against Eigen's dense generalised eigenvalues of K with the springs in it.
+TEST(StructureModes, OfSmallMatricesAreThoseOfADenseSolver) {
+  const MeshedStructure structure = two_joints();
+  const StructureModes stuck =
+      compute_structure_modes(structure, {.count = 6, .joints = JointsInModes::kStuck});
+  Eigen::MatrixXd stiffness = dense(structure.matrices.stiffness);
+  Eigen::VectorXd first = Eigen::VectorXd::Zero(6);
+  first(2) = 1.0;
+  first(1) = -1.0;
+  stiffness += 9e5 * first * first.transpose();
+  stiffness(5, 5) += 5e5;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> exact(
+      stiffness, dense(structure.matrices.mass));
+  for (std::size_t i = 0; i < 6; ++i) {
+    test::record_deviation("frequency", stuck.model.modes()[i].angular_frequency,
+                           std::sqrt(exact.eigenvalues()(static_cast<Eigen::Index>(i))));
+    const Eigen::VectorXd shape = exact.eigenvectors().col(static_cast<Eigen::Index>(i));
+    EXPECT_NEAR(std::abs(stuck.joint_shapes[0][i]), std::abs(first.dot(shape)), 1e-12);
+  }
+  EXPECT_EQ(stuck.model.size(), 6U);  // nothing is left for attachments
+  EXPECT_TRUE(stuck.warnings.empty());
+}
+
+/// A chain held at its first end, a joint between its last mass and the ground.
+MeshedStructure chain_with_joint(std::size_t masses) {
+  const MassChains chain{.masses = masses,
+                         .m = 10.0 / static_cast<double>(masses),
+                         .k = 1e6 * static_cast<double>(masses)};
+  MeshedStructure structure{.matrices = chain.matrices()};
+  const auto last = static_cast<std::int64_t>(masses);
+  structure.points.push_back({.name = "drive", .place = {.name = "node", .nodes = {last / 3}}});
+  structure.joints.push_back(
+      {.name = "joint", .to = {.name = "node", .nodes = {last}}, .stiffness = 2e6});
+  return structure;
+}
+
+JointedStructure jointed(const StructureModes& modes, const MeshedStructure& structure) {
+  std::vector<Mode> damped(modes.model.modes().begin(), modes.model.modes().end());
+  for (Mode& mode : damped) mode.loss_factor = 0.003;
+  const double k = structure.joints[0].stiffness;
+  const double spring = modes.joints == JointsInModes::kStuck ? k : 0.0;
+  const SlipDensity density({UniformPart{.from = 0.0, .to = 40.0, .weight = 0.8}});
+  return {ModalModel(damped, {modes.model.points().begin(), modes.model.points().end()}),
+          {{.name = "joint",
+            .joint = Joint(k, density),
+            .shape = modes.joint_shapes[0],
+            .spring_in_modes = spring}},
+          {{.point = "drive"}},
+          DampingLaw::kHysteretic};
+}
+
+/// The response at the first resonance under a force that makes most of the joint slip.
+double peak(const MeshedStructure& structure, const ModesOptions& options) {
+  const StructureModes modes = compute_structure_modes(structure, options);
+  const HarmonicBalance balance(jointed(modes, structure), {"drive"});
+  const VibrationResult found = balance.solve({Quantity::kForceAmplitude, 2.4}, kPhaseResonance);
+  EXPECT_TRUE(found.summary.converged()) << found.summary.full();
+  EXPECT_GT(found.vibration.joints[0].amplitude * structure.joints[0].stiffness, 20.0);
+  return found.vibration.response;
+}
+
+// All 60 modes of the chain are the structure itself. Of a quarter of them the joint moves too little
+// unless the attachment brings what is missing.
+TEST(StructureModes, WithAttachmentsNeedAQuarterOfTheModes) {
+  const MeshedStructure structure = chain_with_joint(60);
+  for (const JointsInModes joints : {JointsInModes::kFree, JointsInModes::kStuck}) {
+    const double exact = peak(structure, {.count = 60, .joints = joints});
+    const auto error = [&](std::size_t count, bool attachment) {
+      const ModesOptions options{
+          .count = count, .joints = joints, .attachment = attachment, .attached_points = {"drive"}};
+      return std::abs(peak(structure, options) / exact - 1.0);
+    };
+    test::record_largest("peak with a quarter of the modes [1]", error(15, true));
+    test::record_largest("peak with three modes [1]", error(3, true));
+    EXPECT_GT(error(15, false), 10.0 * error(15, true));
+  }
+}
+
+// The joint's spring in the modes or beside them is the same structure, where nothing is damped twice:
+// all modes, and a frequency at which the joint sticks.
+TEST(StructureModes, FreeAndStuckAreOneStructure) {
+  const MeshedStructure structure = chain_with_joint(30);
+  const auto stuck_frequencies = [&](JointsInModes joints) {
+    return jointed(compute_structure_modes(structure, {.count = 30, .joints = joints}), structure)
+        .stuck_frequencies();
+  };
+  const std::vector<double> free = stuck_frequencies(JointsInModes::kFree);
+  const std::vector<double> stuck = stuck_frequencies(JointsInModes::kStuck);
+  for (std::size_t i = 0; i < 30; ++i) EXPECT_NEAR(free[i], stuck[i], 1e-9 * stuck[i]) << i;
+}
+
+TEST(StructureModes, WarnOfRigidBodiesThatNothingHolds) {
+  const MassChains chains{.masses = 12, .chains = 2, .held = false};
+  MeshedStructure structure{.matrices = chains.matrices()};
+  const auto joint = [](const std::string& name, std::int64_t from, std::int64_t to) {
+    return MeshJoint{.name = name,
+                     .from = MeshPlace{.name = "node", .nodes = {from}},
+                     .to = {.name = "node", .nodes = {to}},
+                     .stiffness = 1e5};
+  };
+  structure.joints.push_back(joint("between", 12, 13));
+  const StructureModes loose = compute_structure_modes(structure, {.count = 6});
+  EXPECT_EQ(loose.rigid_bodies, 2U);
+  ASSERT_EQ(loose.warnings.size(), 1U);
+  test::expect_message(loose.warnings[0].text,
+                       "1 mode of 0 Hz is held by nothing, no joint either");
+  structure.joints.push_back(
+      {.name = "ground", .to = {.name = "node", .nodes = {24}}, .stiffness = 1e5});
+  EXPECT_TRUE(compute_structure_modes(structure, {.count = 6}).warnings.empty());
+}
+
+TEST(StructureModes, SayWhatAJointLacksWithoutAttachment) {
+  const StructureModes modes =
+      compute_structure_modes(chain_with_joint(60), {.count = 3, .attachment = false});
+  ASSERT_EQ(modes.warnings.size(), 1U);
+  EXPECT_EQ(modes.warnings[0].code, "compliance_lacks");
+  const StructureModes with = compute_structure_modes(chain_with_joint(60), {.count = 3});
+  EXPECT_TRUE(with.warnings.empty());
+  EXPECT_NEAR(with.compliances[0].in_model, with.compliances[0].exact,
+              1e-10 * with.compliances[0].exact);
+}
+
+TEST(StructureModes, NamePointsAndStiffnesses) {
+  MeshedStructure structure = chain_with_joint(5);
+  test::expect_message(test::message_or("none",
+                                        [&] {
+                                          return compute_structure_modes(
+                                              structure,
+                                              {.count = 2, .attached_points = {"dirve"}});
+                                        }),
+                       "point = 'dirve'; is not one of the structure. Points there are: 'drive'");
+  structure.joints[0].stiffness = 0.0;
+  test::expect_message(test::message_or("none",
+                                        [&] {
+                                          return compute_structure_modes(
+                                              structure,
+                                              {.count = 2, .joints = JointsInModes::kStuck});
+                                        }),
+                       "stiffness of joint 'joint' = 0; must be positive");
+}
+
+}  // namespace
+}  // namespace microslip::structure_modes_test
