@@ -137,11 +137,11 @@ TEST(CalibratedEdges, ARangeWithoutSlipIsTakenAsOne) {
   expect_edges(found.joints[0], {10.0, 30.0}, 300);
   EXPECT_TRUE(found.joints[1].edges.empty());
   const CalibratedJoint& lap = found.joints[0];
-  const double typical = 0.5 / 20.0 * lap.stiffness.mean;  // ψ/k of the box, over 1/N
+  const double typical = 0.5 / 20.0 * lap.stiffness.value;  // ψ/k of the box, over 1/N
   for (std::size_t i = 0; i < lap.slip_displacement.size(); ++i) {
-    const double f = lap.stiffness.mean * lap.slip_displacement[i];
+    const double f = lap.stiffness.value * lap.slip_displacement[i];
     if (f < 9.0 || f > 31.0) {
-      EXPECT_LT(lap.density[i], 0.05 * lap.stiffness.mean * typical) << f;
+      EXPECT_LT(lap.density[i], 0.05 * lap.stiffness.value * typical) << f;
     }
   }
   for (std::size_t j = 0; j < 2; ++j) {

@@ -161,7 +161,7 @@ double mean_band(const CalibrationResult& found, const SimulatedTest& test, std:
     const double both = test.loss[0][i] + test.loss[1][i];
     if (share < 0.2 || share > 0.7 || 3.0 * test.loss[joint][i] < both) continue;
     const Estimate& loss = found.levels[i].joints[joint].dissipation;
-    sum += 0.5 * (loss.upper - loss.lower) / loss.mean;
+    sum += 0.5 * (loss.upper - loss.lower) / loss.value;
     count += 1.0;
   }
   EXPECT_GT(count, 2.0);

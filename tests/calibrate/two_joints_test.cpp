@@ -68,7 +68,8 @@ struct TwoJoints {
       const double own = of_joint("dissipation", joint)[i];
       const double all = of_joint("dissipation", 0)[i] + of_joint("dissipation", 1)[i];
       if (own < share * all) continue;
-      worst = std::max(worst, std::abs(found.levels[i].joints[joint].dissipation.mean / own - 1.0));
+      worst =
+          std::max(worst, std::abs(found.levels[i].joints[joint].dissipation.value / own - 1.0));
     }
     return worst;
   }
@@ -145,8 +146,8 @@ TEST(TwoJointsFromModalLevels, TheirStiffnessesAreFoundToo) {
   const CalibrationResult found =
       test.calibrated({.frequency = FrequencyUse::kAbsolute, .fit_stiffness = true});
   expect_found(test, found, 0.03);
-  EXPECT_NEAR(found.joints[0].stiffness.mean, 9e5, 1e-3 * 9e5);
-  EXPECT_NEAR(found.joints[1].stiffness.mean, 5e5, 1e-3 * 5e5);
+  EXPECT_NEAR(found.joints[0].stiffness.value, 9e5, 1e-3 * 9e5);
+  EXPECT_NEAR(found.joints[1].stiffness.value, 5e5, 1e-3 * 5e5);
 }
 
 // Shapes of the stuck structure are wrong by up to 30 % in the displacement of a joint; densities found

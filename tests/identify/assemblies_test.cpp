@@ -84,7 +84,7 @@ TEST(Assemblies, FindScalesThatAreKnown) {
   const std::vector<double> truth = true_log_scales(spread, 5, 3);
   double square = 0.0;
   for (std::size_t j = 0; j < 5; ++j) {
-    EXPECT_NEAR(std::log(found.assemblies[j].slip_force_scale.mean), truth[j], 0.01) << j;
+    EXPECT_NEAR(std::log(found.assemblies[j].slip_force_scale.value), truth[j], 0.01) << j;
     square += truth[j] * truth[j];
   }
   const double deviation = std::sqrt(square / 4.0);
@@ -214,7 +214,7 @@ TEST(Assemblies, SecantStiffnessTellsRatiosOfStiffness) {
   EXPECT_DOUBLE_EQ(found.stiffness, middle);
   for (std::size_t j = 0; j < 4; ++j) {
     const Estimate& k = found.assemblies[j].stiffness;
-    EXPECT_NEAR(k.mean, std::exp(truth[j]), 0.005 * middle) << j;
+    EXPECT_NEAR(k.value, std::exp(truth[j]), 0.005 * middle) << j;
     EXPECT_LT(k.lower, k.upper);
   }
   const auto& drawn = found.draws;

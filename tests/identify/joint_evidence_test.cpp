@@ -81,7 +81,7 @@ TEST(JointEvidence, LevelsAndAShortRecordTellMoreThanEither) {
   EXPECT_FALSE(both.stiffness_known);
   EXPECT_LT(width(both.stiffness), 0.7 * width(alone.stiffness));
   EXPECT_LT(mean_width(both), 0.7 * mean_width(alone));
-  EXPECT_NEAR(both.stiffness.mean / kStiffness, 1.0, 0.01);
+  EXPECT_NEAR(both.stiffness.value / kStiffness, 1.0, 0.01);
   EXPECT_LT(both.stiffness.lower, kStiffness);
   EXPECT_GT(both.stiffness.upper, kStiffness);
   EXPECT_LE(error_of_density(both.joint(), joint, kReach), 0.06);
@@ -94,9 +94,9 @@ TEST(JointEvidence, FindsKFromTheRecordAlone) {
   const LevelEvidence levels = levels_of(joint);
   const auto alone = invert_records({&record, 1}, {}, kQuick);
   const auto both = invert_together({{&record, 1}, {&levels, 1}, {}, {}}, {}, kQuick);
-  EXPECT_NEAR(both.stiffness.mean / kStiffness, 1.0, 0.005);
-  EXPECT_LT(std::abs(both.stiffness.mean - kStiffness),
-            std::abs(alone.stiffness.mean - kStiffness));
+  EXPECT_NEAR(both.stiffness.value / kStiffness, 1.0, 0.005);
+  EXPECT_LT(std::abs(both.stiffness.value - kStiffness),
+            std::abs(alone.stiffness.value - kStiffness));
   EXPECT_LT(error_of_density(both.joint(), joint, kReach),
             error_of_density(alone.joint(), joint, kReach));
 }

@@ -17,6 +17,7 @@
 #include "microslip/base/random.hpp"
 #include "microslip/identify/diagnostics.hpp"
 #include "microslip/identify/identification.hpp"
+#include "microslip/identify/record_model.hpp"
 #include "microslip/identify/record_start.hpp"
 #include "support/densities.hpp"
 #include "support/effort.hpp"
@@ -41,15 +42,23 @@ std::vector<RecordEvidence> references(PathStart start = PathStart::kVirgin) {
   return all;
 }
 
+double largest_force(const Joint& joint, const std::vector<double>& path) {
+  double largest = 0.0;
+  for (const double force : testing::forces_on(joint, path)) {
+    largest = std::max(largest, std::abs(force));
+  }
+  return largest;
+}
+
 double reach_of(const RecordInversionResult& result) {
-  return result.stiffness.mean * result.slip_displacement.back();
+  return result.stiffness.value * result.slip_displacement.back();
 }
 
 /// Share of 5 to 90 % of the range at which the band of φ holds the truth.
 double coverage(const RecordInversionResult& result, const Joint& truth) {
   const DensityBand band = result.density_band();
   std::vector<double> slip_force = result.slip_displacement;
-  for (double& f : slip_force) f *= result.stiffness.mean;
+  for (double& f : slip_force) f *= result.stiffness.value;
   int held = 0;
   constexpr int kPoints = 200;
   for (int i = 0; i <= kPoints; ++i) {
@@ -72,6 +81,11 @@ std::string broken(const RecordInversionResult& found) {
   return codes;
 }
 
+void expect_within(const Estimate& estimate) {
+  ASSERT_LE(estimate.lower, estimate.value);
+  ASSERT_GE(estimate.upper, estimate.value);
+}
+
 void expect_sound(const RecordInversionResult& result) {
   EXPECT_TRUE(result.summary.converged()) << result.summary.full();
   ASSERT_EQ(result.density.size(), result.slip_displacement.size());
@@ -79,6 +93,16 @@ void expect_sound(const RecordInversionResult& result) {
     ASSERT_GE(std::ranges::min(draw.density), -1e-9 * std::ranges::max(draw.density));
     const double slipping = integral(result.slip_displacement, draw.density);
     ASSERT_LE(slipping, draw.stiffness * (1.0 + 1e-9));
+  }
+  expect_within(result.stiffness);
+  expect_within(result.elastic_stiffness);
+  const DensityBand band = result.density_band();
+  const double k = result.stiffness.value;
+  for (std::size_t j = 0; j < result.density.size(); ++j) {
+    ASSERT_LE(result.lower[j], result.density[j]);
+    ASSERT_GE(result.upper[j], result.density[j]);
+    ASSERT_LE(band.lower[j], result.density[j] / (k * k));
+    ASSERT_GE(band.upper[j], result.density[j] / (k * k));
   }
 }
 
@@ -91,13 +115,68 @@ TEST(RecordInversion, FindsTheJointOfEachIndependentRecord) {
     const double error = error_of_density(found.joint(), truth, reach_of(found));
     EXPECT_LE(error, 0.06);
     test::record_largest("density [1]", error);
-    EXPECT_NEAR(found.stiffness.mean / truth.stiffness(), 1.0, 0.01);
-    test::record_deviation("stiffness", found.stiffness.mean, truth.stiffness());
+    EXPECT_NEAR(found.stiffness.value / truth.stiffness(), 1.0, 0.01);
+    test::record_deviation("stiffness", found.stiffness.value, truth.stiffness());
     EXPECT_LT(found.stiffness.lower, truth.stiffness());
     EXPECT_GT(found.stiffness.upper, truth.stiffness());
     EXPECT_GE(coverage(found, truth), 0.9);
     // The noise of a sample, by the program that made the records: 4e-3 of the largest force.
     EXPECT_NEAR(found.records.front().offset.front(), 0.42, 0.1);
+  }
+}
+
+/// Errors of k of one path with noise anew, for each smoothing of a grid where the scatter is known.
+struct KnownSmoothing {
+  std::vector<double> lambda;
+  std::vector<double> square;  ///< Σ of squared relative errors, one a λ
+
+  void add(const RecordEvidence& evidence, const Joint& truth, double scatter) {
+    const ScaledRecords records({.records = {&evidence, 1}}, {},
+                                RecordInversionOptions{}.coefficients);
+    RecordPass pass;
+    pass.scatter = {scatter / (records.stiffness * records.length)};
+    pass.correlation = {0.0};
+    const RecordModel model(records, pass);
+    if (lambda.empty()) {
+      lambda = model.problem().lambda_grid(25);
+      square.assign(lambda.size(), 0.0);
+    }
+    const Eigen::VectorXd k = records.stiffness * (model.area_row() + model.elastic_row());
+    const std::vector<SmoothingPoint> path = model.problem().path(lambda);
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      square[i] += std::pow(k.dot(path[i].solution.x) / truth.stiffness() - 1.0, 2);
+    }
+  }
+};
+
+// The noise of a record moves k whatever the method. Here it is held against the smoothing of one
+// strength that is best for a path: chosen by the truth, the scatter known. Over 60 records, random,
+// earthquake and sines, the rms were 0.47, 0.37 and 0.52 %, with that smoothing 0.38, 0.34 and 0.51 %,
+// and with the mean of the draws, the estimate that was, 0.69, 0.69 and 0.88 %. Of 20 records a rms
+// is known to 1/√40 of it: 1.3 is within two of these of all, and 1.5 is beyond.
+TEST(RecordInversion, FindsKAsWellAsTheBestSmoothing) {
+  MICROSLIP_OF_RELEASE_ALONE();
+  const Joint truth = record_joint();
+  constexpr int kRecords = 20;
+  constexpr double kForceNoise = 4e-3;  // of the largest, as in the reference records
+  for (const RecordEvidence& reference : references()) {
+    const std::vector<double>& path = reference.path().displacement;
+    const double scatter = kForceNoise * largest_force(truth, path);
+    double square = 0.0;
+    KnownSmoothing known;
+    for (std::uint64_t i = 0; i < kRecords; ++i) {
+      const RecordEvidence evidence(simulated_record(truth, path, 500 + i, {.force = kForceNoise},
+                                                     reference.measured().time_step),
+                                    PathStart::kVirgin);
+      const RecordInversionResult found = invert_records({&evidence, 1}, {}, {.draws = 100});
+      square += std::pow(found.stiffness.value / truth.stiffness() - 1.0, 2);
+      known.add(evidence, truth, scatter);
+    }
+    const double rms = std::sqrt(square / kRecords);
+    const double best = std::sqrt(std::ranges::min(known.square) / kRecords);
+    EXPECT_LE(rms, 1.3 * best);
+    test::record_largest("k [1]", rms);
+    test::record_largest("k of the best smoothing [1]", best);
   }
 }
 
@@ -109,8 +188,8 @@ TEST(RecordInversion, TakesRecordsTogether) {
   const double error = error_of_density(found.joint(), truth, reach_of(found));
   EXPECT_LE(error, 0.04);
   test::record_largest("density [1]", error);
-  EXPECT_NEAR(found.stiffness.mean / truth.stiffness(), 1.0, 0.005);
-  test::record_deviation("stiffness", found.stiffness.mean, truth.stiffness());
+  EXPECT_NEAR(found.stiffness.value / truth.stiffness(), 1.0, 0.005);
+  test::record_deviation("stiffness", found.stiffness.value, truth.stiffness());
   EXPECT_EQ(found.records.size(), 3U);
 }
 
@@ -124,7 +203,7 @@ TEST(RecordInversion, FindsTheJointFromAnUnknownState) {
     const RecordEvidence evidence(later, PathStart::kUnknown);
     const RecordInversionResult found = invert_records({&evidence, 1});
     EXPECT_LE(error_of_density(found.joint(), truth, reach_of(found)), 0.08) << name;
-    EXPECT_NEAR(found.stiffness.mean / truth.stiffness(), 1.0, 0.015) << name;
+    EXPECT_NEAR(found.stiffness.value / truth.stiffness(), 1.0, 0.015) << name;
   }
 }
 
@@ -191,7 +270,7 @@ TEST(RecordInversion, FindsOtherJoints) {
     const RecordInversionResult found = invert_records({&evidence, 1});
     expect_sound(found);
     EXPECT_LE(error_of_density(found.joint(), joint, reach_of(found)), 0.08) << name;
-    EXPECT_NEAR(found.stiffness.mean / joint.stiffness(), 1.0, 0.025) << name;
+    EXPECT_NEAR(found.stiffness.value / joint.stiffness(), 1.0, 0.025) << name;
     EXPECT_EQ(broken(found), "") << name;
   }
 }
@@ -336,7 +415,7 @@ TEST(RecordInversion, OfMoreSamplesIsTheSame) {
   };
   const RecordInversionResult coarse = found_of(1);
   const RecordInversionResult fine = found_of(10);
-  EXPECT_NEAR(fine.stiffness.mean / coarse.stiffness.mean, 1.0, 0.01);
+  EXPECT_NEAR(fine.stiffness.value / coarse.stiffness.value, 1.0, 0.01);
   EXPECT_LE(error_of_density(fine.joint(), truth, reach_of(fine)),
             error_of_density(coarse.joint(), truth, reach_of(coarse)) + 0.02);
 }
@@ -363,7 +442,7 @@ TEST(RecordInversion, OfThousandsOfCyclesIsTheSame) {
       simulated_record(truth, path, 8, {.displacement = 1e-4, .force = 2e-3});
   const RecordEvidence evidence(record, PathStart::kVirgin);
   const RecordInversionResult found = invert_records({&evidence, 1}, {}, {.draws = 200});
-  EXPECT_NEAR(found.stiffness.mean / truth.stiffness(), 1.0, 0.02);
+  EXPECT_NEAR(found.stiffness.value / truth.stiffness(), 1.0, 0.02);
   EXPECT_EQ(broken(found), "");
 }
 
@@ -378,7 +457,7 @@ TEST(RecordInversion, FindsAViscousPart) {
   const RecordEvidence evidence(record, PathStart::kVirgin);
   const RecordInversionResult found = invert_records({&evidence, 1}, {}, {.viscous = true});
   ASSERT_TRUE(found.viscous);
-  EXPECT_NEAR(found.viscous->mean, kViscous, 0.05 * kViscous);
+  EXPECT_NEAR(found.viscous->value, kViscous, 0.05 * kViscous);
   EXPECT_LT(found.viscous->lower, kViscous);
   EXPECT_GT(found.viscous->upper, kViscous);
 }
@@ -395,11 +474,12 @@ TEST(RecordInversion, UsesAStiffnessThatIsKnown) {
 
 TEST(RecordInversion, RepeatsWithItsSeed) {
   const RecordEvidence evidence(reference_record("sines"), PathStart::kVirgin);
-  const auto density = [&](std::uint64_t seed) {
-    return invert_records({&evidence, 1}, {}, {.draws = 100, .seed = seed}).density;
+  const auto found = [&](std::uint64_t seed) {
+    return invert_records({&evidence, 1}, {}, {.draws = 100, .seed = seed});
   };
-  EXPECT_EQ(density(3), density(3));
-  EXPECT_NE(density(3), density(4));
+  EXPECT_EQ(found(3).upper, found(3).upper);
+  EXPECT_NE(found(3).upper, found(4).upper);
+  EXPECT_EQ(found(3).density, found(4).density);
 }
 
 TEST(RecordInversion, RefusesWhatTellsNothing) {

@@ -79,7 +79,7 @@ inline double worst_error(const CalibrationResult& found, const SimulatedTest& t
     for (const std::vector<double>& of_joint : test.loss) all += of_joint[i];
     if (loss && test.loss[joint][i] < share * all) continue;
     const JointAtLevel& at = found.levels[i].joints[joint];
-    const double error = loss ? at.dissipation.mean / test.loss[joint][i] - 1.0
+    const double error = loss ? at.dissipation.value / test.loss[joint][i] - 1.0
                               : at.amplitude / test.amplitude[joint][i] - 1.0;
     worst = std::max(worst, std::abs(error));
   }

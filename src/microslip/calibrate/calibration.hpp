@@ -145,8 +145,8 @@ struct CalibrationResult {
 /// the derivatives of the resonance (level_sensitivity), over levels whose range grows from those
 /// at which the joints hardly slip.
 ///
-/// Prior, posterior and estimate as invert_records(): roughness of each ψ_j with a λ of its own,
-/// drawn with the scatter of losses and frequencies. The draws are of the problem linear about the
+/// Prior and posterior as invert_records(): roughness of each ψ_j with a λ of its own, drawn with
+/// the scatter of losses and frequencies. The estimate is the mean of the draws. The draws are of the problem linear about the
 /// solution.
 /// @param structure  with all joints; springs without slip in place of those that are sought.
 /// @param sought     their indices; not empty.

@@ -90,7 +90,7 @@ DensityBand band_of_density(const CalibratedJoint& joint, double confidence) {
   std::vector<double> values(joint.draws.size());
   for (const double x : joint.slip_displacement) {
     std::ranges::transform(joint.draws, values.begin(), [&](const StiffnessDraw& draw) {
-      const double at = x * joint.stiffness.mean / draw.stiffness;
+      const double at = x * joint.stiffness.value / draw.stiffness;
       return interpolate(joint.slip_displacement, draw.density, at) /
              (draw.stiffness * draw.stiffness);
     });
@@ -107,7 +107,7 @@ void read_bands(double confidence, CalibratedJoint& joint, std::vector<double> e
     std::ranges::transform(joint.draws, values.begin(),
                            [i](const StiffnessDraw& draw) { return draw.density[i]; });
     const Estimate psi = band_of(values, confidence);
-    joint.density.push_back(psi.mean);
+    joint.density.push_back(psi.value);
     joint.lower.push_back(psi.lower);
     joint.upper.push_back(psi.upper);
   }
@@ -199,7 +199,7 @@ void read_vibration(const CalibrationEvidence& evidence, const LevelStates& stat
   told.damping_ratio = vibration.damping_ratio();
   told.dissipation = 0.0;
   for (std::size_t j = 0; j < told.joints.size(); ++j) {
-    told.dissipation += told.joints[j].dissipation.mean;
+    told.dissipation += told.joints[j].dissipation.value;
   }
   const MeasuredLoss measured = measured_loss(evidence.levels, level, vibration);
   told.measured_dissipation = measured.value;

@@ -172,8 +172,8 @@ AssemblyFit read_assembly(const DrawnAssemblies& drawn, const DensityReader& rea
   fit.slip_force_scale = estimate_of_assembly(scale, confidence);
   fit.shape = estimate_of_assembly(shape, confidence);
   fit.density = band_of(densities, confidence, false);
-  fit.covered_from = fit.stiffness.mean * amplitude(0);
-  fit.covered_to = fit.stiffness.mean * amplitude(amplitude.size() - 1);
+  fit.covered_from = fit.stiffness.value * amplitude(0);
+  fit.covered_to = fit.stiffness.value * amplitude(amplitude.size() - 1);
   dissipation /= static_cast<double>(drawn.draws.size());
   fit.value.dissipation.assign(dissipation.begin(), dissipation.end());
   return fit;
@@ -336,7 +336,7 @@ Joint AssembliesResult::joint() const {
 
 Joint AssembliesResult::joint(std::size_t assembly) const {
   const AssemblyFit& fit = assemblies.at(assembly);
-  return joint_up_to(fit.stiffness.mean, slip_force, fit.density.density, fit.covered_to);
+  return joint_up_to(fit.stiffness.value, slip_force, fit.density.density, fit.covered_to);
 }
 
 }  // namespace microslip

@@ -273,8 +273,8 @@ Identification identify(const JointEvidence& evidence, std::optional<double> sti
   DensityBand band = result.density_band();
   found.lower = std::move(band.lower);
   found.upper = std::move(band.upper);
-  found.covered_from = result.stiffness.mean * result.resolved_from;
-  found.covered_to = result.stiffness.mean * result.slip_displacement.back();
+  found.covered_from = result.stiffness.value * result.resolved_from;
+  found.covered_to = result.stiffness.value * result.slip_displacement.back();
   found.summary = result.summary;
   append(found.warnings, diagnose(result, evidence));
   for (std::size_t t = 0; t < evidence.levels.size(); ++t) {

@@ -54,7 +54,7 @@ void check_sign(const RecordEvidence& evidence) {
                    "displacement: take each by its channel, without delay.");
 }
 
-/// Reads draws of coefficients as joints.
+/// Reads coefficients as joints.
 class DrawReader {
  public:
   DrawReader(const RecordModel& model, const ScaledRecords& records)
@@ -86,12 +86,10 @@ class DrawReader {
   Eigen::VectorXd viscous_;
 };
 
-Estimate estimate_of(std::vector<double> values, double confidence) {
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  const double mean = sum / static_cast<double>(values.size());
-  const auto [lower, upper] = shortest_interval(values, confidence);
-  return {mean, lower, upper};
+/// Where limits or the smoothing act, nearly all draws may lie on one side of the estimate.
+Estimate within_band(double value, std::vector<double> draws, double confidence) {
+  const auto [lower, upper] = shortest_interval(draws, confidence);
+  return {value, std::min(lower, value), std::max(upper, value)};
 }
 
 /// λ stays between the ends of a path.
@@ -112,49 +110,46 @@ ChainTarget chain_target(const SettledRecords& settled) {
   return target;
 }
 
-/// Draws, and what is read of all of them. @return the mean of the coefficients.
-Eigen::VectorXd draw_all(const SettledRecords& settled, const ScaledRecords& records,
-                         const RecordInversionOptions& options, RecordInversionResult& result) {
-  const DrawReader reader(settled.model, records);
+/// Joints that the evidence leaves possible, and K_e of each.
+std::vector<double> draw_all(const SettledRecords& settled, const DrawReader& reader,
+                             const RecordInversionOptions& options, RecordInversionResult& result) {
   const ChainTarget target = chain_target(settled);
   PosteriorChain chain(target, {settled.best.solution.x, settled.best.lambda, {1.0}});
   RandomStream random(options.seed, 0);
   chain.settle(random);
-  Eigen::VectorXd mean = Eigen::VectorXd::Zero(settled.best.solution.x.size());
   std::vector<double> elastic;
   for (std::size_t i = 0; i < options.draws; ++i) {
     chain.next(random);
     const QuadraticProgram::Solution drawn = chain.projected(random);
-    const Eigen::VectorXd& x = drawn.x;
     if (!drawn.optimal() && drawn.kkt_residual >= result.summary.residual) {
       read_optimality(drawn, "optimality conditions of a draw", result.summary);
     }
-    mean += x;
-    result.draws.push_back(reader.read(x));
-    elastic.push_back(reader.elastic(x));
+    result.draws.push_back(reader.read(drawn.x));
+    elastic.push_back(reader.elastic(drawn.x));
     if (options.progress && !options.progress(i + 1, options.draws)) throw Cancelled();
   }
-  mean /= static_cast<double>(options.draws);
-  result.elastic_stiffness = estimate_of(std::move(elastic), options.confidence);
-  return mean;
+  return elastic;
 }
 
-void summarise_draws(const RecordInversionOptions& options, RecordInversionResult& result) {
+/// The estimate is the likeliest joint, the bands are those of the draws.
+void read_joint(const StiffnessDraw& best, const RecordInversionOptions& options,
+                RecordInversionResult& result) {
   std::vector<double> values(result.draws.size());
-  const auto of_draws = [&](const auto& read) {
+  const auto read_draws = [&](const auto& read) {
     std::ranges::transform(result.draws, values.begin(), read);
-    return estimate_of(values, options.confidence);
   };
   for (std::size_t j = 0; j < result.slip_displacement.size(); ++j) {
-    const Estimate psi = of_draws([j](const StiffnessDraw& draw) { return draw.density[j]; });
-    result.density.push_back(psi.mean);
+    read_draws([j](const StiffnessDraw& draw) { return draw.density[j]; });
     const auto [lower, upper] = quantile_pair_above_zero(values, options.confidence);
-    result.lower.push_back(lower);
-    result.upper.push_back(upper);
+    result.density.push_back(best.density[j]);
+    result.lower.push_back(std::min(lower, best.density[j]));
+    result.upper.push_back(std::max(upper, best.density[j]));
   }
-  result.stiffness = of_draws([](const StiffnessDraw& draw) { return draw.stiffness; });
+  read_draws([](const StiffnessDraw& draw) { return draw.stiffness; });
+  result.stiffness = within_band(best.stiffness, values, options.confidence);
   if (!options.viscous) return;
-  result.viscous = of_draws([](const StiffnessDraw& draw) { return draw.viscous; });
+  read_draws([](const StiffnessDraw& draw) { return draw.viscous; });
+  result.viscous = within_band(best.viscous, values, options.confidence);
 }
 
 void read_records(const SettledRecords& settled, const ScaledRecords& records,
@@ -214,7 +209,7 @@ void summarise(const JointEvidence& evidence, const SmoothingPoint& best, Summar
                    : evidence.records.empty() ? "posterior of tables of levels"
                                               : "posterior of records and levels";
   summary.iterations = best.solution.exchanges;
-  read_optimality(best.solution, "optimality conditions of its start", summary);
+  read_optimality(best.solution, "optimality conditions", summary);
 }
 
 }  // namespace
@@ -231,7 +226,7 @@ void RecordInversionOptions::check() const {
 }
 
 Joint RecordInversionResult::joint() const {
-  const double k = stiffness.mean;
+  const double k = stiffness.value;
   PiecewiseLinearPart part;
   for (std::size_t j = 0; j < density.size(); ++j) {
     part.slip_force.push_back(k * slip_displacement[j]);
@@ -245,15 +240,16 @@ DensityBand RecordInversionResult::density_band() const {
   for (const StiffnessDraw& draw : draws) {
     const double k = draw.stiffness;
     for (std::size_t j = 0; j < slip_displacement.size(); ++j) {
-      const double at = slip_displacement[j] * stiffness.mean / k;
+      const double at = slip_displacement[j] * stiffness.value / k;
       densities[j].push_back(interpolate(slip_displacement, draw.density, at) / (k * k));
     }
   }
   DensityBand band;
-  for (std::vector<double>& values : densities) {
-    const auto [lower, upper] = quantile_pair_above_zero(values, confidence);
-    band.lower.push_back(lower);
-    band.upper.push_back(upper);
+  for (std::size_t j = 0; j < densities.size(); ++j) {
+    const auto [lower, upper] = quantile_pair_above_zero(densities[j], confidence);
+    const double found = density[j] / (stiffness.value * stiffness.value);
+    band.lower.push_back(std::min(lower, found));
+    band.upper.push_back(std::max(upper, found));
   }
   return band;
 }
@@ -309,11 +305,15 @@ RecordInversionResult invert_together(const JointEvidence& evidence,
   for (const double s : settled.model.basis().knots()) {
     result.slip_displacement.push_back(records.length * s);
   }
-  const Eigen::VectorXd mean = draw_all(settled, records, options, result);
-  summarise_draws(options, result);
+  const Eigen::VectorXd& best = settled.best.solution.x;
+  const DrawReader reader(settled.model, records);
+  std::vector<double> elastic = draw_all(settled, reader, options, result);
+  read_joint(reader.read(best), options, result);
+  result.elastic_stiffness =
+      within_band(reader.elastic(best), std::move(elastic), options.confidence);
   result.summary.timings.push_back(watch.lap("draws"));
-  read_records(settled, records, mean, result);
-  read_levels(settled, evidence, mean, stiffness, options, result);
+  read_records(settled, records, best, result);
+  read_levels(settled, evidence, best, stiffness, options, result);
   result.summary.timings.push_back(watch.lap("verdicts"));
   result.summary.wall_seconds = watch.seconds();
   return result;

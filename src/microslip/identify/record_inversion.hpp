@@ -40,9 +40,9 @@ struct StiffnessDraw {
   double viscous = 0.0;              ///< c, N s/m
 };
 
-/// A number with its uncertainty: the band is the shortest that holds as many draws as asked for.
+/// A number with its uncertainty.
 struct Estimate {
-  double mean = 0.0;   ///< of the draws
+  double value = 0.0;  ///< what is the best of it: whoever gives it says how
   double lower = 0.0;  ///< end of the band
   double upper = 0.0;  ///< the other end
 };
@@ -110,7 +110,8 @@ struct LevelFit {
   std::optional<LevelVerdict> secant_verdict = {};       ///< nor where k_eq was not measured
 };
 
-/// What invert_records() found: the mean of the draws, with bands of them.
+/// What invert_records() found: the likeliest joint, with bands of the draws: of k, K_e and c the
+/// shortest that hold as many as asked for, widened to the estimate where they do not hold it.
 struct RecordInversionResult {
   std::vector<double> slip_displacement = {};  ///< knots x*, m; from 0 to the largest half range
   std::vector<double> density = {};            ///< ψ, N/m per m
@@ -153,7 +154,8 @@ void check_records(std::span<const RecordEvidence> evidence,
 /// neighbouring residuals are. Prior: Gaussian on second differences of ψ/x*^χ₀ over x*^P, within
 /// the limits, χ₀ = 0 unless the likelihood asks strongly for a power law. The smoothing and the
 /// scale of the scatter are drawn with the density (PosteriorChain); given these, a draw is one of
-/// the Gaussian without limits, brought within them. The estimate is the mean.
+/// the Gaussian without limits, brought within them. The estimate is the minimiser at the likeliest
+/// smoothing: the mean of the draws, some of which are far rougher, is further from the truth.
 ///
 /// Nothing in a record tells the sliders that slip within its noise: their stiffness is that of a
 /// density that goes on smoothly, and k rests on it.

@@ -112,9 +112,9 @@ std::string describe_assembly(const AssemblyFit& fit, std::size_t count) {
   return line("assembly", shortened(fit.name, 56)) +
          line("", fmt::format("{}, k {:.5g} N/m, slip forces times {:.3g} ({:.3g} to {:.3g}), "
                               "shape {}",
-                              counted(count, "level"), fit.stiffness.mean,
-                              fit.slip_force_scale.mean, fit.slip_force_scale.lower,
-                              fit.slip_force_scale.upper, percent_text(fit.shape.mean)));
+                              counted(count, "level"), fit.stiffness.value,
+                              fit.slip_force_scale.value, fit.slip_force_scale.lower,
+                              fit.slip_force_scale.upper, percent_text(fit.shape.value)));
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ void add_assembly_estimates(const AssembliesResult& found, const std::string& na
                         return fit.*estimate.*part;
                       }));
   };
-  add(name, &Estimate::mean);
+  add(name, &Estimate::value);
   add(name + "_lower", &Estimate::lower);
   add(name + "_upper", &Estimate::upper);
 }
@@ -120,7 +120,7 @@ NamedValues record_of_assembly(const AssembliesResult& found, std::size_t assemb
   const AssemblyFit& fit = found.assemblies.at(assembly);
   NamedValues record;
   const auto add = [&](const std::string& name, const Estimate& value) {
-    record.emplace_back(name, value.mean);
+    record.emplace_back(name, value.value);
     record.emplace_back("band_" + name, std::vector<double>{value.lower, value.upper});
   };
   record.emplace_back("status", std::string(found.summary.status()));

@@ -41,7 +41,7 @@ void add_joint_columns(CsvWriter& table, const CalibrationResult& found, std::si
   column("amplitude_", kLength, [](const JointAtLevel& at) { return at.amplitude; });
   column("measured_amplitude_", kLength,
          [](const JointAtLevel& at) { return at.measured_amplitude; });
-  column("dissipation_", kEnergy, [](const JointAtLevel& at) { return at.dissipation.mean; });
+  column("dissipation_", kEnergy, [](const JointAtLevel& at) { return at.dissipation.value; });
   column("dissipation_lower_", kEnergy,
          [](const JointAtLevel& at) { return at.dissipation.lower; });
   column("dissipation_upper_", kEnergy,
@@ -63,7 +63,7 @@ void add_joints_to(NamedValues& record, const CalibrationResult& found) {
     record.emplace_back(key, of_each(found.joints, read));
   };
   record.emplace_back("joint", list_of_texts(of_each(found.joints, &Joint::name)));
-  add("stiffness_N_per_m", [](const Joint& joint) { return joint.stiffness.mean; });
+  add("stiffness_N_per_m", [](const Joint& joint) { return joint.stiffness.value; });
   add("stiffness_lower_N_per_m", [](const Joint& joint) { return joint.stiffness.lower; });
   add("stiffness_upper_N_per_m", [](const Joint& joint) { return joint.stiffness.upper; });
   add("slipping_share",
@@ -191,7 +191,7 @@ CsvWriter identifiability_table(const CalibrationResult& found) {
   std::vector<double> upper;
   std::vector<double> told;
   for (const CalibratedJoint& joint : found.joints) {
-    const double k = joint.stiffness.mean;
+    const double k = joint.stiffness.value;
     for (std::size_t i = 0; i < joint.slip_displacement.size(); ++i) {
       name.push_back(joint.name);
       force.push_back(k * joint.slip_displacement[i]);
@@ -224,10 +224,10 @@ NamedValues record_of_calibration(const CalibrationResult& found, const Calibrat
   record.emplace_back("covered_from_N", k * joint.least_amplitude);
   record.emplace_back("covered_to_N", k * joint.largest_amplitude);
   record.emplace_back("elastic_remainder", joint.joint.density().elastic_remainder());
-  record.emplace_back("stiffness_N_per_m", joint.stiffness.mean);
+  record.emplace_back("stiffness_N_per_m", joint.stiffness.value);
   record.emplace_back("band_stiffness_N_per_m",
                       std::vector<double>{joint.stiffness.lower, joint.stiffness.upper});
-  record.emplace_back("elastic_stiffness_N_per_m", joint.elastic_stiffness.mean);
+  record.emplace_back("elastic_stiffness_N_per_m", joint.elastic_stiffness.value);
   record.emplace_back(
       "band_elastic_stiffness_N_per_m",
       std::vector<double>{joint.elastic_stiffness.lower, joint.elastic_stiffness.upper});

@@ -126,10 +126,10 @@ std::string band_text(const Estimate& estimate, double confidence) {
 /// What stands for the stiffness where records told it.
 std::string describe_records(const RecordInversionResult& result) {
   std::string text = line("elastic remainder",
-                          fmt::format("{:.5g} N/m, {}", result.elastic_stiffness.mean,
+                          fmt::format("{:.5g} N/m, {}", result.elastic_stiffness.value,
                                       band_text(result.elastic_stiffness, result.confidence)));
   if (result.viscous) {
-    text += line("viscous part", fmt::format("{:.5g} N s/m, {}", result.viscous->mean,
+    text += line("viscous part", fmt::format("{:.5g} N s/m, {}", result.viscous->value,
                                              band_text(*result.viscous, result.confidence)));
   }
   return text + line("draws", fmt::format("{}", result.draws.size()));
@@ -318,7 +318,7 @@ void add_tables(const RecordInversionResult& result, NamedValues& record) {
 void add_records(const Identification& found, NamedValues& record) {
   const RecordInversionResult& result = *found.records();
   const auto add = [&](const std::string& name, const Estimate& estimate) {
-    record.emplace_back(name, estimate.mean);
+    record.emplace_back(name, estimate.value);
     record.emplace_back("band_" + name, std::vector<double>{estimate.lower, estimate.upper});
   };
   if (!result.stiffness_known) add("stiffness_N_per_m", result.stiffness);
