@@ -248,8 +248,8 @@ void add_band_options(CLI::App& command, IdentifyArguments& options) {
   command
       .add_option("--samples", options.samples,
                   "Draws from all densities that the measurements leave possible, and of the 95 % "
-                  "band. Levels: none without it, 1000 for a smooth band; records: their mean is "
-                  "the density, 1000 without it")
+                  "band. Levels: none without it, 1000 for a smooth band; records: 1000 "
+                  "without it")
       ->type_name("UINT");
   command
       .add_option("--samples-out", options.samples_out,
