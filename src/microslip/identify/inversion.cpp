@@ -30,11 +30,14 @@ constexpr std::size_t kPlacesOfEdges = 8;
 constexpr double kLeastExponent = -0.9;
 /// Slip forces at which an atom is sought first, and the levels that it takes.
 constexpr int kAtomCandidates = 41;
+constexpr int kAtomPlacesNear = 13;
 constexpr Eigen::Index kFewestForAtom = 20;
 /// Fewer levels hardly tell an edge or a trend from a smooth density.
 constexpr Eigen::Index kFewestForShape = 40;
 /// Of Schwarz's criterion: "very strong" [Kass & Raftery, J. Am. Stat. Assoc. 90 (1995) 773].
 constexpr double kStrongEvidence = 10.0;
+/// Of all that slips, the share of an atom.
+constexpr double kLeastAtom = 1e-2;
 /// More points than this tell no more about a slope.
 constexpr Eigen::Index kSlopePoints = 200;
 
@@ -181,6 +184,11 @@ PassedModel two_passes(const ScaledLevels& levels, const InversionOptions& optio
 
 namespace {
 
+/// Whether edges are asked for, and the levels enough.
+bool seeks_shape(const ScaledLevels& levels, const InversionOptions& options) {
+  return options.edges && levels.amplitude.size() >= kFewestForShape;
+}
+
 /// A model, and others with its edges at places that are as likely.
 struct ShapedModel {
   InversionModel model;
@@ -204,7 +212,7 @@ InversionModel moved_edges(const ScaledLevels& levels, PassOptions pass,
 ShapedModel shaped(const PassedModel& passed, const ScaledLevels& levels,
                    const InversionOptions& options, InnerSolutions& inner) {
   PassOptions pass = passed.pass;
-  const bool sought = options.edges && levels.amplitude.size() >= kFewestForShape;
+  const bool sought = seeks_shape(levels, options);
   if (sought) find_shape(levels, passed.model.solution().lambda, pass, inner);
   const bool same = pass.edges.empty() && pass.trend == 0.0 && !options.lambda;
   ShapedModel found{same ? passed.model : InversionModel(levels, pass)};
@@ -222,49 +230,141 @@ ShapedModel shaped(const PassedModel& passed, const ScaledLevels& levels,
 }
 
 /// Schwarz's criterion of a model: m ln rss + edf ln m, with residuals relative to the same d for
-/// all models, whatever weights each of them took.
+/// all models, whatever weights each of them took. An edge costs what an atom does for its place.
 double schwarz_criterion(const ScaledLevels& levels, const InversionModel& model) {
   const SmoothingPoint& point = model.solution();
   const Eigen::ArrayXd typical = levels.typical.cwiseMax(levels.floor).array();
   const Eigen::ArrayXd left = (levels.dissipation - model.dissipation(point.solution.x)).array();
   const double residual = std::max(1e-20, (left / typical).square().sum());
   const auto m = static_cast<double>(levels.amplitude.size());
-  return m * std::log(residual) + point.edf * std::log(m);
+  const auto places = static_cast<double>(model.basis().edges().size());
+  return m * std::log(residual) + point.edf * std::log(m) +
+         places * (std::log(m) + kStrongEvidence);
 }
 
-/// The slip force of an atom at macro-slip, as a share of kA_max: it ends the density, and above it
-/// D grows in a straight line. Nothing where the density goes on to the end of the data, or the
-/// levels are too few to tell.
-std::optional<double> find_atom(const ScaledLevels& levels, const InversionOptions& options,
-                                InnerSolutions& inner) {
-  const Eigen::Index count = levels.amplitude.size();
-  if (count < kFewestForAtom) return std::nullopt;
-  const auto criterion = [&](double top) {
-    return schwarz_criterion(levels, two_passes(levels, options, top, true, inner).model);
-  };
+/// Seeks an atom at macro-slip beside the edges that the density may have.
+class AtomSearch {
+ public:
+  AtomSearch(const ScaledLevels& levels, const InversionOptions& options, InnerSolutions& inner)
+      : levels_(levels), options_(options), inner_(inner) {
+    options_.lambda.reset();
+  }
+
+  /// Its slip force as a share of kA_max: it ends the density, and above it D grows in a straight
+  /// line. Nothing where the density goes on to the end of the data or ends without an atom, or
+  /// where the levels are too few to tell.
+  [[nodiscard]] std::optional<double> find();
+
+ private:
+  [[nodiscard]] double without_atom();
+  [[nodiscard]] double criterion_of_atom(const InversionModel& model) const;
+  [[nodiscard]] double with_atom(double top, std::size_t edges);
+  [[nodiscard]] std::pair<double, double> likeliest(std::size_t edges);
+  [[nodiscard]] double with_atom_and_new_edges(double top);
+  [[nodiscard]] InversionModel pathed(const PassOptions& pass);
+
+  const ScaledLevels& levels_;
+  InversionOptions options_;
+  InnerSolutions& inner_;
+  std::vector<double> edges_;  // of the density without an atom, as shares of kA_max
+};
+
+InversionModel AtomSearch::pathed(const PassOptions& pass) {
+  InversionModel model(levels_, pass);
+  run_path(model, options_, kFirstPassPoints, inner_);
+  return model;
+}
+
+double AtomSearch::without_atom() {
+  const PassedModel smooth = two_passes(levels_, options_, 1.0, false, inner_);
+  if (!seeks_shape(levels_, options_)) return schwarz_criterion(levels_, smooth.model);
+  PassOptions pass = smooth.pass;
+  find_shape(levels_, smooth.model.solution().lambda, pass, inner_);
+  const InversionModel model = pathed(pass);
+  edges_ = model.basis().edges();
+  return schwarz_criterion(levels_, model);
+}
+
+/// Infinite where the atom has no weight: the density just ends there.
+double AtomSearch::criterion_of_atom(const InversionModel& model) const {
+  const Eigen::VectorXd& x = model.solution().solution.x;
+  const bool has_weight = model.atom_weight(x) > kLeastAtom * model.problem().area().dot(x);
+  return has_weight ? schwarz_criterion(levels_, model) : std::numeric_limits<double>::infinity();
+}
+
+/// With the first of the edges that were found without it: those next to an atom may be what took
+/// its place.
+double AtomSearch::with_atom(double top, std::size_t edges) {
+  const PassedModel smooth = two_passes(levels_, options_, top, true, inner_);
+  if (edges == 0) return criterion_of_atom(smooth.model);
+  PassOptions pass = smooth.pass;
+  int free_from = InversionBasis::kLeastBetween;
+  for (std::size_t e = 0; e < edges; ++e) {
+    const double place = smooth.model.basis().place(edges_[e]);
+    const int knot = static_cast<int>(std::lround(place));
+    if (knot < free_from || knot + InversionBasis::kLeastBetween >= pass.coefficients) {
+      return std::numeric_limits<double>::infinity();
+    }
+    pass.edges.push_back({knot, place});
+    free_from = knot + InversionBasis::kLeastBetween;
+  }
+  return criterion_of_atom(pathed(pass));
+}
+
+/// Where the criterion is least, and how much it is there. It is not smooth: λ is chosen anew
+/// everywhere, so the best of some places around the best of all comes before the search between two.
+std::pair<double, double> AtomSearch::likeliest(std::size_t edges) {
   // Two levels at least must lie beyond an atom to show the straight line.
-  const double first = levels.amplitude(2);
-  const double last = levels.amplitude(count - 3);
-  const double ratio = std::pow(last / first, 1.0 / (kAtomCandidates - 1));
+  const double first = levels_.amplitude(2);
+  const double last = levels_.amplitude(levels_.amplitude.size() - 3);
   double best = first;
   double lowest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < kAtomCandidates; ++i) {
-    const double top = first * std::pow(ratio, i);
-    const double value = criterion(top);
-    if (value < lowest) {
-      best = top;
-      lowest = value;
+  const auto look = [&](double from, double to, int places) {
+    const double ratio = std::pow(to / from, 1.0 / (places - 1));
+    for (int i = 0; i < places; ++i) {
+      const double top = from * std::pow(ratio, i);
+      const double value = with_atom(top, edges);
+      if (value < lowest) {
+        best = top;
+        lowest = value;
+      }
     }
-  }
-  const double without =
-      schwarz_criterion(levels, two_passes(levels, options, 1.0, false, inner).model);
-  // The position is a parameter of its own.
-  const double price = std::log(static_cast<double>(count)) + kStrongEvidence;
-  if (!(lowest + price < without)) return std::nullopt;
+    return ratio;
+  };
+  const double coarse = look(first, last, kAtomCandidates);
+  if (lowest == std::numeric_limits<double>::infinity()) return {best, lowest};
+  const double fine = look(best / coarse, std::min(best * coarse, last), kAtomPlacesNear);
   std::uintmax_t iterations = 20;
-  return boost::math::tools::brent_find_minima(criterion, best / ratio,
-                                               std::min(best * ratio, last), 12, iterations)
-      .first;
+  const std::pair<double, double> found = boost::math::tools::brent_find_minima(
+      [&](double top) { return with_atom(top, edges); }, best / fine, std::min(best * fine, last),
+      12, iterations);
+  return found.second < lowest ? found : std::pair{best, lowest};
+}
+
+double AtomSearch::with_atom_and_new_edges(double top) {
+  const PassedModel smooth = two_passes(levels_, options_, top, true, inner_);
+  const double least = criterion_of_atom(smooth.model);
+  if (!seeks_shape(levels_, options_)) return least;
+  PassOptions pass = smooth.pass;
+  find_shape(levels_, smooth.model.solution().lambda, pass, inner_);
+  return std::min(least, criterion_of_atom(pathed(pass)));
+}
+
+std::optional<double> AtomSearch::find() {
+  const Eigen::Index count = levels_.amplitude.size();
+  if (count < kFewestForAtom) return std::nullopt;
+  const double without = without_atom();
+  std::pair<double, double> best = likeliest(0);
+  for (std::size_t edges = 1; edges <= edges_.size(); ++edges) {
+    const std::pair<double, double> found = likeliest(edges);
+    if (found.second < best.second) best = found;
+  }
+  // The position is a parameter of its own. A density that ends at once does so at an edge: that it
+  // is an atom must be likely beyond what both have in common.
+  const double parameters = edges_.empty() ? 1.0 : 2.0;
+  const double price = parameters * std::log(static_cast<double>(count)) + kStrongEvidence;
+  if (!(with_atom_and_new_edges(best.first) + price < without)) return std::nullopt;
+  return best.first;
 }
 
 /// σ̂ in units of 1/W from a residual, not below what the basis resolves.
@@ -373,7 +473,7 @@ InversionResult invert(const LevelEvidence& evidence, double stiffness,
   std::vector<Summary::Timing> timings;
   double top = 1.0;
   if (options.atom) {
-    if (const std::optional<double> found = find_atom(scaled, options, inner)) {
+    if (const std::optional<double> found = AtomSearch(scaled, options, inner).find()) {
       top = *found;
       result.atom_slip_force = top * scaled.largest_slip_force;
     }
