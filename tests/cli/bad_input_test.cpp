@@ -153,7 +153,7 @@ TEST(BadLevels, TooFewOfThem) {
 
 TEST(BadLevels, WithoutAnyDissipation) {
   expect_levels_refused(kHeader + "1e-6,0\n2e-6,0\n3e-6,0\n4e-6,0\n5e-6,0\n",
-                        {"levels.csv: ", "dissipation", "= 0", "must be positive"});
+                        {"levels.csv:2: ", "dissipation above 0", "0 at all 5 levels"});
 }
 
 TEST(BadLevels, ThatCannotBeRead) {

@@ -47,6 +47,18 @@ const Arguments kCall{"identify",  "levels.csv", "--assemblies", "column",
 
 Sandbox box_of(const std::string& levels) { return Sandbox{{"levels.csv", levels}}; }
 
+// The file and the line where the levels of the assembly begin.
+TEST(identify_assemblies, SaysWhereLevelsLoseNothing) {
+  const std::string nothing =
+      "assembly,stiffness [N/m],amplitude [m],dissipation [J]\n"
+      "a,1e5,1e-5,1e-9\na,1e5,2e-5,8e-9\nb,1e5,1e-5,0\nb,1e5,2e-5,0\n";
+  expect_refused(box_of(nothing), kCall,
+                 {"levels.csv:4: ", "above 0", "assembly 'b'", "0 at all 2 levels"});
+  const Sandbox one{{"none.csv", "amplitude [m],dissipation [J]\n1e-5,0\n2e-5,0\n"}};
+  expect_refused(one, {"identify", "none.csv", "--stiffness", "1e5", "--out", "j.json"},
+                 {"none.csv:2: ", "above 0", "0 at all 2 levels"});
+}
+
 TEST(identify_assemblies, WritesAFolder) {
   const Sandbox box = box_of(three());
   const Outcome run = expect_done(box, kCall);

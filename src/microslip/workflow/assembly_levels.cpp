@@ -23,6 +23,7 @@ struct GatheredAssembly {
   std::string name;
   Levels levels = {};
   std::optional<double> stiffness = {};
+  TextPlace first = {};  ///< of its levels
 };
 
 constexpr std::vector<double> Levels::*kAssemblyColumns[] = {
@@ -52,6 +53,9 @@ GatheredAssembly& gathered_assembly(const std::string& name, const std::string& 
 }
 
 void add_assembly_level(const LevelsFile& file, std::size_t row, GatheredAssembly& assembly) {
+  if (assembly.levels.amplitude.empty()) {
+    assembly.first = {.file = file.file, .line = file.line[row], .column = 0};
+  }
   for (const auto column : kAssemblyColumns) {
     const std::vector<double>& values = file.levels.*column;
     if (!values.empty()) (assembly.levels.*column).push_back(values[row]);
@@ -91,6 +95,15 @@ void add_assembly_table(const LevelsFile& file, AssembliesBy by,
   }
 }
 
+void check_losses_of(const GatheredAssembly& assembly) {
+  if (std::ranges::any_of(assembly.levels.dissipation, [](double d) { return d > 0.0; })) return;
+  throw FormatError(assembly.first,
+                    fmt::format("a dissipation above 0 at one level of assembly '{}' at least",
+                                printable(assembly.name)),
+                    fmt::format("0 at all {} levels from here on", assembly.levels.size()),
+                    "Check the column, or leave the assembly out.");
+}
+
 }  // namespace
 
 AssemblyLevels read_assembly_levels(const std::vector<std::string>& paths, AssembliesBy by,
@@ -107,6 +120,7 @@ AssemblyLevels read_assembly_levels(const std::vector<std::string>& paths, Assem
     }
   }
   for (GatheredAssembly& one : all) {
+    check_losses_of(one);
     read.count.push_back(one.levels.size());
     try {
       read.assemblies.push_back({one.name, LevelEvidence(std::move(one.levels)), one.stiffness});

@@ -29,6 +29,15 @@ Provenance levels_provenance(const IdentificationOptions& options, const NamedIn
   return provenance;
 }
 
+/// Where no level loses anything no density can be told from none.
+void check_losses(const LevelsFile& file) {
+  if (std::ranges::any_of(file.levels.dissipation, [](double d) { return d > 0.0; })) return;
+  throw FormatError({.file = file.file, .line = file.line.front(), .column = 0},
+                    "a dissipation above 0 at one level at least",
+                    fmt::format("0 at all {} levels from here on", file.levels.size()),
+                    "Check the column, or measure at larger amplitudes.");
+}
+
 /// What the levels are at fault for names their file.
 Identification identified(const LevelsFile& file, const LevelsIdentification& options) {
   try {
@@ -47,6 +56,7 @@ IdentifiedLevels identify_levels(const LevelsIdentification& options) {
       read_level_table(options.levels, {.use_inner_reversals = options.use_inner_reversals,
                                         .linear_dissipation = linear_loss,
                                         .assemblies = options.assemblies});
+  check_losses(table.used);
   IdentifiedLevels done{.input = std::move(table.input), .found = identified(table.used, options)};
   done.count = table.used.levels.size();
   done.reversed = std::move(table.reversed);
