@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -176,6 +178,23 @@ TEST(identify_records, KeepsOptionsOfEvidenceApart) {
         Arguments{"--atom"}, Arguments{"--bands", "100"}, Arguments{"--fit", "uniform"}}) {
     expect_refused(box, with(kIdentify, more), {more.front(), "levels"});
   }
+}
+
+// By a link, another way to write its name, or the same name: it would count twice.
+TEST(identify_records, RefusesAFileThatIsThereTwice) {
+  const Sandbox box = sandbox();
+  box.put("levels.csv", sample_levels_text());
+  std::filesystem::create_symlink("record.csv", box.file("link.csv"));
+  std::filesystem::create_symlink("levels.csv", box.file("linked_levels.csv"));
+  for (const std::string again : {"link.csv", "./record.csv", "record.csv"}) {
+    const Arguments call{"identify", "record.csv", again, "--out", "joint.json"};
+    expect_refused(box, call, {again, "the same file as record.csv", "Leave one"});
+  }
+  const Arguments levels{"identify",          "record.csv", "levels.csv",
+                         "linked_levels.csv", "--out",      "joint.json"};
+  expect_refused(box, levels, {"linked_levels.csv = the same file as levels.csv"});
+  expect_refused(box, {"levels", "record.csv", "link.csv", "--out", "found.csv"},
+                 {"link.csv = the same file as record.csv"});
 }
 
 TEST(identify_records, KeepsTheDraws) {

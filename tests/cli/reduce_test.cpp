@@ -71,6 +71,13 @@ std::pair<double, double> errors(const Sandbox& box, const std::string& name) {
 
 // The lines before the table; that of the recordings is as `sha256sum level_*.csv | sha256sum`
 // says.
+TEST(reduce, RefusesARecordingThatIsThereTwice) {
+  const RigSandbox box;
+  fs::create_symlink(level_name(2), box.file("again.csv"));
+  expect_refused(box, {"reduce", "rig.toml", level_name(2), "again.csv", "--out", "o.csv"},
+                 {"again.csv = the same file as level_02.csv", "Leave one"});
+}
+
 TEST(reduce, TellsWhatItWasMadeOf) {
   const RigSandbox box;
   expect_done(box, with(all_levels(), {"--out", "levels.csv"}));

@@ -127,6 +127,26 @@ TEST(watch, SaysFaultsInSentences) {
   EXPECT_TRUE(says(once.err, ". Left out until it changes.")) << once.err;
 }
 
+TEST(watch, CountsALinkToARecordOnce) {
+  const Sandbox box{{"record.csv", record_text(sample_record())}};
+  fs::create_symlink("record.csv", box.file("same.csv"));
+  const Outcome once = box.run(with(kWatch, {"--once"}));
+  EXPECT_TRUE(says(once.err, "same.csv: the same file as record.csv. Left out until it changes."))
+      << once.err;
+  EXPECT_TRUE(says(once.out, "record.csv: 1 record")) << once.out;
+  EXPECT_FALSE(says(once.out, "same.csv: ")) << once.out;
+}
+
+// It has no --allow-truncated: a record that is short is most often being written.
+TEST(watch, AdvisesWhatCanBeDoneWithACutRecord) {
+  const Sandbox box{{"cut.csv", record_text(sample_record()) + "9,1"}};
+  const Outcome once = box.run(with(kWatch, {"--once"}));
+  EXPECT_TRUE(says(once.err, "`microslip convert cut.csv whole_cut.csv --allow-truncated`"))
+      << once.err;
+  EXPECT_EQ(box.run({"convert", "cut.csv", "whole_cut.csv", "--allow-truncated"}).status, 0);
+  EXPECT_TRUE(says(box.run(with(kWatch, {"--once"})).out, "whole_cut.csv: 1 record"));
+}
+
 TEST(watch, SaysThatNothingIsThere) {
   const Sandbox box{};
   const Outcome once = box.run(with(kWatch, {"--once"}));

@@ -13,6 +13,7 @@
 #include "microslip/io/sha256.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/workflow/assembly_tables.hpp"
+#include "microslip/workflow/distinct_files.hpp"
 #include "microslip/workflow/level_table.hpp"
 
 namespace microslip {
@@ -108,6 +109,7 @@ void check_losses_of(const GatheredAssembly& assembly) {
 
 AssemblyLevels read_assembly_levels(const std::vector<std::string>& paths, AssembliesBy by,
                                     bool use_inner_reversals) {
+  check_distinct_files(paths);
   AssemblyLevels read;
   std::vector<GatheredAssembly> all;
   for (const std::string& path : paths) {

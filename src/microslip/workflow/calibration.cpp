@@ -21,6 +21,7 @@
 #include "microslip/io/sha256.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/workflow/calibration_tables.hpp"
+#include "microslip/workflow/distinct_files.hpp"
 #include "microslip/workflow/model_text.hpp"
 #include "microslip/workflow/path_from.hpp"
 #include "microslip/workflow/provenance.hpp"
@@ -270,6 +271,7 @@ std::vector<ResultFile> planned_files(const ModelCalibration& options) {
 }
 
 CalibratedModel calibrate_model(const ModelCalibration& options) {
+  check_distinct_files(options.levels);
   CalibratedModel done{.model = read_model_to_calibrate(options.model)};
   done.inputs.push_back({options.model, sha256(read_file(options.model))});
   const ModalLevels levels = read_all_levels(options, done);

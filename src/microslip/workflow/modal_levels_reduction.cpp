@@ -13,6 +13,7 @@
 #include "microslip/io/modal_reduction_file.hpp"
 #include "microslip/io/model_file.hpp"
 #include "microslip/io/stepped_sine_file.hpp"
+#include "microslip/workflow/distinct_files.hpp"
 #include "microslip/workflow/modal_reduction_text.hpp"
 #include "microslip/workflow/named_recordings.hpp"
 #include "microslip/workflow/named_rig.hpp"
@@ -66,6 +67,7 @@ std::vector<ModalLevel> writable_modal_levels(const std::vector<ModalLevel>& lev
 }  // namespace
 
 ReducedModalLevels reduce_modal_levels(const ModalLevelsReduction& options) {
+  check_distinct_files(options.recordings);
   constexpr std::size_t kLargestModel = std::size_t{16} << 20U;
   NamedInput input{options.model, read_file(options.model, kLargestModel)};
   ModalReducer reducer = reducer_of(options, input);

@@ -11,6 +11,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/identify/record_inversion.hpp"
 #include "microslip/io/levels_file.hpp"
+#include "microslip/workflow/distinct_files.hpp"
 #include "microslip/workflow/flag_meanings.hpp"
 #include "microslip/workflow/model_text.hpp"
 #include "microslip/workflow/provenance.hpp"
@@ -144,6 +145,7 @@ std::size_t RecordLevels::count() const {
 }
 
 RecordLevels find_record_levels(const RecordLevelsOptions& options) {
+  check_distinct_files(options.records);
   ForceRecords read = read_force_records(options.records, options.channels, options.reading);
   RecordLevels found;
   for (NamedForceRecord& one : read.records) found.records.push_back(cycles_of(std::move(one)));

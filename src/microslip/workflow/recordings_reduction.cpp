@@ -15,6 +15,7 @@
 #include "microslip/io/reduction_file.hpp"
 #include "microslip/io/stepped_sine_file.hpp"
 #include "microslip/rig/stepped_sine.hpp"
+#include "microslip/workflow/distinct_files.hpp"
 #include "microslip/workflow/named_recordings.hpp"
 #include "microslip/workflow/named_rig.hpp"
 #include "microslip/workflow/recordings_provenance.hpp"
@@ -100,6 +101,7 @@ MeasuredLevels measured_levels(std::span<const ReducedLevel> levels) {
 }
 
 ReducedRecordings reduce_recordings(const RecordingsReduction& options) {
+  check_distinct_files(options.recordings);
   constexpr std::size_t kLargestRig = std::size_t{1} << 20U;
   NamedInput input{options.rig, read_file(options.rig, kLargestRig)};
   const Rig rig = parse_rig(input);

@@ -15,6 +15,7 @@
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/joint_file.hpp"
 #include "microslip/io/verification_file.hpp"
+#include "microslip/workflow/distinct_files.hpp"
 #include "microslip/workflow/model_text.hpp"
 #include "microslip/workflow/named_recordings.hpp"
 #include "microslip/workflow/named_rig.hpp"
@@ -102,6 +103,7 @@ void add_verified(std::span<const Verification> records, ExperimentResults& resu
 }
 
 VerifiedRecordings verify_recordings(const RecordingsVerification& options) {
+  check_distinct_files(options.recordings);
   std::vector<NamedInput> inputs{{options.rig, read_file(options.rig)},
                                  {options.joint, read_file(options.joint)}};
   const Rig rig = parse_rig(inputs[0]);

@@ -9,6 +9,7 @@
 #include "microslip/base/version.hpp"
 #include "microslip/io/joint_file.hpp"
 #include "microslip/io/sha256.hpp"
+#include "microslip/workflow/distinct_files.hpp"
 #include "microslip/workflow/identification_text.hpp"
 #include "microslip/workflow/joint_draws.hpp"
 #include "microslip/workflow/level_table.hpp"
@@ -106,6 +107,7 @@ struct Gathered {
 };
 
 void gather_records(const RecordsIdentification& options, Gathered& all) {
+  check_distinct_files(options.records);
   ForceRecords read = read_force_records(options.records, options.channels, options.reading);
   for (NamedForceRecord& one : read.records) {
     of_record(one.source, [&] {
@@ -122,6 +124,7 @@ void gather_records(const RecordsIdentification& options, Gathered& all) {
 }
 
 void gather_levels(const RecordsIdentification& options, Gathered& all) {
+  check_distinct_files(options.levels);
   for (const std::string& path : options.levels) {
     LevelTable table = read_level_table(path, {.use_inner_reversals = options.use_inner_reversals,
                                                .assemblies = options.assemblies});

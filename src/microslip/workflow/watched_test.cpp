@@ -17,6 +17,7 @@
 #include "microslip/io/output_files.hpp"
 #include "microslip/io/recording_file.hpp"
 #include "microslip/io/text.hpp"
+#include "microslip/workflow/distinct_files.hpp"
 #include "microslip/workflow/evidence_kind.hpp"
 #include "microslip/workflow/identification_text.hpp"
 #include "microslip/workflow/levels_identification.hpp"
@@ -99,6 +100,19 @@ std::string evidence_line(const std::string& path, bool is_table) {
                      counted(found.records.size(), "record"), samples);
 }
 
+/// What is left of a record that was cut is not taken here: most are short because they are being
+/// written. Another command makes a record of it.
+std::string as_watch_advises(std::string fault, const std::string& file) {
+  constexpr std::string_view kOption = "`allow_truncated`";
+  const std::string name = file_name(file);
+  const std::string call =
+      fmt::format("`microslip convert {} whole_{} --allow-truncated`", name, name);
+  for (std::size_t at = 0; (at = fault.find(kOption, at)) != fault.npos; at += call.size()) {
+    fault.replace(at, kOption.size(), call);
+  }
+  return fault;
+}
+
 }  // namespace
 
 WatchedTest::WatchedTest(WatchedTestOptions options) : options_(std::move(options)) {
@@ -145,8 +159,8 @@ bool WatchedTest::done(const std::function<void()>& call) const {
 void WatchedTest::tell_left_out(const std::string& file, const std::string& fault) {
   faulty_[file] = fault;
   options_.tell(WatchedNews::kFault,
-                fmt::format("{}: {}{} Left out until it changes.", file_name(file), fault,
-                            fault.ends_with('.') ? "" : "."));
+                fmt::format("{}: {}{} Left out until it changes.", file_name(file),
+                            as_watch_advises(fault, file), fault.ends_with('.') ? "" : "."));
 }
 
 bool WatchedTest::evaluate(const FolderChange& files) {
@@ -157,6 +171,7 @@ bool WatchedTest::evaluate(const FolderChange& files) {
   const std::string rig = path(std::string(kRigFile));
   const bool of_a_rig = std::erase(records, rig) > 0;
   if (!of_a_rig && fs::exists(rig)) return false;  // it is being written
+  leave_out_repeated(records);
   if (records.empty()) return false;
   if (of_a_rig) {
     (void)done([&] { of_rig(records, files); });
@@ -165,6 +180,20 @@ bool WatchedTest::evaluate(const FolderChange& files) {
   }
   if (joint_written_ && !planned_) forget_plan();
   return joint_written_;
+}
+
+/// A link to a record beside it is no further level.
+void WatchedTest::leave_out_repeated(std::vector<std::string>& files) {
+  std::vector<std::string> kept;
+  for (const std::string& file : files) {
+    const std::optional<std::string> other = same_file(kept, file);
+    if (!other) {
+      kept.push_back(file);
+    } else if (!faulty_.contains(file)) {
+      tell_left_out(file, fmt::format("the same file as {}", file_name(*other)));
+    }
+  }
+  files = std::move(kept);
 }
 
 /// One that rests on other evidence than the joint that is there now.

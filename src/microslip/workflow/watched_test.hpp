@@ -86,6 +86,7 @@ class WatchedTest {
   void forget_plan() const;
   void plan_next(const std::string& levels, double stiffness, std::size_t count);
   bool done(const std::function<void()>& call) const;  // or tells the fault
+  void leave_out_repeated(std::vector<std::string>& files);
   void tell_left_out(const std::string& file, const std::string& fault);
 
   WatchedTestOptions options_;
