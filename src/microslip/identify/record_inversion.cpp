@@ -18,6 +18,7 @@
 #include "microslip/identify/record_departures.hpp"
 #include "microslip/identify/record_model.hpp"
 #include "microslip/identify/record_settling.hpp"
+#include "microslip/identify/signed_density.hpp"
 
 namespace microslip {
 namespace {
@@ -246,10 +247,10 @@ DensityBand RecordInversionResult::density_band() const {
   }
   DensityBand band;
   for (std::size_t j = 0; j < densities.size(); ++j) {
-    const auto [lower, upper] = quantile_pair_above_zero(densities[j], confidence);
+    const auto [from, to] = quantile_pair_above_zero(densities[j], confidence);
     const double found = density[j] / (stiffness.value * stiffness.value);
-    band.lower.push_back(std::min(lower, found));
-    band.upper.push_back(std::max(upper, found));
+    band.lower.push_back(std::min(from, found));
+    band.upper.push_back(std::max(to, found));
   }
   return band;
 }
