@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include "friction_rod.hpp"
+#include "microslip/base/random.hpp"
+#include "microslip/dynamics/march.hpp"
+
+/// @file Marches of structures with many modes and joints.
+
+namespace microslip::bench {
+namespace {
+
+/// White noise through two low passes of 100 Hz, 4096 values a second, of 20 N rms or so.
+LoadHistory noise(double seconds) {
+  constexpr double kRate = 4096.0;
+  const double keep = std::exp(-2.0 * std::numbers::pi * 100.0 / kRate);
+  LoadHistory loads{{}, {{"tip", {}}}};
+  RandomStream random(3, 0);
+  double first = 0.0;
+  double second = 0.0;
+  for (std::size_t i = 0; static_cast<double>(i) <= seconds * kRate; ++i) {
+    loads.time.push_back(static_cast<double>(i) / kRate);
+    loads.forces[0].force.push_back(100.0 * second);
+    first += (1.0 - keep) * (random.normal() - first);
+    second += (1.0 - keep) * (first - second);
+  }
+  return loads;
+}
+
+/// Largest difference of a displacement at the tip from that with a step of 1/2¹⁷ s, over the
+/// largest displacement.
+double relative_error(const JointedStructure& structure, const LoadHistory& loads,
+                      const std::vector<double>& found) {
+  const MarchOptions options{
+      .step = std::exp2(-17.0), .points = {"tip"}, .tolerance = 1e-12, .estimate_error = false};
+  const auto exact = march(structure, loads, options).points[0].displacement;
+  double error = 0.0;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    error = std::max(error, std::abs(found[i] - exact[i]));
+    largest = std::max(largest, std::abs(exact[i]));
+  }
+  return error / largest;
+}
+
+/// A second with the step that march() chooses.
+void march_second(benchmark::State& state, std::size_t modes, std::size_t joints) {
+  const JointedStructure structure = friction_rod(modes, joints);
+  const LoadHistory loads = noise(1.0);
+  MarchResult result;
+  for (auto _ : state) result = march(structure, loads, {.points = {"tip"}});
+  if (!result.summary.converged()) state.SkipWithError(result.summary.reason.c_str());
+  state.counters["steps"] = static_cast<double>(result.steps);
+  state.counters["reversals"] = static_cast<double>(result.reversals);
+  state.counters["kinks"] = static_cast<double>(result.kinks);
+  state.counters["evaluations_per_step"] =
+      static_cast<double>(result.summary.iterations) / static_cast<double>(result.steps);
+  state.counters["estimated_error"] = result.error_estimate.value_or(NAN);
+  state.counters["relative_error"] =
+      relative_error(structure, loads, result.points[0].displacement);
+}
+
+/// One joint.
+void march_300_modes(benchmark::State& state) {
+  march_second(state, static_cast<std::size_t>(state.range(0)), 1);
+}
+BENCHMARK(march_300_modes)
+    ->ArgName("modes")
+    ->Arg(3)
+    ->Arg(30)
+    ->Arg(300)
+    ->Unit(benchmark::kMillisecond);
+
+void march_300_modes_10_joints(benchmark::State& state) { march_second(state, 300, 10); }
+BENCHMARK(march_300_modes_10_joints)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace microslip::bench
