@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/dynamics/decoupled_factors.hpp"
 
 namespace microslip {
 namespace {
@@ -27,14 +27,6 @@ constexpr double kKinkLength = 1e-4;       // likewise: what still turns is a ki
 constexpr double kLeastCosine = 0.8;       // of the angles between two tangents and the chord
 constexpr double kLargestGap = 0.1;        // of a step and the mean of its slopes, relative
 constexpr int kQuickIterations = 5;        // Newton's: the step may grow
-
-/// The sign of a determinant, which itself may be too large or too small for a double.
-int determinant_sign(const Eigen::PartialPivLU<MatrixXd>& factors) {
-  const auto pivots = factors.matrixLU().diagonal();
-  const bool odd = (pivots.array() < 0.0).count() % 2 == 1;
-  const bool swapped = factors.permutationP().determinant() < 0;
-  return odd == swapped ? 1 : -1;
-}
 
 }  // namespace
 
@@ -82,10 +74,11 @@ RowVectorXd Continuation::along_row(const VectorXd& scale) const {
 Continuation::Ray Continuation::ray_at(const VectorXd& scale, const RowVectorXd& towards) const {
   const Index n = equations_.balance_count();
   Ray ray;
-  const Eigen::PartialPivLU<MatrixXd> solver(matrix(scale, towards));
+  DecoupledFactors solver;
+  solver.compute(matrix(scale, towards));
   ray.tangent = solver.solve(VectorXd::Unit(n + 2, n + 1)).normalized();
   // With geometric stiffness the modes that are eliminated have a determinant of either sign.
-  if (!equations_.structure().shortens()) ray.side = determinant_sign(solver);
+  if (!equations_.structure().shortens()) ray.side = solver.last_determinant_sign();
   ray.along_slope = along_row(scale) * ray.tangent;
   const RowVectorXd log_response = equations_.log_response_gradient() * scale.asDiagonal();
   ray.gain_slope = log_response * ray.tangent - ray.tangent[n + 1];

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/dynamics/newton.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <utility>
+
+#include "microslip/dynamics/decoupled_factors.hpp"
 
 namespace microslip {
 namespace {
@@ -130,8 +131,8 @@ class Newton {
   VectorXd scale_;
   VectorXd residual_;
   MatrixXd matrix_;
-  Eigen::PartialPivLU<MatrixXd> factors_;  // of the matrix where the step starts
-  VectorXd best_;                          // z of the smallest residual
+  DecoupledFactors factors_;  // of the matrix where the step starts
+  VectorXd best_;             // z of the smallest residual
 };
 
 Condition condition(BalanceEquations& equations, const Target& target) {

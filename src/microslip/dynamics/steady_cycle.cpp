@@ -14,6 +14,29 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+bool is_even(Index i) { return i == 0 || (i - 1) / 2 % 2 == 1; }
+
+/// Whether x(τ + π) = −x(τ): no even harmonics.
+bool is_odd_wave(std::span<const double> coefficients) {
+  for (Index i = 0; i < static_cast<Index>(coefficients.size()); ++i) {
+    if (is_even(i) && coefficients[static_cast<std::size_t>(i)] != 0.0) return false;
+  }
+  return true;
+}
+
+/// Then f(τ + π) = −f(τ), and even and odd harmonics do not know of each other: what rounding
+/// leaves of that goes, so that those who solve equations with it see it.
+void keep_odd_wave(Eigen::Map<VectorXd>& force, Eigen::Map<RowMajorMatrix>& jacobian) {
+  for (Index i = 0; i < force.size(); ++i) {
+    if (is_even(i)) force[i] = 0.0;
+    for (Index j = 0; j < force.size(); ++j) {
+      if (is_even(i) != is_even(j)) jacobian(i, j) = 0.0;
+    }
+  }
+}
+
 }  // namespace
 
 SteadyCycle::SteadyCycle(std::size_t harmonics, std::size_t samples)
@@ -50,11 +73,11 @@ HarmonicForce::Cycle SteadyCycle::evaluate(const Joint& joint, std::span<const d
   f.array() *= basis_.weights().array();
   moments_[0] *= basis_.weights()[0];
   moments_.tail(moments_.size() - 1) *= basis_.weights()[1];
-  Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> j(
-      jacobian.data(), n, n);
+  Eigen::Map<RowMajorMatrix> j(jacobian.data(), n, n);
   through_reversals_ += kinks_.derivatives();
   j = basis_.weights().asDiagonal() * through_reversals_;
   j += multiplication_matrix(moments_, basis_.harmonics());
+  if (basis_.samples() % 2 == 0 && is_odd_wave(displacement)) keep_odd_wave(f, j);
   if (extremes_.size() == 0) return {x_[0], x_[0], 0};
   return {extremes_.lowest(), extremes_.highest(), extremes_.size()};
 }
