@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "microslip/dynamics/bordered_factors.hpp"
 #include "microslip/dynamics/trigonometric_basis.hpp"
 
 namespace microslip {
@@ -67,6 +67,16 @@ double input_of_unit_excitation(const SteadyVibration& vibration) {
   return sum;
 }
 
+/// None of the harmonics of the excitations is even; modal forcing knows no others than the motion.
+bool excites_odd_harmonics(const JointedStructure& structure) {
+  for (const Excitation& excitation : structure.excitations()) {
+    for (std::size_t n = 2; n <= excitation.harmonics.size(); n += 2) {
+      if (excitation.harmonics[n - 1] != 0.0) return false;
+    }
+  }
+  return true;
+}
+
 constexpr double kReactive = 1e-3;  // less work than this share of the apparent is a difference
 
 }  // namespace
@@ -86,16 +96,34 @@ BalanceEquations::BalanceEquations(const JointedStructure& structure, const Resp
       tangents_(structure.joints().size(),
                 Eigen::MatrixXd(coefficient_count(harmonics), coefficient_count(harmonics))),
       cycles_(structure.joints().size()),
-      branches_(structure.joints().size()) {}
+      branches_(structure.joints().size()) {
+  // An odd number of samples does not fall on itself half a period later.
+  odd_forces_ = samples % 2 == 0 && !structure.shortens() && excites_odd_harmonics(structure);
+  for (Index i = 0; i < count_ + 2; ++i) {
+    all_.push_back(i);
+    if (i >= count_ || !is_even_coefficient(i % coefficient_count(harmonics))) odd_.push_back(i);
+  }
+}
 
 StructureSide::Input BalanceEquations::input() const {
-  return {displacement_, tension_, z_[count_], z_[count_ + 1]};
+  return {displacement_, tension_, z_[count_], z_[count_ + 1], odd_wave_};
+}
+
+bool BalanceEquations::is_odd_wave() const {
+  if (!odd_forces_) return false;
+  const Index block = coefficient_count(harmonics_);
+  for (Index i = 0; i < count_; ++i) {
+    if (is_even_coefficient(i % block) && z_[i] != 0.0) return false;
+  }
+  return true;
 }
 
 void BalanceEquations::evaluate(const VectorXd& z) {
   if (z.size() == z_.size() && z == z_) return;
   z_ = z;
   differentiated_ = false;
+  assembled_ = false;
+  odd_wave_ = is_odd_wave();
   if (!z.allFinite()) {
     values_.residual.setConstant(count_, NAN);
     values_.response = NAN;
@@ -196,25 +224,27 @@ void BalanceEquations::differentiate() {
   differentiated_ = true;
   side_->differentiate(input(), change_);
   const Index block = coefficient_count(harmonics_);
-  jacobian_.resize(count_, count_ + 2);
-  jacobian_.leftCols(count_) = change_.by_displacement;
   gradient_.resize(count_ + 2);
   gradient_.head(count_) = change_.response_by_displacement;
   for (std::size_t j = 0; j < cycles_.size(); ++j) {
     const Index first = static_cast<Index>(j) * block;
     const auto tangent = tangents_[j].transpose();
-    jacobian_.middleCols(first, block).noalias() -=
-        change_.by_tension.middleCols(first, block) * tangent;
     gradient_.segment(first, block) -= change_.response_by_tension.segment(first, block) * tangent;
   }
-  jacobian_.col(count_) = change_.by_frequency;
-  jacobian_.col(count_ + 1) = change_.by_force;
   gradient_[count_] = change_.response_by_frequency;
   gradient_[count_ + 1] = change_.response_by_force;
 }
 
 const Eigen::MatrixXd& BalanceEquations::jacobian() {
   differentiate();
+  if (assembled_) return jacobian_;
+  assembled_ = true;
+  const auto size = static_cast<Index>(moving().size()) - 2;
+  jacobian_.resize(size, size + 2);
+  jacobian_.leftCols(size) = side_->by_motion(tangents_);
+  const std::vector<Index> rows(moving().begin(), moving().end() - 2);
+  jacobian_.col(size) = change_.by_frequency(rows);
+  jacobian_.col(size + 1) = change_.by_force(rows);
   return jacobian_;
 }
 
@@ -223,19 +253,21 @@ const Eigen::RowVectorXcd& BalanceEquations::response_gradient() {
   return gradient_;
 }
 
-Eigen::MatrixXd BalanceEquations::stuck_damping(double loss_factor) {
-  differentiate();
-  Eigen::MatrixXd added = Eigen::MatrixXd::Zero(count_, count_);
-  const Index block = coefficient_count(harmonics_);
+Eigen::MatrixXd BalanceEquations::damped_jacobian(double loss_factor) {
+  StructureSide::Input all = input();
+  all.odd_wave = false;
+  side_->differentiate(all, change_);
+  differentiated_ = false;
+  std::vector<MatrixXd> damped = tangents_;
   for (std::size_t j = 0; j < cycles_.size(); ++j) {
     const double damping = loss_factor * structure_.joints()[j].joint.stiffness();
-    for (std::size_t n = 1; n <= harmonics_; ++n) {
-      const Index real = static_cast<Index>(j) * block + coefficient_index(n);
-      added.col(real) = -damping * change_.by_tension.col(real + 1);
-      added.col(real + 1) = damping * change_.by_tension.col(real);
+    for (std::size_t n = 1; n <= harmonics_; ++n) {  // as a loss beside F; transposed
+      const Index real = coefficient_index(n);
+      damped[j](real + 1, real) -= damping;
+      damped[j](real, real + 1) += damping;
     }
   }
-  return added;
+  return side_->by_motion(damped);
 }
 
 double BalanceEquations::log_response() const {
@@ -333,13 +365,11 @@ VectorXd BalanceEquations::unknowns(const SteadyVibration& vibration) const {
 }
 
 double BalanceEquations::lag_rise() {
-  MatrixXd matrix(count_ + 2, count_ + 2);
   const VectorXd scale = this->scale();
-  matrix.topRows(count_) = scale.head(count_).cwiseInverse().asDiagonal() * jacobian();
-  matrix.row(count_) = log_response_gradient();
-  matrix.row(count_ + 1) = RowVectorXd::Unit(count_ + 2, count_) / z_[count_];
-  matrix *= scale.asDiagonal();
-  const VectorXd change = matrix.partialPivLu().solve(VectorXd::Unit(count_ + 2, count_ + 1));
+  BorderedFactors factors;
+  factors.compute(*this, scale, log_response_gradient() * scale.asDiagonal(),
+                  RowVectorXd::Unit(count_ + 2, count_));
+  const VectorXd change = factors.solve(VectorXd::Unit(count_ + 2, count_ + 1));
   const RowVectorXd lag = -(response_gradient() / values_.response).imag() * scale.asDiagonal();
   return lag * change;
 }

@@ -46,13 +46,19 @@ class BalanceEquations {
   /// are first asked for.
   void evaluate(const Eigen::VectorXd& z);
 
-  /// What is to be zero, m, and its derivatives, n × (n + 2).
+  /// The unknowns that move, rising, ω and A among them. Where nothing but odd harmonics acts and
+  /// moves, even ones are 0 exactly and stay so, whatever the others do; else all.
+  [[nodiscard]] const std::vector<Eigen::Index>& moving() const { return odd_wave_ ? odd_ : all_; }
+
+  /// What is to be zero, m, n of them.
   [[nodiscard]] const Eigen::VectorXd& residual() const { return values_.residual; }
+  /// The derivatives of those by the unknowns that move; no row of the others. Where all move, n ×
+  /// (n + 2).
   [[nodiscard]] const Eigen::MatrixXd& jacobian();
 
-  /// What a loss factor of the joints adds to the derivatives by their displacements while they are
-  /// stuck, n × n: F = k(1 + iη)u.
-  [[nodiscard]] Eigen::MatrixXd stuck_damping(double loss_factor);
+  /// The derivatives of all n by the displacements of the joints, n × n, with a loss factor of the
+  /// joints as long as they are stuck, F = k(1 + iη)u.
+  [[nodiscard]] Eigen::MatrixXd damped_jacobian(double loss_factor);
 
   /// w_1, m, and its derivatives.
   [[nodiscard]] std::complex<double> response() const { return values_.response; }
@@ -110,6 +116,7 @@ class BalanceEquations {
 
  private:
   [[nodiscard]] StructureSide::Input input() const;
+  [[nodiscard]] bool is_odd_wave() const;
   void differentiate();
   void keep_branches(std::size_t joint);
   void add_linear_damping(std::size_t joint);
@@ -124,6 +131,9 @@ class BalanceEquations {
   HarmonicForce joint_force_;
   std::unique_ptr<StructureSide> side_;
   Eigen::Index count_;
+  bool odd_forces_;  // no even harmonic acts, nor arises from odd ones
+  std::vector<Eigen::Index> all_;
+  std::vector<Eigen::Index> odd_;  // without even harmonics
 
   Eigen::VectorXd z_;
   Eigen::VectorXd displacement_;
@@ -137,7 +147,9 @@ class BalanceEquations {
   };
   std::vector<Branches> branches_;  // of each joint; none without atoms
   StructureSide::Values values_;
+  bool odd_wave_ = false;
   bool differentiated_ = false;
+  bool assembled_ = false;  // the Jacobian
   StructureSide::Derivatives change_;
   Eigen::MatrixXd jacobian_;
   Eigen::RowVectorXcd gradient_;

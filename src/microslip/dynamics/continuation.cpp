@@ -9,13 +9,12 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
-#include "microslip/dynamics/decoupled_factors.hpp"
+#include "microslip/dynamics/bordered_factors.hpp"
 
 namespace microslip {
 namespace {
 
 using Eigen::Index;
-using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 
@@ -48,17 +47,6 @@ VectorXd Continuation::scale() const {
   return scale;
 }
 
-/// The derivatives of the balance and of the kept target in relative unknowns, and a last row.
-MatrixXd Continuation::matrix(const VectorXd& scale, const RowVectorXd& last) const {
-  const Index n = equations_.balance_count();
-  MatrixXd matrix(n + 2, n + 2);
-  matrix.topRows(n) =
-      scale.head(n).cwiseInverse().asDiagonal() * equations_.jacobian() * scale.asDiagonal();
-  matrix.row(n) = equations_.miss_gradient(kept_) * scale.asDiagonal();
-  matrix.row(n + 1) = last;
-  return matrix;
-}
-
 /// The derivative of what changes along the curve by relative z: of ln of the response, of the
 /// others over their scale.
 RowVectorXd Continuation::along_row(const VectorXd& scale) const {
@@ -74,11 +62,11 @@ RowVectorXd Continuation::along_row(const VectorXd& scale) const {
 Continuation::Ray Continuation::ray_at(const VectorXd& scale, const RowVectorXd& towards) const {
   const Index n = equations_.balance_count();
   Ray ray;
-  DecoupledFactors solver;
-  solver.compute(matrix(scale, towards));
+  BorderedFactors solver;
+  solver.compute(equations_, scale, equations_.miss_gradient(kept_) * scale.asDiagonal(), towards);
   ray.tangent = solver.solve(VectorXd::Unit(n + 2, n + 1)).normalized();
   // With geometric stiffness the modes that are eliminated have a determinant of either sign.
-  if (!equations_.structure().shortens()) ray.side = solver.last_determinant_sign();
+  if (!equations_.structure().shortens()) ray.side = solver.determinant_sign();
   ray.along_slope = along_row(scale) * ray.tangent;
   const RowVectorXd log_response = equations_.log_response_gradient() * scale.asDiagonal();
   ray.gain_slope = log_response * ray.tangent - ray.tangent[n + 1];

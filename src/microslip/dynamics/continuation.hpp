@@ -85,8 +85,6 @@ class Continuation {
   };
 
   // Points and steps.
-  [[nodiscard]] Eigen::MatrixXd matrix(const Eigen::VectorXd& scale,
-                                       const Eigen::RowVectorXd& last) const;
   [[nodiscard]] Eigen::RowVectorXd along_row(const Eigen::VectorXd& scale) const;
   [[nodiscard]] Point place_at(const Eigen::VectorXd& z) const;
   [[nodiscard]] Ray ray_at(const Eigen::VectorXd& scale, const Eigen::RowVectorXd& towards) const;

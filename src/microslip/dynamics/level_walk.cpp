@@ -85,9 +85,7 @@ VectorXd stuck_vibration(BalanceEquations& equations, double angular_frequency) 
   z[n] = angular_frequency;
   z[n + 1] = 1.0;
   equations.evaluate(z);
-  const Eigen::MatrixXd matrix =
-      equations.jacobian().leftCols(n) + equations.stuck_damping(kStuckLoss);
-  z.head(n) = -matrix.partialPivLu().solve(equations.residual());
+  z.head(n) = -equations.damped_jacobian(kStuckLoss).partialPivLu().solve(equations.residual());
   return z;
 }
 

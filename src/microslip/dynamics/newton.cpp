@@ -6,13 +6,12 @@
 #include <functional>
 #include <utility>
 
-#include "microslip/dynamics/decoupled_factors.hpp"
+#include "microslip/dynamics/bordered_factors.hpp"
 
 namespace microslip {
 namespace {
 
 using Eigen::Index;
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kRounding = 1e-10;     // residuals this small may be the rounding of the equations
@@ -95,13 +94,8 @@ class Newton {
 
   /// Relative to the scale; from where the equations were evaluated last.
   [[nodiscard]] VectorXd step() {
-    const Index n = equations_.balance_count();
-    matrix_.resize(n + 2, n + 2);
-    matrix_.topRows(n) = scale_.head(n).cwiseInverse().asDiagonal() * equations_.jacobian();
-    matrix_.row(n) = first_.gradient();
-    matrix_.row(n + 1) = second_.gradient();
-    matrix_ *= scale_.asDiagonal();
-    factors_.compute(matrix_);
+    factors_.compute(equations_, scale_, first_.gradient() * scale_.asDiagonal(),
+                     second_.gradient() * scale_.asDiagonal());
     return factors_.solve(-residual_);
   }
 
@@ -130,9 +124,8 @@ class Newton {
   Condition second_;
   VectorXd scale_;
   VectorXd residual_;
-  MatrixXd matrix_;
-  DecoupledFactors factors_;  // of the matrix where the step starts
-  VectorXd best_;             // z of the smallest residual
+  BorderedFactors factors_;  // where the step starts
+  VectorXd best_;            // z of the smallest residual
 };
 
 Condition condition(BalanceEquations& equations, const Target& target) {

@@ -16,14 +16,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-/// Adds the complex factor z as it acts on (Re x, Im x).
-void add_factor(MatrixXd& matrix, Index row, Index column, Complex z) {
-  matrix(row, column) += z.real();
-  matrix(row, column + 1) -= z.imag();
-  matrix(row + 1, column) += z.imag();
-  matrix(row + 1, column + 1) += z.real();
-}
-
 void put(VectorXd& vector, Index at, Complex z) {
   vector[at] = z.real();
   vector[at + 1] = z.imag();
@@ -67,6 +59,11 @@ class ReceptanceSide final : public StructureSide {
     }
     for (std::size_t h = 1; h <= m_.harmonics; ++h) {
       const auto column = static_cast<Index>(h);
+      if (input.odd_wave && h % 2 == 0) {
+        motion_.col(column).setZero();
+        for (Index j = 0; j < m_.joints; ++j) put(values.residual, at(j, h), 0.0);
+        continue;
+      }
       prepare(h, input);
       motion_.col(column) =
           solve(m_.shapes * load(h, input, spring_) + input.force * m_.load.col(column));
@@ -82,12 +79,40 @@ class ReceptanceSide final : public StructureSide {
     const Index n = m_.joints * coefficient_count(m_.harmonics);
     output.by_frequency.setZero(n);
     output.by_force.setZero(n);
-    output.by_displacement.setZero(n, n);
-    output.by_tension.setZero(n, n);
     output.response_by_displacement.setZero(n);
     output.response_by_tension.setZero(n);
-    mean(output);
-    for (std::size_t h = 1; h <= m_.harmonics; ++h) harmonic(h, input, output);
+    odd_wave_ = input.odd_wave;
+    by_displacement_.resize(m_.harmonics + 1);
+    by_tension_.resize(m_.harmonics + 1);
+    mean();
+    for (std::size_t h = 1; h <= m_.harmonics; h += odd_wave_ ? 2 : 1) harmonic(h, input, output);
+  }
+
+  // The structure couples joints and not harmonics, a joint couples harmonics and not joints: a
+  // column is that of a tangent, its harmonics each through the receptances of the joint.
+  [[nodiscard]] MatrixXd by_motion(const std::vector<MatrixXd>& tangents) const override {
+    std::vector<Index> kept;
+    for (Index i = 0; i < coefficient_count(m_.harmonics); ++i) {
+      if (!odd_wave_ || !is_even_coefficient(i)) kept.push_back(i);
+    }
+    const auto block = static_cast<Index>(kept.size());
+    MatrixXd result(m_.joints * block, m_.joints * block);
+    MatrixXd of_real(block, m_.joints);
+    MatrixXd of_imaginary(block, m_.joints);
+    VectorXd real(block);
+    VectorXd imaginary(block);
+    for (Index l = 0; l < m_.joints; ++l) {
+      const MatrixXd& tangent = tangents[static_cast<std::size_t>(l)];
+      spread(l, kept, of_real, of_imaginary);
+      for (Index c = 0; c < block; ++c) {
+        split(tangent.row(kept[static_cast<std::size_t>(c)]), kept, real, imaginary);
+        Eigen::Map<MatrixXd> column(result.col(l * block + c).data(), block, m_.joints);
+        column = -(of_real.array().colwise() * real.array() +
+                   of_imaginary.array().colwise() * imaginary.array());
+        add_own(l, kept[static_cast<std::size_t>(c)], c, column);
+      }
+    }
+    return result;
   }
 
   [[nodiscard]] MatrixXcd modal() const override { return motion_; }
@@ -132,18 +157,61 @@ class ReceptanceSide final : public StructureSide {
            m_.compliance[j] * coefficient(input.tension, j, h);
   }
 
-  void mean(Derivatives& output) const {
+  void mean() { couple(0, static_receptance_.cast<Complex>(), static_spring_.cast<Complex>()); }
+
+  /// How the joints feel each other in a harmonic.
+  void couple(std::size_t h, const MatrixXcd& receptance, const VectorXcd& spring) {
+    by_displacement_[h] = -receptance * spring.asDiagonal();
+    by_displacement_[h].diagonal().array() += 1.0;
+    const VectorXcd compliance = m_.compliance.cast<Complex>();
+    const VectorXcd passed = VectorXcd::Ones(m_.joints) - spring.cwiseProduct(compliance);
+    by_tension_[h] = -receptance * passed.asDiagonal();
+    by_tension_[h].diagonal() -= compliance;
+  }
+
+  /// What real and imaginary tensions in joint l do to the kept coefficients of all joints.
+  void spread(Index l, const std::vector<Index>& kept, MatrixXd& of_real,
+              MatrixXd& of_imaginary) const {
     for (Index j = 0; j < m_.joints; ++j) {
-      const Index row = at(j, 0);
-      for (Index l = 0; l < m_.joints; ++l) {
-        const double receptance = static_receptance_(j, l);
-        const double spring = static_spring_[l];
-        output.by_displacement(row, at(l, 0)) = (j == l ? 1.0 : 0.0) - receptance * spring;
-        output.by_tension(row, at(l, 0)) =
-            -(j == l ? m_.compliance[j] : 0.0) - receptance * (1.0 - spring * m_.compliance[l]);
+      for (Index r = 0; r < of_real.rows(); ++r) {
+        const Index i = kept[static_cast<std::size_t>(r)];
+        const Complex g = by_tension_[harmonic_at(i)](j, l);
+        of_real(r, j) = is_real_part(i) ? g.real() : g.imag();
+        of_imaginary(r, j) = is_real_part(i) ? -g.imag() : g.real();
       }
     }
   }
+
+  /// The real and the imaginary part in the harmonic of each kept coefficient.
+  template <typename Row>
+  static void split(const Row& tangent, const std::vector<Index>& kept, VectorXd& real,
+                    VectorXd& imaginary) {
+    for (Index r = 0; r < real.size(); ++r) {
+      const Index i = kept[static_cast<std::size_t>(r)];
+      const Index first = coefficient_index(harmonic_at(i));
+      real[r] = tangent[first];
+      imaginary[r] = i == 0 ? 0.0 : tangent[first + 1];
+    }
+  }
+
+  /// By the displacement itself, coefficient i of joint l, which is the c-th that is kept.
+  void add_own(Index l, Index i, Index c, Eigen::Map<MatrixXd>& column) const {
+    const MatrixXcd& matrix = by_displacement_[harmonic_at(i)];
+    if (i == 0) {
+      column.row(c) += matrix.col(l).real().transpose();
+    } else if (is_real_part(i)) {
+      column.row(c) += matrix.col(l).real().transpose();
+      column.row(c + 1) += matrix.col(l).imag().transpose();
+    } else {
+      column.row(c - 1) -= matrix.col(l).imag().transpose();
+      column.row(c) += matrix.col(l).real().transpose();
+    }
+  }
+
+  [[nodiscard]] static std::size_t harmonic_at(Index i) {
+    return static_cast<std::size_t>((i + 1) / 2);
+  }
+  [[nodiscard]] static bool is_real_part(Index i) { return i == 0 || i % 2 == 1; }
 
   /// Takes K and κ of harmonic h.
   void prepare(std::size_t h, const Input& input) {
@@ -188,14 +256,8 @@ class ReceptanceSide final : public StructureSide {
       const Index row = at(j, h);
       put(output.by_frequency, row, -shifted[j]);
       put(output.by_force, row, -driven[j]);
-      add_factor(output.by_displacement, row, row, 1.0);
-      add_factor(output.by_tension, row, row, -m_.compliance[j]);
-      for (Index l = 0; l < m_.joints; ++l) {
-        add_factor(output.by_displacement, row, at(l, h), -receptance(j, l) * spring_[l]);
-        add_factor(output.by_tension, row, at(l, h),
-                   -receptance(j, l) * (1.0 - spring_[l] * m_.compliance[l]));
-      }
     }
+    couple(h, receptance, spring_);
     if (h == 1) respond(weighted, unit, shift, output);
   }
 
@@ -224,9 +286,12 @@ class ReceptanceSide final : public StructureSide {
   MatrixXd static_modal_;       // K⁻¹ψ of the mean
   MatrixXd static_receptance_;  // ψᵀK⁻¹ψ of the mean
   MatrixXcd motion_;            // q
-  VectorXcd impedance_;         // Z of the harmonic at hand
-  VectorXcd spring_;            // κ
-  bool near_pole_ = false;      // then K holds κ, and is factored
+  bool odd_wave_ = false;       // where the derivatives were taken
+  std::vector<MatrixXcd> by_displacement_;  // of each harmonic, joints × joints
+  std::vector<MatrixXcd> by_tension_;
+  VectorXcd impedance_;     // Z of the harmonic at hand
+  VectorXcd spring_;        // κ
+  bool near_pole_ = false;  // then K holds κ, and is factored
   Eigen::PartialPivLU<MatrixXcd> held_solver_;
 };
 

@@ -59,11 +59,10 @@ class ShorteningSide final : public StructureSide {
     right_ << from_tension_, load_by_force(input), frequency_load(input);
     change_ = solver_.solve(right_);
 
-    output.by_displacement.setIdentity(n, n);
     const MatrixXd made = to_displacement_ * change_;
-    output.by_tension = -made.leftCols(n);
+    by_tension_ = -made.leftCols(n);
     for (Index j = 0; j < m_.joints; ++j) {
-      output.by_tension.diagonal().segment(j * count_, count_).array() -= m_.compliance[j];
+      by_tension_.diagonal().segment(j * count_, count_).array() -= m_.compliance[j];
     }
     output.by_force = -made.col(n);
     output.by_frequency = -made.col(n + 1);
@@ -73,6 +72,16 @@ class ShorteningSide final : public StructureSide {
     output.response_by_tension = response.head(n);
     output.response_by_force = response[n];
     output.response_by_frequency = response[n + 1];
+  }
+
+  [[nodiscard]] MatrixXd by_motion(const std::vector<MatrixXd>& tangents) const override {
+    MatrixXd result = MatrixXd::Identity(by_tension_.rows(), by_tension_.cols());
+    for (std::size_t j = 0; j < tangents.size(); ++j) {
+      const Index first = static_cast<Index>(j) * count_;
+      result.middleCols(first, count_).noalias() -=
+          by_tension_.middleCols(first, count_) * tangents[j].transpose();
+    }
+    return result;
   }
 
   [[nodiscard]] MatrixXcd modal() const override {
@@ -204,6 +213,7 @@ class ShorteningSide final : public StructureSide {
   MatrixXd to_displacement_;
   MatrixXd right_;   // what changes the load by N, by A_f, by ω
   MatrixXd change_;  // of q by them
+  MatrixXd by_tension_;
 };
 
 }  // namespace

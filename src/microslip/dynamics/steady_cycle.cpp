@@ -16,12 +16,10 @@ using Eigen::VectorXd;
 
 using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-bool is_even(Index i) { return i == 0 || (i - 1) / 2 % 2 == 1; }
-
 /// Whether x(τ + π) = −x(τ): no even harmonics.
 bool is_odd_wave(std::span<const double> coefficients) {
   for (Index i = 0; i < static_cast<Index>(coefficients.size()); ++i) {
-    if (is_even(i) && coefficients[static_cast<std::size_t>(i)] != 0.0) return false;
+    if (is_even_coefficient(i) && coefficients[static_cast<std::size_t>(i)] != 0.0) return false;
   }
   return true;
 }
@@ -30,9 +28,9 @@ bool is_odd_wave(std::span<const double> coefficients) {
 /// leaves of that goes, so that those who solve equations with it see it.
 void keep_odd_wave(Eigen::Map<VectorXd>& force, Eigen::Map<RowMajorMatrix>& jacobian) {
   for (Index i = 0; i < force.size(); ++i) {
-    if (is_even(i)) force[i] = 0.0;
+    if (is_even_coefficient(i)) force[i] = 0.0;
     for (Index j = 0; j < force.size(); ++j) {
-      if (is_even(i) != is_even(j)) jacobian(i, j) = 0.0;
+      if (is_even_coefficient(i) != is_even_coefficient(j)) jacobian(i, j) = 0.0;
     }
   }
 }

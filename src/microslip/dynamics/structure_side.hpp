@@ -26,6 +26,7 @@ class StructureSide {
     const Eigen::VectorXd& tension;       ///< N = −F(u), N
     double angular_frequency;             ///< ω, rad/s
     double force;                         ///< amplitude A, N; with modal forcing ξ, 1/s
+    bool odd_wave;  ///< whether even harmonics of u, N and all that acts are 0 exactly
   };
 
   /// What is to be zero, and the response at the point.
@@ -34,10 +35,8 @@ class StructureSide {
     std::complex<double> response;  ///< first harmonic of the displacement w_1, m
   };
 
-  /// Their derivatives.
+  /// Their derivatives but for those of the residual by u and N.
   struct Derivatives {
-    Eigen::MatrixXd by_displacement;
-    Eigen::MatrixXd by_tension;
     Eigen::VectorXd by_frequency;
     Eigen::VectorXd by_force;
     Eigen::RowVectorXcd response_by_displacement;
@@ -54,6 +53,12 @@ class StructureSide {
 
   /// At the input that was evaluated last.
   virtual void differentiate(const Input& input, Derivatives& derivatives) = 0;
+
+  /// The derivatives of the residual by u, N following by ∂N/∂u = −∂F/∂u, where differentiate() was
+  /// last. Of an odd wave without the rows and columns of even harmonics.
+  /// @param tangents  ∂F/∂u of each joint, transposed.
+  [[nodiscard]] virtual Eigen::MatrixXd by_motion(
+      const std::vector<Eigen::MatrixXd>& tangents) const = 0;
 
   /// q_{i,n}, modes × (H + 1), kg^½ m; at the input that was evaluated last.
   [[nodiscard]] virtual Eigen::MatrixXcd modal() const = 0;

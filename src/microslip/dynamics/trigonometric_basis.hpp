@@ -24,6 +24,11 @@ namespace microslip {
   return static_cast<Eigen::Index>(n == 0 ? 0 : 2 * n - 1);
 }
 
+/// Whether that place belongs to an even harmonic, the mean among them.
+[[nodiscard]] constexpr bool is_even_coefficient(Eigen::Index i) {
+  return i == 0 || (i - 1) / 2 % 2 == 1;
+}
+
 /// x_n. @param x  the coefficients of one function.
 [[nodiscard]] std::complex<double> harmonic_of(const Eigen::Ref<const Eigen::VectorXd>& x,
                                                std::size_t n);
