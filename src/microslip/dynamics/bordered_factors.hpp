@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <optional>
 #include <vector>
 
 #include "microslip/dynamics/balance_equations.hpp"
@@ -28,8 +29,30 @@ class BorderedFactors {
   /// not move would tell where a motion may lose its symmetry, which does not turn the curve round.
   [[nodiscard]] int determinant_sign() const;
 
+  /// Whether there are any, of so many unknowns that what they cost is worth being spared.
+  [[nodiscard]] bool are_costly() const { return moving_.size() >= kMany; }
+
+  /// The direction in which neither the balance nor the first row changes where the equations are
+  /// now, beside where these factors were made: by refinement.
+  struct Tangent {
+    Eigen::VectorXd direction;  ///< in z, of any length, with b·direction > 0
+    /// The sign of the determinant there with a last row v for which v·direction > 0.
+    int determinant_sign;
+  };
+  /// @param first  the row a there, by z itself. @return none where refinement does not get there.
+  [[nodiscard]] std::optional<Tangent> tangent(BalanceEquations& equations,
+                                               const Eigen::RowVectorXd& first) const;
+
  private:
+  static constexpr std::size_t kMany = 100;
+
+  [[nodiscard]] Eigen::VectorXd product(const Eigen::MatrixXd& jacobian,
+                                        const Eigen::RowVectorXd& first,
+                                        const Eigen::VectorXd& x) const;
+
   std::vector<Eigen::Index> moving_;
+  Eigen::VectorXd scale_;    // of what moves
+  Eigen::RowVectorXd last_;  // b of what moves
   Eigen::MatrixXd matrix_;
   Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
 };

@@ -57,16 +57,34 @@ RowVectorXd Continuation::along_row(const VectorXd& scale) const {
   return RowVectorXd::Unit(n + 2, along_ == Quantity::kForceAmplitude ? n + 1 : n);
 }
 
+/// Tangent and side alone: from the factors of the last Newton step, where they cost much.
+Continuation::Ray Continuation::directed(const VectorXd& scale, const RowVectorXd& towards) const {
+  const RowVectorXd kept = equations_.miss_gradient(kept_);
+  Ray ray;
+  if (near_.are_costly()) {
+    if (const auto tangent = near_.tangent(equations_, kept)) {
+      ray.tangent = tangent->direction.cwiseQuotient(scale).normalized();
+      const int sign = towards.dot(ray.tangent) > 0.0 ? 1 : -1;
+      ray.tangent *= sign;
+      ray.side = sign * tangent->determinant_sign;
+      return ray;
+    }
+  }
+  BorderedFactors factors;
+  factors.compute(equations_, scale, kept * scale.asDiagonal(), towards);
+  const Index n = equations_.balance_count();
+  ray.tangent = factors.solve(VectorXd::Unit(n + 2, n + 1)).normalized();
+  ray.side = factors.determinant_sign();
+  return ray;
+}
+
 /// The tangent is the null vector of the balance and the kept target on the positive side of
 /// `towards`. The equations must be evaluated at the point, or beside it on the side that counts.
 Continuation::Ray Continuation::ray_at(const VectorXd& scale, const RowVectorXd& towards) const {
   const Index n = equations_.balance_count();
-  Ray ray;
-  BorderedFactors solver;
-  solver.compute(equations_, scale, equations_.miss_gradient(kept_) * scale.asDiagonal(), towards);
-  ray.tangent = solver.solve(VectorXd::Unit(n + 2, n + 1)).normalized();
+  Ray ray = directed(scale, towards);
   // With geometric stiffness the modes that are eliminated have a determinant of either sign.
-  if (!equations_.structure().shortens()) ray.side = solver.determinant_sign();
+  if (equations_.structure().shortens()) ray.side = 0;
   ray.along_slope = along_row(scale) * ray.tangent;
   const RowVectorXd log_response = equations_.log_response_gradient() * scale.asDiagonal();
   ray.gain_slope = log_response * ray.tangent - ray.tangent[n + 1];
@@ -150,7 +168,7 @@ NewtonResult Continuation::correct(const Point& from, double length, VectorXd& z
   }
   const Place place{from.z + length * from.scale.cwiseProduct(tangent),
                     tangent.transpose() * from.scale.cwiseInverse().asDiagonal()};
-  NewtonResult result = newton(equations_, kept_, place, options_.newton, z);
+  NewtonResult result = newton(equations_, kept_, place, options_.newton, z, near_);
   summary_.iterations += result.iterations;
   return result;
 }
@@ -285,7 +303,7 @@ bool Continuation::find_next(const Point& point, double& length, Point& next) {
     if (!kink && (turns || other_way || !smooth(point, length, next))) continue;
     add_curvature(point, length, next);
     summary_.residual = std::max(summary_.residual, result.residual);
-    quick_ = result.iterations <= kQuickIterations;
+    quick_ = result.iterations - result.kept <= kQuickIterations;
     return true;
   }
   summary_.residual = std::max(summary_.residual, result.residual);
@@ -340,7 +358,7 @@ bool Continuation::land(const Point& before, const Point& after, double limit) {
   NewtonResult result;
   for (const VectorXd& direction : {chord, tangent}) {
     VectorXd z = before.z + left * direction;
-    result = newton(equations_, kept_, Target{along_, limit}, options_.newton, z);
+    result = newton(equations_, kept_, Target{along_, limit}, options_.newton, z, near_);
     summary_.iterations += result.iterations;
     if (!result.converged) continue;
     summary_.residual = std::max(summary_.residual, result.residual);

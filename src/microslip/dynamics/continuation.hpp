@@ -87,6 +87,7 @@ class Continuation {
   // Points and steps.
   [[nodiscard]] Eigen::RowVectorXd along_row(const Eigen::VectorXd& scale) const;
   [[nodiscard]] Point place_at(const Eigen::VectorXd& z) const;
+  [[nodiscard]] Ray directed(const Eigen::VectorXd& scale, const Eigen::RowVectorXd& towards) const;
   [[nodiscard]] Ray ray_at(const Eigen::VectorXd& scale, const Eigen::RowVectorXd& towards) const;
   [[nodiscard]] Point point_at(const Eigen::VectorXd& z, const Eigen::VectorXd* direction) const;
   static void add_curvature(const Point& before, double length, Point& point);
@@ -145,6 +146,7 @@ class Continuation {
   void hand_over(ResponseCurve& curve);
 
   BalanceEquations& equations_;
+  BorderedFactors near_;  ///< of the last Newton step
   ContinuationOptions options_;
   Target kept_;
   Quantity along_;

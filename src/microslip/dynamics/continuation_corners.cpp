@@ -86,7 +86,7 @@ bool Continuation::turn(const Point& point, const Onset& onset, VectorXd z, doub
   if (!(z[n] > 0.0 && z[n + 1] > 0.0)) return false;
   const NewtonOptions few{options_.newton.tolerance,
                           std::min(kFewIterations, options_.newton.max_iterations)};
-  const NewtonResult result = newton(equations_, kept_, onset, few, z);
+  const NewtonResult result = newton(equations_, kept_, onset, few, z, near_);
   summary_.iterations += result.iterations;
   if (!result.converged || change(point, z) > 2.0 * options_.largest_change) return false;
   const VectorXd chord = (z - point.z).cwiseQuotient(point.scale);

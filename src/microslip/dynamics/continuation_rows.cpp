@@ -141,7 +141,7 @@ std::optional<Continuation::Row> Continuation::between(const Row& from, const Ro
     VectorXd z = curved ? bridge.mix(hermite(share)) : on_chord;
     const VectorXd& normal = curved ? slope : bridge.chord;
     const Place place{z, normal.transpose() * from.point.scale.cwiseInverse().asDiagonal()};
-    const NewtonResult result = newton(equations_, kept_, place, options_.newton, z);
+    const NewtonResult result = newton(equations_, kept_, place, options_.newton, z, near_);
     summary_.iterations += result.iterations;
     auto row = row_between(bridge, z, result);
     if (!row) continue;
@@ -363,8 +363,8 @@ std::optional<Continuation::Row> Continuation::at_frequency(const Row& from, con
   }
   VectorXd z = bridge.mix(hermite(low));
   z[n] = frequency;
-  NewtonResult result =
-      newton(equations_, kept_, Target{Quantity::kAngularFrequency, frequency}, options_.newton, z);
+  NewtonResult result = newton(equations_, kept_, Target{Quantity::kAngularFrequency, frequency},
+                               options_.newton, z, near_);
   summary_.iterations += result.iterations;
   put(frequency, z);
   return row_between(bridge, z, result);

@@ -25,8 +25,11 @@ struct Condition {
 
 class Newton {
  public:
-  Newton(BalanceEquations& equations, Condition first, Condition second)
-      : equations_(equations), first_(std::move(first)), second_(std::move(second)) {}
+  Newton(BalanceEquations& equations, Condition first, Condition second, BorderedFactors& factors)
+      : equations_(equations),
+        first_(std::move(first)),
+        second_(std::move(second)),
+        factors_(factors) {}
 
   NewtonResult run(const NewtonOptions& options, VectorXd& z) {
     NewtonResult result = iterate(options, z);
@@ -58,12 +61,13 @@ class Newton {
         result.reason = "residual below the tolerance";
         return result;
       }
-      const VectorXd step = this->step();
+      const VectorXd step = this->step(result);
       if (!step.allFinite()) {
         result.reason = "the equations have no finite step";
         return result;
       }
       const double next = advance(step, residual, z, result.iterations);
+      keep_ = factors_.are_costly() && serves_on(residual, next, options.tolerance);
       if (next < result.residual) {
         result.residual = next;
         best_ = z;
@@ -92,20 +96,36 @@ class Newton {
     return residual_.allFinite() ? residual_.cwiseAbs().maxCoeff() : HUGE_VAL;
   }
 
-  /// Relative to the scale; from where the equations were evaluated last.
-  [[nodiscard]] VectorXd step() {
+  /// Whether the factors of the last step get from its residual to the tolerance, too: a residual
+  /// falls by the same factor from step to step, or, of the first step, which Newton's method makes
+  /// fall faster, by less.
+  static bool serves_on(double before, double after, double tolerance) {
+    constexpr double kMostSteps = 4.0;
+    return after > 0.0 && std::log(tolerance / after) >= kMostSteps * std::log(after / before);
+  }
+
+  /// Relative to the scale of the factors; from where the equations were evaluated last.
+  [[nodiscard]] VectorXd step(NewtonResult& result) {
+    if (keep_) {
+      ++result.kept;
+      const Index n = equations_.balance_count();
+      VectorXd right = -residual_;
+      right.head(n).array() *= scale_.head(n).array() / scale_of_factors_.head(n).array();
+      return factors_.solve(right);
+    }
+    scale_of_factors_ = scale_;
     factors_.compute(equations_, scale_, first_.gradient() * scale_.asDiagonal(),
                      second_.gradient() * scale_.asDiagonal());
     return factors_.solve(-residual_);
   }
 
-  /// Takes the step, relative to the scale, or as much of it as does not make things worse. What is
+  /// Takes the step or as much of it as does not make things worse. What is
   /// worse the next step would tell, by the matrix of this one (natural monotonicity test
   /// [Deuflhard]), and not the residual: close to a resonance a frequency that is missed by little
   /// turns the phase of all that moves, and the residual grows on the way there.
   double advance(const VectorXd& step, double residual, VectorXd& z, int& evaluations) {
     const Index frequency = equations_.balance_count();
-    const VectorXd change = scale_.cwiseProduct(step);
+    const VectorXd change = scale_of_factors_.cwiseProduct(step);
     double share = std::min(1.0, kLargestChange * z[frequency] / std::abs(change[frequency]));
     const VectorXd start = z;
     double next = HUGE_VAL;
@@ -124,8 +144,10 @@ class Newton {
   Condition second_;
   VectorXd scale_;
   VectorXd residual_;
-  BorderedFactors factors_;  // where the step starts
-  VectorXd best_;            // z of the smallest residual
+  BorderedFactors& factors_;  // where the step starts, or of a step before
+  bool keep_ = false;         // those of the step before
+  VectorXd scale_of_factors_;
+  VectorXd best_;  // z of the smallest residual
 };
 
 Condition condition(BalanceEquations& equations, const Target& target) {
@@ -146,20 +168,32 @@ Condition condition(const Place& place) {
 }  // namespace
 
 NewtonResult newton(BalanceEquations& equations, const Target& first, const Target& second,
-                    const NewtonOptions& options, VectorXd& z) {
-  return Newton(equations, condition(equations, first), condition(equations, second))
+                    const NewtonOptions& options, VectorXd& z, BorderedFactors& factors) {
+  return Newton(equations, condition(equations, first), condition(equations, second), factors)
       .run(options, z);
 }
 
 NewtonResult newton(BalanceEquations& equations, const Target& first, const Place& second,
-                    const NewtonOptions& options, VectorXd& z) {
-  return Newton(equations, condition(equations, first), condition(second)).run(options, z);
+                    const NewtonOptions& options, VectorXd& z, BorderedFactors& factors) {
+  return Newton(equations, condition(equations, first), condition(second), factors).run(options, z);
 }
 
 NewtonResult newton(BalanceEquations& equations, const Target& first, const Onset& second,
-                    const NewtonOptions& options, VectorXd& z) {
-  return Newton(equations, condition(equations, first), condition(equations, second))
+                    const NewtonOptions& options, VectorXd& z, BorderedFactors& factors) {
+  return Newton(equations, condition(equations, first), condition(equations, second), factors)
       .run(options, z);
+}
+
+NewtonResult newton(BalanceEquations& equations, const Target& first, const Target& second,
+                    const NewtonOptions& options, VectorXd& z) {
+  BorderedFactors factors;
+  return newton(equations, first, second, options, z, factors);
+}
+
+NewtonResult newton(BalanceEquations& equations, const Target& first, const Place& second,
+                    const NewtonOptions& options, VectorXd& z) {
+  BorderedFactors factors;
+  return newton(equations, first, second, options, z, factors);
 }
 
 }  // namespace microslip
