@@ -60,22 +60,25 @@ HarmonicForce::Cycle SteadyCycle::evaluate(const Joint& joint, std::span<const d
   kinks_.reset(displacement);
   through_reversals_.setZero();
   reaches_.clear();
+  const bool odd = basis_.samples() % 2 == 0 && is_odd_wave(displacement);
+  const bool half = odd && extremes_turn_round();
   if (extremes_.size() == 0) {
     at_rest(joint);
   } else {
-    march(joint);
+    march(joint, half);
   }
+  const double times = half ? 2.0 : 1.0;
   Eigen::Map<VectorXd> f(force.data(), n);
   f.noalias() = basis_.rows().leftCols(n).transpose() * force_;
-  f += kinks_.sums();
+  f += times * kinks_.sums();
   f.array() *= basis_.weights().array();
-  moments_[0] *= basis_.weights()[0];
-  moments_.tail(moments_.size() - 1) *= basis_.weights()[1];
+  moments_[0] *= times * basis_.weights()[0];
+  moments_.tail(moments_.size() - 1) *= times * basis_.weights()[1];
   Eigen::Map<RowMajorMatrix> j(jacobian.data(), n, n);
   through_reversals_ += kinks_.derivatives();
-  j = basis_.weights().asDiagonal() * through_reversals_;
+  j = times * basis_.weights().asDiagonal() * through_reversals_;
   j += multiplication_matrix(moments_, basis_.harmonics());
-  if (basis_.samples() % 2 == 0 && is_odd_wave(displacement)) keep_odd_wave(f, j);
+  if (odd) keep_odd_wave(f, j);
   if (extremes_.size() == 0) return {x_[0], x_[0], 0};
   return {extremes_.lowest(), extremes_.highest(), extremes_.size()};
 }
@@ -87,7 +90,24 @@ void SteadyCycle::at_rest(const Joint& joint) {
   moments_.noalias() = basis_.rows().transpose() * tangent_;
 }
 
-void SteadyCycle::march(const Joint& joint) {
+/// Whether each extreme has its counterpart half a period later, as an odd wave has but for what
+/// rounding makes of extremes that hardly are.
+bool SteadyCycle::extremes_turn_round() const {
+  constexpr double kSame = 1e-9;
+  const std::size_t count = extremes_.size();
+  if (count == 0 || count % 2 == 1) return false;
+  const double limit = kSame * std::abs(extremes_[extremes_.largest()].displacement);
+  for (std::size_t i = 0; i < count / 2; ++i) {
+    const double sum = extremes_[i].displacement + extremes_[i + count / 2].displacement;
+    if (std::abs(sum) > limit) return false;
+  }
+  return true;
+}
+
+/// Through the whole cycle, or, where the second half is the first turned round, through that: its
+/// sums are half of those in odd harmonics of the force, and in derivatives of odd harmonics by odd
+/// and even by even ones. What else they hold vanishes over the whole.
+void SteadyCycle::march(const Joint& joint, bool half) {
   const std::size_t count = extremes_.size();
   const Index n = coefficient_count(basis_.harmonics());
   rows_.resize(n, static_cast<Index>(count));
@@ -102,17 +122,34 @@ void SteadyCycle::march(const Joint& joint) {
   stack_.assign(1, {start, joint.virgin_force(x)});
   reaches_.push_back({std::abs(x), start, start});
 
-  Index left = basis_.samples();
-  for (std::size_t step = 0; step < count; ++step) {
+  const std::size_t steps = half ? count / 2 : count;
+  const Index all = half ? basis_.samples() / 2 : basis_.samples();
+  Index left = all;
+  for (std::size_t step = 0; step < steps; ++step) {
     const std::size_t from = (start + step) % count;
     const std::size_t to = (from + 1) % count;
     Index samples = extremes_[to].next - extremes_[from].next;
     if (samples < 0) samples += basis_.samples();
-    if (step + 1 == count) samples = left;
+    samples = step + 1 == steps ? left : std::min(samples, left);
     left -= samples;
     segment(joint, from, to, samples);
   }
+  if (half) turn_round(extremes_[start].next, all);
   std::ranges::sort(reaches_, std::greater{}, &Reach::half);
+}
+
+/// The forces at the samples of the other half, and its branches.
+void SteadyCycle::turn_round(Index first, Index samples) {
+  const Index count = basis_.samples();
+  for (Index k = first; k < first + samples; ++k) {
+    force_[(k + samples) % count] = -force_[k % count];
+  }
+  const std::size_t extremes = extremes_.size();
+  const std::size_t branches = reaches_.size();
+  const auto opposite = [&](std::size_t i) { return (i + extremes / 2) % extremes; };
+  for (std::size_t i = 1; i < branches; ++i) {  // the way from virgin rest is one
+    reaches_.push_back({reaches_[i].half, opposite(reaches_[i].at), opposite(reaches_[i].from)});
+  }
 }
 
 /// From one extreme to the next: on the branch from the reversal there, then, each time the path

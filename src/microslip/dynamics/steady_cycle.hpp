@@ -57,7 +57,9 @@ class SteadyCycle {
   };
 
   void at_rest(const Joint& joint);
-  void march(const Joint& joint);
+  [[nodiscard]] bool extremes_turn_round() const;
+  void march(const Joint& joint, bool half);
+  void turn_round(Eigen::Index first, Eigen::Index samples);
   void segment(const Joint& joint, std::size_t from, std::size_t to, Eigen::Index samples);
   void branch(const Joint& joint, const Reversal& origin, double sign, Eigen::Index first,
               Eigen::Index samples);
