@@ -121,6 +121,29 @@ Pair shorten(std::size_t groups, const double* gamma, const double* q, const dou
 }
 
 MICROSLIP_VECTOR_CLONES
+Coupling couple(std::size_t groups, const double* weights, const double* shape,
+                const double* other) {
+  using W = StepWeights;
+  double a[kLanes] = {};
+  double b[kLanes] = {};
+  double c[kLanes] = {};
+  double d[kLanes] = {};
+  for (std::size_t group = 0; group < groups; ++group) {
+    const double* w = weights + group * kGroup;
+#pragma omp simd
+    for (std::size_t j = 0; j < kLanes; ++j) {
+      const std::size_t i = group * kLanes + j;
+      const double product = shape[i] * other[i];
+      a[j] += w[W::kA1 * kLanes + j] * product;
+      b[j] += w[W::kB1 * kLanes + j] * product;
+      c[j] += w[W::kC1 * kLanes + j] * product;
+      d[j] += w[W::kD1 * kLanes + j] * product;
+    }
+  }
+  return {sum_of(a), sum_of(b), sum_of(c), sum_of(d)};
+}
+
+MICROSLIP_VECTOR_CLONES
 Energies step_energies(std::size_t groups, double length, const double* stiffness,
                        const double* damping, const State& from, const State& to,
                        const double* slope) {

@@ -52,6 +52,16 @@ struct Pair {
 Pair shorten(std::size_t groups, const double* gamma, const double* q, const double* v, double* g,
              double* g_dot);
 
+/// Σ_i ψ_i w_i χ_i of two shapes for the four weights w of the loads at the end.
+struct Coupling {
+  double a;  ///< by a₁
+  double b;  ///< by b₁
+  double c;  ///< by c₁
+  double d;  ///< by d₁
+};
+[[nodiscard]] Coupling couple(std::size_t groups, const double* weights, const double* shape,
+                              const double* other);
+
 struct Energies {
   double input;  ///< ∫ force·q̇ dt, J
   double loss;   ///< Σ ηω ∫ q̇² dt, J

@@ -10,8 +10,6 @@
 namespace microslip {
 namespace {
 
-using Kind = StepWeights::Kind;
-
 /// Growth of the contraction that is assumed, from one step to the next.
 constexpr double kMistrust = 1.1;
 /// The least that is believed without being measured in the step itself.
@@ -135,17 +133,18 @@ void MarchState::couple(const StepWeights& weights, Couplings& couplings) const 
   if (couplings.length == weights.length()) return;
   couplings.length = weights.length();
   const std::size_t n = joints_.size();
-  for (auto [matrix, kind] :
-       {std::pair{&couplings.a, Kind::kA1}, std::pair{&couplings.b, Kind::kB1},
-        std::pair{&couplings.c, Kind::kC1}, std::pair{&couplings.d, Kind::kD1}}) {
-    matrix->assign(n * n, 0.0);
-    for (std::size_t j = 0; j < n; ++j) {
-      for (std::size_t l = 0; l < n; ++l) {
-        double sum = 0.0;
-        for (std::size_t i = 0; i < groups_ * kLanes; ++i) {
-          sum += joints_[j].shape[i] * weights(kind, i) * joints_[l].shape[i];
-        }
-        (*matrix)[j * n + l] = sum;
+  for (auto* matrix : {&couplings.a, &couplings.b, &couplings.c, &couplings.d}) {
+    matrix->resize(n * n);
+  }
+  for (std::size_t j = 0; j < n; ++j) {
+    for (std::size_t l = 0; l <= j; ++l) {
+      const auto [a, b, c, d] = march_loops::couple(
+          groups_, weights.data(), joints_[j].shape.data(), joints_[l].shape.data());
+      for (const std::size_t at : {j * n + l, l * n + j}) {
+        couplings.a[at] = a;
+        couplings.b[at] = b;
+        couplings.c[at] = c;
+        couplings.d[at] = d;
       }
     }
   }

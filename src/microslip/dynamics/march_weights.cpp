@@ -17,14 +17,26 @@ struct Responses {
   double rest;
 };
 
+constexpr std::size_t kMostTerms = 100;
+
+/// 1/(n(n + 1)); n from 1.
+constexpr std::array<double, kMostTerms + 8> kInverseProducts = [] {
+  std::array<double, kMostTerms + 8> values{};
+  for (std::size_t n = 1; n < values.size(); ++n) {
+    values[n] = 1.0 / (static_cast<double>(n) * static_cast<double>(n + 1));
+  }
+  return values;
+}();
+
 /// q(1) = Σ_k a_k of q = τ^{m+2} Σ a_k τᵏ. The terms fall from (θ, 2δ)ᵏ/k! on.
-double power_series(double m, double delta, double theta_squared) {
+double power_series(std::size_t m, double delta, double theta_squared) {
   double before = 0.0;
-  double term = 1.0 / ((m + 1.0) * (m + 2.0));
+  double term = kInverseProducts[m + 1];
   double sum = term;
-  for (int k = 1; k < 100; ++k) {
-    const double n = m + 1.0 + k;
-    const double next = -(2.0 * delta * n * term + theta_squared * before) / (n * (n + 1.0));
+  for (std::size_t k = 1; k < kMostTerms; ++k) {
+    const std::size_t n = m + 1 + k;
+    const double next = -(2.0 * delta * static_cast<double>(n) * term + theta_squared * before) *
+                        kInverseProducts[n];
     before = term;
     term = next;
     sum += term;
@@ -37,14 +49,22 @@ double power_series(double m, double delta, double theta_squared) {
 // down for a small θ, where the other way divides by it, and up for a large one.
 Responses by_series(double delta, double theta_squared) {
   Responses r;
-  r.power[3] = power_series(3.0, delta, theta_squared);
-  r.power[2] = power_series(2.0, delta, theta_squared);
+  r.power[3] = power_series(3, delta, theta_squared);
+  r.power[2] = power_series(2, delta, theta_squared);
   r.power[1] = (1.0 - theta_squared * r.power[3] - 6.0 * delta * r.power[2]) / 6.0;
   r.power[0] = (1.0 - theta_squared * r.power[2] - 4.0 * delta * r.power[1]) / 2.0;
   r.impulse = 1.0 - theta_squared * r.power[1] - 2.0 * delta * r.power[0];
   r.rest = 1.0 - theta_squared * r.power[0];
   r.slope = r.rest - 2.0 * delta * r.impulse;
   return r;
+}
+
+/// g(1) and g′(1) of what vibrates, δ well below θ.
+std::array<double, 2> vibrating_response(double delta, double theta_squared) {
+  const double frequency = std::sqrt(theta_squared - delta * delta);
+  const double decay = std::exp(-delta);
+  const double ratio = decay * std::sin(frequency) / frequency;
+  return {ratio, decay * std::cos(frequency) - delta * ratio};
 }
 
 /// g(1) and g′(1) with the roots −δ ± √(δ² − θ²), real or not.
@@ -61,15 +81,18 @@ std::array<double, 2> impulse_response(double delta, double theta_squared) {
 }
 
 Responses in_closed_form(double delta, double theta_squared) {
-  const auto [impulse, slope] = impulse_response(delta, theta_squared);
+  const auto [impulse, slope] = delta * delta < 0.5 * theta_squared
+                                    ? vibrating_response(delta, theta_squared)
+                                    : impulse_response(delta, theta_squared);
   Responses r;
   r.impulse = impulse;
   r.slope = slope;
   r.rest = slope + 2.0 * delta * impulse;
-  r.power[0] = (1.0 - 2.0 * delta * impulse - slope) / theta_squared;
-  r.power[1] = (1.0 - 2.0 * delta * r.power[0] - impulse) / theta_squared;
-  r.power[2] = (1.0 - 4.0 * delta * r.power[1] - 2.0 * r.power[0]) / theta_squared;
-  r.power[3] = (1.0 - 6.0 * delta * r.power[2] - 6.0 * r.power[1]) / theta_squared;
+  const double inverse = 1.0 / theta_squared;
+  r.power[0] = (1.0 - 2.0 * delta * impulse - slope) * inverse;
+  r.power[1] = (1.0 - 2.0 * delta * r.power[0] - impulse) * inverse;
+  r.power[2] = (1.0 - 4.0 * delta * r.power[1] - 2.0 * r.power[0]) * inverse;
+  r.power[3] = (1.0 - 6.0 * delta * r.power[2] - 6.0 * r.power[1]) * inverse;
   return r;
 }
 
