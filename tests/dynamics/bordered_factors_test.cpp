@@ -32,7 +32,8 @@ std::vector<double> random_values(RandomStream& random, std::size_t count) {
 JointedStructure structure_of(std::uint64_t seed) {
   RandomStream random(seed, 0);
   std::vector<Mode> modes;
-  for (std::size_t i = 0; i < 6; ++i) modes.push_back({0.5 + random.uniform() + 0.7 * i, 0.02});
+  for (std::size_t i = 0; i < 6; ++i)
+    modes.push_back({0.5 + random.uniform() + 0.7 * static_cast<double>(i), 0.02});
   std::vector<StructuralJoint> joints;
   for (const Joint& joint : testing::joints_of_each_kind()) {
     joints.push_back({.name = "joint " + std::to_string(joints.size()),

@@ -230,10 +230,14 @@ TEST(HarmonicForce, KeepsAnOddWaveOdd) {
       EXPECT_EQ(odd.cycle.reversals, beside.cycle.reversals);
       for (std::size_t i = 0; i < n; ++i) {
         const double size = joint.stiffness() * odd.cycle.highest;
-        if (is_even(i)) EXPECT_EQ(odd.force[i], 0.0);
+        if (is_even(i)) {
+          EXPECT_EQ(odd.force[i], 0.0);
+        }
         EXPECT_NEAR(odd.force[i], beside.force[i], 1e-11 * size) << name << ", " << seed;
         for (std::size_t j = 0; j < n; ++j) {
-          if (is_even(i) != is_even(j)) EXPECT_EQ(odd.jacobian[i * n + j], 0.0);
+          if (is_even(i) != is_even(j)) {
+            EXPECT_EQ(odd.jacobian[i * n + j], 0.0);
+          }
           EXPECT_NEAR(odd.jacobian[i * n + j], beside.jacobian[i * n + j],
                       1e-11 * joint.stiffness())
               << name << ", " << seed << ", " << i << ", " << j;

@@ -15,7 +15,10 @@
 namespace microslip {
 
 /// One triangle of a matrix.
-/// @param size  its rows. @throws FormatError, InputError  as parse_matrix_market().
+/// @param text  the file's whole text.
+/// @param file  its name, for messages.
+/// @param size  its rows.
+/// @throws FormatError, InputError  as parse_matrix_market().
 [[nodiscard]] SymmetricEntries parse_triangle(std::string_view text, std::string_view file,
                                               std::size_t size);
 

@@ -7,7 +7,7 @@
 #include "microslip/structure/structural_matrices.hpp"
 
 /// @file
-/// Matrices in the Matrix Market exchange format [Boisvert, Pozo, Remington 1996, NISTIR 5935].
+/// Matrices in the Matrix Market exchange format (Boisvert, Pozo, Remington 1996, NISTIR 5935).
 
 namespace microslip {
 

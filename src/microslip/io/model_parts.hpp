@@ -21,7 +21,7 @@ namespace microslip {
 /// A joint, and where it comes from.
 struct JointSource {
   std::string file;  ///< empty for a joint that is to be found
-  Joint joint;
+  Joint joint;       ///< F(u); a spring of that stiffness for one that is to be found
   std::optional<double> covered_to;          ///< N
   std::optional<double> identified_damping;  ///< J/m²
   std::string samples = {};                  ///< file of its draws; empty without

@@ -22,6 +22,8 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 /// Of a static compliance that a model lacks: more is said.
 constexpr double kLackAllowed = 0.01;
+/// Hz: no structure with joints vibrates more slowly.
+constexpr double kSlowestMode = 1e-3;
 /// Of the motion of a joint in a rigid body, relative to the largest: less is rounding.
 constexpr double kHeldByJoint = 1e-6;
 
@@ -129,6 +131,17 @@ void warn_of_lacks(bool attached, StructureModes& found) {
   }
 }
 
+void warn_of_slow_modes(StructureModes& found) {
+  const std::size_t first = found.rigid_bodies;
+  if (first >= found.modes) return;
+  const double hertz = found.model.modes()[first].angular_frequency / (2.0 * std::numbers::pi);
+  if (hertz >= kSlowestMode) return;
+  found.warnings.push_back(
+      {"slow_modes", fmt::format("The first mode is at {:.3g} Hz, one swing in {:.3g} s. Are the "
+                                 "matrices exchanged, or in other units?",
+                                 hertz, 1.0 / hertz)});
+}
+
 void warn_of_search(StructureModes& found) {
   if (found.summary.converged()) return;
   found.warnings.push_back({"modes_doubtful", found.summary.reason + "."});
@@ -180,6 +193,7 @@ StructureModes compute_structure_modes(const MeshedStructure& structure,
   found.summary = modes.summary;
   warn_of_rigid_bodies(found);
   warn_of_lacks(options.attachment, found);
+  warn_of_slow_modes(found);
   warn_of_search(found);
   return found;
 }

@@ -18,7 +18,7 @@ namespace microslip {
 struct ModesOptions {
   std::optional<std::size_t> count = {};         ///< so many, or
   std::optional<double> highest_frequency = {};  ///< all up to this, Hz; one of both must be given
-  JointsInModes joints = JointsInModes::kFree;
+  JointsInModes joints = JointsInModes::kFree;   ///< while modes are computed
   /// Shapes beside the modes that hold what is missing in the static displacement under a pair of
   /// forces at each joint, and under one at each of `attached_points`.
   bool attachment = true;

@@ -53,6 +53,7 @@ struct MeshSupport {
   std::string name;                    ///< as messages call it
   std::vector<std::int64_t> nodes;     ///< may be empty
   std::vector<std::size_t> rows = {};  ///< of the matrices, from 0
+  /// Which directions of the nodes, in the order of NodalDirection; those they lack are none.
   std::array<bool, kNodalDirections> held = {true, true, true, true, true, true};
 };
 
@@ -83,11 +84,11 @@ inline constexpr std::size_t kMostModes = 5000;
 
 /// All of it.
 struct MeshedStructure {
-  StructuralMatrices matrices;       ///< without the joints
-  std::vector<MeshNode> nodes = {};  ///< those whose position is known
-  std::vector<MeshSupport> supports = {};
-  std::vector<MeshPoint> points = {};
-  std::vector<MeshJoint> joints = {};
+  StructuralMatrices matrices;             ///< without the joints
+  std::vector<MeshNode> nodes = {};        ///< those whose position is known
+  std::vector<MeshSupport> supports = {};  ///< what is held
+  std::vector<MeshPoint> points = {};      ///< what is driven or measured
+  std::vector<MeshJoint> joints = {};      ///< between places, or a place and the ground
 };
 
 }  // namespace microslip
