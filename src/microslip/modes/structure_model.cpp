@@ -83,9 +83,9 @@ std::string compliance_lines(const StructureModes& modes) {
       return one.exact > 0.0 ? 100.0 * part / one.exact : 0.0;
     };
     text +=
-        fmt::format("  {} '{}': static {:.4g} m/N, in the modes {:.4g} %, in the model {:.6g} %\n",
-                    one.is_joint ? "joint" : "point", one.name, one.exact, share(one.in_modes),
-                    share(one.in_model));
+        fmt::format("  {} '{}': static {:.4g} {}, in the modes {:.4g} %, in the model {:.6g} %\n",
+                    one.is_joint ? "joint" : "point", one.name, one.exact, unit_of(one),
+                    share(one.in_modes), share(one.in_model));
   }
   return text;
 }

@@ -58,12 +58,17 @@ Sparse attached_loads(const MeshedStructure& structure, const AssembledSystem& a
                       const ModesOptions& options, std::vector<StaticCompliance>& names) {
   std::vector<Eigen::SparseVector<double>> columns;
   for (std::size_t j = 0; j < structure.joints.size(); ++j) {
-    names.push_back({.name = structure.joints[j].name, .is_joint = true});
+    const MeshJoint& joint = structure.joints[j];
+    const bool turns = !joint.to.row && joint.direction.turns;
+    names.push_back({.name = joint.name, .turns = turns, .is_joint = true});
     columns.emplace_back(assembled.joints.col(static_cast<Index>(j)));
   }
   for (const std::string& name : options.attached_points) {
-    names.push_back({.name = name, .is_joint = false});
-    columns.emplace_back(assembled.points.col(static_cast<Index>(point_index(structure, name))));
+    const std::size_t at = point_index(structure, name);
+    const MeshPoint& point = structure.points[at];
+    const bool turns = !point.place.row && point.direction.turns;
+    names.push_back({.name = name, .turns = turns, .is_joint = false});
+    columns.emplace_back(assembled.points.col(static_cast<Index>(at)));
   }
   Sparse loads(assembled.system.size(), static_cast<Index>(columns.size()));
   for (std::size_t j = 0; j < columns.size(); ++j) {
@@ -123,9 +128,9 @@ void warn_of_lacks(bool attached, StructureModes& found) {
     found.warnings.push_back(
         {"compliance_lacks",
          fmt::format(
-             "{} '{}' gives way by {:.4g} m/N under a constant force, in the model by {:.3g} "
+             "{} '{}' gives way by {:.4g} {} under a constant force, in the model by {:.3g} "
              "% less. {}",
-             one.is_joint ? "Joint" : "Point", one.name, one.exact, 100.0 * lack,
+             one.is_joint ? "Joint" : "Point", one.name, one.exact, unit_of(one), 100.0 * lack,
              attached ? "What is missing moves without mass."
                       : "Take the attachments, or more modes.")});
   }
@@ -148,6 +153,10 @@ void warn_of_search(StructureModes& found) {
 }
 
 }  // namespace
+
+std::string_view unit_of(const StaticCompliance& compliance) {
+  return compliance.turns ? "rad/(N m)" : "m/N";
+}
 
 StructureModes compute_structure_modes(const MeshedStructure& structure,
                                        const ModesOptions& options) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "microslip/base/progress.hpp"
@@ -26,9 +27,11 @@ struct ModesOptions {
   Progress progress = {};  ///< told what is done of some number of solutions; may stop it
 };
 
-/// How much a place gives way under a constant force, m/N; without the motion of rigid bodies.
+/// How much a place gives way under a constant force, m/N, or about an axis under a constant moment,
+/// rad/(N m); without the motion of rigid bodies.
 struct StaticCompliance {
   std::string name;       ///< of the joint or point
+  bool turns = false;     ///< about an axis
   bool is_joint = true;   ///< or a point
   double exact = 0.0;     ///< of the matrices, of all their degrees of freedom
   double in_modes = 0.0;  ///< of the modes alone
@@ -50,6 +53,9 @@ struct StructureModes {
   std::vector<Warning> warnings = {};  ///< what the user must know
   Summary summary = {};                ///< of the search for modes
 };
+
+/// "m/N" or "rad/(N m)".
+[[nodiscard]] std::string_view unit_of(const StaticCompliance& compliance);
 
 /// From matrices to modes: find_natural_modes() and attach_statically() of assemble_system(). Each
 /// takes MUMPS, which is called by one thread of the program at a time.
