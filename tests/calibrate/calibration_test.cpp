@@ -75,8 +75,9 @@ TEST(Calibration, SaysThatJointsOfASymmetricPairAreKnownOnlyTogether) {
 }
 
 // Of two joints that stand side by side one does not slip: the other has all of the loss. Its band ends at
-// the sum and what that may be more. Ended at the sum, bands held 0.37 of the losses, and 0.75 now:
-// still short of 0.95.
+// the sum and what that may be more. Over these twelve tests bands hold 0.6 of the losses, far short of
+// 0.95, between 0.2 and 1.0 of single tests; of draws with other last digits as many: the mean is known to
+// 0.07, and the bound two of these below.
 TEST(Calibration, TheBandOfAJointThatMayHaveAllHoldsIt) {
   MICROSLIP_OF_RELEASE_ALONE();
   const JointedStructure one = testing::chain_structure(
@@ -86,12 +87,12 @@ TEST(Calibration, TheBandOfAJointThatMayHaveAllHoldsIt) {
   SimulatedTest test = simulated(one, 2, 2e-6, 1e-4, 14, 5);
   const std::vector<double> clean = clean_losses(test);
   double held = 0.0;
-  for (const std::uint64_t seed : {5U, 6U, 7U}) {
+  for (std::uint64_t seed = 5; seed < 17; ++seed) {
     scatter_losses(clean, seed, test);
     give_deviations(0.0, test);
-    held += loss_coverage(test.calibrated({.draws = 320}), test, 0) / 3.0;
+    held += loss_coverage(test.calibrated({.draws = 320}), test, 0) / 12.0;
   }
-  EXPECT_GE(held, 0.6);
+  EXPECT_GE(held, 0.45);
 }
 
 // Two of three joints are known: what they lose is taken from the levels, and they shape the modes.

@@ -94,11 +94,11 @@ TEST(modes, KeepJointsThatAreToBeFound) {
   EXPECT_EQ(model.structure.joints()[1].spring_in_modes, 5e5);
 }
 
-// Without springs to the ground at both ends, and without joints; the file says so as well.
+// Without the joints nothing holds the masses behind them; the file says so as well.
 TEST(modes, SayThatASupportIsMissing) {
-  const std::size_t second = kStructure.find("[[joint]]\nname = \"joint2\"");
-  const Sandbox box =
-      sandbox(std::string(kStructure).erase(second, kStructure.find("[modes]") - second));
+  const std::size_t joints = kStructure.find("[[joint]]");
+  const std::size_t modes = kStructure.find("[modes]");
+  const Sandbox box = sandbox(std::string(kStructure).erase(joints, modes - joints));
   const Outcome run = box.run(kModes);
   EXPECT_EQ(run.status, 0);
   EXPECT_NE(run.err.find("1 mode of 0 Hz is held by nothing. Is a support missing?"),
