@@ -2,13 +2,13 @@
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <vector>
 
 #include "friction_rod.hpp"
+#include "largest_error.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/dynamics/march.hpp"
 
@@ -41,13 +41,7 @@ double relative_error(const JointedStructure& structure, const LoadHistory& load
   const MarchOptions options{
       .step = std::exp2(-17.0), .points = {"tip"}, .tolerance = 1e-12, .estimate_error = false};
   const auto exact = march(structure, loads, options).points[0].displacement;
-  double error = 0.0;
-  double largest = 0.0;
-  for (std::size_t i = 0; i < exact.size(); ++i) {
-    error = std::max(error, std::abs(found[i] - exact[i]));
-    largest = std::max(largest, std::abs(exact[i]));
-  }
-  return error / largest;
+  return largest_error(found, exact);
 }
 
 /// A second with the step that march() chooses.

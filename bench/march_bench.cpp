@@ -2,13 +2,13 @@
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <vector>
 
 #include "dynamics/structures.hpp"
+#include "largest_error.hpp"
 #include "microslip/dynamics/march.hpp"
 #include "newmark_march.hpp"
 
@@ -45,13 +45,7 @@ double relative_error(const JointedStructure& structure, const LoadHistory& load
   const MarchOptions options{
       .step = (loads.time[1] - loads.time[0]) / 16.0, .points = {"force"}, .tolerance = 1e-12};
   const auto exact = march(structure, loads, options).points[0].displacement;
-  double error = 0.0;
-  double largest = 0.0;
-  for (std::size_t i = 0; i < exact.size(); ++i) {
-    error = std::max(error, std::abs(found[i] - exact[i]));
-    largest = std::max(largest, std::abs(exact[i]));
-  }
-  return error / largest;
+  return largest_error(found, exact);
 }
 
 /// The reference rig with its 7 modes and its joint: steps a second (items_per_second), and what

@@ -146,8 +146,8 @@ struct CalibrationResult {
 /// at which the joints hardly slip.
 ///
 /// Prior and posterior as invert_records(): roughness of each ψ_j with a λ of its own, drawn with
-/// the scatter of losses and frequencies. The estimate is the mean of the draws. The draws are of the problem linear about the
-/// solution.
+/// the scatter of losses and frequencies. The draws are of the problem linear about the solution,
+/// the estimate is their mean.
 /// @param structure  with all joints; springs without slip in place of those that are sought.
 /// @param sought     their indices; not empty.
 /// @param response   the point where the displacements of the levels were measured.

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -24,12 +23,6 @@ namespace {
 constexpr int kDeepestInclude = 16;
 /// Of GENERATE: no mesh that is taken has more nodes.
 constexpr std::int64_t kMostGenerated = static_cast<std::int64_t>(kMostDegreesOfFreedom);
-
-std::string upper(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return result;
-}
 
 /// The cells between commas, without blanks; a comma at the end of the line begins none.
 std::vector<std::string_view> cells_of(std::string_view line) {
@@ -100,15 +93,15 @@ class InputReader {
 
   Section open_section(std::string_view line, const TextPlace& place, int depth) {
     const std::vector<std::string_view> cells = cells_of(line);
-    const std::string keyword = upper(cells.front());
+    const std::string keyword = in_capitals(cells.front());
     Section section;
     std::string include;
     for (std::size_t i = 1; i < cells.size(); ++i) {
       const std::size_t equals = cells[i].find('=');
-      const std::string key = upper(trimmed(cells[i].substr(0, equals)));
+      const std::string key = in_capitals(trimmed(cells[i].substr(0, equals)));
       const std::string_view value =
           equals == std::string_view::npos ? "" : trimmed(cells[i].substr(equals + 1));
-      if (key == "NSET") section.set = upper(value);
+      if (key == "NSET") section.set = in_capitals(value);
       if (key == "GENERATE") section.generate = true;
       if (key == "INPUT") include = value;
     }
@@ -171,7 +164,7 @@ class InputReader {
       return;
     }
     for (const std::string_view cell : cells) {
-      if (const auto other = sets_.find(upper(cell)); other != sets_.end()) {
+      if (const auto other = sets_.find(in_capitals(cell)); other != sets_.end()) {
         const std::vector<std::int64_t> nodes = other->second;  // may be the same set
         set.insert(set.end(), nodes.begin(), nodes.end());
       } else {

@@ -46,31 +46,14 @@ void require_motion(const TomlTable& table, const std::vector<double>& shape) {
 
 // ---- The linear part. ----
 
-struct Damping {
-  std::vector<double> loss_factor;  ///< η = 2ζ, one a mode
-  DampingLaw law = DampingLaw::kViscous;
-};
-
-Damping read_damping(const TomlTable& structure, std::size_t modes) {
-  const bool viscous = structure.has("damping_ratio");
-  if (viscous == structure.has("loss_factor")) {
-    throw FormatError(structure.place(viscous ? "loss_factor" : "frequency_Hz"),
-                      "in structure one of the keys damping_ratio and loss_factor",
-                      viscous ? "both" : "neither");
-  }
-  const std::string_view key = viscous ? "damping_ratio" : "loss_factor";
-  Damping damping{read_positive(structure, key, kLargestLossFactor),
-                  viscous ? DampingLaw::kViscous : DampingLaw::kHysteretic};
+/// One value a mode.
+ModalDamping read_structure_damping(const TomlTable& structure, std::size_t modes) {
+  ModalDamping damping = read_damping(structure, "structure", "frequency_Hz");
   if (damping.loss_factor.size() == 1) damping.loss_factor.resize(modes, damping.loss_factor[0]);
-  if (damping.loss_factor.size() != modes) {
-    throw wrong_count(structure, key, damping.loss_factor.size(),
-                      fmt::format("must have {}, one a mode of structure.frequency_Hz{}", modes,
-                                  modes == 1 ? "" : ", or 1 for all"));
-  }
-  if (viscous) {
-    for (double& value : damping.loss_factor) value *= 2.0;
-  }
-  return damping;
+  if (damping.loss_factor.size() == modes) return damping;
+  throw wrong_count(structure, damping.key, damping.loss_factor.size(),
+                    fmt::format("must have {}, one a mode of structure.frequency_Hz{}", modes,
+                                modes == 1 ? "" : ", or 1 for all"));
 }
 
 std::vector<ModalPoint> read_points(const TomlTable& structure, std::size_t modes) {
@@ -115,7 +98,7 @@ LinearPart read_structure(const TomlTable& structure) {
   if (frequency.empty()) {
     throw wrong_count(structure, "frequency_Hz", 0, "must have one a mode, 1 at least");
   }
-  const Damping damping = read_damping(structure, frequency.size());
+  const ModalDamping damping = read_structure_damping(structure, frequency.size());
   std::vector<Mode> modes;
   for (std::size_t i = 0; i < frequency.size(); ++i) {
     modes.push_back({2.0 * std::numbers::pi * frequency[i], damping.loss_factor[i]});

@@ -15,14 +15,6 @@ namespace {
 
 constexpr double kLargestHarmonic = 1e6;  // 1
 
-JointFile read_joint_of(const TomlTable& table, const std::string& path) {
-  try {
-    return read_joint(path);
-  } catch (const FileError& error) {
-    throw FileError(table.name("file"), error.what());
-  }
-}
-
 /// A spring in place of a joint that is to be found.
 JointSource read_joint_to_find(const TomlTable& table, JointsToFind to_find) {
   if (to_find == JointsToFind::kRefused) {
@@ -53,7 +45,7 @@ JointSource read_source(const TomlTable& table, std::string_view model, JointsTo
     return read_joint_to_find(table, to_find);
   }
   std::string path = path_beside(table, "file", "a joint file", model);
-  JointFile content = read_joint_of(table, path);
+  JointFile content = read_named(table, "file", path, read_joint);
   std::string samples;
   if (table.has(kSamplesKey)) samples = path_beside(table, kSamplesKey, "a file of draws", model);
   return {std::move(path),     std::move(content.joint),
@@ -181,6 +173,23 @@ double read_optional(const TomlTable& table, std::string_view key, double most, 
 InputError wrong_count(const TomlTable& table, std::string_view key, std::size_t found,
                        const std::string& rule) {
   return {table.name(key), fmt::format("{} value{}", found, found == 1 ? "" : "s"), rule};
+}
+
+ModalDamping read_damping(const TomlTable& table, std::string_view section,
+                          std::string_view beside) {
+  const bool viscous = table.has("damping_ratio");
+  if (viscous == table.has("loss_factor")) {
+    throw FormatError(table.place(viscous ? "loss_factor" : beside),
+                      fmt::format("in {} one of the keys damping_ratio and loss_factor", section),
+                      viscous ? "both" : "neither");
+  }
+  const std::string_view key = viscous ? "damping_ratio" : "loss_factor";
+  ModalDamping damping{read_positive(table, key, kLargestLossFactor),
+                       viscous ? DampingLaw::kViscous : DampingLaw::kHysteretic, key};
+  if (viscous) {
+    for (double& value : damping.loss_factor) value *= 2.0;
+  }
+  return damping;
 }
 
 std::string joint_name(const TomlTable& table, std::size_t number, std::size_t count) {

@@ -70,6 +70,31 @@ void check_name(const TomlTable& table, const std::string& name, const std::vect
 [[nodiscard]] std::string path_beside(const TomlTable& table, std::string_view key,
                                       std::string_view what, std::string_view model);
 
+/// Reads a file that a key names; messages on the file itself name the key, too.
+/// @param read  of a path. @throws FileError  and what `read` throws.
+template <class Read>
+auto read_named(const TomlTable& table, std::string_view key, const std::string& path,
+                const Read& read) {
+  try {
+    return read(path);
+  } catch (const FileError& error) {
+    throw FileError(table.name(key), error.what());
+  }
+}
+
+/// The loss factors of modes, as a table tells them.
+struct ModalDamping {
+  std::vector<double> loss_factor;  ///< η = 2ζ, as many as the key has
+  DampingLaw law;                   ///< viscous by damping_ratio, hysteretic by loss_factor
+  std::string_view key;             ///< which of the two it was
+};
+
+/// Of the keys damping_ratio and loss_factor.
+/// @param section  the table, for messages. @param beside  a key where one of the two is missed.
+/// @throws FormatError  where it is not one of them. @throws InputError  as read_positive().
+[[nodiscard]] ModalDamping read_damping(const TomlTable& table, std::string_view section,
+                                        std::string_view beside);
+
 /// By the keys file or stiffness_N_per_m, samples, normal_load_std and linear_damping_J_per_m2.
 /// @param model  whose folder files are relative to.
 [[nodiscard]] JointSource read_joint_source(const TomlTable& table, std::string_view model,

@@ -42,16 +42,6 @@ double read_unit(const TomlTable& table, std::string_view key, const Dimension& 
   }
 }
 
-/// Reads a file that a key names; messages on the file itself name the key, too.
-template <class Read>
-auto read_named(const TomlTable& table, std::string_view key, const std::string& path, Read read) {
-  try {
-    return read(path);
-  } catch (const FileError& error) {
-    throw FileError(table.name(key), error.what());
-  }
-}
-
 bool turns(const DegreeOfFreedom& degree) { return degree.direction >= NodalDirection::kTurnX; }
 
 /// Energy is force times length; a rotation has no unit. Of rows that nobody's are told, all are
@@ -170,21 +160,6 @@ void read_joints(const TomlTable& top, std::string_view file, const NodeSets& se
   }
 }
 
-void read_damping(const TomlTable& modes, StructureFile& read) {
-  const bool viscous = modes.has("damping_ratio");
-  if (viscous == modes.has("loss_factor")) {
-    throw FormatError(modes.place(viscous ? "loss_factor" : "count"),
-                      "in modes one of the keys damping_ratio and loss_factor",
-                      viscous ? "both" : "neither");
-  }
-  const std::string_view key = viscous ? "damping_ratio" : "loss_factor";
-  read.loss_factor = read_positive(modes, key, kLargestLossFactor);
-  if (read.loss_factor.empty()) throw wrong_count(modes, key, 0, "must have one at least");
-  read.law = viscous ? DampingLaw::kViscous : DampingLaw::kHysteretic;
-  if (!viscous) return;
-  for (double& value : read.loss_factor) value *= 2.0;
-}
-
 void read_modes(const TomlTable& modes, StructureFile& read) {
   modes.allow_only({"count", "up_to_Hz", "joints", kAttachmentKey, "loss_factor", "damping_ratio"});
   if (modes.has("count") == modes.has("up_to_Hz")) {
@@ -212,7 +187,12 @@ void read_modes(const TomlTable& modes, StructureFile& read) {
     read.joints = joints == "stuck" ? JointsInModes::kStuck : JointsInModes::kFree;
   }
   if (modes.has(kAttachmentKey)) read.attachment = modes.boolean(kAttachmentKey);
-  read_damping(modes, read);
+  ModalDamping damping = read_damping(modes, "modes", "count");
+  if (damping.loss_factor.empty()) {
+    throw wrong_count(modes, damping.key, 0, "must have one at least");
+  }
+  read.loss_factor = std::move(damping.loss_factor);
+  read.law = damping.law;
 }
 
 StructureFile read_tables(const TomlTable& top, std::string_view file) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -25,12 +24,6 @@ constexpr double kLargestNumber = 1e15;  // of a node: doubles hold it exactly
 constexpr double kFarthest = 1e9;        // m
 /// Of a box, relative to its coordinates: nodes on a face are in it, whatever rounding.
 constexpr double kOnFace = 1e-9;
-
-std::string capitals(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return result;
-}
 
 std::int64_t checked_node(const std::string& name, double number) {
   if (number >= 1.0 && number <= kLargestNumber && number == std::floor(number)) {
@@ -169,12 +162,12 @@ MeshDirection read_named_direction(const TomlTable& table, const std::string& te
 }  // namespace
 
 NodeSets::NodeSets(const TomlTable& top, const MeshFile& mesh) {
-  for (const NodeSet& set : mesh.sets) meshed_[capitals(set.name)] = set.nodes;
+  for (const NodeSet& set : mesh.sets) meshed_[in_capitals(set.name)] = set.nodes;
   if (!top.has(kSetKey)) return;
   for (const TomlTable& table : top.tables(kSetKey)) {
     table.allow_only({"name", kNodesKey, "box"});
     const std::string name = table.text("name");
-    if (name.empty() || own_.contains(name) || meshed_.contains(capitals(name))) {
+    if (name.empty() || own_.contains(name) || meshed_.contains(in_capitals(name))) {
       throw InputError(table.name("name"), in_quotes(name),
                        "must be a text, and no set of the file or of the mesh before it");
     }
@@ -187,7 +180,7 @@ const std::vector<std::int64_t>& NodeSets::find(const TomlTable& table,
                                                 std::string_view key) const {
   const std::string name = table.text(key);
   if (const auto found = own_.find(name); found != own_.end()) return found->second;
-  if (const auto found = meshed_.find(capitals(name)); found != meshed_.end()) {
+  if (const auto found = meshed_.find(in_capitals(name)); found != meshed_.end()) {
     if (!found->second.empty()) return found->second;
     throw InputError(table.name(key), in_quotes(name), "must have a node at least");
   }
@@ -195,7 +188,7 @@ const std::vector<std::int64_t>& NodeSets::find(const TomlTable& table,
   for (const auto& [its, nodes] : own_) names.emplace_back(its);
   for (const auto& [its, nodes] : meshed_) names.emplace_back(its);
   std::string_view closest = closest_name(name, names);
-  if (closest.empty()) closest = closest_name(capitals(name), names);
+  if (closest.empty()) closest = closest_name(in_capitals(name), names);
   throw InputError(table.name(key), in_quotes(name),
                    "must be a [[set]] of the file, or a set of the mesh of [nodes]",
                    closest.empty() ? fmt::format("There are {} sets.", names.size())

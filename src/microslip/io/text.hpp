@@ -38,6 +38,9 @@ inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 /// The text without blanks and tabs at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
+/// The text with the letters of ASCII in capitals.
+[[nodiscard]] std::string in_capitals(std::string_view text);
+
 /// Appends the shortest decimal text that reads back as the same double, whatever the locale.
 void append_number(std::string& text, double value);
 

@@ -338,7 +338,6 @@ class Search {
     turn_positive(modes.shapes);
     modes.residuals = residuals(modes);
     modes.factor = factor_;
-    modes.shift = shift_;
     summarise(modes);
     return modes;
   }

@@ -27,7 +27,6 @@ struct NaturalModes {
   Eigen::VectorXd residuals;     ///< |(K − ω²M)φ| over |Kφ| + ω²|Mφ|, 1; of rigid bodies 0
   /// Of the system, at a σ < 0 that is small against ω² of the first mode that strains.
   std::shared_ptr<const ShiftedFactor> factor;
-  double shift = 0.0;    ///< that σ, rad²/s²
   Summary summary = {};  ///< its residual is the largest; doubtful where modes may be missing
 };
 
