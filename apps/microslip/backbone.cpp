@@ -75,16 +75,18 @@ std::optional<BackboneSpread> spread_of(const HarmonicBalance& balance, const Re
                          progress_bar("draws", quiet));
 }
 
-CsvWriter table_of(const ResponseCurve& curve, const std::optional<BackboneSpread>& spread,
-                   const ModelFile& model, const std::string& command) {
+CsvWriter table_of(const HarmonicBalance& balance, const ResponseCurve& curve,
+                   const std::optional<BackboneSpread>& spread, const ModelFile& model,
+                   const std::string& command) {
   const std::string heading = heading_of(command, model);
-  if (!spread) return backbone_table(curve, heading);
+  if (!spread) return backbone_table(balance, curve, heading);
+  const CurveHeight drive = drive_column(balance);
   const std::vector<BandColumns> bands{
-      {"force", kForce, spread->force.lower, spread->force.upper},
+      {std::string(drive.name), drive.dimension, spread->force.lower, spread->force.upper},
       {"frequency", kFrequency, spread->frequency.lower, spread->frequency.upper},
       {"damping_ratio", kDimensionless, spread->damping_ratio.lower, spread->damping_ratio.upper}};
-  return backbone_table(curve, heading + "\n" + draws_comment(spread->taken, uncertain_text(model)),
-                        bands);
+  return backbone_table(
+      balance, curve, heading + "\n" + draws_comment(spread->taken, uncertain_text(model)), bands);
 }
 
 int run(const BackboneOptions& options, const Call& call) {
@@ -105,7 +107,7 @@ int run(const BackboneOptions& options, const Call& call) {
   if (spread) std::ranges::copy(spread->warnings, std::back_inserter(curve.warnings));
   const int status = finish(
       curve, options.prediction, call,
-      [&] { return table_of(curve, spread, model, call.command_line); },
+      [&] { return table_of(balance, curve, spread, model, call.command_line); },
       [&] {
         return describe_backbone(options.prediction.model, balance, curve, mode) +
                (spread ? describe_draws(spread->taken, uncertain_text(model)) : "") + truncation +

@@ -32,6 +32,7 @@ constexpr double kTwoPi = 2.0 * std::numbers::pi;
 struct FrfOptions {
   PredictionArguments prediction;
   std::string force;
+  std::string acceleration;
   std::string response;
   std::string frequency;
   std::string accuracy = "0.2%";
@@ -40,7 +41,7 @@ struct FrfOptions {
   DrawArguments draws;
 
   /// Whether the response is kept and the force found.
-  [[nodiscard]] bool of_force() const { return force.empty(); }
+  [[nodiscard]] bool of_force() const { return force.empty() && acceleration.empty(); }
 };
 
 double parse_accuracy(const std::string& text) {
@@ -65,16 +66,55 @@ std::vector<double> parse_at(const std::string& text, std::pair<double, double> 
   return frequencies;
 }
 
-ResponseRange range_of(const FrfOptions& options) {
-  const std::pair<double, double> range = parse_frequencies("--frequency", options.frequency);
-  const double from = kTwoPi * range.first;
-  const double to = kTwoPi * range.second;
-  if (!options.of_force()) {
-    return {{Quantity::kForceAmplitude, parse_force("--force", options.force)}, from, to};
+/// What the curve keeps, and of what kind the response is.
+struct KeptTarget {
+  Target target;
+  ResponseKind kind = ResponseKind::kDisplacement;
+};
+
+/// A displacement, velocity or acceleration, by its unit; without one, m.
+KeptTarget parse_response(const std::string& text) {
+  if (is_quantity(text, kAcceleration)) {
+    const double value = parse_quantity("--response", text, kAcceleration);
+    return {{Quantity::kResponse, value}, ResponseKind::kAcceleration};
   }
-  const double response = parse_quantity("--response", options.response, kLength);
+  if (is_quantity(text, kVelocity)) {
+    const double value = parse_quantity("--response", text, kVelocity);
+    return {{Quantity::kResponse, value}, ResponseKind::kVelocity};
+  }
+  const double response = parse_quantity("--response", text, kLength);
   check_displacement("--response", response);
-  return {{Quantity::kResponse, response}, from, to};
+  return {{Quantity::kResponse, response}};
+}
+
+KeptTarget parse_kept(const FrfOptions& options) {
+  if (!options.force.empty()) {
+    return {{Quantity::kForceAmplitude, parse_force("--force", options.force)}};
+  }
+  if (options.acceleration.empty()) return parse_response(options.response);
+  const double value = parse_quantity("--acceleration", options.acceleration, kAcceleration);
+  if (value >= 1e-12 && value <= 1e12) return {{Quantity::kForceAmplitude, value}};
+  throw InputError("--acceleration", value, "must be above 0 m/s^2: from 1e-12 to 1e12");
+}
+
+/// A force does not shake a base, nor an acceleration a point.
+void check_drive(const FrfOptions& options, const ModelFile& model) {
+  const std::string& place = model.structure.excitations().front().point;
+  if (model.structure.base_driven() && !options.force.empty()) {
+    throw InputError("--force", in_quotes(options.force),
+                     fmt::format("must be left out: the model is driven by its base '{}'", place),
+                     "Give --acceleration, for instance --acceleration 1g.");
+  }
+  if (!model.structure.base_driven() && !options.acceleration.empty()) {
+    throw InputError("--acceleration", in_quotes(options.acceleration),
+                     fmt::format("must be left out: the model is driven by a force at '{}'", place),
+                     "Give --force, or let [excitation] of the model name a base.");
+  }
+}
+
+ResponseRange range_of(const FrfOptions& options, const Target& kept) {
+  const std::pair<double, double> range = parse_frequencies("--frequency", options.frequency);
+  return {kept, kTwoPi * range.first, kTwoPi * range.second};
 }
 
 ResponseCurve curve_of(const HarmonicBalance& balance, const ResponseRange& range, bool quiet) {
@@ -92,25 +132,31 @@ std::optional<ResponseSpread> spread_of(const HarmonicBalance& balance, const Re
                          Execution::threads(), progress_bar("draws", quiet));
 }
 
+/// Of the curve: what drives where a response is kept, else the displacement.
+CurveHeight height_of(const FrfOptions& options, const ModelFile& model) {
+  return options.of_force() ? drive_of(model.structure) : displacement_height();
+}
+
 std::string heading_with_draws(const ResponseSpread& spread, const ModelFile& model,
-                               const std::string& command, bool of_force) {
+                               const std::string& command, const CurveHeight& height) {
   std::string text =
       heading_of(command, model) + "\n" + draws_comment(spread.taken, uncertain_text(model));
-  if (!spread.peaks.empty()) text += "\n" + peaks_comment(spread, of_force);
+  if (!spread.peaks.empty()) text += "\n" + peaks_comment(spread, height);
   return text;
 }
 
 /// Curve and peaks, both or none.
 void write_spread(const FrfOptions& options, const ModelFile& model, const Call& call,
-                  const ResponseCurve& curve, const ResponseSpread& spread) {
-  const std::string heading =
-      heading_with_draws(spread, model, call.command_line, options.of_force());
+                  const HarmonicBalance& balance, const ResponseCurve& curve,
+                  const ResponseSpread& spread) {
+  const CurveHeight height = height_of(options, model);
+  const std::string heading = heading_with_draws(spread, model, call.command_line, height);
   const std::vector<BandColumns> bands{
-      {"", options.of_force() ? kForce : kLength, spread.band.lower, spread.band.upper}};
+      {"", height.dimension, spread.band.lower, spread.band.upper}};
   OutputFiles outputs;
-  outputs.add(options.prediction.out, response_table(curve, heading, bands).str());
+  outputs.add(options.prediction.out, response_table(balance, curve, heading, bands).str());
   if (!options.peaks.empty()) {
-    outputs.add(options.peaks, peaks_table(spread, options.of_force(), heading));
+    outputs.add(options.peaks, peaks_table(spread, height, heading));
   }
   outputs.commit();
 }
@@ -122,16 +168,18 @@ void check_frf_outputs(const FrfOptions& options) {
 }
 
 std::string describe_spread(const std::optional<ResponseSpread>& spread, const ModelFile& model,
-                            bool of_force) {
+                            const CurveHeight& height) {
   if (!spread) return "";
-  return describe_peak_spread(*spread, of_force) +
+  return describe_peak_spread(*spread, height) +
          describe_draws(spread->taken, uncertain_text(model));
 }
 
 int run(const FrfOptions& options, const Call& call) {
   check_frf_outputs(options);
-  const ResponseRange range = range_of(options);
+  const KeptTarget kept = parse_kept(options);
+  const ResponseRange range = range_of(options, kept.target);
   const ModelFile model = read_model(options.prediction.model);
+  check_drive(options, model);
   std::optional<StructureDraws> draws;
   if (options.draws.any()) {
     draws = draws_of(model, options.prediction.model, draw_options(options.draws));
@@ -139,7 +187,8 @@ int run(const FrfOptions& options, const Call& call) {
   HarmonicBalanceOptions drawn;
   drawn.accuracy = parse_accuracy(options.accuracy);
   drawn.frequencies = parse_at(options.at, parse_frequencies("--frequency", options.frequency));
-  const HarmonicBalance balance = balance_of(model, options.prediction, std::move(drawn));
+  const HarmonicBalance balance =
+      balance_of(model, options.prediction, std::move(drawn), kept.kind);
   ResponseCurve curve = curve_of(balance, range, call.quiet);
   const std::string truncation = add_truncation(
       balance, options.of_force() ? Quantity::kResponse : Quantity::kForceAmplitude, curve);
@@ -149,15 +198,16 @@ int run(const FrfOptions& options, const Call& call) {
   if (spread) std::ranges::copy(spread->warnings, std::back_inserter(curve.warnings));
   const auto summary = [&] {
     return describe_response(options.prediction.model, balance, curve, options.of_force()) +
-           describe_spread(spread, model, options.of_force()) + truncation +
+           describe_spread(spread, model, height_of(options, model)) + truncation +
            describe_damping(model) + describe_warnings(curve.warnings);
   };
   if (!spread) {
     return finish(
         curve, options.prediction, call,
-        [&] { return response_table(curve, heading_of(call.command_line, model)); }, summary);
+        [&] { return response_table(balance, curve, heading_of(call.command_line, model)); },
+        summary);
   }
-  write_spread(options, model, call, curve, *spread);
+  write_spread(options, model, call, balance, curve, *spread);
   const int status = tell_ending(curve.summary, true, options.prediction, call, summary);
   return spread->taken.too_many_failed() ? kNotConverged : status;
 }
@@ -170,14 +220,21 @@ void add_frf(CLI::App& program, Call& call) {
       "frf",
       "Response of a structure with joints over the frequency, at one force or one response");
   add_prediction_arguments(*command, options->prediction, call,
-                           "frequency [Hz], force [N], displacement [m], phase [rad]");
+                           "frequency [Hz], force [N] or base_acceleration [m/s^2], displacement "
+                           "[m], phase [rad], velocity [m/s], acceleration [m/s^2]");
   CLI::Option* force =
       command->add_option("--force", options->force, "Amplitude of the force, in N or with a unit");
-  CLI::Option* response = command->add_option(
-      "--response", options->response,
-      "Amplitude of the displacement at the response point that is kept, in m or with a unit: the "
-      "force is what is found");
-  force->excludes(response);
+  CLI::Option* response =
+      command->add_option("--response", options->response,
+                          "Amplitude at the response point that is kept, of the displacement, "
+                          "velocity or acceleration by "
+                          "its unit, in m without one: what drives is what is found");
+  CLI::Option* acceleration = command->add_option("--acceleration", options->acceleration,
+                                                  "Amplitude of the acceleration of the base, of a "
+                                                  "model whose base is driven, in m/s^2 or with a "
+                                                  "unit");
+  force->excludes(response)->excludes(acceleration);
+  acceleration->excludes(response);
   command
       ->add_option(
           "--frequency", options->frequency,
@@ -193,9 +250,9 @@ void add_frf(CLI::App& program, Call& call) {
       "--at", options->at,
       "Rows at these frequencies as well, on each branch: a list between commas, or "
       "FROM:TO:COUNT[:log], in Hz or with units");
-  add_draw_arguments(*command, options->draws,
-                     "lower and upper, of the displacement [m], at constant response of the force "
-                     "[N]");
+  add_draw_arguments(
+      *command, options->draws,
+      "lower and upper, of the displacement [m], at constant response of what drives");
   add_correlation_argument(*command, options->draws);
   command
       ->add_option("--peaks-csv", options->peaks,
@@ -208,11 +265,13 @@ void add_frf(CLI::App& program, Call& call) {
                 "          --out frf.csv --peaks-csv peaks.csv",
                 "microslip frf model.toml --response 800mm --frequency 0.14:0.17 --harmonics 9 \\",
                 "          --out frf.csv",
+                "microslip frf model.toml --response 1m/s^2 --frequency 0.14:0.17 --out frf.csv",
+                "microslip frf shaken.toml --acceleration 0.5g --frequency 20:200 --out frf.csv",
                 "microslip frf model.toml --force 0.1 --frequency 0.2:0.1 --accuracy 0.05% \\",
                 "          --at 0.14,0.15 --out frf.csv"});
   command->callback([options, &call] {
-    if (options->force.empty() && options->response.empty()) {
-      throw CLI::RequiredError("--force or --response");
+    if (options->force.empty() && options->acceleration.empty() && options->response.empty()) {
+      throw CLI::RequiredError("--force, --acceleration or --response");
     }
     call.run = [options, &call] { return run(*options, call); };
   });

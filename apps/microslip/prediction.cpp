@@ -47,11 +47,11 @@ void add_prediction_arguments(CLI::App& command, PredictionArguments& arguments,
 }
 
 HarmonicBalance balance_of(const ModelFile& model, const PredictionArguments& arguments,
-                           HarmonicBalanceOptions options) {
+                           HarmonicBalanceOptions options, ResponseKind response) {
   options.harmonics = parse_whole_number("--harmonics", arguments.harmonics, 1, kMostHarmonics);
   options.samples = parse_whole_number("--samples", arguments.samples, 4, kMostSamples);
   try {
-    return HarmonicBalance(model.structure, {model.response}, std::move(options));
+    return HarmonicBalance(model.structure, {model.response, response}, std::move(options));
   } catch (const InputError& error) {
     const bool option = error.name() == "harmonics" || error.name() == "samples";
     throw error.renamed(option ? "--" + error.name()

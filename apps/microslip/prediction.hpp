@@ -35,12 +35,14 @@ struct PredictionArguments : ModelArguments {
 void add_prediction_arguments(CLI::App& command, PredictionArguments& arguments, Call& call,
                               const std::string& columns);
 
-/// The harmonic balance of a model file, its response a displacement.
+/// The harmonic balance of a model file.
+/// @param response  its kind.
 /// @param options  but for harmonics and samples, which the arguments have.
 /// @throws InputError  also for harmonics or samples that do not fit.
 [[nodiscard]] HarmonicBalance balance_of(const ModelFile& model,
                                          const PredictionArguments& arguments,
-                                         HarmonicBalanceOptions options = {});
+                                         HarmonicBalanceOptions options = {},
+                                         ResponseKind response = ResponseKind::kDisplacement);
 
 /// A force on the command line. @throws InputError  where it is none, or one that nothing bears.
 [[nodiscard]] double parse_force(std::string_view option, std::string_view text);

@@ -25,10 +25,11 @@ constexpr double pi = std::numbers::pi;
 
 const std::vector<double> kResponses{0.01, 0.1, 0.5, 1.0, 2.0, 5.0};
 
-ResponseCurve sample_curve() {
-  const HarmonicBalance balance(testing::one_mass(testing::iwan_joint()), {"mass"});
-  return balance.frequency_response(0.1, 0.8, 1.1);
+HarmonicBalance one_mass() {
+  return HarmonicBalance(testing::one_mass(testing::iwan_joint()), {"mass"});
 }
+
+ResponseCurve sample_curve() { return one_mass().frequency_response(0.1, 0.8, 1.1); }
 
 template <typename Value>
 void expect_column(const CsvTable& table, std::string_view name, const Dimension& dimension,
@@ -56,7 +57,7 @@ void expect_energies(const CsvTable& table, const ResponseCurve& curve) {
 
 TEST(ResponseTable, HoldsTheCurve) {
   const ResponseCurve curve = sample_curve();
-  const std::string text = response_table(curve).str();
+  const std::string text = response_table(one_mass(), curve).str();
   EXPECT_EQ(file_kind(text), kResponseKind);
   const CsvTable table(text, "frf.csv");
   const std::vector<double> frequency = table.numbers("frequency", kFrequency);
@@ -93,7 +94,7 @@ TEST(ResponseTable, HoldsAFrequencyByItsNumber) {
   for (std::size_t i = 0; i < asked.size(); ++i) {
     curve.points[i].angular_frequency = 2.0 * pi * asked[i];
   }
-  const CsvTable table(response_table(curve).str(), "frf.csv");
+  const CsvTable table(response_table(one_mass(), curve).str(), "frf.csv");
   const std::vector<double> found = table.numbers("frequency", kFrequency);
   ASSERT_EQ(found.size(), asked.size());
   std::size_t others = 0;
@@ -105,7 +106,7 @@ TEST(ResponseTable, TellsHowItEndedAndWhereThePeaksAre) {
   ResponseCurve curve = sample_curve();
   curve.turning_points = {3};
   curve.points[3].angular_frequency = 2.0 * pi * 0.125;
-  const std::string text = response_table(curve, "made by a test").str();
+  const std::string text = response_table(one_mass(), curve, "made by a test").str();
   EXPECT_TRUE(
       text.starts_with("# made by a test\n# harmonic balance, continuation: converged: "
                        "reached the end of the range\n# peak: frequency 0.14608"))
@@ -113,23 +114,26 @@ TEST(ResponseTable, TellsHowItEndedAndWhereThePeaksAre) {
   EXPECT_NE(text.find("\n# turns back: frequency 0.125 Hz, force 0.1 N, displacement "),
             std::string::npos);
   curve.warnings = {{"one", "of one\nthing"}, {"two", "of another"}};
-  EXPECT_NE(response_table(curve).str().find(
-                "\n# warning: one: of one thing\n# warning: two: of another\n"),
+  EXPECT_NE(response_table(one_mass(), curve)
+                .str()
+                .find("\n# warning: one: of one thing\n# warning: two: of another\n"),
             std::string::npos);
   curve.summary.stop = Stop::kNoProgress;
   curve.summary.reason = "a test\nsays so";
-  EXPECT_NE(
-      response_table(curve).str().find("# harmonic balance, continuation: NOT CONVERGED: a test"),
-      std::string::npos);
+  EXPECT_NE(response_table(one_mass(), curve)
+                .str()
+                .find("# harmonic balance, continuation: NOT CONVERGED: a test"),
+            std::string::npos);
 }
 
 TEST(ResponseTable, LeavesOutWhatIsNoNumber) {
   ResponseCurve curve = sample_curve();
   const std::size_t size = curve.points.size();
   curve.points.back().energy_imbalance = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(CsvTable(response_table(curve).str(), "t").numbers("force", kForce).size(), size - 1);
+  EXPECT_EQ(CsvTable(response_table(one_mass(), curve).str(), "t").numbers("force", kForce).size(),
+            size - 1);
   curve.points.clear();
-  EXPECT_EQ(test::message_of<InputError>([&] { return response_table(curve); }),
+  EXPECT_EQ(test::message_of<InputError>([&] { return response_table(one_mass(), curve); }),
             "points of the curve = 0; must be 1 or more, with finite values, in a table to be "
             "written");
 }
@@ -139,7 +143,7 @@ TEST(ResponseTable, TakesAStructureWithoutLoss) {
   ResponseCurve curve = sample_curve();
   curve.points[1].input_energy = 0.0;
   curve.points[1].energy_imbalance = std::numeric_limits<double>::quiet_NaN();
-  const CsvTable table(response_table(curve).str(), "frf.csv");
+  const CsvTable table(response_table(one_mass(), curve).str(), "frf.csv");
   EXPECT_EQ(table.numbers("frequency", kFrequency).size(), curve.points.size());
   EXPECT_EQ(table.numbers("energy_imbalance", kDimensionless)[1], 0.0);
 }
@@ -147,7 +151,7 @@ TEST(ResponseTable, TakesAStructureWithoutLoss) {
 TEST(BackboneTable, HoldsTheCurve) {
   const HarmonicBalance balance(testing::one_mass(testing::iwan_joint()), {"mass"});
   const ResponseCurve curve = balance.backbone(kResponses);
-  const std::string text = backbone_table(curve, "made by a test").str();
+  const std::string text = backbone_table(one_mass(), curve, "made by a test").str();
   EXPECT_TRUE(
       text.starts_with("# made by a test\n# harmonic balance, backbone: converged: all "
                        "responses reached\n"))

@@ -66,7 +66,7 @@ void read_modes(const JointedStructure& structure, const SteadyVibration& vibrat
   }
   first.drive = Eigen::VectorXcd::Zero(n);
   for (const Excitation& excitation : structure.excitations()) {
-    const auto shape = view(structure.linear().shape(excitation.point));
+    const auto shape = view(structure.linear().load(excitation.point));
     first.drive += excitation.harmonics[0] * shape.cast<Complex>();
   }
   first.drive = first.flexibility.cwiseProduct(first.drive).eval();

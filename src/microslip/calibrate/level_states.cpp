@@ -23,11 +23,7 @@ constexpr double kLeastFall = 0.7;
 JointedStructure with_joints(const JointedStructure& structure, const std::vector<Joint>& joints) {
   std::vector<StructuralJoint> placed(structure.joints().begin(), structure.joints().end());
   for (std::size_t j = 0; j < joints.size(); ++j) placed[j].joint = joints[j];
-  const std::span<const Excitation> excitations = structure.excitations();
-  return {structure.linear(),
-          std::move(placed),
-          {excitations.begin(), excitations.end()},
-          structure.damping()};
+  return structure.with_joints(std::move(placed));
 }
 
 double dot_product(std::span<const double> a, std::span<const double> b) {

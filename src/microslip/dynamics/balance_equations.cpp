@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "microslip/dynamics/bordered_factors.hpp"
+#include "microslip/dynamics/static_equilibrium.hpp"
 #include "microslip/dynamics/trigonometric_basis.hpp"
 
 namespace microslip {
@@ -98,7 +99,11 @@ BalanceEquations::BalanceEquations(const JointedStructure& structure, const Resp
       cycles_(structure.joints().size()),
       branches_(structure.joints().size()) {
   // An odd number of samples does not fall on itself half a period later.
-  odd_forces_ = samples % 2 == 0 && !structure.shortens() && excites_odd_harmonics(structure);
+  odd_forces_ = samples % 2 == 0 && !structure.shortens() && excites_odd_harmonics(structure) &&
+                structure.static_loads().empty();
+  if (!structure.static_loads().empty()) {
+    resting_ = static_equilibrium(structure).joint_displacement;
+  }
   for (Index i = 0; i < count_ + 2; ++i) {
     all_.push_back(i);
     if (i >= count_ || !is_even_coefficient(i % coefficient_count(harmonics))) odd_.push_back(i);
@@ -342,9 +347,22 @@ VectorXd BalanceEquations::scale() const {
 }
 
 VectorXd BalanceEquations::enlarged(VectorXd z, double n) const {
+  const VectorXd before = z;
   z.head(count_) *= n;
+  const Index block = coefficient_count(harmonics_);
+  for (std::size_t j = 0; j < resting_.size(); ++j) {  // static loads do not grow
+    const Index mean = static_cast<Index>(j) * block;
+    z[mean] = before[mean];
+  }
   if (forcing_ == Forcing::kExcitation) z[count_ + 1] *= n;
   return z;
+}
+
+void BalanceEquations::set_at_rest(VectorXd& z) const {
+  const Index block = coefficient_count(harmonics_);
+  for (std::size_t j = 0; j < resting_.size(); ++j) {
+    z[static_cast<Index>(j) * block] = resting_[j];
+  }
 }
 
 VectorXd BalanceEquations::unknowns(const SteadyVibration& vibration) const {
@@ -421,7 +439,7 @@ double BalanceEquations::add_input(SteadyVibration& vibration) const {
   for (const Excitation& excitation : structure_.excitations()) {
     std::vector<Complex> force{0.0};
     for (const Complex s : excitation.harmonics) force.push_back(vibration.force_amplitude * s);
-    const auto displacement = vibration.displacement(structure_.linear(), excitation.point);
+    const auto displacement = vibration.worked_on(structure_.linear(), excitation.point);
     vibration.input_energy += work(force, displacement);
     apparent += apparent_work(force, displacement);
   }

@@ -98,8 +98,12 @@ class BalanceEquations {
   /// or of the response point.
   [[nodiscard]] Eigen::VectorXd scale() const;
 
-  /// z of a vibration that is n times as large, as far as it is linear.
+  /// z of a vibration that is n times as large, as far as it is linear; the mean motion that static
+  /// loads make stays.
   [[nodiscard]] Eigen::VectorXd enlarged(Eigen::VectorXd z, double n) const;
+
+  /// The mean motion of z becomes that of the static loads alone, where there are any.
+  void set_at_rest(Eigen::VectorXd& z) const;
 
   /// z of a vibration of the structure in these harmonics.
   [[nodiscard]] Eigen::VectorXd unknowns(const SteadyVibration& vibration) const;
@@ -131,7 +135,8 @@ class BalanceEquations {
   HarmonicForce joint_force_;
   std::unique_ptr<StructureSide> side_;
   Eigen::Index count_;
-  bool odd_forces_;  // no even harmonic acts, nor arises from odd ones
+  std::vector<double> resting_;  // u of each joint under static loads; empty without
+  bool odd_forces_;              // no even harmonic acts, nor arises from odd ones
   std::vector<Eigen::Index> all_;
   std::vector<Eigen::Index> odd_;  // without even harmonics
 

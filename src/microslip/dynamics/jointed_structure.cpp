@@ -120,7 +120,14 @@ void check_springs(const std::vector<StructuralJoint>& joints, const ModalModel&
 void check_excitations(const std::vector<Excitation>& excitations, const ModalModel& linear) {
   bool drives = false;
   for (const Excitation& excitation : excitations) {
-    (void)linear.shape(excitation.point);  // throws where there is none
+    (void)linear.load(excitation.point);  // throws where there is none
+    if (linear.is_base(excitation.point) != linear.is_base(excitations.front().point)) {
+      throw InputError(
+          fmt::format("excitation at '{}'", excitation.point),
+          fmt::format("beside one at '{}'", excitations.front().point),
+          "must be a force where the others are forces, and the acceleration of a base "
+          "where they are accelerations");
+    }
     for (std::size_t i = 0; i < excitation.harmonics.size(); ++i) {
       const std::complex<double> value = excitation.harmonics[i];
       if (!std::isfinite(value.real()) || !std::isfinite(value.imag())) {
@@ -137,6 +144,14 @@ void check_excitations(const std::vector<Excitation>& excitations, const ModalMo
   }
 }
 
+void check_static_loads(const std::vector<StaticLoad>& loads, const ModalModel& linear) {
+  for (const StaticLoad& load : loads) {
+    (void)linear.load(load.place);  // throws where there is none
+    if (std::isfinite(load.value)) continue;
+    throw InputError(fmt::format("static load at '{}'", load.place), load.value, "must be finite");
+  }
+}
+
 }  // namespace
 
 double StructuralJoint::stuck_stiffness() const {
@@ -145,14 +160,32 @@ double StructuralJoint::stuck_stiffness() const {
 }
 
 JointedStructure::JointedStructure(ModalModel linear, std::vector<StructuralJoint> joints,
-                                   std::vector<Excitation> excitations, DampingLaw damping)
+                                   std::vector<Excitation> excitations, DampingLaw damping,
+                                   std::vector<StaticLoad> static_loads)
     : linear_(std::move(linear)),
       joints_(std::move(joints)),
       excitations_(std::move(excitations)),
-      damping_(damping) {
+      damping_(damping),
+      static_loads_(std::move(static_loads)) {
   check_joints(joints_, linear_);
   check_springs(joints_, linear_);
   check_excitations(excitations_, linear_);
+  check_static_loads(static_loads_, linear_);
+}
+
+bool JointedStructure::base_driven() const { return linear_.is_base(excitations_.front().point); }
+
+std::vector<double> JointedStructure::static_modal_load() const {
+  std::vector<double> sum(linear_.size(), 0.0);
+  for (const StaticLoad& load : static_loads_) {
+    const std::span<const double> shape = linear_.load(load.place);
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += shape[i] * load.value;
+  }
+  return sum;
+}
+
+JointedStructure JointedStructure::with_joints(std::vector<StructuralJoint> joints) const {
+  return {linear_, std::move(joints), excitations_, damping_, static_loads_};
 }
 
 bool JointedStructure::shortens() const {

@@ -47,18 +47,29 @@ struct StructuralJoint {
   [[nodiscard]] double stuck_stiffness() const;
 };
 
-/// A periodic force at a point, f(t) = A Re Σ_n s_n e^{inωt}. The force amplitude A, N, is common
-/// to all excitations of a structure.
+/// A periodic force at a point, f(t) = A Re Σ_n s_n e^{inωt}, or a periodic acceleration of a base.
+/// The amplitude A, N or m/s², is common to all excitations of a structure: they are all forces or
+/// all accelerations.
 struct Excitation {
-  std::string point;  ///< of the modal model
+  std::string point;  ///< of the modal model, or a base of it
   /// s_1, s_2, …, 1: harmonic n is entry n − 1. Those above the harmonics of the balance are an
   /// error.
   std::vector<std::complex<double>> harmonics = {1.0};
 };
 
+/// A load that acts for ever, and has acted from before any vibration: dead weight, a preload.
+struct StaticLoad {
+  std::string place;  ///< a point of the modal model, or a base of it
+  double value =
+      0.0;  ///< force at a point, N; acceleration of a base, m/s², −g of a weight along it
+};
+
 /// A linear structure in modal form, its joints and what drives it:
 ///
 ///     q̈_i + damping + ω_i² q_i = Σ_d φ_i(d) f_d(t) + what the joints do (see StructuralJoint)
+///
+/// with −Γ_i in place of φ_i and the acceleration in place of f where a base is driven (see
+/// ModalModel); static loads act beside.
 ///
 /// Damping of harmonic n of a motion of ω is η_i ω_i nω (viscous) or η_i ω_i² (hysteretic, n ≥ 1).
 /// Immutable.
@@ -68,9 +79,14 @@ class JointedStructure {
   /// @param joints       may be none: a linear structure.
   /// @param excitations  at least one, and one s_n that is not 0.
   /// @param damping      of all modes.
-  /// @throws InputError  naming the joint or excitation and the rule it breaks.
+  /// @param static_loads may be none.
+  /// @throws InputError  naming the joint, excitation or load and the rule it breaks.
   JointedStructure(ModalModel linear, std::vector<StructuralJoint> joints,
-                   std::vector<Excitation> excitations, DampingLaw damping = DampingLaw::kViscous);
+                   std::vector<Excitation> excitations, DampingLaw damping = DampingLaw::kViscous,
+                   std::vector<StaticLoad> static_loads = {});
+
+  /// The same with other joints. @throws InputError  as the constructor.
+  [[nodiscard]] JointedStructure with_joints(std::vector<StructuralJoint> joints) const;
 
   /// The structure without its joints.
   [[nodiscard]] const ModalModel& linear() const { return linear_; }
@@ -80,6 +96,13 @@ class JointedStructure {
   [[nodiscard]] std::span<const Excitation> excitations() const { return excitations_; }
   /// The damping of all modes.
   [[nodiscard]] DampingLaw damping() const { return damping_; }
+  /// The loads that always act, in the order given.
+  [[nodiscard]] std::span<const StaticLoad> static_loads() const { return static_loads_; }
+
+  /// Whether what drives it are accelerations of bases, m/s², and not forces, N.
+  [[nodiscard]] bool base_driven() const;
+  /// What the static loads do to the modes, p_i = Σ φ_i f − Σ Γ_i a, N kg^−½; one a mode.
+  [[nodiscard]] std::vector<double> static_modal_load() const;
 
   /// Whether some joint shortens (Γ).
   [[nodiscard]] bool shortens() const;
@@ -99,6 +122,7 @@ class JointedStructure {
   std::vector<StructuralJoint> joints_;
   std::vector<Excitation> excitations_;
   DampingLaw damping_;
+  std::vector<StaticLoad> static_loads_;
 };
 
 }  // namespace microslip

@@ -73,6 +73,7 @@ VectorXd stuck_mode(const BalanceEquations& equations, double angular_frequency)
   }
   z[n] = angular_frequency;
   z[n + 1] = excitation;
+  equations.set_at_rest(z);
   return z;
 }
 
@@ -86,6 +87,7 @@ VectorXd stuck_vibration(BalanceEquations& equations, double angular_frequency) 
   z[n + 1] = 1.0;
   equations.evaluate(z);
   z.head(n) = -equations.damped_jacobian(kStuckLoss).partialPivLu().solve(equations.residual());
+  equations.set_at_rest(z);
   return z;
 }
 
@@ -114,7 +116,7 @@ NewtonResult LevelWalk::start(double angular_frequency, double most) {
   const auto count = static_cast<Index>(joints.size());
   const Index block = equations_.balance_count() / std::max<Index>(1, count);
   VectorXd motion(count);
-  for (Index j = 0; j < count; ++j) motion[j] = z.segment(j * block, block).norm();
+  for (Index j = 0; j < count; ++j) motion[j] = z.segment(j * block + 1, block - 1).norm();
   const double share = stuck_share(equations_.structure(), motion);
   const double present = equations_.value(quantity_);
   const double level = std::min(std::isfinite(share) ? share * present : HUGE_VAL,

@@ -15,6 +15,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/stopwatch.hpp"
+#include "microslip/dynamics/base_motion.hpp"
 #include "microslip/dynamics/coarse_march.hpp"
 #include "microslip/dynamics/density_corners.hpp"
 #include "microslip/dynamics/march_checks.hpp"
@@ -95,13 +96,15 @@ class SizeSums {
 class Recorder {
  public:
   /// @param result  whose largest values are kept.
-  Recorder(const JointedStructure& structure, const MarchOptions& options, const MarchSink& sink,
-           MarchResult& result)
+  Recorder(const JointedStructure& structure, const LoadHistory& loads, const MarchOptions& options,
+           const MarchSink& sink, MarchResult& result)
       : sink_(sink),
         result_(result),
         joint_displacement_(structure.joints().size()),
         joint_force_(structure.joints().size()),
-        signals_(kOfPoint * options.points.size() + kOfJoint * structure.joints().size()),
+        bases_(structure, loads, options.points),
+        signals_((bases_.any() ? 2 : 1) * kOfPoint * options.points.size() +
+                 kOfJoint * structure.joints().size()),
         sums_(signals_.size()) {
     for (const std::string& point : options.points) {
       shapes_.push_back(structure.linear().shape(point));
@@ -109,12 +112,14 @@ class Recorder {
     for (auto* values : {&displacement_, &velocity_, &acceleration_}) {
       values->resize(shapes_.size());
     }
+    if (bases_.any()) absolute_.assign(kOfPoint, std::vector<double>(shapes_.size()));
   }
 
   /// At every step: what is largest need not be at a time of the axis.
   void watch(const MarchState& state, double time) {
     move_points(state);
     move_joints(state);
+    move_along(time);
     sums_.add(time, signals_);
   }
 
@@ -134,8 +139,14 @@ class Recorder {
   void take(std::size_t index, double time, bool recorded) {
     result_.reached = time;
     if (!recorded) return;
-    sink_(
-        {index, time, displacement_, velocity_, acceleration_, joint_displacement_, joint_force_});
+    MarchRow row{index,       time, displacement_, velocity_, acceleration_, joint_displacement_,
+                 joint_force_};
+    if (bases_.any()) {
+      row.absolute_displacement = absolute_[0];
+      row.absolute_velocity = absolute_[1];
+      row.absolute_acceleration = absolute_[2];
+    }
+    sink_(row);
   }
 
  private:
@@ -174,10 +185,27 @@ class Recorder {
     }
   }
 
+  /// What bases do with the points, after they and the joints have moved.
+  void move_along(double time) {
+    if (!bases_.any()) return;
+    bases_.advance_to(time);
+    auto signal =
+        signals_.begin() + static_cast<std::ptrdiff_t>(place_of_joint(joint_force_.size()));
+    for (std::size_t p = 0; p < shapes_.size(); ++p) {
+      const std::array<double, kOfPoint> carried = bases_.of(p);
+      absolute_[0][p] = displacement_[p] + carried[0];
+      absolute_[1][p] = velocity_[p] + carried[1];
+      absolute_[2][p] = acceleration_[p] + carried[2];
+      for (const std::vector<double>& values : absolute_) *signal++ = values[p];
+    }
+  }
+
   const MarchSink& sink_;
   MarchResult& result_;
   std::vector<std::span<const double>> shapes_;
   std::vector<double> displacement_, velocity_, acceleration_, joint_displacement_, joint_force_;
+  BaseMotion bases_;
+  std::vector<std::vector<double>> absolute_;  // w, ẇ, ẅ; one a point; empty without bases
   std::vector<double> signals_;  // all of these, one point after the other, then the joints
   SizeSums sums_;
 };
@@ -192,10 +220,10 @@ struct March {
         steps(structure) {
     if (given.estimate_error && !structure.joints().empty()) {
       coarse.emplace(structure, of_time, given);
-      coarse->start(acting, given.start);
+      coarse->start(acting, acting.start(given.start));
     }
     acting.set(0, state.loads());
-    state.start(given.start);
+    state.start(acting.start(given.start));
   }
 
   /// To the end of the axis, or to where a step fails. @return why it failed; empty where it did
@@ -364,7 +392,7 @@ MarchResult march_rows(const JointedStructure& structure, const LoadHistory& loa
   check_step(longest, loads.time);
   MarchResult result;
   result.summary.method = "time march, exponential Hermite";
-  Recorder recorder(structure, options, sink, result);
+  Recorder recorder(structure, loads, options, sink, result);
   March march(structure, loads, options);
   const std::string failure = march.run(longest, recorder, progress);
   recorder.finish();

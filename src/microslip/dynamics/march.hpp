@@ -15,10 +15,10 @@
 
 namespace microslip {
 
-/// The force at a point over time.
+/// The force at a point, or the acceleration of a base, over time.
 struct PointForce {
-  std::string point;          ///< of the modal model; no two the same
-  std::vector<double> force;  ///< N; one a time
+  std::string point;          ///< of the modal model, or a base of it; no two the same
+  std::vector<double> force;  ///< N, m/s² of a base; one a time
 };
 
 /// The normal load of a joint over time, p(t) = P_N(t)/P_0 [AR14 App. B].
@@ -29,17 +29,17 @@ struct JointNormalLoad {
 };
 
 /// What acts on a structure; linear in time between the given times. The excitations of the
-/// structure itself, which are periodic, do not act.
+/// structure itself, which are periodic, do not act; its static loads do.
 struct LoadHistory {
   std::vector<double> time;                        ///< s; at least 2, rising, even or not
   std::vector<PointForce> forces;                  ///< may be none: free vibration
   std::vector<JointNormalLoad> normal_loads = {};  ///< joints that are not named keep p = 1
 };
 
-/// The state at the first time; empty vectors are zeros. The joints are virgin but for the way to
-/// there.
+/// The state at the first time; empty vectors are zeros, or, where there are static loads, the
+/// equilibrium under them. The joints are virgin but for the way to there.
 struct InitialState {
-  std::vector<double> displacement = {};  ///< q_i, kg^½ m; one a mode
+  std::vector<double> displacement = {};  ///< q_i, kg^½ m; one a mode; none with static loads
   std::vector<double> velocity = {};      ///< q̇_i, kg^½ m/s
 };
 
@@ -140,6 +140,11 @@ struct MarchRow {
   std::span<const double> acceleration;        ///< m/s²; the same
   std::span<const double> joint_displacement;  ///< u, m; one a joint of the structure
   std::span<const double> joint_force;         ///< F, N; the same
+  /// The first three with what bases carry the points along with, from rest at the first time on;
+  /// empty where no base accelerates.
+  std::span<const double> absolute_displacement = {};
+  std::span<const double> absolute_velocity = {};      ///< m/s; likewise
+  std::span<const double> absolute_acceleration = {};  ///< m/s²; likewise
 };
 
 /// Takes the rows as they come.
@@ -169,7 +174,7 @@ struct MarchResult {
   std::vector<LargestMotion> largest;
   std::vector<double> reach;  ///< likewise max |u| of each joint, m
   /// Likewise of all signals: w, ẇ, ẅ of each point of the options, then u and F of each joint of
-  /// the structure.
+  /// the structure, then, where a base accelerates, the absolute w, ẇ, ẅ of each point.
   std::vector<SignalSize> sizes;
   MarchEnergy energy;         ///< up to the last time that was reached
   std::size_t steps = 0;      ///< taken, those cut at reversals twice

@@ -40,8 +40,10 @@ void check_length(const std::string& what, std::size_t found, std::size_t wanted
 void check_forces(const LoadHistory& loads, const ModalModel& linear) {
   std::set<std::string_view> names;
   for (const PointForce& at : loads.forces) {
-    (void)linear.shape(at.point);  // throws where there is none
-    const std::string what = fmt::format("force at '{}'", at.point);
+    (void)linear.load(at.point);  // throws where there is none
+    const std::string what = linear.is_base(at.point)
+                                 ? fmt::format("acceleration of '{}'", at.point)
+                                 : fmt::format("force at '{}'", at.point);
     if (!names.insert(at.point).second) throw InputError(what, "twice", "must be given once");
     check_length(what, at.force.size(), loads.time.size());
     for (std::size_t i = 0; i < at.force.size(); ++i) {
@@ -104,6 +106,11 @@ void check_march(const JointedStructure& structure, const LoadHistory& loads,
   check_forces(loads, structure.linear());
   check_normal_loads(loads, structure);
   check_options(options, structure.linear());
+  if (!structure.static_loads().empty() && !options.start.displacement.empty()) {
+    throw InputError("start displacement", "given beside static loads",
+                     "must be left out: the march begins at rest under them",
+                     "Give a start velocity, or a force that is released.");
+  }
 }
 
 }  // namespace microslip

@@ -3,24 +3,43 @@
 
 #include <algorithm>
 
+#include "microslip/dynamics/static_equilibrium.hpp"
+
 namespace microslip {
 
 MarchLoads::MarchLoads(const JointedStructure& structure, const LoadHistory& loads)
     : history_(loads) {
   const std::size_t lanes = padded(structure.linear().size());
   for (const PointForce& at : loads.forces) {
-    const auto shape = structure.linear().shape(at.point);
+    const auto shape = structure.linear().load(at.point);
     shapes_.emplace_back(shape.begin(), shape.end()).resize(lanes, 0.0);
   }
   for (const JointNormalLoad& given : loads.normal_loads) {
     const auto joint = std::ranges::find(structure.joints(), given.joint, &StructuralJoint::name);
     joints_.push_back(static_cast<std::size_t>(joint - structure.joints().begin()));
   }
+  if (structure.static_loads().empty()) return;
+  static_load_ = structure.static_modal_load();
+  static_load_.resize(lanes, 0.0);
+  std::vector<double> normal(structure.joints().size(), 1.0);
+  for (std::size_t n = 0; n < joints_.size(); ++n) {
+    normal[joints_[n]] = loads.normal_loads[n].load.front();
+  }
+  equilibrium_ = static_equilibrium(structure, normal).modal;
+}
+
+InitialState MarchLoads::start(InitialState asked) const {
+  if (!equilibrium_.empty()) asked.displacement = equilibrium_;
+  return asked;
 }
 
 void MarchLoads::set(std::size_t interval, MarchState::Loads& loads) const {
   const double length = history_.time[interval + 1] - history_.time[interval];
-  std::ranges::fill(loads.force, 0.0);
+  if (static_load_.empty()) {
+    std::ranges::fill(loads.force, 0.0);
+  } else {
+    std::ranges::copy(static_load_, loads.force.begin());
+  }
   std::ranges::fill(loads.slope, 0.0);
   for (std::size_t p = 0; p < shapes_.size(); ++p) {
     const double* values = history_.forces[p].force.data() + interval;

@@ -15,13 +15,18 @@ class MarchLoads {
   /// @param loads  kept by reference.
   MarchLoads(const JointedStructure& structure, const LoadHistory& loads);
 
-  /// Sets all that is not constant.
+  /// Where the march begins: what is asked for, or, with static loads, at rest under them.
+  [[nodiscard]] InitialState start(InitialState asked) const;
+
+  /// Sets all that is not constant from one interval to the next, and the static loads.
   void set(std::size_t interval, MarchState::Loads& loads) const;
 
  private:
   const LoadHistory& history_;
   std::vector<std::vector<double>> shapes_;  // of the points with a force, padded
   std::vector<std::size_t> joints_;          // whose normal load varies
+  std::vector<double> static_load_;          // of the modes, padded; empty without
+  std::vector<double> equilibrium_;          // q under them
 };
 
 /// The joints with the hysteresis that they have under these loads.

@@ -45,16 +45,19 @@ class ReceptanceSide final : public StructureSide {
     static_spring_ = m_.spring_in_modes + stuck_;
     MatrixXd stiffness = m_.shapes * stuck_.asDiagonal() * m_.shapes.transpose();
     for (Index i = 0; i < m_.modes; ++i) stiffness(i, i) += m_.stiffness(i, 0, 0.0, 0.0).real();
-    static_modal_ = inverse_of_held(stiffness) * m_.shapes;
+    const MatrixXd flexibility = inverse_of_held(stiffness);
+    static_modal_ = flexibility * m_.shapes;
     static_receptance_ = m_.shapes.transpose() * static_modal_;
+    resting_modal_ = flexibility * m_.static_load;
+    resting_joints_ = m_.shapes.transpose() * resting_modal_;
   }
 
   void evaluate(const Input& input, Values& values) override {
     values.residual.resize(m_.joints * coefficient_count(m_.harmonics));
-    motion_.col(0) = static_modal_ * load(0, input, static_spring_);
+    motion_.col(0) = static_modal_ * load(0, input, static_spring_) + resting_modal_;
     for (Index j = 0; j < m_.joints; ++j) {
       values.residual[at(j, 0)] =
-          own(input, j, 0).real() -
+          own(input, j, 0).real() - resting_joints_[j] -
           (static_receptance_.row(j) * load(0, input, static_spring_)).value().real();
     }
     for (std::size_t h = 1; h <= m_.harmonics; ++h) {
@@ -285,6 +288,8 @@ class ReceptanceSide final : public StructureSide {
   VectorXd static_spring_;      // κ of the mean
   MatrixXd static_modal_;       // K⁻¹ψ of the mean
   MatrixXd static_receptance_;  // ψᵀK⁻¹ψ of the mean
+  VectorXd resting_modal_;      // K⁻¹p of the static loads
+  VectorXd resting_joints_;     // ψᵀK⁻¹p
   MatrixXcd motion_;            // q
   bool odd_wave_ = false;       // where the derivatives were taken
   std::vector<MatrixXcd> by_displacement_;  // of each harmonic, joints × joints

@@ -35,8 +35,8 @@ double driven_displacement(const JointedStructure& structure, const SteadyVibrat
   std::complex<double> sum = 0.0;
   for (const Excitation& excitation : structure.excitations()) {
     if (excitation.harmonics.empty()) continue;
-    sum += excitation.harmonics[0] *
-           vibration.displacement(structure.linear(), excitation.point).at(1);
+    sum +=
+        excitation.harmonics[0] * vibration.worked_on(structure.linear(), excitation.point).at(1);
   }
   return std::abs(sum);
 }

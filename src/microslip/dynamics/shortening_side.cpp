@@ -36,7 +36,9 @@ class ShorteningSide final : public StructureSide {
       shortening_.push_back(std::move(gamma));
     }
     load_.setZero(m_.modes * count_);
+    static_load_.setZero(m_.modes * count_);
     for (Index i = 0; i < m_.modes; ++i) {
+      static_load_[i * count_] = m_.static_load[i];
       for (std::size_t h = 1; h <= m_.harmonics; ++h) {
         const std::complex<double> value = m_.load(i, static_cast<Index>(h));
         load_[i * count_ + coefficient_index(h)] = value.real();
@@ -98,7 +100,7 @@ class ShorteningSide final : public StructureSide {
   void solve_modes(const Input& input) {
     stiffness_.setZero(load_.size(), load_.size());
     for (Index i = 0; i < m_.modes; ++i) add_modal_stiffness(i, input);
-    VectorXd right = input.force * load_;
+    VectorXd right = input.force * load_ + static_load_;
     for (Index j = 0; j < m_.joints; ++j) {
       const auto tension = input.tension.segment(j * count_, count_);
       const MatrixXd product = multiplication_matrix(tension, m_.harmonics);
@@ -206,6 +208,7 @@ class ShorteningSide final : public StructureSide {
   Index count_;                       // 2H + 1
   std::vector<MatrixXd> shortening_;  // Γ of each joint
   VectorXd load_;                     // L
+  VectorXd static_load_;              // in the mean alone
   MatrixXd stiffness_;                // A
   Eigen::PartialPivLU<MatrixXd> solver_;
   VectorXd q_;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <numbers>
 #include <span>
@@ -27,6 +28,18 @@ void check_modal(const std::vector<std::vector<std::complex<double>>>& modal, st
   }
 }
 
+/// Σ_i weight_i q_{i,n}.
+std::vector<std::complex<double>> weighted(
+    const std::vector<std::vector<std::complex<double>>>& modal, std::span<const double> weights) {
+  const std::size_t count = modal.empty() ? 0 : modal.front().size();
+  if (!modal.empty()) check_modal(modal, weights.size(), count);
+  std::vector<std::complex<double>> result(count);
+  for (std::size_t i = 0; i < modal.size(); ++i) {
+    for (std::size_t n = 0; n < count; ++n) result[n] += weights[i] * modal[i][n];
+  }
+  return result;
+}
+
 }  // namespace
 
 double SteadyVibration::frequency() const { return angular_frequency / (2.0 * std::numbers::pi); }
@@ -44,12 +57,28 @@ double SteadyVibration::damping_ratio() const {
 
 std::vector<std::complex<double>> SteadyVibration::displacement(const ModalModel& model,
                                                                 std::string_view point) const {
-  const std::span<const double> shape = model.shape(point);
-  const std::size_t count = modal.empty() ? 0 : modal.front().size();
-  if (!modal.empty()) check_modal(modal, model.size(), count);
-  std::vector<std::complex<double>> result(count);
-  for (std::size_t i = 0; i < modal.size(); ++i) {
-    for (std::size_t n = 0; n < count; ++n) result[n] += shape[i] * modal[i][n];
+  return weighted(modal, model.shape(point));
+}
+
+std::vector<std::complex<double>> SteadyVibration::worked_on(const ModalModel& model,
+                                                             std::string_view place) const {
+  return weighted(modal, model.load(place));
+}
+
+std::vector<std::complex<double>> SteadyVibration::absolute_displacement(
+    const JointedStructure& structure, std::string_view point) const {
+  const ModalModel& linear = structure.linear();
+  std::vector<std::complex<double>> result = displacement(linear, point);
+  const auto place = std::ranges::find(linear.points(), point, &ModalPoint::name);
+  for (const Excitation& excitation : structure.excitations()) {
+    const auto base = std::ranges::find(linear.bases(), excitation.point, &ModalBase::name);
+    if (base == linear.bases().end()) continue;
+    const double carried =
+        base->point_motion[static_cast<std::size_t>(place - linear.points().begin())];
+    for (std::size_t n = 1; n < std::min(result.size(), excitation.harmonics.size() + 1); ++n) {
+      const double rate = static_cast<double>(n) * angular_frequency;
+      result[n] -= carried * force_amplitude * excitation.harmonics[n - 1] / (rate * rate);
+    }
   }
   return result;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "microslip/base/summary.hpp"
+#include "microslip/dynamics/jointed_structure.hpp"
 #include "microslip/structure/modal_model.hpp"
 
 namespace microslip {
@@ -56,7 +57,17 @@ struct SteadyVibration {
   /// @throws InputError  where the model has no such point, or other modes than the vibration.
   [[nodiscard]] std::vector<std::complex<double>> displacement(const ModalModel& model,
                                                                std::string_view point) const;
-  /// The acceleration there, −n²ω² times it, m/s².
+  /// What a load at a place works on, harmonics 0 to H: the displacement of a point, m; −Σ Γ_i q_i
+  /// of a base, kg m, so that a force on the one and an acceleration of the other feed ∮ f ẇ dt.
+  /// @throws InputError  as displacement().
+  [[nodiscard]] std::vector<std::complex<double>> worked_on(const ModalModel& model,
+                                                            std::string_view place) const;
+  /// The displacement at a point with what excitations move bases by, harmonics 0 to H, m: that of
+  /// displacement() and Σ_b r_p(b) x_b, −n²ω²x_b = A s_n. Without driven bases the same.
+  /// @throws InputError  as displacement().
+  [[nodiscard]] std::vector<std::complex<double>> absolute_displacement(
+      const JointedStructure& structure, std::string_view point) const;
+  /// The acceleration of displacement(), −n²ω² times it, m/s².
   [[nodiscard]] std::vector<std::complex<double>> acceleration(const ModalModel& model,
                                                                std::string_view point) const;
 };

@@ -65,9 +65,9 @@ bool StructureDraws::any() const { return spread_.any() || joints_.any(); }
 
 StructureDraw StructureDraws::draw(std::uint64_t i) const {
   std::vector<double> gains = drawn_gains(i);
-  StructureDraw drawn{JointedStructure(drawn_modes(i), drawn_joints(i),
-                                       over_gains(nominal_.excitations(), gains),
-                                       nominal_.damping())};
+  StructureDraw drawn{JointedStructure(
+      drawn_modes(i), drawn_joints(i), over_gains(nominal_.excitations(), gains),
+      nominal_.damping(), {nominal_.static_loads().begin(), nominal_.static_loads().end()})};
   RandomStream random = draw_stream(seed_, DrawnKind::kResponseGain, i);
   drawn.response_gain = drawn_factor(random, {spread_.response_gain}, 0);
   drawn.force_gain = std::move(gains);
@@ -82,8 +82,7 @@ ModalModel StructureDraws::drawn_modes(std::uint64_t i) const {
     modes[m].angular_frequency *= drawn_factor(frequency, spread_.frequency, m);
     modes[m].loss_factor *= drawn_factor(loss_factor, spread_.loss_factor, m);
   }
-  return ModalModel(std::move(modes),
-                    {nominal_.linear().points().begin(), nominal_.linear().points().end()});
+  return nominal_.linear().with_modes(std::move(modes));
 }
 
 std::vector<StructuralJoint> StructureDraws::drawn_joints(std::uint64_t i) const {

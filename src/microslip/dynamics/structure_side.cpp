@@ -24,6 +24,7 @@ ModalMatrices::ModalMatrices(const JointedStructure& structure, std::string_view
       shapes(modes, joints),
       response_shape(to_vector(structure.linear().shape(response_point))),
       load(Eigen::MatrixXcd::Zero(modes, static_cast<Index>(harmonics) + 1)),
+      static_load(to_vector(structure.static_modal_load())),
       spring_in_modes(joints),
       compliance(joints) {
   for (Index j = 0; j < joints; ++j) {
@@ -34,7 +35,7 @@ ModalMatrices::ModalMatrices(const JointedStructure& structure, std::string_view
   }
   if (forcing == Forcing::kModal) return;
   for (const Excitation& excitation : structure.excitations()) {
-    const VectorXd shape = to_vector(structure.linear().shape(excitation.point));
+    const VectorXd shape = to_vector(structure.linear().load(excitation.point));
     for (std::size_t n = 1; n <= std::min(excitation.harmonics.size(), harmonics); ++n) {
       load.col(static_cast<Index>(n)) += shape * excitation.harmonics[n - 1];
     }

@@ -107,7 +107,8 @@ struct ModalMatrices {
   Forcing forcing;
   Eigen::MatrixXd shapes;          ///< ψ, modes × joints
   Eigen::VectorXd response_shape;  ///< φ_i of the response point
-  Eigen::MatrixXcd load;  ///< on mode i in harmonic n at A = 1 N, modes × (H + 1); modal: 0
+  Eigen::MatrixXcd load;        ///< on mode i in harmonic n at A = 1 N, modes × (H + 1); modal: 0
+  Eigen::VectorXd static_load;  ///< on mode i, whatever A
   Eigen::VectorXd spring_in_modes;  ///< k_s, one a joint
   Eigen::VectorXd compliance;       ///< c
 };

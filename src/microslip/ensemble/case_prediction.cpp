@@ -42,7 +42,7 @@ void append(std::vector<double>& values, const std::vector<double>& more) {
 
 /// What an output is called and measures.
 struct OutputShape {
-  const char* name;
+  std::string name;
   Dimension dimension;
 };
 
@@ -73,17 +73,21 @@ class ResponseCase : public CasePrediction {
     (void)add_truncation(balance_, range_.kept.quantity, told);
     add_response_warnings(balance_, model, told);
     warnings_ = std::move(told.warnings);
-    const Dimension height = of_force ? kForce : kLength;
+    if (model.structure.base_driven() && planned.force) {
+      throw InputError("force_N", *planned.force,
+                       "must be left out: the model is driven by its base",
+                       "Take a case of the kind march, or give response_m.");
+    }
+    const CurveHeight height = of_force ? drive_of(model.structure) : displacement_height();
+    const std::string name(height.name);
     std::vector<double> axis;
     for (const SteadyVibration& point : reference_.points) axis.push_back(point.frequency());
-    outputs_ = over({{of_force ? "force_lower" : "displacement_lower", height},
-                     {of_force ? "force_upper" : "displacement_upper", height}},
+    outputs_ = over({{name + "_lower", height.dimension}, {name + "_upper", height.dimension}},
                     axis, "frequency", kFrequency);
     if (reference_.peaks.empty()) return;
     axis.clear();
     for (const SteadyVibration& peak : reference_.peaks) axis.push_back(peak.frequency());
-    std::ranges::move(over({{"peak_frequency", kFrequency},
-                            {of_force ? "peak_force" : "peak_displacement", height}},
+    std::ranges::move(over({{"peak_frequency", kFrequency}, {"peak_" + name, height.dimension}},
                            axis, "peak_of_model", kFrequency),
                       std::back_inserter(outputs_));
   }
@@ -124,9 +128,11 @@ class BackboneCase : public CasePrediction {
     warnings_ = std::move(told.warnings);
     std::vector<double> axis;
     for (const SteadyVibration& point : reference_.points) axis.push_back(point.response);
-    outputs_ =
-        over({{"force", kForce}, {"frequency", kFrequency}, {"damping_ratio", kDimensionless}},
-             axis, "displacement", kLength);
+    const CurveHeight drive = drive_of(model.structure);
+    outputs_ = over({{std::string(drive.name), drive.dimension},
+                     {"frequency", kFrequency},
+                     {"damping_ratio", kDimensionless}},
+                    axis, "displacement", kLength);
   }
 
   const std::vector<EnsembleOutput>& outputs() const override { return outputs_; }

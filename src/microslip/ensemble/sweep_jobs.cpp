@@ -99,10 +99,7 @@ JointedStructure SweepJobs::structure_at(const std::vector<double>& values) cons
     }
     joints[joint.joint].joint = parse_joint(changed, joint.file).joint;
   }
-  return {structure.linear(),
-          std::move(joints),
-          {structure.excitations().begin(), structure.excitations().end()},
-          structure.damping()};
+  return structure.with_joints(std::move(joints));
 }
 
 std::vector<double> values_at(const std::vector<SweepAxis>& axes, std::uint64_t point) {

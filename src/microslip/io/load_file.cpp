@@ -18,6 +18,7 @@ namespace microslip {
 namespace {
 
 constexpr std::string_view kForceAt = "force at ";
+constexpr std::string_view kAccelerationOf = "acceleration of ";
 constexpr std::string_view kLoadOf = "normal_load of ";
 
 std::string listed(const std::vector<std::string_view>& names) {
@@ -67,6 +68,8 @@ class Loads {
       if (std::ranges::find(excited_, excitation.point) != excited_.end()) continue;
       excited_.push_back(excitation.point);
     }
+    for (const ModalBase& base : structure.linear().bases()) bases_.push_back(base.name);
+    if (structure.base_driven()) excited_.clear();  // a column `force` is at no base
     for (const StructuralJoint& joint : structure.joints()) joints_.push_back(joint.name);
     loads_.time = rising_time(table);
   }
@@ -78,6 +81,9 @@ class Loads {
         add_force(name, only(table_, name, kForceAt, "excitation", excited_));
       } else if (name.starts_with(kForceAt)) {
         add_force(name, known(table_, name, name.substr(kForceAt.size()), "a point", points_));
+      } else if (name.starts_with(kAccelerationOf)) {
+        const std::string_view base = name.substr(kAccelerationOf.size());
+        add_force(name, known(table_, name, base, "a base", bases_), kAcceleration);
       } else if (name == "normal_load") {
         add_load(name, only(table_, name, kLoadOf, "joint", joints_));
       } else if (name.starts_with(kLoadOf)) {
@@ -85,13 +91,17 @@ class Loads {
       }
     }
     if (!loads_.forces.empty()) return std::move(loads_);
-    throw FormatError({table_.file()}, "a column 'force [N]' or 'force at POINT [N]'", "none");
+    throw FormatError({table_.file()},
+                      bases_.empty() ? "a column 'force [N]' or 'force at POINT [N]'"
+                                     : "a column 'force [N]', 'force at POINT [N]' or "
+                                       "'acceleration of BASE [m/s^2]'",
+                      "none");
   }
 
  private:
-  void add_force(std::string_view column, std::string point) {
+  void add_force(std::string_view column, std::string point, const Dimension& unit = kForce) {
     refuse_twice(column, point, loads_.forces, &PointForce::point);
-    loads_.forces.push_back({std::move(point), table_.numbers(column, kForce)});
+    loads_.forces.push_back({std::move(point), table_.numbers(column, unit)});
   }
 
   void add_load(std::string_view column, std::string joint) {
@@ -113,6 +123,7 @@ class Loads {
   const CsvTable& table_;
   NormalLoadLaw law_;
   std::vector<std::string_view> points_;
+  std::vector<std::string_view> bases_;
   std::vector<std::string_view> excited_;  // each place once
   std::vector<std::string_view> joints_;
   LoadHistory loads_;

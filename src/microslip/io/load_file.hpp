@@ -13,10 +13,11 @@
 ///     time [s]                  rising, even or not
 ///     force [N]                 at the excitation of the model, of which there is one
 ///     force at POINT [N]        at a point of the model
+///     acceleration of BASE [m/s^2]  of a base of the model
 ///     normal_load [1]           p = P_N/P_0 of the joint, where there is one; optional
 ///     normal_load of JOINT [1]  of a joint of the model; optional
 ///
-/// with at least one column of a force. Other columns are left alone.
+/// with at least one column of a force or an acceleration. Other columns are left alone.
 
 namespace microslip {
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -41,30 +42,19 @@ std::vector<std::string> comments_on(const MarchResult& result) {
   return lines;
 }
 
-std::string force_name(const LoadHistory& loads, const PointForce& at) {
-  return loads.forces.size() == 1 ? "force" : fmt::format("force at {}", at.point);
+/// "force", "force at tip", "acceleration of table", with the dimension.
+MarchColumn load_column(const JointedStructure& structure, const LoadHistory& loads,
+                        const PointForce& at) {
+  if (structure.linear().is_base(at.point)) {
+    return {fmt::format("acceleration of {}", at.point), kAcceleration};
+  }
+  return {loads.forces.size() == 1 ? "force" : fmt::format("force at {}", at.point), kForce};
 }
 
 std::string comment_lines(const std::vector<std::string>& texts) {
   std::string lines;
   for (const std::string& text : texts) append_comment(lines, text);
   return lines;
-}
-
-/// A column that is marched.
-struct MarchedColumn {
-  std::string name;
-  Dimension dimension;
-};
-
-std::vector<MarchedColumn> marched_columns(const JointedStructure& structure) {
-  std::vector<MarchedColumn> columns{
-      {"displacement", kLength}, {"velocity", kVelocity}, {"acceleration", kAcceleration}};
-  for (const StructuralJoint& joint : structure.joints()) {
-    columns.push_back({fmt::format("{} displacement", joint.name), kLength});
-    columns.push_back({fmt::format("{} force", joint.name), kForce});
-  }
-  return columns;
 }
 
 std::string header_line(const JointedStructure& structure, const LoadHistory& loads,
@@ -75,10 +65,13 @@ std::string header_line(const JointedStructure& structure, const LoadHistory& lo
     line += fmt::format("{}{} [{}]", line.empty() ? "" : ",", name, si_unit(dimension));
   };
   add("time", kTime);
-  for (const PointForce& at : loads.forces) add(force_name(loads, at), kForce);
-  const std::vector<MarchedColumn> columns = marched_columns(structure);
-  for (const MarchedColumn& column : columns) add(column.name, column.dimension);
-  for (const MarchedColumn& column : columns) {
+  for (const PointForce& at : loads.forces) {
+    const MarchColumn column = load_column(structure, loads, at);
+    add(column.name, column.dimension);
+  }
+  const std::vector<MarchColumn> columns = march_columns(structure, loads);
+  for (const MarchColumn& column : columns) add(column.name, column.dimension);
+  for (const MarchColumn& column : columns) {
     if (!with_band) break;
     add(column.name + "_lower", column.dimension);
     add(column.name + "_upper", column.dimension);
@@ -86,7 +79,27 @@ std::string header_line(const JointedStructure& structure, const LoadHistory& lo
   return line + '\n';
 }
 
+bool moves_a_base(const JointedStructure& structure, const LoadHistory& loads) {
+  return std::ranges::any_of(
+      loads.forces, [&](const PointForce& at) { return structure.linear().is_base(at.point); });
+}
+
 }  // namespace
+
+std::vector<MarchColumn> march_columns(const JointedStructure& structure,
+                                       const LoadHistory& loads) {
+  std::vector<MarchColumn> columns{
+      {"displacement", kLength}, {"velocity", kVelocity}, {"acceleration", kAcceleration}};
+  for (const StructuralJoint& joint : structure.joints()) {
+    columns.push_back({fmt::format("{} displacement", joint.name), kLength});
+    columns.push_back({fmt::format("{} force", joint.name), kForce});
+  }
+  if (!moves_a_base(structure, loads)) return columns;
+  columns.push_back({"absolute_displacement", kLength});
+  columns.push_back({"absolute_velocity", kVelocity});
+  columns.push_back({"absolute_acceleration", kAcceleration});
+  return columns;
+}
 
 MarchTable::MarchTable(const std::string& path, const JointedStructure& structure,
                        const LoadHistory& loads, std::string_view heading, bool with_band)
@@ -112,6 +125,11 @@ void MarchTable::add(const MarchRow& row, std::span<const double> band) {
   for (std::size_t j = 0; j < row.joint_displacement.size(); ++j) {
     put(row.joint_displacement[j]);
     put(row.joint_force[j]);
+  }
+  if (!row.absolute_displacement.empty()) {
+    put(row.absolute_displacement[0]);
+    put(row.absolute_velocity[0]);
+    put(row.absolute_acceleration[0]);
   }
   for (const double edge : band) put(edge);
   line_ += '\n';

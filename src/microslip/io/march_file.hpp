@@ -5,7 +5,9 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "microslip/base/units.hpp"
 #include "microslip/dynamics/march.hpp"
 
 /// @file
@@ -15,7 +17,11 @@
 ///     force [N]           that acts; force at POINT [N] where there are several
 ///     displacement [m], velocity [m/s], acceleration [m/s^2]    at the response point
 ///     NAME displacement [m], NAME force [N]                     of each joint
+///     absolute_displacement [m], absolute_velocity [m/s], absolute_acceleration [m/s^2]
+///                         of the response point, where a base accelerates: with what that carries
+///                         it along with, from rest on; the others are relative to the base
 ///
+/// with `acceleration of BASE [m/s^2]` for the load on a base,
 /// and, where there are draws, between which values they lie: `displacement_lower [m]`,
 /// `displacement_upper [m]`, and the same of each column after the forces that act.
 ///
@@ -25,6 +31,16 @@
 namespace microslip {
 
 class TableStream;
+
+/// A column of what is marched.
+struct MarchColumn {
+  std::string name;     ///< "displacement", "lap force"
+  Dimension dimension;  ///< of its values
+};
+
+/// Those after the loads, in their order; one each of the signals of a MarchRow.
+[[nodiscard]] std::vector<MarchColumn> march_columns(const JointedStructure& structure,
+                                                     const LoadHistory& loads);
 
 /// The table, written as the march goes, row by row: memory does not grow with their number. The
 /// file appears whole or not at all.

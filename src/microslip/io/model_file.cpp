@@ -24,10 +24,12 @@ namespace {
 constexpr std::size_t kLargestModelFile = std::size_t{16} << 20U;
 
 // Beyond all that vibrates, and far from where squares overflow.
-constexpr double kLargestShape = 1e9;        // kg^−½, the tip of a mass of 1e-18 kg
-constexpr double kSmallestShape = 1e-9;      // kg^−½
-constexpr double kLargestCompliance = 1e15;  // m/N
-constexpr double kLargestShortening = 1e18;  // 1/(kg m)
+constexpr double kLargestShape = 1e9;          // kg^−½, the tip of a mass of 1e-18 kg
+constexpr double kSmallestShape = 1e-9;        // kg^−½
+constexpr double kLargestCompliance = 1e15;    // m/N
+constexpr double kLargestShortening = 1e18;    // 1/(kg m)
+constexpr double kLargestParticipation = 1e9;  // kg^½, the root of a mass
+constexpr double kLargestMotion = 1e6;         // over that of a base
 
 std::vector<double> read_shape(const TomlTable& table, std::size_t modes) {
   std::vector<double> shape = read_signed(table, "shape", kLargestShape);
@@ -72,6 +74,34 @@ std::vector<ModalPoint> read_points(const TomlTable& structure, std::size_t mode
   return points;
 }
 
+std::vector<ModalBase> read_bases(const TomlTable& structure, std::size_t modes,
+                                  const std::vector<ModalPoint>& points) {
+  std::vector<ModalBase> bases;
+  if (!structure.has("base")) return bases;
+  for (const TomlTable& table : structure.tables("base")) {
+    table.allow_only({"name", "participation", "point_motion"});
+    std::string name = table.text("name");
+    check_name(table, name, points, "structure.point");
+    check_name(table, name, bases, "structure.base");
+    bases.push_back({std::move(name), read_signed(table, "participation", kLargestParticipation),
+                     read_signed(table, "point_motion", kLargestMotion)});
+    const ModalBase& base = bases.back();
+    if (base.participation.size() != modes) {
+      throw wrong_count(table, "participation", base.participation.size(),
+                        fmt::format("must have {}, one a mode of structure.frequency_Hz", modes));
+    }
+    if (base.point_motion.size() != points.size()) {
+      throw wrong_count(table, "point_motion", base.point_motion.size(),
+                        fmt::format("must have {}, one a structure.point", points.size()));
+    }
+    if (std::ranges::all_of(base.participation, is_zero)) {
+      throw InputError(table.name("participation"), "0 in all modes",
+                       "must be another in one mode at least");
+    }
+  }
+  return bases;
+}
+
 /// Relative standard deviations, one a mode.
 std::vector<double> read_spread(const TomlTable& structure, std::string_view key,
                                 std::size_t modes) {
@@ -84,6 +114,13 @@ std::vector<double> read_spread(const TomlTable& structure, std::string_view key
       fmt::format("must have {}, one a mode of structure.frequency_Hz, or 1 for all", modes));
 }
 
+template <class Named>
+std::vector<std::string> names_of(std::span<const Named> named) {
+  std::vector<std::string> names;
+  for (const Named& one : named) names.push_back(one.name);
+  return names;
+}
+
 struct LinearPart {
   ModalModel model;
   DampingLaw law;
@@ -92,8 +129,8 @@ struct LinearPart {
 };
 
 LinearPart read_structure(const TomlTable& structure) {
-  structure.allow_only({"frequency_Hz", "damping_ratio", "loss_factor", "point", "frequency_std",
-                        "loss_factor_std"});
+  structure.allow_only({"frequency_Hz", "damping_ratio", "loss_factor", "point", "base",
+                        "frequency_std", "loss_factor_std"});
   const std::vector<double> frequency = read_positive(structure, "frequency_Hz", kHighestFrequency);
   if (frequency.empty()) {
     throw wrong_count(structure, "frequency_Hz", 0, "must have one a mode, 1 at least");
@@ -103,7 +140,9 @@ LinearPart read_structure(const TomlTable& structure) {
   for (std::size_t i = 0; i < frequency.size(); ++i) {
     modes.push_back({2.0 * std::numbers::pi * frequency[i], damping.loss_factor[i]});
   }
-  return {ModalModel(std::move(modes), read_points(structure, frequency.size())), damping.law,
+  std::vector<ModalPoint> points = read_points(structure, frequency.size());
+  std::vector<ModalBase> bases = read_bases(structure, frequency.size(), points);
+  return {ModalModel(std::move(modes), std::move(points), std::move(bases)), damping.law,
           read_spread(structure, "frequency_std", frequency.size()),
           read_spread(structure, "loss_factor_std", frequency.size())};
 }
@@ -152,13 +191,13 @@ void read_joints(const TomlTable& top, std::string_view file, JointsToFind to_fi
 }
 
 ModelFile read_tables(const TomlTable& top, std::string_view file, JointsToFind to_find) {
-  top.allow_only({"schema", "structure", "joint", "excitation", "response", "accelerometer"});
+  top.allow_only(
+      {"schema", "structure", "joint", "excitation", "static_load", "response", "accelerometer"});
   LinearPart linear = read_structure(top.table("structure"));
   StructureSpread spread{.frequency = std::move(linear.frequency_spread),
                          .loss_factor = std::move(linear.loss_factor_spread)};
-  std::vector<std::string> points;
-  for (const ModalPoint& point : linear.model.points()) points.push_back(point.name);
-  DrivenPoints driven = read_driven_points(top, points);
+  DrivenPoints driven =
+      read_driven_points(top, names_of(linear.model.points()), names_of(linear.model.bases()));
   std::vector<StructuralJoint> joints;
   std::vector<JointSource> sources;
   read_joints(top, file, to_find, linear.model.size(), joints, sources);

@@ -9,7 +9,8 @@ ModelFile make_model(ModalModel linear, DampingLaw law, std::vector<StructuralJo
                      std::vector<JointSource> sources, DrivenPoints driven,
                      StructureSpread spread) {
   ModelFile model{
-      JointedStructure(std::move(linear), std::move(joints), std::move(driven.excitations), law),
+      JointedStructure(std::move(linear), std::move(joints), std::move(driven.excitations), law,
+                       std::move(driven.static_loads)),
       std::move(driven.response),
       {}};
   for (JointSource& source : sources) {

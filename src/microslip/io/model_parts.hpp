@@ -35,6 +35,7 @@ struct DrivenPoints {
   std::vector<Excitation> excitations;      ///< one at least
   std::vector<std::string> channels;        ///< of their forces, empty where one is not told
   std::vector<double> gain_spreads;         ///< relative, of each force
+  std::vector<StaticLoad> static_loads;     ///< may be none
   std::string response;                     ///< a point
   double response_gain_spread = 0.0;        ///< relative
   std::vector<PointSensor> accelerometers;  ///< of recordings

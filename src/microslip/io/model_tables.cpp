@@ -13,7 +13,8 @@
 namespace microslip {
 namespace {
 
-constexpr double kLargestHarmonic = 1e6;  // 1
+constexpr double kLargestHarmonic = 1e6;     // 1
+constexpr double kLargestStaticLoad = 1e12;  // N, m/s²
 
 /// A spring in place of a joint that is to be found.
 JointSource read_joint_to_find(const TomlTable& table, JointsToFind to_find) {
@@ -57,19 +58,38 @@ JointSource read_source(const TomlTable& table, std::string_view model, JointsTo
 
 using PointNames = std::span<const std::string>;
 
-std::string read_point(const TomlTable& table, PointNames points) {
-  const std::string point = table.text("point");
+/// One of the names by a key.
+/// @param what  "a point", "a base".
+std::string read_place(const TomlTable& table, std::string_view key, PointNames there,
+                       std::string_view what) {
+  const std::string place = table.text(key);
   std::vector<std::string_view> names;
   std::string list;
-  for (const std::string& there : points) {
-    if (there == point) return point;
-    names.emplace_back(there);
-    list += fmt::format("{}{}", list.empty() ? "" : ", ", there);
+  for (const std::string& one : there) {
+    if (one == place) return place;
+    names.emplace_back(one);
+    list += fmt::format("{}{}", list.empty() ? "" : ", ", one);
   }
-  const std::string_view closest = closest_name(point, names);
-  throw InputError(table.name("point"), in_quotes(point),
-                   fmt::format("must be the name of a point: {}", in_quotes(list, 120)),
+  const std::string_view closest = closest_name(place, names);
+  const std::string rule =
+      there.empty() ? fmt::format("must be the name of {}, and there is none", what)
+                    : fmt::format("must be the name of {}: {}", what, in_quotes(list, 120));
+  throw InputError(table.name(key), in_quotes(place), rule,
                    closest.empty() ? "" : fmt::format("Is it to be {}?", in_quotes(closest)));
+}
+
+std::string read_point(const TomlTable& table, PointNames points) {
+  return read_place(table, "point", points, "a point");
+}
+
+/// Of what acts: a point by the key point, or a base by the key base.
+std::string read_loaded(const TomlTable& table, PointNames points, PointNames bases) {
+  if (!table.has("base")) return read_point(table, points);
+  if (table.has("point")) {
+    throw FormatError(table.place("base"), "one of the keys point and base", "both",
+                      "A force acts at a point, an acceleration on a base.");
+  }
+  return read_place(table, "base", bases, "a base");
 }
 
 std::vector<std::complex<double>> read_harmonics(const TomlTable& table) {
@@ -118,14 +138,14 @@ constexpr std::string_view kGainSpreadKey = "gain_std";
 
 /// @param channels  of their forces, empty where one is not told.
 /// @param gains     spread of the gain of each.
-std::vector<Excitation> read_excitations(const TomlTable& top, PointNames points,
+std::vector<Excitation> read_excitations(const TomlTable& top, PointNames points, PointNames bases,
                                          std::vector<std::string>& channels,
                                          std::vector<double>& gains) {
   std::vector<Excitation> excitations;
   std::vector<std::string> names;
   for (const TomlTable& table : top.one_or_more("excitation")) {
-    table.allow_only({"point", "harmonics", "phase_rad", "channel", kGainSpreadKey});
-    std::string point = read_point(table, points);
+    table.allow_only({"point", "base", "harmonics", "phase_rad", "channel", kGainSpreadKey});
+    std::string point = read_loaded(table, points, bases);
     channels.push_back(table.has("channel") ? read_channel(table, names) : std::string());
     excitations.push_back({std::move(point), read_harmonics(table)});
     gains.push_back(read_optional(table, kGainSpreadKey, kLargestSpread));
@@ -133,6 +153,26 @@ std::vector<Excitation> read_excitations(const TomlTable& top, PointNames points
   if (!excitations.empty()) return excitations;
   throw InputError(top.name("excitation"), "an empty array", "must have one excitation at least",
                    "Write [excitation] with point.");
+}
+
+/// A force by force_N at a point, an acceleration by acceleration_m_per_s2 of a base.
+std::vector<StaticLoad> read_static_loads(const TomlTable& top, PointNames points,
+                                          PointNames bases) {
+  std::vector<StaticLoad> loads;
+  if (!top.has("static_load")) return loads;
+  for (const TomlTable& table : top.one_or_more("static_load")) {
+    const bool of_base = table.has("base");
+    const std::string_view key = of_base ? "acceleration_m_per_s2" : "force_N";
+    table.allow_only({"point", "base", key});
+    StaticLoad load{read_loaded(table, points, bases), table.number(key)};
+    if (!(std::abs(load.value) <= kLargestStaticLoad)) {
+      throw InputError(
+          table.name(key), load.value,
+          fmt::format("must be from {:g} to {:g}", -kLargestStaticLoad, kLargestStaticLoad));
+    }
+    loads.push_back(std::move(load));
+  }
+  return loads;
 }
 
 std::string read_response(const TomlTable& top, PointNames points, double& gain) {
@@ -219,13 +259,21 @@ JointSource read_joint_source(const TomlTable& table, std::string_view model,
   return source;
 }
 
-DrivenPoints read_driven_points(const TomlTable& top, PointNames points) {
+DrivenPoints read_driven_points(const TomlTable& top, PointNames points, PointNames bases) {
   DrivenPoints driven;
-  driven.excitations = read_excitations(top, points, driven.channels, driven.gain_spreads);
+  driven.excitations = read_excitations(top, points, bases, driven.channels, driven.gain_spreads);
+  driven.static_loads = read_static_loads(top, points, bases);
   driven.accelerometers = read_accelerometers(top, points, driven.channels);
-  driven.response = top.has("response") ? read_response(top, points, driven.response_gain_spread)
-                                        : driven.excitations.front().point;
-  return driven;
+  if (top.has("response")) {
+    driven.response = read_response(top, points, driven.response_gain_spread);
+    return driven;
+  }
+  driven.response = driven.excitations.front().point;
+  if (std::ranges::find(points, driven.response) != points.end()) return driven;
+  throw InputError(
+      top.name("response"), "left out",
+      fmt::format("must name a point: the excitation is that of the base '{}'", driven.response),
+      "Write [response] with point.");
 }
 
 }  // namespace microslip

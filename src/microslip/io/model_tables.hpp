@@ -100,9 +100,10 @@ struct ModalDamping {
 [[nodiscard]] JointSource read_joint_source(const TomlTable& table, std::string_view model,
                                             JointsToFind to_find);
 
-/// The tables excitation, response and accelerometer.
-/// @param points  names that there are.
+/// The tables excitation, static_load, response and accelerometer.
+/// @param points  names that there are. @param bases  likewise.
 [[nodiscard]] DrivenPoints read_driven_points(const TomlTable& top,
-                                              std::span<const std::string> points);
+                                              std::span<const std::string> points,
+                                              std::span<const std::string> bases);
 
 }  // namespace microslip

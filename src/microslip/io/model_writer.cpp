@@ -47,6 +47,17 @@ void write_structure(const JointedStructure& structure, const StructureSpread& s
     lines.add("name", point.name);
     lines.add("shape", point.shape);
   }
+  for (const ModalBase& base : structure.linear().bases()) {
+    lines.element("structure.base");
+    lines.add("name", base.name);
+    lines.add("participation", base.participation);
+    lines.add("point_motion", base.point_motion);
+  }
+}
+
+/// Of an excitation or load: point or base.
+void write_place(const JointedStructure& structure, const std::string& place, TomlLines& lines) {
+  lines.add(structure.linear().is_base(place) ? "base" : "point", place);
 }
 
 /// Without the key a reader takes what the joint file says.
@@ -79,8 +90,8 @@ void write_joint(const ModelFile& model, std::size_t number, TomlLines& lines) {
   if (says_damping(model, number)) lines.add(kLinearDampingKey, joint.linear_damping);
 }
 
-void write_excitation(const Excitation& excitation, const std::string& channel, double gain,
-                      TomlLines& lines) {
+void write_excitation(const JointedStructure& structure, const Excitation& excitation,
+                      const std::string& channel, double gain, TomlLines& lines) {
   std::vector<double> amplitude;
   std::vector<double> phase;
   for (const std::complex<double>& harmonic : excitation.harmonics) {
@@ -88,7 +99,7 @@ void write_excitation(const Excitation& excitation, const std::string& channel, 
     phase.push_back(std::arg(harmonic));
   }
   lines.element("excitation");
-  lines.add("point", excitation.point);
+  write_place(structure, excitation.point, lines);
   if (!channel.empty()) lines.add("channel", channel);
   if (gain > 0.0) lines.add("gain_std", gain);
   if (excitation.harmonics == std::vector<std::complex<double>>{1.0}) return;
@@ -112,8 +123,15 @@ std::string format_model(const ModelFile& model, std::string_view comment) {
   const std::span<const Excitation> excitations = model.structure.excitations();
   for (std::size_t i = 0; i < excitations.size(); ++i) {
     const bool told = i < model.force_channels.size();
-    write_excitation(excitations[i], told ? model.force_channels[i] : std::string(),
+    write_excitation(model.structure, excitations[i],
+                     told ? model.force_channels[i] : std::string(),
                      spread_at(model.spread.force_gain, i), lines);
+  }
+  for (const StaticLoad& load : model.structure.static_loads()) {
+    lines.element("static_load");
+    write_place(model.structure, load.place, lines);
+    const bool of_base = model.structure.linear().is_base(load.place);
+    lines.add(of_base ? "acceleration_m_per_s2" : "force_N", load.value);
   }
   lines.table("response");
   lines.add("point", model.response);

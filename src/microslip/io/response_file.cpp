@@ -69,10 +69,24 @@ double frequency_as_asked(const SteadyVibration& point) {
   return rounded;
 }
 
+/// |w_1| at the response point, m, of a response of any kind.
+double displacement_of(const HarmonicBalance& balance, const SteadyVibration& point) {
+  switch (balance.response().kind) {
+    case ResponseKind::kVelocity:
+      return point.response / point.angular_frequency;
+    case ResponseKind::kAcceleration:
+      return point.response / (point.angular_frequency * point.angular_frequency);
+    case ResponseKind::kDisplacement:
+      break;
+  }
+  return point.response;
+}
+
 class Columns {
  public:
-  Columns(const std::vector<SteadyVibration>& points, CsvWriter& table)
-      : points_(points), table_(table) {}
+  Columns(const HarmonicBalance& balance, const std::vector<SteadyVibration>& points,
+          CsvWriter& table)
+      : balance_(balance), points_(points), table_(table) {}
 
   template <typename Value>
   void add(std::string_view name, const Dimension& dimension, Value value) {
@@ -82,11 +96,36 @@ class Columns {
     table_.add_numbers(name, dimension, values);
   }
 
-  void add_force() {
-    add("force", kForce, [](const auto& point) { return point.force_amplitude; });
+  void add_drive() {
+    const CurveHeight drive = drive_column(balance_);
+    add(drive.name, drive.dimension, [](const auto& point) { return point.force_amplitude; });
   }
   void add_displacement() {
-    add("displacement", kLength, [](const auto& point) { return point.response; });
+    add("displacement", kLength, [&](const auto& p) { return displacement_of(balance_, p); });
+  }
+
+  void add_derivatives() {
+    add("velocity", kVelocity,
+        [&](const auto& p) { return p.angular_frequency * displacement_of(balance_, p); });
+    add("acceleration", kAcceleration, [&](const auto& p) {
+      return p.angular_frequency * p.angular_frequency * displacement_of(balance_, p);
+    });
+  }
+
+  /// With what the base carries the response point along with.
+  void add_absolute() {
+    if (!balance_.structure().base_driven()) return;
+    const auto displacement = [&](const SteadyVibration& p) {
+      return std::abs(
+          p.absolute_displacement(balance_.structure(), balance_.response().point).at(1));
+    };
+    const auto acceleration = [&](const SteadyVibration& p) {
+      return p.angular_frequency * p.angular_frequency * displacement(p);
+    };
+    add("absolute_displacement", kLength, displacement);
+    add("absolute_acceleration", kAcceleration, acceleration);
+    add("transmissibility", kDimensionless,
+        [&](const auto& p) { return acceleration(p) / p.force_amplitude; });
   }
 
   void add_damping_ratio() {
@@ -116,9 +155,16 @@ class Columns {
     add("linear_dissipation_" + points_.front().joints[j].name, kEnergy, value);
   }
 
+  const HarmonicBalance& balance_;
   const std::vector<SteadyVibration>& points_;
   CsvWriter& table_;
 };
+
+/// "force 0.1 N", "base_acceleration 9.81 m/s^2".
+std::string drive_text(const HarmonicBalance& balance, const SteadyVibration& point) {
+  const CurveHeight drive = drive_column(balance);
+  return fmt::format("{} {:.9g} {}", drive.name, point.force_amplitude, si_unit(drive.dimension));
+}
 
 void add_ending(const Summary& summary, CsvWriter& table) {
   table.add_comment(fmt::format("{}: {}: {}", summary.method,
@@ -126,29 +172,30 @@ void add_ending(const Summary& summary, CsvWriter& table) {
                                 summary.reason));
 }
 
-void add_turning_points(const ResponseCurve& curve, CsvWriter& table) {
+void add_turning_points(const HarmonicBalance& balance, const ResponseCurve& curve,
+                        CsvWriter& table) {
   for (const std::size_t i :
        std::span(curve.turning_points).first(std::min(curve.turning_points.size(), kMostMarks))) {
     if (i >= curve.points.size()) continue;
     const SteadyVibration& point = curve.points[i];
-    table.add_comment(
-        fmt::format("turns back: frequency {:.9g} Hz, force {:.9g} N, displacement {:.9g} m",
-                    point.frequency(), point.force_amplitude, point.response));
+    table.add_comment(fmt::format("turns back: frequency {:.9g} Hz, {}, displacement {:.9g} m",
+                                  point.frequency(), drive_text(balance, point),
+                                  displacement_of(balance, point)));
   }
   add_rest(curve.turning_points.size(), "turns back", table);
 }
 
-void add_marks(const ResponseCurve& curve, CsvWriter& table) {
+void add_marks(const HarmonicBalance& balance, const ResponseCurve& curve, CsvWriter& table) {
   for (const SteadyVibration& peak :
        std::span(curve.peaks).first(std::min(curve.peaks.size(), kMostMarks))) {
-    table.add_comment(fmt::format(
-        "peak: frequency {:.9g} Hz, force {:.9g} N, displacement {:.9g} m, phase {:.6g} rad, "
-        "damping_ratio {:.6g}",
-        peak.frequency(), peak.force_amplitude, peak.response, peak.phase_lag,
-        peak.damping_ratio()));
+    table.add_comment(
+        fmt::format("peak: frequency {:.9g} Hz, {}, displacement {:.9g} m, phase {:.6g} rad, "
+                    "damping_ratio {:.6g}",
+                    peak.frequency(), drive_text(balance, peak), displacement_of(balance, peak),
+                    peak.phase_lag, peak.damping_ratio()));
   }
   add_rest(curve.peaks.size(), "peak", table);
-  add_turning_points(curve, table);
+  add_turning_points(balance, curve, table);
 }
 
 /// 1 in the rows of peaks. What is not finite has no row.
@@ -195,32 +242,46 @@ CsvWriter begin(const ResponseCurve& curve, std::string_view heading) {
 
 }  // namespace
 
+CurveHeight drive_of(const JointedStructure& structure) {
+  if (structure.base_driven()) return {"base_acceleration", kAcceleration, true};
+  return {"force", kForce, true};
+}
+
+CurveHeight drive_column(const HarmonicBalance& balance) {
+  const bool modal = balance.options().forcing == Forcing::kModal;
+  return modal ? CurveHeight{"force", kForce, true} : drive_of(balance.structure());
+}
+
+CurveHeight displacement_height() { return {"displacement", kLength}; }
+
 bool has_rows(const ResponseCurve& curve) { return std::ranges::any_of(curve.points, is_finite); }
 
-CsvWriter response_table(const ResponseCurve& curve, std::string_view heading,
-                         std::span<const BandColumns> bands) {
+CsvWriter response_table(const HarmonicBalance& balance, const ResponseCurve& curve,
+                         std::string_view heading, std::span<const BandColumns> bands) {
   const std::vector<SteadyVibration> points = writable(curve);
   CsvWriter table = begin(curve, heading);
-  add_marks(curve, table);
-  Columns columns(points, table);
+  add_marks(balance, curve, table);
+  Columns columns(balance, points, table);
   columns.add("frequency", kFrequency, frequency_as_asked);
-  columns.add_force();
+  columns.add_drive();
   columns.add_displacement();
   columns.add("phase", kAngle, [](const auto& point) { return point.phase_lag; });
+  columns.add_derivatives();
+  columns.add_absolute();
   columns.add_energies();
   table.add_numbers("peak", kDimensionless, peak_marks(curve));
   add_bands(curve, bands, table);
   return table;
 }
 
-CsvWriter backbone_table(const ResponseCurve& curve, std::string_view heading,
-                         std::span<const BandColumns> bands) {
+CsvWriter backbone_table(const HarmonicBalance& balance, const ResponseCurve& curve,
+                         std::string_view heading, std::span<const BandColumns> bands) {
   const std::vector<SteadyVibration> points = writable(curve);
   CsvWriter table = begin(curve, heading);
-  add_turning_points(curve, table);
-  Columns columns(points, table);
+  add_turning_points(balance, curve, table);
+  Columns columns(balance, points, table);
   columns.add_displacement();
-  columns.add_force();
+  columns.add_drive();
   columns.add("frequency", kFrequency, [](const auto& point) { return point.frequency(); });
   columns.add_damping_ratio();
   columns.add_energies();

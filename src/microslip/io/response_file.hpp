@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "microslip/base/units.hpp"
-#include "microslip/dynamics/steady_vibration.hpp"
+#include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/io/csv_writer.hpp"
 
 /// @file
@@ -23,6 +23,21 @@
 
 namespace microslip {
 
+/// What is high or low along a curve, as its column is called.
+struct CurveHeight {
+  std::string_view name;  ///< "displacement", "force", "base_acceleration"
+  Dimension dimension;    ///< of its values
+  bool drives =
+      false;  ///< whether it is what drives the structure, found for a response that is kept
+};
+
+/// Of what drives a structure: "force", or "base_acceleration" of one whose base is driven.
+[[nodiscard]] CurveHeight drive_of(const JointedStructure& structure);
+/// The same of a curve: "force" with modal forcing, whatever the model drives.
+[[nodiscard]] CurveHeight drive_column(const HarmonicBalance& balance);
+/// Of the first harmonic of the displacement at the response point.
+[[nodiscard]] CurveHeight displacement_height();
+
 /// Whether a point of the curve is finite, so that there is one to write.
 [[nodiscard]] bool has_rows(const ResponseCurve& curve);
 
@@ -34,22 +49,30 @@ struct BandColumns {
   std::vector<double> upper;  ///< one a point of the curve
 };
 
-/// frf.csv: `frequency [Hz], force [N], displacement [m], phase [rad]`, the columns above and
-/// `peak [1]`, 1 in the row of a peak, else 0. displacement is the amplitude of the first harmonic
-/// at the response point, phase its lag behind the force. Where the curve turns back frequencies
-/// are not sorted; its peaks and turning points stand in the comments too, the first 100 of each.
-/// Frequencies have 15 digits, so that one that was asked for is the number that was given.
-/// @param curve    of a response point of the kind displacement; its warnings become comments.
+/// frf.csv: `frequency [Hz], force [N], displacement [m], phase [rad], velocity [m/s], acceleration
+/// [m/s^2]`, the columns above and `peak [1]`, 1 in the row of a peak, else 0. displacement is the
+/// amplitude of the first harmonic at the response point, phase its lag behind the force, velocity and
+/// acceleration ω and ω² times it. Of a structure whose base is driven `base_acceleration [m/s^2]`
+/// stands in place of the force, displacement is relative to the base, and after acceleration come
+/// `absolute_displacement [m]`, `absolute_acceleration [m/s^2]` and `transmissibility [1]`, the last
+/// over the base acceleration. Where the curve turns back frequencies are not sorted; its peaks and
+/// turning points stand in the comments too, the first 100 of each. Frequencies have 15 digits, so
+/// that one that was asked for is the number that was given.
+/// What is not finite, as it may be where nothing converged, is left out.
+/// @param balance  that the curve is of.
+/// @param curve    its warnings become comments.
 /// @param heading  the first comment; may be empty.
 /// @param bands    columns at the end.
-/// What is not finite, as it may be where nothing converged, is left out.
 /// @throws InputError  unless has_rows(); for a band that has not as many values as points.
-[[nodiscard]] CsvWriter response_table(const ResponseCurve& curve, std::string_view heading = {},
+[[nodiscard]] CsvWriter response_table(const HarmonicBalance& balance, const ResponseCurve& curve,
+                                       std::string_view heading = {},
                                        std::span<const BandColumns> bands = {});
 
 /// backbone.csv: `displacement [m], force [N], frequency [Hz], damping_ratio [1]` and the columns
-/// above, of vibrations in phase resonance. @param curve, heading, bands  as for response_table().
-[[nodiscard]] CsvWriter backbone_table(const ResponseCurve& curve, std::string_view heading = {},
+/// above, of vibrations in phase resonance; `base_acceleration [m/s^2]` as in frf.csv, unless a modal
+/// force drives. @param balance, curve, heading, bands  as for response_table().
+[[nodiscard]] CsvWriter backbone_table(const HarmonicBalance& balance, const ResponseCurve& curve,
+                                       std::string_view heading = {},
                                        std::span<const BandColumns> bands = {});
 
 }  // namespace microslip

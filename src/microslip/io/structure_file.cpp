@@ -145,6 +145,23 @@ MeshJoint read_mesh_joint(const TomlTable& table, const std::string& name, doubl
   return joint;
 }
 
+/// @return their names.
+std::vector<std::string> read_bases(const TomlTable& top, MeshedStructure& structure) {
+  std::vector<std::string> names;
+  if (!top.has("base")) return names;
+  for (const TomlTable& table : top.tables("base")) {
+    table.allow_only({"name", "direction", kRowsKey});
+    MeshBase base{.name = table.text("name")};
+    check_name(table, base.name, structure.points, "point");
+    check_name(table, base.name, structure.bases, "base");
+    if (table.has(kRowsKey)) base.rows = read_rows(table);
+    base.direction = read_direction(table, base.rows.empty());
+    names.push_back(base.name);
+    structure.bases.push_back(std::move(base));
+  }
+  return names;
+}
+
 void read_joints(const TomlTable& top, std::string_view file, const NodeSets& sets,
                  StructureFile& read) {
   if (!top.has("joint")) return;
@@ -197,7 +214,7 @@ void read_modes(const TomlTable& modes, StructureFile& read) {
 
 StructureFile read_tables(const TomlTable& top, std::string_view file) {
   top.allow_only({"schema", "matrices", "nodes", "set", "support", "point", "joint", "modes",
-                  "excitation", "response", "accelerometer"});
+                  "base", "excitation", "static_load", "response", "accelerometer"});
   StructureFile read;
   const TomlTable matrices = top.table("matrices");
   matrices.allow_only(
@@ -219,7 +236,7 @@ StructureFile read_tables(const TomlTable& top, std::string_view file) {
     names.push_back(read.structure.points.back().name);
   }
   read_joints(top, file, sets, read);
-  read.driven = read_driven_points(top, names);
+  read.driven = read_driven_points(top, names, read_bases(top, read.structure));
   read.structure.matrices = read_matrices(matrices, file, units);
   read.structure.nodes = std::move(mesh.nodes);
   return read;

@@ -28,9 +28,11 @@
 ///     [[joint]]      name; to and from, tables with a place, without from against the ground;
 ///                    direction; file or stiffness_N_per_m and what else a model's joint has of its
 ///                    own: samples, normal_load_std, linear_damping_J_per_m2
+///     [[base]]       name; direction, or rows = […] (from 1) that move by 1: what is held, and the
+///                    structure with it, as a shaker table moves them; optional
 ///     [modes]        count or up_to_Hz; joints = "free" (default) or "stuck"; attachment (default
 ///                    true); loss_factor or damping_ratio: one a mode, later ones take the last
-///     [excitation], [response], [[accelerometer]]: as in a model
+///     [excitation], [[static_load]], [response], [[accelerometer]]: as in a model
 ///
 /// A place is one of node, nodes = […], set, or row (of the matrices, from 1); of two nodes or more
 /// spider = "average" (default) or "rigid"; at_m = [x, y, z]: where of their body, else its centre.

@@ -212,6 +212,18 @@ MeshPlace read_place(const TomlTable& table, const NodeSets& sets) {
   return place;
 }
 
+std::vector<std::size_t> read_rows(const TomlTable& table) {
+  const std::vector<double> numbers = table.numbers(kRowsKey);
+  if (numbers.empty()) {
+    throw InputError(table.name(kRowsKey), "an empty array", "must have one row at least");
+  }
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    rows.push_back(row_of(table.name(kRowsKey, i), numbers[i]));
+  }
+  return rows;
+}
+
 MeshSupport read_support(const TomlTable& table, const NodeSets& sets) {
   table.allow_only({kNodeKey, kNodesKey, kSetKey, kRowsKey, "directions"});
   const std::string_view key = only_key(table, {kNodeKey, kNodesKey, kSetKey, kRowsKey});
@@ -221,10 +233,7 @@ MeshSupport read_support(const TomlTable& table, const NodeSets& sets) {
       throw FormatError(table.place("directions"), "a support with nodes", "one of rows",
                         "Leave it out.");
     }
-    const std::vector<double> rows = table.numbers(key);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      support.rows.push_back(row_of(table.name(key, i), rows[i]));
-    }
+    support.rows = read_rows(table);
     return support;
   }
   support.nodes = nodes_of(table, key, sets);

@@ -44,6 +44,9 @@ inline constexpr std::string_view kAtKey = "at_m";
 /// @throws FormatError, InputError  where it is not one place.
 [[nodiscard]] MeshPlace read_place(const TomlTable& table, const NodeSets& sets);
 
+/// The key rows: rows of the matrices from 1, here from 0. @throws InputError  for none, or no row.
+[[nodiscard]] std::vector<std::size_t> read_rows(const TomlTable& table);
+
 /// Of the keys node, nodes, set, rows and directions.
 [[nodiscard]] MeshSupport read_support(const TomlTable& table, const NodeSets& sets);
 

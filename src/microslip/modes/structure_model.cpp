@@ -41,7 +41,7 @@ ModalModel damped(const ModalModel& model, const std::vector<double>& loss_facto
   for (std::size_t i = 0; i < modes.size(); ++i) {
     modes[i].loss_factor = loss_factor[std::min(i, loss_factor.size() - 1)];
   }
-  return {std::move(modes), {model.points().begin(), model.points().end()}};
+  return model.with_modes(std::move(modes));
 }
 
 std::vector<StructuralJoint> joints_of(const StructureFile& file, const StructureModes& modes) {
@@ -84,8 +84,8 @@ std::string compliance_lines(const StructureModes& modes) {
     };
     text +=
         fmt::format("  {} '{}': static {:.4g} {}, in the modes {:.4g} %, in the model {:.6g} %\n",
-                    one.is_joint ? "joint" : "point", one.name, one.exact, unit_of(one),
-                    share(one.in_modes), share(one.in_model));
+                    to_string(one.place), one.name, one.exact, unit_of(one), share(one.in_modes),
+                    share(one.in_model));
   }
   return text;
 }
@@ -130,6 +130,10 @@ std::string describe_structure_model(const std::string& path, const StructureMod
     text += fmt::format("  {} of them of rigid bodies, without stiffness\n", modes.rigid_bodies);
   }
   text += compliance_lines(modes);
+  for (const BaseMass& base : modes.base_masses) {
+    text += fmt::format("  base '{}': the modes move {:.4g} % of its {:.6g} kg\n", base.name,
+                        100.0 * base.in_modes / base.total, base.total);
+  }
   return text + fmt::format("  {}\n", modes.summary.brief());
 }
 

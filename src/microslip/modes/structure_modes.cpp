@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -40,6 +41,12 @@ void add_springs(const MeshedStructure& structure, AssembledSystem& assembled) {
   }
 }
 
+std::optional<std::size_t> base_index(const MeshedStructure& structure, const std::string& name) {
+  const auto found = std::ranges::find(structure.bases, name, &MeshBase::name);
+  if (found == structure.bases.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - structure.bases.begin());
+}
+
 std::size_t point_index(const MeshedStructure& structure, const std::string& name) {
   const auto found = std::ranges::find(structure.points, name, &MeshPoint::name);
   if (found != structure.points.end()) {
@@ -60,14 +67,19 @@ Sparse attached_loads(const MeshedStructure& structure, const AssembledSystem& a
   for (std::size_t j = 0; j < structure.joints.size(); ++j) {
     const MeshJoint& joint = structure.joints[j];
     const bool turns = !joint.to.row && joint.direction.turns;
-    names.push_back({.name = joint.name, .turns = turns, .is_joint = true});
+    names.push_back({.name = joint.name, .turns = turns});
     columns.emplace_back(assembled.joints.col(static_cast<Index>(j)));
   }
   for (const std::string& name : options.attached_points) {
+    if (const auto base = base_index(structure, name)) {
+      names.push_back({.name = name, .place = YieldingPlace::kBase});
+      columns.emplace_back(assembled.base_loads.col(static_cast<Index>(*base)).sparseView());
+      continue;
+    }
     const std::size_t at = point_index(structure, name);
     const MeshPoint& point = structure.points[at];
     const bool turns = !point.place.row && point.direction.turns;
-    names.push_back({.name = name, .turns = turns, .is_joint = false});
+    names.push_back({.name = name, .turns = turns, .place = YieldingPlace::kPoint});
     columns.emplace_back(assembled.points.col(static_cast<Index>(at)));
   }
   Sparse loads(assembled.system.size(), static_cast<Index>(columns.size()));
@@ -92,7 +104,34 @@ ModalModel model_of(const MeshedStructure& structure, const AssembledSystem& ass
     points.push_back({.name = structure.points[i].name,
                       .shape = shape_of(shapes, assembled.points, static_cast<Index>(i))});
   }
-  return {std::move(modes), std::move(points)};
+  std::vector<ModalBase> bases;
+  for (std::size_t b = 0; b < structure.bases.size(); ++b) {
+    const auto column = static_cast<Index>(b);
+    const Eigen::VectorXd participation = shapes.transpose() * assembled.base_loads.col(column);
+    const Eigen::VectorXd motion = assembled.base_motions.col(column);
+    bases.push_back({.name = structure.bases[b].name,
+                     .participation = {participation.begin(), participation.end()},
+                     .point_motion = {motion.begin(), motion.end()}});
+  }
+  return {std::move(modes), std::move(points), std::move(bases)};
+}
+
+void tell_base_masses(const AssembledSystem& assembled, StructureModes& found) {
+  for (std::size_t b = 0; b < found.model.bases().size(); ++b) {
+    const ModalBase& base = found.model.bases()[b];
+    double moved = 0.0;
+    for (std::size_t i = 0; i < found.modes; ++i)
+      moved += base.participation[i] * base.participation[i];
+    found.base_masses.push_back({base.name, assembled.base_masses(static_cast<Index>(b)), moved});
+    if (!assembled.base_mass_missing[b]) continue;
+    found.warnings.push_back(
+        {"base_mass_missing",
+         fmt::format("What the matrices are held by outside of them is taken to move with base "
+                     "'{}'. The mass that elements share with what is held there is in no matrix: "
+                     "without it the load of the base is too small by that. Hold the nodes by "
+                     "[[support]] instead, and the load is exact.",
+                     base.name)});
+  }
 }
 
 /// How many of the motions of rigid bodies, those of modes without stiffness, move no joint.
@@ -121,18 +160,24 @@ void warn_of_rigid_bodies(StructureModes& found) {
                                    found.joint_shapes.empty() ? "" : ", no joint either")});
 }
 
+std::string capitalised(YieldingPlace place) {
+  std::string text(to_string(place));
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text;
+}
+
 void warn_of_lacks(bool attached, StructureModes& found) {
   for (const StaticCompliance& one : found.compliances) {
     const double lack = one.exact > 0.0 ? 1.0 - one.in_model / one.exact : 0.0;
     if (lack <= kLackAllowed) continue;
     found.warnings.push_back(
         {"compliance_lacks",
-         fmt::format(
-             "{} '{}' gives way by {:.4g} {} under a constant force, in the model by {:.3g} "
-             "% less. {}",
-             one.is_joint ? "Joint" : "Point", one.name, one.exact, unit_of(one), 100.0 * lack,
-             attached ? "What is missing moves without mass."
-                      : "Take the attachments, or more modes.")});
+         fmt::format("{} '{}' gives way by {:.4g} {} under a constant {}, in the model by {:.3g} "
+                     "% less. {}",
+                     capitalised(one.place), one.name, one.exact, unit_of(one),
+                     one.place == YieldingPlace::kBase ? "acceleration" : "force", 100.0 * lack,
+                     attached ? "What is missing moves without mass."
+                              : "Take the attachments, or more modes.")});
   }
 }
 
@@ -154,7 +199,20 @@ void warn_of_search(StructureModes& found) {
 
 }  // namespace
 
+std::string_view to_string(YieldingPlace place) {
+  switch (place) {
+    case YieldingPlace::kJoint:
+      return "joint";
+    case YieldingPlace::kPoint:
+      return "point";
+    case YieldingPlace::kBase:
+      break;
+  }
+  return "base";
+}
+
 std::string_view unit_of(const StaticCompliance& compliance) {
+  if (compliance.place == YieldingPlace::kBase) return "kg s^2";
   return compliance.turns ? "rad/(N m)" : "m/N";
 }
 
@@ -200,6 +258,7 @@ StructureModes compute_structure_modes(const MeshedStructure& structure,
   found.compliances = std::move(compliances);
   found.degrees_of_freedom = static_cast<std::size_t>(assembled.system.size());
   found.summary = modes.summary;
+  tell_base_masses(assembled, found);
   warn_of_rigid_bodies(found);
   warn_of_lacks(options.attachment, found);
   warn_of_slow_modes(found);

@@ -21,21 +21,34 @@ struct ModesOptions {
   std::optional<double> highest_frequency = {};  ///< all up to this, Hz; one of both must be given
   JointsInModes joints = JointsInModes::kFree;   ///< while modes are computed
   /// Shapes beside the modes that hold what is missing in the static displacement under a pair of
-  /// forces at each joint, and under one at each of `attached_points`.
+  /// forces at each joint, and under one at each of `attached_points`, or an acceleration of it.
   bool attachment = true;
-  std::vector<std::string> attached_points = {};  ///< names of points
+  std::vector<std::string> attached_points = {};  ///< names of points or bases
   Progress progress = {};  ///< told what is done of some number of solutions; may stop it
 };
 
+/// What gives way.
+enum class YieldingPlace : std::uint8_t { kJoint, kPoint, kBase };
+
+/// "joint", "point", "base".
+[[nodiscard]] std::string_view to_string(YieldingPlace place);
+
 /// How much a place gives way under a constant force, m/N, or about an axis under a constant moment,
-/// rad/(N m); without the motion of rigid bodies.
+/// rad/(N m); without the motion of rigid bodies. Of a base that accelerates, rᵀM K⁻¹ M r, kg s².
 struct StaticCompliance {
-  std::string name;       ///< of the joint or point
-  bool turns = false;     ///< about an axis
-  bool is_joint = true;   ///< or a point
+  std::string name;                             ///< of the joint, point or base
+  bool turns = false;                           ///< about an axis
+  YieldingPlace place = YieldingPlace::kJoint;  ///< what it is
   double exact = 0.0;     ///< of the matrices, of all their degrees of freedom
   double in_modes = 0.0;  ///< of the modes alone
   double in_model = 0.0;  ///< of modes and attachments
+};
+
+/// How much of the mass that a base moves the modes move.
+struct BaseMass {
+  std::string name;       ///< of the base
+  double total = 0.0;     ///< rᵀ M r, kg
+  double in_modes = 0.0;  ///< Σ Γ_i² of the modes alone: their effective mass, kg
 };
 
 /// A structure by its modes.
@@ -48,13 +61,14 @@ struct StructureModes {
   std::size_t modes = 0;               ///< those of the structure; the rest are attachments
   std::size_t rigid_bodies = 0;        ///< so many modes have ω = 0: nothing holds them
   std::vector<double> residuals = {};  ///< |(K − ω²M)φ| over |Kφ| + ω²|Mφ| of each mode, 1
-  std::vector<StaticCompliance> compliances = {};  ///< of the joints, then of the points attached
+  std::vector<StaticCompliance> compliances = {};  ///< of the joints, then of what is attached
+  std::vector<BaseMass> base_masses = {};          ///< one a base
   std::size_t degrees_of_freedom = 0;  ///< that are left of the matrices by supports and spiders
   std::vector<Warning> warnings = {};  ///< what the user must know
   Summary summary = {};                ///< of the search for modes
 };
 
-/// "m/N" or "rad/(N m)".
+/// "m/N", "rad/(N m)" or, of a base, "kg s^2".
 [[nodiscard]] std::string_view unit_of(const StaticCompliance& compliance);
 
 /// From matrices to modes: find_natural_modes() and attach_statically() of assemble_system(). Each

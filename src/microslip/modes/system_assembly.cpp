@@ -291,6 +291,60 @@ void check_mass(const Sparse& mass) {
       "must have no negative eigenvalue");
 }
 
+/// r of a base: what each row moves by.
+Eigen::VectorXd rigid_motion(const MeshRows& rows, const MeshedStructure& structure,
+                             const MeshBase& base) {
+  const std::string name = fmt::format("base '{}'", base.name);
+  Eigen::VectorXd motion = Eigen::VectorXd::Zero(static_cast<Index>(rows.size()));
+  for (const std::size_t row : base.rows) motion(static_cast<Index>(rows.checked(name, row))) = 1.0;
+  if (!base.rows.empty()) return motion;
+  if (structure.matrices.degrees.empty()) {
+    throw InputError(name, InputState{"a direction"},
+                     "must be told by rows: the matrices do not say whose their rows are",
+                     "Give rows = [...], or degrees_of_freedom.");
+  }
+  if (base.direction.turns) {
+    throw InputError(name, InputState{"a rotation"}, "must move along a direction");
+  }
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const auto k = static_cast<std::size_t>(structure.matrices.degrees[row].direction);
+    if (k < base.direction.axis.size()) motion(static_cast<Index>(row)) = base.direction.axis[k];
+  }
+  return motion;
+}
+
+/// Whether rows that something outside of the matrices holds share mass with others.
+bool lacks_mass(const Sparse& stiffness, const Sparse& mass, const Eigen::VectorXd& motion) {
+  constexpr double kHolds = 1e-6;  // of the stiffness of a row
+  const Eigen::VectorXd held = stiffness * motion;
+  for (Index row = 0; row < held.size(); ++row) {
+    if (std::abs(held(row)) <= kHolds * stiffness.coeff(row, row)) continue;
+    for (Sparse::InnerIterator entry(mass, row); entry; ++entry) {
+      if (entry.row() != row && entry.value() != 0.0) return true;
+    }
+  }
+  return false;
+}
+
+void add_bases(const MeshRows& rows, const MeshedStructure& structure, const Sparse& stiffness,
+               const Sparse& mass, AssembledSystem& assembled) {
+  const auto count = static_cast<Index>(structure.bases.size());
+  assembled.base_loads.resize(mass.rows(), count);
+  assembled.base_masses.resize(count);
+  assembled.base_motions.resize(assembled.points.cols(), count);
+  for (Index b = 0; b < count; ++b) {
+    const MeshBase& base = structure.bases[static_cast<std::size_t>(b)];
+    const Eigen::VectorXd motion = rigid_motion(rows, structure, base);
+    assembled.base_loads.col(b) = mass * motion;
+    assembled.base_masses(b) = motion.dot(assembled.base_loads.col(b));
+    assembled.base_motions.col(b) = assembled.points.transpose() * motion;
+    assembled.base_mass_missing.push_back(lacks_mass(stiffness, mass, motion));
+    if (assembled.base_masses(b) > 0.0) continue;
+    throw InputError(fmt::format("base '{}'", base.name), InputState{"without mass"},
+                     "must move mass", "Look at its direction.");
+  }
+}
+
 }  // namespace
 
 AssembledSystem assemble_system(const MeshedStructure& structure) {
@@ -310,6 +364,9 @@ AssembledSystem assemble_system(const MeshedStructure& structure) {
   }
   check_names(point_names, "point");
   check_names(joint_names, "joint");
+  std::vector<std::string> base_names = point_names;
+  for (const MeshBase& base : structure.bases) base_names.push_back(base.name);
+  check_names(base_names, "base or point");
 
   Sparse stiffness = full_matrix(structure.matrices.stiffness, "stiffness matrix");
   Sparse mass = full_matrix(structure.matrices.mass, "mass matrix");
@@ -319,12 +376,14 @@ AssembledSystem assemble_system(const MeshedStructure& structure) {
   AssembledSystem assembled;
   assembled.points = motions_matrix(points, rows.size());
   assembled.joints = motions_matrix(joints, rows.size());
+  add_bases(rows, structure, stiffness, mass, assembled);
   if (!transformation.is_trivial()) {
     const Sparse matrix = transformation.matrix();
     stiffness = (matrix.transpose() * stiffness * matrix).pruned();
     mass = (matrix.transpose() * mass * matrix).pruned();
     assembled.points = matrix.transpose() * assembled.points;
     assembled.joints = matrix.transpose() * assembled.joints;
+    assembled.base_loads = (matrix.transpose() * assembled.base_loads).eval();
   }
   for (std::size_t i = 0; i < joints.size(); ++i) {
     require_motion(assembled.joints, static_cast<Index>(i),

@@ -14,6 +14,12 @@ struct AssembledSystem {
   VibratingSystem system;              ///< its springs are none yet
   Eigen::SparseMatrix<double> points;  ///< the motion of each point in z, a column each
   Eigen::SparseMatrix<double> joints;  ///< likewise of each joint, `to` less `from`
+  Eigen::MatrixXd base_loads;          ///< Tᵀ M r of each base, a column each, kg
+  Eigen::VectorXd base_masses;         ///< rᵀ M r of each, kg
+  Eigen::MatrixXd base_motions;        ///< r at each point, points × bases
+  /// Of each base: what is held outside of the matrices, |Tᵀ K r| where it should be 0, lies beside
+  /// mass that other degrees of freedom share, whose part there is not in the matrices.
+  std::vector<bool> base_mass_missing;
 };
 
 /// @throws InputError  naming what is wrong: matrices that are empty, of different sizes, with

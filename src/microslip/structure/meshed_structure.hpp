@@ -73,6 +73,15 @@ struct MeshJoint {
   double stiffness = 0.0;              ///< k of the stuck joint, N/m (N m/rad where it turns); > 0
 };
 
+/// A motion of all that is held, by 1 along a direction, and of the whole structure with it: what a
+/// shaker table does. Joints and springs to the ground end on it.
+struct MeshBase {
+  std::string name;              ///< not empty; no two the same, and not that of a point
+  MeshDirection direction = {};  ///< along it; without meaning where rows are given
+  std::vector<std::size_t> rows =
+      {};  ///< of the matrices, from 0, that move by 1; empty: by direction
+};
+
 /// The joints while modes are computed.
 enum class JointsInModes : std::uint8_t {
   kFree,   ///< not there: the modes are of what is left, and a loss factor is of its material
@@ -88,6 +97,7 @@ struct MeshedStructure {
   std::vector<MeshNode> nodes = {};        ///< those whose position is known
   std::vector<MeshSupport> supports = {};  ///< what is held
   std::vector<MeshPoint> points = {};      ///< what is driven or measured
+  std::vector<MeshBase> bases = {};        ///< that may be shaken
   std::vector<MeshJoint> joints = {};      ///< between places, or a place and the ground
 };
 

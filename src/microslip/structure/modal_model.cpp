@@ -19,53 +19,93 @@ void require_non_negative(const std::string& name, double value) {
   }
 }
 
-void check_shape(const ModalPoint& point, std::size_t modes) {
-  if (point.shape.size() != modes) {
-    throw InputError(fmt::format("shape of point '{}'", point.name),
-                     fmt::format("{} values", point.shape.size()),
-                     fmt::format("must have one value a mode, {} in all", modes));
+/// @param what   "shape". @param whose  "point 'tip'". @param one_a  "mode".
+void check_values(std::string_view what, const std::string& whose,
+                  const std::vector<double>& values, std::size_t count, std::string_view one_a) {
+  if (values.size() != count) {
+    throw InputError(fmt::format("{} of {}", what, whose), fmt::format("{} values", values.size()),
+                     fmt::format("must have one value a {}, {} in all", one_a, count));
   }
-  for (std::size_t i = 0; i < modes; ++i) {
-    if (std::isfinite(point.shape[i])) continue;
-    throw InputError(fmt::format("shape[{}] of point '{}'", i, point.name), point.shape[i],
-                     "must be finite");
+  for (std::size_t i = 0; i < count; ++i) {
+    if (std::isfinite(values[i])) continue;
+    throw InputError(fmt::format("{}[{}] of {}", what, i, whose), values[i], "must be finite");
   }
 }
 
 /// What is there, for messages.
-std::string names_of(std::span<const ModalPoint> points) {
+template <class Named>
+std::string names_of(std::span<const Named> named) {
   std::string text;
-  for (const ModalPoint& point : points) {
-    text += fmt::format("{}'{}'", text.empty() ? "" : ", ", point.name);
+  for (const Named& one : named) {
+    text += fmt::format("{}'{}'", text.empty() ? "" : ", ", one.name);
   }
   return text.empty() ? "none" : text;
 }
 
+/// Not empty, and none before it has it.
+template <class Named>
+void check_name(std::span<const Named> named, std::size_t at, std::string_view what) {
+  const std::string& name = named[at].name;
+  const auto before = named.first(at);
+  if (!name.empty() && std::ranges::find(before, name, &Named::name) == before.end()) return;
+  throw InputError(fmt::format("name of a {}", what), fmt::format("'{}'", name),
+                   "must not be empty, and no two the same");
+}
+
 }  // namespace
 
-ModalModel::ModalModel(std::vector<Mode> modes, std::vector<ModalPoint> points)
-    : modes_(std::move(modes)), points_(std::move(points)) {
+ModalModel::ModalModel(std::vector<Mode> modes, std::vector<ModalPoint> points,
+                       std::vector<ModalBase> bases)
+    : modes_(std::move(modes)), points_(std::move(points)), bases_(std::move(bases)) {
   if (modes_.empty()) throw InputError("number of modes", 0.0, "must be at least 1");
   for (std::size_t i = 0; i < modes_.size(); ++i) {
     require_non_negative(fmt::format("angular_frequency[{}]", i), modes_[i].angular_frequency);
     require_non_negative(fmt::format("loss_factor[{}]", i), modes_[i].loss_factor);
   }
-  for (auto point = points_.begin(); point != points_.end(); ++point) {
-    const auto same = std::find_if(points_.begin(), point,
-                                   [&](const ModalPoint& p) { return p.name == point->name; });
-    if (point->name.empty() || same != point) {
-      throw InputError("name of a point", fmt::format("'{}'", point->name),
-                       "must not be empty, and no two the same");
-    }
-    check_shape(*point, modes_.size());
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    check_name(this->points(), p, "point");
+    check_values("shape", fmt::format("point '{}'", points_[p].name), points_[p].shape,
+                 modes_.size(), "mode");
   }
+  for (std::size_t b = 0; b < bases_.size(); ++b) {
+    const ModalBase& base = bases_[b];
+    check_name(this->bases(), b, "base");
+    if (std::ranges::find(points_, base.name, &ModalPoint::name) != points_.end()) {
+      throw InputError("name of a base", fmt::format("'{}'", base.name),
+                       "must not be that of a point");
+    }
+    const std::string whose = fmt::format("base '{}'", base.name);
+    check_values("participation", whose, base.participation, modes_.size(), "mode");
+    check_values("point_motion", whose, base.point_motion, points_.size(), "point");
+    std::vector<double>& load = base_loads_.emplace_back();
+    for (const double value : base.participation) load.push_back(-value);
+  }
+}
+
+ModalModel ModalModel::with_modes(std::vector<Mode> modes) const {
+  return {std::move(modes), points_, bases_};
+}
+
+bool ModalModel::is_base(std::string_view place) const {
+  return std::ranges::find(bases_, place, &ModalBase::name) != bases_.end();
 }
 
 std::span<const double> ModalModel::shape(std::string_view point) const {
   const auto found = std::ranges::find(points_, point, &ModalPoint::name);
   if (found != points_.end()) return found->shape;
   throw InputError("point", fmt::format("'{}'", point), "is not one of the structure",
-                   fmt::format("Points there are: {}.", names_of(points_)));
+                   fmt::format("Points there are: {}.", names_of(points())));
+}
+
+std::span<const double> ModalModel::load(std::string_view place) const {
+  const auto base = std::ranges::find(bases_, place, &ModalBase::name);
+  if (base != bases_.end()) return base_loads_[static_cast<std::size_t>(base - bases_.begin())];
+  if (bases_.empty() || std::ranges::find(points_, place, &ModalPoint::name) != points_.end()) {
+    return shape(place);
+  }
+  throw InputError(
+      "place of a load", fmt::format("'{}'", place), "is not one of the structure",
+      fmt::format("Points there are: {}; bases: {}.", names_of(points()), names_of(bases())));
 }
 
 std::complex<double> ModalModel::receptance(std::string_view to, std::string_view from,

@@ -22,6 +22,14 @@ struct ModalPoint {
   std::vector<double> shape;  ///< φ_i, mass-normalised, kg^−½; one a mode
 };
 
+/// A motion of all supports together, as a shaker table makes it. Modes tell then of the motion
+/// relative to it: a rigid motion r by 1 of the supports, with the whole structure on them.
+struct ModalBase {
+  std::string name;                   ///< not empty; no two the same, and not that of a point
+  std::vector<double> participation;  ///< Γ_i = φ_iᵀ M r, kg^½; one a mode
+  std::vector<double> point_motion;   ///< r at each point, 1; one a point of the model
+};
+
 /// How a loss factor acts off the natural frequency; at it the two are the same.
 enum class DampingLaw {
   kViscous,     ///< η_i ω_i q̇_i: i η_i ω_i ω q_i in a harmonic of ω
@@ -33,13 +41,20 @@ enum class DampingLaw {
 ///     q̈_i + η_i ω_i q̇_i + ω_i² q_i = Σ_p φ_i(p) f_p,   w(p) = Σ_i φ_i(p) q_i
 ///
 /// with f_p the force at p, N, and w(p) its displacement, m. A point may be anything that displaces
-/// linearly: a relative displacement across a joint, a rotation times a radius. Immutable.
+/// linearly: a relative displacement across a joint, a rotation times a radius. Where bases b
+/// accelerate, −Σ_b Γ_i(b) a_b stands on the right too, w is relative to them, and the absolute
+/// displacement is w(p) + Σ_b r_p(b) x_b, ẍ_b = a_b. [Chopra, Dynamics of Structures, 9.4] Immutable.
 class ModalModel {
  public:
   /// @param modes   at least one, in any order.
   /// @param points  names not empty and no two the same; may be none.
-  /// @throws InputError  naming the mode or the point and the rule it breaks.
-  ModalModel(std::vector<Mode> modes, std::vector<ModalPoint> points);
+  /// @param bases   the same; may be none.
+  /// @throws InputError  naming the mode, the point or the base and the rule it breaks.
+  ModalModel(std::vector<Mode> modes, std::vector<ModalPoint> points,
+             std::vector<ModalBase> bases = {});
+
+  /// The same places of a structure with as many other modes. @throws InputError  as the constructor.
+  [[nodiscard]] ModalModel with_modes(std::vector<Mode> modes) const;
 
   /// The number of modes.
   [[nodiscard]] std::size_t size() const { return modes_.size(); }
@@ -47,10 +62,18 @@ class ModalModel {
   [[nodiscard]] std::span<const Mode> modes() const { return modes_; }
   /// The points, in the order given.
   [[nodiscard]] std::span<const ModalPoint> points() const { return points_; }
+  /// The bases, in the order given.
+  [[nodiscard]] std::span<const ModalBase> bases() const { return bases_; }
+  /// Whether a base has this name: what acts there is an acceleration, m/s², and no force.
+  [[nodiscard]] bool is_base(std::string_view place) const;
 
   /// φ_i(point), one a mode.
   /// @throws InputError  naming the points there are, where it is missing.
   [[nodiscard]] std::span<const double> shape(std::string_view point) const;
+
+  /// What 1 N at a point, or 1 m/s² of a base, does to the modes: φ_i(point), or −Γ_i(base).
+  /// @throws InputError  naming the points and bases there are, where it is missing.
+  [[nodiscard]] std::span<const double> load(std::string_view place) const;
 
   /// The displacement at `to` over the force at `from`, both as factors of e^{iωt}, m/N:
   ///
@@ -69,6 +92,8 @@ class ModalModel {
  private:
   std::vector<Mode> modes_;
   std::vector<ModalPoint> points_;
+  std::vector<ModalBase> bases_;
+  std::vector<std::vector<double>> base_loads_;  // −Γ_i
 };
 
 /// ω_i² − ω² + i η_i ω_i ω, or i η_i ω_i² for kHysteretic, rad²/s²: the dynamic stiffness of one

@@ -166,10 +166,7 @@ std::string model_text(const ModelCalibration& options, const CalibratedModel& d
     if (!found) model.joint_files[j] = path_from(model.joint_files[j], out);
   }
   model.to_find.clear();
-  model.structure = JointedStructure(
-      done.model.structure.linear(), std::move(joints),
-      {done.model.structure.excitations().begin(), done.model.structure.excitations().end()},
-      done.model.structure.damping());
+  model.structure = done.model.structure.with_joints(std::move(joints));
   return format_model(model, comment_of(options, done));
 }
 

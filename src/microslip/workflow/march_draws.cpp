@@ -21,23 +21,27 @@ namespace {
 
 constexpr std::size_t kOfPoint = 3;  // w, ẇ, ẅ
 
-std::vector<MarchedSignal> marched_signals(const JointedStructure& structure) {
-  std::vector<MarchedSignal> signals{
-      {"displacement", kLength}, {"velocity", kVelocity}, {"acceleration", kAcceleration}};
-  for (const StructuralJoint& joint : structure.joints()) {
-    signals.push_back({joint.name + " displacement", kLength});
-    signals.push_back({joint.name + " force", kForce});
+std::vector<MarchedSignal> marched_signals(const JointedStructure& structure,
+                                           const LoadHistory& loads) {
+  std::vector<MarchedSignal> signals;
+  for (const MarchColumn& column : march_columns(structure, loads)) {
+    signals.push_back({column.name, column.dimension});
   }
   return signals;
 }
 
-/// One a signal: w, ẇ, ẅ as they are read, u_j and F_j.
+/// One a signal: w, ẇ, ẅ as they are read, u_j and F_j, and the absolute motion as it is read.
 std::vector<double> values_in(const MarchRow& row, double response_gain) {
   std::vector<double> values{response_gain * row.displacement[0], response_gain * row.velocity[0],
                              response_gain * row.acceleration[0]};
   for (std::size_t j = 0; j < row.joint_displacement.size(); ++j) {
     values.push_back(row.joint_displacement[j]);
     values.push_back(row.joint_force[j]);
+  }
+  if (row.absolute_displacement.empty()) return values;
+  for (const auto& motion :
+       {row.absolute_displacement, row.absolute_velocity, row.absolute_acceleration}) {
+    values.push_back(response_gain * motion[0]);
   }
   return values;
 }
@@ -67,9 +71,11 @@ class KeptRows {
 
 /// Peak or rms of each signal, those of the point as they are read.
 std::vector<double> sizes_of(const MarchResult& march, double SignalSize::*which, double gain) {
+  const std::size_t joints_end = kOfPoint + 2 * march.energy.joints.size();
   std::vector<double> values;
   for (const SignalSize& size : march.sizes) {
-    values.push_back(size.*which * (values.size() < kOfPoint ? gain : 1.0));
+    const bool of_point = values.size() < kOfPoint || values.size() >= joints_end;
+    values.push_back(size.*which * (of_point ? gain : 1.0));
   }
   return values;
 }
@@ -153,7 +159,7 @@ DrawnMarch drawn_march(const ModelFile& model, const LoadHistory& loads, MarchOp
                        const Progress& drawing) {
   drawn.check();
   DrawnMarch result;
-  result.signals = marched_signals(model.structure);
+  result.signals = marched_signals(model.structure, loads);
   const std::size_t every = std::exchange(options.every, 1);
   drawn.check_size(result.signals.size() * recorded_rows(loads, every),
                    "Write fewer times by `every`, or take fewer draws.");
@@ -234,14 +240,20 @@ void write_drawn_march(const std::string& path, const ModelFile& model, const Lo
       edges.push_back(march.band.lower[s]);
       edges.push_back(march.band.upper[s]);
     }
-    table.add({.index = march.times[r],
-               .time = loads.time[march.times[r]],
-               .displacement = row.subspan(0, 1),
-               .velocity = row.subspan(1, 1),
-               .acceleration = row.subspan(2, 1),
-               .joint_displacement = displacement,
-               .joint_force = force},
-              edges);
+    MarchRow marched{.index = march.times[r],
+                     .time = loads.time[march.times[r]],
+                     .displacement = row.subspan(0, 1),
+                     .velocity = row.subspan(1, 1),
+                     .acceleration = row.subspan(2, 1),
+                     .joint_displacement = displacement,
+                     .joint_force = force};
+    const std::size_t joints_end = kOfPoint + 2 * force.size();
+    if (columns > joints_end) {
+      marched.absolute_displacement = row.subspan(joints_end, 1);
+      marched.absolute_velocity = row.subspan(joints_end + 1, 1);
+      marched.absolute_acceleration = row.subspan(joints_end + 2, 1);
+    }
+    table.add(marched, edges);
   }
   table.finish(march.march);
 }

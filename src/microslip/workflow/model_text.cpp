@@ -17,6 +17,7 @@
 #include "microslip/identify/covered_range.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/march_file.hpp"
+#include "microslip/io/response_file.hpp"
 #include "microslip/workflow/provenance.hpp"
 #include "microslip/workflow/summary_text.hpp"
 
@@ -153,7 +154,13 @@ std::string describe_curve(const HarmonicBalance& balance, const ResponseCurve& 
 
 namespace {
 
-std::string describe_peaks(const ResponseCurve& curve, bool of_force) {
+/// "m", "m/s^2", "N": of what a curve is high in.
+std::string_view height_unit(const HarmonicBalance& balance, bool of_force) {
+  return of_force ? si_unit(drive_column(balance).dimension) : unit_of(balance.response().kind);
+}
+
+std::string describe_peaks(const HarmonicBalance& balance, const ResponseCurve& curve,
+                           bool of_force) {
   std::string text;
   for (const SteadyVibration& peak : curve.peaks) {
     // Far from a lag of a quarter, as in a superharmonic resonance, the losses are not those of a
@@ -163,13 +170,13 @@ std::string describe_peaks(const ResponseCurve& curve, bool of_force) {
                                              : "not in phase resonance";
     text += line(of_force ? "resonance" : "peak",
                  fmt::format("{:.6g} Hz, {:.5g} {}, lag {:.4g} rad, {}", peak.frequency(),
-                             of_force ? peak.force_amplitude : peak.response, of_force ? "N" : "m",
-                             peak.phase_lag, damping));
+                             of_force ? peak.force_amplitude : peak.response,
+                             height_unit(balance, of_force), peak.phase_lag, damping));
   }
   for (const std::size_t i : curve.turning_points) {
     if (i >= curve.points.size()) continue;
-    text += line("turns back", fmt::format("at {:.6g} Hz, {:.5g} m", curve.points[i].frequency(),
-                                           curve.points[i].response));
+    text += line("turns back", fmt::format("at {:.6g} Hz, {:.5g} {}", curve.points[i].frequency(),
+                                           curve.points[i].response, height_unit(balance, false)));
   }
   return text;
 }
@@ -204,9 +211,12 @@ void add_response_warnings(const HarmonicBalance& balance, const ModelFile& mode
 std::string describe_response(const std::string& file, const HarmonicBalance& balance,
                               const ResponseCurve& curve, bool of_force) {
   const SteadyVibration& first = curve.points.front();
-  std::string text = of_force
-                         ? fmt::format("Force for a response of {:g} m\n", first.response)
-                         : fmt::format("Frequency response at {:g} N\n", first.force_amplitude);
+  const bool base = balance.structure().base_driven();
+  std::string text =
+      of_force ? fmt::format("{} for a response of {:g} {}\n", base ? "Base acceleration" : "Force",
+                             first.response, height_unit(balance, false))
+               : fmt::format("Frequency response at {:g} {}\n", first.force_amplitude,
+                             height_unit(balance, true));
   text += describe_curve(balance, curve, file);
   const auto [lowest, highest] =
       std::ranges::minmax(curve.points, {}, &SteadyVibration::angular_frequency);
@@ -214,12 +224,13 @@ std::string describe_response(const std::string& file, const HarmonicBalance& ba
                                     highest.frequency(), curve.points.size()));
   const auto [least, most] = std::ranges::minmax(
       curve.points, {}, of_force ? &SteadyVibration::force_amplitude : &SteadyVibration::response);
-  text +=
-      of_force
-          ? line("force",
-                 fmt::format("{:.5g} to {:.5g} N", least.force_amplitude, most.force_amplitude))
-          : line("displacement", fmt::format("{:.5g} to {:.5g} m", least.response, most.response));
-  return text + describe_peaks(curve, of_force);
+  text += of_force ? line(base ? "base acceleration" : "force",
+                          fmt::format("{:.5g} to {:.5g} {}", least.force_amplitude,
+                                      most.force_amplitude, height_unit(balance, true)))
+                   : line("displacement",
+                          fmt::format("{:.5g} to {:.5g} m{}", least.response, most.response,
+                                      base ? ", relative to the base" : ""));
+  return text + describe_peaks(balance, curve, of_force);
 }
 
 std::string describe_backbone(const std::string& file, const HarmonicBalance& balance,
@@ -239,7 +250,9 @@ std::string describe_backbone(const std::string& file, const HarmonicBalance& ba
                                            curve.points[i].frequency()));
   }
   text += span("displacement", first.response, last.response, "m");
-  text += span("force", first.force_amplitude, last.force_amplitude, "N");
+  const CurveHeight drive = drive_column(balance);
+  text += span(drive.dimension == kForce ? "force" : "base acceleration", first.force_amplitude,
+               last.force_amplitude, si_unit(drive.dimension));
   text += span("frequency", first.frequency(), last.frequency(), "Hz");
   text += span("damping ratio", first.damping_ratio(), last.damping_ratio(), "");
   const auto most = std::ranges::max_element(curve.points, {}, &SteadyVibration::damping_ratio);
@@ -269,10 +282,19 @@ std::string describe_march(const std::string& file, const std::string& forces,
   text += describe_ending(result.summary);
   text += line("steps", fmt::format("{}, {} reversals of joints, {} loops closed or slips begun",
                                     result.steps, result.reversals, result.kinks));
+  if (!model.structure.static_loads().empty()) {
+    text += line("begins", "at rest under the static loads of the model");
+  }
   const LargestMotion& largest = result.largest.front();
   text += line("largest response",
                fmt::format("{:.5g} m, {:.5g} m/s, {:.5g} m/s^2 at '{}'", largest.displacement,
                            largest.velocity, largest.acceleration, model.response));
+  const std::size_t absolute = 3 + 2 * model.structure.joints().size();  // of the signals
+  if (result.sizes.size() > absolute) {
+    text += line("with its base",
+                 fmt::format("{:.5g} m, {:.5g} m/s, {:.5g} m/s^2", result.sizes[absolute].peak,
+                             result.sizes[absolute + 1].peak, result.sizes[absolute + 2].peak));
+  }
   text += describe_energy(result.energy);
   if (result.error_estimate) {
     text += line("estimated error",

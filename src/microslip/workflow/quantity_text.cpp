@@ -69,6 +69,16 @@ double parse_quantity(std::string_view option, std::string_view text, const Dime
   return read_quantity(option, text, dimension).si();
 }
 
+bool is_quantity(std::string_view text, const Dimension& dimension) {
+  try {
+    const bool has_unit = text.find_first_not_of("0123456789.eE+- ") != std::string_view::npos;
+    (void)parse_quantity("", text, dimension);
+    return has_unit;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 Unit parse_option_unit(std::string_view option, std::string_view text, const Dimension& dimension) {
   try {
     return parse_unit(text, dimension);

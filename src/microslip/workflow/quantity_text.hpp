@@ -14,6 +14,9 @@
 
 namespace microslip {
 
+/// Whether the text is a number with a unit of this dimension.
+[[nodiscard]] bool is_quantity(std::string_view text, const Dimension& dimension);
+
 /// A number, with or without a unit right behind it: "3e-4", "300um", "0.3mm". Without one it is
 /// SI.
 /// @param option  for messages, for instance "`amplitude`".

@@ -105,9 +105,6 @@ void add_peak_warnings(ResponseSpread& spread) {
   }
 }
 
-std::string_view name_of_height(bool of_force) { return of_force ? "force" : "displacement"; }
-std::string_view unit_of_height(bool of_force) { return of_force ? "N" : "m"; }
-
 }  // namespace
 
 ResponseOfDraws::ResponseOfDraws(const HarmonicBalance& balance, const ResponseCurve& reference,
@@ -202,20 +199,21 @@ ResponseSpread response_spread(const HarmonicBalance& balance, const ResponseCur
   return spread;
 }
 
-std::string peaks_comment(const ResponseSpread& spread, bool of_force) {
+std::string peaks_comment(const ResponseSpread& spread, const CurveHeight& height) {
+  const std::string_view unit = si_unit(height.dimension);
   std::string text;
   for (const PeakSpread& peak : spread.peaks) {
     text += fmt::format(
         "{}peak of draws: frequency {:.9g} Hz, {:.9g} to {:.9g} Hz; {} {:.9g} {}, {:.9g} to {:.9g} "
         "{}; {} draws",
         text.empty() ? "" : "\n", peak.frequency, peak.frequency_lower, peak.frequency_upper,
-        name_of_height(of_force), peak.height, unit_of_height(of_force), peak.height_lower,
-        peak.height_upper, unit_of_height(of_force), peak.draws);
+        height.name, peak.height, unit, peak.height_lower, peak.height_upper, unit, peak.draws);
   }
   return text;
 }
 
-std::string peaks_table(const ResponseSpread& spread, bool of_force, const std::string& heading) {
+std::string peaks_table(const ResponseSpread& spread, const CurveHeight& height,
+                        const std::string& heading) {
   CsvWriter table;
   if (!heading.empty()) table.add_comment(heading);
   const auto add = [&](std::string_view name, const Dimension& dimension, auto value) {
@@ -223,26 +221,25 @@ std::string peaks_table(const ResponseSpread& spread, bool of_force, const std::
     for (const PeakSpread& peak : spread.peaks) values.push_back(value(peak));
     table.add_numbers(name, dimension, values);
   };
-  const std::string name(name_of_height(of_force));
-  const Dimension& dimension = of_force ? kForce : kLength;
+  const std::string name(height.name);
   add("frequency", kFrequency, [](const PeakSpread& peak) { return peak.frequency; });
   add("frequency_lower", kFrequency, [](const PeakSpread& peak) { return peak.frequency_lower; });
   add("frequency_upper", kFrequency, [](const PeakSpread& peak) { return peak.frequency_upper; });
-  add(name, dimension, [](const PeakSpread& peak) { return peak.height; });
-  add(name + "_lower", dimension, [](const PeakSpread& peak) { return peak.height_lower; });
-  add(name + "_upper", dimension, [](const PeakSpread& peak) { return peak.height_upper; });
+  add(name, height.dimension, [](const PeakSpread& peak) { return peak.height; });
+  add(name + "_lower", height.dimension, [](const PeakSpread& peak) { return peak.height_lower; });
+  add(name + "_upper", height.dimension, [](const PeakSpread& peak) { return peak.height_upper; });
   add("draws", kDimensionless,
       [](const PeakSpread& peak) { return static_cast<double>(peak.draws); });
   return table.str();
 }
 
-std::string describe_peak_spread(const ResponseSpread& spread, bool of_force) {
+std::string describe_peak_spread(const ResponseSpread& spread, const CurveHeight& height) {
   std::string text;
   for (const PeakSpread& peak : spread.peaks) {
-    text += line(of_force ? "resonance of draws" : "peak of draws",
+    text += line(height.drives ? "resonance of draws" : "peak of draws",
                  fmt::format("{:.6g} to {:.6g} Hz, {:.5g} to {:.5g} {}", peak.frequency_lower,
                              peak.frequency_upper, peak.height_lower, peak.height_upper,
-                             unit_of_height(of_force)));
+                             si_unit(height.dimension)));
   }
   return text;
 }

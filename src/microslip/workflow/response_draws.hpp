@@ -10,6 +10,7 @@
 #include "microslip/dynamics/curve_heights.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/dynamics/structure_draws.hpp"
+#include "microslip/io/response_file.hpp"
 #include "microslip/workflow/model_draws.hpp"
 
 /// @file
@@ -117,18 +118,19 @@ class ResponseOfDraws {
 
 /// Comments of the table: a line a peak with its band.
 /// @param spread    with the peaks.
-/// @param of_force  the height is a force.
-[[nodiscard]] std::string peaks_comment(const ResponseSpread& spread, bool of_force);
+/// @param height  of the curve: of what drives, where a response is kept.
+[[nodiscard]] std::string peaks_comment(const ResponseSpread& spread, const CurveHeight& height);
 
 /// The table of the peaks, as text.
 /// @param spread    with the peaks.
-/// @param of_force  the height is a force.
+/// @param height  of the curve: of what drives, where a response is kept.
 /// @param heading   its comments.
 /// @throws InputError  where there is no peak.
-[[nodiscard]] std::string peaks_table(const ResponseSpread& spread, bool of_force,
+[[nodiscard]] std::string peaks_table(const ResponseSpread& spread, const CurveHeight& height,
                                       const std::string& heading);
 
 /// The lines of a summary on the peaks.
-[[nodiscard]] std::string describe_peak_spread(const ResponseSpread& spread, bool of_force);
+[[nodiscard]] std::string describe_peak_spread(const ResponseSpread& spread,
+                                               const CurveHeight& height);
 
 }  // namespace microslip
