@@ -88,6 +88,8 @@ void add_model(CLI::App& program, Call& call);
 void add_modes(CLI::App& program, Call& call);
 void add_frf(CLI::App& program, Call& call);
 void add_backbone(CLI::App& program, Call& call);
+void add_load(CLI::App& program, Call& call);
+void add_spectrum(CLI::App& program, Call& call);
 void add_march(CLI::App& program, Call& call);
 void add_convert(CLI::App& program, Call& call);
 void add_ringdown(CLI::App& program, Call& call);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -9,10 +11,13 @@
 #include "draw_arguments.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/dynamics/march.hpp"
+#include "microslip/dynamics/release.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/load_file.hpp"
 #include "microslip/io/model_file.hpp"
 #include "microslip/io/output_files.hpp"
+#include "microslip/io/text.hpp"
+#include "microslip/signal/load_shapes.hpp"
 #include "microslip/workflow/march_draws.hpp"
 #include "microslip/workflow/model_draws.hpp"
 #include "microslip/workflow/model_text.hpp"
@@ -28,6 +33,9 @@ constexpr std::uint64_t kMostElements = 1'000'000;
 
 struct MarchArguments : ModelArguments {
   std::string forces;
+  std::string release;
+  std::string duration;
+  std::string sampling_rate;
   std::string step;
   std::string every = "1";
   std::string law = "incremental";
@@ -47,6 +55,46 @@ MarchOptions march_options(const MarchArguments& arguments, const ModelFile& mod
   options.step = parse_quantity("--step", arguments.step, kTime);
   if (!(options.step > 0.0)) throw InputError("--step", options.step, "must be above 0 s");
   return options;
+}
+
+/// MODE:DISPLACEMENT, several between commas.
+std::vector<DrawnMode> parse_release(const std::string& text, const ModelFile& model) {
+  std::vector<DrawnMode> drawn;
+  for (const std::string_view part : split(text, ',')) {
+    const std::vector<std::string_view> ends = split(part, ':');
+    if (ends.size() != 2) {
+      throw InputError("--release", in_quotes(text),
+                       "must read MODE:DISPLACEMENT, for instance 1:2mm",
+                       "Several stand between commas.");
+    }
+    const std::uint64_t mode =
+        parse_whole_number("MODE of --release", ends[0], 1, model.structure.linear().size(),
+                           "That is how many modes the model has.");
+    drawn.push_back({mode - 1, parse_quantity("DISPLACEMENT of --release", ends[1], kLength)});
+  }
+  return drawn;
+}
+
+InitialState start_of(const MarchArguments& arguments, const ModelFile& model) {
+  if (arguments.release.empty()) return {};
+  try {
+    return released(model.structure, model.response, parse_release(arguments.release, model));
+  } catch (const InputError& error) {
+    if (error.name().find("--release") != std::string::npos) throw;
+    throw error.renamed(fmt::format("--release: {}", error.name()));
+  }
+}
+
+/// Of the file; without one nothing acts, for so long.
+LoadHistory loads_of(const MarchArguments& arguments, const ModelFile& model) {
+  if (!arguments.forces.empty()) {
+    const NormalLoadLaw law =
+        arguments.law == "total" ? NormalLoadLaw::kTotal : NormalLoadLaw::kIncremental;
+    return read_loads(arguments.forces, model.structure, law);
+  }
+  return {even_times(parse_quantity("--duration", arguments.duration, kTime),
+                     parse_quantity("--sampling-rate", arguments.sampling_rate, kFrequency)),
+          {}};
 }
 
 /// The table, the peaks, and the summary of a march with draws.
@@ -84,10 +132,9 @@ int run(const MarchArguments& arguments, const Call& call) {
       {arguments.out, model.structure.joints().empty() ? std::string_view{} : kMarchKind}};
   if (!arguments.peaks.empty()) outputs.push_back({arguments.peaks, kMarchPeaksKind});
   check_outputs(outputs);
-  const MarchOptions options = march_options(arguments, model);
-  const NormalLoadLaw law =
-      arguments.law == "total" ? NormalLoadLaw::kTotal : NormalLoadLaw::kIncremental;
-  const LoadHistory loads = read_loads(arguments.forces, model.structure, law);
+  MarchOptions options = march_options(arguments, model);
+  options.start = start_of(arguments, model);
+  const LoadHistory loads = loads_of(arguments, model);
   if (arguments.draws.any()) return run_draws(arguments, model, loads, options, call);
   const MarchResult result =
       march_to_table(arguments.out, model, loads, options, heading_of(call.command_line, model),
@@ -119,13 +166,29 @@ void add_march(CLI::App& program, Call& call) {
   command->add_option("model", arguments->model, "Structure with joints, model.toml")
       ->required()
       ->type_name(kTomlValue);
-  command
-      ->add_option("--force-file", arguments->forces,
-                   "What acts, as CSV: time [s], force [N] at the excitation of the model or force "
-                   "at POINT [N]; normal_load [1] or normal_load of JOINT [1] where the normal "
-                   "load of a joint varies. Linear between the times; - is standard input")
-      ->required()
-      ->type_name(kCsvValue);
+  CLI::Option* forces =
+      command
+          ->add_option(
+              "--force-file", arguments->forces,
+              "What acts, as CSV: time [s], force [N] at the excitation of the model, force "
+              "at POINT [N] or acceleration of BASE [m/s^2]; normal_load [1] or "
+              "normal_load of JOINT [1] where the normal load of a joint varies. Linear "
+              "between the times; - is standard input")
+          ->type_name(kCsvValue);
+  CLI::Option* release = command->add_option(
+      "--release", arguments->release,
+      "Let go at rest in the shape of a mode of the stuck structure: MODE:DISPLACEMENT at the "
+      "response point, in m or with a unit; several between commas");
+  CLI::Option* duration =
+      command
+          ->add_option("--duration", arguments->duration,
+                       "How long a free decay without --force-file is marched, in s or with a unit")
+          ->needs(release)
+          ->excludes(forces);
+  CLI::Option* rate = command->add_option("--sampling-rate", arguments->sampling_rate,
+                                          "Rows of it in a second, in Hz or with a unit");
+  rate->needs(duration)->excludes(forces);
+  duration->needs(rate);
   command
       ->add_option("--out", arguments->out,
                    "CSV to write: time [s], force [N], displacement [m], velocity [m/s], "
@@ -159,10 +222,16 @@ void add_march(CLI::App& program, Call& call) {
       {"microslip march model.toml --force-file force.csv --out march.csv",
        "microslip march model.toml --force-file force.csv --step 20ms --every 10 --out -",
        "microslip march model.toml --force-file force.csv --no-error-estimate --out march.csv",
+       "microslip march model.toml --release 1:2mm --duration 5s --sampling-rate 2kHz \\",
+       "          --out decay.csv",
        "microslip march model.toml --force-file force.csv --draws 1000 --out march.csv \\",
        "          --peaks-csv peaks.csv"});
-  command->callback(
-      [arguments, &call] { call.run = [arguments, &call] { return run(*arguments, call); }; });
+  command->callback([arguments, &call] {
+    if (arguments->forces.empty() && arguments->duration.empty()) {
+      throw CLI::RequiredError("--force-file, or --release and --duration,");
+    }
+    call.run = [arguments, &call] { return run(*arguments, call); };
+  });
 }
 
 }  // namespace microslip::app

@@ -28,7 +28,9 @@ std::unique_ptr<CLI::App> make_program(Call& call) {
   add_model(*program, call);
   add_frf(*program, call);
   add_backbone(*program, call);
+  add_load(*program, call);
   add_march(*program, call);
+  add_spectrum(*program, call);
   add_ensemble(*program, call);
   add_loop(*program, call);
   add_dissipation(*program, call);

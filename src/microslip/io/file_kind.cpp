@@ -43,6 +43,7 @@ constexpr std::array kTableKinds{
     TableKind{kPeaksKind, {"frequency", "frequency_lower", "draws"}},
     TableKind{kMarchPeaksKind, {"statistic", "displacement_lower", "draws"}},
     TableKind{kResponseKind, {"frequency", "displacement", "phase"}},
+    TableKind{kSpectrumKind, {"frequency", "maximax", "relative_displacement"}},
     TableKind{kBackboneKind, {"frequency", "displacement", "damping_ratio"}},
     TableKind{kLoopKind, {"displacement", "force"}},
     TableKind{kPathKind, {"displacement"}},
@@ -55,10 +56,11 @@ bool is_histories(const std::vector<std::string>& names) {
 }
 
 /// time, forces, displacement, velocity, acceleration, and a joint's displacement and force at the
-/// end, but for what draws add: no recording is like that.
+/// end, but for what draws and accelerating bases add: no recording is like that.
 bool is_march(std::vector<std::string> names) {
   while (names.size() > 1 &&
-         (names.back().ends_with("_lower") || names.back().ends_with("_upper"))) {
+         (names.back().ends_with("_lower") || names.back().ends_with("_upper") ||
+          names.back().starts_with("absolute_"))) {
     names.pop_back();
   }
   constexpr std::array<std::string_view, 3> kMotion{"displacement", "velocity", "acceleration"};

@@ -61,7 +61,8 @@ inline constexpr std::string_view kHistoriesKind = "a table of predicted histori
 inline constexpr std::string_view kForceControlKind = "a table of a force control";
 /// of html_report(); another page is "an HTML page"
 inline constexpr std::string_view kReportKind = "a report of microslip";
-inline constexpr std::string_view kMarchKind = "a table of a march";  ///< of MarchTable
+inline constexpr std::string_view kSpectrumKind = "a shock response spectrum";  ///< of `spectrum`
+inline constexpr std::string_view kMarchKind = "a table of a march";            ///< of MarchTable
 
 class InputStream;
 

@@ -12,6 +12,7 @@
 #include "microslip/io/closest_name.hpp"
 #include "microslip/io/column_rules.hpp"
 #include "microslip/io/csv.hpp"
+#include "microslip/io/csv_writer.hpp"
 #include "microslip/io/input_file.hpp"
 
 namespace microslip {
@@ -140,6 +141,27 @@ LoadHistory parse_loads(std::string text, std::string_view file, const JointedSt
 LoadHistory read_loads(const std::string& path, const JointedStructure& structure,
                        NormalLoadLaw law) {
   return parse_loads(read_file(path), input_name(path), structure, law);
+}
+
+LoadColumn load_column(const JointedStructure& structure, const LoadHistory& loads,
+                       const PointForce& at) {
+  if (structure.linear().is_base(at.point)) {
+    return {fmt::format("{}{}", kAccelerationOf, at.point), kAcceleration};
+  }
+  const bool only_one = loads.forces.size() == 1;
+  return {only_one ? "force" : fmt::format("{}{}", kForceAt, at.point), kForce};
+}
+
+std::string format_loads(const LoadHistory& loads, const JointedStructure& structure,
+                         std::string_view comment) {
+  CsvWriter table;
+  if (!comment.empty()) table.add_comment(comment);
+  table.add_numbers("time", kTime, loads.time);
+  for (const PointForce& at : loads.forces) {
+    const LoadColumn column = load_column(structure, loads, at);
+    table.add_numbers(column.name, column.dimension, at.force);
+  }
+  return table.str();
 }
 
 }  // namespace microslip

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "microslip/base/units.hpp"
 #include "microslip/dynamics/march.hpp"
 #include "microslip/joint/jenkins_network.hpp"
 
@@ -34,5 +35,20 @@ namespace microslip {
 /// parse_loads() of a file; "-" is standard input. @throws FileError, FormatError
 [[nodiscard]] LoadHistory read_loads(const std::string& path, const JointedStructure& structure,
                                      NormalLoadLaw law = NormalLoadLaw::kIncremental);
+
+/// A column of a load.
+struct LoadColumn {
+  std::string name;     ///< "force", "force at tip", "acceleration of table"
+  Dimension dimension;  ///< of its values
+};
+
+/// Of one of the loads; "force" where it is the only one, at a point.
+[[nodiscard]] LoadColumn load_column(const JointedStructure& structure, const LoadHistory& loads,
+                                     const PointForce& at);
+
+/// The table that parse_loads() reads back, without normal loads.
+/// @param comment  its first lines; may be empty.
+[[nodiscard]] std::string format_loads(const LoadHistory& loads, const JointedStructure& structure,
+                                       std::string_view comment);
 
 }  // namespace microslip

@@ -10,6 +10,7 @@
 
 #include "microslip/base/units.hpp"
 #include "microslip/io/csv_cells.hpp"
+#include "microslip/io/load_file.hpp"
 #include "microslip/io/table_stream.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/io/warning_comment.hpp"
@@ -42,15 +43,6 @@ std::vector<std::string> comments_on(const MarchResult& result) {
   return lines;
 }
 
-/// "force", "force at tip", "acceleration of table", with the dimension.
-MarchColumn load_column(const JointedStructure& structure, const LoadHistory& loads,
-                        const PointForce& at) {
-  if (structure.linear().is_base(at.point)) {
-    return {fmt::format("acceleration of {}", at.point), kAcceleration};
-  }
-  return {loads.forces.size() == 1 ? "force" : fmt::format("force at {}", at.point), kForce};
-}
-
 std::string comment_lines(const std::vector<std::string>& texts) {
   std::string lines;
   for (const std::string& text : texts) append_comment(lines, text);
@@ -66,7 +58,7 @@ std::string header_line(const JointedStructure& structure, const LoadHistory& lo
   };
   add("time", kTime);
   for (const PointForce& at : loads.forces) {
-    const MarchColumn column = load_column(structure, loads, at);
+    const LoadColumn column = load_column(structure, loads, at);
     add(column.name, column.dimension);
   }
   const std::vector<MarchColumn> columns = march_columns(structure, loads);

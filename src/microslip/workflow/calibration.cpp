@@ -22,6 +22,7 @@
 #include "microslip/io/text.hpp"
 #include "microslip/workflow/calibration_tables.hpp"
 #include "microslip/workflow/distinct_files.hpp"
+#include "microslip/workflow/model_rules.hpp"
 #include "microslip/workflow/model_text.hpp"
 #include "microslip/workflow/path_from.hpp"
 #include "microslip/workflow/provenance.hpp"
@@ -69,6 +70,7 @@ ModelFile read_model_to_calibrate(const std::string& path) {
     throw InputError(fmt::format("{}: joints to find", input_name(path)), InputState{"none"},
                      "must be one or more", "Give a [[joint]] stiffness_N_per_m in place of file.");
   }
+  require_no_static_loads(model, path, "calibrate");
   for (const std::size_t joint : model.to_find) {
     check_file_name(path, model.structure.joints()[joint].name);
   }

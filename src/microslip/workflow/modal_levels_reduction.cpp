@@ -15,6 +15,7 @@
 #include "microslip/io/stepped_sine_file.hpp"
 #include "microslip/workflow/distinct_files.hpp"
 #include "microslip/workflow/modal_reduction_text.hpp"
+#include "microslip/workflow/model_rules.hpp"
 #include "microslip/workflow/named_recordings.hpp"
 #include "microslip/workflow/named_rig.hpp"
 #include "microslip/workflow/point_sensors.hpp"
@@ -24,6 +25,8 @@ namespace microslip {
 namespace {
 
 StructureTest test_of(const ModalLevelsReduction& options, ModelFile model) {
+  require_driven_by_forces(model, options.model, "reduce");
+  require_no_static_loads(model, options.model, "reduce");
   std::vector<PointSensor> sensors = point_sensors(options.sensors, model, options.model);
   std::string force = options.force;
   if (force.empty() && !model.force_channels.empty()) force = model.force_channels.front();

@@ -277,7 +277,8 @@ std::string describe_march(const std::string& file, const std::string& forces,
                            const MarchResult& result, const std::string& draws) {
   std::string text = fmt::format("March from {:g} to {:g} s\n", loads.time.front(), result.reached);
   text += describe_model(file, model.structure);
-  text += line("loads", fmt::format("{}, {} times", input_name(forces), loads.time.size()));
+  text += line("loads", fmt::format("{}, {} times", forces.empty() ? "none" : input_name(forces),
+                                    loads.time.size()));
   text += line("method", result.summary.method);
   text += describe_ending(result.summary);
   text += line("steps", fmt::format("{}, {} reversals of joints, {} loops closed or slips begun",

@@ -13,6 +13,7 @@
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/model_file.hpp"
 #include "microslip/io/text.hpp"
+#include "microslip/workflow/model_rules.hpp"
 #include "microslip/workflow/response_draws.hpp"
 
 namespace microslip {
@@ -115,6 +116,7 @@ PeakDraws peak_draws(const LevelPlanning& options, const Joint& found,
                      std::span<const Joint> joints) {
   const PlannedPeak& peak = options.peak;
   const ModelFile model = read_model(peak.model, JointsToFind::kAllowed);
+  require_driven_by_forces(model, peak.model, "plan");
   const std::size_t number = joint_of_model(model, peak);
   check_planned_joint(model, number, options);
   const StructureDraws nominal =

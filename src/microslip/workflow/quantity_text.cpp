@@ -15,16 +15,6 @@ namespace {
 
 constexpr std::uint64_t kMostValues = 10'000'000;
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const std::size_t end = text.find(separator);
-    parts.push_back(text.substr(0, end));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
-
 /// A number and the unit behind it, SI where there is none.
 struct GivenQuantity {
   double value = 0.0;
@@ -64,6 +54,16 @@ std::pair<double, double> read_ends(std::string_view option, std::string_view te
 }
 
 }  // namespace
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
 
 double parse_quantity(std::string_view option, std::string_view text, const Dimension& dimension) {
   return read_quantity(option, text, dimension).si();

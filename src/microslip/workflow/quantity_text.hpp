@@ -14,6 +14,9 @@
 
 namespace microslip {
 
+/// What stands between the separators of a text.
+[[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
+
 /// Whether the text is a number with a unit of this dimension.
 [[nodiscard]] bool is_quantity(std::string_view text, const Dimension& dimension);
 

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "command.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/io/file_kind.hpp"
+#include "microslip/io/load_file.hpp"
+#include "microslip/io/model_file.hpp"
+#include "microslip/io/output_files.hpp"
+#include "microslip/io/power_density_file.hpp"
+#include "microslip/io/text.hpp"
+#include "microslip/workflow/made_load.hpp"
+#include "microslip/workflow/provenance.hpp"
+#include "microslip/workflow/quantity_text.hpp"
+#include "microslip/workflow/summary_text.hpp"
+#include "prediction.hpp"
+
+namespace microslip::app {
+namespace {
+
+constexpr std::uint64_t kMostSeed = 1'000'000'000'000'000'000;
+
+struct LoadOptions {
+  std::string shape;
+  std::string model;
+  std::string out;
+  std::string peak;
+  std::string frequency;
+  std::string cycles;
+  std::string pulse;
+  std::string begin;
+  std::string density;
+  std::string seed;
+  std::string duration;
+  std::string sampling_rate;
+  bool logarithmic = false;
+};
+
+LoadShape parse_shape(const std::string& text) {
+  for (const LoadShape shape :
+       {LoadShape::kSine, LoadShape::kSweep, LoadShape::kHalfSine, LoadShape::kNoise}) {
+    if (text == to_string(shape)) return shape;
+  }
+  throw InputError("shape", in_quotes(text), "must be sine, sweep, half-sine or noise");
+}
+
+double parse_positive(std::string_view option, const std::string& text, const Dimension& unit) {
+  const double value = parse_quantity(option, text, unit);
+  if (value > 0.0) return value;
+  throw InputError(option, value, fmt::format("must be above 0 {}", si_unit(unit)));
+}
+
+/// Which options a shape needs, and which it may have.
+struct KnownOptions {
+  LoadShape shape;
+  std::vector<std::string_view> needed;
+  std::vector<std::string_view> allowed = {};
+};
+
+/// What a shape does not know would be given for nothing.
+void check_options(const LoadOptions& options, LoadShape shape) {
+  static const std::array<KnownOptions, 4> kKnown{{
+      {LoadShape::kSine, {"--peak", "--frequency"}, {"--cycles"}},
+      {LoadShape::kSweep, {"--peak", "--frequency"}, {"--log"}},
+      {LoadShape::kHalfSine, {"--peak", "--pulse"}, {"--at"}},
+      {LoadShape::kNoise, {"--density"}, {"--seed"}},
+  }};
+  const KnownOptions& known = *std::ranges::find(kKnown, shape, &KnownOptions::shape);
+  const std::array<std::pair<std::string_view, bool>, 8> given{{
+      {"--peak", !options.peak.empty()},
+      {"--frequency", !options.frequency.empty()},
+      {"--cycles", !options.cycles.empty()},
+      {"--log", options.logarithmic},
+      {"--pulse", !options.pulse.empty()},
+      {"--at", !options.begin.empty()},
+      {"--density", !options.density.empty()},
+      {"--seed", !options.seed.empty()},
+  }};
+  for (const auto& [option, is_given] : given) {
+    const bool needed = std::ranges::find(known.needed, option) != known.needed.end();
+    const bool allowed = std::ranges::find(known.allowed, option) != known.allowed.end();
+    if (needed && !is_given) {
+      throw InputError(option, InputState{"missing"},
+                       fmt::format("must be given for a {}", to_string(shape)));
+    }
+    if (is_given && !needed && !allowed) {
+      throw InputError(option, InputState{"given"},
+                       fmt::format("must be left out: a {} does not know it", to_string(shape)));
+    }
+  }
+}
+
+LoadPlan plan_of(const LoadOptions& options, LoadShape shape, const Dimension& unit) {
+  LoadPlan plan{.shape = shape};
+  if (!options.peak.empty()) plan.peak = parse_positive("--peak", options.peak, unit);
+  if (shape == LoadShape::kSweep) {
+    std::tie(plan.frequency, plan.last_frequency) =
+        parse_frequencies("--frequency", options.frequency);
+  } else if (!options.frequency.empty()) {
+    plan.frequency = parse_positive("--frequency", options.frequency, kFrequency);
+  }
+  if (!options.cycles.empty()) {
+    plan.cycles = parse_positive("--cycles", options.cycles, kDimensionless);
+  }
+  plan.logarithmic = options.logarithmic;
+  if (!options.pulse.empty()) plan.pulse = parse_positive("--pulse", options.pulse, kTime);
+  if (!options.begin.empty()) plan.begin = parse_quantity("--at", options.begin, kTime);
+  if (!options.density.empty()) plan.density = read_power_density(options.density, unit);
+  if (!options.seed.empty()) plan.seed = parse_whole_number("--seed", options.seed, 0, kMostSeed);
+  plan.duration = parse_positive("--duration", options.duration, kTime);
+  if (!options.sampling_rate.empty()) {
+    plan.sampling_rate = parse_positive("--sampling-rate", options.sampling_rate, kFrequency);
+  }
+  return plan;
+}
+
+int run(const LoadOptions& options, const Call& call) {
+  check_output(options.out);
+  const LoadShape shape = parse_shape(options.shape);
+  check_options(options, shape);
+  const ModelFile model = read_model(options.model, JointsToFind::kAllowed);
+  const Dimension unit = model.structure.base_driven() ? kAcceleration : kForce;
+  const LoadHistory load = make_load(model.structure, plan_of(options, shape, unit));
+  write_file(options.out, format_loads(load, model.structure, heading_of(call.command_line)));
+  if (!call.quiet) {
+    fmt::print(options.out == "-" ? stderr : stdout, "A {} on {}\n{}", to_string(shape),
+               options.model, describe_load(model.structure, load));
+  }
+  return kDone;
+}
+
+void add_shape_options(CLI::App& command, LoadOptions& options) {
+  command.add_option("--peak", options.peak,
+                     "Amplitude of a sine, sweep or half-sine: in N, or in m/s^2 where a base is "
+                     "driven, or with a unit");
+  command.add_option("--frequency", options.frequency,
+                     "Of a sine; FROM:TO of a sweep; in Hz or with units");
+  command.add_option("--cycles", options.cycles,
+                     "Periods after which a sine ends; without it it goes on");
+  command.add_flag("--log", options.logarithmic,
+                   "A sweep by equal ratios in equal times, not by equal steps");
+  command.add_option("--pulse", options.pulse, "Length of a half-sine, in s or with a unit");
+  command.add_option("--at", options.begin, "When a half-sine begins (0 s)");
+  command
+      .add_option("--density", options.density,
+                  "Power spectral density of noise: frequency [Hz], density [N^2/Hz], or "
+                  "[(m/s^2)^2/Hz] or [g^2/Hz] where a base is driven; straight in logarithms "
+                  "between its rows")
+      ->type_name(kCsvValue);
+  command.add_option("--seed", options.seed, "Of noise: the same seed, the same noise (1)");
+}
+
+}  // namespace
+
+void add_load(CLI::App& program, Call& call) {
+  auto options = std::make_shared<LoadOptions>();
+  CLI::App* command = program.add_subcommand(
+      "load", "What acts over time, for march: a sine, a sweep, a shock, noise");
+  command->add_option("shape", options->shape, "sine, sweep, half-sine or noise")
+      ->required()
+      ->check(CLI::IsMember({"sine", "sweep", "half-sine", "noise"}));
+  command
+      ->add_option("model", options->model,
+                   "Structure, model.toml: its excitation says what is driven, a sine takes its "
+                   "harmonics and phases")
+      ->required()
+      ->type_name(kTomlValue);
+  command
+      ->add_option("--out", options->out,
+                   "CSV to write: time [s], and force [N], force at POINT [N] or acceleration of "
+                   "BASE [m/s^2]; - is standard output")
+      ->required()
+      ->type_name(kCsvValue);
+  command->add_option("--duration", options->duration, "Of the whole, in s or with a unit")
+      ->required();
+  command->add_option("--sampling-rate", options->sampling_rate,
+                      "Of the table, in Hz or with a unit; between its times the load is straight. "
+                      "Without it 256 times a period, 200 times a half-sine, 32 times a period of "
+                      "the highest frequency of noise");
+  add_shape_options(*command, *options);
+  command->add_flag("--quiet", call.quiet, "No summary");
+  add_examples(*command,
+               {"microslip load sine model.toml --peak 20N --frequency 16.2 --cycles 100 \\",
+                "          --duration 20s --out force.csv",
+                "microslip load half-sine shaken.toml --peak 50g --pulse 11ms --duration 0.5s \\",
+                "          --out shock.csv",
+                "microslip load noise shaken.toml --density asd.csv --duration 60s --seed 7 \\",
+                "          --out noise.csv"});
+  command->callback(
+      [options, &call] { call.run = [options, &call] { return run(*options, call); }; });
+}
+
+}  // namespace microslip::app

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/signal/load_shapes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <unsupported/Eigen/FFT>
+
+#include "microslip/base/error.hpp"
+#include "microslip/base/random.hpp"
+
+namespace microslip {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kMostTimes = 2e7;
+/// A duration that is a whole number of steps, to rounding, ends with one.
+constexpr double kWholeSteps = 1e-9;
+
+void require_positive(const char* what, double value) {
+  if (!(std::isfinite(value) && value > 0.0)) {
+    throw InputError(what, value, "must be positive and finite");
+  }
+}
+
+}  // namespace
+
+std::vector<double> even_times(double duration, double sampling_rate) {
+  require_positive("duration", duration);
+  require_positive("sampling rate", sampling_rate);
+  const double steps = std::floor(duration * sampling_rate * (1.0 + kWholeSteps));
+  if (!(steps >= 1.0 && steps < kMostTimes)) {
+    throw InputError("number of times", steps + 1.0, "must be from 2 to 2e7",
+                     "Change the duration or the sampling rate.");
+  }
+  std::vector<double> time(static_cast<std::size_t>(steps) + 1);
+  for (std::size_t i = 0; i < time.size(); ++i) time[i] = static_cast<double>(i) / sampling_rate;
+  return time;
+}
+
+std::vector<double> sine_burst(std::span<const double> time,
+                               std::span<const std::complex<double>> harmonics, double frequency,
+                               double end) {
+  require_positive("frequency", frequency);
+  std::vector<double> values;
+  values.reserve(time.size());
+  for (const double t : time) {
+    double sum = 0.0;
+    for (std::size_t n = 0; n < harmonics.size() && t < end; ++n) {
+      const double turn = 2.0 * pi * static_cast<double>(n + 1) * frequency * t;
+      sum += std::real(harmonics[n] * std::polar(1.0, turn));
+    }
+    values.push_back(sum);
+  }
+  return values;
+}
+
+std::vector<double> sine_sweep(std::span<const double> time, double from, double to,
+                               bool logarithmic) {
+  require_positive("first frequency of a sweep", from);
+  require_positive("last frequency of a sweep", to);
+  if (from == to)
+    throw InputError("last frequency of a sweep", to, "must be another than the first");
+  const double length = time.back() - time.front();
+  const double ratio = std::log(to / from);
+  std::vector<double> values;
+  values.reserve(time.size());
+  for (const double t : time) {
+    const double share = (t - time.front()) / length;
+    const double turns = logarithmic ? from * length * std::expm1(ratio * share) / ratio
+                                     : length * share * (from + 0.5 * share * (to - from));
+    values.push_back(std::sin(2.0 * pi * turns));
+  }
+  return values;
+}
+
+std::vector<double> half_sine(std::span<const double> time, double begin, double duration) {
+  require_positive("duration of a pulse", duration);
+  std::vector<double> values;
+  values.reserve(time.size());
+  for (const double t : time) {
+    const double share = (t - begin) / duration;
+    values.push_back(share > 0.0 && share < 1.0 ? std::sin(pi * share) : 0.0);
+  }
+  return values;
+}
+
+void PowerDensity::check() const {
+  if (frequency.size() < 2 || density.size() != frequency.size()) {
+    throw InputError("points of a power density", static_cast<double>(frequency.size()),
+                     "must be 2 at least, with a density each");
+  }
+  for (std::size_t i = 0; i < frequency.size(); ++i) {
+    const bool rises = i == 0 ? frequency[i] > 0.0 : frequency[i] > frequency[i - 1];
+    if (!(std::isfinite(frequency[i]) && rises)) {
+      throw InputError(fmt::format("frequency[{}] of a power density", i), frequency[i],
+                       "must be above 0 and above the one before");
+    }
+    if (std::isfinite(density[i]) && density[i] > 0.0) continue;
+    throw InputError(fmt::format("density[{}] of a power density", i), density[i],
+                     "must be positive and finite");
+  }
+}
+
+double PowerDensity::at(double f) const {
+  if (!(f >= frequency.front() && f <= frequency.back())) return 0.0;
+  const auto next = std::ranges::upper_bound(frequency, f);
+  const auto k = std::min(static_cast<std::size_t>(next - frequency.begin()), frequency.size() - 1);
+  const double slope =
+      std::log(density[k] / density[k - 1]) / std::log(frequency[k] / frequency[k - 1]);
+  return density[k - 1] * std::pow(f / frequency[k - 1], slope);
+}
+
+double PowerDensity::rms() const {
+  double area = 0.0;
+  for (std::size_t k = 1; k < frequency.size(); ++k) {
+    const double ratio = std::log(frequency[k] / frequency[k - 1]);
+    const double slope = std::log(density[k] / density[k - 1]) / ratio;
+    const double power = (slope + 1.0) * ratio;  // ∫ S df = S₁f₁ (e^power − 1)/(slope + 1)
+    const double part = std::abs(power) < 1e-8 ? ratio : std::expm1(power) / (slope + 1.0);
+    area += density[k - 1] * frequency[k - 1] * part;
+  }
+  return std::sqrt(area);
+}
+
+std::vector<double> stationary_noise(std::size_t count, double sampling_rate,
+                                     const PowerDensity& density, std::uint64_t seed,
+                                     std::uint64_t stream) {
+  density.check();
+  require_positive("sampling rate", sampling_rate);
+  if (!(sampling_rate > 2.0 * density.frequency.back())) {
+    throw InputError("sampling rate", sampling_rate,
+                     fmt::format("must be above twice the highest frequency, {:g} Hz",
+                                 density.frequency.back()));
+  }
+  std::size_t size = 2;  // of the transform, longer than the signal: it repeats after that
+  while (size < count) size *= 2;
+  const double step = sampling_rate / static_cast<double>(size);
+  std::vector<std::complex<double>> lines(size / 2 + 1);
+  RandomStream random(seed, stream);
+  for (std::size_t k = 1; k < lines.size(); ++k) {
+    const double scale = std::sqrt(density.at(step * static_cast<double>(k)) * step);
+    const double cosine = random.normal();
+    const double sine = random.normal();
+    lines[k] = 0.5 * scale * std::complex<double>(cosine, -sine);
+  }
+  lines.back() = 0.0;
+  Eigen::FFT<double> fft;
+  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+  fft.SetFlag(Eigen::FFT<double>::Unscaled);
+  std::vector<double> values(size);
+  fft.inv(values.data(), lines.data(), static_cast<Eigen::Index>(size));
+  values.resize(count);
+  return values;
+}
+
+}  // namespace microslip
