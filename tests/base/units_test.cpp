@@ -98,6 +98,11 @@ std::vector<Case> known_units() {
       {"N/m^2", 1.0, kPressure},
       {"psi", 6894.757293168361, kPressure},
       {"kg/m^3", 1.0, kMassDensity},
+      {"N^2/Hz", 1.0, kForce.power(2) / kFrequency},
+      {"(m/s^2)^2/Hz", 1.0, kAcceleration.power(2) / kFrequency},
+      {"g^2/Hz", 9.80665 * 9.80665, kAcceleration.power(2) / kFrequency},
+      {"1/(N m)", 1.0, kEnergy.power(-1)},
+      {"(mm/s)2", 1e-6, kVelocity.power(2)},
   };
 }
 
@@ -161,7 +166,8 @@ TEST(Units, MessagesNameTheUnitTheRuleAndTheRemedy) {
 TEST(Units, EachProposedUnitFits) {
   for (const Dimension& dimension :
        {kDimensionless, kLength, kMass, kTime, kAngle, kFrequency, kAngularFrequency, kVelocity,
-        kAcceleration, kForce, kEnergy, kStiffness, kPerForce, kPressure, kMassDensity}) {
+        kAcceleration, kForce, kEnergy, kStiffness, kPerForce, kPressure, kMassDensity,
+        kForce.power(2) / kFrequency, kAcceleration.power(2) / kFrequency}) {
     EXPECT_EQ(find_unit(si_unit(dimension))->dimension, dimension) << si_unit(dimension);
     EXPECT_EQ(find_unit(si_unit(dimension))->factor(), 1.0) << si_unit(dimension);
     std::string_view list_view;
@@ -170,7 +176,8 @@ TEST(Units, EachProposedUnitFits) {
     while (!list_view.empty()) {
       const std::string_view text = list_view.substr(0, list_view.find(','));
       list_view.remove_prefix(std::min(text.size() + 1, list_view.size()));
-      EXPECT_EQ(parse_unit(text.substr(0, text.find('(')), dimension).dimension, dimension) << text;
+      EXPECT_EQ(parse_unit(text.substr(0, text.find(" (")), dimension).dimension, dimension)
+          << text;
     }
   }
 }

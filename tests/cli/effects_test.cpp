@@ -312,6 +312,8 @@ const Files& inputs() {
     all["damped_joints.csv"] =
         damped_levels(all.at("two_joints.csv"), found.at("c/calibration.csv"));
     all["noise.csv"] = "time [s], nothing [V]\n0,1\n1,2\n2,3\n";
+    all["shock.csv"] = "time [s],acceleration of table [m/s^2]\n0,0\n0.005,20\n0.01,0\n0.1,0\n";
+    all["shaken.csv"] = "time [s],jolt [m/s^2]\n0,0\n0.005,20\n0.01,0\n0.1,0\n";
     all["other_force.csv"] = "time [s],force [N]\n0,0\n0.01,50\n0.02,0\n";
     all["damped.json"] =
         edited(all.at("joint.json"), std::string("]\n}") + " -> " + kIdentification);

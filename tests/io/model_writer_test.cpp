@@ -158,5 +158,30 @@ TEST(ModelWriter, KeepsWhatIsUncertain) {
   EXPECT_EQ(again.spread.response_gain, model.spread.response_gain);
 }
 
+// Bases, what is driven by them, and loads that always act.
+TEST(ModelWriter, KeepsBasesAndStaticLoads) {
+  ModelFile model = two_modes(DampingLaw::kViscous);
+  const JointedStructure& given = model.structure;
+  const std::vector<ModalPoint> points(given.linear().points().begin(),
+                                       given.linear().points().end());
+  model.structure = JointedStructure(
+      ModalModel({given.linear().modes().begin(), given.linear().modes().end()}, points,
+                 {{"table", {1.5, -0.25}, {1.0, 0.5}}}),
+      {given.joints().begin(), given.joints().end()}, {{"table", {1.0, {0.0, 0.5}}}},
+      DampingLaw::kViscous, {{"tip", 120.0}, {"table", -9.81}});
+  const ModelFile again = parse_model(format_model(model), "model.toml");
+  ASSERT_EQ(again.structure.linear().bases().size(), 1U);
+  const ModalBase& base = again.structure.linear().bases()[0];
+  EXPECT_EQ(base.name, "table");
+  EXPECT_EQ(base.participation, (std::vector<double>{1.5, -0.25}));
+  EXPECT_EQ(base.point_motion, (std::vector<double>{1.0, 0.5}));
+  EXPECT_TRUE(again.structure.base_driven());
+  ASSERT_EQ(again.structure.static_loads().size(), 2U);
+  EXPECT_EQ(again.structure.static_loads()[0].place, "tip");
+  EXPECT_EQ(again.structure.static_loads()[0].value, 120.0);
+  EXPECT_EQ(again.structure.static_loads()[1].place, "table");
+  EXPECT_EQ(again.structure.static_loads()[1].value, -9.81);
+}
+
 }  // namespace
 }  // namespace microslip::model_writer_test

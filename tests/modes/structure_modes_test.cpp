@@ -5,7 +5,9 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <numbers>
 #include <string>
+#include <vector>
 
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/io/matrix_market.hpp"
@@ -184,6 +186,67 @@ TEST(StructureModes, NamePointsAndStiffnesses) {
                                               {.count = 2, .joints = JointsInModes::kStuck});
                                         }),
                        "stiffness of joint 'joint' = 0; must be positive");
+}
+
+// A clamped chain on a shaken clamp: Γ = φᵀM·1, and all modes together move all of the mass,
+// Σ Γ² = 1ᵀM1, which is that of the masses.
+TEST(StructureModes, OfABaseMoveItsMass) {
+  MeshedStructure structure = chain_with_joint(12);
+  structure.bases.push_back({.name = "table", .direction = {.axis = {1.0, 0.0, 0.0}}});
+  const StructureModes all = compute_structure_modes(structure, {.count = 12, .attachment = false});
+  ASSERT_EQ(all.model.bases().size(), 1U);
+  const ModalBase& base = all.model.bases()[0];
+  EXPECT_EQ(base.point_motion, (std::vector<double>{1.0}));
+  ASSERT_EQ(all.base_masses.size(), 1U);
+  EXPECT_NEAR(all.base_masses[0].total, 10.0, 1e-12);
+  EXPECT_NEAR(all.base_masses[0].in_modes, 10.0, 1e-10);
+  EXPECT_TRUE(all.warnings.empty());  // a spring to the clamp shares no mass
+  // The first mode of a clamped chain in closed form: φ_i ∝ sin((i + 1)θ), θ = π/(2n + 1).
+  double participation = 0.0;
+  double square = 0.0;
+  for (int i = 1; i <= 12; ++i) {
+    const double shape = std::sin(i * std::numbers::pi / 25.0);
+    participation += 10.0 / 12.0 * shape;
+    square += 10.0 / 12.0 * shape * shape;
+  }
+  EXPECT_NEAR(std::abs(base.participation[0]), participation / std::sqrt(square), 1e-10);
+}
+
+// With an attachment two modes hold all of the static motion under an acceleration of the base.
+TEST(StructureModes, OfABaseHaveItsStaticMotionAttached) {
+  MeshedStructure structure = chain_with_joint(30);
+  structure.bases.push_back({.name = "table", .direction = {.axis = {1.0, 0.0, 0.0}}});
+  const StructureModes found =
+      compute_structure_modes(structure, {.count = 2, .attached_points = {"table"}});
+  EXPECT_EQ(found.model.size(), 4U);
+  const StaticCompliance& of_base = found.compliances.back();
+  EXPECT_EQ(of_base.place, YieldingPlace::kBase);
+  EXPECT_EQ(unit_of(of_base), "kg s^2");
+  EXPECT_NEAR(of_base.in_model / of_base.exact, 1.0, 1e-9);
+  EXPECT_LT(of_base.in_modes / of_base.exact, 1.0 - 1e-6);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < found.model.size(); ++i) {
+    sum += std::pow(
+        found.model.bases()[0].participation[i] / found.model.modes()[i].angular_frequency, 2);
+  }
+  EXPECT_NEAR(sum / of_base.exact, 1.0, 1e-9);
+}
+
+// Elements whose mass spreads over rows that something outside holds: the share of what is held there
+// is not in the matrices, which a user must know.
+TEST(StructureModes, OfABaseSayWhatMassIsMissing) {
+  MeshedStructure structure = chain_with_joint(12);
+  structure.bases.push_back({.name = "table", .direction = {.axis = {1.0, 0.0, 0.0}}});
+  MassChains::add(structure.matrices.mass, 1, 0, 0.1);
+  const StructureModes found = compute_structure_modes(structure, {.count = 2});
+  ASSERT_FALSE(found.warnings.empty());
+  EXPECT_EQ(found.warnings.front().code, "base_mass_missing");
+  structure.matrices.degrees.clear();
+  structure.points.clear();
+  structure.joints.clear();
+  test::expect_message(
+      test::message_or("", [&] { return compute_structure_modes(structure, {.count = 2}); }),
+      "degrees_of_freedom");
 }
 
 }  // namespace

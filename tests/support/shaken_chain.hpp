@@ -32,7 +32,8 @@ struct ShakenChain {
     return {stiffness, SlipDensity({AtomsPart{slip_force, weight}})};
   }
 
-  /// By modes relative to the support, all three, with the base "table" that it is: ζ_i = ½ dashpot ω_i.
+  /// By modes relative to the support, all three, with the base "table" that it is: ζ_i = ½ dashpot
+  /// ω_i.
   /// @param driven  a point "m1", "m2", "m3", or the base "table".
   [[nodiscard]] JointedStructure modal(const std::string& driven,
                                        std::vector<StaticLoad> static_loads = {}) const {
@@ -82,8 +83,8 @@ struct ShakenChain {
   };
 
   /// RK4 with steps of h from the state given and virgin sliders, or those that were pulled along
-  /// the way u to there at once. Sliders move one way in a stage, so that the error of a reversal is
-  /// of the order h².
+  /// the way u to there at once. Sliders move one way in a stage, so that the error of a reversal
+  /// is of the order h².
   /// @param every  told of the state at the end of each step.
   void integrate(const Loads& loads, State state, double end, double h,
                  const std::function<void(double, const State&)>& every) const {

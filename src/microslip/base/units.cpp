@@ -73,6 +73,9 @@ constexpr std::array kQuantities{
     Quantity{kPerForce, "inverse force", "1/N, 1/kN, 1/lbf"},
     Quantity{kPressure, "pressure", "Pa, kPa, MPa, GPa, psi"},
     Quantity{kMassDensity, "mass density", "kg/m^3"},
+    Quantity{kForce.power(2) / kFrequency, "power density of a force", "N^2/Hz, lbf^2/Hz"},
+    Quantity{kAcceleration.power(2) / kFrequency, "power density of an acceleration",
+             "(m/s^2)^2/Hz, g^2/Hz"},
 };
 
 constexpr std::string_view kDigits = "0123456789";
@@ -170,6 +173,7 @@ class UnitParser {
   }
 
   bool read_factor(int sign) {
+    if (text_.starts_with('(')) return read_brackets(sign);
     const std::string_view name = read_name();
     const std::optional<Symbol> symbol = find_symbol(name);
     const std::optional<int> power = name == "1" ? 1 : read_power();
@@ -178,6 +182,23 @@ class UnitParser {
     (n > 0 ? unit_.numerator : unit_.denominator) *= std::pow(symbol->factor, std::abs(n));
     exponent_ += n * symbol->exponent;
     unit_.dimension = unit_.dimension * symbol->dimension.power(n);
+    return true;
+  }
+
+  /// A unit in brackets, with a power.
+  bool read_brackets(int sign) {
+    const std::size_t end = text_.find(')');
+    if (end == std::string_view::npos) return false;
+    const std::optional<Unit> inner = UnitParser(text_.substr(1, end - 1)).parse();
+    text_.remove_prefix(end + 1);
+    const std::optional<int> power = read_power();
+    if (!inner || !power) return false;
+    const int n = sign * *power;
+    const double more = std::pow(inner->numerator, std::abs(n));
+    const double less = std::pow(inner->denominator, std::abs(n));
+    unit_.numerator *= n > 0 ? more : less;
+    unit_.denominator *= n > 0 ? less : more;
+    unit_.dimension = unit_.dimension * inner->dimension.power(n);
     return true;
   }
 

@@ -72,7 +72,8 @@ struct Unit {
 /// The unit that a text names: products, quotients and powers of m, in, ft, mil, N, lbf, J, kg, s,
 /// Hz, Pa, psi, rad, deg, g, with the usual prefixes n, u (µ), m, c, k, M, G where they are in use,
 /// and `1`, `-` or `%` for a number. `g` is standard gravity, 9.80665 m/s^2; masses are in kg.
-/// Powers read m/s^2, m/s2 or m/s²; products N m, N*m or N·m; a quotient is read from the left.
+/// Powers read m/s^2, m/s2 or m/s²; products N m, N*m or N·m; a quotient is read from the left;
+/// what stands in brackets, (m/s^2)^2/Hz, is one unit.
 /// @return  nothing where the text is no such unit.
 [[nodiscard]] std::optional<Unit> find_unit(std::string_view text);
 

@@ -78,6 +78,9 @@ bool excites_odd_harmonics(const JointedStructure& structure) {
   return true;
 }
 
+/// Of where a joint rests under static loads: rounding of that, 1e-16, is not to be told from its
+/// motion.
+constexpr double kRestRounding = 1e-5;
 constexpr double kReactive = 1e-3;  // less work than this share of the apparent is a difference
 
 }  // namespace
@@ -341,6 +344,10 @@ VectorXd BalanceEquations::scale() const {
   }
   const double least = largest > 0.0 ? 1e-6 * largest : 1.0;
   scale.head(count_) = scale.head(count_).cwiseMax(least);
+  for (std::size_t j = 0; j < resting_.size(); ++j) {
+    auto motion = scale.segment(static_cast<Index>(j) * block, block);
+    motion = motion.cwiseMax(kRestRounding * std::abs(resting_[j]));
+  }
   scale[count_] = z_[count_];
   scale[count_ + 1] = std::abs(z_[count_ + 1]);
   return scale;

@@ -99,8 +99,9 @@ VectorXd scaled(BalanceEquations& equations, VectorXd z, const Target& level) {
   equations.evaluate(z);
   const auto joints = static_cast<Index>(equations.structure().joints().size());
   for (Index j = 0; j < joints; ++j) {
-    auto motion = z.segment(j * (n / joints), n / joints);
-    if (motion.isZero(0.0)) motion = -equations.residual().segment(j * (n / joints), n / joints);
+    const Index vibrating = j * (n / joints) + 1;  // without the mean
+    auto motion = z.segment(vibrating, n / joints - 1);
+    if (motion.isZero(0.0)) motion = -equations.residual().segment(vibrating, motion.size());
   }
   return z;
 }

@@ -67,8 +67,8 @@ class Oscillator {
         damping_(damping_ratio),
         lambda_(-damping_ratio * omega, omega * std::sqrt(1.0 - damping_ratio * damping_ratio)) {}
 
-  /// Over a step in which the acceleration goes from `a` by `slope`. The particular solution is linear
-  /// in time, the rest turns with e^{λt}.
+  /// Over a step in which the acceleration goes from `a` by `slope`. The particular solution is
+  /// linear in time, the rest turns with e^{λt}.
   void go(double step, double a, double slope) {
     const double square = omega_ * omega_;
     const double drift = -slope / square;

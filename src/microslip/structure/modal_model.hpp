@@ -53,7 +53,8 @@ class ModalModel {
   ModalModel(std::vector<Mode> modes, std::vector<ModalPoint> points,
              std::vector<ModalBase> bases = {});
 
-  /// The same places of a structure with as many other modes. @throws InputError  as the constructor.
+  /// The same places of a structure with as many other modes.
+  /// @throws InputError  as the constructor.
   [[nodiscard]] ModalModel with_modes(std::vector<Mode> modes) const;
 
   /// The number of modes.
