@@ -149,7 +149,9 @@ class VariableReader {
     MatValue value;
     const std::uint32_t flags = read_flags(end);
     const std::uint32_t type = flags & 0xFFU;
-    if (type != mat5::kOpaqueClass) value.sizes = read_sizes(end);
+    // A sparse matrix has far fewer numbers than its sizes say.
+    const std::size_t most = std::size_t{1} << (type == mat5::kSparseClass ? 62U : 40U);
+    if (type != mat5::kOpaqueClass) value.sizes = read_sizes(end, most);
     const Tag name_tag = read_tag_of(mat5::kInt8, "a name", end);
     const std::string own_name = read_bytes(name_tag);
     if (!is_plain_name(own_name)) stream_.fail("a name", in_quotes(own_name));
@@ -173,7 +175,7 @@ class VariableReader {
     return flags;
   }
 
-  std::vector<std::size_t> read_sizes(std::size_t end) {
+  std::vector<std::size_t> read_sizes(std::size_t end, std::size_t most) {
     const Tag tag = read_tag_of(mat5::kInt32, "the sizes of an array", end);
     if (tag.size < 8 || tag.size > 128) stream_.fail("2 to 32 sizes", number(tag.size / 4));
     std::vector<std::int32_t> sizes;
@@ -181,7 +183,7 @@ class VariableReader {
     std::size_t count = 1;
     for (const std::int32_t size : sizes) {
       if (size < 0) stream_.fail("sizes of an array", fmt::format("{}", size));
-      const bool fits = size == 0 || count <= (std::size_t{1} << 40U) / static_cast<unsigned>(size);
+      const bool fits = size == 0 || count <= most / static_cast<unsigned>(size);
       if (!fits) stream_.fail("sizes of an array", "more values than a file can hold");
       count *= static_cast<std::size_t>(size);
     }
@@ -193,6 +195,9 @@ class VariableReader {
       value.kind = MatValue::Kind::kNumbers;
       read_part(value, value.real, type, end);
       if (complex) read_part(value, value.imaginary, type, end);
+    } else if (type == mat5::kSparseClass) {
+      value.kind = MatValue::Kind::kSparse;
+      read_sparse(value, complex, end);
     } else if (type == mat5::kCharClass) {
       value.kind = MatValue::Kind::kText;
       read_text(value, end);
@@ -209,8 +214,7 @@ class VariableReader {
       read_children(value, value.count() * value.fields.size(), end, depth);
     } else {
       value.kind = MatValue::Kind::kOther;
-      value.other = type == mat5::kSparseClass     ? "a sparse matrix"
-                    : type == mat5::kObjectClass   ? "an object of a class"
+      value.other = type == mat5::kObjectClass     ? "an object of a class"
                     : type == mat5::kFunctionClass ? "a function handle"
                     : type == mat5::kOpaqueClass   ? "an object of a class"
                                                    : "";
@@ -233,6 +237,28 @@ class VariableReader {
       stream_.fail("integers", "fractions");
     }
     read_numbers(tag, part);
+  }
+
+  /// Rows, starts of columns, numbers. There may be more rows and numbers than the columns have.
+  void read_sparse(MatValue& value, bool complex, std::size_t end) {
+    read_indices(value.row, end);
+    read_indices(value.column_start, end);
+    read_numbers(read_tag(end), value.real);
+    if (complex) read_numbers(read_tag(end), value.imaginary);
+    if (complex && value.imaginary.size() != value.real.size()) {
+      stream_.fail(fmt::format("{} imaginary parts", value.real.size()),
+                   number(value.imaginary.size()));
+    }
+    const std::string fault = checked_sparse(value);
+    if (!fault.empty()) stream_.fail("a sparse matrix", fault);
+  }
+
+  void read_indices(std::vector<std::int64_t>& indices, std::size_t end) {
+    const Tag tag = read_tag(end);
+    if (tag.type == mat5::kSingleNumbers || tag.type == mat5::kDoubleNumbers) {
+      stream_.fail("indices of a sparse matrix", "fractions");
+    }
+    read_numbers(tag, indices);
   }
 
   void read_text(MatValue& value, std::size_t end) {

@@ -4,6 +4,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/hdf5_contents.hpp"
+#include "microslip/io/mat_entries.hpp"
 #include "microslip/io/mat_recording.hpp"
 #include "microslip/io/mat_value.hpp"
 
@@ -31,6 +32,10 @@ MatTree mat73_tree(const std::string& path, const MatReadOptions& /*options*/) {
 }
 
 std::vector<double> read_mat_numbers(const std::string& path, std::string_view /*variable*/) {
+  refuse_matlab(path);
+}
+
+MatrixEntries read_mat_entries(const std::string& path, std::string_view /*variable*/) {
   refuse_matlab(path);
 }
 

@@ -54,6 +54,9 @@ std::string describe(const MatValue& value) {
   switch (value.kind) {
     case MatValue::Kind::kNumbers:
       return fmt::format("{} numbers of {}", value.imaginary.empty() ? "real" : "complex", sizes);
+    case MatValue::Kind::kSparse:
+      return fmt::format("a sparse matrix of {} numbers of {}",
+                         value.imaginary.empty() ? "real" : "complex", sizes);
     case MatValue::Kind::kText:
       return fmt::format("text of {}", sizes);
     case MatValue::Kind::kCell:
@@ -63,6 +66,29 @@ std::string describe(const MatValue& value) {
     default:
       return value.other.empty() ? "an array of " + sizes : value.other;
   }
+}
+
+std::string checked_sparse(MatValue& value) {
+  const std::vector<std::int64_t>& start = value.column_start;
+  if (value.sizes.size() != 2) return fmt::format("{} dimensions", value.sizes.size());
+  if (start.size() != value.sizes[1] + 1) {
+    return fmt::format("{} starts of {} columns", start.size(), value.sizes[1]);
+  }
+  const std::size_t there = std::min(value.row.size(), value.real.size());
+  if (start.front() != 0) return fmt::format("columns that start at {}", start.front());
+  for (std::size_t i = 1; i < start.size(); ++i) {
+    if (start[i] < start[i - 1]) return fmt::format("a column {} that ends before it starts", i);
+  }
+  const auto count = static_cast<std::size_t>(start.back());
+  if (count > there) return fmt::format("{} rows and numbers of {}", there, count);
+  value.row.resize(count);
+  value.real.resize(count);
+  if (!value.imaginary.empty()) value.imaginary.resize(count);
+  const auto rows = static_cast<std::int64_t>(value.sizes[0]);
+  const auto bad =
+      std::ranges::find_if(value.row, [&](auto row) { return row < 0 || row >= rows; });
+  if (bad != value.row.end()) return fmt::format("a row {} of {}", *bad + 1, rows);
+  return {};
 }
 
 std::string list_of_names(const std::vector<std::string>& names) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,12 +17,16 @@ namespace microslip {
 
 /// A value of MATLAB. Arrays are stored column by column, as there.
 struct MatValue {
-  enum class Kind { kNumbers, kText, kCell, kStruct, kOther, kNotRead };
+  enum class Kind { kNumbers, kSparse, kText, kCell, kStruct, kOther, kNotRead };
 
   Kind kind = Kind::kNotRead;
-  std::vector<std::size_t> sizes;   ///< the length along each dimension
-  std::vector<double> real;         ///< kNumbers; integers beyond 2^53 are rounded
-  std::vector<double> imaginary;    ///< of the same length, or empty: real numbers
+  std::vector<std::size_t> sizes;  ///< the length along each dimension
+  std::vector<double> real;        ///< kNumbers, kSparse; integers beyond 2^53 are rounded
+  std::vector<double> imaginary;   ///< of the same length, or empty: real numbers
+  /// kSparse: the row of each number, from 0, and where the numbers of each column begin, with one
+  /// more at the end. checked_sparse() has seen that they fit.
+  std::vector<std::int64_t> row;
+  std::vector<std::int64_t> column_start;
   std::vector<std::string> texts;   ///< kText: UTF-8, one per row
   std::vector<std::string> fields;  ///< kStruct: the names
   /// kCell: the elements. kStruct: the fields of the first element, then those of the second, ….
@@ -36,6 +41,10 @@ struct MatValue {
 
 /// "a struct of 1 × 8 with the fields 'a', 'b'".
 [[nodiscard]] std::string describe(const MatValue& value);
+
+/// Of the matrix of kSparse: what does not fit, such as "a row 7 of 4"; empty where all does. Numbers
+/// beyond the last column are room that the writer had left, and are taken off.
+[[nodiscard]] std::string checked_sparse(MatValue& value);
 
 /// "'a', 'b'", cut after a dozen.
 [[nodiscard]] std::string list_of_names(const std::vector<std::string>& names);
@@ -53,7 +62,9 @@ struct MatReadOptions {
   Progress progress = {};
 };
 
-/// Reads a file of version 5 (compressed or not) or 7.3.
+/// Reads a file of version 5 (compressed or not) or 7.3; or one of HDF5 that another program wrote:
+/// groups are structs, datasets of numbers arrays, transposed, and a group with `data`, `indices` and
+/// `indptr`, as SciPy has them, is a sparse matrix, transposed where its rows are compressed.
 /// @throws FileError    where it cannot be read.
 /// @throws FormatError  where it is no such file or is damaged.
 [[nodiscard]] MatTree read_mat_tree(const std::string& path, const MatReadOptions& options = {});

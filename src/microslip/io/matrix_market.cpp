@@ -159,7 +159,9 @@ SymmetricEntries parse_matrix_market(std::string_view text, std::string_view fil
   MatrixEntries entries =
       header.array ? read_array(lines, size, header.symmetric) : read_coordinates(lines, size);
   return header.symmetric ? symmetric_of_triangle(std::move(entries), file)
-                          : symmetric_of_both(entries, file);
+                          : symmetric_of_both(entries, file,
+                                              "Where one triangle alone is stored, the file must "
+                                              "say so.");
 }
 
 SymmetricEntries read_matrix_market(const std::string& path) {

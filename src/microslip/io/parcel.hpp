@@ -162,6 +162,8 @@ void pass(Parcel& parcel, MatValue& value) {
   pass(parcel, value.sizes);
   pass(parcel, value.real);
   pass(parcel, value.imaginary);
+  pass(parcel, value.row);
+  pass(parcel, value.column_start);
   pass(parcel, value.texts);
   pass(parcel, value.fields);
   pass(parcel, value.children);

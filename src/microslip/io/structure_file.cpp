@@ -13,7 +13,7 @@
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/joint_file.hpp"
-#include "microslip/io/matrix_market.hpp"
+#include "microslip/io/matrix_file.hpp"
 #include "microslip/io/mesh_file.hpp"
 #include "microslip/io/model_tables.hpp"
 #include "microslip/io/structure_places.hpp"
@@ -71,8 +71,8 @@ StructuralMatrices read_matrix_files(const TomlTable& table, std::string_view fi
   StructuralMatrices matrices;
   const std::string stiffness = path_beside(table, "stiffness", "a matrix", file);
   const std::string mass = path_beside(table, "mass", "a matrix", file);
-  matrices.stiffness = read_named(table, "stiffness", stiffness, read_matrix_market);
-  matrices.mass = read_named(table, "mass", mass, read_matrix_market);
+  matrices.stiffness = read_named(table, "stiffness", stiffness, read_matrix_file);
+  matrices.mass = read_named(table, "mass", mass, read_matrix_file);
   if (table.has("degrees_of_freedom")) {
     const std::string degrees = path_beside(table, "degrees_of_freedom", "a file", file);
     matrices.degrees = read_named(table, "degrees_of_freedom", degrees, read_degrees);

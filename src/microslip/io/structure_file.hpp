@@ -16,7 +16,7 @@
 /// points on it, of which modes are made. Paths are relative to its folder.
 ///
 ///     schema = "microslip.structure/1"
-///     [matrices]     stiffness, mass: files of Matrix Market; degrees_of_freedom: a file with a line
+///     [matrices]     stiffness, mass: of read_matrix_file(); degrees_of_freedom: a file with a line
 ///                    a row, `node.direction`; or, in place of the three, calculix: the path of
 ///                    JOB.sti, JOB.mas and JOB.dof without the ending. length_unit, force_unit: of
 ///                    the matrices and of nodes in files without units; m and N without them

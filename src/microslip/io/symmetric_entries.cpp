@@ -58,7 +58,8 @@ std::vector<Pair> pairs_of(const MatrixEntries& entries) {
 
 }  // namespace
 
-SymmetricEntries symmetric_of_both(const MatrixEntries& entries, std::string_view file) {
+SymmetricEntries symmetric_of_both(const MatrixEntries& entries, std::string_view file,
+                                   std::string_view remedy) {
   const std::vector<Pair> pairs = pairs_of(entries);
   std::vector<double> diagonal(entries.size, 0.0);
   for (const Pair& pair : pairs) {
@@ -74,7 +75,7 @@ SymmetricEntries symmetric_of_both(const MatrixEntries& entries, std::string_vie
                        fmt::format("must be that of ({}, {}), {:.9g}, as the matrix must be "
                                    "symmetric",
                                    pair.column + 1, pair.row + 1, pair.upper),
-                       "Where one triangle alone is stored, the file must say so.");
+                       remedy);
     }
     matrix.row.push_back(pair.row);
     matrix.column.push_back(pair.column);

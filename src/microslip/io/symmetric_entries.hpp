@@ -22,11 +22,12 @@ struct MatrixEntries {
 };
 
 /// Of a file that has the whole matrix: a pair of entries that differ by rounding is its mean.
-/// @param file  for messages.
+/// @param file    for messages.
+/// @param remedy  where they differ, for messages.
 /// @throws InputError  naming the entry that differs from that across the diagonal by more than
 ///                     1e-8 √(a_ii a_jj).
 [[nodiscard]] SymmetricEntries symmetric_of_both(const MatrixEntries& entries,
-                                                 std::string_view file);
+                                                 std::string_view file, std::string_view remedy);
 
 /// Of a file that has one triangle, the upper or the lower.
 /// @throws InputError  naming an entry beside the triangle of the first one that is off the diagonal.
