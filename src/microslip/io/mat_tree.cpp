@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "microslip/base/error.hpp"
+#include "microslip/io/hdf5_reader.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/mat5_reader.hpp"
 #include "microslip/io/text.hpp"
