@@ -4,7 +4,8 @@
 #
 # The reader begins in an empty folder with the clone beside him as microslip/; with a document of
 # examples/NAME, in a copy of that folder. Data that are not in the repository are taken from the folder
-# MICROSLIP_DATA_DIR, and what needs them is left out, with a note, where they are not there.
+# MICROSLIP_DATA_DIR, and what needs them is left out, with a note, where they are not there. Ends with 77 where
+# a program that the document needs is not installed.
 # Usage: run_document.sh ROOT DOCUMENT FOLDER_OF_THE_PROGRAM
 set -euo pipefail
 export LC_ALL=C.UTF-8
@@ -60,6 +61,17 @@ write_script() {
   done <"$work/list"
 }
 
+# A document that needs a program which is not there says nothing.
+check_programs() {
+  local number kind line rest
+  while read -r number kind line rest; do
+    [[ "$kind" == needs ]] || continue
+    command -v "$rest" >/dev/null && continue
+    echo "$name:$line: not run, $rest is not installed" >&2
+    exit 77
+  done <"$work/list"
+}
+
 # A file that no command takes, by its name or that of its folder, and no other file names, shows nothing.
 check_files_are_used() {
   local number kind line rest
@@ -100,6 +112,7 @@ compare_outputs() {
 
 LC_ALL=C awk -v STEPS="$steps" -v DOCUMENT="$name" -f "$here/split_document.awk" "$document" >"$work/list"
 grep -q ' sh ' "$work/list" || fail 1 "no session"
+check_programs
 check_files_are_used
 if [[ "$name" == examples/* ]]; then
   cp -r "$(dirname "$document")/." "$folder"

@@ -100,6 +100,17 @@ cat given.txt
 END
 done
 
+# A program that is needed and there changes nothing; one that is not there leaves the document out.
+passes <<'END'
+<!-- needs awk -->
+<!-- run true -->
+END
+echo >>"$work/checks"
+status=0
+run <<<$'<!-- needs no_such_program -->\n<!-- run false -->' || status=$?
+[[ "$status" == 77 ]] && grep -qF 'docs/page.md:1: not run, no_such_program' "$work/said" ||
+  { echo "a program that is missing: status $status" >&2; exit 1; }
+
 # ---- What is wrong. ----
 
 fails 3 'ended with status 3' <<'END'
@@ -179,6 +190,7 @@ true
 ```
 END
 fails 1 'unknown mark' <<<'<!-- sessions -->'
+fails 1 'unknown mark' <<<'<!-- needs -->'
 fails 2 'a block is missing' <<<$'<!-- session -->\n<!-- output -->'
 fails 2 'a block without end' <<<$'<!-- session -->\n```sh\ntrue'
 fails 2 'no command takes the file rig.toml' <<'END'

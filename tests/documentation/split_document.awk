@@ -8,6 +8,7 @@
 #   <!-- file NAME -->      a block that the reader saves as NAME
 #   <!-- run COMMAND -->    no block: a command that only the test types
 #   <!-- not run: WHY -->   a ```sh block that cannot run
+#   <!-- needs PROGRAM -->  no block: the document is not run where that program is not installed
 #
 # Writes into the folder STEPS, with numbers in the order of the document: NNN.sh, NNN.file, NNN.expected,
 # and to standard output one line a step: NNN KIND LINE NAME. What breaks these rules goes to standard
@@ -49,9 +50,11 @@ function read_mark(text) {
     begin_step("sh", NR, "")
     print substr(text, 5) >file
     close(file)
+  } else if (text ~ /^needs [^ ]+$/) {
+    begin_step("needs", NR, substr(text, 7))
   } else if (text ~ /^(session|output|output exact)$/ || text ~ /^(not run:|file|session with) ./) {
     mark = text
-  } else if (text ~ /^(session|output|file|run|not run)/) {
+  } else if (text ~ /^(session|output|file|run|not run|needs)/) {
     fail(NR, "unknown mark <!-- " text " -->")
   }
 }
