@@ -40,6 +40,16 @@ using Files = std::map<std::string, std::string>;
 constexpr const char* kAddRow =
     " has no row in tests/data/effects.txt; add one, the top of the file says how";
 
+/// Whether the program has the command that a row calls: `modes` is left out where MUMPS is.
+bool can_run(const EffectRow& row) {
+  static const bool has_modes = [] {
+    app::Call call;
+    const auto is_modes = [](const CLI::App* command) { return command->get_name() == "modes"; };
+    return !app::make_program(call)->get_subcommands(is_modes).empty();
+  }();
+  return has_modes || !row.base.starts_with("modes ");
+}
+
 /// What a call leaves.
 struct Run {
   Outcome outcome;
@@ -460,7 +470,9 @@ void expect_row(const EffectRow& row) {
 
 std::set<std::string> subjects() {
   std::set<std::string> result;
-  for (const EffectRow& row : effect_rows()) result.insert(row.subject);
+  for (const EffectRow& row : effect_rows()) {
+    if (can_run(row)) result.insert(row.subject);
+  }
   return result;
 }
 
@@ -468,7 +480,7 @@ class Effects : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Effects, AreThere) {
   for (const EffectRow& row : effect_rows()) {
-    if (row.subject != GetParam()) continue;
+    if (row.subject != GetParam() || !can_run(row)) continue;
     SCOPED_TRACE(fmt::format("effects.txt:{}: {} {}", row.line, row.subject, row.item));
     ASSERT_FALSE(row.effects.empty()) << "a row has 5 cells";
     expect_row(row);
@@ -502,7 +514,7 @@ TEST(EffectsTable, HasEveryOption) {
     }
   }
   for (const EffectRow& row : effect_rows()) {
-    if (!row.item.starts_with("--")) continue;
+    if (!row.item.starts_with("--") || !can_run(row)) continue;
     EXPECT_TRUE(there.contains({row.subject, row.item}))
         << "effects.txt:" << row.line << ": there is no " << row.subject << " " << row.item;
   }
