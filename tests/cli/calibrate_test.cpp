@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "microslip/io/csv.hpp"
 #include "microslip/io/joint_file.hpp"
 #include "microslip/io/joint_samples_file.hpp"
+#include "microslip/io/model_file.hpp"
 #include "support/thinned_table.hpp"
 
 namespace microslip::cli_test::calibrate_test {
@@ -32,6 +34,30 @@ Sandbox two_joints() {
 
 const Arguments kCall{"calibrate", "model.toml", "levels.csv", "--samples",
                       "100",       "--out",      "found"};
+
+/// Whether the model names draws of each joint that are there.
+void expect_draws_of_both(const std::string& path) {
+  const ModelFile model = read_model(path);
+  ASSERT_EQ(model.joint_samples.size(), 2U);
+  for (const std::string& samples : model.joint_samples) {
+    EXPECT_TRUE(std::filesystem::exists(samples)) << samples;
+  }
+}
+
+// The draws that are kept are those that predictions by the model vary, also where a later
+// calibration of another joint writes it to another folder.
+TEST(calibrate, NamesTheDrawsInTheModel) {
+  const Sandbox box = two_joints();
+  expect_done(box, with(kCall, {"--keep-samples"}));
+  expect_draws_of_both(box.file("found/model.toml"));
+  const std::string given = edited(box.get("model.toml"), "stiffness_N_per_m = 500000",
+                                   "file = \"found/joint2.json\"\n"
+                                   "samples = \"found/joint2_samples.h5\"");
+  box.put("known.toml", given);
+  expect_done(box, {"calibrate", "known.toml", "levels.csv", "--samples", "100", "--out", "again",
+                    "--keep-samples"});
+  expect_draws_of_both(box.file("again/model.toml"));
+}
 
 // The folder predicts what was measured: the backbone of its model has the frequencies of the truth.
 TEST(calibrate, WritesAFolderThatPredicts) {

@@ -158,14 +158,18 @@ std::string model_text(const ModelCalibration& options, const CalibratedModel& d
   std::vector<StructuralJoint> joints(done.model.structure.joints().begin(),
                                       done.model.structure.joints().end());
   ModelFile model = done.model;
+  model.joint_samples.resize(joints.size());
   for (const CalibratedJoint& joint : done.found.joints) {
     joints[joint.index].joint = joint.joint;
     model.joint_files[joint.index] = joint.name + ".json";
+    if (options.keep_draws) model.joint_samples[joint.index] = joint.name + "_samples.h5";
     model.identified_damping[joint.index] = joints[joint.index].linear_damping;
   }
   for (std::size_t j = 0; j < joints.size(); ++j) {
-    const bool found = std::ranges::find(model.to_find, j) != model.to_find.end();
-    if (!found) model.joint_files[j] = path_from(model.joint_files[j], out);
+    if (std::ranges::find(model.to_find, j) != model.to_find.end()) continue;
+    model.joint_files[j] = path_from(model.joint_files[j], out);
+    std::string& samples = model.joint_samples[j];
+    if (!samples.empty()) samples = path_from(samples, out);
   }
   model.to_find.clear();
   model.structure = done.model.structure.with_joints(std::move(joints));
