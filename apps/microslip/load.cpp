@@ -145,7 +145,7 @@ void add_shape_options(CLI::App& command, LoadOptions& options) {
   command.add_option("--frequency", options.frequency,
                      "Of a sine; FROM:TO of a sweep; in Hz or with units");
   command.add_option("--cycles", options.cycles,
-                     "Periods after which a sine ends; without it it goes on");
+                     "Periods after which a sine ends; else it goes on");
   command.add_flag("--log", options.logarithmic,
                    "A sweep by equal ratios in equal times, not by equal steps");
   command.add_option("--pulse", options.pulse, "Length of a half-sine, in s or with a unit");

@@ -24,7 +24,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 const std::string kHeader =
-    "frequency [Hz],force [N],displacement [m],phase [rad],dissipation [J],linear_dissipation "
+    "frequency [Hz],force [N],displacement [m],phase [rad],velocity [m/s],acceleration "
+    "[m/s^2],dissipation [J],linear_dissipation "
     "[J],amplitude_joint [m],dissipation_joint [J],reversals_joint [1],energy_imbalance [1],peak "
     "[1]\n";
 
@@ -369,7 +370,8 @@ struct BadCall {
 TEST(frf, RefusesBadCalls) {
   const Sandbox box = one_mass();
   const std::vector<BadCall> calls{
-      {{"--frequency", "0.1:0.2"}, {"--force or --response is required", "microslip frf --help"}},
+      {{"--frequency", "0.1:0.2"},
+       {"--force, --acceleration or --response is required", "microslip frf --help"}},
       {{"--force", "1"}, {"--frequency is required"}},
       {{"--force", "1", "--response", "1", "--frequency", "0.1:0.2"}, {"--force", "--response"}},
       {{"--force", "0", "--frequency", "0.1:0.2"}, {"--force = 0", "above 0 N"}},
