@@ -123,7 +123,8 @@ void add_backbone(CLI::App& program, Call& call) {
   CLI::App* command = program.add_subcommand(
       "backbone", "Resonance frequency and damping of a structure with joints over the amplitude");
   add_prediction_arguments(*command, options->prediction, call,
-                           "displacement [m], force [N], frequency [Hz], damping_ratio [1]");
+                           "displacement [m], force [N], frequency [Hz], damping_ratio [1]; with a "
+                           "shaken base base_acceleration [m/s^2] for the force");
   command
       ->add_option("--response", options->response,
                    "Amplitudes of the displacement at the response point, FROM:TO:COUNT[:log], in "

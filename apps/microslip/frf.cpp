@@ -220,15 +220,18 @@ void add_frf(CLI::App& program, Call& call) {
       "frf",
       "Response of a structure with joints over the frequency, at one force or one response");
   add_prediction_arguments(*command, options->prediction, call,
-                           "frequency [Hz], force [N] or base_acceleration [m/s^2], displacement "
-                           "[m], phase [rad], velocity [m/s], acceleration [m/s^2]");
+                           "frequency [Hz], force [N], displacement [m], phase [rad], velocity "
+                           "[m/s], acceleration [m/s^2]; with a shaken base base_acceleration "
+                           "[m/s^2] for the force, absolute_displacement [m], "
+                           "absolute_acceleration [m/s^2], transmissibility [1]");
   CLI::Option* force =
       command->add_option("--force", options->force, "Amplitude of the force, in N or with a unit");
-  CLI::Option* response =
-      command->add_option("--response", options->response,
-                          "Amplitude at the response point that is kept, of the displacement, "
-                          "velocity or acceleration by "
-                          "its unit, in m without one: what drives is what is found");
+  CLI::Option* response = command->add_option(
+      "--response", options->response,
+      "Amplitude at the response point that is kept, of the displacement, "
+      "velocity or acceleration by "
+      "its unit, in m without one, relative to the base where that is shaken: what drives is what "
+      "is found");
   CLI::Option* acceleration = command->add_option("--acceleration", options->acceleration,
                                                   "Amplitude of the acceleration of the base, of a "
                                                   "model whose base is driven, in m/s^2 or with a "

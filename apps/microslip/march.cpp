@@ -76,7 +76,12 @@ std::vector<DrawnMode> parse_release(const std::string& text, const ModelFile& m
 }
 
 InitialState start_of(const MarchArguments& arguments, const ModelFile& model) {
-  if (arguments.release.empty()) return {};
+  if (arguments.release.empty() && arguments.duration.empty()) return {};
+  if (!model.structure.static_loads().empty()) {
+    throw InputError("--release", in_quotes(arguments.release),
+                     "must be left out: the model has static loads, and begins at rest under them",
+                     "Let a force of --force-file go instead.");
+  }
   try {
     return released(model.structure, model.response, parse_release(arguments.release, model));
   } catch (const InputError& error) {
@@ -190,10 +195,12 @@ void add_march(CLI::App& program, Call& call) {
   rate->needs(duration)->excludes(forces);
   duration->needs(rate);
   command
-      ->add_option("--out", arguments->out,
-                   "CSV to write: time [s], force [N], displacement [m], velocity [m/s], "
-                   "acceleration [m/s^2], JOINT displacement [m], JOINT force [N]; - is standard "
-                   "output")
+      ->add_option(
+          "--out", arguments->out,
+          "CSV to write: time [s], what acts, displacement [m], velocity [m/s], acceleration "
+          "[m/s^2], JOINT displacement [m], JOINT force [N], and absolute_displacement "
+          "[m], absolute_velocity [m/s], absolute_acceleration [m/s^2] where a base "
+          "accelerates; - is standard output")
       ->required()
       ->type_name(kCsvValue);
   command->add_option("--step", arguments->step,
@@ -204,7 +211,8 @@ void add_march(CLI::App& program, Call& call) {
                     "Do not march a second time with twice the step to tell the error: a third of "
                     "the time less");
   command
-      ->add_option("--every", arguments->every, "Times of the force file per row that is written")
+      ->add_option("--every", arguments->every,
+                   "Times of the force file, or of --sampling-rate, per row that is written")
       ->capture_default_str();
   command
       ->add_option("--normal-load-law", arguments->law,

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
@@ -104,6 +105,13 @@ std::string fault_of(const CLI::App& program, const CLI::ParseError& error) {
   return fmt::format("subcommand = '{}'; must be one of {}", rest.front(), names);
 }
 
+/// What is printed is written as one: of a write in between only that it failed would be known, not
+/// why.
+void write_at_the_end() {
+  static std::array<char, std::size_t{1} << 16U> text;  // a length without it is not heeded
+  if (::isatty(STDOUT_FILENO) == 0) (void)std::setvbuf(stdout, text.data(), _IOFBF, text.size());
+}
+
 /// The status, unless what was printed got lost.
 int finished_output(int status) {
   const bool whole = std::ferror(stdout) == 0;
@@ -142,6 +150,7 @@ int parse_and_run(CLI::App& program, Call& call, int argc, char** argv) {
 
 int run_program(int argc, char** argv, Call& call, std::unique_ptr<CLI::App> (*make)(Call& call)) {
   occupy_closed_streams();
+  write_at_the_end();
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) remove_temporaries_on(signal);
   // A pipe that nobody reads and a limit of the size of files are errors of writing, as a full
   // disk.

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -46,6 +47,13 @@ int run(const SpectrumOptions& options, const Call& call) {
   out.add_numbers("negative", kAcceleration, spectrum.negative);
   out.add_numbers("relative_displacement", kLength, spectrum.displacement);
   write_file(options.out, out.str());
+  if (call.quiet) return kDone;
+  const std::vector<double> maximax = spectrum.maximax();
+  const auto most = std::ranges::max_element(maximax);
+  fmt::print(options.out == "-" ? stderr : stdout,
+             "Shock response spectrum of '{}'\n  largest              {:.5g} m/s^2 at {:.5g} Hz\n",
+             options.column, *most,
+             spectrum.frequency[static_cast<std::size_t>(most - maximax.begin())]);
   return kDone;
 }
 
@@ -77,6 +85,7 @@ void add_spectrum(CLI::App& program, Call& call) {
                    "[m/s^2], relative_displacement [m]; - is standard output")
       ->required()
       ->type_name(kCsvValue);
+  command->add_flag("--quiet", call.quiet, "No summary");
   add_examples(*command,
                {"microslip spectrum march.csv --frequency 10:2000:200:log --out srs.csv",
                 "microslip spectrum shock.csv --column 'acceleration of table' \\",

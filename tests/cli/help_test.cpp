@@ -153,6 +153,12 @@ TEST(Help, ExamplesWithModelsRun) {
     const std::string key = "damping_ratio";
     model.insert(model.find(key), "frequency_std = [0.01]\n");  // what draws may vary
     box.put("model.toml", model);
+    box.put("shaken.toml",
+            "schema = \"microslip.model/1\"\n[structure]\nfrequency_Hz = [50.0]\n"
+            "damping_ratio = [0.02]\n[[structure.point]]\nname = \"mass\"\nshape = [1.0]\n"
+            "[[structure.base]]\nname = \"table\"\nparticipation = [1.0]\n"
+            "point_motion = [1.0]\n[excitation]\nbase = \"table\"\n"
+            "[response]\npoint = \"mass\"\n");
     for (const Arguments& call : calls) {
       const Outcome run = box.run(call);
       EXPECT_EQ(run.status, 0) << typed(call) << "\n" << run.err;

@@ -159,6 +159,14 @@ TEST(load, RefusesWhatMeansNothing) {
   refused({"load", "sine", "model.toml", "--peak", "1", "--frequency", "5", "--duration", "1",
            "--pulse", "1", "--out", "l.csv"},
           "a sine does not know it");
+  refused({"load", "half-sine", "model.toml", "--peak", "1", "--pulse", "11ms", "--at", "5",
+           "--duration", "1", "--out", "l.csv"},
+          "begin of the half-sine");
+  refused({"load", "sine", "model.toml", "--peak", "1", "--frequency", "16", "--duration", "1",
+           "--sampling-rate", "16", "--out", "l.csv"},
+          "must be 128 Hz or more");
+  refused({"spectrum", "asd.csv", "--column", "density", "--frequency", "1:2:3", "--out", "s.csv"},
+          "'time [s]'");
   refused({"frf", "model.toml", "--force", "1", "--frequency", "5:20", "--out", "f.csv"},
           "driven by its base 'table'");
   refused({"march", "model.toml", "--release", "1", "--duration", "1", "--sampling-rate", "100",

@@ -197,5 +197,45 @@ TEST(StaticLoad, LetsCurvesBeFollowed) {
   for (const SteadyVibration& point : curve.points) EXPECT_LT(point.energy_imbalance, 1e-7);
 }
 
+// What floats freely may be preloaded in itself, or beside: only a load on what nothing holds has no
+// equilibrium.
+TEST(StaticLoad, OfAFloatingStructureMayBeInBalance) {
+  const ModalModel linear({{0.0, 0.0}, {100.0, 0.01}},
+                          {{"left", {0.5, 0.5}}, {"right", {0.5, -0.5}}});
+  const auto with = [&](std::vector<StaticLoad> loads) {
+    return JointedStructure(linear, {}, {{"left"}}, DampingLaw::kViscous, std::move(loads));
+  };
+  const StaticEquilibrium found = static_equilibrium(with({{"left", 40.0}, {"right", -40.0}}));
+  EXPECT_NEAR(found.modal[1], 40.0 / 1e4, 1e-15);
+  EXPECT_NEAR(found.modal[0], 0.0, 1e-15);
+  test::expect_message(test::message_or("",
+                                        [&] {
+                                          return static_equilibrium(with({{"left", 40.0}}));
+                                        }),
+                       "no equilibrium");
+}
+
+// The error of a march is that of the motion about the preload, which is some hundred times as large
+// here and hides nothing. The first step alone is cut otherwise, as the joint has been moved before: a
+// third of the error is room enough for that, and none for a hundredth.
+TEST(StaticLoad, DoesNotHideTheErrorOfAMarch) {
+  testing::ShakenChain chain;
+  chain.slip_force = {1e6};  // sticks, so that the motion is the same about every preload
+  LoadHistory loads{{}, {{"m1", {}}}};
+  for (int i = 0; i <= 40; ++i) {
+    loads.time.push_back(0.02 * i);
+    loads.forces[0].force.push_back(i % 2 == 0 ? 20.0 : -20.0);
+  }
+  chain.weight = {0.9};
+  MarchOptions options;
+  options.points = {"m3"};
+  options.step = 5e-3;
+  const MarchResult bare = march(chain.modal("m1"), loads, options);
+  const MarchResult held = march(chain.modal("m1", {{"m3", 4e2}}), loads, options);
+  ASSERT_TRUE(bare.error_estimate && held.error_estimate);
+  EXPECT_NEAR(*held.error_estimate / *bare.error_estimate, 1.0, 0.3);
+  EXPECT_GT(*bare.error_estimate, 0.0);
+}
+
 }  // namespace
 }  // namespace microslip::static_load_test

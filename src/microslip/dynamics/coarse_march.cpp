@@ -45,6 +45,11 @@ CoarseMarch::CoarseMarch(const JointedStructure& structure, const LoadHistory& l
 void CoarseMarch::start(const MarchLoads& acting, const InitialState& start) {
   acting.set(0, state_.loads());
   state_.start(start);
+  for (std::size_t p = 0; acting.at_rest() && p < differences_.size(); ++p) {
+    Difference& d = differences_[p];
+    d.rest = shapes_.empty() ? state_.joint(p).displacement() : moved(state_, p);
+    d.largest = MarchEnergy::kLeastOfRest * std::abs(d.rest);
+  }
 }
 
 void CoarseMarch::set(const MarchLoads& acting, std::size_t interval, double length,
@@ -68,6 +73,14 @@ std::optional<double> CoarseMarch::error() const {
   return worst / (second_order_ ? kDifferenceOverErrorOfSecondOrder : kDifferenceOverError);
 }
 
+double CoarseMarch::moved(const MarchState& state, std::size_t point) const {
+  double w = 0.0;
+  for (std::size_t i = 0; i < shapes_[point].size(); ++i) {
+    w += shapes_[point][i] * state.displacement()[i];
+  }
+  return w;
+}
+
 void CoarseMarch::compare(const MarchState& fine) {
   compared_ = true;
   for (std::size_t p = 0; p < differences_.size(); ++p) {
@@ -84,7 +97,7 @@ void CoarseMarch::compare(const MarchState& fine) {
     }
     Difference& d = differences_[p];
     d.difference = std::max(d.difference, std::abs(miss));
-    d.largest = std::max(d.largest, std::abs(w));
+    d.largest = std::max(d.largest, std::abs(w - d.rest));
   }
 }
 

@@ -51,9 +51,12 @@ class CoarseMarch {
  private:
   struct Difference {
     double difference = 0.0;  ///< largest so far, m
-    double largest = 0.0;     ///< displacement so far, m
+    double largest = 0.0;     ///< displacement about the rest so far, m
+    double rest = 0.0;        ///< where static loads hold it, m
   };
 
+  /// w of a point.
+  [[nodiscard]] double moved(const MarchState& state, std::size_t point) const;
   void compare(const MarchState& fine);
 
   MarchState state_;

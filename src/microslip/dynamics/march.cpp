@@ -281,8 +281,14 @@ struct March {
   std::optional<CoarseMarch> coarse;
 };
 
-void finish(const JointedStructure& structure, const MarchState& state, MarchResult& result) {
+void finish(const JointedStructure& structure, const MarchOptions& options, const MarchState& state,
+            MarchResult& result) {
   result.energy = state.energy();
+  if (!structure.static_loads().empty()) {
+    double moving = 0.0;
+    for (const double v : options.start.velocity) moving += 0.5 * v * v;
+    result.energy.at_rest = result.energy.initial - moving;
+  }
   for (std::size_t j = 0; j < result.energy.joints.size(); ++j) {
     result.energy.joints[j].joint = structure.joints()[j].name;
   }
@@ -379,7 +385,8 @@ double MarchEnergy::imbalance() const {
   const double left = initial + input;
   const double right = kinetic + elastic + linear_dissipation + joint_dissipation() +
                        joint_linear_dissipation() + joint_stored();
-  const double size = std::max(std::abs(left), std::abs(right));
+  const double size = std::max(
+      {std::abs(left - at_rest), std::abs(right - at_rest), kLeastOfRest * std::abs(at_rest)});
   return left == right ? 0.0 : std::abs(left - right) / size;
 }
 
@@ -396,7 +403,7 @@ MarchResult march_rows(const JointedStructure& structure, const LoadHistory& loa
   March march(structure, loads, options);
   const std::string failure = march.run(longest, recorder, progress);
   recorder.finish();
-  finish(structure, march.state, result);
+  finish(structure, options, march.state, result);
   add_error(march.coarse, structure, result);
   add_damping(structure, result);
   judge(options, loads.time.back(), result);

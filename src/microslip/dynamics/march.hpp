@@ -114,6 +114,7 @@ struct JointEnergy {
 /// of the load; its `dissipation` then holds ∫ F du, `stored` ½cF² alone.
 struct MarchEnergy {
   double initial = 0.0;             ///< of the initial state
+  double at_rest = 0.0;             ///< what of it the static loads hold, where there are any
   double input = 0.0;               ///< ∫ Σ f ẇ dt
   double linear_dissipation = 0.0;  ///< Σ_i η_i ω_i ∫ q̇_i² dt
   double kinetic = 0.0;             ///< ½ Σ q̇_i², at the end
@@ -127,7 +128,11 @@ struct MarchEnergy {
   /// Of all joints.
   [[nodiscard]] double joint_linear_dissipation() const;
 
-  /// |left − right|/max(|left|, |right|) of the balance, 1; 0 where nothing moves.
+  /// Less than this of the rest under static loads is no motion, but rounding.
+  static constexpr double kLeastOfRest = 1e-6;
+
+  /// |left − right|/max(|left|, |right|) of the balance, without the energy at rest (of which 1e-6
+  /// count), 1; 0 where nothing moves.
   [[nodiscard]] double imbalance() const;
 };
 
@@ -181,9 +186,9 @@ struct MarchResult {
   std::size_t reversals = 0;  ///< of all joints
   std::size_t kinks = 0;      ///< loops that closed and atoms that began to slip
   /// The largest error of the displacement of a recorded point (of u of a joint where there is
-  /// none) at every second step, over its largest value, 1: the difference from the march with
-  /// twice the step, over what it is of the error by the order of the scheme. 0 for a linear
-  /// structure; none where it was not asked for, or that march failed.
+  /// none) at every second step, over its largest value, about the rest under static loads, 1: the
+  /// difference from the march with twice the step, over what it is of the error by the order of
+  /// the scheme. 0 for a linear structure; none where it was not asked for, or that march failed.
   std::optional<double> error_estimate;
   /// What a user of the result must know: `hysteretic_as_viscous`, `damping_as_viscous`,
   /// `error_not_estimated`.

@@ -18,6 +18,9 @@ class MarchLoads {
   /// Where the march begins: what is asked for, or, with static loads, at rest under them.
   [[nodiscard]] InitialState start(InitialState asked) const;
 
+  /// Whether static loads hold it there.
+  [[nodiscard]] bool at_rest() const { return !equilibrium_.empty(); }
+
   /// Sets all that is not constant from one interval to the next, and the static loads.
   void set(std::size_t interval, MarchState::Loads& loads) const;
 

@@ -19,7 +19,9 @@ struct DrawnMode {
 /// Where a structure is let go at rest for a free decay: the sum of the shapes of stuck modes (see
 /// JointedStructure::stuck_mode), each with its displacement at a point. The joints go there on the
 /// virgin curve.
-/// @param point  of the modal model.
+/// @param structure  that is let go.
+/// @param point      of the modal model.
+/// @param modes      drawn aside.
 /// @throws InputError  for a mode that there is not, one named twice, one that does not move the
 ///                     point, a displacement that is 0 or not finite.
 [[nodiscard]] InitialState released(const JointedStructure& structure, std::string_view point,

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
+#include <Eigen/QR>
 #include <cmath>
 #include <string>
 
@@ -23,6 +23,7 @@ constexpr double kEquilibriumTolerance = 1e-12;  // of the residual, over the su
 constexpr double kEquilibriumRounding =
     1e-9;                                // good enough where the residual does not fall any more
 constexpr double kNothingHolds = 1e-12;  // of the largest pivot
+constexpr double kNothingLoads = 1e-6;   // of the residual: a load on what nothing holds
 
 Eigen::Map<const VectorXd> view(const std::vector<double>& values) {
   return {values.data(), static_cast<Index>(values.size())};
@@ -125,10 +126,16 @@ class Equilibrium {
     VectorXd scale = tangent_.diagonal().cwiseAbs();
     const double least = kNothingHolds * scale.maxCoeff();
     for (double& value : scale) value = 1.0 / std::sqrt(std::max(value, least));
-    Eigen::FullPivLU<MatrixXd> factors(scale.asDiagonal() * tangent_ * scale.asDiagonal());
+    const MatrixXd scaled = scale.asDiagonal() * tangent_ * scale.asDiagonal();
+    const VectorXd right = scale.asDiagonal() * residual_;
+    Eigen::CompleteOrthogonalDecomposition<MatrixXd> factors(scaled.rows(), scaled.cols());
     factors.setThreshold(kNothingHolds);
-    if (!factors.isInvertible()) throw nothing_found();
-    return -(scale.asDiagonal() * factors.solve(scale.asDiagonal() * residual_));
+    factors.compute(scaled);
+    const VectorXd solution = factors.solve(right);  // what nothing holds and nothing loads rests
+    if (!((scaled * solution - right).norm() <= kNothingLoads * right.norm())) {
+      throw nothing_found();
+    }
+    return -(scale.asDiagonal() * solution);
   }
 
   [[nodiscard]] InputError nothing_found() const {

@@ -60,7 +60,8 @@ bool is_histories(const std::vector<std::string>& names) {
 bool is_march(std::vector<std::string> names) {
   while (names.size() > 1 &&
          (names.back().ends_with("_lower") || names.back().ends_with("_upper") ||
-          names.back().starts_with("absolute_"))) {
+          names.back() == "absolute_displacement" || names.back() == "absolute_velocity" ||
+          names.back() == "absolute_acceleration")) {
     names.pop_back();
   }
   constexpr std::array<std::string_view, 3> kMotion{"displacement", "velocity", "acceleration"};

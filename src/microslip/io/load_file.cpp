@@ -78,6 +78,11 @@ class Loads {
   LoadHistory read() {
     for (const CsvColumn& column : table_.columns()) {
       const std::string_view name = column.name;
+      if (name == "force" && excited_.empty()) {
+        throw FormatError({table_.file()},
+                          "a column 'acceleration of BASE [m/s^2]' or 'force at POINT [N]'",
+                          "'force'", "The model is driven by its base.");
+      }
       if (name == "force") {
         add_force(name, only(table_, name, kForceAt, "excitation", excited_));
       } else if (name.starts_with(kForceAt)) {

@@ -43,11 +43,16 @@ struct LoadColumn {
 };
 
 /// Of one of the loads; "force" where it is the only one, at a point.
+/// @param structure  whose bases may accelerate.
+/// @param loads      that act.
+/// @param at         one of them.
 [[nodiscard]] LoadColumn load_column(const JointedStructure& structure, const LoadHistory& loads,
                                      const PointForce& at);
 
 /// The table that parse_loads() reads back, without normal loads.
-/// @param comment  its first lines; may be empty.
+/// @param loads      that act.
+/// @param structure  that they act on.
+/// @param comment    its first lines; may be empty.
 [[nodiscard]] std::string format_loads(const LoadHistory& loads, const JointedStructure& structure,
                                        std::string_view comment);
 

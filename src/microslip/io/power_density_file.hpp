@@ -11,7 +11,8 @@ namespace microslip {
 /// A table of a power spectral density: `frequency [Hz]`, rising, and `density [N^2/Hz]` of a force,
 /// `density [g^2/Hz]` or `density [(m/s^2)^2/Hz]` of an acceleration; straight in logarithms between
 /// its rows. "-" is standard input.
-/// @param of  what the density is of: kForce, kAcceleration.
+/// @param path  of the table.
+/// @param of    what the density is of: kForce, kAcceleration.
 /// @throws FileError, FormatError  naming file, line and column. @throws InputError
 [[nodiscard]] PowerDensity read_power_density(const std::string& path, const Dimension& of);
 

@@ -124,8 +124,10 @@ class Columns {
     };
     add("absolute_displacement", kLength, displacement);
     add("absolute_acceleration", kAcceleration, acceleration);
+    const double carried = carried_by_bases();
+    if (carried == 0.0) return;
     add("transmissibility", kDimensionless,
-        [&](const auto& p) { return acceleration(p) / p.force_amplitude; });
+        [&](const auto& p) { return acceleration(p) / (carried * p.force_amplitude); });
   }
 
   void add_damping_ratio() {
@@ -145,9 +147,37 @@ class Columns {
       add_linear_dissipation(j);
     }
     add("energy_imbalance", kDimensionless, imbalance);
+    add_means();
   }
 
  private:
+  /// |Σ_b r(b) s_1| of the response point: what its acceleration would be, were all rigid, over A.
+  [[nodiscard]] double carried_by_bases() const {
+    const ModalModel& linear = balance_.structure().linear();
+    const auto point =
+        std::ranges::find(linear.points(), balance_.response().point, &ModalPoint::name);
+    std::complex<double> sum = 0.0;
+    for (const Excitation& excitation : balance_.structure().excitations()) {
+      const auto base = std::ranges::find(linear.bases(), excitation.point, &ModalBase::name);
+      sum += base->point_motion[static_cast<std::size_t>(point - linear.points().begin())] *
+             excitation.harmonics.at(0);
+    }
+    return std::abs(sum);
+  }
+
+  /// About which it vibrates, where loads always act.
+  void add_means() {
+    if (balance_.structure().static_loads().empty()) return;
+    const ModalModel& linear = balance_.structure().linear();
+    add("mean_displacement", kLength, [&](const auto& p) {
+      return p.displacement(linear, balance_.response().point).at(0).real();
+    });
+    for (std::size_t j = 0; j < points_.front().joints.size(); ++j) {
+      add("mean_" + points_.front().joints[j].name, kLength,
+          [j](const auto& p) { return p.joints[j].displacement.at(0).real(); });
+    }
+  }
+
   /// The part of a joint's D that is no slip, where it has one.
   void add_linear_dissipation(std::size_t j) {
     const auto value = [j](const SteadyVibration& p) { return p.joints[j].linear_dissipation; };

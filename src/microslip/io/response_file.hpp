@@ -55,9 +55,11 @@ struct BandColumns {
 /// acceleration ω and ω² times it. Of a structure whose base is driven `base_acceleration [m/s^2]`
 /// stands in place of the force, displacement is relative to the base, and after acceleration come
 /// `absolute_displacement [m]`, `absolute_acceleration [m/s^2]` and `transmissibility [1]`, the last
-/// over the base acceleration. Where the curve turns back frequencies are not sorted; its peaks and
-/// turning points stand in the comments too, the first 100 of each. Frequencies have 15 digits, so
-/// that one that was asked for is the number that was given.
+/// over the first harmonic of the acceleration that the bases carry the point along with. With
+/// static loads `mean_displacement [m]` and `mean_NAME [m]` of each joint tell about what they
+/// vibrate. Where the curve turns back frequencies are not sorted; its peaks and turning points
+/// stand in the comments too, the first 100 of each. Frequencies have 15 digits, so that one that
+/// was asked for is the number that was given.
 /// What is not finite, as it may be where nothing converged, is left out.
 /// @param balance  that the curve is of.
 /// @param curve    its warnings become comments.

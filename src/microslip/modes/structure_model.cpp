@@ -28,11 +28,12 @@ ModesOptions options_of(const StructureFile& file, const Progress& progress) {
                        .joints = file.joints,
                        .attachment = file.attachment,
                        .progress = progress};
-  for (const Excitation& excitation : file.driven.excitations) {
-    const bool there = std::ranges::find(options.attached_points, excitation.point) !=
-                       options.attached_points.end();
-    if (!there) options.attached_points.push_back(excitation.point);
-  }
+  const auto attach = [&](const std::string& place) {
+    std::vector<std::string>& attached = options.attached_points;
+    if (std::ranges::find(attached, place) == attached.end()) attached.push_back(place);
+  };
+  for (const Excitation& excitation : file.driven.excitations) attach(excitation.point);
+  for (const StaticLoad& load : file.driven.static_loads) attach(load.place);
   return options;
 }
 

@@ -385,6 +385,13 @@ AssembledSystem assemble_system(const MeshedStructure& structure) {
     assembled.joints = matrix.transpose() * assembled.joints;
     assembled.base_loads = (matrix.transpose() * assembled.base_loads).eval();
   }
+  for (std::size_t b = 0; b < structure.bases.size(); ++b) {
+    const double load = assembled.base_loads.col(static_cast<Index>(b)).cwiseAbs().maxCoeff();
+    if (load > kNoMotion * assembled.base_masses(static_cast<Index>(b))) continue;
+    throw InputError(fmt::format("base '{}'", structure.bases[b].name),
+                     InputState{"moving what is held alone"}, "must move mass that is free",
+                     "Name all rows that move with it, or its direction.");
+  }
   for (std::size_t i = 0; i < joints.size(); ++i) {
     require_motion(assembled.joints, static_cast<Index>(i),
                    fmt::format("joint '{}'", joint_names[i]));

@@ -160,7 +160,10 @@ FigureGrid response_figure(const PredictedResponse& response) {
   show_x(amplitude, "frequency", "Hz");
   show_x(phase, "frequency", "Hz");
   if (at_force) {
-    show_y(amplitude, "displacement amplitude", "m");
+    show_y(amplitude, response.shaken ? "amplitude relative to the base" : "displacement amplitude",
+           "m");
+  } else if (response.shaken) {
+    show_y(amplitude, "displacement over acceleration of the base", "s^2");
   } else {
     show_y(amplitude, "displacement over force", "m/N");
   }

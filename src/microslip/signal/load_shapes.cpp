@@ -18,20 +18,41 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kMostTimes = 2e7;
+constexpr double kLargestDensity = 1e30;
+/// Of noise within its density: the variance of one signal is then known to some √(2/64).
+constexpr double kLeastLines = 64.0;
+constexpr std::size_t kLargestTransform = std::size_t{1} << 26U;
 /// A duration that is a whole number of steps, to rounding, ends with one.
 constexpr double kWholeSteps = 1e-9;
 
-void require_positive(const char* what, double value) {
+void require_above_zero(const char* what, double value) {
   if (!(std::isfinite(value) && value > 0.0)) {
     throw InputError(what, value, "must be positive and finite");
   }
 }
 
+/// Longer than the signal, which repeats after that, and with enough lines in the density.
+std::size_t transform_size(std::size_t count, double sampling_rate, const PowerDensity& density) {
+  const double lowest = density.frequency.front();
+  const double width = density.frequency.back() - lowest;
+  const double step = std::min(width / kLeastLines, lowest / 2.0);
+  std::size_t size = 2;
+  while (size < count || sampling_rate > step * static_cast<double>(size)) {
+    size *= 2;
+    if (size <= kLargestTransform) continue;
+    throw InputError("sampling rate", sampling_rate,
+                     fmt::format("must be lower, or the density wider than {:g} Hz and from above "
+                                 "{:g} Hz on: its noise takes more than {} values",
+                                 width, lowest, kLargestTransform));
+  }
+  return size;
+}
+
 }  // namespace
 
 std::vector<double> even_times(double duration, double sampling_rate) {
-  require_positive("duration", duration);
-  require_positive("sampling rate", sampling_rate);
+  require_above_zero("duration", duration);
+  require_above_zero("sampling rate", sampling_rate);
   const double steps = std::floor(duration * sampling_rate * (1.0 + kWholeSteps));
   if (!(steps >= 1.0 && steps < kMostTimes)) {
     throw InputError("number of times", steps + 1.0, "must be from 2 to 2e7",
@@ -45,7 +66,7 @@ std::vector<double> even_times(double duration, double sampling_rate) {
 std::vector<double> sine_burst(std::span<const double> time,
                                std::span<const std::complex<double>> harmonics, double frequency,
                                double end) {
-  require_positive("frequency", frequency);
+  require_above_zero("frequency", frequency);
   std::vector<double> values;
   values.reserve(time.size());
   for (const double t : time) {
@@ -61,8 +82,8 @@ std::vector<double> sine_burst(std::span<const double> time,
 
 std::vector<double> sine_sweep(std::span<const double> time, double from, double to,
                                bool logarithmic) {
-  require_positive("first frequency of a sweep", from);
-  require_positive("last frequency of a sweep", to);
+  require_above_zero("first frequency of a sweep", from);
+  require_above_zero("last frequency of a sweep", to);
   if (from == to)
     throw InputError("last frequency of a sweep", to, "must be another than the first");
   const double length = time.back() - time.front();
@@ -79,7 +100,7 @@ std::vector<double> sine_sweep(std::span<const double> time, double from, double
 }
 
 std::vector<double> half_sine(std::span<const double> time, double begin, double duration) {
-  require_positive("duration of a pulse", duration);
+  require_above_zero("duration of a pulse", duration);
   std::vector<double> values;
   values.reserve(time.size());
   for (const double t : time) {
@@ -100,9 +121,9 @@ void PowerDensity::check() const {
       throw InputError(fmt::format("frequency[{}] of a power density", i), frequency[i],
                        "must be above 0 and above the one before");
     }
-    if (std::isfinite(density[i]) && density[i] > 0.0) continue;
+    if (density[i] > 0.0 && density[i] <= kLargestDensity) continue;
     throw InputError(fmt::format("density[{}] of a power density", i), density[i],
-                     "must be positive and finite");
+                     fmt::format("must be above 0, to {:g}", kLargestDensity));
   }
 }
 
@@ -131,14 +152,13 @@ std::vector<double> stationary_noise(std::size_t count, double sampling_rate,
                                      const PowerDensity& density, std::uint64_t seed,
                                      std::uint64_t stream) {
   density.check();
-  require_positive("sampling rate", sampling_rate);
+  require_above_zero("sampling rate", sampling_rate);
   if (!(sampling_rate > 2.0 * density.frequency.back())) {
     throw InputError("sampling rate", sampling_rate,
                      fmt::format("must be above twice the highest frequency, {:g} Hz",
                                  density.frequency.back()));
   }
-  std::size_t size = 2;  // of the transform, longer than the signal: it repeats after that
-  while (size < count) size *= 2;
+  const std::size_t size = transform_size(count, sampling_rate, density);
   const double step = sampling_rate / static_cast<double>(size);
   std::vector<std::complex<double>> lines(size / 2 + 1);
   RandomStream random(seed, stream);

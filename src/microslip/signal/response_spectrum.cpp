@@ -18,6 +18,7 @@ using std::numbers::pi;
 using Complex = std::complex<double>;
 
 constexpr double kStepsPerPeriod = 40.0;
+constexpr double kMostSteps = 5e9;  // some minutes
 
 /// The extremes of a signal at equal or unequal times, those between them by a parabola.
 class SignalExtremes {
@@ -146,8 +147,17 @@ void check_shaken(std::span<const double> time, std::span<const double> accelera
     if (std::isfinite(f) && f > 0.0) continue;
     throw InputError("natural frequency", f, "must be above 0 Hz");
   }
-  if (damping_ratio >= 0.0 && damping_ratio < 1.0) return;
-  throw InputError("damping ratio", damping_ratio, "must be from 0 and below 1");
+  if (!(damping_ratio >= 0.0 && damping_ratio < 1.0)) {
+    throw InputError("damping ratio", damping_ratio, "must be from 0 and below 1");
+  }
+  double steps = 0.0;
+  for (const double f : frequencies) {
+    steps += static_cast<double>(time.size()) + kStepsPerPeriod * f * (time.back() - time.front());
+  }
+  if (steps <= kMostSteps) return;
+  throw InputError("steps of a response spectrum", steps,
+                   fmt::format("must be {:g} at most", kMostSteps),
+                   "Take fewer or lower natural frequencies, or a shorter record.");
 }
 
 }  // namespace

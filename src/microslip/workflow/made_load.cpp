@@ -19,22 +19,51 @@ namespace {
 constexpr double kTimesAPeriod = 256.0;        // a chord lies 8e-5 of the amplitude beside the sine
 constexpr double kTimesAPulse = 200.0;         // likewise 3e-5 of a half-sine
 constexpr double kTimesAPeriodOfNoise = 32.0;  // 5e-3 at the highest frequency, less below
+constexpr double kLeastTimes = 8.0;            // in a period or pulse
+constexpr double kRounding = 1e-12;
 /// Of the imaginary part of a harmonic that has no phase but 0 or π.
 constexpr double kNoPhase = 1e-9;
 
-double sampling_rate_of(const JointedStructure& structure, const LoadPlan& plan) {
-  if (plan.sampling_rate > 0.0) return plan.sampling_rate;
+/// Times in a second that a shape takes at `number` in its period or pulse.
+double rate_of(const JointedStructure& structure, const LoadPlan& plan, double number) {
   switch (plan.shape) {
     case LoadShape::kSine:
-      return kTimesAPeriod * plan.frequency * static_cast<double>(structure.excited_harmonics());
+      return number * plan.frequency * static_cast<double>(structure.excited_harmonics());
     case LoadShape::kSweep:
-      return kTimesAPeriod * std::max(plan.frequency, plan.last_frequency);
+      return number * std::max(plan.frequency, plan.last_frequency);
     case LoadShape::kHalfSine:
-      return kTimesAPulse / plan.pulse;
+      return number / plan.pulse;
     case LoadShape::kNoise:
       break;
   }
-  return kTimesAPeriodOfNoise * plan.density.frequency.back();
+  return number * plan.density.frequency.back();
+}
+
+/// Chosen so that the duration is a whole number of steps.
+double sampling_rate_of(const JointedStructure& structure, const LoadPlan& plan) {
+  if (plan.sampling_rate > 0.0) {
+    const double least = rate_of(structure, plan, kLeastTimes);
+    if (plan.shape == LoadShape::kNoise || plan.sampling_rate >= least) return plan.sampling_rate;
+    throw InputError("sampling rate", plan.sampling_rate,
+                     fmt::format("must be {:.6g} Hz or more, {} times in a {}", least, kLeastTimes,
+                                 plan.shape == LoadShape::kHalfSine ? "pulse" : "period"));
+  }
+  const double number = plan.shape == LoadShape::kNoise      ? kTimesAPeriodOfNoise
+                        : plan.shape == LoadShape::kHalfSine ? kTimesAPulse
+                                                             : kTimesAPeriod;
+  const double rate = rate_of(structure, plan, number);
+  const double steps = std::ceil(plan.duration * rate * (1.0 - kRounding));
+  return plan.duration > 0.0 && std::isfinite(steps) ? steps / plan.duration : rate;
+}
+
+void check_pulse(const LoadPlan& plan) {
+  if (plan.shape != LoadShape::kHalfSine) return;
+  const double latest = plan.duration - plan.pulse;
+  if (plan.begin >= 0.0 && plan.begin <= latest * (1.0 + kRounding)) return;
+  throw InputError("begin of the half-sine", plan.begin,
+                   fmt::format("must be from 0 s to {:.6g} s: all of the pulse of {:.6g} s lies in "
+                               "the duration",
+                               std::max(latest, 0.0), plan.pulse));
 }
 
 /// What an excitation has of a load without harmonics.
@@ -84,6 +113,7 @@ std::string_view to_string(LoadShape shape) {
 }
 
 LoadHistory make_load(const JointedStructure& structure, const LoadPlan& plan) {
+  check_pulse(plan);
   const double rate = sampling_rate_of(structure, plan);
   LoadHistory load{even_times(plan.duration, rate), {}};
   std::uint64_t number = 0;

@@ -99,7 +99,9 @@ void add_model_warnings(const ModelFile& model, ResponseCurve& curve) {
   std::vector<double> amplitude(model.structure.joints().size(), 0.0);
   for (const SteadyVibration& point : curve.points) {
     for (std::size_t j = 0; j < amplitude.size(); ++j) {
-      amplitude[j] = std::max(amplitude[j], point.joints[j].amplitude);
+      const JointCycle& joint = point.joints[j];
+      const double mean = joint.displacement.empty() ? 0.0 : std::abs(joint.displacement[0]);
+      amplitude[j] = std::max(amplitude[j], mean + joint.amplitude);  // from where it was virgin
     }
   }
   std::ranges::copy(reach_warnings(model, amplitude), std::back_inserter(curve.warnings));
@@ -155,8 +157,9 @@ std::string describe_curve(const HarmonicBalance& balance, const ResponseCurve& 
 namespace {
 
 /// "m", "m/s^2", "N": of what a curve is high in.
-std::string_view height_unit(const HarmonicBalance& balance, bool of_force) {
-  return of_force ? si_unit(drive_column(balance).dimension) : unit_of(balance.response().kind);
+std::string height_unit(const HarmonicBalance& balance, bool of_force) {
+  return of_force ? si_unit(drive_column(balance).dimension)
+                  : std::string(unit_of(balance.response().kind));
 }
 
 std::string describe_peaks(const HarmonicBalance& balance, const ResponseCurve& curve,

@@ -94,11 +94,14 @@ CurveBand band_columns(const CsvTable& table, const std::string& name, const Dim
 }
 
 PredictedResponse predicted_response(const CsvTable& table) {
+  const bool shaken = table.has("base_acceleration");
+  const Dimension drive = shaken ? kAcceleration : kForce;
   PredictedResponse response{.frequency = table.numbers("frequency", kFrequency),
-                             .force = table.numbers("force", kForce),
+                             .force = table.numbers(shaken ? "base_acceleration" : "force", drive),
                              .displacement = table.numbers("displacement", kLength),
-                             .phase = table.numbers("phase", kAngle)};
-  response.band = band_columns(table, "", is_same_all_along(response.force) ? kLength : kForce);
+                             .phase = table.numbers("phase", kAngle),
+                             .shaken = shaken};
+  response.band = band_columns(table, "", is_same_all_along(response.force) ? kLength : drive);
   return response;
 }
 

@@ -27,6 +27,8 @@ struct PredictedResponse {
   std::vector<double> displacement;  ///< amplitude of the first harmonic, m
   std::vector<double> phase;         ///< lag behind the force, rad
   CurveBand band = {};               ///< of the displacement or, where that is kept, of the force
+  /// Whether a base is shaken: `force` is its acceleration, m/s², the displacement relative to it.
+  bool shaken = false;
 };
 
 /// Vibrations in phase resonance; one length.

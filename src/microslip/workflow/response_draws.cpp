@@ -200,7 +200,7 @@ ResponseSpread response_spread(const HarmonicBalance& balance, const ResponseCur
 }
 
 std::string peaks_comment(const ResponseSpread& spread, const CurveHeight& height) {
-  const std::string_view unit = si_unit(height.dimension);
+  const std::string unit = si_unit(height.dimension);
   std::string text;
   for (const PeakSpread& peak : spread.peaks) {
     text += fmt::format(
