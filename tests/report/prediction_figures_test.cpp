@@ -49,6 +49,17 @@ TEST(PaperResponse, AtOneResponseIsOverTheForce) {
   expect_near(line(grid.panels[0]).y, {2.0, 4.0});
 }
 
+// Of a shaken base the axes say relative to what, and over what.
+TEST(PaperResponse, OfAShakenBaseSaysSo) {
+  const FigureGrid kept =
+      response_figure({{10.0, 11.0}, {0.5, 0.5}, {2e-3, 1e-3}, {0.5, 2.0}, {}, true});
+  EXPECT_EQ(axis_text(kept.panels[0].y), "amplitude relative to the base [mm]");
+  const FigureGrid over =
+      response_figure({{10.0, 11.0}, {0.5, 0.25}, {1e-3, 1e-3}, {0.5, 2.0}, {}, true});
+  EXPECT_EQ(axis_text(over.panels[0].y), "displacement over base acceleration [s²]");
+  expect_near(line(over.panels[0]).y, {2e-3, 4e-3});
+}
+
 TEST(PaperResponse, ThePhaseDoesNotJumpByATurn) {
   const FigureGrid grid =
       response_figure({{10.0, 11.0, 12.0}, {1.0, 1.0, 1.0}, {1.0, 1.0, 1.0}, {3.0, -3.0, -0.1}});

@@ -163,7 +163,7 @@ FigureGrid response_figure(const PredictedResponse& response) {
     show_y(amplitude, response.shaken ? "amplitude relative to the base" : "displacement amplitude",
            "m");
   } else if (response.shaken) {
-    show_y(amplitude, "displacement over acceleration of the base", "s^2");
+    show_y(amplitude, "displacement over base acceleration", "s²");
   } else {
     show_y(amplitude, "displacement over force", "m/N");
   }
