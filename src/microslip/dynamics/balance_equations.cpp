@@ -354,12 +354,10 @@ VectorXd BalanceEquations::scale() const {
 }
 
 VectorXd BalanceEquations::enlarged(VectorXd z, double n) const {
-  const VectorXd before = z;
-  z.head(count_) *= n;
   const Index block = coefficient_count(harmonics_);
-  for (std::size_t j = 0; j < resting_.size(); ++j) {  // static loads do not grow
-    const Index mean = static_cast<Index>(j) * block;
-    z[mean] = before[mean];
+  const Index kept = resting_.empty() ? 0 : 1;  // the mean: static loads do not grow
+  for (Index first = 0; first < count_; first += block) {
+    z.segment(first + kept, block - kept) *= n;
   }
   if (forcing_ == Forcing::kExcitation) z[count_ + 1] *= n;
   return z;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/dynamics/base_motion.hpp"
 
-#include <algorithm>
-#include <span>
+#include <utility>
 
 namespace microslip {
 
@@ -10,14 +9,11 @@ BaseMotion::BaseMotion(const JointedStructure& structure, const LoadHistory& loa
                        const std::vector<std::string>& points)
     : time_(loads.time) {
   const ModalModel& linear = structure.linear();
-  const std::span<const ModalPoint> there = linear.points();
   for (const PointForce& at : loads.forces) {
-    const auto base = std::ranges::find(linear.bases(), at.point, &ModalBase::name);
-    if (base == linear.bases().end()) continue;
+    if (!linear.is_base(at.point)) continue;
     Base moved{.acceleration = &at.force, .carried = {}};
     for (const std::string& point : points) {
-      const auto found = std::ranges::find(there, point, &ModalPoint::name);
-      moved.carried.push_back(base->point_motion[static_cast<std::size_t>(found - there.begin())]);
+      moved.carried.push_back(linear.carried(point, at.point));
     }
     moved.now = {0.0, 0.0, at.force.front()};
     bases_.push_back(std::move(moved));

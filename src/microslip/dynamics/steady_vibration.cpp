@@ -69,12 +69,9 @@ std::vector<std::complex<double>> SteadyVibration::absolute_displacement(
     const JointedStructure& structure, std::string_view point) const {
   const ModalModel& linear = structure.linear();
   std::vector<std::complex<double>> result = displacement(linear, point);
-  const auto place = std::ranges::find(linear.points(), point, &ModalPoint::name);
   for (const Excitation& excitation : structure.excitations()) {
-    const auto base = std::ranges::find(linear.bases(), excitation.point, &ModalBase::name);
-    if (base == linear.bases().end()) continue;
-    const double carried =
-        base->point_motion[static_cast<std::size_t>(place - linear.points().begin())];
+    const double carried = linear.carried(point, excitation.point);
+    if (carried == 0.0) continue;
     for (std::size_t n = 1; n < std::min(result.size(), excitation.harmonics.size() + 1); ++n) {
       const double rate = static_cast<double>(n) * angular_frequency;
       result[n] -= carried * force_amplitude * excitation.harmonics[n - 1] / (rate * rate);

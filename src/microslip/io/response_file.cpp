@@ -154,13 +154,10 @@ class Columns {
   /// |Σ_b r(b) s_1| of the response point: what its acceleration would be, were all rigid, over A.
   [[nodiscard]] double carried_by_bases() const {
     const ModalModel& linear = balance_.structure().linear();
-    const auto point =
-        std::ranges::find(linear.points(), balance_.response().point, &ModalPoint::name);
     std::complex<double> sum = 0.0;
     for (const Excitation& excitation : balance_.structure().excitations()) {
-      const auto base = std::ranges::find(linear.bases(), excitation.point, &ModalBase::name);
-      sum += base->point_motion[static_cast<std::size_t>(point - linear.points().begin())] *
-             excitation.harmonics.at(0);
+      sum +=
+          linear.carried(balance_.response().point, excitation.point) * excitation.harmonics.at(0);
     }
     return std::abs(sum);
   }

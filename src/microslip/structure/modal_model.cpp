@@ -90,9 +90,19 @@ bool ModalModel::is_base(std::string_view place) const {
   return std::ranges::find(bases_, place, &ModalBase::name) != bases_.end();
 }
 
+double ModalModel::carried(std::string_view point, std::string_view place) const {
+  const std::size_t at = index_of(point);
+  const auto base = std::ranges::find(bases_, place, &ModalBase::name);
+  return base == bases_.end() ? 0.0 : base->point_motion[at];
+}
+
 std::span<const double> ModalModel::shape(std::string_view point) const {
+  return points_[index_of(point)].shape;
+}
+
+std::size_t ModalModel::index_of(std::string_view point) const {
   const auto found = std::ranges::find(points_, point, &ModalPoint::name);
-  if (found != points_.end()) return found->shape;
+  if (found != points_.end()) return static_cast<std::size_t>(found - points_.begin());
   throw InputError("point", fmt::format("'{}'", point), "is not one of the structure",
                    fmt::format("Points there are: {}.", names_of(points())));
 }

@@ -68,6 +68,10 @@ class ModalModel {
   /// Whether a base has this name: what acts there is an acceleration, m/s², and no force.
   [[nodiscard]] bool is_base(std::string_view place) const;
 
+  /// r of a point: how far it moves with a base that moves by 1; 0 where `place` is no base.
+  /// @throws InputError  naming the points there are, where the point is missing.
+  [[nodiscard]] double carried(std::string_view point, std::string_view place) const;
+
   /// φ_i(point), one a mode.
   /// @throws InputError  naming the points there are, where it is missing.
   [[nodiscard]] std::span<const double> shape(std::string_view point) const;
@@ -91,6 +95,9 @@ class ModalModel {
                                                 DampingLaw law = DampingLaw::kViscous) const;
 
  private:
+  /// @throws InputError  as shape().
+  [[nodiscard]] std::size_t index_of(std::string_view point) const;
+
   std::vector<Mode> modes_;
   std::vector<ModalPoint> points_;
   std::vector<ModalBase> bases_;
