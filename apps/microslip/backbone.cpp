@@ -94,13 +94,14 @@ int run(const BackboneOptions& options, const Call& call) {
   const std::vector<double> responses = responses_of(options);
   const ModelFile model = read_model(options.prediction.model);
   const std::size_t mode =
-      parse_whole_number("--mode", options.mode, 1, model.structure.linear().size(),
+      parse_whole_number("--mode", options.mode, 1,
+                         model.structure.linear().size() - model.static_attachments.value_or(0),
                          "That is how many modes the model has.");
   const std::optional<StructureDraws> draws = draws_of_model(model, options);
   const Forcing forcing = options.forcing == "modal" ? Forcing::kModal : Forcing::kExcitation;
   const HarmonicBalance balance = balance_of(model, options.prediction, {.forcing = forcing});
   ResponseCurve curve = curve_of(balance, options, responses, mode, call.quiet);
-  const std::string truncation = add_truncation(balance, Quantity::kPhaseLag, curve);
+  const std::string truncation = add_truncation(balance, model, Quantity::kPhaseLag, curve);
   add_model_warnings(model, curve);
   const std::optional<BackboneSpread> spread =
       spread_of(balance, curve, mode, draws, options, call.quiet);

@@ -191,7 +191,7 @@ int run(const FrfOptions& options, const Call& call) {
       balance_of(model, options.prediction, std::move(drawn), kept.kind);
   ResponseCurve curve = curve_of(balance, range, call.quiet);
   const std::string truncation = add_truncation(
-      balance, options.of_force() ? Quantity::kResponse : Quantity::kForceAmplitude, curve);
+      balance, model, options.of_force() ? Quantity::kResponse : Quantity::kForceAmplitude, curve);
   add_response_warnings(balance, model, curve);
   const std::optional<ResponseSpread> spread =
       spread_of(balance, curve, range, draws, options, call.quiet);

@@ -28,7 +28,7 @@ const std::string kStructure =
     "[[joint]]\nname = \"joint1\"\nfrom = { row = 2 }\nto = { row = 3 }\nfile = "
     "\"truth_joint1.json\"\n"
     "[[joint]]\nname = \"joint2\"\nto = { row = 6 }\nfile = \"truth_joint2.json\"\n"
-    "[modes]\ncount = 6\njoints = \"stuck\"\nloss_factor = [0.003]\n"
+    "[modes]\ncount = 6\njoints = \"stuck\"\nloss_factor = [0.003, 0.003]\n"
     "[excitation]\npoint = \"drive\"\n";
 
 Sandbox sandbox(const std::string& structure = kStructure) {
@@ -48,6 +48,8 @@ TEST(modes, AreThoseOfAnIndependentSolver) {
   EXPECT_NE(run.out.find("6 modes, joints stuck"), std::string::npos) << run.out;
   EXPECT_EQ(run.err, "");
   const ModelFile found = read_model(box.file("model.toml"));
+  // All six modes of six degrees of freedom: nothing is left out.
+  EXPECT_EQ(found.static_attachments, std::optional<std::size_t>(0));
   const ModelFile expected = read_model(kTwoJoints + "model.toml", JointsToFind::kAllowed);
   for (std::size_t i = 0; i < 6; ++i) {
     test::record_deviation("frequency", found.structure.linear().modes()[i].angular_frequency,
@@ -57,6 +59,18 @@ TEST(modes, AreThoseOfAnIndependentSolver) {
                   std::abs(expected.structure.joints()[j].shape[i]), 1e-10);
     }
   }
+}
+
+// One loss factor for all is that of a material, which the springs of stuck joints are not of.
+TEST(modes, WarnOfSpringsThatAreDampedAsTheRest) {
+  const std::string two = "[0.003, 0.003]";
+  std::string one = kStructure;
+  const Sandbox box = sandbox(one.replace(one.find(two), two.size(), "[0.003]"));
+  const Outcome run = box.run(kModes);
+  EXPECT_EQ(run.status, 0);
+  EXPECT_NE(run.err.find("which hold 52 % of the strain energy of mode 6"), std::string::npos)
+      << run.err;
+  EXPECT_NE(test::get(box.file("model.toml")).find("springs of the joints"), std::string::npos);
 }
 
 // truth.csv is of an independent harmonic balance, exact to some 3e-6.

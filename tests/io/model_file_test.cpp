@@ -349,6 +349,59 @@ TEST(ModelFileFault, AnotherFile) {
             "it a model, and of this version of the program?");
 }
 
+// Each eigenvalue of the matrix becomes a mode at four times 120.5 Hz: φ_a = ω_a √λ v.
+TEST(ModelFile, AResidualBecomesModes) {
+  const ModelFolder folder;
+  const std::string residual =
+      "[structure.residual]\npoints = [\"root\"]\njoints = [\"left\"]\n"
+      "compliance_m_per_N = [3e-7, 1e-7, 1e-7, 2e-7]\n";
+  const std::string spread = "frequency_std = [0.01]\n";
+  const ModelFile model =
+      folder.parse(edited(kText, "[[structure.point]]", spread + residual + "[[structure.point]]"));
+  EXPECT_EQ(model.static_attachments, std::optional<std::size_t>(2));
+  const JointedStructure& structure = model.structure;
+  ASSERT_EQ(structure.linear().size(), 4U);
+  EXPECT_EQ(model.spread.frequency, (std::vector<double>{0.01, 0.01, 0.0, 0.0}));
+  EXPECT_EQ(list(structure.linear().shape("tip")), (std::vector<double>{1.5, -0.5, 0.0, 0.0}));
+  EXPECT_EQ(structure.joints()[1].shape[2], 0.0);
+  EXPECT_EQ(structure.joints()[0].shortening.size(), 16U);
+  double own = 0.0;
+  double between = 0.0;
+  for (std::size_t i = 2; i < 4; ++i) {
+    const Mode& mode = structure.linear().modes()[i];
+    EXPECT_DOUBLE_EQ(mode.angular_frequency, 4.0 * 2.0 * std::numbers::pi * 120.5);
+    EXPECT_EQ(mode.loss_factor, 4e-3);
+    const double at_joint = structure.joints()[0].shape[i] / mode.angular_frequency;
+    own += at_joint * at_joint;
+    between += at_joint * structure.linear().shape("root")[i] / mode.angular_frequency;
+  }
+  EXPECT_NEAR(own, 2e-7, 1e-20);
+  EXPECT_NEAR(between, 1e-7, 1e-20);
+}
+
+TEST(ModelFileFault, Residual) {
+  const auto with = [](const std::string& lines) { return lines + "[[structure.point]]"; };
+  expect_faults({
+      {"[[structure.point]]",
+       with("[structure.residual]\npoints = [\"root\"]\ncompliance_m_per_N = [1, 2]\n"),
+       "model.toml: compliance of the residual = 2 values; must have 1, by rows, one a point and "
+       "joint that it names"},
+      {"[[structure.point]]",
+       with("[structure.residual]\njoints = [\"root\"]\ncompliance_m_per_N = [1]\n"),
+       "model.toml: joint of the residual = 'root'; must be a joint of the model"},
+      {"[[structure.point]]", with("[structure.residual]\npoints = [\"root\"]\n"),
+       "model.toml:5:1: expected the key 'compliance_m_per_N' in structure.residual, found the "
+       "keys 'points'"},
+      {"[[structure.point]]", with("static_attachments = 2\n"),
+       "model.toml:5:22: structure.static_attachments = 2; must be below the number of modes, 2"},
+      {"[[structure.point]]",
+       with("static_attachments = 1\n[structure.residual]\ncompliance_m_per_N = [1]\n"),
+       "model.toml:6:1: structure.residual = beside static_attachments; must not be there: what "
+       "the "
+       "modes leave out would count twice"},
+  });
+}
+
 TEST(ModelFileFault, Structure) {
   expect_faults({
       {"[50, 120.5]", "[50, -1]",

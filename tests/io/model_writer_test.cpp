@@ -158,6 +158,17 @@ TEST(ModelWriter, KeepsWhatIsUncertain) {
   EXPECT_EQ(again.spread.response_gain, model.spread.response_gain);
 }
 
+// Modes of a residual are written as such, so that what was read gives the same model again.
+TEST(ModelWriter, KeepsHowManyModesAreAttachments) {
+  ModelFile model = two_modes(DampingLaw::kViscous);
+  EXPECT_EQ(parse_model(format_model(model), "model.toml").static_attachments, std::nullopt);
+  for (const std::size_t count : {0U, 1U}) {
+    model.static_attachments = count;
+    EXPECT_EQ(parse_model(format_model(model), "model.toml").static_attachments,
+              std::optional<std::size_t>(count));
+  }
+}
+
 // Bases, what is driven by them, and loads that always act.
 TEST(ModelWriter, KeepsBasesAndStaticLoads) {
   ModelFile model = two_modes(DampingLaw::kViscous);

@@ -70,7 +70,7 @@ class ResponseCase : public CasePrediction {
     prediction_ = std::make_unique<ResponseOfDraws>(balance_, reference_, range_);
     const bool of_force = !planned.force;
     ResponseCurve told = reference_;
-    (void)add_truncation(balance_, range_.kept.quantity, told);
+    (void)add_truncation(balance_, model, range_.kept.quantity, told);
     add_response_warnings(balance_, model, told);
     warnings_ = std::move(told.warnings);
     if (model.structure.base_driven() && planned.force) {
@@ -123,7 +123,7 @@ class BackboneCase : public CasePrediction {
         reference_(balance_.resonances(responses_, mode_)) {
     require_converged(reference_.summary);
     ResponseCurve told = reference_;
-    (void)add_truncation(balance_, Quantity::kPhaseLag, told);
+    (void)add_truncation(balance_, model, Quantity::kPhaseLag, told);
     add_model_warnings(model, told);
     warnings_ = std::move(told.warnings);
     std::vector<double> axis;

@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/dynamics/further_modes.hpp"
+#include "microslip/dynamics/residual_flexibility.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/joint_file.hpp"
@@ -30,6 +32,8 @@ constexpr double kLargestCompliance = 1e15;    // m/N
 constexpr double kLargestShortening = 1e18;    // 1/(kg m)
 constexpr double kLargestParticipation = 1e9;  // kg^½, the root of a mass
 constexpr double kLargestMotion = 1e6;         // over that of a base
+
+constexpr std::string_view kAttachmentsKey = "static_attachments";
 
 std::vector<double> read_shape(const TomlTable& table, std::size_t modes) {
   std::vector<double> shape = read_signed(table, "shape", kLargestShape);
@@ -121,16 +125,43 @@ std::vector<std::string> names_of(std::span<const Named> named) {
   return names;
 }
 
+/// How many of the modes stand for those that are left out; nothing where it is not said.
+std::optional<std::size_t> read_attachments(const TomlTable& structure, std::size_t modes) {
+  if (!structure.has(kAttachmentsKey)) return std::nullopt;
+  const std::size_t count = structure.whole(kAttachmentsKey);
+  if (count < modes) return count;
+  throw InputError(structure.name(kAttachmentsKey), static_cast<double>(count),
+                   fmt::format("must be below the number of modes, {}", modes));
+}
+
+std::vector<std::string> read_names(const TomlTable& table, std::string_view key) {
+  return table.has(key) ? table.texts(key) : std::vector<std::string>();
+}
+
+std::optional<ResidualFlexibility> read_residual(const TomlTable& structure) {
+  if (!structure.has("residual")) return std::nullopt;
+  const TomlTable table = structure.table("residual");
+  table.allow_only({"points", "joints", "compliance_m_per_N"});
+  if (structure.has(kAttachmentsKey)) {
+    throw InputError(structure.name("residual"), fmt::format("beside {}", kAttachmentsKey),
+                     "must not be there: what the modes leave out would count twice");
+  }
+  return ResidualFlexibility{read_names(table, "points"), read_names(table, "joints"),
+                             read_signed(table, "compliance_m_per_N", kLargestCompliance)};
+}
+
 struct LinearPart {
   ModalModel model;
   DampingLaw law;
   std::vector<double> frequency_spread;
   std::vector<double> loss_factor_spread;
+  std::optional<std::size_t> attachments;
+  std::optional<ResidualFlexibility> residual;
 };
 
 LinearPart read_structure(const TomlTable& structure) {
-  structure.allow_only({"frequency_Hz", "damping_ratio", "loss_factor", "point", "base",
-                        "frequency_std", "loss_factor_std"});
+  structure.allow_only({"frequency_Hz", "damping_ratio", "loss_factor", "point", "base", "residual",
+                        "frequency_std", "loss_factor_std", kAttachmentsKey});
   const std::vector<double> frequency = read_positive(structure, "frequency_Hz", kHighestFrequency);
   if (frequency.empty()) {
     throw wrong_count(structure, "frequency_Hz", 0, "must have one a mode, 1 at least");
@@ -142,9 +173,12 @@ LinearPart read_structure(const TomlTable& structure) {
   }
   std::vector<ModalPoint> points = read_points(structure, frequency.size());
   std::vector<ModalBase> bases = read_bases(structure, frequency.size(), points);
-  return {ModalModel(std::move(modes), std::move(points), std::move(bases)), damping.law,
+  return {ModalModel(std::move(modes), std::move(points), std::move(bases)),
+          damping.law,
           read_spread(structure, "frequency_std", frequency.size()),
-          read_spread(structure, "loss_factor_std", frequency.size())};
+          read_spread(structure, "loss_factor_std", frequency.size()),
+          read_attachments(structure, frequency.size()),
+          read_residual(structure)};
 }
 
 // ---- The joints. ----
@@ -190,6 +224,18 @@ void read_joints(const TomlTable& top, std::string_view file, JointsToFind to_fi
   }
 }
 
+/// Modes in place of what those of the file leave out. They are certain.
+void add_residual(const ResidualFlexibility& residual, ModelFile& model) {
+  const std::vector<FurtherMode> modes = static_modes(model.structure, residual);
+  model.structure = with_further_modes(model.structure, modes);
+  model.static_attachments = modes.size();
+  const auto pad = [&](std::vector<double>& spread) {
+    if (!spread.empty()) spread.resize(model.structure.linear().size(), 0.0);
+  };
+  pad(model.spread.frequency);
+  pad(model.spread.loss_factor);
+}
+
 ModelFile read_tables(const TomlTable& top, std::string_view file, JointsToFind to_find) {
   top.allow_only(
       {"schema", "structure", "joint", "excitation", "static_load", "response", "accelerometer"});
@@ -202,8 +248,11 @@ ModelFile read_tables(const TomlTable& top, std::string_view file, JointsToFind 
   std::vector<JointSource> sources;
   read_joints(top, file, to_find, linear.model.size(), joints, sources);
   try {
-    return make_model(std::move(linear.model), linear.law, std::move(joints), std::move(sources),
-                      std::move(driven), std::move(spread));
+    ModelFile model = make_model(std::move(linear.model), linear.law, std::move(joints),
+                                 std::move(sources), std::move(driven), std::move(spread));
+    model.static_attachments = linear.attachments;
+    if (linear.residual) add_residual(*linear.residual, model);
+    return model;
   } catch (const InputError& error) {  // what concerns several keys
     throw error.renamed(fmt::format("{}: {}", file, error.name()));
   }

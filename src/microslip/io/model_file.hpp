@@ -23,6 +23,10 @@
 ///     [[structure.point]] name, shape = […]; one at least
 ///     [[structure.base]] name, participation = […] (Γ, kg^½, one a mode), point_motion = […] (one a
 ///                       point): supports that an excitation accelerates; optional
+///     [structure.residual] points = […] and joints = […], names of those where the modes left out
+///                       give way, and compliance_m_per_N = […], by rows, points first; see
+///                       ResidualFlexibility; optional. static_attachments in [structure]: so many
+///                       of the modes, the last, hold that already; 0 where none is left out
 ///     [[joint]]         file, shape = […]: of the relative displacement across the joint; in place
 ///                       of file stiffness_N_per_m (k) for a joint that is still to be found;
 ///                       optional: name, spring_in_modes_N_per_m, series_compliance_m_per_N,
@@ -65,6 +69,9 @@ struct ModelFile {
   /// Whether the model says the linear damping of each joint itself; fewer: it does not.
   std::vector<bool> damping_said = {};
   StructureSpread spread = {};  ///< of its numbers
+  /// How many of its modes, the last, stand for the static flexibility of those that are left out,
+  /// those of a residual among them; 0 where none is left out, nothing where that is not told.
+  std::optional<std::size_t> static_attachments = {};
   /// Of recordings: the channel of the force of each excitation, empty where it is not told.
   std::vector<std::string> force_channels = {};
   std::vector<PointSensor> accelerometers = {};  ///< of recordings; predictions do not use them

@@ -28,8 +28,9 @@ double spread_at(const std::vector<double>& spread, std::size_t at) {
   return at < spread.size() ? spread[at] : 0.0;
 }
 
-void write_structure(const JointedStructure& structure, const StructureSpread& spread,
-                     TomlLines& lines) {
+void write_structure(const ModelFile& model, TomlLines& lines) {
+  const JointedStructure& structure = model.structure;
+  const StructureSpread& spread = model.spread;
   const bool viscous = structure.damping() == DampingLaw::kViscous;
   std::vector<double> frequency;
   std::vector<double> damping;
@@ -42,6 +43,7 @@ void write_structure(const JointedStructure& structure, const StructureSpread& s
   if (is_uncertain(spread.frequency)) lines.add("frequency_std", spread.frequency);
   lines.add(viscous ? "damping_ratio" : "loss_factor", damping);
   if (is_uncertain(spread.loss_factor)) lines.add("loss_factor_std", spread.loss_factor);
+  if (model.static_attachments) lines.add("static_attachments", *model.static_attachments);
   for (const ModalPoint& point : structure.linear().points()) {
     lines.element("structure.point");
     lines.add("name", point.name);
@@ -118,7 +120,7 @@ std::string format_model(const ModelFile& model, std::string_view comment) {
   TomlLines lines;
   lines.comment(comment);
   lines.add("schema", kModelKind);
-  write_structure(model.structure, model.spread, lines);
+  write_structure(model, lines);
   for (std::size_t i = 0; i < joints.size(); ++i) write_joint(model, i, lines);
   const std::span<const Excitation> excitations = model.structure.excitations();
   for (std::size_t i = 0; i < excitations.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "microslip/io/input_file.hpp"
@@ -19,6 +20,8 @@ namespace {
 
 /// Of the modes in a summary: more fill the screen.
 constexpr std::size_t kModesShown = 12;
+/// Of a mode's strain energy in springs across joints: more is said.
+constexpr double kSharedSprings = 0.05;
 
 double in_hertz(double angular_frequency) { return angular_frequency / (2.0 * std::numbers::pi); }
 
@@ -59,6 +62,45 @@ std::vector<StructuralJoint> joints_of(const StructureFile& file, const Structur
   return joints;
 }
 
+/// How many of the modes stand for those that are left out, where none or some do.
+std::optional<std::size_t> attachments_of(const StructureFile& file, const StructureModes& modes) {
+  const std::size_t attached = modes.model.size() - modes.modes;
+  const bool whole = modes.modes == modes.degrees_of_freedom;
+  if (attached > 0 || file.attachment || whole) return attached;
+  return std::nullopt;
+}
+
+/// The largest share of a mode's strain energy that springs across joints hold, and which mode.
+std::pair<double, std::size_t> most_in_springs(const StructureFile& file,
+                                               const StructureModes& modes) {
+  std::pair<double, std::size_t> most{0.0, 0};
+  for (std::size_t i = modes.rigid_bodies; i < modes.modes; ++i) {
+    const double omega = modes.model.modes()[i].angular_frequency;
+    double share = 0.0;
+    for (std::size_t j = 0; j < file.sources.size(); ++j) {
+      const double over = modes.joint_shapes[j][i] / omega;
+      share += file.sources[j].joint.stiffness() * over * over;
+    }
+    most = std::max(most, {share, i});
+  }
+  return most;
+}
+
+/// One loss factor for all is that of a material, which springs across joints have no part in.
+void warn_of_damped_springs(const StructureFile& file, StructureModes& modes) {
+  if (file.joints != JointsInModes::kStuck) return;
+  if (file.loss_factor.size() > 1 || file.loss_factor.front() == 0.0) return;
+  const auto [share, mode] = most_in_springs(file, modes);
+  if (share < kSharedSprings) return;
+  modes.warnings.push_back(
+      {"springs_damped",
+       fmt::format("with one loss factor for all stuck modes the springs of the joints, which hold "
+                   "{:.2g} % of the strain energy of mode {}, are damped as the rest is, beside "
+                   "what joints lose by slip. Take joints = \"free\" for the loss factor of a "
+                   "material, or one a mode as measured with the joints stuck.",
+                   100.0 * share, mode + 1)});
+}
+
 std::string attachment_text(const StructureModes& modes) {
   const std::size_t attached = modes.model.size() - modes.modes;
   if (attached == 0) return {};
@@ -97,6 +139,7 @@ StructureModel model_of_structure(const std::string& path, const std::string& ou
                                   const std::string& command, const Progress& progress) {
   StructureFile file = read_structure_file(path);
   StructureModes modes = compute_structure_modes(file.structure, options_of(file, progress));
+  warn_of_damped_springs(file, modes);
   std::vector<StructuralJoint> joints = joints_of(file, modes);
   std::vector<JointSource> sources = std::move(file.sources);
   for (JointSource& source : sources) {
@@ -105,6 +148,7 @@ StructureModel model_of_structure(const std::string& path, const std::string& ou
   }
   ModelFile model = make_model(damped(modes.model, file.loss_factor), file.law, std::move(joints),
                                std::move(sources), std::move(file.driven));
+  model.static_attachments = attachments_of(file, modes);
   std::string text = format_model(
       model, with_warnings(comment_of(input_name(path), command, modes), modes.warnings));
   return {std::move(model), std::move(modes), std::move(text)};

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 
 #include "microslip/base/error.hpp"
@@ -285,6 +286,7 @@ CalibratedModel calibrate_model(const ModelCalibration& options) {
     if (error.name().find("level") == std::string::npos) throw;
     throw error.renamed(fmt::format("{}: {}", input_name(options.levels.front()), error.name()));
   }
+  std::ranges::move(mode_warnings(done.model), std::back_inserter(done.found.warnings));
   compose_files(options, levels, done);
   return done;
 }

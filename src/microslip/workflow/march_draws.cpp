@@ -9,7 +9,6 @@
 #include <span>
 #include <utility>
 
-#include "microslip/dynamics/damping_twice.hpp"
 #include "microslip/identify/quantiles.hpp"
 #include "microslip/io/csv_writer.hpp"
 #include "microslip/io/march_file.hpp"
@@ -173,8 +172,7 @@ DrawnMarch drawn_march(const ModelFile& model, const LoadHistory& loads, MarchOp
   result.times = std::move(kept.times);
   result.rows = std::move(kept.rows);
   std::vector<Warning>& warnings = result.march.warnings;
-  std::ranges::move(damping_twice(model.structure), std::back_inserter(warnings));
-  std::ranges::move(reach_warnings(model, result.march.reach), std::back_inserter(warnings));
+  std::ranges::move(march_warnings(model, result.march.reach), std::back_inserter(warnings));
   if (!result.march.summary.converged()) return result;
   options.estimate_error = false;
   take_marches(loads, options, every, draws, drawn, execution, drawing, result);

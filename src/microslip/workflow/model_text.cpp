@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "microslip/dynamics/damping_twice.hpp"
+#include "microslip/dynamics/missing_modes.hpp"
 #include "microslip/dynamics/truncation.hpp"
 #include "microslip/identify/covered_range.hpp"
 #include "microslip/io/input_file.hpp"
@@ -23,6 +24,10 @@
 
 namespace microslip {
 namespace {
+
+const std::string kModesRemedy =
+    "Give the model more modes, or what they leave out as [structure.residual]; "
+    "static_attachments = 0 in [structure] says that they leave out nothing.";
 
 /// What is used and what was identified, which are not the same where the model says so. Empty
 /// where there is neither.
@@ -107,7 +112,39 @@ void add_model_warnings(const ModelFile& model, ResponseCurve& curve) {
   std::ranges::copy(reach_warnings(model, amplitude), std::back_inserter(curve.warnings));
 }
 
-std::string add_truncation(const HarmonicBalance& balance, Quantity kept, ResponseCurve& curve) {
+std::vector<Warning> mode_warnings(const ModelFile& model) {
+  if (model.static_attachments) return {};
+  const auto warning = missing_modes_warning(missing_compliance(model.structure), kModesRemedy);
+  return warning ? std::vector<Warning>{*warning} : std::vector<Warning>{};
+}
+
+namespace {
+
+/// ", 3 peaks not": of a curve with very many.
+std::string left_out_text(const CurveChange& change) {
+  if (change.peaks_left_out == 0) return "";
+  return fmt::format(", {} not", counted(change.peaks_left_out, "peak"));
+}
+
+std::string change_text(const CurveChange& change) {
+  return fmt::format("{:.2g} % of a dissipation, {:.2g} % of the level, {} looked at{}",
+                     100.0 * change.dissipation, 100.0 * change.level,
+                     counted(change.points, "point"), left_out_text(change));
+}
+
+std::string add_missing_modes(const HarmonicBalance& balance, Quantity kept, ResponseCurve& curve) {
+  const std::optional<CurveChange> change = judge_missing_modes(balance, curve, kept);
+  if (!change) return "";
+  if (auto warning = changed_curve_warning(*change, kModesRemedy)) {
+    curve.warnings.push_back(std::move(*warning));
+  }
+  if (change->points == 0) return "";
+  return line("modes above", fmt::format("estimated: {:.2g} % of the frequency, {}",
+                                         100.0 * change->frequency, change_text(*change)));
+}
+
+std::string add_missing_harmonics(const HarmonicBalance& balance, Quantity kept,
+                                  ResponseCurve& curve) {
   const std::optional<Truncation> truncation = judge_truncation(balance, curve, kept);
   if (!truncation) return "";
   if (auto warning = truncation_warning(*truncation)) {
@@ -117,15 +154,17 @@ std::string add_truncation(const HarmonicBalance& balance, Quantity kept, Respon
     curve.warnings.push_back(std::move(*warning));
   }
   if (truncation->points == 0) return "";
-  const std::string left_out =
-      truncation->peaks_left_out == 0
-          ? ""
-          : fmt::format(", {} not", counted(truncation->peaks_left_out, "peak"));
-  return line("harmonics above", fmt::format("up to {}: {:.2g} % of a dissipation, {:.2g} % of the "
-                                             "level, {} looked at{}",
-                                             truncation->harmonics, 100.0 * truncation->dissipation,
-                                             100.0 * truncation->level,
-                                             counted(truncation->points, "point"), left_out));
+  return line("harmonics above",
+              fmt::format("up to {}: {}", truncation->harmonics, change_text(*truncation)));
+}
+
+}  // namespace
+
+std::string add_truncation(const HarmonicBalance& balance, const ModelFile& model, Quantity kept,
+                           ResponseCurve& curve) {
+  std::string text = add_missing_harmonics(balance, kept, curve);
+  if (!model.static_attachments) text += add_missing_modes(balance, kept, curve);
+  return text;
 }
 
 std::string describe_warnings(const std::vector<Warning>& warnings) {
@@ -263,14 +302,20 @@ std::string describe_backbone(const std::string& file, const HarmonicBalance& ba
                      fmt::format("{:.4g} at {:.5g} m", most->damping_ratio(), most->response));
 }
 
+std::vector<Warning> march_warnings(const ModelFile& model, const std::vector<double>& reach) {
+  std::vector<Warning> warnings = damping_twice(model.structure);
+  std::ranges::move(mode_warnings(model), std::back_inserter(warnings));
+  std::ranges::move(reach_warnings(model, reach), std::back_inserter(warnings));
+  return warnings;
+}
+
 MarchResult march_to_table(const std::string& path, const ModelFile& model,
                            const LoadHistory& loads, const MarchOptions& options,
                            const std::string& heading, const Progress& progress) {
   MarchTable table(path, model.structure, loads, heading);
   const auto write = [&](const MarchRow& row) { table.add(row); };
   MarchResult result = march_rows(model.structure, loads, options, write, progress);
-  std::ranges::move(damping_twice(model.structure), std::back_inserter(result.warnings));
-  std::ranges::move(reach_warnings(model, result.reach), std::back_inserter(result.warnings));
+  std::ranges::move(march_warnings(model, result.reach), std::back_inserter(result.warnings));
   table.finish(result);
   return result;
 }

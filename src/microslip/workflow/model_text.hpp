@@ -44,10 +44,15 @@ namespace microslip {
 /// holds them too.
 void add_model_warnings(const ModelFile& model, ResponseCurve& curve);
 
-/// Judges what the harmonics above leave out, by judge_truncation(): a warning of the curve where
-/// that is much, and a line of the summary.
-[[nodiscard]] std::string add_truncation(const HarmonicBalance& balance, Quantity kept,
-                                         ResponseCurve& curve);
+/// The warning `modes_missing` of a model that does not say that it has all modes, where
+/// missing_compliance() is much of that of a joint.
+[[nodiscard]] std::vector<Warning> mode_warnings(const ModelFile& model);
+
+/// Judges what the harmonics above leave out, by judge_truncation(), and the modes above, by
+/// judge_missing_modes() where the model does not say that none are: warnings of the curve where
+/// that is much, and lines of the summary.
+[[nodiscard]] std::string add_truncation(const HarmonicBalance& balance, const ModelFile& model,
+                                         Quantity kept, ResponseCurve& curve);
 
 /// The lines of a summary on warnings.
 [[nodiscard]] std::string describe_warnings(const std::vector<Warning>& warnings);
@@ -76,8 +81,13 @@ void add_response_warnings(const HarmonicBalance& balance, const ModelFile& mode
 [[nodiscard]] std::string describe_backbone(const std::string& file, const HarmonicBalance& balance,
                                             const ResponseCurve& curve, std::size_t mode);
 
-/// Marches, writes the table row by row, and adds to the warnings of the result where joints go
-/// beyond their levels and losses that the model seems to hold twice.
+/// What is to be known of a march by its model: losses that it seems to hold twice, modes that it
+/// lacks, joints that moved beyond their levels.
+/// @param reach  the farthest that each joint moved, m.
+[[nodiscard]] std::vector<Warning> march_warnings(const ModelFile& model,
+                                                  const std::vector<double>& reach);
+
+/// Marches, writes the table row by row, and adds march_warnings() to those of the result.
 /// @param path     of the table; "-" is standard output.
 /// @param heading  its first comments.
 /// @throws FileError, InputError  as MarchTable and march_rows().
