@@ -10,6 +10,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/units.hpp"
 #include "microslip/io/calculix_matrices.hpp"
+#include "microslip/io/dmig_matrices.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/joint_file.hpp"
@@ -71,6 +72,14 @@ StructuralMatrices read_matrix_files(const TomlTable& table, std::string_view fi
   StructuralMatrices matrices;
   const std::string stiffness = path_beside(table, "stiffness", "a matrix", file);
   const std::string mass = path_beside(table, "mass", "a matrix", file);
+  if (read_named(table, "stiffness", stiffness, is_dmig_file)) {
+    if (table.has("degrees_of_freedom")) {
+      throw FormatError(table.place("degrees_of_freedom"), "no such key beside entries DMIG",
+                        "it: they name points and components themselves");
+    }
+    return read_named(table, "mass", mass,
+                      [&](const std::string& its) { return read_dmig_matrices(stiffness, its); });
+  }
   matrices.stiffness = read_named(table, "stiffness", stiffness, read_matrix_file);
   matrices.mass = read_named(table, "mass", mass, read_matrix_file);
   if (table.has("degrees_of_freedom")) {

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/dmig_matrices.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "io/support.hpp"
+#include "microslip/base/error.hpp"
+
+namespace microslip::dmig_matrices_test {
+namespace {
+
+using test::message_of;
+
+// Two masses of 2 and 3 on points 7 and 12, and a scalar point 40: K = [4 -1 0; -1 5 -2; 0 -2 6], as
+// a solver punches it, in wide fields; the numbers with all exponents that the format knows.
+const std::string kWide =
+    "$ punched\n"
+    "DMIG    KAAX           0       6       2       0                       3\n"
+    "DMIG*   KAAX                           7               1\n"
+    "*                      7               1 4.000000000D+00\n"
+    "DMIG*   KAAX                          12               3\n"
+    "*                      7               1-1.000000000D+00\n"
+    "*                     12               3 5.000000000D+00\n"
+    "DMIG*   KAAX                          40               0\n"
+    "*                     12               3-2.000000000D+00\n"
+    "*                     40               0 6.000000000D+00\n"
+    "DMIG    MAAX           0       6       2       0                       3\n"
+    "DMIG*   MAAX                           7               1\n"
+    "*                      7               1 2.000000000D+00\n"
+    "DMIG*   MAAX                          12               3\n"
+    "*                     12               3 3.000000000D+00\n"
+    "DMIG    VAX            0       9       2       0                       1\n"
+    "DMIG*   VAX                            1               0\n"
+    "*                      7               1 1.000000000D+00\n";
+
+// The same in fields of eight columns, two entries in a line that goes on; the other triangle.
+const std::string kNarrow =
+    "SOL 103\nBEGIN BULK\n"
+    "GRID    7               0.      0.      0.\n"
+    "DMIG    MAAX    0       6       1\n"
+    "DMIG    MAAX    7       1               7       1       2.\n"
+    "DMIG    MAAX    12      3               12      3       .3+1\n"
+    "DMIG    KAAX    0       6       1\n"
+    "DMIG    KAAX    7       1               7       1       4.+0\n"
+    "        12      3       -10.-1\n"
+    "DMIG    KAAX    12      3               12      3       5.\n"
+    "+       40              -2.E0           \n"
+    "DMIG    KAAX    40                      40              6.\n"
+    "ENDDATA\n";
+
+// Between commas, whole.
+const std::string kCommas =
+    "DMIG,KAAX,0,1,2\n"
+    "DMIG,KAAX,7,1,,7,1,4.,,\n"
+    ",12,3,-1.\n"
+    "DMIG,KAAX,12,3,,7,1,-1.,,\n"
+    ",12,3,5.,,40,0,-2.\n"
+    "DMIG,KAAX,40,0,,12,3,-2.,0.,\n"
+    ",40,0,6.\n"
+    "DMIG,MAAX,0,1,2\n"
+    "DMIG,MAAX,7,1,,7,1,2.\n"
+    "DMIG,MAAX,12,3,,12,3,3.\n";
+
+StructuralMatrices parse(const std::string& text, const std::string& name = {}) {
+  return parse_dmig_matrices({.text = text, .file = "m.pch", .name = name, .initial = 'K'},
+                             {.text = text, .file = "m.pch", .initial = 'M'});
+}
+
+std::vector<double> full(const SymmetricEntries& matrix) {
+  std::vector<double> all(matrix.size * matrix.size, 0.0);
+  for (std::size_t i = 0; i < matrix.value.size(); ++i) {
+    const auto row = static_cast<std::size_t>(matrix.row[i]);
+    const auto column = static_cast<std::size_t>(matrix.column[i]);
+    all[row * matrix.size + column] += matrix.value[i];
+    if (row != column) all[column * matrix.size + row] += matrix.value[i];
+  }
+  return all;
+}
+
+TEST(DmigMatrices, AreReadInEachLayout) {
+  for (const std::string& text : {kWide, kNarrow, kCommas}) {
+    EXPECT_TRUE(is_dmig(text));
+    const StructuralMatrices found = parse(text);
+    EXPECT_EQ(found.degrees,
+              (std::vector<DegreeOfFreedom>{
+                  {7, NodalDirection::kX}, {12, NodalDirection::kZ}, {40, NodalDirection::kX}}));
+    EXPECT_EQ(full(found.stiffness),
+              (std::vector<double>{4.0, -1.0, 0.0, -1.0, 5.0, -2.0, 0.0, -2.0, 6.0}));
+    EXPECT_EQ(full(found.mass), (std::vector<double>{2.0, 0.0, 0.0, 0.0, 3.0, 0.0, 0.0, 0.0, 0.0}));
+  }
+}
+
+TEST(DmigMatrices, AreToldByTheirText) {
+  EXPECT_FALSE(is_dmig("%%MatrixMarket matrix coordinate real symmetric\n"));
+  EXPECT_FALSE(is_dmig("GRID    7\n"));
+  EXPECT_FALSE(is_dmig(""));
+  EXPECT_FALSE(is_dmig("DMIG\tKAAX\n"));
+}
+
+TEST(DmigMatrices, AreChosenByName) {
+  std::string two = kWide;
+  two += "DMIG    KBAX           0       6       2       0                       3\n";
+  const auto refused = [](const std::string& text, const std::string& name) {
+    return message_of<InputError>([&] { return parse(text, name); });
+  };
+  EXPECT_EQ(
+      refused(two, ""),
+      "m.pch = 2 matrices K…; must have one whose name begins so, or be named behind a colon. "
+      "It has KAAX, KBAX, MAAX, VAX.");
+  EXPECT_EQ(parse(two, "kaax").stiffness.size, 3U);
+  EXPECT_EQ(refused(two, "KCAX"),
+            "m.pch = no matrix KCAX; must be one of the file. It has KAAX, KBAX, MAAX, VAX.");
+  EXPECT_EQ(refused(kWide, "VAX"),
+            "m.pch: VAX = of form 9; must be of form 6, symmetric, or 1, square");
+}
+
+TEST(DmigMatrices, NameWhatIsWrong) {
+  const auto with = [](const std::string& before, const std::string& after) {
+    std::string text = kWide;
+    const std::size_t at = text.find(before);
+    EXPECT_NE(at, std::string::npos) << before;
+    return message_of<Error>([&] { return parse(text.replace(at, before.size(), after)); });
+  };
+  EXPECT_EQ(with("4.000000000D+00", "4.0000000oDD+00"),
+            "m.pch:4:41: expected a number, found '4.0000000oDD+00'");
+  EXPECT_EQ(with("4.000000000D+00", ""), "m.pch:4:41: expected a number, found nothing");
+  EXPECT_EQ(with("  12               3\n*", "  12               9\n*"),
+            "m.pch:5:41: expected a component from 0 to 6, found '9'");
+  EXPECT_EQ(with("7               1-1.0", "x               1-1.0"),
+            "m.pch:6:9: expected the number of a point, found 'x'");
+  EXPECT_EQ(with("5.000000000D+00\n", "5.000000000D+00 1.000000000D+00\n"),
+            "m.pch:7:57: expected no imaginary part, found '1.000000000D+00'");
+  EXPECT_EQ(with("*                     40               0 6.0",
+                 "*                     12               3 6.0"),
+            "m.pch: KAAX = x of 40 and z of 12; must have one entry: a matrix of form 6 has one "
+            "triangle");
+  EXPECT_EQ(with("DMIG    MAAX           0       6", "DMIG    MAAX           0       x"),
+            "m.pch:11:25: expected the form of the matrix, found 'x'");
+  EXPECT_EQ(with("\n*                     40", "\n*\t                     40"),
+            "m.pch:10:2: expected fields of 8 columns, found a tab");
+}
+
+// Cut anywhere a file is read, or refused by name: nothing else is thrown.
+TEST(DmigMatrices, CutAtEachByte) {
+  for (const std::string& text : {kWide, kNarrow, kCommas}) {
+    for (std::size_t size = 0; size < text.size(); ++size) {
+      try {
+        const StructuralMatrices found = parse(text.substr(0, size));
+        EXPECT_EQ(found.stiffness.size, found.degrees.size());
+      } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("m.pch"), std::string::npos) << error.what();
+      }
+    }
+  }
+}
+
+TEST(DmigMatrices, OfOneTriangleAreNoSquareOnes) {
+  std::string text = kCommas;
+  const std::string half = "DMIG,KAAX,12,3,,7,1,-1.,,\n,12,3,5.";
+  text.replace(text.find(half), half.size(), "DMIG,KAAX,12,3,,12,3,5.,,\n,7,1,-2.");
+  EXPECT_EQ(message_of<InputError>([&] { return parse(text); }),
+            "m.pch: KAAX: entry (2, 1) = -1; must be that of (1, 2), -2, as the matrix must be "
+            "symmetric. A matrix of one triangle has form 6.");
+}
+
+}  // namespace
+}  // namespace microslip::dmig_matrices_test
