@@ -433,6 +433,46 @@ TEST(Ensemble, RefusesAnOutputThatIsNotThere) {
       << told;
 }
 
+// A mass of 1 kg that its base shakes by a feels −1 kg·a in the relative motion: case for case the
+// numbers are those of as many newtons, and a march has the absolute motion beside.
+TEST(Ensemble, TakesAccelerationsOfABase) {
+  const auto plan = [](const std::string& kept) {
+    return test::replaced(kPlan, "force_N = 0.02", kept) +
+           "[[case]]\nname = \"pushed\"\nkind = \"march\"\nforce_file = \"push.csv\"\n";
+  };
+  const Campaign forced(plan("force_N = 0.02"));
+  test::put(forced.file("push.csv"), "time [s],force [N]\n0,0\n2,-0.1\n9,0\n");
+  const Campaign shaken(plan("acceleration_m_per_s2 = 0.02"));
+  test::put(shaken.file("push.csv"), "time [s],acceleration of table [m/s^2]\n0,0\n2,0.1\n9,0\n");
+  test::put(shaken.file("model.toml"),
+            test::replaced(test::replaced(test::get(forced.file("model.toml")), "[[joint]]",
+                                          "[[structure.base]]\nname = \"table\"\nparticipation = "
+                                          "[1.0]\npoint_motion = [1.0]\n[[joint]]"),
+                           "[excitation]\npoint = \"mass\"",
+                           "[excitation]\nbase = \"table\"\n[response]\npoint = \"mass\""));
+  const EnsembleResult by_force = forced.run(forced.asked()).result;
+  const EnsembleResult by_base = shaken.run(shaken.asked()).result;
+  ASSERT_EQ(by_base.groups.size(), 3U);
+  for (std::size_t g : {0U, 1U}) {
+    ASSERT_EQ(by_force.groups[g].values.size(), by_base.groups[g].values.size());
+    for (std::size_t i = 0; i < by_force.groups[g].values.size(); ++i) {
+      EXPECT_NEAR(by_base.groups[g].values[i].mean, by_force.groups[g].values[i].mean,
+                  1e-9 * std::abs(by_force.groups[g].values[i].mean));
+    }
+  }
+  const std::string table = test::get(shaken.file("r.h5.csv"));
+  for (const char* output : {"largest_absolute_displacement", "rms_absolute_acceleration"}) {
+    EXPECT_NE(table.find(std::string("pushed,") + output), std::string::npos) << output;
+  }
+  EXPECT_EQ(test::get(forced.file("r.h5.csv")).find("absolute"), std::string::npos);
+  test::put(shaken.file("plan.toml"), plan("force_N = 0.02"));
+  const std::string told =
+      test::message_of<InputError>([&] { (void)shaken.run(shaken.asked("other.h5")); });
+  EXPECT_NE(told.find("force_N = 0.02; must be left out: the model is driven by its base"),
+            std::string::npos)
+      << told;
+}
+
 TEST(EnsembleShard, IsANumberOfACount) {
   EXPECT_EQ(EnsembleShard::parse("3/20").number, 3U);
   EXPECT_EQ(EnsembleShard::parse("3/20").count, 20U);

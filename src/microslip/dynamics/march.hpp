@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -181,6 +182,10 @@ struct MarchResult {
   /// Likewise of all signals: w, ẇ, ẅ of each point of the options, then u and F of each joint of
   /// the structure, then, where a base accelerates, the absolute w, ẇ, ẅ of each point.
   std::vector<SignalSize> sizes;
+  /// Those of the absolute motions, three a point; none where no base accelerates.
+  [[nodiscard]] std::span<const SignalSize> absolute_sizes() const {
+    return std::span(sizes).subspan(std::min(sizes.size(), 3 * largest.size() + 2 * reach.size()));
+  }
   MarchEnergy energy;         ///< up to the last time that was reached
   std::size_t steps = 0;      ///< taken, those cut at reversals twice
   std::size_t reversals = 0;  ///< of all joints

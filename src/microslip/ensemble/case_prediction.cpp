@@ -20,6 +20,7 @@
 namespace microslip {
 namespace {
 
+constexpr std::size_t kOfMotion = 3;  // w, ẇ, ẅ
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 HarmonicBalance balance_of_case(const PlannedCase& planned, const ModelFile& model) {
@@ -36,21 +37,29 @@ void require_converged(const Summary& summary) {
       fmt::format("must have a response, for what differs from it: {}", summary.reason));
 }
 
+/// Of what drives the model: a force, or the acceleration of its base.
+Target kept_of(const PlannedCase& planned, const ModelFile& model) {
+  if (planned.response) return {Quantity::kResponse, *planned.response};
+  const bool base = model.structure.base_driven();
+  if (base != planned.acceleration.has_value()) {
+    throw InputError(base ? "force_N" : "acceleration_m_per_s2",
+                     base ? *planned.force : *planned.acceleration,
+                     base ? "must be left out: the model is driven by its base"
+                          : "must be left out: the model is driven by a force",
+                     base ? "Give acceleration_m_per_s2." : "Give force_N.");
+  }
+  return {Quantity::kForceAmplitude, base ? *planned.acceleration : *planned.force};
+}
+
 void append(std::vector<double>& values, const std::vector<double>& more) {
   std::ranges::copy(more, std::back_inserter(values));
 }
 
-/// What an output is called and measures.
-struct OutputShape {
-  std::string name;
-  Dimension dimension;
-};
-
-std::vector<EnsembleOutput> over(const std::vector<OutputShape>& shapes,
+std::vector<EnsembleOutput> over(const std::vector<TableColumn>& shapes,
                                  const std::vector<double>& axis, const std::string& axis_name,
                                  const Dimension& axis_dimension) {
   std::vector<EnsembleOutput> outputs;
-  for (const OutputShape& shape : shapes) {
+  for (const TableColumn& shape : shapes) {
     outputs.push_back({shape.name, shape.dimension, axis, axis_name, axis_dimension});
   }
   return outputs;
@@ -61,23 +70,16 @@ class ResponseCase : public CasePrediction {
  public:
   ResponseCase(const PlannedCase& planned, const ModelFile& model)
       : balance_(balance_of_case(planned, model)),
-        range_{planned.force ? Target{Quantity::kForceAmplitude, *planned.force}
-                             : Target{Quantity::kResponse, *planned.response},
-               kTwoPi * planned.from, kTwoPi * planned.to},
+        range_{kept_of(planned, model), kTwoPi * planned.from, kTwoPi * planned.to},
         reference_(
             balance_.follow(range_.kept, Quantity::kAngularFrequency, range_.from, range_.to)) {
     require_converged(reference_.summary);
     prediction_ = std::make_unique<ResponseOfDraws>(balance_, reference_, range_);
-    const bool of_force = !planned.force;
+    const bool of_force = planned.response.has_value();
     ResponseCurve told = reference_;
     (void)add_truncation(balance_, model, range_.kept.quantity, told);
     add_response_warnings(balance_, model, told);
     warnings_ = std::move(told.warnings);
-    if (model.structure.base_driven() && planned.force) {
-      throw InputError("force_N", *planned.force,
-                       "must be left out: the model is driven by its base",
-                       "Take a case of the kind march, or give response_m.");
-    }
     const CurveHeight height = of_force ? drive_of(model.structure) : displacement_height();
     const std::string name(height.name);
     std::vector<double> axis;
@@ -157,23 +159,23 @@ class BackboneCase : public CasePrediction {
   std::vector<Warning> warnings_;
 };
 
-/// How large a motion in time is: peaks and rms of w, ẇ and ẅ.
+/// How large a motion in time is: peaks and rms of w, ẇ and ẅ, where a base accelerates of the
+/// absolute ones, too.
 class MarchCase : public CasePrediction {
  public:
   MarchCase(const PlannedCase& planned, const ModelFile& model)
       : file_(planned.force_file), loads_(read_loads(planned.force_file, model.structure)) {
     options_.points = {model.response};
     options_.step = planned.step;
-    outputs_ = {{"largest_displacement", kLength},
-                {"largest_velocity", kVelocity},
-                {"largest_acceleration", kAcceleration},
-                {"rms_displacement", kLength},
-                {"rms_velocity", kVelocity},
-                {"rms_acceleration", kAcceleration}};
     MarchResult own = march_rows(model.structure, loads_, options_, [](const MarchRow&) {});
     require_converged(own.summary);
+    for (const std::string size : {"largest_", "rms_"}) {
+      add_outputs(size);
+      if (!own.absolute_sizes().empty()) add_outputs(size + "absolute_");
+    }
     options_.estimate_error = false;  // that of the model tells it for all
     warnings_ = std::move(own.warnings);
+    std::ranges::move(march_warnings(model, own.reach), std::back_inserter(warnings_));
     std::ranges::move(gain_warnings(model, loads_), std::back_inserter(warnings_));
   }
 
@@ -187,14 +189,24 @@ class MarchCase : public CasePrediction {
     if (!result.summary.converged()) return {{}, result.summary.reason};
     JobResult done;
     for (double SignalSize::*which : {&SignalSize::peak, &SignalSize::rms}) {
-      for (std::size_t s = 0; s < outputs_.size() / 2; ++s) {
-        done.values.push_back(drawn.response_gain * (result.sizes[s].*which));
-      }
+      const auto add = [&](std::span<const SignalSize> motion) {
+        for (const SignalSize& size : motion) {
+          done.values.push_back(drawn.response_gain * (size.*which));
+        }
+      };
+      add(std::span(result.sizes).first(kOfMotion));
+      add(result.absolute_sizes());
     }
     return done;
   }
 
  private:
+  void add_outputs(const std::string& prefix) {
+    outputs_.push_back({prefix + "displacement", kLength});
+    outputs_.push_back({prefix + "velocity", kVelocity});
+    outputs_.push_back({prefix + "acceleration", kAcceleration});
+  }
+
   std::string file_;
   LoadHistory loads_;
   MarchOptions options_;

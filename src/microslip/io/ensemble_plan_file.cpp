@@ -20,8 +20,10 @@ namespace microslip {
 namespace {
 
 constexpr std::size_t kLargestPlan = std::size_t{16} << 20U;
-constexpr std::size_t kMostValues = 1'000'000;   // of a list
-constexpr double kLargestForce = 1e12;           // N
+constexpr std::size_t kMostValues = 1'000'000;  // of a list
+constexpr double kLargestForce = 1e12;          // N
+constexpr double kLargestAcceleration = 1e12;   // m/s²
+constexpr std::string_view kAccelerationKey = "acceleration_m_per_s2";
 constexpr double kLargestLength = 1e6;           // m
 constexpr double kSmallestAmount = 1e-15;        // of a force or length
 constexpr double kHighestFrequencyOfCase = 1e9;  // Hz
@@ -306,14 +308,21 @@ SweepPlan read_sweep(const toml::table& raw, const TomlTable& table, std::string
 // ---- Cases. ----
 
 void read_frf(const TomlTable& table, PlannedCase& planned) {
-  table.allow_only(
-      {"name", "kind", "force_N", "response_m", "frequency_Hz", "harmonics", "samples"});
-  if (table.has("force_N") == table.has("response_m")) {
-    throw FormatError(table.place("force_N"), "one of the keys force_N and response_m",
-                      table.has("force_N") ? "both" : "neither");
+  table.allow_only({"name", "kind", "force_N", kAccelerationKey, "response_m", "frequency_Hz",
+                    "harmonics", "samples"});
+  const int kept = static_cast<int>(table.has("force_N")) +
+                   static_cast<int>(table.has(kAccelerationKey)) +
+                   static_cast<int>(table.has("response_m"));
+  if (kept != 1) {
+    throw FormatError(table.place("force_N"),
+                      fmt::format("one of the keys force_N, {} and response_m", kAccelerationKey),
+                      kept == 0 ? "none" : "several");
   }
   if (table.has("force_N")) {
     planned.force = number_in(table, "force_N", {kSmallestAmount, kLargestForce});
+  } else if (table.has(kAccelerationKey)) {
+    planned.acceleration =
+        number_in(table, kAccelerationKey, {kSmallestAmount, kLargestAcceleration});
   } else {
     planned.response = number_in(table, "response_m", {kSmallestAmount, kLargestLength});
   }

@@ -37,7 +37,8 @@
 ///     [[sweep.axis]]  number = "structure.loss_factor[1]" or, of the file of a joint,
 ///                  "JOINT: stiffness_N_per_m"; values = […]
 ///     [[case]]     of predict and sweep: what is predicted; name optional
-///       kind = "frf":      force_N or response_m, frequency_Hz = [from, to]
+///       kind = "frf":      force_N, acceleration_m_per_s2 of a base or response_m, frequency_Hz =
+///                          [from, to]
 ///       kind = "backbone": response_m = […], optional mode
 ///       kind = "march":    force_file; optional step_s
 ///       optional harmonics, samples of frf and backbone
@@ -51,18 +52,19 @@ struct PlannedCase {
   /// By what it is made.
   enum class Kind { kFrf, kBackbone, kMarch };
 
-  std::string name;                     ///< "case 1" where the plan has none
-  Kind kind = Kind::kFrf;               ///< what it is
-  std::optional<double> force = {};     ///< that is kept, N; of a frf
-  std::optional<double> response = {};  ///< that is kept, m; of a frf
-  double from = 0.0;                    ///< of a frf, Hz
-  double to = 0.0;                      ///< of a frf, Hz
-  std::vector<double> responses = {};   ///< of a backbone, m
-  std::size_t mode = 1;                 ///< of a backbone, from 1
-  std::string force_file = {};          ///< of a march, as it is opened
-  double step = 0.0;                    ///< of a march, s; 0: as march chooses
-  std::size_t harmonics = 5;            ///< H
-  std::size_t samples = 256;            ///< of a cycle
+  std::string name;                         ///< "case 1" where the plan has none
+  Kind kind = Kind::kFrf;                   ///< what it is
+  std::optional<double> force = {};         ///< that is kept, N; of a frf
+  std::optional<double> acceleration = {};  ///< that is kept, of a base, m/s²; of a frf
+  std::optional<double> response = {};      ///< that is kept, m; of a frf
+  double from = 0.0;                        ///< of a frf, Hz
+  double to = 0.0;                          ///< of a frf, Hz
+  std::vector<double> responses = {};       ///< of a backbone, m
+  std::size_t mode = 1;                     ///< of a backbone, from 1
+  std::string force_file = {};              ///< of a march, as it is opened
+  double step = 0.0;                        ///< of a march, s; 0: as march chooses
+  std::size_t harmonics = 5;                ///< H
+  std::size_t samples = 256;                ///< of a cycle
 };
 
 /// Draws of a model through its cases.

@@ -148,8 +148,8 @@ LoadHistory read_loads(const std::string& path, const JointedStructure& structur
   return parse_loads(read_file(path), input_name(path), structure, law);
 }
 
-LoadColumn load_column(const JointedStructure& structure, const LoadHistory& loads,
-                       const PointForce& at) {
+TableColumn load_column(const JointedStructure& structure, const LoadHistory& loads,
+                        const PointForce& at) {
   if (structure.linear().is_base(at.point)) {
     return {fmt::format("{}{}", kAccelerationOf, at.point), kAcceleration};
   }
@@ -163,7 +163,7 @@ std::string format_loads(const LoadHistory& loads, const JointedStructure& struc
   if (!comment.empty()) table.add_comment(comment);
   table.add_numbers("time", kTime, loads.time);
   for (const PointForce& at : loads.forces) {
-    const LoadColumn column = load_column(structure, loads, at);
+    const TableColumn column = load_column(structure, loads, at);
     table.add_numbers(column.name, column.dimension, at.force);
   }
   return table.str();

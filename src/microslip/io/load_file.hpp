@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "microslip/base/units.hpp"
 #include "microslip/dynamics/march.hpp"
+#include "microslip/io/table_column.hpp"
 #include "microslip/joint/jenkins_network.hpp"
 
 /// @file
@@ -36,18 +36,12 @@ namespace microslip {
 [[nodiscard]] LoadHistory read_loads(const std::string& path, const JointedStructure& structure,
                                      NormalLoadLaw law = NormalLoadLaw::kIncremental);
 
-/// A column of a load.
-struct LoadColumn {
-  std::string name;     ///< "force", "force at tip", "acceleration of table"
-  Dimension dimension;  ///< of its values
-};
-
-/// Of one of the loads; "force" where it is the only one, at a point.
+/// The column of one of the loads; "force" where it is the only one, at a point.
 /// @param structure  whose bases may accelerate.
 /// @param loads      that act.
 /// @param at         one of them.
-[[nodiscard]] LoadColumn load_column(const JointedStructure& structure, const LoadHistory& loads,
-                                     const PointForce& at);
+[[nodiscard]] TableColumn load_column(const JointedStructure& structure, const LoadHistory& loads,
+                                      const PointForce& at);
 
 /// The table that parse_loads() reads back, without normal loads.
 /// @param loads      that act.

@@ -58,12 +58,12 @@ std::string header_line(const JointedStructure& structure, const LoadHistory& lo
   };
   add("time", kTime);
   for (const PointForce& at : loads.forces) {
-    const LoadColumn column = load_column(structure, loads, at);
+    const TableColumn column = load_column(structure, loads, at);
     add(column.name, column.dimension);
   }
-  const std::vector<MarchColumn> columns = march_columns(structure, loads);
-  for (const MarchColumn& column : columns) add(column.name, column.dimension);
-  for (const MarchColumn& column : columns) {
+  const std::vector<TableColumn> columns = march_columns(structure, loads);
+  for (const TableColumn& column : columns) add(column.name, column.dimension);
+  for (const TableColumn& column : columns) {
     if (!with_band) break;
     add(column.name + "_lower", column.dimension);
     add(column.name + "_upper", column.dimension);
@@ -78,9 +78,9 @@ bool moves_a_base(const JointedStructure& structure, const LoadHistory& loads) {
 
 }  // namespace
 
-std::vector<MarchColumn> march_columns(const JointedStructure& structure,
+std::vector<TableColumn> march_columns(const JointedStructure& structure,
                                        const LoadHistory& loads) {
-  std::vector<MarchColumn> columns{
+  std::vector<TableColumn> columns{
       {"displacement", kLength}, {"velocity", kVelocity}, {"acceleration", kAcceleration}};
   for (const StructuralJoint& joint : structure.joints()) {
     columns.push_back({fmt::format("{} displacement", joint.name), kLength});

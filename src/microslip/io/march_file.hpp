@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "microslip/base/units.hpp"
 #include "microslip/dynamics/march.hpp"
+#include "microslip/io/table_column.hpp"
 
 /// @file
 /// march.csv, a march in time, one row a recorded time:
@@ -32,14 +32,9 @@ namespace microslip {
 
 class TableStream;
 
-/// A column of what is marched.
-struct MarchColumn {
-  std::string name;     ///< "displacement", "lap force"
-  Dimension dimension;  ///< of its values
-};
-
-/// Those after the loads, in their order; one each of the signals of a MarchRow.
-[[nodiscard]] std::vector<MarchColumn> march_columns(const JointedStructure& structure,
+/// The columns of what is marched, after the loads, in their order; one each of the signals of a
+/// MarchRow.
+[[nodiscard]] std::vector<TableColumn> march_columns(const JointedStructure& structure,
                                                      const LoadHistory& loads);
 
 /// The table, written as the march goes, row by row: memory does not grow with their number. The

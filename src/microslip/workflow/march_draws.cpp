@@ -23,7 +23,7 @@ constexpr std::size_t kOfPoint = 3;  // w, ẇ, ẅ
 std::vector<MarchedSignal> marched_signals(const JointedStructure& structure,
                                            const LoadHistory& loads) {
   std::vector<MarchedSignal> signals;
-  for (const MarchColumn& column : march_columns(structure, loads)) {
+  for (const TableColumn& column : march_columns(structure, loads)) {
     signals.push_back({column.name, column.dimension});
   }
   return signals;

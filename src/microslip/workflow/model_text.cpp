@@ -338,11 +338,10 @@ std::string describe_march(const std::string& file, const std::string& forces,
   text += line("largest response",
                fmt::format("{:.5g} m, {:.5g} m/s, {:.5g} m/s^2 at '{}'", largest.displacement,
                            largest.velocity, largest.acceleration, model.response));
-  const std::size_t absolute = 3 + 2 * model.structure.joints().size();  // of the signals
-  if (result.sizes.size() > absolute) {
-    text += line("with its base",
-                 fmt::format("{:.5g} m, {:.5g} m/s, {:.5g} m/s^2", result.sizes[absolute].peak,
-                             result.sizes[absolute + 1].peak, result.sizes[absolute + 2].peak));
+  if (const auto absolute = result.absolute_sizes(); !absolute.empty()) {
+    text +=
+        line("with its base", fmt::format("{:.5g} m, {:.5g} m/s, {:.5g} m/s^2", absolute[0].peak,
+                                          absolute[1].peak, absolute[2].peak));
   }
   text += describe_energy(result.energy);
   if (result.error_estimate) {
