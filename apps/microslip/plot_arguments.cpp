@@ -69,7 +69,8 @@ void add_plot_arguments(CLI::App& command, PlotArguments& options) {
       .add_option(
           "IN", options.in,
           "Folder as for the report, or a file: levels.csv, joint.json, density.csv, a table "
-          "of frf, backbone, march, loop, dissipation, verify, what calibrate reads and writes, "
+          "of frf, backbone, march, spectrum, loop, dissipation, verify, what calibrate reads and "
+          "writes, "
           "draws of a joint, or a recording; - is standard input. Several joint.json are drawn "
           "together")
       ->required()

@@ -45,29 +45,33 @@ const std::string kRecord =
 
 /// A folder of a test and one of each file that a figure is made from.
 Sandbox sandbox() {
-  return Sandbox({{"levels.csv", kLevels},
-                  {"joint.json", kJointText},
-                  {"density.csv",
-                   "slip_force [N],density [1/N],lower [1/N],upper [1/N]\n"
-                   "0,0.02,0.01,0.03\n40,0.01,0.01,0.02\n"},
-                  {"frf.csv",
-                   "frequency [Hz],force [N],displacement [m],phase [rad]\n"
-                   "10,1,1e-4,0.1\n11,1,5e-4,1.5\n12,1,1e-4,3\n"},
-                  {"backbone.csv",
-                   "displacement [m],force [N],frequency [Hz],damping_ratio [1]\n"
-                   "1e-5,0.1,50,0.01\n1e-3,5,45,0.03\n"},
-                  {"march.csv",
-                   "time [s],force [N],displacement [m],velocity [m/s],acceleration [m/s^2],"
-                   "bolt displacement [m],bolt force [N]\n"
-                   "0,1,0,0,0,0,0\n0.1,0,1e-5,0,0,1e-5,1\n"},
-                  {"record.csv", kRecord},
-                  {"loop.csv", "displacement [m],force [N]\n0,0\n1e-4,5\n-1e-4,-5\n"},
-                  {"curve.csv",
-                   "amplitude [m],force [N],dissipation [J],secant_stiffness [N/m],"
-                   "loss_factor [1]\n1e-5,1,1e-6,1e5,0.01\n1e-4,8,1e-4,8e4,0.1\n"},
-                  {"verification.csv", kVerification},
-                  {"histories.csv", kHistories},
-                  {"force_control.csv", kForceControl}});
+  return Sandbox(
+      {{"levels.csv", kLevels},
+       {"joint.json", kJointText},
+       {"density.csv",
+        "slip_force [N],density [1/N],lower [1/N],upper [1/N]\n"
+        "0,0.02,0.01,0.03\n40,0.01,0.01,0.02\n"},
+       {"frf.csv",
+        "frequency [Hz],force [N],displacement [m],phase [rad]\n"
+        "10,1,1e-4,0.1\n11,1,5e-4,1.5\n12,1,1e-4,3\n"},
+       {"backbone.csv",
+        "displacement [m],force [N],frequency [Hz],damping_ratio [1]\n"
+        "1e-5,0.1,50,0.01\n1e-3,5,45,0.03\n"},
+       {"srs.csv",
+        "frequency [Hz],maximax [m/s^2],positive [m/s^2],negative [m/s^2],"
+        "relative_displacement [m]\n10,5,5,2,1e-3\n100,40,30,40,1e-4\n1000,9,9,8,1e-7\n"},
+       {"march.csv",
+        "time [s],force [N],displacement [m],velocity [m/s],acceleration [m/s^2],"
+        "bolt displacement [m],bolt force [N]\n"
+        "0,1,0,0,0,0,0\n0.1,0,1e-5,0,0,1e-5,1\n"},
+       {"record.csv", kRecord},
+       {"loop.csv", "displacement [m],force [N]\n0,0\n1e-4,5\n-1e-4,-5\n"},
+       {"curve.csv",
+        "amplitude [m],force [N],dissipation [J],secant_stiffness [N/m],"
+        "loss_factor [1]\n1e-5,1,1e-6,1e5,0.01\n1e-4,8,1e-4,8e4,0.1\n"},
+       {"verification.csv", kVerification},
+       {"histories.csv", kHistories},
+       {"force_control.csv", kForceControl}});
 }
 
 /// What a picture shows: its texts, in the order of the file.
@@ -141,6 +145,9 @@ TEST(plot, EveryFigureOfItsFile) {
        {label("displacement amplitude"), label("phase lag [°]"), number("90")}},
       {{"backbone.csv", "--figure", "backbone"},
        {label("resonance frequency [Hz]"), label("damping ratio ζ [%]")}},
+      {{"srs.csv", "--figure", "spectrum"},
+       {label("natural frequency [Hz]"), label("largest acceleration [m/s²]"),
+        label("either way")}},
       {{"march.csv", "--figure", "history"},
        {label("joint force [N]"), label("velocity [m/s]"), label("time [s]")}},
       {{"record.csv", "--figure", "history"}, {label("acceleration [m/s²]"), label("acc2")}},

@@ -122,7 +122,7 @@ bool has_densities(const ResultInput& input) { return !input.test.densities.empt
 constexpr const char* kNeedsDensities =
     "identifiability.csv, or joint.json of calibrate, or densities.csv, or several joints";
 
-constexpr std::array<NamedFigure, 26> kFigures = {{
+constexpr std::array<NamedFigure, 27> kFigures = {{
     {"energies", "input energy, linear loss and joint dissipation over the amplitude", "levels.csv",
      has_levels, always, always, of_test<energies_figure>},
     {"density", "slip-force density with its band", "joint.json or density.csv", has_density, never,
@@ -155,6 +155,12 @@ constexpr std::array<NamedFigure, 26> kFigures = {{
      [](const ResultInput& input) { return input.backbone.has_value(); }, always, never,
      [](const ResultInput& input, const FigureOptions& options) {
        return backbone_figure(*input.backbone, options);
+     }},
+    {"spectrum", "shock response spectrum: the largest acceleration over the frequency",
+     "CSV of spectrum", [](const ResultInput& input) { return input.spectrum.has_value(); }, never,
+     never,
+     [](const ResultInput& input, const FigureOptions& /*options*/) {
+       return alone(spectrum_figure(*input.spectrum));
      }},
     {"history", "signals over time", "CSV of march or a recording",
      [](const ResultInput& input) { return !input.history.empty(); }, never, never,

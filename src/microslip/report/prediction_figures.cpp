@@ -173,6 +173,29 @@ FigureGrid response_figure(const PredictedResponse& response) {
   return {"", 1, {std::move(amplitude), std::move(phase)}};
 }
 
+Figure spectrum_figure(const ShockSpectrum& spectrum) {
+  Figure figure;
+  const auto add = [&](const std::vector<double>& values, const char* legend,
+                       const Stroke& stroke) {
+    // A logarithmic axis has no place for a direction in which nothing moves.
+    if (std::ranges::all_of(values, [](double value) { return value > 0.0; })) {
+      figure.layers.emplace_back(LineLayer{spectrum.frequency, values, legend, stroke});
+    }
+  };
+  add(spectrum.maximax, "either way", {.colour = kBlue, .width = 2.4});
+  add(spectrum.positive, "positive", {.colour = kVermillion, .style = LineStyle::kDashed});
+  add(spectrum.negative, "negative", {.colour = kGreen, .style = LineStyle::kDotted});
+  if (figure.layers.empty()) {
+    throw InputError("maximax", 0.0, "must be above 0 at all frequencies, to be drawn");
+  }
+  check_figure(figure);
+  show_x(figure, "natural frequency", "Hz");
+  show_y(figure, "largest acceleration", "m/s²");
+  figure.x.log = figure.y.log = true;
+  figure.legend = Legend::kBottomRight;
+  return figure;
+}
+
 FigureGrid backbone_figure(const PredictedBackbone& backbone, const FigureOptions& options) {
   const bool log = is_log(options, reaches_far(backbone.displacement));
   constexpr const char* kLabel = "displacement amplitude";

@@ -19,6 +19,10 @@ namespace microslip {
 /// one below the other. @throws InputError  without points, or where lengths differ.
 [[nodiscard]] FigureGrid response_figure(const PredictedResponse& response);
 
+/// Largest acceleration either way, and each way by itself, over the natural frequency.
+/// @throws InputError  without points, or where lengths differ.
+[[nodiscard]] Figure spectrum_figure(const ShockSpectrum& spectrum);
+
 /// Frequency and damping ratio over the amplitude, side by side.
 /// @throws InputError  without points, or where lengths differ.
 [[nodiscard]] FigureGrid backbone_figure(const PredictedBackbone& backbone,

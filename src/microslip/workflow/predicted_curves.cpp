@@ -113,6 +113,13 @@ PredictedBackbone predicted_backbone(const CsvTable& table) {
           .damping_band = band_columns(table, "damping_ratio", kDimensionless)};
 }
 
+ShockSpectrum shock_spectrum(const CsvTable& table) {
+  return {.frequency = table.numbers("frequency", kFrequency),
+          .maximax = table.numbers("maximax", kAcceleration),
+          .positive = table.numbers("positive", kAcceleration),
+          .negative = table.numbers("negative", kAcceleration)};
+}
+
 DissipationCurve dissipation_curve(const CsvTable& table) {
   return {.amplitude = table.numbers("amplitude", kLength),
           .dissipation = table.numbers("dissipation", kEnergy),

@@ -40,6 +40,14 @@ struct PredictedBackbone {
   CurveBand damping_band = {};        ///< 1
 };
 
+/// What a shock does to masses on springs; one length.
+struct ShockSpectrum {
+  std::vector<double> frequency;  ///< natural, Hz
+  std::vector<double> maximax;    ///< of the absolute acceleration, either way, m/s²
+  std::vector<double> positive;   ///< one way, m/s²
+  std::vector<double> negative;   ///< the other way, as a value above 0, m/s²
+};
+
 /// Dissipation, secant stiffness and loss factor of a joint; one length.
 struct DissipationCurve {
   std::vector<double> amplitude;         ///< m
@@ -95,6 +103,7 @@ struct PredictedCurves {
 /// @throws FormatError  where a column is missing or a cell is wrong.
 [[nodiscard]] PredictedResponse predicted_response(const CsvTable& table);
 [[nodiscard]] PredictedBackbone predicted_backbone(const CsvTable& table);  ///< backbone.csv
+[[nodiscard]] ShockSpectrum shock_spectrum(const CsvTable& table);          ///< CSV of spectrum
 [[nodiscard]] DissipationCurve dissipation_curve(const CsvTable& table);    ///< curve.csv
 [[nodiscard]] std::vector<HistorySignal> marched_histories(const CsvTable& table);  ///< march.csv
 /// Of ensemble, each output of each group; none of a sweep, whose values are no draws. NAME_lower

@@ -90,6 +90,8 @@ bool add_text(const std::string& kind, const std::string& text, const std::strin
     input.response = predicted_response({text, file});
   } else if (kind == kBackboneKind) {
     input.backbone = predicted_backbone({text, file});
+  } else if (kind == kSpectrumKind) {
+    input.spectrum = shock_spectrum({text, file});
   } else if (kind == kDissipationKind) {
     input.dissipation = dissipation_curve({text, file});
   } else if (kind == kLoopKind) {

@@ -35,6 +35,7 @@ struct ResultInput {
   std::optional<DensityCurve> density = {};  ///< of a density.csv without a joint
   std::optional<PredictedResponse> response = {};    ///< of a CSV of frf
   std::optional<PredictedBackbone> backbone = {};    ///< of a CSV of backbone
+  std::optional<ShockSpectrum> spectrum = {};        ///< of a CSV of spectrum
   std::optional<DissipationCurve> dissipation = {};  ///< of a CSV of dissipation
   std::optional<DisplacementPath> path = {};         ///< of a CSV of loop
   std::vector<double> path_force = {};               ///< N, one a point of the path
