@@ -192,7 +192,6 @@ Figure spectrum_figure(const ShockSpectrum& spectrum) {
   show_x(figure, "natural frequency", "Hz");
   show_y(figure, "largest acceleration", "m/s²");
   figure.x.log = figure.y.log = true;
-  figure.legend = Legend::kBottomRight;
   return figure;
 }
 
