@@ -100,7 +100,8 @@ BalanceEquations::BalanceEquations(const JointedStructure& structure, const Resp
       tangents_(structure.joints().size(),
                 Eigen::MatrixXd(coefficient_count(harmonics), coefficient_count(harmonics))),
       cycles_(structure.joints().size()),
-      branches_(structure.joints().size()) {
+      branches_(structure.joints().size()),
+      turns_(structure.joints().size()) {
   // An odd number of samples does not fall on itself half a period later.
   odd_forces_ = samples % 2 == 0 && !structure.shortens() && excites_odd_harmonics(structure) &&
                 structure.static_loads().empty();
@@ -149,6 +150,7 @@ void BalanceEquations::evaluate(const VectorXd& z) {
     add_linear_damping(j);
     tension_.segment(first, block) = -force_;
     keep_branches(j);
+    keep_turns(j);
   }
   side_->evaluate(input(), values_);
 }
@@ -165,6 +167,65 @@ void BalanceEquations::keep_branches(std::size_t joint) {
     joint_force_.reach_gradient(rank, {branches.gradients.col(static_cast<Index>(rank)).data(),
                                        static_cast<std::size_t>(block)});
   }
+}
+
+void BalanceEquations::keep_turns(std::size_t joint) {
+  Turns& turns = turns_[joint];
+  turns.at.clear();
+  const std::size_t count = joint_force_.turns();
+  if (count <= 2) return;
+  const Index block = coefficient_count(harmonics_);
+  turns.gradients.resize(block, static_cast<Index>(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    turns.at.push_back(joint_force_.turn(i));
+    joint_force_.turn_gradient(
+        i, {turns.gradients.col(static_cast<Index>(i)).data(), static_cast<std::size_t>(block)});
+  }
+}
+
+std::vector<Tie> BalanceEquations::ties() const {
+  std::vector<Tie> ties;
+  for (std::size_t j = 0; j < turns_.size(); ++j) {
+    const std::vector<HarmonicForce::Turn>& turns = turns_[j].at;
+    const double size = 0.5 * (cycles_[j].highest - cycles_[j].lowest);
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+      for (std::size_t k = i + 2; k < turns.size(); k += 2) {
+        ties.push_back({j, turns[i].angle, turns[k].angle, size});
+      }
+    }
+  }
+  return ties;
+}
+
+/// The one next to an angle.
+std::size_t BalanceEquations::turn_at(std::size_t joint, double angle) const {
+  const auto distance = [angle](const HarmonicForce::Turn& turn) {
+    return std::abs(std::remainder(turn.angle - angle, 2.0 * pi));
+  };
+  const std::vector<HarmonicForce::Turn>& turns = turns_[joint].at;
+  return static_cast<std::size_t>(std::ranges::min_element(turns, {}, distance) - turns.begin());
+}
+
+double BalanceEquations::miss(const Tie& tie) const {
+  const std::vector<HarmonicForce::Turn>& turns = turns_[tie.joint].at;
+  const std::size_t first = turn_at(tie.joint, tie.first);
+  const std::size_t second = turn_at(tie.joint, tie.second);
+  if (first == second) return 1.0;
+  return (turns[first].displacement - turns[second].displacement) / tie.size;
+}
+
+RowVectorXd BalanceEquations::miss_gradient(const Tie& tie) const {
+  RowVectorXd gradient = RowVectorXd::Zero(count_ + 2);
+  const std::size_t first = turn_at(tie.joint, tie.first);
+  const std::size_t second = turn_at(tie.joint, tie.second);
+  if (first == second) return gradient;
+  const Index block = coefficient_count(harmonics_);
+  const Eigen::MatrixXd& gradients = turns_[tie.joint].gradients;
+  gradient.segment(static_cast<Index>(tie.joint) * block, block) =
+      (gradients.col(static_cast<Index>(first)) - gradients.col(static_cast<Index>(second)))
+          .transpose() /
+      tie.size;
+  return gradient;
 }
 
 double BalanceEquations::miss(const Onset& onset) const {

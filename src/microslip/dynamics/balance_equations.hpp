@@ -25,6 +25,16 @@ struct Onset {
   double displacement;  ///< how far a branch goes on which the atom is about to slip, m
 };
 
+/// Where two maxima, or two minima, of a joint's motion are equal: the one that was an inner loop is
+/// the outer one behind that, and the equations bend there. The extremes are those next to the
+/// angles. Internal to dynamics.
+struct Tie {
+  std::size_t joint;
+  double first;   ///< τ in the period, rad
+  double second;  ///< likewise
+  double size;    ///< of the motion, m: what makes a miss relative
+};
+
 /// The equations of harmonic balance, condensed onto the joints. Internal to dynamics.
 ///
 /// Unknowns z: the coefficients of each joint's displacement, n = J(2H + 1) of them, then ω and A;
@@ -81,6 +91,11 @@ class BalanceEquations {
   /// branch.
   [[nodiscard]] double miss(const Onset& onset) const;
   [[nodiscard]] Eigen::RowVectorXd miss_gradient(const Onset& onset) const;
+  /// All ties that there may be: a pair of maxima or minima each. None without inner loops.
+  [[nodiscard]] std::vector<Tie> ties() const;
+  /// How far z misses a tie, relative, and its derivatives; 1 and 0 where the two became one.
+  [[nodiscard]] double miss(const Tie& tie) const;
+  [[nodiscard]] Eigen::RowVectorXd miss_gradient(const Tie& tie) const;
   /// Of each joint, one after the other: how many branches its motion has, and on how many of them
   /// each atom slips, by rising slip force.
   [[nodiscard]] std::vector<std::size_t> slipping() const;
@@ -123,6 +138,8 @@ class BalanceEquations {
   [[nodiscard]] bool is_odd_wave() const;
   void differentiate();
   void keep_branches(std::size_t joint);
+  void keep_turns(std::size_t joint);
+  [[nodiscard]] std::size_t turn_at(std::size_t joint, double angle) const;
   void add_linear_damping(std::size_t joint);
   void add_joint_cycles(SteadyVibration& vibration) const;
   double add_input(SteadyVibration& vibration) const;
@@ -151,6 +168,11 @@ class BalanceEquations {
     Eigen::MatrixXd gradients;  // a column a branch
   };
   std::vector<Branches> branches_;  // of each joint; none without atoms
+  struct Turns {
+    std::vector<HarmonicForce::Turn> at;
+    Eigen::MatrixXd gradients;  // of the displacements, a column a turn
+  };
+  std::vector<Turns> turns_;  // of each joint; none without inner loops
   StructureSide::Values values_;
   bool odd_wave_ = false;
   bool differentiated_ = false;

@@ -286,6 +286,7 @@ bool Continuation::find_next(const Point& point, double& length, Point& next) {
     if (reach_corner(point, length, next)) return true;
     VectorXd z;
     result = correct(point, length, z);
+    if (!result.converged && reach_tie(point, length, next)) return true;
     if (!result.converged || change(point, z) > 2.0 * options_.largest_change) continue;
     const bool kink = length < kKinkLength * longest;
     if (equations_.slips_otherwise(equations_.slipping(), point.slipping)) {

@@ -31,8 +31,9 @@ struct ContinuationOptions {
 /// changes.
 ///
 /// Where an atom starts or ceases to slip on a branch the derivatives jump and the curve has a
-/// corner: such a point is found by that condition, and has a tangent for each side. Corners, peaks
-/// and folds become points, so that the curve is smooth between two of them; then points are added
+/// corner: such a point is found by that condition, and has a tangent for each side. So it is where
+/// two extremes of a joint's motion become equal, which is looked at where the curve does not go on
+/// otherwise. Corners, peaks and folds become points, so that the curve is smooth between two of them; then points are added
 /// between until the polygon through them is as close to the curve as is wanted.
 /// Internal to dynamics.
 class Continuation {
@@ -113,8 +114,12 @@ class Continuation {
   void add_neighbours(Point& point) const;
   bool reach_corner(const Point& point, double& length, Point& next);
   bool corner_between(const Point& point, double& length, Point& next);
-  bool turn(const Point& point, const Onset& onset, Eigen::VectorXd z, double& length, Point& next);
-  bool leave(const Onset& onset, double sign, double aside, Point& corner);
+  bool reach_tie(const Point& point, double& length, Point& next);
+  template <typename Condition>
+  bool turn(const Point& point, const Condition& at, Eigen::VectorXd z, double& length,
+            Point& next);
+  template <typename Condition>
+  bool leave(const Condition& at, double sign, double aside, Point& corner);
 
   // Peaks and folds.
   using Slope = std::function<double(const Ray&)>;

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "microslip/dynamics/continuation.hpp"
 
 /// @file
-/// The corners of a curve, where an atom starts or ceases to slip on a branch of a joint's motion.
-/// The equations are continuous there and their derivatives jump, by a matrix of rank one: v gᵀ
-/// with g the gradient of how far the branch goes. The curve arrives by the null vector of the
+/// The corners of a curve, where an atom starts or ceases to slip on a branch of a joint's motion, or
+/// where two of its maxima become equal, so that inner and outer loop change places. The equations
+/// are continuous there and their derivatives jump, by a matrix of rank one: v gᵀ with g the gradient
+/// of how far the branch goes, or of the difference of the maxima. The curve arrives by the null vector of the
 /// derivatives on the one side and leaves by that on the other side, with the sign that leads
 /// there: g grows along both, or falls along both. It may turn by any angle that way, also back in
 /// frequency.
@@ -26,6 +28,7 @@ constexpr double kBeside = 1e-8;      // of an onset, relative: the derivatives 
 constexpr double kMostBeside = 1e-6;  // of z, relative
 constexpr double kLeastAhead = 0.8;   // cosine of tangent and chord
 constexpr int kFewIterations = 12;    // towards an onset that may not lie on the curve
+constexpr std::size_t kMostTies = 4;  // that are tried in a step
 constexpr int kMostOnsetsAtOnce = 4;  // that one corner may hold
 
 }  // namespace
@@ -56,6 +59,70 @@ void Continuation::add_neighbours(Point& point) const {
   std::ranges::sort(point.neighbours, {}, &Neighbour::distance);
 }
 
+/// The tangent behind a corner. Onsets that it holds beside the one may be passed along it alone:
+/// then once more with the derivatives there.
+template <typename Condition>
+bool Continuation::leave(const Condition& at, double sign, double aside, Point& corner) {
+  VectorXd tangent = corner.arrival.tangent;
+  std::vector<std::size_t> side;
+  for (int attempt = 0; attempt < kMostOnsetsAtOnce; ++attempt) {
+    const VectorXd way = corner.scale.cwiseProduct(tangent);
+    equations_.evaluate(corner.z + aside * way);
+    if (attempt > 0 && equations_.slipping() == side) {
+      corner.slipping = std::move(side);
+      return true;
+    }
+    side = equations_.slipping();
+    corner.onward =
+        ray_at(corner.scale, sign * equations_.miss_gradient(at) * corner.scale.asDiagonal());
+    tangent = corner.onward.tangent;
+    if (!tangent.allFinite()) return false;
+    const double slope =
+        std::abs((equations_.miss_gradient(at) * corner.scale.cwiseProduct(tangent)).value());
+    aside = std::min(kBeside / slope, kMostBeside);
+  }
+  return false;
+}
+
+/// The corner at an onset or a tie, from near it: on the curve ahead, with nothing between. The length
+/// becomes that up to it.
+template <typename Condition>
+bool Continuation::turn(const Point& point, const Condition& at, VectorXd z, double& length,
+                        Point& next) {
+  const Index n = equations_.balance_count();
+  if (!(z[n] > 0.0 && z[n + 1] > 0.0)) return false;
+  const NewtonOptions few{options_.newton.tolerance,
+                          std::min(kFewIterations, options_.newton.max_iterations)};
+  const NewtonResult result = newton(equations_, kept_, at, few, z, near_);
+  summary_.iterations += result.iterations;
+  if (!result.converged || change(point, z) > 2.0 * options_.largest_change) return false;
+  const VectorXd chord = (z - point.z).cwiseQuotient(point.scale);
+  const double ahead = chord.dot(point.onward.tangent);
+  if (!(ahead > 0.0) || ahead < kLeastAhead * chord.norm() || ahead > 2.0 * kAhead * length) {
+    return false;
+  }
+  Point corner = place_at(z);
+  const VectorXd direction = (z - point.z).cwiseQuotient(corner.scale).normalized();
+  const VectorXd way = corner.scale.cwiseProduct(direction);
+  const double slope = equations_.miss_gradient(at) * way;
+  const double aside = std::min(kBeside / std::abs(slope), kMostBeside);
+  equations_.evaluate(z - aside * way);
+  if (equations_.slips_otherwise(equations_.slipping(), point.slipping)) return false;
+  const double sign = slope > 0.0 ? 1.0 : -1.0;
+  corner.arrival =
+      ray_at(corner.scale, sign * equations_.miss_gradient(at) * corner.scale.asDiagonal());
+  if (direction.dot(corner.arrival.tangent) < kLeastAhead) return false;
+  if (!leave(at, sign, aside, corner)) return false;
+  if (std::is_same_v<Condition, Onset> && corner.slipping == point.slipping) return false;
+  add_neighbours(corner);
+  corner.is_peak = corner.arrival.gain_slope > 0.0 && corner.onward.gain_slope < 0.0;
+  next = std::move(corner);
+  length = ahead;
+  quick_ = true;
+  summary_.residual = std::max(summary_.residual, result.residual);
+  return true;
+}
+
 /// The next onset, where the tangent leads to it within the length or a bit more.
 bool Continuation::reach_corner(const Point& point, double& length, Point& next) {
   if (point.neighbours.empty()) return false;
@@ -78,65 +145,23 @@ bool Continuation::corner_between(const Point& point, double& length, Point& nex
   return turn(point, first->second, predicted(point, first->first * length), length, next);
 }
 
-/// The corner at an onset, from near it: on the curve ahead, with nothing between. The length
-/// becomes that up to it.
-bool Continuation::turn(const Point& point, const Onset& onset, VectorXd z, double& length,
-                        Point& next) {
-  const Index n = equations_.balance_count();
-  if (!(z[n] > 0.0 && z[n + 1] > 0.0)) return false;
-  const NewtonOptions few{options_.newton.tolerance,
-                          std::min(kFewIterations, options_.newton.max_iterations)};
-  const NewtonResult result = newton(equations_, kept_, onset, few, z, near_);
-  summary_.iterations += result.iterations;
-  if (!result.converged || change(point, z) > 2.0 * options_.largest_change) return false;
-  const VectorXd chord = (z - point.z).cwiseQuotient(point.scale);
-  const double ahead = chord.dot(point.onward.tangent);
-  if (!(ahead > 0.0) || ahead < kLeastAhead * chord.norm() || ahead > 2.0 * kAhead * length) {
-    return false;
+/// The next tie, likewise. At most curves turn but little there, and steps go past it: this is for
+/// where they do not.
+bool Continuation::reach_tie(const Point& point, double& length, Point& next) {
+  equations_.evaluate(point.z);
+  const VectorXd rate = point.scale.cwiseProduct(point.onward.tangent);
+  std::vector<std::pair<double, Tie>> ahead;
+  for (const Tie& tie : equations_.ties()) {
+    const double miss = equations_.miss(tie);
+    const double distance = -miss / (equations_.miss_gradient(tie) * rate).value();
+    if (std::abs(miss) <= kBeside) continue;  // the point is on it
+    if (distance > 0.0 && distance < kAhead * length) ahead.emplace_back(distance, tie);
   }
-  Point corner = place_at(z);
-  const VectorXd direction = (z - point.z).cwiseQuotient(corner.scale).normalized();
-  const VectorXd way = corner.scale.cwiseProduct(direction);
-  const double slope = equations_.miss_gradient(onset) * way;
-  const double aside = std::min(kBeside / std::abs(slope), kMostBeside);
-  equations_.evaluate(z - aside * way);
-  if (equations_.slips_otherwise(equations_.slipping(), point.slipping)) return false;
-  const double sign = slope > 0.0 ? 1.0 : -1.0;
-  corner.arrival =
-      ray_at(corner.scale, sign * equations_.miss_gradient(onset) * corner.scale.asDiagonal());
-  if (direction.dot(corner.arrival.tangent) < kLeastAhead) return false;
-  if (!leave(onset, sign, aside, corner) || corner.slipping == point.slipping) return false;
-  add_neighbours(corner);
-  corner.is_peak = corner.arrival.gain_slope > 0.0 && corner.onward.gain_slope < 0.0;
-  next = std::move(corner);
-  length = ahead;
-  quick_ = true;
-  summary_.residual = std::max(summary_.residual, result.residual);
-  return true;
-}
-
-/// The tangent behind a corner. Onsets that it holds beside the one may be passed along it alone:
-/// then once more with the derivatives there.
-bool Continuation::leave(const Onset& onset, double sign, double aside, Point& corner) {
-  VectorXd tangent = corner.arrival.tangent;
-  std::vector<std::size_t> side;
-  for (int attempt = 0; attempt < kMostOnsetsAtOnce; ++attempt) {
-    const VectorXd way = corner.scale.cwiseProduct(tangent);
-    equations_.evaluate(corner.z + aside * way);
-    if (attempt > 0 && equations_.slipping() == side) {
-      corner.slipping = std::move(side);
-      return true;
-    }
-    side = equations_.slipping();
-    corner.onward =
-        ray_at(corner.scale, sign * equations_.miss_gradient(onset) * corner.scale.asDiagonal());
-    tangent = corner.onward.tangent;
-    if (!tangent.allFinite()) return false;
-    const double slope =
-        std::abs((equations_.miss_gradient(onset) * corner.scale.cwiseProduct(tangent)).value());
-    aside = std::min(kBeside / slope, kMostBeside);
-  }
-  return false;
+  std::ranges::sort(ahead, {}, [](const auto& entry) { return entry.first; });
+  if (ahead.size() > kMostTies) ahead.resize(kMostTies);
+  return std::ranges::any_of(ahead, [&](const auto& entry) {
+    return turn(point, entry.second, predicted(point, entry.first), length, next);
+  });
 }
 
 }  // namespace microslip

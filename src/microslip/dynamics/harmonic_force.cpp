@@ -67,4 +67,18 @@ void HarmonicForce::reach_gradient(std::size_t rank, std::span<double> gradient)
   cycle_->reach_gradient(rank, gradient);
 }
 
+std::size_t HarmonicForce::turns() const { return cycle_->turns(); }
+
+HarmonicForce::Turn HarmonicForce::turn(std::size_t i) const {
+  if (i < cycle_->turns()) return cycle_->turn(i);
+  throw InputError("turn", static_cast<double>(i),
+                   fmt::format("must be below the number of turns, {}", cycle_->turns()));
+}
+
+void HarmonicForce::turn_gradient(std::size_t i, std::span<double> gradient) const {
+  (void)turn(i);  // throws where there is none
+  check_length("gradient", gradient.size(), static_cast<std::size_t>(cycle_->coefficients()));
+  cycle_->turn_gradient(i, gradient);
+}
+
 }  // namespace microslip

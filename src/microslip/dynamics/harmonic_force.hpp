@@ -72,6 +72,20 @@ class HarmonicForce {
   /// @param gradient  ∂reach/∂displacement_j at j, 1; 2H + 1 values.
   void reach_gradient(std::size_t rank, std::span<double> gradient) const;
 
+  /// Where the motion evaluated last turned.
+  struct Turn {
+    double angle;         ///< τ in the period, rad
+    double displacement;  ///< x there, m
+  };
+  /// How often it turned in a period: 0 at rest, else even.
+  [[nodiscard]] std::size_t turns() const;
+  /// One of them, in the order of time. @param i  below turns().
+  [[nodiscard]] Turn turn(std::size_t i) const;
+  /// The derivatives of its displacement.
+  /// @param i         as for turn().
+  /// @param gradient  ∂x/∂displacement_j at j, 1; 2H + 1 values.
+  void turn_gradient(std::size_t i, std::span<double> gradient) const;
+
  private:
   std::unique_ptr<SteadyCycle> cycle_;
 };

@@ -160,6 +160,11 @@ Condition condition(BalanceEquations& equations, const Onset& onset) {
           [&equations, onset] { return equations.miss_gradient(onset); }};
 }
 
+Condition condition(BalanceEquations& equations, const Tie& tie) {
+  return {[&equations, tie](const VectorXd&) { return equations.miss(tie); },
+          [&equations, tie] { return equations.miss_gradient(tie); }};
+}
+
 Condition condition(const Place& place) {
   return {[&place](const VectorXd& z) { return place.normal * (z - place.at); },
           [&place] { return place.normal; }};
@@ -179,6 +184,12 @@ NewtonResult newton(BalanceEquations& equations, const Target& first, const Plac
 }
 
 NewtonResult newton(BalanceEquations& equations, const Target& first, const Onset& second,
+                    const NewtonOptions& options, VectorXd& z, BorderedFactors& factors) {
+  return Newton(equations, condition(equations, first), condition(equations, second), factors)
+      .run(options, z);
+}
+
+NewtonResult newton(BalanceEquations& equations, const Target& first, const Tie& second,
                     const NewtonOptions& options, VectorXd& z, BorderedFactors& factors) {
   return Newton(equations, condition(equations, first), condition(equations, second), factors)
       .run(options, z);

@@ -44,6 +44,8 @@ NewtonResult newton(BalanceEquations& equations, const Target& first, const Plac
                     const NewtonOptions& options, Eigen::VectorXd& z, BorderedFactors& factors);
 NewtonResult newton(BalanceEquations& equations, const Target& first, const Onset& second,
                     const NewtonOptions& options, Eigen::VectorXd& z, BorderedFactors& factors);
+NewtonResult newton(BalanceEquations& equations, const Target& first, const Tie& second,
+                    const NewtonOptions& options, Eigen::VectorXd& z, BorderedFactors& factors);
 /// Without a need for the factors.
 NewtonResult newton(BalanceEquations& equations, const Target& first, const Target& second,
                     const NewtonOptions& options, Eigen::VectorXd& z);

@@ -280,6 +280,11 @@ void SteadyCycle::reach_gradient(std::size_t rank, std::span<double> gradient) c
   result = (up ? 0.5 : -0.5) * (rows_.col(at) - rows_.col(from));
 }
 
+void SteadyCycle::turn_gradient(std::size_t i, std::span<double> gradient) const {
+  Eigen::Map<VectorXd>(gradient.data(), static_cast<Index>(gradient.size())) =
+      rows_.col(static_cast<Index>(i));
+}
+
 /// Samples that may run over the end of the cycle.
 void SteadyCycle::branch(const Joint& joint, const Reversal& origin, double sign, Index first,
                          Index samples) {

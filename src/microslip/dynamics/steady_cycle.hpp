@@ -32,6 +32,12 @@ class SteadyCycle {
   [[nodiscard]] double reach(std::size_t rank) const { return reaches_[rank].half; }
   void reach_gradient(std::size_t rank, std::span<double> gradient) const;
 
+  [[nodiscard]] std::size_t turns() const { return extremes_.size(); }
+  [[nodiscard]] HarmonicForce::Turn turn(std::size_t i) const {
+    return {extremes_[i].tau, extremes_[i].displacement};
+  }
+  void turn_gradient(std::size_t i, std::span<double> gradient) const;
+
  private:
   /// The force at an extreme and its derivatives by the coefficients are those of column `at`.
   struct Reversal {
