@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "microslip/dynamics/trigonometric_basis.hpp"
+#include "microslip/joint/dissipation.hpp"
+#include "microslip/joint/secant.hpp"
 
 namespace microslip {
 namespace {
@@ -43,12 +47,11 @@ double stuck_share(const JointedStructure& structure, const VectorXd& motion) {
   return share;
 }
 
-/// The mode v of the stuck structure there, so small that it stays stuck, with the ξ that keeps it
-/// up: Σ v_i² η_i ω_i and a little loss of the joints.
-VectorXd stuck_mode(const BalanceEquations& equations, double angular_frequency) {
-  const JointedStructure& structure = equations.structure();
-  const auto joints = structure.joints();
-  const std::vector<double> mode = structure.stuck_mode(mode_at(structure, angular_frequency));
+/// What the modes and the joints lose of a mode v of amplitude a, as the ξ that feeds it:
+/// Σ v_i² η_i ω_i + Σ D_j/(π ω a²), or where that is nothing, as of atoms, a little loss of the
+/// joints.
+double stuck_excitation(const JointedStructure& structure, const std::vector<double>& mode,
+                        const VectorXd& motion, double amplitude, double angular_frequency) {
   double excitation = 0.0;
   for (std::size_t i = 0; i < mode.size(); ++i) {
     const Mode& m = structure.linear().modes()[i];
@@ -56,23 +59,73 @@ VectorXd stuck_mode(const BalanceEquations& equations, double angular_frequency)
                   modal_stiffness(m, angular_frequency, structure.damping()).imag() /
                   angular_frequency;
   }
-  VectorXd motion = VectorXd::Zero(static_cast<Index>(joints.size()));
+  double elastic = 0.0;
+  const auto joints = structure.joints();
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const Joint& joint = joints[j].joint;
+    const double across = std::abs(motion[static_cast<Index>(j)]);
+    elastic += joint.stiffness() * across * across;
+    excitation += dissipation(joint, amplitude * across) /
+                  (std::numbers::pi * angular_frequency * amplitude * amplitude);
+  }
+  return excitation > 0.0 ? excitation : kStuckLoss * elastic / angular_frequency;
+}
+
+/// A mode v of the structure with joints of linear stiffness, and what it makes of them.
+struct LinearMode {
+  std::vector<double> shape;
+  double angular_frequency;
+  VectorXd motion;   ///< of each joint by v, m
+  double amplitude;  ///< of v, kg^½ m: the joints hardly slip
+};
+
+/// @param linear  the structure, or that with other joints. @param number  of the mode.
+LinearMode mode_of(const JointedStructure& linear, std::size_t number,
+                   const JointedStructure& structure) {
+  LinearMode mode{linear.stuck_mode(number), linear.stuck_frequencies()[number], {}, 1.0};
+  const auto joints = linear.joints();
+  mode.motion = VectorXd::Zero(static_cast<Index>(joints.size()));
   for (std::size_t j = 0; j < joints.size(); ++j) {
     const StructuralJoint& joint = joints[j];
-    const double k = joint.joint.stiffness();
-    const double across = std::inner_product(mode.begin(), mode.end(), joint.shape.begin(), 0.0);
-    motion[static_cast<Index>(j)] = across / (1.0 + k * joint.series_compliance);
-    excitation += kStuckLoss * k * std::pow(motion[static_cast<Index>(j)], 2) / angular_frequency;
+    const double across =
+        std::inner_product(mode.shape.begin(), mode.shape.end(), joint.shape.begin(), 0.0);
+    mode.motion[static_cast<Index>(j)] =
+        across / (1.0 + joint.joint.stiffness() * joint.series_compliance);
   }
-  const double share = stuck_share(structure, motion);
+  const double share = stuck_share(structure, mode.motion);
+  if (std::isfinite(share)) mode.amplitude = share;
+  return mode;
+}
+
+/// With joints as stiff as they are in this vibration. Where many elements slip early, as of χ next
+/// to −1, a joint has lost a part of its stiffness however little it moves.
+JointedStructure with_secants(const JointedStructure& structure, const LinearMode& mode) {
+  std::vector<StructuralJoint> joints(structure.joints().begin(), structure.joints().end());
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const double across = mode.amplitude * std::abs(mode.motion[static_cast<Index>(j)]);
+    joints[j].joint = Joint(secant_stiffness(joints[j].joint, across), SlipDensity());
+  }
+  return structure.with_joints(std::move(joints));
+}
+
+/// The mode of the stuck structure there, so small that it hardly slips.
+VectorXd stuck_mode(const BalanceEquations& equations, double angular_frequency) {
+  constexpr int kRounds = 4;  // each leaves a small part of what the one before has changed
+  const JointedStructure& structure = equations.structure();
+  const std::size_t number = mode_at(structure, angular_frequency);
+  LinearMode mode = mode_of(structure, number, structure);
+  for (int round = 0; round < kRounds; ++round) {
+    mode = mode_of(with_secants(structure, mode), number, structure);
+  }
   const Index n = equations.balance_count();
   VectorXd z = VectorXd::Zero(n + 2);
-  for (Index j = 0; j < motion.size(); ++j) {
-    z[j * (n / motion.size()) + coefficient_index(1) + 1] =  // −i: a lag of a quarter
-        -motion[j] * (std::isfinite(share) ? share : 1.0);
+  for (Index j = 0; j < mode.motion.size(); ++j) {
+    z[j * (n / mode.motion.size()) + coefficient_index(1) + 1] =  // −i: a lag of a quarter
+        -mode.amplitude * mode.motion[j];
   }
-  z[n] = angular_frequency;
-  z[n + 1] = excitation;
+  z[n] = mode.angular_frequency;
+  z[n + 1] =
+      stuck_excitation(structure, mode.shape, mode.motion, mode.amplitude, mode.angular_frequency);
   equations.set_at_rest(z);
   return z;
 }
