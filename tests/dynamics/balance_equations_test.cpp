@@ -155,6 +155,24 @@ TEST(BalanceEquations, HaveTheDerivativesOfTheirTargets) {
   }
 }
 
+// Random harmonics make inner loops: pairs of maxima and of minima that may become equal. Differences
+// leave 1e-8.
+TEST(BalanceEquations, HaveTheDerivativesOfTheirTies) {
+  const JointedStructure structure = structure_with_three_joints(false, DampingLaw::kViscous);
+  BalanceEquations equations(structure, {"b"}, 3, 1024);
+  const VectorXd z = random_unknowns(equations, 5);
+  equations.evaluate(z);
+  const std::vector<Tie> ties = equations.ties();
+  ASSERT_GE(ties.size(), 2U);
+  for (const Tie& tie : ties) {
+    const Eigen::MatrixXd expected =
+        by_differences(equations, z, [&] { return VectorXd::Constant(1, equations.miss(tie)); });
+    const VectorXd scale = equations.scale();
+    const Eigen::RowVectorXd gradient = equations.miss_gradient(tie) * scale.asDiagonal();
+    EXPECT_LT((gradient - expected).cwiseAbs().maxCoeff(), 1e-6 * gradient.cwiseAbs().maxCoeff());
+  }
+}
+
 // An undamped mode exactly at its pole, by its first or its third harmonic. Small steps: the
 // equations are scaled otherwise 1e-6 away from it.
 TEST(BalanceEquations, HaveTheDerivativesOfDifferencesAtAPole) {
