@@ -110,7 +110,7 @@ class BalanceEquations {
 
   /// The size of the motion about the mean of the joint of each unknown, m, then ω and A: what
   /// makes z relative. A joint that hardly moves counts as moving 1e-6 of the one that moves most,
-  /// or of the response point, and 1e-5 of where static loads hold it.
+  /// or of the response point, and 1e-3 of where static loads hold it.
   [[nodiscard]] Eigen::VectorXd scale() const;
 
   /// z of a vibration that is n times as large, as far as it is linear; the mean motion that static

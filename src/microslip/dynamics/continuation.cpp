@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "microslip/base/error.hpp"
@@ -13,6 +15,22 @@
 
 namespace microslip {
 namespace {
+
+/// Of one code in hundreds the first tell as much as all, with their number.
+std::vector<Warning> few_of_each(std::vector<Warning> warnings) {
+  constexpr std::size_t kFew = 3;
+  std::vector<Warning> kept;
+  std::map<std::string, std::size_t> count;
+  for (Warning& warning : warnings) {
+    if (++count[warning.code] <= kFew) kept.push_back(std::move(warning));
+  }
+  for (const auto& [code, number] : count) {
+    if (number <= kFew) continue;
+    const auto last = std::ranges::find(kept.rbegin(), kept.rend(), code, &Warning::code);
+    last->text += fmt::format("; the same at {} more places", number - kFew);
+  }
+  return kept;
+}
 
 using Eigen::Index;
 using Eigen::RowVectorXd;
@@ -196,15 +214,14 @@ bool Continuation::add(Point point) {
     tell(rows_.back().point.along);
     return true;
   }
-  stop(Stop::kDoubtful, fmt::format("{}, at {:.9g} Hz, force {:.6g} N", doubt,
-                                    vibration.frequency(), vibration.force_amplitude));
+  stop(Stop::kDoubtful, fmt::format("{}, {}", doubt, place(point)));
   return false;
 }
 
 std::string Continuation::place(const Point& point) const {
   const Index n = equations_.balance_count();
-  std::string text = fmt::format(
-      "at {}, force {:.6g} N", describe({Quantity::kAngularFrequency, point.z[n]}), point.z[n + 1]);
+  std::string text = fmt::format("at {}, {}", describe({Quantity::kAngularFrequency, point.z[n]}),
+                                 drive_text(point.z[n + 1], equations_.structure().base_driven()));
   if (along_ == Quantity::kResponse) text += ", " + describe({along_, point.along});
   return text;
 }
@@ -247,7 +264,7 @@ void Continuation::hand_over(ResponseCurve& curve) {
   }
   for (Row& row : rows_) curve.points.push_back(std::move(row.vibration));
   curve.summary = summary_;
-  curve.warnings = std::move(warnings_);
+  curve.warnings = few_of_each(std::move(warnings_));
 }
 
 /// What changes along the curve, exactly to where a solution has it but for rounding, and the
@@ -368,8 +385,9 @@ bool Continuation::land(const Point& before, const Point& after, double limit) {
     return add(point_at(z, &forward));
   }
   summary_.residual = std::max(summary_.residual, result.residual);
-  stop(Stop::kNoProgress, fmt::format("the last point, {}, was not found: {}",
-                                      describe({along_, limit}), result.reason));
+  stop(Stop::kNoProgress,
+       fmt::format("the last point, {}, was not found: {}",
+                   describe({along_, limit}, equations_.structure().base_driven()), result.reason));
   return false;
 }
 

@@ -196,10 +196,11 @@ VibrationResult to_result(Run& run, const Run::Outcome& outcome, const Target& f
                                       : Stop::kNoProgress;
   s.reason = outcome.newton.converged && !converged ? doubt : outcome.newton.reason;
   if (!converged) {
-    s.reason +=
-        fmt::format("; asked for {} and {}, got to {:.9g} Hz, force {:.6g} N, response {:.6g}",
-                    describe(first), describe(second), result.vibration.frequency(),
-                    result.vibration.force_amplitude, result.vibration.response);
+    const bool of_base = run.equations.structure().base_driven();
+    s.reason += fmt::format(
+        "; asked for {} and {}, got to {:.9g} Hz, {}, response {:.6g}", describe(first, of_base),
+        describe(second, of_base), result.vibration.frequency(),
+        drive_text(result.vibration.force_amplitude, of_base), result.vibration.response);
   }
   s.residual = outcome.newton.residual;
   s.iterations = outcome.newton.iterations;
@@ -297,8 +298,9 @@ ResponseCurve HarmonicBalance::follow(const Target& kept, Quantity along, double
   } else {
     curve.summary.stop = Stop::kNoProgress;
     curve.summary.reason =
-        fmt::format("the first point was not found: {} with {}: {}", describe({along, from}),
-                    describe(kept), first.newton.reason);
+        fmt::format("the first point was not found: {} with {}: {}",
+                    describe({along, from}, structure_.base_driven()),
+                    describe(kept, structure_.base_driven()), first.newton.reason);
   }
   curve.summary.wall_seconds = watch.seconds();
   return curve;

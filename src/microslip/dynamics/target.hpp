@@ -32,7 +32,13 @@ struct Target {
 
 /// As messages say it to people: "frequency 55.8 Hz", "force amplitude 0.1 N", "response 2e-05",
 /// "phase lag 1.57 rad".
-[[nodiscard]] std::string describe(const Target& target);
+/// @param target   any.
+/// @param of_base  whether the excitations are accelerations of bases: "base acceleration 0.1 m/s^2".
+[[nodiscard]] std::string describe(const Target& target, bool of_base = false);
+
+/// "force 0.1 N", "base acceleration 0.1 m/s^2".
+/// @param amplitude  A, N or m/s². @param of_base  as in describe().
+[[nodiscard]] std::string drive_text(double amplitude, bool of_base);
 
 /// The phase lag at resonance, π/2: the force then feeds the damping alone.
 inline constexpr Target kPhaseResonance{Quantity::kPhaseLag, 1.57079632679489661923};
