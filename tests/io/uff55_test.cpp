@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <complex>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -61,10 +63,39 @@ TEST(Uff55, ComplexModeOverTwoLines) {
   const UffModeShape& shape = read.shapes.at(0);
   EXPECT_EQ(shape.analysis, UffAnalysis::kComplexMode);
   EXPECT_DOUBLE_EQ(shape.frequency, 5.0 / (2.0 * std::numbers::pi));
-  EXPECT_DOUBLE_EQ(shape.damping_ratio, 0.6);
+  EXPECT_DOUBLE_EQ(shape.damping_ratio.value(), 0.6);
+  EXPECT_EQ(shape.modal_a, std::complex(0.0, 0.0));
+  EXPECT_EQ(shape.eigenvalue, std::complex(-3.0, 4.0));
   EXPECT_EQ(shape.modal_mass, std::nullopt);
   EXPECT_EQ(shape.values, (std::vector<double>{1, 3, 5, 7}));
   EXPECT_EQ(shape.imaginary, (std::vector<double>{2, 4, 6, 8}));
+}
+
+// What a file does not tell is no 0.
+TEST(Uff55, TellsDampingAndMassOnlyWhereTheyAre) {
+  const std::string form =
+      "         1         2         2         8         2         3\n"
+      "         2         1         1         1\n  1.00000E+01\n";
+  const UffModeShape shape = read_shapes(shape_text(form, "")).shapes.at(0);
+  EXPECT_EQ(shape.frequency, 10.0);
+  EXPECT_EQ(shape.modal_mass, std::nullopt);
+  EXPECT_EQ(shape.damping_ratio, std::nullopt);
+  EXPECT_EQ(shape.loss_factor, std::nullopt);
+}
+
+// Each in the units that were told last; those of one file do not reach into another behind it.
+TEST(Uff55, HasTheUnitsOfDataset164) {
+  const std::string shape = shape_text(kNormalForm, "");
+  const std::string header =
+      marker() + "   151\nmodel\nNONE\nNONE\nNONE\nNONE\nNONE\nNONE\n" + marker();
+  const UffModeShapes read =
+      read_shapes(shape + test::units164(5, "1.00000000000000000D+03", "1.00000000000000000D+00") +
+                  shape + header + shape);
+  ASSERT_EQ(read.shapes.size(), 3U);
+  EXPECT_EQ(read.shapes[0].length_unit, std::nullopt);
+  EXPECT_EQ(read.shapes[1].length_unit, 1e-3);
+  EXPECT_EQ(read.shapes[1].force_unit, 1.0);
+  EXPECT_EQ(read.shapes[2].length_unit, std::nullopt);
 }
 
 TEST(Uff55, SkipsOtherDatasets) {

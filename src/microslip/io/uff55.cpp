@@ -31,6 +31,9 @@ struct Form {
     return i < integers.size() ? integers[i] : 0;
   }
   [[nodiscard]] double real(std::size_t i) const { return i < reals.size() ? reals[i] : 0.0; }
+  [[nodiscard]] std::optional<double> stated(std::size_t i) const {
+    return i < reals.size() ? std::optional(reals[i]) : std::nullopt;
+  }
 };
 
 /// Numbers over as many lines as they need.
@@ -94,16 +97,18 @@ void set_modal_data(const Form& form, UffModeShape& shape) {
     case 2:
       shape.analysis = UffAnalysis::kNormalMode;
       shape.frequency = form.real(0);
-      if (form.reals.size() > 1) shape.modal_mass = form.reals[1];
-      shape.damping_ratio = form.real(2);
-      shape.loss_factor = form.real(3);
+      shape.modal_mass = form.stated(1);
+      shape.damping_ratio = form.stated(2);
+      shape.loss_factor = form.stated(3);
       break;
     case 3:
     case 7: {
       shape.analysis = UffAnalysis::kComplexMode;
       const double size = std::hypot(form.real(0), form.real(1));
       shape.frequency = size / (2.0 * std::numbers::pi);
-      shape.damping_ratio = size > 0.0 ? -form.real(0) / size : 0.0;
+      shape.eigenvalue = std::complex(form.real(0), form.real(1));
+      if (size > 0.0) shape.damping_ratio = -form.real(0) / size;
+      if (form.reals.size() > 3) shape.modal_a = std::complex(form.reals[2], form.reals[3]);
       break;
     }
     case 5:
@@ -138,12 +143,25 @@ UffModeShape read_uff55(UffEnvelope& envelope) {
   return shape;
 }
 
+void set_uff_units(const std::optional<Uff164>& units, UffModeShape& shape) {
+  if (!units) return;
+  shape.length_unit = 1.0 / units->length;
+  shape.force_unit = 1.0 / units->force;
+}
+
 UffModeShapes read_mode_shapes_uff(const std::string& path) {
   UffInput input(path);
   UffEnvelope envelope(input);
   UffModeShapes result;
+  std::optional<Uff164> units;
   while (const auto dataset = envelope.next()) {
-    if (dataset->number == 55) result.shapes.push_back(read_uff55(envelope));
+    const bool joined = dataset->number == 151 && !result.shapes.empty();
+    if (joined) units.reset();  // files are joined by putting one behind the other
+    if (dataset->number == 164) units = read_uff164(envelope);
+    if (dataset->number == 55) {
+      result.shapes.push_back(read_uff55(envelope));
+      set_uff_units(units, result.shapes.back());
+    }
     if (dataset->number == 58 && dataset->binary) {  // its end is found by its number of points
       std::vector<Warning> unused;
       (void)read_uff58(envelope, *dataset, true, unused);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -32,13 +33,18 @@ struct UffModeShape {
   std::int64_t number = 0;                     ///< of the mode or of the frequency
   std::int64_t specific_type = 0;              ///< 8 displacement, 11 velocity, 12 acceleration
   double frequency = 0.0;                      ///< Hz; of a complex mode |λ|/2π
-  double damping_ratio = 0.0;                  ///< viscous, ζ, 1; of a complex mode -Re λ/|λ|
-  double loss_factor = 0.0;                    ///< hysteretic, η, 1
+  std::optional<double> damping_ratio;         ///< viscous, ζ, 1; of a complex mode -Re λ/|λ|
+  std::optional<double> loss_factor;           ///< hysteretic, η, 1
   std::optional<double> modal_mass;            ///< of a normal mode, as in the file
-  std::size_t values_per_node = 0;             ///< 3: X, Y, Z; 6: rotations too
-  std::vector<std::int64_t> nodes;             ///< their numbers in the file
-  std::vector<double> values;                  ///< nodes × values_per_node, a node after the other
-  std::vector<double> imaginary;  ///< of the same length, or empty where values are real
+  std::optional<std::complex<double>> eigenvalue;  ///< λ of a complex mode, rad/s
+  /// Of a complex mode as in the file: a of the receptance Σ ψψᵀ/(a(iω − λ)) and the conjugate.
+  std::optional<std::complex<double>> modal_a;
+  std::optional<double> length_unit;  ///< m, by dataset 164; nothing without one
+  std::optional<double> force_unit;   ///< N, likewise
+  std::size_t values_per_node = 0;    ///< 3: X, Y, Z; 6: rotations too
+  std::vector<std::int64_t> nodes;    ///< their numbers in the file
+  std::vector<double> values;         ///< nodes × values_per_node, a node after the other
+  std::vector<double> imaginary;      ///< of the same length, or empty where values are real
 
   /// Value j of node number i of the list, both from 0.
   [[nodiscard]] double at(std::size_t i, std::size_t j) const {

@@ -90,6 +90,7 @@ class UffRecordingReader {
   void read_mode_shape() {
     try {
       mode_shapes_.push_back(read_uff55(envelope_));
+      set_uff_units(units_, mode_shapes_.back());
     } catch (const FormatError& error) {
       if (!damaged_shape_) damaged_shape_ = std::current_exception();
       result_.warnings.push_back({"uff_mode_shape", error.what()});

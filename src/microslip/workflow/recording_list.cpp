@@ -104,10 +104,12 @@ std::string describe(const Recording& recording) {
 }
 
 std::string damping_of(const UffModeShape& shape) {
-  if (shape.damping_ratio == 0.0 && shape.loss_factor != 0.0) {
-    return fmt::format("loss factor {:.4g}", shape.loss_factor);
+  const double ratio = shape.damping_ratio.value_or(0.0);
+  if (ratio == 0.0 && shape.loss_factor.value_or(0.0) != 0.0) {
+    return fmt::format("loss factor {:.4g}", *shape.loss_factor);
   }
-  return fmt::format("damping {:.4g}", shape.damping_ratio);
+  if (!shape.damping_ratio) return "damping not told";
+  return fmt::format("damping {:.4g}", ratio);
 }
 
 std::string describe(const UffModeShape& shape) {
