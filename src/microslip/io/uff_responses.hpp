@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <complex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "microslip/base/summary.hpp"
+#include "microslip/structure/structural_matrices.hpp"
+
+/// @file
+/// Frequency responses from universal files: datasets 58 and 58b of the function type 4.
+
+namespace microslip {
+
+/// A response over a force, both as factors of e^{iωt}.
+struct FrequencyResponse {
+  std::string name;          ///< as messages call it: "dataset 3 (node 5 x by a force at node 1 x)"
+  DegreeOfFreedom response;  ///< along the positive direction, whatever the file has
+  DegreeOfFreedom reference;                      ///< of the force, or of the moment, likewise
+  int derivatives = 0;                            ///< 0 receptance, 1 mobility, 2 accelerance
+  std::vector<double> frequency = {};             ///< Hz, above 0, rising
+  std::vector<std::complex<double>> values = {};  ///< SI; one a frequency
+};
+
+/// A system of units.
+struct UnitSystem {
+  double length = 1.0;  ///< m
+  double force = 1.0;   ///< N
+};
+
+/// What a file has of them.
+struct FrequencyResponses {
+  std::vector<FrequencyResponse> responses;  ///< one at least, in the order of the file
+  std::vector<Warning> warnings;             ///< what the reader had to forgive
+};
+
+/// Reads all frequency responses of a file; other functions and datasets are skipped, and lines at
+/// 0 Hz.
+/// @param path       of the file.
+/// @param otherwise  units of values without a label in a file without dataset 164.
+/// @throws FormatError  where the file is not of this form or has no frequency response.
+/// @throws InputError   naming the dataset, where a response has no node or direction, no unit, is
+///                      not a motion over a force, is real, not finite or over no rising frequency.
+/// @throws FileError    where it cannot be read.
+[[nodiscard]] FrequencyResponses read_responses_uff(
+    const std::string& path, const std::optional<UnitSystem>& otherwise = {});
+
+}  // namespace microslip
