@@ -37,18 +37,21 @@ int run(const ModesArguments& options, const Call& call) {
 
 void add_modes(CLI::App& program, Call& call) {
   auto options = std::make_shared<ModesArguments>();
-  CLI::App* command = program.add_subcommand(
-      "modes",
-      "From the mass and stiffness matrices of a structure, and its joints, to a model.toml");
+  CLI::App* command = program.add_subcommand("modes",
+                                             "From the mass and stiffness matrices of a structure, "
+                                             "or its modes in a test, and its joints, "
+                                             "to a model.toml");
   command
-      ->add_option("structure", options->structure,
-                   "Matrices, supports, points, joints and the modes wanted, STRUCTURE.toml")
+      ->add_option(
+          "structure", options->structure,
+          "Matrices, or a test (universal files 55, 58), supports, points, joints and the modes "
+          "wanted, STRUCTURE.toml")
       ->required()
       ->type_name(kTomlValue);
   command
       ->add_option("--out", options->out,
-                   "Model to write, model.toml: modes, static attachments, points, joints; - is "
-                   "standard output")
+                   "Model to write, model.toml: modes, static attachments (not of a test), points, "
+                   "joints; - is standard output")
       ->required()
       ->type_name(kTomlValue);
   command->add_flag("--quiet", call.quiet, "No summary, no warnings, no progress");

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -30,6 +31,7 @@
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 #include "support/jointed_records.hpp"
+#include "support/tested_chain.hpp"
 #include "support/thinned_table.hpp"
 
 namespace microslip::cli_test::effects_test {
@@ -296,6 +298,19 @@ std::string damped_levels(const std::string& levels, const std::string& calibrat
                 {{"damping_ratio [1]", ratio}, {"damping_ratio_std [1]", scaled(ratio, 0.002)}});
 }
 
+/// Accelerances of a chain to a force at its second mass, with these labels of units.
+std::string tested_responses(const std::array<std::string, 3>& units, const std::string& force) {
+  const std::vector<double> hertz = test::even_frequencies(5.0, 0.25, 280);
+  const Eigen::MatrixXcd values = test::TestedChain{}.responses(hertz, 1, 2);
+  std::string text;
+  for (Eigen::Index j = 0; j < values.cols(); ++j) {
+    text += test::response_dataset(
+        {.response = j + 1, .reference = 2, .units = units, .force_unit = force}, hertz,
+        values.col(j));
+  }
+  return text;
+}
+
 const Files& inputs() {
   static const Files files = [] {
     Files all = documented_files();
@@ -321,6 +336,9 @@ const Files& inputs() {
                             .files;
     all["damped_joints.csv"] =
         damped_levels(all.at("two_joints.csv"), found.at("c/calibration.csv"));
+    all["frf.uff"] = tested_responses({"m", "m/s", "m/s^2"}, "N");
+    all["bare.uff"] = tested_responses({"", "", ""}, "");
+    all["bare.toml"] = edited(all.at("tested.toml"), "frf.uff -> bare.uff");
     all["noise.csv"] = "time [s], nothing [V]\n0,1\n1,2\n2,3\n";
     all["shock.csv"] = "time [s],acceleration of table [m/s^2]\n0,0\n0.005,20\n0.01,0\n0.1,0\n";
     all["shaken.csv"] = "time [s],jolt [m/s^2]\n0,0\n0.005,20\n0.01,0\n0.1,0\n";
@@ -522,8 +540,8 @@ TEST(EffectsTable, HasEveryOption) {
 
 TEST(EffectsTable, HasEveryKeyOfTheDocumentedFiles) {
   const std::map<std::string, std::string> files = documented_files();
-  for (const char* name : {"rig.toml", "modes.toml", "structure.toml", "frame.toml", "model.toml",
-                           "joint.json", "four.json"}) {
+  for (const char* name : {"rig.toml", "modes.toml", "structure.toml", "frame.toml", "tested.toml",
+                           "shapes.toml", "model.toml", "joint.json", "four.json"}) {
     for (const std::string& key : keys_in(files.at(name))) {
       EXPECT_TRUE(has_row(name, key)) << name << " " << key << kAddRow;
     }

@@ -19,6 +19,7 @@
 #include "microslip/io/model_tables.hpp"
 #include "microslip/io/structure_places.hpp"
 #include "microslip/io/structured_input.hpp"
+#include "microslip/io/tested_structure_table.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/io/toml_input.hpp"
 
@@ -33,15 +34,6 @@ struct MatrixUnits {
   double length = 1.0;  ///< m
   double force = 1.0;   ///< N
 };
-
-double read_unit(const TomlTable& table, std::string_view key, const Dimension& dimension) {
-  if (!table.has(key)) return 1.0;
-  try {
-    return parse_unit(table.text(key), dimension).factor();
-  } catch (const InputError& error) {
-    throw error.renamed(table.name(key));
-  }
-}
 
 bool turns(const DegreeOfFreedom& degree) { return degree.direction >= NodalDirection::kTurnX; }
 
@@ -128,10 +120,16 @@ MeshFile read_nodes(const TomlTable& top, std::string_view file, double length_u
   return all;
 }
 
-MeshPoint read_mesh_point(const TomlTable& table, const NodeSets& sets,
+/// The keys of a place, and others. A test has no rows, and nothing that a spider could bind.
+std::vector<std::string_view> place_keys(bool of_test, std::vector<std::string_view> others = {}) {
+  others.insert(others.end(), {kNodeKey, kNodesKey, kSetKey, kAtKey});
+  if (!of_test) others.insert(others.end(), {kRowKey, kSpiderKey});
+  return others;
+}
+
+MeshPoint read_mesh_point(const TomlTable& table, const NodeSets& sets, bool of_test,
                           const std::vector<MeshPoint>& before) {
-  table.allow_only(
-      {"name", kNodeKey, kNodesKey, kSetKey, kRowKey, kSpiderKey, kAtKey, "direction"});
+  table.allow_only(place_keys(of_test, {"name", "direction"}));
   MeshPoint point{.name = table.text("name"), .place = {.name = {}, .nodes = {}}};
   check_name(table, point.name, before, "point");
   point.place = read_place(table, sets);
@@ -139,16 +137,18 @@ MeshPoint read_mesh_point(const TomlTable& table, const NodeSets& sets,
   return point;
 }
 
-MeshPlace read_side(const TomlTable& joint, std::string_view key, const NodeSets& sets) {
+MeshPlace read_side(const TomlTable& joint, std::string_view key, const NodeSets& sets,
+                    bool of_test) {
   const TomlTable side = joint.table(key);
-  side.allow_only({kNodeKey, kNodesKey, kSetKey, kRowKey, kSpiderKey, kAtKey});
+  side.allow_only(place_keys(of_test));
   return read_place(side, sets);
 }
 
 MeshJoint read_mesh_joint(const TomlTable& table, const std::string& name, double stiffness,
-                          const NodeSets& sets) {
-  MeshJoint joint{.name = name, .to = read_side(table, "to", sets), .stiffness = stiffness};
-  if (table.has("from")) joint.from = read_side(table, "from", sets);
+                          const NodeSets& sets, bool of_test) {
+  MeshJoint joint{
+      .name = name, .to = read_side(table, "to", sets, of_test), .stiffness = stiffness};
+  if (table.has("from")) joint.from = read_side(table, "from", sets, of_test);
   const bool rows = joint.to.row && (!joint.from || joint.from->row);
   joint.direction = read_direction(table, !rows);
   return joint;
@@ -182,15 +182,16 @@ void read_joints(const TomlTable& top, std::string_view file, const NodeSets& se
     check_name(table, name, read.structure.joints, "joint");
     read.sources.push_back(read_joint_source(table, file, JointsToFind::kAllowed));
     const double stiffness = read.sources.back().joint.stiffness();
-    read.structure.joints.push_back(read_mesh_joint(table, name, stiffness, sets));
+    read.structure.joints.push_back(
+        read_mesh_joint(table, name, stiffness, sets, read.test.has_value()));
   }
 }
 
-void read_modes(const TomlTable& modes, StructureFile& read) {
-  modes.allow_only({"count", "up_to_Hz", "joints", kAttachmentKey, "loss_factor", "damping_ratio"});
-  if (modes.has("count") == modes.has("up_to_Hz")) {
+void read_mode_range(const TomlTable& modes, StructureFile& read) {
+  const bool told = modes.has("count") || modes.has("up_to_Hz");
+  if (modes.has("count") == modes.has("up_to_Hz") && (told || !read.test)) {
     throw FormatError(modes.place("up_to_Hz"), "in modes one of the keys count and up_to_Hz",
-                      modes.has("count") ? "both" : "neither");
+                      told ? "both" : "neither");
   }
   if (modes.has("count")) {
     read.count = modes.whole("count");
@@ -198,21 +199,25 @@ void read_modes(const TomlTable& modes, StructureFile& read) {
       throw InputError(modes.name("count"), static_cast<double>(*read.count),
                        fmt::format("must be from 1 to {}", kMostModes));
     }
-  } else {
+  }
+  if (modes.has("up_to_Hz")) {
     read.highest_frequency = modes.number("up_to_Hz");
     if (!(*read.highest_frequency > 0.0 && *read.highest_frequency <= kHighestFrequency)) {
       throw InputError(modes.name("up_to_Hz"), *read.highest_frequency,
                        fmt::format("must be above 0, to {:g}", kHighestFrequency));
     }
   }
-  if (modes.has("joints")) {
-    const std::string joints = modes.text("joints");
-    if (joints != "free" && joints != "stuck") {
-      throw InputError(modes.name("joints"), in_quotes(joints), "must be free or stuck");
-    }
-    read.joints = joints == "stuck" ? JointsInModes::kStuck : JointsInModes::kFree;
+}
+
+void read_joints_in_modes(const TomlTable& modes, StructureFile& read) {
+  const std::string joints = modes.text("joints");
+  if (joints != "free" && joints != "stuck") {
+    throw InputError(modes.name("joints"), in_quotes(joints), "must be free or stuck");
   }
-  if (modes.has(kAttachmentKey)) read.attachment = modes.boolean(kAttachmentKey);
+  read.joints = joints == "stuck" ? JointsInModes::kStuck : JointsInModes::kFree;
+}
+
+void read_modal_damping(const TomlTable& modes, StructureFile& read) {
   ModalDamping damping = read_damping(modes, "modes", "count");
   if (damping.loss_factor.empty()) {
     throw wrong_count(modes, damping.key, 0, "must have one at least");
@@ -221,34 +226,99 @@ void read_modes(const TomlTable& modes, StructureFile& read) {
   read.law = damping.law;
 }
 
-StructureFile read_tables(const TomlTable& top, std::string_view file) {
-  top.allow_only({"schema", "matrices", "nodes", "set", "support", "point", "joint", "modes",
-                  "base", "excitation", "static_load", "response", "accelerometer"});
-  StructureFile read;
-  const TomlTable matrices = top.table("matrices");
-  matrices.allow_only(
-      {"stiffness", "mass", "degrees_of_freedom", "calculix", "length_unit", "force_unit"});
-  const MatrixUnits units{.length = read_unit(matrices, "length_unit", kLength),
-                          .force = read_unit(matrices, "force_unit", kForce)};
-  // The short tables first: a slip in them need not wait for millions of entries.
-  read_modes(top.table("modes"), read);
-  MeshFile mesh = read_nodes(top, file, units.length);
-  const NodeSets sets(top, mesh);
-  if (top.has("support")) {
-    for (const TomlTable& table : top.tables("support")) {
-      read.structure.supports.push_back(read_support(table, sets));
-    }
+void read_modes(const TomlTable& modes, StructureFile& read) {
+  modes.allow_only({"count", "up_to_Hz", "joints", kAttachmentKey, "loss_factor", "damping_ratio"});
+  read_mode_range(modes, read);
+  if (modes.has("joints")) read_joints_in_modes(modes, read);
+  if (modes.has(kAttachmentKey)) read.attachment = modes.boolean(kAttachmentKey);
+  read_modal_damping(modes, read);
+}
+
+/// What a test tells by itself may be left out; whether joints were stuck in it nobody can guess.
+void read_tested_modes(const TomlTable& top, StructureFile& read) {
+  const bool joints = top.has("joint");
+  const std::string rule = "free or stuck: whether joints were there in the test";
+  if (!top.has("modes")) {
+    if (!joints) return;
+    throw FormatError(top.place("joint"), "in modes the key joints, " + rule, "no [modes]");
   }
+  const TomlTable modes = top.table("modes");
+  if (modes.has(kAttachmentKey)) {
+    throw FormatError(modes.place(kAttachmentKey), "attachment beside [matrices]", "a test",
+                      "Leave it out: static shapes take matrices.");
+  }
+  modes.allow_only({"count", "up_to_Hz", "joints", "loss_factor", "damping_ratio"});
+  if (modes.has("count") && !read.test->start_frequency.empty()) {
+    throw FormatError(modes.place("count"), "count, or start_frequency_Hz of each mode", "both",
+                      "Leave it out.");
+  }
+  read_mode_range(modes, read);
+  if (modes.has("joints") != joints) {
+    throw FormatError(modes.place("joints"), joints ? "the key joints, " + rule : "[[joint]]",
+                      joints ? "none" : "joints without one");
+  }
+  if (joints) read_joints_in_modes(modes, read);
+  if (modes.has("loss_factor") || modes.has("damping_ratio")) read_modal_damping(modes, read);
+}
+
+void read_support_tables(const TomlTable& top, const NodeSets& sets, StructureFile& read) {
+  if (!top.has("support")) return;
+  for (const TomlTable& table : top.tables("support")) {
+    read.structure.supports.push_back(read_support(table, sets));
+  }
+}
+
+/// The tables that name places.
+void read_places(const TomlTable& top, std::string_view file, const NodeSets& sets,
+                 StructureFile& read) {
   std::vector<std::string> names;
   for (const TomlTable& table : top.tables("point")) {
-    read.structure.points.push_back(read_mesh_point(table, sets, read.structure.points));
+    read.structure.points.push_back(
+        read_mesh_point(table, sets, read.test.has_value(), read.structure.points));
     names.push_back(read.structure.points.back().name);
   }
   read_joints(top, file, sets, read);
   read.driven = read_driven_points(top, names, read_bases(top, read.structure));
+}
+
+StructureFile read_with_matrices(const TomlTable& top, std::string_view file) {
+  top.allow_only({"schema", "matrices", "test", "nodes", "set", "support", "point", "joint",
+                  "modes", "base", "excitation", "static_load", "response", "accelerometer"});
+  StructureFile read;
+  const TomlTable matrices = top.table("matrices");
+  matrices.allow_only(
+      {"stiffness", "mass", "degrees_of_freedom", "calculix", "length_unit", "force_unit"});
+  const MatrixUnits units{.length = read_unit_factor(matrices, "length_unit", kLength),
+                          .force = read_unit_factor(matrices, "force_unit", kForce)};
+  // The short tables first: a slip in them need not wait for millions of entries.
+  read_modes(top.table("modes"), read);
+  MeshFile mesh = read_nodes(top, file, units.length);
+  const NodeSets sets(top, mesh);
+  read_support_tables(top, sets, read);
+  read_places(top, file, sets, read);
   read.structure.matrices = read_matrices(matrices, file, units);
   read.structure.nodes = std::move(mesh.nodes);
   return read;
+}
+
+StructureFile read_with_test(const TomlTable& top, std::string_view file) {
+  top.allow_only({"schema", "test", "nodes", "set", "point", "joint", "modes", "excitation",
+                  "static_load", "response", "accelerometer"});
+  StructureFile read;
+  read.test = read_tested_structure(top.table("test"), file);
+  read.attachment = false;
+  read_tested_modes(top, read);
+  MeshFile mesh = read_nodes(top, file, read.test->units ? read.test->units->length : 1.0);
+  read_places(top, file, NodeSets(top, mesh), read);
+  read.structure.nodes = std::move(mesh.nodes);
+  return read;
+}
+
+StructureFile read_tables(const TomlTable& top, std::string_view file) {
+  if (top.has("test") && top.has("matrices")) {
+    throw FormatError(top.place("test"), "one of the tables matrices and test", "both");
+  }
+  return top.has("test") ? read_with_test(top, file) : read_with_matrices(top, file);
 }
 
 }  // namespace

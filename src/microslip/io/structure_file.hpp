@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "microslip/io/model_parts.hpp"
+#include "microslip/io/tested_structure.hpp"
 #include "microslip/structure/meshed_structure.hpp"
 #include "microslip/structure/modal_model.hpp"
 
@@ -20,6 +21,11 @@
 ///                    a row, `node.direction`; or, in place of the three, calculix: the path of
 ///                    JOB.sti, JOB.mas and JOB.dof without the ending. length_unit, force_unit: of
 ///                    the matrices and of nodes in files without units; m and N without them
+///     [test]         in place of [matrices]: shapes, a universal file with datasets 55, and
+///                    modal_mass_kg = [...]; or frfs, one with datasets 58, and drive, a table with node
+///                    and direction, band_Hz = [from, to], start_frequency_Hz = [...], damping =
+///                    "viscous" (default) or "hysteretic". length_unit, force_unit: where the file
+///                    has no dataset 164
 ///     [nodes]        file: one or an array of those that read_mesh() takes; optional
 ///     [[set]]        name, and nodes = […] or box = {x_m = […], y_m = […], z_m = […]}: from, to;
 ///                    beside the sets of [nodes]
@@ -32,22 +38,26 @@
 ///                    structure with it, as a shaker table moves them; optional
 ///     [modes]        count or up_to_Hz; joints = "free" (default) or "stuck"; attachment (default
 ///                    true); loss_factor or damping_ratio: one a mode, later ones take the last
+///                    With [test] all optional, but joints where there are any, and no attachment
 ///     [excitation], [[static_load]], [response], [[accelerometer]]: as in a model
 ///
 /// A place is one of node, nodes = […], set, or row (of the matrices, from 1); of two nodes or more
 /// spider = "average" (default) or "rigid"; at_m = [x, y, z]: where of their body, else its centre.
+/// With [test] there is no row, spider, [[support]] or [[base]].
 /// A direction is "x", "-z", "ry", …, or a vector [x, y, z] of any length.
 
 namespace microslip {
 
 /// What a STRUCTURE.toml holds, and the files it names.
 struct StructureFile {
-  MeshedStructure structure;                     ///< with its matrices
+  MeshedStructure structure;                     ///< with its matrices, where it has any
+  std::optional<TestedStructure> test = {};      ///< in place of matrices
   std::optional<std::size_t> count = {};         ///< of modes
   std::optional<double> highest_frequency = {};  ///< of modes, Hz, in place of their count
   JointsInModes joints = JointsInModes::kFree;   ///< while they are computed
-  bool attachment = true;                        ///< whether modes get static attachments
-  /// η of the modes, 2ζ where the damping is viscous; later ones take the last. One at least.
+  bool attachment = true;  ///< whether modes get static attachments; of a test never
+  /// η of the modes, 2ζ where the damping is viscous; later ones take the last. One at least,
+  /// but of a test, whose own damping it stands in place of: there it may be empty.
   std::vector<double> loss_factor = {};
   DampingLaw law = DampingLaw::kHysteretic;  ///< of the damping
   std::vector<JointSource> sources = {};     ///< of each joint

@@ -22,6 +22,8 @@ class NodeSets {
   /// @param mesh  its nodes are looked at by boxes; its sets are found in any capitals.
   /// @throws FormatError, InputError  for a set that is empty, or of a name that is taken.
   NodeSets(const TomlTable& top, const MeshFile& mesh);
+  /// None.
+  NodeSets() = default;
 
   /// The nodes of the set that a key names. @throws InputError  with the name that is near.
   [[nodiscard]] const std::vector<std::int64_t>& find(const TomlTable& table,

@@ -86,7 +86,8 @@ void add_mean(const MeshRows& rows, const MeshPlace& place, const Vector3& direc
 
 }  // namespace
 
-MeshRows::MeshRows(const MeshedStructure& structure) : structure_(structure) {
+MeshRows::MeshRows(const MeshedStructure& structure, RowsOf rows_of)
+    : structure_(structure), rows_of_(rows_of) {
   const std::vector<DegreeOfFreedom>& degrees = structure.matrices.degrees;
   if (!degrees.empty() && degrees.size() != size()) {
     throw InputError("degrees of freedom", static_cast<double>(degrees.size()),
@@ -121,7 +122,11 @@ std::size_t MeshRows::row(const std::string& place, std::int64_t node,
   for (const auto& [its, row] : rows(place, node)) {
     there += fmt::format("{}{}", there.empty() ? "" : ", ", direction_name(its));
   }
-  throw InputError(place, fmt::format("{} {}", node_name(node), direction_name(direction)),
+  const std::string degree = fmt::format("{} {}", node_name(node), direction_name(direction));
+  if (rows_of_ == RowsOf::kTest) {
+    throw InputError(place, degree, "must be measured: of this node the test has " + there);
+  }
+  throw InputError(place, degree,
                    fmt::format("must be a degree of freedom of the matrices: of this node they "
                                "have {}",
                                there),
@@ -141,9 +146,11 @@ std::vector<std::pair<NodalDirection, std::size_t>> MeshRows::rows(const std::st
                      "cannot be found: whose the rows of the matrices are is not told",
                      "Name rows, or give the degrees of freedom.");
   }
-  throw InputError(place, node_name(node), "must be a node of the matrices",
-                   fmt::format("They have nodes {} to {}.", rows_.begin()->first.node,
-                               rows_.rbegin()->first.node));
+  const bool of_test = rows_of_ == RowsOf::kTest;
+  throw InputError(place, node_name(node),
+                   of_test ? "must be a node of the test" : "must be a node of the matrices",
+                   fmt::format("{} nodes {} to {}.", of_test ? "It has" : "They have",
+                               rows_.begin()->first.node, rows_.rbegin()->first.node));
 }
 
 std::size_t MeshRows::checked(const std::string& place, std::size_t row) const {
@@ -194,6 +201,15 @@ Motion place_motion(const MeshRows& rows, const MeshPlace& place, const MeshDire
         std::max(arm.norm(), std::sqrt(body.arms.colwise().squaredNorm().maxCoeff()));
     const Eigen::Vector3d moment = arm.cross(axis);
     if (moment.norm() > kRounding * size) add_rotation(rows, place, moment, motion);
+  }
+  return motion;
+}
+
+Motion joint_motion(const MeshRows& rows, const MeshJoint& joint) {
+  Motion motion = place_motion(rows, joint.to, joint.direction);
+  if (!joint.from) return motion;
+  for (const auto& [row, weight] : place_motion(rows, *joint.from, joint.direction)) {
+    motion.emplace_back(row, -weight);
   }
   return motion;
 }

@@ -15,13 +15,17 @@
 
 namespace microslip {
 
+/// What messages call the rows of.
+enum class RowsOf : std::uint8_t { kMatrices, kTest };
+
 /// Which row of the matrices is whose, and where nodes are.
 class MeshRows {
  public:
   /// @param structure  must outlive this object.
+  /// @param rows_of    for messages; the rows of a test are what was measured.
   /// @throws InputError  where two rows are of one degree of freedom, two nodes of one number, or
   ///                     the rows are told of another number than there are.
-  explicit MeshRows(const MeshedStructure& structure);
+  explicit MeshRows(const MeshedStructure& structure, RowsOf rows_of = RowsOf::kMatrices);
 
   /// n.
   [[nodiscard]] std::size_t size() const;
@@ -42,6 +46,7 @@ class MeshRows {
 
  private:
   const MeshedStructure& structure_;
+  RowsOf rows_of_;
   std::map<DegreeOfFreedom, std::size_t> rows_;
   std::unordered_map<std::int64_t, std::size_t> nodes_;
 };
@@ -60,6 +65,9 @@ using Motion = std::vector<std::pair<std::size_t, double>>;
 ///                     rotation is not told by nodes on one line.
 [[nodiscard]] Motion place_motion(const MeshRows& rows, const MeshPlace& place,
                                   const MeshDirection& direction);
+
+/// The motion of `to` less that of `from`. @throws InputError  as place_motion().
+[[nodiscard]] Motion joint_motion(const MeshRows& rows, const MeshJoint& joint);
 
 /// The centre of nodes and their arms s_i from it, m; 3 × nodes.
 struct NodeArms {

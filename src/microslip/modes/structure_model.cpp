@@ -12,6 +12,7 @@
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/model_writer.hpp"
 #include "microslip/io/structure_file.hpp"
+#include "microslip/modes/tested_structure_modes.hpp"
 #include "microslip/workflow/path_from.hpp"
 #include "microslip/workflow/provenance.hpp"
 
@@ -41,6 +42,7 @@ ModesOptions options_of(const StructureFile& file, const Progress& progress) {
 }
 
 ModalModel damped(const ModalModel& model, const std::vector<double>& loss_factor) {
+  if (loss_factor.empty()) return model;  // of a test, as measured
   std::vector<Mode> modes(model.modes().begin(), model.modes().end());
   for (std::size_t i = 0; i < modes.size(); ++i) {
     modes[i].loss_factor = loss_factor[std::min(i, loss_factor.size() - 1)];
@@ -64,6 +66,7 @@ std::vector<StructuralJoint> joints_of(const StructureFile& file, const Structur
 
 /// How many of the modes stand for those that are left out, where none or some do.
 std::optional<std::size_t> attachments_of(const StructureFile& file, const StructureModes& modes) {
+  if (file.test) return std::nullopt;
   const std::size_t attached = modes.model.size() - modes.modes;
   const bool whole = modes.modes == modes.degrees_of_freedom;
   if (attached > 0 || file.attachment || whole) return attached;
@@ -111,11 +114,29 @@ std::string attachment_text(const StructureModes& modes) {
       modes.model.size(), modes.modes + 1);
 }
 
+std::string damping_text(const Mode& mode, DampingLaw law) {
+  return law == DampingLaw::kViscous ? fmt::format("damping ratio {:.4g}", 0.5 * mode.loss_factor)
+                                     : fmt::format("loss factor {:.4g}", mode.loss_factor);
+}
+
+/// What the reader of a model by a test must know.
+std::vector<std::string> origin_of(const TestedStructureModes& tested, bool damping_told) {
+  std::vector<std::string> text = tested.origin;
+  for (std::size_t i = 0; i < tested.lines.size(); ++i) {
+    const Mode& mode = tested.modes.model.modes()[i];
+    text.push_back(fmt::format(
+        "mode {}: {:.6f} Hz, {}, {}", i + 1, in_hertz(mode.angular_frequency),
+        damping_told ? "damping as told" : damping_text(mode, tested.law), tested.lines[i]));
+  }
+  return text;
+}
+
 std::string comment_of(const std::string& path, const std::string& command,
-                       const StructureModes& modes) {
+                       const StructureModes& modes, const std::vector<std::string>& origin) {
   std::string text = heading_of(command);
   text += fmt::format("\n{}: {} degrees of freedom, {}", path, modes.degrees_of_freedom,
                       modes.joints == JointsInModes::kStuck ? "joints stuck" : "joints free");
+  for (const std::string& line : origin) text += "\n" + line;
   return text + attachment_text(modes);
 }
 
@@ -138,8 +159,16 @@ std::string compliance_lines(const StructureModes& modes) {
 StructureModel model_of_structure(const std::string& path, const std::string& out,
                                   const std::string& command, const Progress& progress) {
   StructureFile file = read_structure_file(path);
-  StructureModes modes = compute_structure_modes(file.structure, options_of(file, progress));
-  warn_of_damped_springs(file, modes);
+  std::optional<TestedStructureModes> tested;
+  if (file.test) tested = modes_of_test(file);
+  const bool damping_told = !file.loss_factor.empty();
+  if (tested && !damping_told) file.law = tested->law;
+  std::vector<std::string> origin;
+  if (tested) origin = origin_of(*tested, damping_told);
+  StructureModes modes = tested
+                             ? std::move(tested->modes)
+                             : compute_structure_modes(file.structure, options_of(file, progress));
+  if (!tested) warn_of_damped_springs(file, modes);
   std::vector<StructuralJoint> joints = joints_of(file, modes);
   std::vector<JointSource> sources = std::move(file.sources);
   for (JointSource& source : sources) {
@@ -150,8 +179,8 @@ StructureModel model_of_structure(const std::string& path, const std::string& ou
                                std::move(sources), std::move(file.driven));
   model.static_attachments = attachments_of(file, modes);
   std::string text = format_model(
-      model, with_warnings(comment_of(input_name(path), command, modes), modes.warnings));
-  return {std::move(model), std::move(modes), std::move(text)};
+      model, with_warnings(comment_of(input_name(path), command, modes, origin), modes.warnings));
+  return {std::move(model), std::move(modes), std::move(text), std::move(origin)};
 }
 
 std::string describe_structure_model(const std::string& path, const StructureModel& model) {
@@ -163,6 +192,8 @@ std::string describe_structure_model(const std::string& path, const StructureMod
                         modes.model.size() - modes.modes == 1 ? "" : "s")
           : "",
       modes.joints == JointsInModes::kStuck ? "joints stuck" : "joints free");
+  for (const std::string& line : model.origin) text += fmt::format("  {}\n", line);
+  if (!model.origin.empty()) return text + fmt::format("  {}\n", modes.summary.brief());
   for (std::size_t i = 0; i < std::min(modes.modes, kModesShown); ++i) {
     text += fmt::format("  mode {:<3} {:>14.6f} Hz\n", i + 1,
                         in_hertz(modes.model.modes()[i].angular_frequency));

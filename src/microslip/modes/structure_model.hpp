@@ -19,6 +19,8 @@ struct StructureModel {
   ModelFile file;        ///< its joint files are named from where the text will lie
   StructureModes modes;  ///< and how they were found
   std::string text;      ///< of the model.toml, with warnings and how it came to be
+  /// Of the modes of a test, lines on where they come from, then one a mode; empty of matrices.
+  std::vector<std::string> origin = {};
 };
 
 /// @param path      STRUCTURE.toml. @param out  where the text will lie; "-" is standard output.

@@ -215,15 +215,6 @@ Sparse motions_matrix(const std::vector<Motion>& motions, std::size_t rows) {
   return matrix;
 }
 
-Motion joint_motion(const MeshRows& rows, const MeshJoint& joint) {
-  Motion motion = place_motion(rows, joint.to, joint.direction);
-  if (!joint.from) return motion;
-  for (const auto& [row, weight] : place_motion(rows, *joint.from, joint.direction)) {
-    motion.emplace_back(row, -weight);
-  }
-  return motion;
-}
-
 void require_motion(const Sparse& motions, Index column, const std::string& name) {
   double norm = 0.0;
   for (Sparse::InnerIterator entry(motions, column); entry; ++entry) {

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/tested_structure_table.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/model_tables.hpp"
+#include "microslip/io/structure_places.hpp"
+#include "microslip/io/text.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr double kLargestModalMass = 1e12;  // kg
+
+constexpr std::string_view kShapesKey = "shapes";
+constexpr std::string_view kResponsesKey = "frfs";
+constexpr std::string_view kDriveKey = "drive";
+constexpr std::string_view kBandKey = "band_Hz";
+constexpr std::string_view kStartKey = "start_frequency_Hz";
+constexpr std::string_view kDampingKey = "damping";
+constexpr std::string_view kModalMassKey = "modal_mass_kg";
+constexpr std::string_view kLengthUnitKey = "length_unit";
+constexpr std::string_view kForceUnitKey = "force_unit";
+
+DegreeOfFreedom read_drive(const TomlTable& test) {
+  const TomlTable drive = test.table(kDriveKey);
+  drive.allow_only({kNodeKey, "direction"});
+  const MeshPlace place = read_place(drive, NodeSets());
+  const MeshDirection direction = read_direction(drive, true);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (std::abs(direction.axis[k]) != 1.0) continue;
+    return {place.nodes.front(), static_cast<NodalDirection>(direction.turns ? k + 3 : k)};
+  }
+  throw InputError(drive.name("direction"), "no axis",
+                   "must be x, y, z, rx, ry or rz: a direction of the file");
+}
+
+std::array<double, 2> read_band(const TomlTable& test) {
+  const std::vector<double> band = read_positive(test, kBandKey, kHighestFrequency);
+  if (band.size() == 2 && band[0] < band[1]) return {band[0], band[1]};
+  throw InputError(test.name(kBandKey),
+                   fmt::format("{} value{}", band.size(), band.size() == 1 ? "" : "s"),
+                   "must be two, from and to, rising");
+}
+
+DampingLaw read_law(const TomlTable& test) {
+  const std::string law = test.text(kDampingKey);
+  if (law == "viscous") return DampingLaw::kViscous;
+  if (law == "hysteretic") return DampingLaw::kHysteretic;
+  throw InputError(test.name(kDampingKey), in_quotes(law), "must be viscous or hysteretic");
+}
+
+/// Numbers of a key, each above 0; one at least.
+std::vector<double> read_above_zero(const TomlTable& test, std::string_view key, double most) {
+  std::vector<double> values = read_positive(test, key, most);
+  if (values.empty()) throw wrong_count(test, key, 0, "must have one at least");
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!(values[i] > 0.0)) throw InputError(test.name(key, i), values[i], "must be above 0");
+  }
+  return values;
+}
+
+/// Of the keys for the other kind of file.
+void refuse_idle(const TomlTable& test, std::string_view key, std::string_view wanted) {
+  if (!test.has(key)) return;
+  throw FormatError(test.place(key), fmt::format("{} beside {}", key, wanted), "a test without it",
+                    "Leave it out.");
+}
+
+void read_shapes(const TomlTable& test, std::string_view file, TestedStructure& read) {
+  for (const std::string_view key : {kDriveKey, kBandKey, kStartKey, kDampingKey}) {
+    refuse_idle(test, key, kResponsesKey);
+  }
+  if (test.has(kModalMassKey)) {
+    read.modal_mass = read_above_zero(test, kModalMassKey, kLargestModalMass);
+  }
+  read.file = test.text(kShapesKey);
+  const std::string path = path_beside(test, kShapesKey, "a universal file", file);
+  UffModeShapes shapes = read_named(test, kShapesKey, path, read_mode_shapes_uff);
+  read.shapes = std::move(shapes.shapes);
+  read.warnings = std::move(shapes.warnings);
+  if (!read.shapes.empty()) return;
+  throw FormatError({.file = path}, "mode shapes (dataset 55)", "none");
+}
+
+void read_frequency_responses(const TomlTable& test, std::string_view file, TestedStructure& read) {
+  refuse_idle(test, kModalMassKey, kShapesKey);
+  read.drive = read_drive(test);
+  if (test.has(kBandKey)) read.band = read_band(test);
+  if (test.has(kStartKey)) {
+    read.start_frequency = read_above_zero(test, kStartKey, kHighestFrequency);
+  }
+  if (test.has(kDampingKey)) read.law = read_law(test);
+  read.file = test.text(kResponsesKey);
+  const std::string path = path_beside(test, kResponsesKey, "a universal file", file);
+  FrequencyResponses responses = read_named(test, kResponsesKey, path, [&](const std::string& its) {
+    return read_responses_uff(its, read.units);
+  });
+  read.responses = std::move(responses.responses);
+  read.warnings = std::move(responses.warnings);
+}
+
+}  // namespace
+
+double read_unit_factor(const TomlTable& table, std::string_view key, const Dimension& dimension) {
+  if (!table.has(key)) return 1.0;
+  try {
+    return parse_unit(table.text(key), dimension).factor();
+  } catch (const InputError& error) {
+    throw error.renamed(table.name(key));
+  }
+}
+
+TestedStructure read_tested_structure(const TomlTable& test, std::string_view file) {
+  test.allow_only({kShapesKey, kResponsesKey, kDriveKey, kBandKey, kStartKey, kDampingKey,
+                   kModalMassKey, kLengthUnitKey, kForceUnitKey});
+  if (test.has(kShapesKey) == test.has(kResponsesKey)) {
+    throw FormatError(test.place(kResponsesKey), "in test one of the keys shapes and frfs",
+                      test.has(kShapesKey) ? "both" : "neither");
+  }
+  TestedStructure read;
+  if (test.has(kLengthUnitKey) || test.has(kForceUnitKey)) {
+    read.units = UnitSystem{.length = read_unit_factor(test, kLengthUnitKey, kLength),
+                            .force = read_unit_factor(test, kForceUnitKey, kForce)};
+  }
+  if (test.has(kShapesKey)) {
+    read_shapes(test, file, read);
+  } else {
+    read_frequency_responses(test, file, read);
+  }
+  return read;
+}
+
+}  // namespace microslip
