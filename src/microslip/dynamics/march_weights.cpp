@@ -28,19 +28,24 @@ constexpr std::array<double, kMostTerms + 8> kInverseProducts = [] {
   return values;
 }();
 
-/// q(1) = Σ_k a_k of q = τ^{m+2} Σ a_k τᵏ. The terms fall from (θ, 2δ)ᵏ/k! on.
-double power_series(std::size_t m, double delta, double theta_squared) {
-  double before = 0.0;
-  double term = kInverseProducts[m + 1];
-  double sum = term;
+/// q(1) = Σ_k a_k of q = τ^{m+2} Σ a_k τᵏ, for m = 2 and 3. The terms fall from (θ, 2δ)ᵏ/k! on. Both
+/// at once, as each waits for its own last term.
+std::array<double, 2> power_series(double delta, double theta_squared) {
+  std::array<double, 2> before{};
+  std::array<double, 2> term{kInverseProducts[3], kInverseProducts[4]};
+  std::array<double, 2> sum = term;
   for (std::size_t k = 1; k < kMostTerms; ++k) {
-    const std::size_t n = m + 1 + k;
-    const double next = -(2.0 * delta * static_cast<double>(n) * term + theta_squared * before) *
-                        kInverseProducts[n];
-    before = term;
-    term = next;
-    sum += term;
-    if (std::abs(term) + std::abs(before) < 1e-18 * sum) break;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::size_t n = 3 + i + k;
+      const double next =
+          -(2.0 * delta * static_cast<double>(n) * term[i] + theta_squared * before[i]) *
+          kInverseProducts[n];
+      before[i] = term[i];
+      term[i] = next;
+      sum[i] += term[i];
+    }
+    // What follows of the smaller one is less than half of its last digit.
+    if (std::abs(term[0]) + std::abs(before[0]) < 1e-18 * sum[1]) break;
   }
   return sum;
 }
@@ -49,8 +54,9 @@ double power_series(std::size_t m, double delta, double theta_squared) {
 // down for a small θ, where the other way divides by it, and up for a large one.
 Responses by_series(double delta, double theta_squared) {
   Responses r;
-  r.power[3] = power_series(3, delta, theta_squared);
-  r.power[2] = power_series(2, delta, theta_squared);
+  const auto [second, third] = power_series(delta, theta_squared);
+  r.power[2] = second;
+  r.power[3] = third;
   r.power[1] = (1.0 - theta_squared * r.power[3] - 6.0 * delta * r.power[2]) / 6.0;
   r.power[0] = (1.0 - theta_squared * r.power[2] - 4.0 * delta * r.power[1]) / 2.0;
   r.impulse = 1.0 - theta_squared * r.power[1] - 2.0 * delta * r.power[0];
