@@ -94,8 +94,7 @@ int run(const BackboneOptions& options, const Call& call) {
   const std::vector<double> responses = responses_of(options);
   const ModelFile model = read_model(options.prediction.model);
   const std::size_t mode =
-      parse_whole_number("--mode", options.mode, 1,
-                         model.structure.linear().size() - model.static_attachments.value_or(0),
+      parse_whole_number("--mode", options.mode, 1, model.structure.linear().vibrations(),
                          "That is how many modes the model has.");
   const std::optional<StructureDraws> draws = draws_of_model(model, options);
   const Forcing forcing = options.forcing == "modal" ? Forcing::kModal : Forcing::kExcitation;

@@ -68,7 +68,7 @@ std::vector<DrawnMode> parse_release(const std::string& text, const ModelFile& m
                        "Several stand between commas.");
     }
     const std::uint64_t mode =
-        parse_whole_number("MODE of --release", ends[0], 1, model.structure.linear().size(),
+        parse_whole_number("MODE of --release", ends[0], 1, model.structure.linear().vibrations(),
                            "That is how many modes the model has.");
     drawn.push_back({mode - 1, parse_quantity("DISPLACEMENT of --release", ends[1], kLength)});
   }

@@ -97,7 +97,6 @@ TEST(DmigMatrices, AreToldByTheirText) {
   EXPECT_FALSE(is_dmig("%%MatrixMarket matrix coordinate real symmetric\n"));
   EXPECT_FALSE(is_dmig("GRID    7\n"));
   EXPECT_FALSE(is_dmig(""));
-  EXPECT_FALSE(is_dmig("DMIG\tKAAX\n"));
 }
 
 TEST(DmigMatrices, AreChosenByName) {
@@ -113,6 +112,11 @@ TEST(DmigMatrices, AreChosenByName) {
   EXPECT_EQ(parse(two, "kaax").stiffness.size, 3U);
   EXPECT_EQ(refused(two, "KCAX"),
             "m.pch = no matrix KCAX; must be one of the file. It has KAAX, KBAX, MAAX, VAX.");
+  const std::size_t head = kWide.find('\n', kWide.find("KAAX")) + 1;
+  EXPECT_EQ(
+      refused(kWide.substr(head), ""),
+      "m.pch = 0 matrices K…; must have one whose name begins so, or be named behind a colon. "
+      "It has KAAX (without a header), MAAX, VAX.");
   EXPECT_EQ(refused(kWide, "VAX"),
             "m.pch: VAX = of form 9; must be of form 6, symmetric, or 1, square");
 }
@@ -136,9 +140,28 @@ TEST(DmigMatrices, NameWhatIsWrong) {
   EXPECT_EQ(with("*                     40               0 6.0",
                  "*                     12               3 6.0"),
             "m.pch: KAAX = x of 40 and z of 12; must have one entry: a matrix of form 6 has one "
-            "triangle");
+            "triangle, and none is there twice");
   EXPECT_EQ(with("DMIG    MAAX           0       6", "DMIG    MAAX           0       x"),
             "m.pch:11:25: expected the form of the matrix, found 'x'");
+  // Without its last column; with a point left blank; complex; without the end of its last line.
+  EXPECT_EQ(with("DMIG*   KAAX                          40               0\n"
+                 "*                     12               3-2.000000000D+00\n"
+                 "*                     40               0 6.000000000D+00\n",
+                 ""),
+            "m.pch: KAAX = 2 columns; must have 3, as its header says. Is the file cut?");
+  EXPECT_EQ(with("*                     40               0 6.0",
+                 "*                      "
+                 "                0 6.0"),
+            "m.pch:10:9: expected the number of a point, found nothing");
+  EXPECT_EQ(with("KAAX           0       6       2", "KAAX           0       6       4"),
+            "m.pch:2:33: expected real numbers, of type 1 or 2, found '4'");
+  EXPECT_EQ(
+      with("12               3 3.000000000D+00\nDMIG    VAX            0       9       2       0 "
+           "                      1\nDMIG*   VAX                            1               0\n*"
+           "                      7               1 1.000000000D+00\n",
+           "12               3 3.0"),
+      "m.pch:14:1: expected an end of line behind the last entry, found the end of the file: "
+      "is it cut?");
   EXPECT_EQ(with("\n*                     40", "\n*\t                     40"),
             "m.pch:10:2: expected fields of 8 columns, found a tab");
 }

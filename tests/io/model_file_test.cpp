@@ -349,7 +349,7 @@ TEST(ModelFileFault, AnotherFile) {
             "it a model, and of this version of the program?");
 }
 
-// Each eigenvalue of the matrix becomes a mode at four times 120.5 Hz: φ_a = ω_a √λ v.
+// Each eigenvalue of the matrix becomes a mode at thirty times 120.5 Hz: φ_a = ω_a √λ v.
 TEST(ModelFile, AResidualBecomesModes) {
   const ModelFolder folder;
   const std::string residual =
@@ -361,6 +361,7 @@ TEST(ModelFile, AResidualBecomesModes) {
   EXPECT_EQ(model.static_attachments, std::optional<std::size_t>(2));
   const JointedStructure& structure = model.structure;
   ASSERT_EQ(structure.linear().size(), 4U);
+  EXPECT_EQ(structure.linear().static_modes(), 2U);
   EXPECT_EQ(model.spread.frequency, (std::vector<double>{0.01, 0.01, 0.0, 0.0}));
   EXPECT_EQ(list(structure.linear().shape("tip")), (std::vector<double>{1.5, -0.5, 0.0, 0.0}));
   EXPECT_EQ(structure.joints()[1].shape[2], 0.0);
@@ -369,7 +370,7 @@ TEST(ModelFile, AResidualBecomesModes) {
   double between = 0.0;
   for (std::size_t i = 2; i < 4; ++i) {
     const Mode& mode = structure.linear().modes()[i];
-    EXPECT_DOUBLE_EQ(mode.angular_frequency, 4.0 * 2.0 * std::numbers::pi * 120.5);
+    EXPECT_DOUBLE_EQ(mode.angular_frequency, 30.0 * 2.0 * std::numbers::pi * 120.5);
     EXPECT_EQ(mode.loss_factor, 4e-3);
     const double at_joint = structure.joints()[0].shape[i] / mode.angular_frequency;
     own += at_joint * at_joint;
@@ -394,6 +395,10 @@ TEST(ModelFileFault, Residual) {
        "keys 'points'"},
       {"[[structure.point]]", with("static_attachments = 2\n"),
        "model.toml:5:22: structure.static_attachments = 2; must be below the number of modes, 2"},
+      {"[50, 120.5]", "[120.5, 50]\nstatic_attachments = 1",
+       "model.toml:4:22: structure.static_attachments = 1; must be of the last modes, which must "
+       "lie "
+       "above the others"},
       {"[[structure.point]]",
        with("static_attachments = 1\n[structure.residual]\ncompliance_m_per_N = [1]\n"),
        "model.toml:6:1: structure.residual = beside static_attachments; must not be there: what "

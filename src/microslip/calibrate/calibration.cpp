@@ -48,7 +48,7 @@ void check_levels_of(const JointedStructure& structure, const std::vector<std::s
                                  sought.size(), sought.size() == 1 ? "" : "s"),
                      "Measure more levels, or more modes.");
   }
-  const std::size_t modes = structure.linear().size();
+  const std::size_t modes = structure.linear().vibrations();
   for (std::size_t i = 0; i < levels.size(); ++i) {
     if (levels.mode[i] < modes) continue;
     throw InputError(fmt::format("mode of level {}", i + 1),

@@ -342,7 +342,7 @@ void read_loss_told(const std::vector<std::vector<std::vector<double>>>& losses,
 /// Mean over the levels of each mode of what their frequencies are off by.
 void read_offsets(const CalibrationEvidence& evidence, const LevelStates& states,
                   CalibrationResult& result) {
-  const std::size_t modes = states.structure().linear().size();
+  const std::size_t modes = states.structure().linear().vibrations();
   std::vector<double> sum(modes, 0.0);
   std::vector<double> count(modes, 0.0);
   for (std::size_t i = 0; i < evidence.levels.size(); ++i) {

@@ -34,7 +34,7 @@ double dot_product(std::span<const double> a, std::span<const double> b) {
 
 std::vector<std::vector<double>> stuck_modes(const JointedStructure& structure) {
   std::vector<std::vector<double>> modes;
-  for (std::size_t mode = 0; mode < structure.linear().size(); ++mode) {
+  for (std::size_t mode = 0; mode < structure.linear().vibrations(); ++mode) {
     modes.push_back(structure.stuck_mode(mode));
   }
   return modes;

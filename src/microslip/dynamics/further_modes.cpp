@@ -29,7 +29,8 @@ ModalModel extended(const ModalModel& linear, const std::vector<FurtherMode>& fu
       bases[b].participation.push_back(each.participation.empty() ? 0.0 : each.participation[b]);
     }
   }
-  return {std::move(modes), std::move(points), std::move(bases)};
+  return {std::move(modes), std::move(points), std::move(bases),
+          linear.static_modes() + further.size()};
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace microslip {
 
-/// A mode that a structure has not yet, by what moves in it; kg^−½ but for the bases.
+/// A static mode that a structure has not yet, by what moves in it; kg^−½ but for the bases.
 struct FurtherMode {
   Mode mode;                               ///< its frequency and loss factor
   std::vector<double> points = {};         ///< φ, one a point of the structure
@@ -15,7 +15,7 @@ struct FurtherMode {
   std::vector<double> participation = {};  ///< Γ, kg^½, one a base; empty: 0 of all
 };
 
-/// A structure with further modes behind those it has. No joint is shortened by them.
+/// A structure with further static modes behind the modes it has. No joint is shortened by them.
 /// @param structure  as it is.
 /// @param modes      to be added; none leaves it so.
 /// @throws InputError  as JointedStructure.

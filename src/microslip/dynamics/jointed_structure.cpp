@@ -207,11 +207,12 @@ std::vector<double> JointedStructure::stuck_frequencies() const {
   for (const double square : eigenvalues(stiffness_matrix(linear_, joints_, stuck_stiffness))) {
     result.push_back(std::sqrt(std::max(square, 0.0)));
   }
+  result.resize(linear_.vibrations());  // static modes are the stiffest
   return result;
 }
 
 std::vector<double> JointedStructure::stuck_mode(std::size_t mode) const {
-  if (mode >= linear_.size()) {
+  if (mode >= linear_.vibrations()) {
     throw InputError("mode", static_cast<double>(mode), "must be below the number of modes");
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(

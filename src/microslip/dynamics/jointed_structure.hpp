@@ -110,11 +110,12 @@ class JointedStructure {
   [[nodiscard]] std::size_t excited_harmonics() const;
 
   /// Natural frequencies with all joints stuck and nothing damped, rad/s, rising: where the
-  /// resonances are at small amplitude. Series compliance included, shortening not.
+  /// resonances are at small amplitude, one a vibration of linear(): static modes have none. Series
+  /// compliance included, shortening not.
   [[nodiscard]] std::vector<double> stuck_frequencies() const;
 
   /// The shape of such a vibration over the modes q_i, of length 1 (mass-normalised).
-  /// @param mode  by frequency, from 0. @throws InputError  where there are not so many.
+  /// @param mode  by frequency, from 0. @throws InputError  where there are not so many vibrations.
   [[nodiscard]] std::vector<double> stuck_mode(std::size_t mode) const;
 
  private:

@@ -15,10 +15,12 @@ namespace microslip {
 namespace {
 
 constexpr double kOrthogonal = 1e-3;  // of two shapes, relative: files may have four digits
-constexpr double kFlattest = 1.5;     // q; with 1 no number of modes would be enough
-constexpr double kSteepest = 8.0;     // that of the tip of a cantilever is 4
-constexpr double kFirst = 0.75;       // between bars held at one end, ½, and free ones, 1
-constexpr int kHalvings = 40;
+constexpr double kLargeResidual =
+    100.0;                          // over what vibrations have: a local spring may be far softer
+constexpr double kFirst = 0.75;     // of i′: between bars held at one end, ½, and free ones, 1
+constexpr double kFlattest = 0.75;  // p: plates have 1, beams 2
+constexpr double kSteepest = 3.0;
+constexpr double kConvergent = 0.5;  // of 2p − s − 1: at 0 no number of modes would be enough
 
 double product(std::span<const double> a, std::span<const double> b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
@@ -32,12 +34,11 @@ bool seems_whole(const ModalModel& linear) {
     const double own = product(points[p].shape, points[p].shape);
     for (std::size_t q = 0; q < p; ++q) {
       const double other = product(points[q].shape, points[q].shape);
-      if (std::abs(product(points[p].shape, points[q].shape)) >
-          kOrthogonal * std::sqrt(own * other))
-        return false;
+      const double shared = std::abs(product(points[p].shape, points[q].shape));
+      if (shared > kOrthogonal * std::sqrt(own * other)) return false;
     }
   }
-  return points.size() > 1;
+  return points.size() > 1 && points.size() >= linear.size();
 }
 
 /// The numbers of the elastic modes, from the slowest on.
@@ -50,50 +51,35 @@ std::vector<std::size_t> elastic_modes(std::span<const Mode> modes) {
   return elastic;
 }
 
-/// Σ (i − ¼)^−q of the modes number i = `first` + 1 to `last`.
-double power_sum(std::size_t first, std::size_t last, double q) {
-  double sum = 0.0;
-  for (std::size_t i = first; i < last; ++i) {
-    sum += std::pow(static_cast<double>(i) + kFirst, -q);
-  }
-  return sum;
+double largest_square(std::span<const std::size_t> numbers, std::span<const double> shape) {
+  double most = 0.0;
+  for (const std::size_t i : numbers) most = std::max(most, shape[i] * shape[i]);
+  return most;
 }
 
-/// The modes of a model by their number, from the slowest elastic one on, in three parts: those
-/// from `first` to `middle` and from there to the last tell the trend.
-struct Trend {
-  std::vector<std::size_t> modes;
-  std::size_t first = 0;
-  std::size_t middle = 0;
-
-  [[nodiscard]] std::size_t size() const { return modes.size(); }
-  [[nodiscard]] std::span<const std::size_t> upper() const {
-    return std::span(modes).subspan(middle);
-  }
-};
-
-Trend trend_of(std::span<const Mode> modes) {
-  Trend trend{.modes = elastic_modes(modes)};
-  trend.middle = trend.size() / 2;
-  trend.first = trend.middle / 2;
-  return trend;
+/// The slope over ln i′ from the last of the lower half to the last of all.
+double slope(double lower, double upper, std::size_t below, std::size_t all) {
+  const double from = static_cast<double>(below) - 1.0 + kFirst;
+  const double to = static_cast<double>(all) - 1.0 + kFirst;
+  return std::log(upper / lower) / std::log(to / from);
 }
 
-/// q of c_i = C (i − ¼)^−q whose sums over both parts are as those found; it falls as their ratio rises.
-double slope_of(const Trend& trend, double lower, double upper) {
-  if (!(lower > 0.0)) return kSteepest;
-  const auto ratio = [&](double q) {
-    return power_sum(trend.middle, trend.size(), q) / power_sum(trend.first, trend.middle, q);
-  };
-  double flat = kFlattest;
-  double steep = kSteepest;
-  if (ratio(flat) <= upper / lower) return flat;
-  if (ratio(steep) >= upper / lower) return steep;
-  for (int i = 0; i < kHalvings; ++i) {
-    const double q = 0.5 * (flat + steep);
-    (ratio(q) > upper / lower ? flat : steep) = q;
-  }
-  return 0.5 * (flat + steep);
+/// R of a place, m/N. @param elastic  two or more.
+double beyond(std::span<const Mode> modes, std::span<const std::size_t> elastic,
+              std::span<const double> shape) {
+  const std::size_t n = elastic.size();
+  const std::size_t below = n / 2;
+  const double last = modes[elastic.back()].angular_frequency;
+  const double p = std::clamp(slope(modes[elastic[below - 1]].angular_frequency, last, below, n),
+                              kFlattest, kSteepest);
+  const double lower = largest_square(elastic.first(below), shape);
+  const double upper = largest_square(elastic.subspan(below), shape);
+  const bool grows = lower > 0.0 && upper > lower;
+  const double most = 2.0 * p - 1.0 - kConvergent;
+  const double s = grows ? std::clamp(slope(lower, upper, below, n), 0.0, most) : 0.0;
+  const double end = static_cast<double>(n) - 1.0 + kFirst;
+  return std::max(lower, upper) / (last * last) * end *
+         std::pow(1.0 + 0.5 / end, 1.0 + s - 2.0 * p) / (2.0 * p - s - 1.0);
 }
 
 /// Σ φ_i²/ω_i² of some modes, m/N.
@@ -107,60 +93,42 @@ double softness(std::span<const Mode> modes, std::span<const std::size_t> number
   return sum;
 }
 
-/// What modes beyond the last add to the compliance at a place, m/N.
-double beyond(std::span<const Mode> modes, const Trend& trend, std::span<const double> shape) {
-  const std::span<const std::size_t> all(trend.modes);
-  const std::size_t count = trend.middle - trend.first;
-  const double lower = softness(modes, all.subspan(trend.first, count), shape);
-  const double upper = softness(modes, trend.upper(), shape);
-  if (!(upper > 0.0)) return 0.0;
-  const double q = slope_of(trend, lower, upper);
-  const double end = static_cast<double>(trend.size()) + kFirst - 0.5;
-  return upper / power_sum(trend.middle, trend.size(), q) * std::pow(end, 1.0 - q) / (q - 1.0);
-}
-
-/// By what the shapes of the upper half are multiplied, so that at ω_a they have what is missing.
-double factor_of(std::span<const Mode> modes, const Trend& trend, std::span<const double> shape,
-                 double frequency) {
-  double square = 0.0;
-  for (const std::size_t i : trend.upper()) square += shape[i] * shape[i];
-  return square > 0.0 ? frequency * std::sqrt(beyond(modes, trend, shape) / square) : 0.0;
-}
-
 std::string percent(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
+
+Warning not_estimated(const std::string& why, const std::string& remedy) {
+  return {"modes_missing",
+          fmt::format("what modes beyond those of the model change could not be estimated, which "
+                      "may be much: {}. {}",
+                      why, remedy)};
+}
 
 }  // namespace
 
 std::vector<FurtherMode> likely_missing_modes(const JointedStructure& structure) {
-  const std::span<const Mode> modes = structure.linear().modes();
-  const Trend trend = trend_of(modes);
-  if (trend.size() < 2 || seems_whole(structure.linear())) return {};
+  const std::vector<MissingCompliance> missing = missing_compliance(structure);
+  if (missing.empty()) return {};
   const double frequency = static_mode_frequency(structure);
+  const std::vector<std::size_t> elastic = elastic_modes(structure.linear().modes());
+  const double loss_factor = structure.linear().modes()[elastic.back()].loss_factor;
   std::vector<FurtherMode> further;
-  for (const std::size_t i : trend.upper()) {
-    further.push_back({.mode = {frequency, modes[i].loss_factor}});
+  for (std::size_t j = 0; j < missing.size(); ++j) {
+    FurtherMode mode{.mode = {frequency, loss_factor},
+                     .points = std::vector<double>(structure.linear().points().size(), 0.0),
+                     .joints = std::vector<double>(structure.joints().size(), 0.0)};
+    mode.joints[j] = frequency * std::sqrt(missing[j].missing);
+    further.push_back(std::move(mode));
   }
-  const auto add = [&](std::span<const double> shape, auto member) {
-    const double factor = factor_of(modes, trend, shape, frequency);
-    for (std::size_t m = 0; m < further.size(); ++m) {
-      (further[m].*member).push_back(factor * shape[trend.upper()[m]]);
-    }
-  };
-  for (const ModalPoint& point : structure.linear().points()) {
-    add(point.shape, &FurtherMode::points);
-  }
-  for (const StructuralJoint& joint : structure.joints()) add(joint.shape, &FurtherMode::joints);
   return further;
 }
 
 std::vector<MissingCompliance> missing_compliance(const JointedStructure& structure) {
   const std::span<const Mode> modes = structure.linear().modes();
-  const Trend trend = trend_of(modes);
-  if (trend.size() < 2 || seems_whole(structure.linear())) return {};
+  const std::vector<std::size_t> elastic = elastic_modes(modes);
+  if (elastic.size() < 2 || seems_whole(structure.linear())) return {};
   std::vector<MissingCompliance> found;
   for (const StructuralJoint& joint : structure.joints()) {
-    found.push_back({joint.name, joint.joint.stiffness(), softness(modes, trend.modes, joint.shape),
-                     beyond(modes, trend, joint.shape)});
+    found.push_back({joint.name, joint.joint.stiffness(), softness(modes, elastic, joint.shape),
+                     beyond(modes, elastic, joint.shape)});
   }
   return found;
 }
@@ -187,7 +155,31 @@ std::optional<Warning> missing_modes_warning(const std::vector<MissingCompliance
                   most->missing, most->in_modes, most->joint, percent(most->over_joint()), remedy)};
 }
 
+std::optional<Warning> large_residual_warning(const JointedStructure& structure) {
+  const std::span<const Mode> modes = structure.linear().modes();
+  const std::vector<std::size_t> all = elastic_modes(modes);
+  for (const StructuralJoint& joint : structure.joints()) {
+    double vibrating = 0.0;
+    double residual = 0.0;
+    for (const std::size_t i : all) {
+      const bool still = i >= structure.linear().vibrations();
+      (still ? residual : vibrating) += softness(modes, {&i, 1}, joint.shape);
+    }
+    if (residual <= kLargeResidual * vibrating) continue;
+    return Warning{"residual_large",
+                   fmt::format("what the modes leave out gives way by {:.4g} m/N at '{}', they "
+                               "themselves by {:.4g} m/N: check the unit, and whether the modes "
+                               "were subtracted",
+                               residual, joint.name, vibrating)};
+  }
+  return std::nullopt;
+}
+
 std::optional<Warning> changed_curve_warning(const CurveChange& change, const std::string& remedy) {
+  if (change.unsolved) return not_estimated(*change.unsolved, remedy);
+  if (change.frequency > kMissingModesFar) {
+    return not_estimated("with an estimate of them the resonance is another", remedy);
+  }
   if (change.level <= kMissingModesAllowed && change.dissipation <= kMissingModesAllowed &&
       change.frequency <= kMissingModesDetune) {
     return std::nullopt;

@@ -29,21 +29,22 @@ struct MissingCompliance {
   [[nodiscard]] double over_joint() const { return stiffness * missing; }
 };
 
-/// Modes that stand for those beyond the last: the upper half of the n elastic modes once more, all
-/// at ω_a (static_mode_frequency()), the shape at each place times what makes its static compliance
-/// that of modes which go on as those of the model do. With c_i = φ_i²/ω_i² = C (i − ¼)^−q,
+/// Modes that stand for those beyond the last, one a joint and moving it alone, all at ω_a
+/// (static_mode_frequency()): their shape there is ω_a √R. R, the static compliance of modes that go
+/// on as the n elastic ones of the model do, is
 ///
-///     Σ_{i > n} c_i ≈ C (n + ¼)^{1 − q}/(q − 1),     q ≥ 1.5
+///     R = E/ω_n² Σ_{i > n} (i′/n′)^{s − 2p} ≈ E n′/ω_n² (1 + 1/(2n′))^{1 + s − 2p}/(2p − s − 1)
 ///
-/// where C is by the sum of c over the upper half and q by that over the same number of modes, or
-/// half as many, below them. By a factor of two or so beside the truth for bars and beams; by more
-/// where shapes differ much from mode to mode. Bases do not move them.
-/// @return none where fewer than two elastic modes lie at different frequencies, and where the
-///         structure seems to have all its modes: two or more of its points, as different as
-///         masses are, Σ_i φ_i(p) φ_i(q) = 0 to a thousandth for each two.
+/// with i′ = i − ¼ and ω_i = ω_n (i′/n′)^p of the frequencies of the upper half, E the largest ψ_i²
+/// of all and s ≥ 0 its growth from the lower half to the upper: where shapes have nodes, as in the
+/// middle of a bar, single ones tell nothing. For bars and beams that is between half and some four
+/// times the truth, mostly too much inside of them. What joint and driven point share is not in it.
+/// @return none where fewer than two modes are elastic, and where the structure seems to have all
+///         its modes: as many points as modes or more, as different as masses are,
+///         Σ_i φ_i(p) φ_i(q) = 0 to a thousandth for each two.
 [[nodiscard]] std::vector<FurtherMode> likely_missing_modes(const JointedStructure& structure);
 
-/// What likely_missing_modes() add across each joint; empty where there are none.
+/// R of each joint; empty where there are no likely_missing_modes().
 [[nodiscard]] std::vector<MissingCompliance> missing_compliance(const JointedStructure& structure);
 
 /// solve_again() in resonance with likely_missing_modes().
@@ -59,6 +60,8 @@ struct MissingCompliance {
 inline constexpr double kMissingModesAllowed = 0.01;
 /// And that of a frequency, 1.
 inline constexpr double kMissingModesDetune = 1e-3;
+/// Beyond this change of a frequency, 1, an estimate tells no figure.
+inline constexpr double kMissingModesFar = 0.1;
 
 /// The warning `modes_missing` for joints of which k times what is missing is above
 /// kMissingModesAllowed; nothing where none is.
@@ -67,7 +70,13 @@ inline constexpr double kMissingModesDetune = 1e-3;
 [[nodiscard]] std::optional<Warning> missing_modes_warning(
     const std::vector<MissingCompliance>& missing, const std::string& remedy);
 
-/// The same by what changes in a curve. @param change  by judge_missing_modes(). @param remedy  as
+/// The warning `residual_large` for joints across which the static modes of a structure give way
+/// a hundred times as far as its vibrations do, as where a unit was mistaken; nothing where none
+/// does.
+[[nodiscard]] std::optional<Warning> large_residual_warning(const JointedStructure& structure);
+
+/// The same by what changes in a curve, or that this could not be estimated: where points were not
+/// solved again, or their frequency changed by more than kMissingModesFar, to another resonance. @param change  by judge_missing_modes(). @param remedy  as
 /// above.
 [[nodiscard]] std::optional<Warning> changed_curve_warning(const CurveChange& change,
                                                            const std::string& remedy);

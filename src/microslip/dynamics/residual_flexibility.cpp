@@ -17,11 +17,14 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kAboveAllModes = 4.0;
-constexpr double kRounded = 1e-6;  // of the largest entry: a table may have seven digits
+constexpr double kAboveAllModes = 30.0;
+constexpr double kRounded = 1e-6;   // of √(R_pp R_qq): a table may have seven digits
+constexpr double kNothing = 1e-12;  // of a λ, of which the largest is between 1 and their number
 
 const Mode& highest_mode(const JointedStructure& structure) {
-  return *std::ranges::max_element(structure.linear().modes(), {}, &Mode::angular_frequency);
+  const std::span<const Mode> modes = structure.linear().modes();
+  return *std::ranges::max_element(modes.first(structure.linear().vibrations()), {},
+                                   &Mode::angular_frequency);
 }
 
 /// Where each name stands in a list.
@@ -45,6 +48,16 @@ std::vector<std::size_t> indices_of(const std::vector<std::string>& names,
   return indices;
 }
 
+/// What gives way nowhere by itself does not by others either.
+void check_diagonal(const Eigen::MatrixXd& matrix, Index i) {
+  const bool alone =
+      matrix(i, i) == 0.0 && !(matrix.row(i).isZero(0.0) && matrix.col(i).isZero(0.0));
+  if (matrix(i, i) >= 0.0 && !alone) return;
+  throw InputError(
+      fmt::format("compliance of the residual[{}, {}]", i, i), matrix(i, i),
+      alone ? "must be above 0 where others in its row are not 0" : "must be 0 or more");
+}
+
 Eigen::MatrixXd checked_matrix(const ResidualFlexibility& residual) {
   const std::size_t places = residual.points.size() + residual.joints.size();
   if (places == 0 || residual.compliance.size() != places * places) {
@@ -58,10 +71,11 @@ Eigen::MatrixXd checked_matrix(const ResidualFlexibility& residual) {
   if (!matrix.allFinite()) {
     throw InputError("compliance of the residual", "not a number", "must be finite");
   }
-  const double largest = matrix.cwiseAbs().maxCoeff();
   for (Index i = 0; i < size; ++i) {
+    check_diagonal(matrix, i);
     for (Index j = 0; j < i; ++j) {
-      if (std::abs(matrix(i, j) - matrix(j, i)) <= kRounded * largest) continue;
+      const double scale = std::sqrt(matrix(i, i) * matrix(j, j));
+      if (std::abs(matrix(i, j) - matrix(j, i)) <= kRounded * scale) continue;
       throw InputError(fmt::format("compliance of the residual[{}, {}]", j, i), matrix(i, j),
                        fmt::format("must be that of [{}, {}], {:g}", i, j, matrix(j, i)));
     }
@@ -83,22 +97,26 @@ std::vector<FurtherMode> static_modes(const JointedStructure& structure,
   const std::vector<std::size_t> points =
       indices_of(residual.points, structure.linear().points(), "point");
   const std::vector<std::size_t> joints = indices_of(residual.joints, structure.joints(), "joint");
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(checked_matrix(residual));
+  const Eigen::MatrixXd matrix = checked_matrix(residual);
+  const Eigen::VectorXd size = matrix.diagonal().cwiseSqrt();
+  std::vector<FurtherMode> modes;
+  if (size.isZero(0.0)) return modes;
+  const Eigen::VectorXd inverse = size.unaryExpr([](double s) { return s > 0.0 ? 1.0 / s : 0.0; });
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(inverse.asDiagonal() * matrix *
+                                                              inverse.asDiagonal());
   const Eigen::VectorXd& eigenvalues = solver.eigenvalues();
-  const double most = eigenvalues.cwiseAbs().maxCoeff();
-  if (eigenvalues.minCoeff() < -kRounded * most) {
+  if (eigenvalues.minCoeff() < -kRounded) {
     throw InputError("compliance of the residual",
-                     fmt::format("an eigenvalue of {:.4g} m/N", eigenvalues.minCoeff()),
-                     "must have none below 0: no structure gives way towards a force",
+                     fmt::format("a negative eigenvalue, {:.4g} over the roots of its diagonal",
+                                 eigenvalues.minCoeff()),
+                     "must have none: no structure gives way towards a force",
                      "Subtract the elastic modes of the model alone from the static compliance.");
   }
-  std::vector<FurtherMode> modes;
-  if (!(most > 0.0)) return modes;
   const double frequency = static_mode_frequency(structure);
   for (Index m = 0; m < eigenvalues.size(); ++m) {
-    if (eigenvalues(m) <= kRounded * most) continue;
+    if (eigenvalues(m) <= kNothing) continue;
     const Eigen::VectorXd shape =
-        frequency * std::sqrt(eigenvalues(m)) * solver.eigenvectors().col(m);
+        frequency * std::sqrt(eigenvalues(m)) * size.cwiseProduct(solver.eigenvectors().col(m));
     FurtherMode mode{.mode = {frequency, highest_mode(structure).loss_factor},
                      .points = std::vector<double>(structure.linear().points().size(), 0.0),
                      .joints = std::vector<double>(structure.joints().size(), 0.0)};

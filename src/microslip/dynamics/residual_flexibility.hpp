@@ -23,20 +23,22 @@ struct ResidualFlexibility {
   std::vector<double> compliance = {};
 };
 
-/// Modes that stand for a residual flexibility: of its eigenvectors v with eigenvalues λ > 0, so
-/// that all of them, at the frequency ω_a, have R: φ_a = ω_a √λ v. ω_a is four times the highest ω
-/// of the structure's modes: what they give way by is larger by (ω/ω_a)² in a vibration of ω, 1/16
-/// at the highest. Their loss factor is that of the highest mode.
+/// Modes that stand for a residual flexibility: with S = diag(√R_pp), of the eigenvectors v of
+/// S⁻¹RS⁻¹ with eigenvalues λ > 0, φ_a = ω_a √λ Sv, so that all of them, at the frequency ω_a, have
+/// R. ω_a is thirty times the highest ω of the structure's modes, beyond the harmonics of a balance:
+/// what they give way by is larger by (ω/ω_a)² in a vibration of ω, 1/900 at the highest. Their loss
+/// factor is that of the highest mode.
 /// @param structure  that they are added to, by with_further_modes().
 /// @param residual   of it.
 /// @throws InputError  for names that the structure has not, or that stand twice; for another number
 ///                     of entries than a square has; entries that are not finite or not those across
-///                     the diagonal; a negative eigenvalue; a structure without an elastic mode.
+///                     the diagonal; an R_pp below 0, or of 0 beside others in its row; a negative λ;
+///                     a structure without an elastic mode.
 [[nodiscard]] std::vector<FurtherMode> static_modes(const JointedStructure& structure,
                                                     const ResidualFlexibility& residual);
 
-/// The highest ω of the modes of a structure, rad/s, times four: where modes stand that do not
-/// vibrate but give way.
+/// The highest ω of the vibrations of a structure, rad/s, times thirty: where modes stand that do
+/// not vibrate but give way.
 [[nodiscard]] double static_mode_frequency(const JointedStructure& structure);
 
 }  // namespace microslip

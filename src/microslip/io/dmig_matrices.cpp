@@ -25,7 +25,8 @@ namespace {
 constexpr std::size_t kDmigHead = 65536;
 constexpr std::int64_t kSquare = 1;
 constexpr std::int64_t kSymmetric = 6;
-constexpr std::size_t kHeadFields = 3;  // of a column: name, point and component come before
+constexpr std::size_t kColumnsField = 7;  // NCOL of a header
+constexpr std::size_t kHeadFields = 3;    // of a column: name, point and component come before
 
 /// An entry as the file has it.
 struct DmigEntry {
@@ -36,7 +37,8 @@ struct DmigEntry {
 
 struct DmigMatrix {
   std::string name;
-  std::int64_t form = 0;
+  std::int64_t form = 0;    ///< 0 without a header
+  std::size_t columns = 0;  ///< as the header says; 0 where it does not
   std::vector<DmigEntry> entries;
 };
 
@@ -64,7 +66,8 @@ DegreeOfFreedom degree_at(const BulkData& data, std::size_t i) {
 void take_column(const BulkData& data, DmigMatrix& matrix) {
   const DegreeOfFreedom column = degree_at(data, 1);
   for (std::size_t i = kHeadFields + 1; i + 2 < data.size(); i += 4) {
-    if (data.field(i).text.empty()) continue;
+    const auto is_blank = [&](std::size_t at) { return data.field(at).text.empty(); };
+    if (is_blank(i) && is_blank(i + 1) && is_blank(i + 2) && is_blank(i + 3)) continue;
     const DegreeOfFreedom row = degree_at(data, i);
     const BulkData::Field imaginary = data.field(i + 3);
     if (!imaginary.text.empty() && data.number(i + 3, "a number") != 0.0) {
@@ -82,6 +85,10 @@ class DmigFile {
     while (data.next()) {
       if (data.name() == "DMIG") take(data);
     }
+    if (data.name() == "DMIG" && !source.text.ends_with('\n')) {
+      throw FormatError(data.place({}), "an end of line behind the last entry",
+                        "the end of the file: is it cut?");
+    }
   }
 
   DmigMatrix chosen() {
@@ -89,10 +96,12 @@ class DmigFile {
     if (candidates.size() != 1) refuse(candidates.size());
     DmigMatrix& matrix = matrices_.at(candidates.front());
     matrix.name = candidates.front();
-    if (is_square(matrix)) return std::move(matrix);
-    throw InputError(fmt::format("{}: {}", source_.file, matrix.name),
-                     fmt::format("of form {}", matrix.form),
-                     "must be of form 6, symmetric, or 1, square");
+    if (!is_square(matrix)) {
+      throw InputError(fmt::format("{}: {}", source_.file, matrix.name), form_text(matrix),
+                       "must be of form 6, symmetric, or 1, square");
+    }
+    if (source_.initial == 'K') require_columns(matrix);
+    return std::move(matrix);
   }
 
  private:
@@ -106,6 +115,15 @@ class DmigFile {
     const bool heads = data.field(1).text == "0";  // GJ of a column is above 0
     if (heads) {
       matrix.form = data.integer(2, "the form of the matrix");
+      if (data.integer(3, "the type of the numbers") > 2) {
+        throw FormatError(data.place(data.field(3)), "real numbers, of type 1 or 2",
+                          in_quotes(data.field(3).text));
+      }
+      const bool told = !data.field(kColumnsField).text.empty();
+      if (told) {
+        matrix.columns =
+            static_cast<std::size_t>(data.integer(kColumnsField, "the number of columns"));
+      }
     } else {
       take_column(data, matrix);
     }
@@ -120,6 +138,20 @@ class DmigFile {
     return matrix.form == kSquare || matrix.form == kSymmetric;
   }
 
+  static std::string form_text(const DmigMatrix& matrix) {
+    return matrix.form == 0 ? "without a header" : fmt::format("of form {}", matrix.form);
+  }
+
+  /// A stiffness has no column without entries: where some are missing the file is cut.
+  void require_columns(const DmigMatrix& matrix) const {
+    std::set<DegreeOfFreedom> columns;
+    for (const DmigEntry& entry : matrix.entries) columns.insert(entry.column);
+    if (matrix.columns == 0 || columns.size() == matrix.columns) return;
+    throw InputError(
+        fmt::format("{}: {}", source_.file, matrix.name), fmt::format("{} columns", columns.size()),
+        fmt::format("must have {}, as its header says", matrix.columns), "Is the file cut?");
+  }
+
   /// Of those that no name was given for the square ones alone.
   [[nodiscard]] std::vector<std::string> candidates() const {
     std::vector<std::string> names;
@@ -131,7 +163,9 @@ class DmigFile {
 
   [[noreturn]] void refuse(std::size_t found) const {
     std::set<std::string> names = others_;
-    for (const auto& [name, matrix] : matrices_) names.insert(name);
+    for (const auto& [name, matrix] : matrices_) {
+      names.insert(is_square(matrix) ? name : fmt::format("{} ({})", name, form_text(matrix)));
+    }
     std::string there;
     for (const std::string& name : names) there += (there.empty() ? "" : ", ") + name;
     throw InputError(source_.file,
@@ -176,7 +210,8 @@ void require_single(const MatrixEntries& entries, const std::vector<DegreeOfFree
                        degree.node);
   };
   throw InputError(name, fmt::format("{} and {}", text(twice->first), text(twice->second)),
-                   "must have one entry: a matrix of form 6 has one triangle");
+                   "must have one entry: a matrix of form 6 has one triangle, and none is there "
+                   "twice");
 }
 
 /// A symmetric one has each pair once, in whichever triangle.
@@ -201,10 +236,10 @@ SymmetricEntries entries_of(const DmigMatrix& matrix, const std::vector<DegreeOf
     }
   }
   const std::string name = fmt::format("{}: {}", file, matrix.name);
+  require_single(entries, degrees, name);
   if (matrix.form == kSquare) {
     return symmetric_of_both(entries, name, "A matrix of one triangle has form 6.");
   }
-  require_single(entries, degrees, name);
   return symmetric_of_triangle(std::move(entries), name);
 }
 
@@ -216,7 +251,8 @@ bool is_dmig(std::string_view head) {
     while (data.next()) {
       if (data.name() == "DMIG") return true;
     }
-  } catch (const FormatError&) {  // a tab: of another format
+  } catch (const FormatError&) {  // of a tab, which is told when all is read
+    return data.name() == "DMIG";
   }
   return false;
 }

@@ -20,7 +20,7 @@ struct DmigSource {
   char initial = 'K';     ///< K of a stiffness, M of a mass
 };
 
-/// Whether a text has an entry DMIG before any that is not of bulk data: by its first lines.
+/// Whether a text has an entry DMIG. @param head  its first lines.
 [[nodiscard]] bool is_dmig(std::string_view head);
 
 /// is_dmig() of a file. @param path  FILE or FILE:NAME. @throws FileError
@@ -30,7 +30,7 @@ struct DmigSource {
 /// point, is taken for a translation in x.
 /// @throws FormatError  with line and column: for what is no number; for components above 6.
 /// @throws InputError   for a matrix that is not there, or one of several that none is chosen of;
-///                      that is rectangular, complex, or not symmetric, by name.
+///                      that is rectangular, complex, not symmetric, or cut, by name.
 [[nodiscard]] StructuralMatrices parse_dmig_matrices(const DmigSource& stiffness,
                                                      const DmigSource& mass);
 

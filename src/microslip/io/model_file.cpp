@@ -126,12 +126,22 @@ std::vector<std::string> names_of(std::span<const Named> named) {
 }
 
 /// How many of the modes stand for those that are left out; nothing where it is not said.
-std::optional<std::size_t> read_attachments(const TomlTable& structure, std::size_t modes) {
+std::optional<std::size_t> read_attachments(const TomlTable& structure,
+                                            const std::vector<Mode>& modes) {
   if (!structure.has(kAttachmentsKey)) return std::nullopt;
   const std::size_t count = structure.whole(kAttachmentsKey);
-  if (count < modes) return count;
+  if (count >= modes.size()) {
+    throw InputError(structure.name(kAttachmentsKey), static_cast<double>(count),
+                     fmt::format("must be below the number of modes, {}", modes.size()));
+  }
+  const auto first = modes.end() - static_cast<std::ptrdiff_t>(count);
+  const auto slower = [](const Mode& a, const Mode& b) {
+    return a.angular_frequency < b.angular_frequency;
+  };
+  const auto fastest = std::max_element(modes.begin(), first, slower);
+  if (count == 0 || !slower(*std::min_element(first, modes.end(), slower), *fastest)) return count;
   throw InputError(structure.name(kAttachmentsKey), static_cast<double>(count),
-                   fmt::format("must be below the number of modes, {}", modes));
+                   "must be of the last modes, which must lie above the others");
 }
 
 std::vector<std::string> read_names(const TomlTable& table, std::string_view key) {
@@ -173,12 +183,14 @@ LinearPart read_structure(const TomlTable& structure) {
   }
   std::vector<ModalPoint> points = read_points(structure, frequency.size());
   std::vector<ModalBase> bases = read_bases(structure, frequency.size(), points);
-  return {ModalModel(std::move(modes), std::move(points), std::move(bases)),
-          damping.law,
-          read_spread(structure, "frequency_std", frequency.size()),
-          read_spread(structure, "loss_factor_std", frequency.size()),
-          read_attachments(structure, frequency.size()),
-          read_residual(structure)};
+  const std::optional<std::size_t> attachments = read_attachments(structure, modes);
+  return {
+      ModalModel(std::move(modes), std::move(points), std::move(bases), attachments.value_or(0)),
+      damping.law,
+      read_spread(structure, "frequency_std", frequency.size()),
+      read_spread(structure, "loss_factor_std", frequency.size()),
+      attachments,
+      read_residual(structure)};
 }
 
 // ---- The joints. ----

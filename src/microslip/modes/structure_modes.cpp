@@ -95,7 +95,8 @@ std::vector<double> shape_of(const Eigen::MatrixXd& shapes, const Sparse& motion
 }
 
 ModalModel model_of(const MeshedStructure& structure, const AssembledSystem& assembled,
-                    const Eigen::VectorXd& eigenvalues, const Eigen::MatrixXd& shapes) {
+                    const Eigen::VectorXd& eigenvalues, const Eigen::MatrixXd& shapes,
+                    std::size_t vibrations) {
   std::vector<Mode> modes;
   for (const double eigenvalue : eigenvalues)
     modes.push_back({.angular_frequency = std::sqrt(eigenvalue)});
@@ -113,7 +114,8 @@ ModalModel model_of(const MeshedStructure& structure, const AssembledSystem& ass
                      .participation = {participation.begin(), participation.end()},
                      .point_motion = {motion.begin(), motion.end()}});
   }
-  return {std::move(modes), std::move(points), std::move(bases)};
+  const std::size_t attached = modes.size() - vibrations;
+  return {std::move(modes), std::move(points), std::move(bases), attached};
 }
 
 void tell_base_masses(const AssembledSystem& assembled, StructureModes& found) {
@@ -247,7 +249,8 @@ StructureModes compute_structure_modes(const MeshedStructure& structure,
     }
   }
 
-  StructureModes found{.model = model_of(structure, assembled, eigenvalues, shapes)};
+  StructureModes found{.model = model_of(structure, assembled, eigenvalues, shapes,
+                                         static_cast<std::size_t>(modes.eigenvalues.size()))};
   for (std::size_t j = 0; j < structure.joints.size(); ++j) {
     found.joint_shapes.push_back(shape_of(shapes, assembled.joints, static_cast<Index>(j)));
   }

@@ -55,9 +55,16 @@ void check_name(std::span<const Named> named, std::size_t at, std::string_view w
 }  // namespace
 
 ModalModel::ModalModel(std::vector<Mode> modes, std::vector<ModalPoint> points,
-                       std::vector<ModalBase> bases)
-    : modes_(std::move(modes)), points_(std::move(points)), bases_(std::move(bases)) {
+                       std::vector<ModalBase> bases, std::size_t static_modes)
+    : modes_(std::move(modes)),
+      points_(std::move(points)),
+      bases_(std::move(bases)),
+      static_modes_(static_modes) {
   if (modes_.empty()) throw InputError("number of modes", 0.0, "must be at least 1");
+  if (static_modes_ >= modes_.size()) {
+    throw InputError("number of static modes", static_cast<double>(static_modes_),
+                     fmt::format("must be below that of all, {}", modes_.size()));
+  }
   for (std::size_t i = 0; i < modes_.size(); ++i) {
     require_non_negative(fmt::format("angular_frequency[{}]", i), modes_[i].angular_frequency);
     require_non_negative(fmt::format("loss_factor[{}]", i), modes_[i].loss_factor);
@@ -83,7 +90,7 @@ ModalModel::ModalModel(std::vector<Mode> modes, std::vector<ModalPoint> points,
 }
 
 ModalModel ModalModel::with_modes(std::vector<Mode> modes) const {
-  return {std::move(modes), points_, bases_};
+  return {std::move(modes), points_, bases_, static_modes_};
 }
 
 bool ModalModel::is_base(std::string_view place) const {

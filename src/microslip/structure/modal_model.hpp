@@ -49,9 +49,11 @@ class ModalModel {
   /// @param modes   at least one, in any order.
   /// @param points  names not empty and no two the same; may be none.
   /// @param bases   the same; may be none.
+  /// @param static_modes  how many of the modes, the last, are no vibrations: they stand for the
+  ///                      static flexibility of those that are left out. Fewer than all.
   /// @throws InputError  naming the mode, the point or the base and the rule it breaks.
   ModalModel(std::vector<Mode> modes, std::vector<ModalPoint> points,
-             std::vector<ModalBase> bases = {});
+             std::vector<ModalBase> bases = {}, std::size_t static_modes = 0);
 
   /// The same places of a structure with as many other modes.
   /// @throws InputError  as the constructor.
@@ -59,6 +61,10 @@ class ModalModel {
 
   /// The number of modes.
   [[nodiscard]] std::size_t size() const { return modes_.size(); }
+  /// How many of them are static, the last.
+  [[nodiscard]] std::size_t static_modes() const { return static_modes_; }
+  /// How many of them are vibrations of the structure, the first.
+  [[nodiscard]] std::size_t vibrations() const { return modes_.size() - static_modes_; }
   /// The modes, in the order given.
   [[nodiscard]] std::span<const Mode> modes() const { return modes_; }
   /// The points, in the order given.
@@ -102,6 +108,7 @@ class ModalModel {
   std::vector<ModalPoint> points_;
   std::vector<ModalBase> bases_;
   std::vector<std::vector<double>> base_loads_;  // −Γ_i
+  std::size_t static_modes_ = 0;
 };
 
 /// ω_i² − ω² + i η_i ω_i ω, or i η_i ω_i² for kHysteretic, rad²/s²: the dynamic stiffness of one

@@ -101,7 +101,8 @@ ModalLevels read_all_levels(const ModelCalibration& options, CalibratedModel& do
   for (const std::string& path : options.levels) {
     const std::string text = read_file(path);
     done.inputs.push_back({path, sha256(text)});
-    append(parse_modal_levels(text, input_name(path), joints, done.model.structure.linear().size()),
+    append(parse_modal_levels(text, input_name(path), joints,
+                              done.model.structure.linear().vibrations()),
            levels);
   }
   return levels;

@@ -246,7 +246,7 @@ ReducedModalDecay reduce_by_model(const ModalDecayReduction& options, const Reco
   const std::vector<PointSensor> sensors = point_sensors(options.sensors, model, options.model);
   const Recording& recording = recording_with(file, sensors, options.recording);
   for (const PointSensor& sensor : sensors) (void)recording.channel(sensor.channel);
-  const std::size_t count = model.structure.linear().size();
+  const std::size_t count = model.structure.linear().vibrations();
   check_modes(options.modes, count);
   std::vector<SoughtMode> sought;
   for (std::size_t mode = 0; mode < count; ++mode) {

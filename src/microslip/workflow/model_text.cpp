@@ -70,8 +70,10 @@ std::string stuck_frequencies_text(const JointedStructure& structure) {
 }
 
 std::string describe_model(const std::string& file, const JointedStructure& structure) {
-  return line("model", fmt::format("{}, {}, {}", input_name(file),
-                                   counted(structure.linear().size(), "mode"),
+  const std::size_t extra = structure.linear().static_modes();
+  return line("model", fmt::format("{}, {}{}, {}", input_name(file),
+                                   counted(structure.linear().vibrations(), "mode"),
+                                   extra == 0 ? "" : fmt::format(" and {} static", extra),
                                    counted(structure.joints().size(), "joint"))) +
          line("stuck resonances", stuck_frequencies_text(structure));
 }
@@ -87,6 +89,15 @@ std::string describe_damping(const ModelFile& model) {
   return text;
 }
 
+namespace {
+
+std::vector<Warning> residual_warnings(const ModelFile& model) {
+  const auto warning = large_residual_warning(model.structure);
+  return warning ? std::vector<Warning>{*warning} : std::vector<Warning>{};
+}
+
+}  // namespace
+
 std::vector<Warning> reach_warnings(const ModelFile& model, const std::vector<double>& amplitude) {
   std::vector<Warning> warnings;
   for (std::size_t j = 0; j < std::min(amplitude.size(), model.covered_to.size()); ++j) {
@@ -100,6 +111,7 @@ std::vector<Warning> reach_warnings(const ModelFile& model, const std::vector<do
 }
 
 void add_model_warnings(const ModelFile& model, ResponseCurve& curve) {
+  std::ranges::move(residual_warnings(model), std::back_inserter(curve.warnings));
   std::ranges::copy(damping_twice(model.structure), std::back_inserter(curve.warnings));
   std::vector<double> amplitude(model.structure.joints().size(), 0.0);
   for (const SteadyVibration& point : curve.points) {
@@ -113,7 +125,7 @@ void add_model_warnings(const ModelFile& model, ResponseCurve& curve) {
 }
 
 std::vector<Warning> mode_warnings(const ModelFile& model) {
-  if (model.static_attachments) return {};
+  if (model.static_attachments) return residual_warnings(model);
   const auto warning = missing_modes_warning(missing_compliance(model.structure), kModesRemedy);
   return warning ? std::vector<Warning>{*warning} : std::vector<Warning>{};
 }
@@ -138,7 +150,7 @@ std::string add_missing_modes(const HarmonicBalance& balance, Quantity kept, Res
   if (auto warning = changed_curve_warning(*change, kModesRemedy)) {
     curve.warnings.push_back(std::move(*warning));
   }
-  if (change->points == 0) return "";
+  if (change->points == 0 || change->frequency > kMissingModesFar) return "";
   return line("modes above", fmt::format("estimated: {:.2g} % of the frequency, {}",
                                          100.0 * change->frequency, change_text(*change)));
 }
