@@ -554,17 +554,22 @@ CalibratedState GrowingRange::beside(const CalibratedState& found, const Variant
   return state;
 }
 
-/// Exponents of one joint, each as many times of kExponentChains as it is likely.
+/// Exponents of one joint, each as many times of kExponentChains as it is likely: the one found
+/// alone where no other explains as many levels.
 std::vector<double> GrowingRange::likely_exponents(std::size_t joint, const CalibratedState& found,
                                                    VariantStates& states) {
-  std::vector<double> likelihood;
+  std::vector<double> fall;
   for (const double exponent : kDrawnExponents) {
     Variant variant = found_with(exponents_);
     variant.exponents[joint] = exponent;
     const CalibratedState& state = state_with(variant, found, states).state;
-    const double fall = state.settled.likelihood - found.settled.likelihood;
-    likelihood.push_back(state.found < found.found ? 0.0 : std::exp(-0.5 * fall));
+    fall.push_back(state.found < found.found ? HUGE_VAL
+                                             : state.settled.likelihood - found.settled.likelihood);
   }
+  const double least = std::ranges::min(fall);
+  if (!std::isfinite(least)) return std::vector<double>(kExponentChains, exponents_[joint]);
+  std::vector<double> likelihood;
+  for (const double each : fall) likelihood.push_back(std::exp(-0.5 * (each - least)));
   const double sum = std::accumulate(likelihood.begin(), likelihood.end(), 0.0);
   std::vector<double> likely;
   double below = 0.0;

@@ -102,7 +102,6 @@ class Recorder {
         result_(result),
         joint_displacement_(structure.joints().size()),
         joint_force_(structure.joints().size()),
-        vibrations_(structure.linear().vibrations()),
         bases_(structure, loads, options.points),
         signals_((bases_.any() ? 2 : 1) * kOfPoint * options.points.size() +
                  kOfJoint * structure.joints().size()),
@@ -166,8 +165,7 @@ class Recorder {
       for (std::size_t i = 0; i < shapes_[p].size(); ++i) {
         w += shapes_[p][i] * state.displacement()[i];
         v += shapes_[p][i] * state.velocity()[i];
-        // A static mode gives way at once: how it rings about that is no motion of the structure.
-        if (i < vibrations_) a += shapes_[p][i] * state.acceleration(i);
+        a += shapes_[p][i] * state.acceleration(i);
       }
       displacement_[p] = w;
       velocity_[p] = v;
@@ -206,7 +204,6 @@ class Recorder {
   MarchResult& result_;
   std::vector<std::span<const double>> shapes_;
   std::vector<double> displacement_, velocity_, acceleration_, joint_displacement_, joint_force_;
-  std::size_t vibrations_;
   BaseMotion bases_;
   std::vector<std::vector<double>> absolute_;  // w, ẇ, ẅ; one a point; empty without bases
   std::vector<double> signals_;  // all of these, one point after the other, then the joints

@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kAboveAllModes = 30.0;
+constexpr double kAboveAllModes = 10.0;
 constexpr double kRounded = 1e-6;   // of √(R_pp R_qq): a table may have seven digits
 constexpr double kNothing = 1e-12;  // of a λ, of which the largest is between 1 and their number
 

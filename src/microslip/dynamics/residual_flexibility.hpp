@@ -25,8 +25,8 @@ struct ResidualFlexibility {
 
 /// Modes that stand for a residual flexibility: with S = diag(√R_pp), of the eigenvectors v of
 /// S⁻¹RS⁻¹ with eigenvalues λ > 0, φ_a = ω_a √λ Sv, so that all of them, at the frequency ω_a, have
-/// R. ω_a is thirty times the highest ω of the structure's modes, beyond the harmonics of a balance:
-/// what they give way by is larger by (ω/ω_a)² in a vibration of ω, 1/900 at the highest. Their loss
+/// R. ω_a is ten times the highest ω of the structure's modes, beyond most harmonics of a balance:
+/// what they give way by is larger by (ω/ω_a)² in a vibration of ω, 1/100 at the highest. Their loss
 /// factor is that of the highest mode.
 /// @param structure  that they are added to, by with_further_modes().
 /// @param residual   of it.
@@ -37,7 +37,7 @@ struct ResidualFlexibility {
 [[nodiscard]] std::vector<FurtherMode> static_modes(const JointedStructure& structure,
                                                     const ResidualFlexibility& residual);
 
-/// The highest ω of the vibrations of a structure, rad/s, times thirty: where modes stand that do
+/// The highest ω of the vibrations of a structure, rad/s, times ten: where modes stand that do
 /// not vibrate but give way.
 [[nodiscard]] double static_mode_frequency(const JointedStructure& structure);
 
