@@ -24,13 +24,13 @@ struct CurveChange {
   std::size_t points = 0;          ///< that were solved again
   std::size_t peaks_left_out = 0;  ///< of the curve, where it has very many
   double dissipation = 0.0;        ///< of a joint, where it dissipates more than 1e-3 of the whole
-  std::string joint;               ///< whose
+  std::string joint = {};          ///< whose
   double level = 0.0;              ///< of the response, or, where that is kept, of the force
   double frequency = 0.0;          ///< of the vibration
   double worst_response = 0.0;     ///< where `dissipation` is, in `response_unit`
   double worst_frequency = 0.0;    ///< likewise, Hz
-  std::string_view response_unit = "m";  ///< of the response point
-  std::optional<std::string> unsolved;   ///< why a point was not solved again; the last such
+  std::string_view response_unit = "m";      ///< of the response point
+  std::optional<std::string> unsolved = {};  ///< why a point was not solved again; the last such
 
   /// The largest of the three changes.
   [[nodiscard]] double largest() const;

@@ -22,7 +22,7 @@ constexpr double kFlattest = 0.75;  // p: plates have 1, beams 2
 constexpr double kSteepest = 3.0;
 constexpr double kConvergent = 0.5;  // of 2p − s − 1: at 0 no number of modes would be enough
 
-double product(std::span<const double> a, std::span<const double> b) {
+double overlap_of(std::span<const double> a, std::span<const double> b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
@@ -31,10 +31,10 @@ double product(std::span<const double> a, std::span<const double> b) {
 bool seems_whole(const ModalModel& linear) {
   const std::span<const ModalPoint> points = linear.points();
   for (std::size_t p = 0; p < points.size(); ++p) {
-    const double own = product(points[p].shape, points[p].shape);
+    const double own = overlap_of(points[p].shape, points[p].shape);
     for (std::size_t q = 0; q < p; ++q) {
-      const double other = product(points[q].shape, points[q].shape);
-      const double shared = std::abs(product(points[p].shape, points[q].shape));
+      const double other = overlap_of(points[q].shape, points[q].shape);
+      const double shared = std::abs(overlap_of(points[p].shape, points[q].shape));
       if (shared > kOrthogonal * std::sqrt(own * other)) return false;
     }
   }
