@@ -10,6 +10,7 @@
 #include <span>
 
 #include "microslip/dynamics/residual_flexibility.hpp"
+#include "microslip/structure/static_compliance.hpp"
 
 namespace microslip {
 namespace {
@@ -82,17 +83,6 @@ double beyond(std::span<const Mode> modes, std::span<const std::size_t> elastic,
          std::pow(1.0 + 0.5 / end, 1.0 + s - 2.0 * p) / (2.0 * p - s - 1.0);
 }
 
-/// Σ φ_i²/ω_i² of some modes, m/N.
-double softness(std::span<const Mode> modes, std::span<const std::size_t> numbers,
-                std::span<const double> shape) {
-  double sum = 0.0;
-  for (const std::size_t i : numbers) {
-    const double over = shape[i] / modes[i].angular_frequency;
-    sum += over * over;
-  }
-  return sum;
-}
-
 std::string percent(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
 
 Warning not_estimated(const std::string& why, const std::string& remedy) {
@@ -127,7 +117,7 @@ std::vector<MissingCompliance> missing_compliance(const JointedStructure& struct
   if (elastic.size() < 2 || seems_whole(structure.linear())) return {};
   std::vector<MissingCompliance> found;
   for (const StructuralJoint& joint : structure.joints()) {
-    found.push_back({joint.name, joint.joint.stiffness(), softness(modes, elastic, joint.shape),
+    found.push_back({joint.name, joint.joint.stiffness(), static_compliance(modes, joint.shape),
                      beyond(modes, elastic, joint.shape)});
   }
   return found;
@@ -157,14 +147,11 @@ std::optional<Warning> missing_modes_warning(const std::vector<MissingCompliance
 
 std::optional<Warning> large_residual_warning(const JointedStructure& structure) {
   const std::span<const Mode> modes = structure.linear().modes();
-  const std::vector<std::size_t> all = elastic_modes(modes);
+  const std::size_t count = structure.linear().vibrations();
   for (const StructuralJoint& joint : structure.joints()) {
-    double vibrating = 0.0;
-    double residual = 0.0;
-    for (const std::size_t i : all) {
-      const bool still = i >= structure.linear().vibrations();
-      (still ? residual : vibrating) += softness(modes, {&i, 1}, joint.shape);
-    }
+    const std::span<const double> shape(joint.shape);
+    const double vibrating = static_compliance(modes.first(count), shape.first(count));
+    const double residual = static_compliance(modes.subspan(count), shape.subspan(count));
     if (residual <= kLargeResidual * vibrating) continue;
     return Warning{"residual_large",
                    fmt::format("what the modes leave out gives way by {:.4g} m/N at '{}', they "

@@ -2,7 +2,6 @@
 #include "microslip/io/bulk_data.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <system_error>
@@ -19,14 +18,12 @@ bool goes_on(std::string_view line) {
   return line.front() == ' ' || line.front() == '+' || line.front() == '*' || line.front() == ',';
 }
 
-char capital(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
-
 /// With an e where the format leaves it out or writes a D.
 std::string with_exponent(std::string_view text) {
   std::string number;
-  for (const char c : text) {
+  for (const char c : in_capitals(text)) {
     const bool sign = c == '+' || c == '-';
-    if (capital(c) == 'D' || capital(c) == 'E') {
+    if (c == 'D' || c == 'E') {
       number += 'e';
     } else if (sign && !number.empty() && number.back() != 'e') {
       (number += 'e') += c;
@@ -64,8 +61,7 @@ bool BulkData::next() {
   fields_.clear();
   first_line_ = number_;
   const std::string_view name = trimmed(line_.substr(0, line_.find_first_of(", *\t\r")));
-  name_.assign(name.substr(0, kNarrow));
-  std::ranges::transform(name_, name_.begin(), capital);
+  name_ = in_capitals(name.substr(0, kNarrow));
   do {
     take(line_);
   } while (next_line() && goes_on(line_));

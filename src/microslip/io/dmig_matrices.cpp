@@ -42,14 +42,6 @@ struct DmigMatrix {
   std::vector<DmigEntry> entries;
 };
 
-std::string capitals(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) {
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  }
-  return result;
-}
-
 /// Of the fields i and i + 1.
 DegreeOfFreedom degree_at(const BulkData& data, std::size_t i) {
   DegreeOfFreedom degree{.node = data.integer(i, "the number of a point")};
@@ -106,7 +98,7 @@ class DmigFile {
 
  private:
   void take(const BulkData& data) {
-    const std::string name = capitals(data.field(0).text);
+    const std::string name = in_capitals(data.field(0).text);
     if (!wanted(name)) {
       others_.insert(name);
       return;
@@ -130,7 +122,7 @@ class DmigFile {
   }
 
   [[nodiscard]] bool wanted(const std::string& name) const {
-    if (!source_.name.empty()) return name == capitals(source_.name);
+    if (!source_.name.empty()) return name == in_capitals(source_.name);
     return !name.empty() && name.front() == source_.initial;
   }
 

@@ -11,6 +11,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/modes/place_motion.hpp"
 #include "microslip/modes/tested_modes.hpp"
+#include "microslip/structure/static_compliance.hpp"
 
 namespace microslip {
 namespace {
@@ -51,16 +52,6 @@ MeshedStructure measured(const MeshedStructure& structure, const TestedModes& te
   rows.matrices.degrees = tested.freedoms;
   rows.matrices.stiffness.size = tested.freedoms.size();
   return rows;
-}
-
-/// Σ ψ²/ω² of the modes that are no rigid bodies, m/N.
-double compliance_of(const std::vector<Mode>& modes, const std::vector<double>& shape) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < modes.size(); ++i) {
-    const double omega = modes[i].angular_frequency;
-    if (omega > 0.0) sum += shape[i] * shape[i] / (omega * omega);
-  }
-  return sum;
 }
 
 void check_stuck(const MeshJoint& joint, double compliance) {
@@ -117,7 +108,7 @@ TestedStructureModes modes_of_test(const StructureFile& file) {
   modes.warnings.insert(modes.warnings.end(), tested.warnings.begin(), tested.warnings.end());
   for (const MeshJoint& joint : file.structure.joints) {
     modes.joint_shapes.push_back(motion_of(tested, joint_motion(rows, joint), joint.to.name));
-    const double compliance = compliance_of(tested.modes, modes.joint_shapes.back());
+    const double compliance = static_compliance(tested.modes, modes.joint_shapes.back());
     tell_joint(joint, file.joints, compliance, modes.warnings);
   }
   modes.summary = std::move(tested.summary);
