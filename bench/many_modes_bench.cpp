@@ -9,6 +9,7 @@
 
 #include "friction_rod.hpp"
 #include "largest_error.hpp"
+#include "low_passed_noise.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/dynamics/march.hpp"
 
@@ -16,23 +17,6 @@
 
 namespace microslip::bench {
 namespace {
-
-/// White noise through two low passes of 100 Hz, 4096 values a second, of 20 N rms or so.
-LoadHistory noise(double seconds) {
-  constexpr double kRate = 4096.0;
-  const double keep = std::exp(-2.0 * std::numbers::pi * 100.0 / kRate);
-  LoadHistory loads{{}, {{"tip", {}}}};
-  RandomStream random(3, 0);
-  double first = 0.0;
-  double second = 0.0;
-  for (std::size_t i = 0; static_cast<double>(i) <= seconds * kRate; ++i) {
-    loads.time.push_back(static_cast<double>(i) / kRate);
-    loads.forces[0].force.push_back(100.0 * second);
-    first += (1.0 - keep) * (random.normal() - first);
-    second += (1.0 - keep) * (first - second);
-  }
-  return loads;
-}
 
 /// Largest difference of a displacement at the tip from that with a step of 1/2¹⁷ s, over the
 /// largest displacement.
@@ -47,7 +31,7 @@ double relative_error(const JointedStructure& structure, const LoadHistory& load
 /// A second with the step that march() chooses.
 void march_second(benchmark::State& state, std::size_t modes, std::size_t joints) {
   const JointedStructure structure = friction_rod(modes, joints);
-  const LoadHistory loads = noise(1.0);
+  const LoadHistory loads = low_passed_noise(1.0, 4096.0);
   MarchResult result;
   for (auto _ : state) result = march(structure, loads, {.points = {"tip"}});
   if (!result.summary.converged()) state.SkipWithError(result.summary.reason.c_str());

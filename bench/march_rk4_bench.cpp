@@ -12,6 +12,7 @@
 
 #include "friction_rod.hpp"
 #include "largest_error.hpp"
+#include "low_passed_noise.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/dynamics/march.hpp"
 #include "microslip/joint/jenkins_network.hpp"
@@ -28,23 +29,6 @@ constexpr double kError = 1e-4;      // of the displacement at the tip, over its
 constexpr double kTolerance = 1e-6;  // of the equations of a step: well below the error
 constexpr std::size_t kSliders = 100;
 constexpr std::size_t kFiner = 16;  // how many times shorter the steps of the truth are
-
-/// White noise through two low passes of 100 Hz, 20 N rms or so.
-LoadHistory noise(double rate) {
-  const double keep = std::exp(-2.0 * std::numbers::pi * 100.0 / rate);
-  const double size = 100.0 * std::sqrt(rate / 4096.0);
-  LoadHistory loads{{}, {{"tip", {}}}};
-  RandomStream random(3, 0);
-  double first = 0.0;
-  double second = 0.0;
-  for (std::size_t i = 0; static_cast<double>(i) <= kSeconds * rate; ++i) {
-    loads.time.push_back(static_cast<double>(i) / rate);
-    loads.forces[0].force.push_back(size * second);
-    first += (1.0 - keep) * (random.normal() - first);
-    second += (1.0 - keep) * (first - second);
-  }
-  return loads;
-}
 
 /// A structure as rk4_march() takes it, with its joints in elements.
 class InSliders {
@@ -144,7 +128,7 @@ void march_against_rk4(benchmark::State& state) {
   const JointedStructure structure = friction_rod(static_cast<std::size_t>(state.range(0)),
                                                   static_cast<std::size_t>(state.range(1)));
   const auto rate = static_cast<double>(state.range(2));
-  const LoadHistory loads = noise(rate);
+  const LoadHistory loads = low_passed_noise(kSeconds, rate);
   const InSliders sliders(structure);
   const Marching rk4 = [&](std::size_t steps) { return sliders.march(rk4_march, loads, steps); };
   const Marching native = [&](std::size_t steps) {

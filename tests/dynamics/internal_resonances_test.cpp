@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "dynamics/structures.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/joint/memory.hpp"
@@ -151,31 +152,7 @@ JointedStructure two_modes(std::uint64_t seed) {
 
 /// Two to six modes and one to three joints of four-parameter densities or of atoms.
 JointedStructure many_modes(std::uint64_t seed) {
-  RandomStream random(seed, 7);
-  const auto uniform = [&] { return 2.0 * random.uniform() - 1.0; };
-  const std::size_t count = 2 + seed % 5;
-  std::vector<Mode> modes;
-  std::vector<double> a;
-  double omega = 1.0;
-  for (std::size_t i = 0; i < count; ++i) {
-    modes.push_back({omega, std::pow(10.0, -3.0 + 1.5 * random.uniform())});
-    omega *= 1.1 + 1.5 * random.uniform();
-    a.push_back(uniform());
-    (void)uniform();
-  }
-  std::vector<StructuralJoint> joints;
-  for (std::size_t j = 0; j < 1 + seed / 5 % 3; ++j) {
-    std::vector<double> shape;
-    for (std::size_t i = 0; i < count; ++i) shape.push_back(uniform());
-    const double k = 0.3 + 2.0 * random.uniform();
-    const double slip = 0.2 * random.uniform() + 0.02;
-    const double beta = seed % 4 == 1 ? 1.0 + random.uniform() : 0.0;
-    const Joint joint = seed % 4 == 3
-                            ? Joint(k, SlipDensity({AtomsPart{{slip, 2.0 * slip}, {0.6, 0.4}}}))
-                            : Joint::four_parameter(slip, k, -0.9 * random.uniform(), beta);
-    joints.push_back({.name = "joint " + std::to_string(j), .joint = joint, .shape = shape});
-  }
-  return JointedStructure(ModalModel(modes, {{"a", a}}), std::move(joints), {{"a"}});
+  return testing::random_structure(seed, 7, 2 + seed % 5, 1 + seed / 5 % 3);
 }
 
 // ---- The curves. ----

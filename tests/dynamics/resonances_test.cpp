@@ -116,32 +116,7 @@ TEST(Resonances, EndWhereTheOtherModesRuleThePhase) {
 
 /// Two to four modes, one or two joints, driven and seen anywhere.
 JointedStructure random_structure(std::uint64_t seed) {
-  RandomStream random(seed, 3);
-  const auto uniform = [&] { return 2.0 * random.uniform() - 1.0; };
-  const std::size_t count = 2 + seed % 3;
-  std::vector<Mode> modes;
-  std::vector<double> a;
-  std::vector<double> b;
-  double omega = 1.0;
-  for (std::size_t i = 0; i < count; ++i) {
-    modes.push_back({omega, std::pow(10.0, -3.0 + 1.5 * random.uniform())});
-    omega *= 1.1 + 1.5 * random.uniform();
-    a.push_back(uniform());
-    b.push_back(uniform());
-  }
-  std::vector<StructuralJoint> joints;
-  for (std::size_t j = 0; j < 1 + seed % 2; ++j) {
-    std::vector<double> shape;
-    for (std::size_t i = 0; i < count; ++i) shape.push_back(uniform());
-    const double k = 0.3 + 2.0 * random.uniform();
-    const double slip = 0.2 * random.uniform() + 0.02;
-    const double beta = seed % 4 == 1 ? 1.0 + random.uniform() : 0.0;
-    const Joint joint = seed % 4 == 3
-                            ? Joint(k, SlipDensity({AtomsPart{{slip, 2.0 * slip}, {0.6, 0.4}}}))
-                            : Joint::four_parameter(slip, k, -0.9 * random.uniform(), beta);
-    joints.push_back({.name = "joint " + std::to_string(j), .joint = joint, .shape = shape});
-  }
-  return JointedStructure(ModalModel(modes, {{"a", a}, {"b", b}}), std::move(joints), {{"a"}});
+  return testing::random_structure(seed, 3, 2 + seed % 3, 1 + seed % 2);
 }
 
 /// How many structures: a campaign sets it.
