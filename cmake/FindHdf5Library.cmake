@@ -1,5 +1,6 @@
 # The C library of HDF5, serial. CMake's own module compiles C programs to find it, so that each project
-# that uses microslip would have to enable C. Defines the target Hdf5::Hdf5.
+# that uses microslip would have to enable C. Defines the target Hdf5::Hdf5, and Hdf5::Shared, the shared
+# library where there is one, whatever the first is.
 #
 # The static library where there is one: of Debian's shared one a program takes over curl, Kerberos and
 # some thirty more, for files on the web that nothing here reads. What becomes a shared library itself
@@ -43,4 +44,11 @@ if(Hdf5Library_FOUND AND NOT TARGET Hdf5::Hdf5)
     PROPERTIES IMPORTED_LOCATION "${Hdf5Library_LIBRARY}"
                INTERFACE_INCLUDE_DIRECTORIES "${Hdf5Library_INCLUDE_DIR}"
                INTERFACE_LINK_LIBRARIES "${Hdf5Library_BEHIND}")
+endif()
+if(Hdf5Library_FOUND AND Hdf5Library_SHARED_LIBRARY AND NOT TARGET Hdf5::Shared)
+  add_library(Hdf5::Shared UNKNOWN IMPORTED)
+  set_target_properties(
+    Hdf5::Shared
+    PROPERTIES IMPORTED_LOCATION "${Hdf5Library_SHARED_LIBRARY}"
+               INTERFACE_INCLUDE_DIRECTORIES "${Hdf5Library_INCLUDE_DIR}")
 endif()
