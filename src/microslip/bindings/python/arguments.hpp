@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <complex>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace microslip::python {
+
+/// An array as the package hands it over: it has looked at what users give, so that what is another
+/// is a mistake of the package and no copy is made of what it is.
+using RealArray = pybind11::array_t<double, pybind11::array::c_style>;
+using ComplexArray = pybind11::array_t<std::complex<double>, pybind11::array::c_style>;
+
+/// The numbers of an array, valid as long as it is.
+[[nodiscard]] std::span<const double> values(const RealArray& array);
+[[nodiscard]] std::span<const std::complex<double>> values(const ComplexArray& array);
+
+/// A copy of them.
+[[nodiscard]] std::vector<double> copy_of(const RealArray& array);
+/// The same of what may be None: then empty.
+[[nodiscard]] std::vector<double> copy_of(const pybind11::object& array);
+/// The rows of an array of two dimensions, a copy.
+[[nodiscard]] std::vector<std::vector<double>> rows_of(const RealArray& array);
+
+/// An array of the numbers, without a copy: it owns the vector.
+[[nodiscard]] RealArray array_of(std::vector<double> numbers);
+[[nodiscard]] ComplexArray array_of(std::vector<std::complex<double>> numbers);
+/// The same by rows, of a length that divides theirs.
+[[nodiscard]] RealArray array_of(std::vector<double> numbers, std::size_t columns);
+
+}  // namespace microslip::python

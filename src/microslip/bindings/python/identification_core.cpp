@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "arguments.hpp"
+#include "core.hpp"
+#include "long_work.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/identify/identification.hpp"
+#include "microslip/io/joint_file.hpp"
+#include "microslip/io/joint_samples_file.hpp"
+#include "microslip/io/levels_file.hpp"
+#include "microslip/observe/level_evidence.hpp"
+#include "microslip/workflow/joint_draws.hpp"
+#include "microslip/workflow/levels_identification.hpp"
+#include "microslip/workflow/smoothing_text.hpp"
+#include "results.hpp"
+
+namespace py = pybind11;
+
+namespace microslip::python {
+namespace {
+
+using namespace py::literals;
+
+/// The columns of Levels by the names of the package, which are those of levels.csv.
+Levels levels_of(const py::dict& columns) {
+  const auto column = [&](const char* name) { return copy_of(columns[name].cast<py::object>()); };
+  return {.amplitude = column("amplitude"),
+          .dissipation = column("dissipation"),
+          .amplitude_std = column("amplitude_std"),
+          .dissipation_std = column("dissipation_std"),
+          .secant_stiffness = column("secant_stiffness"),
+          .secant_stiffness_std = column("secant_stiffness_std"),
+          .linear_dissipation = column("linear_dissipation"),
+          .frequency = column("frequency"),
+          .frequency_std = column("frequency_std")};
+}
+
+py::dict dict_of(const Levels& levels) {
+  const auto column = [](const std::vector<double>& numbers) -> py::object {
+    return numbers.empty() ? py::object(py::none()) : py::object(array_of(numbers));
+  };
+  return py::dict(
+      "amplitude"_a = column(levels.amplitude), "dissipation"_a = column(levels.dissipation),
+      "amplitude_std"_a = column(levels.amplitude_std),
+      "dissipation_std"_a = column(levels.dissipation_std),
+      "secant_stiffness"_a = column(levels.secant_stiffness),
+      "secant_stiffness_std"_a = column(levels.secant_stiffness_std),
+      "linear_dissipation"_a = column(levels.linear_dissipation),
+      "frequency"_a = column(levels.frequency), "frequency_std"_a = column(levels.frequency_std));
+}
+
+template <class Enum>
+Enum one_of(const std::map<std::string, Enum>& names, const py::handle& name) {
+  return names.at(name.cast<std::string>());
+}
+
+const std::map<std::string, IdentificationMethod> kMethods{
+    {"inversion", IdentificationMethod::kInversion},
+    {"spline", IdentificationMethod::kSpline},
+    {"differences", IdentificationMethod::kDifferences}};
+const std::map<std::string, ParametricModel> kModels{
+    {"four_parameter", ParametricModel::kFourParameter},
+    {"power_law", ParametricModel::kPowerLaw},
+    {"uniform", ParametricModel::kUniform}};
+
+std::optional<std::string> text_or_none(const py::handle& text) {
+  return text.is_none() ? std::nullopt : std::optional(text.cast<std::string>());
+}
+
+/// The options of the program's `identify`, by the names of the package.
+LevelsIdentification options_of(const py::dict& given) {
+  LevelsIdentification all;
+  all.texts.smoothing = given["smoothing"].cast<std::string>();
+  all.texts.smoothing_unit = text_or_none(given["smoothing_unit"]);
+  all.texts.common_errors = {.dissipation_gain_std = given["dissipation_gain_std"].cast<double>(),
+                             .amplitude_gain_std = given["amplitude_gain_std"].cast<double>(),
+                             .loss_factor_std = given["loss_factor_std"].cast<double>()};
+  all.options.method = one_of(kMethods, given["method"]);
+  all.options.inversion.linear_damping = given["linear_damping"].cast<bool>();
+  all.options.inversion.atom = given["atom"].cast<bool>();
+  all.options.inversion.edges = given["edges"].cast<bool>();
+  if (!given["fit"].is_none()) all.options.fit = one_of(kModels, given["fit"]);
+  if (const auto samples = given["samples"].cast<std::size_t>(); samples > 0) {
+    all.options.bands =
+        BandOptions{.samples = samples, .seed = given["seed"].cast<std::uint64_t>()};
+  }
+  set_smoothing(all.texts.smoothing, all.texts.smoothing_unit, all.options);
+  return all;
+}
+
+/// Levels that came as arrays, as if they had been a file: what joint.json says of its input.
+NamedInput input_of(const Levels& levels) { return {"arrays", levels_table(levels).str()}; }
+
+py::object draws_or_none(const Identification& found, const Provenance& provenance) {
+  if (found.bands() == nullptr && found.records() == nullptr) return py::none();
+  return py::cast(joint_samples(found, provenance));
+}
+
+py::list verdicts_of(const Identification& found) {
+  py::list all;
+  for (const LevelDepartureVerdict& verdict : found.verdicts) {
+    all.append(py::make_tuple(std::string(to_string(verdict.departure)), verdict.share,
+                              verdict.noise, verdict.broken));
+  }
+  return all;
+}
+
+py::list parameters_of(const Identification& found) {
+  py::list all;
+  if (!found.parametric) return all;
+  for (const FittedParameter& parameter : found.parametric->parameters) {
+    all.append(py::make_tuple(parameter.name, parameter.unit, parameter.value,
+                              parameter.standard_error, parameter.at_bound));
+  }
+  return all;
+}
+
+py::dict dict_of(const Identification& found, const Provenance& provenance) {
+  return py::dict(
+      "method"_a = std::string(to_string(found.method)),
+      "joint"_a = std::make_shared<Joint>(found.joint), "covered_from"_a = found.covered_from,
+      "covered_to"_a = found.covered_to, "slip_force"_a = array_of(found.slip_force),
+      "density"_a = array_of(found.density),
+      "lower"_a = found.lower.empty() ? py::object(py::none()) : array_of(found.lower),
+      "upper"_a = found.upper.empty() ? py::object(py::none()) : array_of(found.upper),
+      "linear_damping"_a = found.linear_damping, "draws"_a = draws_or_none(found, provenance),
+      "parameters"_a = parameters_of(found), "verdicts"_a = verdicts_of(found),
+      "warnings"_a = python::list_of(found.warnings), "summary"_a = python::dict_of(found.summary));
+}
+
+/// As in joint.json of the program: that its readers do not see a difference.
+Provenance provenance_of(const std::string& text) {
+  return parse_joint(text, "joint.json").provenance.value_or(Provenance{});
+}
+
+py::dict identify_levels(const py::dict& columns, double stiffness, const py::dict& given,
+                         const std::string& command, const py::object& listener) {
+  const Levels levels = levels_of(columns);
+  const LevelsIdentification of = options_of(given);
+  const Identification found = long_result(
+      [&](const Progress& progress) {
+        IdentificationOptions options = of.options;
+        if (options.bands) options.bands->progress = progress;
+        return identify(LevelEvidence(levels, of.texts.common_errors), stiffness, options);
+      },
+      listener);
+  const std::string text = joint_text(found, of.options, input_of(levels), command, of.texts);
+  py::dict all = dict_of(found, provenance_of(text));
+  all["json"] = text;
+  return all;
+}
+
+std::optional<PathStart> start_of(const std::string& text) {
+  if (text == "auto") return std::nullopt;
+  return text == "virgin" ? PathStart::kVirgin : PathStart::kUnknown;
+}
+
+/// All that draws are, to be kept by pickle.
+py::dict state_of(const JointSamples& of) {
+  return py::dict("method"_a = of.method, "seed"_a = of.seed,
+                  "slip_displacement"_a = array_of(of.slip_displacement),
+                  "stiffness_density"_a = array_of(of.stiffness_density),
+                  "stiffness"_a = array_of(of.stiffness),
+                  "atom_slip_displacement"_a = of.atom_slip_displacement,
+                  "atom_weight"_a = array_of(of.atom_weight),
+                  "linear_damping"_a = array_of(of.linear_damping),
+                  "viscous"_a = array_of(of.viscous));
+}
+
+JointSamples draws_of(const py::dict& state) {
+  const auto numbers = [&](const char* name) { return copy_of(state[name].cast<RealArray>()); };
+  JointSamples of{
+      .method = state["method"].cast<std::string>(),
+      .seed = state["seed"].cast<std::uint64_t>(),
+      .slip_displacement = numbers("slip_displacement"),
+      .stiffness_density = numbers("stiffness_density"),
+      .stiffness = numbers("stiffness"),
+      .atom_slip_displacement = state["atom_slip_displacement"].cast<std::optional<double>>(),
+      .atom_weight = numbers("atom_weight"),
+      .linear_damping = numbers("linear_damping"),
+      .viscous = numbers("viscous")};
+  of.check();
+  return of;
+}
+
+void add_draws(py::class_<JointSamples>& draws) {
+  draws.def("__len__", &JointSamples::size);
+  draws.def("joint", [](const JointSamples& of, std::size_t i) {
+    return std::make_shared<Joint>(of.joint(i));
+  });
+  draws.def_property_readonly("method", [](const JointSamples& of) { return of.method; });
+  draws.def_property_readonly("seed", [](const JointSamples& of) { return of.seed; });
+  draws.def_property_readonly("stiffness",
+                              [](const JointSamples& of) { return array_of(of.stiffness); });
+  draws.def_property_readonly(
+      "slip_displacement", [](const JointSamples& of) { return array_of(of.slip_displacement); });
+  draws.def_property_readonly("stiffness_density", [](const JointSamples& of) {
+    return array_of(of.stiffness_density, of.slip_displacement.size());
+  });
+  draws.def_property_readonly("linear_damping",
+                              [](const JointSamples& of) { return array_of(of.linear_damping); });
+  draws.def_property_readonly("atom_slip_displacement",
+                              [](const JointSamples& of) { return of.atom_slip_displacement; });
+  draws.def_property_readonly("atom_weight",
+                              [](const JointSamples& of) { return array_of(of.atom_weight); });
+  draws.def("state", state_of);
+  draws.def("hdf5", [](const JointSamples& of, const std::string& path) {
+    return py::bytes(joint_samples_bytes(of, path));
+  });
+}
+
+}  // namespace
+
+void add_identification(py::module_& core) {
+  py::class_<JointSamples> draws(core, "JointDraws");
+  add_draws(draws);
+  core.def("draws_of", draws_of);
+  core.def("read_draws", [](const std::string& path) { return read_joint_samples(path); });
+  core.def("identify_levels", identify_levels);
+  core.def("read_levels",
+           [](const std::string& path) { return dict_of(read_levels(path).levels); });
+  core.def("levels_csv",
+           [](const py::dict& columns) { return levels_table(levels_of(columns)).str(); });
+}
+
+}  // namespace microslip::python

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include "microslip/base/progress.hpp"
+
+namespace microslip::python {
+
+/// Does the work on another thread, and waits for it here without the interpreter's lock. The waiting
+/// thread answers signals, so that Ctrl-C works, and calls the listener: no other thread ever needs
+/// the interpreter.
+/// @param work      told of a Progress that it hands on; touches nothing of Python.
+/// @param listener  None, or called with (done, total) some ten times a second; False cancels.
+/// @throws what the work throws; KeyboardInterrupt, or what the listener raised, in its place.
+void do_long_work(const std::function<void(const Progress& progress)>& work,
+                  const pybind11::object& listener);
+
+/// The same of work with a result.
+template <class Work>
+[[nodiscard]] auto long_result(const Work& work, const pybind11::object& listener) {
+  std::optional<decltype(work(Progress{}))> result;
+  do_long_work([&](const Progress& progress) { result.emplace(work(progress)); }, listener);
+  return std::move(*result);
+}
+
+}  // namespace microslip::python

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: MIT
+"""Friction models of jointed structures: identified from vibration measurements, and simulated.
+
+Quantities are in SI throughout: m, N, N/m, J, Hz, kg. Arrays in, arrays out; anything that
+`numpy.asarray` makes real numbers of is taken.
+
+>>> import microslip
+>>> joint = microslip.Joint(1e5, [microslip.Uniform(0, 10, 1)])
+>>> joint.dissipation(1e-4)
+0.0006666666666666666
+"""
+
+from ._core import version as __version__
+from ._draws import JointDraws
+from ._errors import (
+    Cancelled,
+    Error,
+    FileError,
+    FormatError,
+    InputError,
+    MicroslipWarning,
+    NotConverged,
+)
+from ._identification import Identification, Parameter, Verdict, identify
+from ._joint import (
+    Atoms,
+    FourParameter,
+    Joint,
+    Memory,
+    Moments,
+    PiecewiseLinear,
+    PowerLaw,
+    Response,
+    Uniform,
+)
+from ._levels import Levels
+from ._march import JointMotion, MarchEnergy, MarchResult, PointMotion, march
+from ._results import Note, Summary
+from ._structure import Base, Compliance, Modes, StructuralJoint, Structure, modes
+from ._vibration import (
+    HarmonicBalance,
+    JointCycles,
+    ResponseCurve,
+    Vibration,
+    Vibrations,
+    backbone,
+    frequency_response,
+)
+
+__all__ = [
+    "Atoms",
+    "Base",
+    "Cancelled",
+    "Compliance",
+    "Error",
+    "FileError",
+    "FormatError",
+    "FourParameter",
+    "HarmonicBalance",
+    "Identification",
+    "InputError",
+    "Joint",
+    "JointCycles",
+    "JointDraws",
+    "JointMotion",
+    "Levels",
+    "MarchEnergy",
+    "MarchResult",
+    "Memory",
+    "MicroslipWarning",
+    "Modes",
+    "Moments",
+    "NotConverged",
+    "Note",
+    "Parameter",
+    "PiecewiseLinear",
+    "PointMotion",
+    "PowerLaw",
+    "Response",
+    "ResponseCurve",
+    "StructuralJoint",
+    "Structure",
+    "Summary",
+    "Uniform",
+    "Verdict",
+    "Vibration",
+    "Vibrations",
+    "__version__",
+    "backbone",
+    "frequency_response",
+    "identify",
+    "march",
+    "modes",
+]

@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: MIT
+"""What users give, as what the compiled half takes: checked here, so that each message names the
+argument as it was called."""
+
+from __future__ import annotations
+
+import math
+import operator
+import os
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, Optional, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from ._errors import InputError
+
+#: Anything that ``numpy.asarray`` makes real numbers of.
+ArrayLike = npt.ArrayLike
+#: A float64 array.
+RealArray = npt.NDArray[np.float64]
+#: A complex128 array.
+ComplexArray = npt.NDArray[np.complex128]
+#: Called with (done, total) some ten times a second; False cancels.
+Progress = Callable[[int, int], Optional[bool]]
+#: A path of a file.
+Path = Union[str, "os.PathLike[str]"]
+
+
+def _shown(value: object) -> str:
+    text = repr(value)
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+def real(value: object, name: str) -> float:
+    """A finite number."""
+    if type(value) is not float:
+        value = _number(value, name)
+    if not math.isfinite(value):
+        raise InputError(f"{name} = {value}; must be finite")
+    return value
+
+
+def _number(value: object, name: str) -> float:
+    if isinstance(value, (complex, np.complexfloating)):
+        raise InputError(f"{name} = {_shown(value)}; must be real, not complex")
+    if isinstance(value, np.ndarray) and value.shape == () and value.dtype.kind in "biuf":
+        return float(value)
+    if isinstance(value, (str, bytes, bool, np.bool_, np.ndarray)) or value is None:
+        raise InputError(f"{name} = {_shown(value)}; must be a number")
+    try:
+        return float(value)  # type: ignore[arg-type]
+    except (TypeError, ValueError, OverflowError):
+        raise InputError(f"{name} = {_shown(value)}; must be a number") from None
+
+
+def positive(value: object, name: str) -> float:
+    """A finite number above 0."""
+    number = real(value, name)
+    if number <= 0.0:
+        raise InputError(f"{name} = {number}; must be positive")
+    return number
+
+
+def not_negative(value: object, name: str) -> float:
+    """A finite number, 0 or more."""
+    number = real(value, name)
+    if number < 0.0:
+        raise InputError(f"{name} = {number}; must not be negative")
+    return number
+
+
+def whole(value: object, name: str, least: int = 0, most: int = 2**31 - 1) -> int:
+    """A whole number in a range."""
+    if isinstance(value, (bool, np.bool_)):
+        raise InputError(f"{name} = {value}; must be a whole number")
+    try:
+        number = operator.index(value)  # type: ignore[arg-type]
+    except TypeError:
+        raise InputError(f"{name} = {_shown(value)}; must be a whole number") from None
+    if not least <= number <= most:
+        raise InputError(f"{name} = {number}; must be from {least} to {most}")
+    return number
+
+
+def flag(value: object, name: str) -> bool:
+    """True or False."""
+    if not isinstance(value, (bool, np.bool_)):
+        raise InputError(f"{name} = {_shown(value)}; must be True or False")
+    return bool(value)
+
+
+def text(value: object, name: str) -> str:
+    """A text, not empty."""
+    if not isinstance(value, str) or not value:
+        raise InputError(f"{name} = {_shown(value)}; must be a text")
+    return value
+
+
+def one_of(value: object, name: str, choices: Sequence[str]) -> str:
+    """One of some words."""
+    if value not in choices or not isinstance(value, str):
+        raise InputError(f"{name} = {_shown(value)}; must be one of {', '.join(choices)}")
+    return value
+
+
+def path(value: object, name: str) -> str:
+    """The path of a file."""
+    try:
+        return os.fsdecode(value)  # type: ignore[arg-type]
+    except (TypeError, ValueError):
+        raise InputError(f"{name} = {_shown(value)}; must be the path of a file") from None
+
+
+def progress(value: object) -> Optional[Progress]:
+    """A callback or None."""
+    if value is not None and not callable(value):
+        raise InputError(f"progress = {_shown(value)}; must be callable, or None")
+    return value
+
+
+def sequence(value: object, name: str, of: str) -> Sequence[Any]:
+    """A list or tuple."""
+    if isinstance(value, (str, bytes, Mapping)) or not isinstance(value, Sequence):
+        raise InputError(f"{name} = {_shown(value)}; must be a list of {of}")
+    return value
+
+
+def _array(value: object, name: str, kinds: str, rule: str) -> npt.NDArray[Any]:
+    if value is None:
+        raise InputError(f"{name} is None; must be {rule}")
+    try:
+        array = np.asarray(value)
+    except (ValueError, TypeError, OverflowError):
+        raise InputError(f"{name} has rows of different lengths; must be {rule}") from None
+    if np.ma.isMaskedArray(value) and np.ma.is_masked(value):
+        raise InputError(f"{name} has masked values; must be {rule}. Leave them out or fill them.")
+    if array.size > 0 and array.dtype.kind not in kinds:
+        found = {"c": "complex numbers", "O": "Python objects", "U": "texts", "S": "texts",
+                 "b": "truth values", "M": "dates", "m": "times"}  # fmt: skip
+        raise InputError(
+            f"{name} has {found.get(array.dtype.kind, str(array.dtype))}; must be {rule}"
+        )
+    return array
+
+
+def _dimensions(array: npt.NDArray[Any], name: str, ndim: Optional[int], empty: bool) -> None:
+    if ndim is not None and array.ndim != ndim:
+        shape = "x".join(map(str, array.shape)) or "a single number"
+        raise InputError(f"{name} has the shape {shape}; must have {ndim} dimension"
+                         f"{'s' if ndim > 1 else ''}")  # fmt: skip
+    if array.size == 0 and not empty:
+        raise InputError(f"{name} is empty; must have at least one number")
+
+
+def check_finite(array: npt.NDArray[Any], name: str) -> None:
+    """Names the first number that is not finite."""
+    finite = np.isfinite(array)
+    if not finite.all():
+        at = tuple(int(i) for i in np.argwhere(~finite)[0])
+        raise InputError(f"{name}[{', '.join(map(str, at))}] = {array[at]}; must be finite")
+
+
+def real_array(
+    value: object,
+    name: str,
+    *,
+    ndim: Optional[int] = 1,
+    length: Optional[int] = None,
+    per: str = "",
+    empty: bool = False,
+) -> RealArray:
+    """Finite numbers as a C-contiguous float64 array; no copy of what is one."""
+    rule = "an array of numbers"
+    array = _array(value, name, "iuf", rule)
+    _dimensions(array, name, ndim, empty)
+    if length is not None and array.shape[-1] != length:
+        raise InputError(f"{name} has {array.shape[-1]} numbers; must have {length}, {per}")
+    if array.dtype.kind == "f" and array.dtype.itemsize > 8:
+        with np.errstate(over="ignore"):
+            array = array.astype(np.float64)
+    array = np.ascontiguousarray(array, dtype=np.float64)
+    check_finite(array, name)
+    return array
+
+
+def optional_array(value: object, name: str, length: int, per: str) -> Optional[RealArray]:
+    """The same of what may be left out."""
+    return None if value is None else real_array(value, name, length=length, per=per)
+
+
+def broadcast(value: object, name: str, length: int, per: str) -> RealArray:
+    """One number for all, or one each."""
+    array = real_array(value, name, ndim=None)
+    if array.ndim == 0:
+        return np.full(length, float(array))
+    return real_array(array, name, length=length, per=per)
+
+
+def complex_array(value: object, name: str) -> ComplexArray:
+    """Finite numbers as a C-contiguous complex128 array of one dimension."""
+    array = _array(value, name, "iufc", "an array of numbers")
+    _dimensions(array, name, 1, False)
+    array = np.ascontiguousarray(array, dtype=np.complex128)
+    check_finite(array, name)
+    return array

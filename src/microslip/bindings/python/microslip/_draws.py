@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: MIT
+"""Draws of a joint: joints that measurements leave possible."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any, Optional
+
+from . import _core
+from ._arguments import Path, RealArray, whole
+from ._arguments import path as path_of
+from ._joint import Joint
+from ._results import Shown, si
+
+
+class JointDraws(Shown):
+    """Joints that measurements leave possible, each as likely as any other.
+
+    ``len(draws)`` is their number, ``draws[i]`` the joint of draw i.
+    """
+
+    __slots__ = ("_core",)
+    _core: _core.JointDraws
+
+    def __init__(self) -> None:
+        raise TypeError("JointDraws come from an identification, or from JointDraws.read")
+
+    @classmethod
+    def _of(cls, core: _core.JointDraws) -> JointDraws:
+        draws = object.__new__(cls)
+        draws._core = core
+        return draws
+
+    @classmethod
+    def read(cls, path: Path) -> JointDraws:
+        """The draws of a joint_samples.h5."""
+        return cls._of(_core.read_draws(path_of(path, "path")))
+
+    def write(self, path: Path) -> None:
+        """Writes a joint_samples.h5: at once and whole, or not at all."""
+        name = path_of(path, "path")
+        _core.write_file(name, self._core.hdf5(name))
+
+    def __len__(self) -> int:
+        return len(self._core)
+
+    def __getitem__(self, i: int) -> Joint:
+        try:
+            number = whole(i, "i", -len(self), len(self) - 1)
+        except ValueError:
+            raise IndexError(f"draw {i} of {len(self)}") from None
+        return Joint._of(self._core.joint(number % len(self)))
+
+    def __iter__(self) -> Iterator[Joint]:
+        return (self[i] for i in range(len(self)))
+
+    @property
+    def stiffness(self) -> RealArray:
+        """k of each draw, N/m."""
+        return self._core.stiffness
+
+    @property
+    def slip_displacement(self) -> RealArray:
+        """Knots x* = f*/k, m, which all draws share."""
+        return self._core.slip_displacement
+
+    @property
+    def stiffness_density(self) -> RealArray:
+        """psi = k**2 phi(k x*) of each draw at the knots, N/m per m; shape (draws, knots)."""
+        return self._core.stiffness_density
+
+    @property
+    def linear_damping(self) -> RealArray:
+        """beta of each draw, J/m**2; empty where it was not sought."""
+        return self._core.linear_damping
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _draws_of, (self._core.state(),)
+
+    def _facts(self) -> tuple[str, list[tuple[str, str]]]:
+        k = self.stiffness
+        return "Draws of a joint", [
+            ("draws", str(len(self))),
+            ("method", self._core.method),
+            ("seed", str(self._core.seed)),
+            ("stiffness", f"{si(k.min(), '1')} to {si(k.max(), 'N/m')}"),
+        ]
+
+
+def _draws_of(state: dict[str, Any]) -> JointDraws:
+    return JointDraws._of(_core.draws_of(state))
+
+
+def draws_or_none(core: Optional[_core.JointDraws]) -> Optional[JointDraws]:
+    return None if core is None else JointDraws._of(core)

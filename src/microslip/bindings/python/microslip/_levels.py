@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: MIT
+"""Levels: what was measured of a joint at rising amplitude."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Any, Optional
+
+from . import _core
+from ._arguments import ArrayLike, Path, RealArray, real_array
+from ._arguments import path as path_of
+from ._errors import InputError
+from ._results import Shown, si
+
+if TYPE_CHECKING:
+    import pandas
+    from matplotlib.axes import Axes
+
+_UNITS = {
+    "amplitude": "m",
+    "dissipation": "J",
+    "amplitude_std": "m",
+    "dissipation_std": "J",
+    "secant_stiffness": "N/m",
+    "secant_stiffness_std": "N/m",
+    "linear_dissipation": "J",
+    "frequency": "Hz",
+    "frequency_std": "Hz",
+}
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class Levels(Shown):
+    """One entry a level of vibration.
+
+    Parameters
+    ----------
+    amplitude : array_like
+        A of the joint displacement, m, shape (n,); above 0.
+    dissipation : array_like
+        D, energy lost per cycle, J, shape (n,); 0 or more.
+    amplitude_std, dissipation_std : array_like, optional
+        Standard deviations, m and J, shape (n,).
+    secant_stiffness, secant_stiffness_std : array_like, optional
+        k_eq of the first harmonic and its standard deviation, N/m, shape (n,).
+    linear_dissipation : array_like, optional
+        Linear loss that was taken from the input energy to get D, J, shape (n,).
+    frequency, frequency_std : array_like, optional
+        Of the resonance at the level and its standard deviation, Hz, shape (n,).
+
+    Raises
+    ------
+    ValueError
+        Naming the column, for what is no array of n finite numbers.
+    """
+
+    amplitude: ArrayLike
+    dissipation: ArrayLike
+    amplitude_std: Optional[ArrayLike] = None
+    dissipation_std: Optional[ArrayLike] = None
+    secant_stiffness: Optional[ArrayLike] = None
+    secant_stiffness_std: Optional[ArrayLike] = None
+    linear_dissipation: Optional[ArrayLike] = None
+    frequency: Optional[ArrayLike] = None
+    frequency_std: Optional[ArrayLike] = None
+
+    def __post_init__(self) -> None:
+        count = len(real_array(self.amplitude, "amplitude"))
+        for field in fields(self):
+            value = getattr(self, field.name)
+            if value is not None or field.name in ("amplitude", "dissipation"):
+                column = real_array(value, field.name, length=count, per="one an amplitude")
+                object.__setattr__(self, field.name, column)
+
+    @classmethod
+    def read(cls, path: Path) -> Levels:
+        """The levels of a levels.csv. @see docs/file_formats.md
+
+        Raises
+        ------
+        FileError, FormatError
+            Where it cannot be read, or a cell breaks its rule.
+        """
+        return cls(**_core.read_levels(path_of(path, "path")))
+
+    def write(self, path: Path) -> None:
+        """Writes a levels.csv: at once and whole, or not at all."""
+        _core.write_file(path_of(path, "path"), _core.levels_csv(self._columns()).encode())
+
+    @classmethod
+    def of(cls, table: Any) -> Levels:
+        """Levels of a pandas frame or a mapping.
+
+        Parameters
+        ----------
+        table : DataFrame or mapping
+            With columns ``amplitude`` and ``dissipation``, and others as of the class. A unit may
+            stand behind a name as in levels.csv, ``amplitude [m]``; another than SI is refused.
+        """
+        if isinstance(table, Levels):
+            return table
+        if not isinstance(table, Mapping) and not hasattr(table, "columns"):
+            raise InputError(f"table = {type(table).__name__}; must be a DataFrame or a mapping")
+        columns = {}
+        for key in table.keys():
+            name, _, unit = str(key).partition(" [")
+            if name not in _UNITS:
+                continue
+            if unit and unit != _UNITS[name] + "]":
+                raise InputError(
+                    f"{key} is in another unit; must be in {_UNITS[name]}."
+                    " Convert it, or write a levels.csv, which Levels.read converts"
+                )
+            columns[name] = table[key]
+        for needed in ("amplitude", "dissipation"):
+            if needed not in columns:
+                raise InputError(f"{needed} is missing; must be a column of the table")
+        return cls(**columns)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A DataFrame with the columns of levels.csv."""
+        import pandas
+
+        return pandas.DataFrame(
+            {f"{name} [{_UNITS[name]}]": values for name, values in self._columns().items()
+             if values is not None}  # fmt: skip
+        )
+
+    def plot(self, ax: Optional[Axes] = None, **style: Any) -> Axes:
+        """Draws D over A on logarithmic axes, by matplotlib."""
+        from ._plot import plot_levels
+
+        return plot_levels(self, ax, **style)
+
+    def __len__(self) -> int:
+        return len(self._column("amplitude"))
+
+    def _column(self, name: str) -> RealArray:
+        column: RealArray = getattr(self, name)
+        return column
+
+    def _columns(self) -> dict[str, Optional[RealArray]]:
+        return {field.name: getattr(self, field.name) for field in fields(self)}
+
+    def _facts(self) -> tuple[str, list[tuple[str, str]]]:
+        rows = [("levels", str(len(self)))]
+        for name, values in self._columns().items():
+            if values is not None:
+                rows.append((name, f"{si(values.min(), '1')} to {si(values.max(), _UNITS[name])}"))
+        return "Levels", rows

@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: MIT
+"""Marching in time under any forces."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional
+
+from . import _core
+from ._arguments import (
+    ArrayLike,
+    Progress,
+    RealArray,
+    flag,
+    not_negative,
+    one_of,
+    optional_array,
+    positive,
+    real_array,
+    text,
+    whole,
+)
+from ._arguments import progress as progress_of
+from ._errors import InputError
+from ._results import Note, Shown, Summary, notes, outcome, si, summary_of, told
+from ._structure import Structure, _mapping
+
+if TYPE_CHECKING:
+    import pandas
+    from matplotlib.axes import Axes
+
+
+class PointMotion(NamedTuple):
+    """The motion of a point relative to its base, one value a recorded time."""
+
+    displacement: RealArray  #: m
+    velocity: RealArray  #: m/s
+    acceleration: RealArray  #: m/s**2
+
+
+class JointMotion(NamedTuple):
+    """The motion of a joint, one value a recorded time."""
+
+    displacement: RealArray  #: m, between the ends of the joint
+    force: RealArray  #: N, the restoring force
+
+
+@dataclass(frozen=True)
+class MarchEnergy:
+    """Where the energy went, J.
+
+    Attributes
+    ----------
+    initial, input, linear_dissipation, kinetic, elastic, joint_dissipation, joint_stored : float
+        Each by itself, never as the rest of the others.
+    imbalance : float
+        Of the balance, relative, 1: it measures the error of the integration.
+    """
+
+    initial: float
+    input: float
+    linear_dissipation: float
+    kinetic: float
+    elastic: float
+    joint_dissipation: float
+    joint_stored: float
+    imbalance: float
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class MarchResult(Shown):
+    """What a structure did.
+
+    Attributes
+    ----------
+    time : ndarray
+        Recorded times, s, shape (n,).
+    points : dict of str to PointMotion
+        Of each point that was asked for.
+    joints : dict of str to JointMotion
+        Of each joint.
+    reached : float
+        The last time that was reached, s.
+    steps : int
+        That it took.
+    error_estimate : float or None
+        Of the displacement, relative to its largest value, 1; None where it was not asked for.
+    energy : MarchEnergy
+        Where it went.
+    warnings : tuple of Note
+        What must be known.
+    summary : Summary
+        How the march ended.
+    """
+
+    time: RealArray
+    points: dict[str, PointMotion]
+    joints: dict[str, JointMotion]
+    reached: float
+    steps: int
+    error_estimate: Optional[float]
+    energy: MarchEnergy
+    warnings: tuple[Note, ...]
+    summary: Summary
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A DataFrame with the motions of points and joints."""
+        import pandas
+
+        columns = {"time [s]": self.time}
+        for name, motion in self.points.items():
+            columns[f"displacement_{name} [m]"] = motion.displacement
+            columns[f"velocity_{name} [m/s]"] = motion.velocity
+            columns[f"acceleration_{name} [m/s^2]"] = motion.acceleration
+        for name, joint in self.joints.items():
+            columns[f"displacement_{name} [m]"] = joint.displacement
+            columns[f"force_{name} [N]"] = joint.force
+        return pandas.DataFrame(columns)
+
+    def plot(self, ax: Optional[Axes] = None, **style: Any) -> Axes:
+        """Draws the displacements over time, by matplotlib."""
+        from ._plot import plot_march
+
+        return plot_march(self, ax, **style)
+
+    def _facts(self) -> tuple[str, list[tuple[str, str]]]:
+        rows = [("reached", si(self.reached, "s")), ("steps", str(self.steps))]
+        if self.error_estimate is not None:
+            rows.append(("estimated error", f"{self.error_estimate:.2g}"))
+        rows.append(("energy imbalance", f"{self.energy.imbalance:.2g}"))
+        for name, motion in self.points.items():
+            rows.append((name, f"max |w| = {si(abs(motion.displacement).max(), 'm')}"))
+        return "March", rows + outcome(self)
+
+
+def march(
+    structure: Structure,
+    time: ArrayLike,
+    forces: Optional[Mapping[str, ArrayLike]] = None,
+    *,
+    points: Optional[Sequence[str]] = None,
+    normal_loads: Optional[Mapping[str, ArrayLike]] = None,
+    law: str = "incremental",
+    displacement: Optional[ArrayLike] = None,
+    velocity: Optional[ArrayLike] = None,
+    step: float = 0.0,
+    every: int = 1,
+    tolerance: float = 1e-8,
+    max_iterations: int = 50,
+    largest_imbalance: float = 1e-4,
+    estimate_error: bool = True,
+    largest_error: float = 1e-2,
+    elements: int = 1000,
+    progress: Optional[Progress] = None,
+    strict: bool = True,
+) -> MarchResult:
+    """Marches a structure in time, with the exact memory of its joints as state.
+
+    Parameters
+    ----------
+    structure : Structure
+        Its own excitation, which is periodic, does not act; its static loads do.
+    time : array_like
+        s, shape (n,); two at least, rising.
+    forces : mapping of str to array_like, optional
+        At points, N, or accelerations of bases, m/s**2; shape (n,), linear between the times. None:
+        free vibration.
+    points : sequence of str, optional
+        Whose motion is recorded; all without it.
+    normal_loads : mapping of str to array_like, optional
+        P_N/P_0 of joints, 1, shape (n,); 0 or more.
+    law : {"incremental", "total"}
+        How stuck elements answer a change of the load.
+    displacement, velocity : array_like, optional
+        Modal, at the first time: q, kg**0.5 m, and its rate, kg**0.5 m/s, shape (modes,).
+    step : float
+        Longest step, s; 0: as the structure asks for.
+    every : int
+        Every so many times are recorded.
+    tolerance, max_iterations, largest_imbalance, estimate_error, largest_error, elements
+        As of ``microslip march`` and microslip::MarchOptions.
+    progress : callable, optional
+        Called with (done, total); False cancels.
+    strict : bool
+        Whether to raise where it does not converge; without it a warning is issued.
+
+    Returns
+    -------
+    MarchResult
+
+    Raises
+    ------
+    ValueError, NotConverged
+    """
+    if not isinstance(structure, Structure):
+        raise InputError(f"structure = {structure!r}; must be a microslip.Structure")
+    times = real_array(time, "time")
+    count = len(times)
+    modes = len(structure.angular_frequency)
+    one_of(law, "law", ("incremental", "total"))
+    acting = [(name, real_array(f, f"forces[{name!r}]", length=count, per="one a time"))
+              for name, f in _mapping(forces or {}, "forces").items()]  # fmt: skip
+    loads = [(name, real_array(p, f"normal_loads[{name!r}]", length=count, per="one a time"), law)
+             for name, p in _mapping(normal_loads or {}, "normal_loads").items()]  # fmt: skip
+    recorded = list(structure.points) if points is None else [text(p, "points") for p in points]
+    options = {
+        "step": not_negative(step, "step"),
+        "every": whole(every, "every", 1),
+        "points": recorded,
+        "displacement": optional_array(displacement, "displacement", modes, "one a mode"),
+        "velocity": optional_array(velocity, "velocity", modes, "one a mode"),
+        "tolerance": positive(tolerance, "tolerance"),
+        "max_iterations": whole(max_iterations, "max_iterations", 1),
+        "largest_imbalance": positive(largest_imbalance, "largest_imbalance"),
+        "estimate_error": flag(estimate_error, "estimate_error"),
+        "largest_error": positive(largest_error, "largest_error"),
+        "elements": whole(elements, "elements", 1),
+    }
+    found = _core.march(structure._core, times, acting, loads, options, progress_of(progress))
+    result = MarchResult(
+        time=found["time"],
+        points={name: PointMotion(*motion) for name, *motion in found["points"]},
+        joints={name: JointMotion(*motion) for name, *motion in found["joints"]},
+        reached=found["reached"],
+        steps=found["steps"],
+        error_estimate=found["error_estimate"],
+        energy=MarchEnergy(**found["energy"]),
+        warnings=notes(found["warnings"]),
+        summary=summary_of(found["summary"]),
+    )
+    return told(result, flag(strict, "strict"))

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: MIT
+"""What all results have: how the method ended, and what their reader must know."""
+
+from __future__ import annotations
+
+import html
+import warnings as python_warnings
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any, Protocol, TypeVar
+
+from ._errors import MicroslipWarning, NotConverged
+
+
+@dataclass(frozen=True)
+class Summary:
+    """Why a numerical method stopped.
+
+    Attributes
+    ----------
+    method : str
+        Its name.
+    reason : str
+        Why it stopped, in words.
+    converged : bool
+        Whether its stopping rule holds and no check of the result failed.
+    usable : bool
+        Whether there is a result to use, with the reason in mind.
+    residual : float
+        What the stopping rule measures, relative, 1.
+    iterations : int
+        That it took.
+    seconds : float
+        Wall time, s.
+    text : str
+        A line a fact.
+    """
+
+    method: str
+    reason: str
+    converged: bool
+    usable: bool
+    residual: float
+    iterations: int
+    seconds: float
+    text: str
+
+
+@dataclass(frozen=True)
+class Note:
+    """A warning of a result.
+
+    Attributes
+    ----------
+    code : str
+        Stable, for scripts: ``density_negative``.
+    text : str
+        One sentence with the figures, and what to do about it.
+    """
+
+    code: str
+    text: str
+
+    def __str__(self) -> str:
+        return f"{self.code}: {self.text}"
+
+
+class HasSummary(Protocol):
+    """A result that says how it ended."""
+
+    @property
+    def summary(self) -> Summary: ...
+
+    @property
+    def warnings(self) -> tuple[Note, ...]: ...
+
+
+Result = TypeVar("Result", bound=HasSummary)
+
+
+def notes(pairs: Iterable[tuple[str, str]]) -> tuple[Note, ...]:
+    return tuple(Note(code, text) for code, text in pairs)
+
+
+def summary_of(numbers: Mapping[str, Any]) -> Summary:
+    return Summary(**numbers)
+
+
+def told(result: Result, strict: bool, stacklevel: int = 3) -> Result:
+    """Tells the warnings of a result, and raises where it did not converge and `strict` is set."""
+    for note in result.warnings:
+        python_warnings.warn(str(note), MicroslipWarning, stacklevel=stacklevel)
+    if not result.summary.converged:
+        text = f"{result.summary.method}: {result.summary.reason}"
+        if strict:
+            raise NotConverged(f"{text}. With strict=False what was found is returned.", result)
+        python_warnings.warn(f"not_converged: {text}", MicroslipWarning, stacklevel=stacklevel)
+    return result
+
+
+def si(value: float, unit: str, digits: int = 5) -> str:
+    """ "1.7e+05 N/m"."""
+    return f"{value:.{digits}g} {unit}".rstrip(" 1") if unit == "1" else f"{value:.{digits}g} {unit}"
+
+
+def text_table(title: str, rows: Iterable[tuple[str, str]]) -> str:
+    """A title, then a line a fact, for `repr`."""
+    pairs = list(rows)
+    width = max((len(name) for name, _ in pairs), default=0)
+    return "\n".join([title, *(f"  {name:<{width}}  {value}" for name, value in pairs)])
+
+
+def html_table(title: str, rows: Iterable[tuple[str, str]]) -> str:
+    """The same for notebooks."""
+    cells = "".join(
+        f'<tr><th style="text-align:left">{html.escape(name)}</th>'
+        f'<td style="text-align:left">{html.escape(value)}</td></tr>'
+        for name, value in rows
+    )
+    return f"<table><caption>{html.escape(title)}</caption>{cells}</table>"
+
+
+class Shown:
+    """Shows itself by a title and facts, as text and in notebooks."""
+
+    def _facts(self) -> tuple[str, list[tuple[str, str]]]:
+        raise NotImplementedError
+
+    def __repr__(self) -> str:
+        return text_table(*self._facts())
+
+    def _repr_html_(self) -> str:
+        return html_table(*self._facts())
+
+
+def outcome(result: HasSummary) -> list[tuple[str, str]]:
+    """The facts that every result ends with."""
+    rows = [("status", "converged" if result.summary.converged else
+             f"NOT CONVERGED: {result.summary.reason}")]  # fmt: skip
+    rows.extend(("warning", str(note)) for note in result.warnings)
+    return rows

@@ -1,0 +1,613 @@
+# SPDX-License-Identifier: MIT
+"""Linear structures by their modes, the joints in them and what drives them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple, Optional, Union
+
+import numpy as np
+
+from . import _core
+from ._arguments import (
+    ArrayLike,
+    ComplexArray,
+    Path,
+    Progress,
+    RealArray,
+    broadcast,
+    complex_array,
+    flag,
+    not_negative,
+    one_of,
+    optional_array,
+    positive,
+    real,
+    real_array,
+    sequence,
+    text,
+    whole,
+)
+from ._arguments import path as path_of
+from ._arguments import progress as progress_of
+from ._errors import InputError
+from ._joint import Joint
+from ._results import Note, Shown, notes, si
+
+
+@dataclass(frozen=True, eq=False)
+class Base:
+    """A motion of all supports together, as a shaker table makes it.
+
+    Parameters
+    ----------
+    participation : array_like
+        Gamma_i = phi_i' M r, kg**0.5; one a mode.
+    point_motion : mapping of str to float, optional
+        How far each point moves with a base that moves by 1; 1 where it is not named.
+    """
+
+    participation: ArrayLike
+    point_motion: Mapping[str, float]
+
+    def __init__(self, participation: ArrayLike,
+                 point_motion: Optional[Mapping[str, float]] = None) -> None:  # fmt: skip
+        object.__setattr__(self, "participation", participation)
+        object.__setattr__(self, "point_motion", dict(point_motion or {}))
+
+
+@dataclass(frozen=True, eq=False)
+class StructuralJoint:
+    """A joint and how it sits in a structure of modes q_i.
+
+    Parameters
+    ----------
+    joint : Joint
+        F(u).
+    shape : array_like
+        psi_i, relative displacement across the joint over q_i, kg**-0.5; one a mode.
+    name : str, optional
+        No two the same; ``joint1``, ``joint2``, ... without it.
+    spring_in_modes : float
+        Stiffness between its ends that the modes were computed with, N/m; 0 or more, for instance k
+        where they are those of the stuck structure. It is taken out again.
+    series_compliance : float
+        Of what lies in series with the joint, m/N; 0 or more.
+    shortening : array_like, optional
+        Gamma_ij, 1/(kg m), shape (modes, modes), symmetric. [AR14 (12)]
+    linear_damping : float
+        beta: loses beta*A**2 a cycle beside F, J/m**2; 0 or more.
+    """
+
+    joint: Joint
+    shape: ArrayLike
+    name: Optional[str] = None
+    spring_in_modes: float = 0.0
+    series_compliance: float = 0.0
+    shortening: Optional[ArrayLike] = None
+    linear_damping: float = 0.0
+
+    def _dict(self, modes: int, name: str) -> dict[str, Any]:
+        if not isinstance(self.joint, Joint):
+            raise InputError(f"{name}: joint = {self.joint!r}; must be a microslip.Joint")
+        shortening = self.shortening
+        if shortening is not None:
+            array = real_array(shortening, f"{name}: shortening", ndim=2)
+            if array.shape != (modes, modes):
+                raise InputError(f"{name}: shortening has the shape {array.shape}; must have"
+                                 f" {(modes, modes)}, one a pair of modes")  # fmt: skip
+            shortening = array.reshape(-1)
+        return {
+            "name": name,
+            "joint": self.joint._core,
+            "shape": real_array(self.shape, f"{name}: shape", length=modes, per="one a mode"),
+            "spring_in_modes": not_negative(self.spring_in_modes, f"{name}: spring_in_modes"),
+            "series_compliance": not_negative(self.series_compliance, f"{name}: series_compliance"),
+            "shortening": shortening,
+            "linear_damping": not_negative(self.linear_damping, f"{name}: linear_damping"),
+        }
+
+
+#: A place, or places with their complex harmonics s_1, s_2, ... of the common amplitude.
+Excitation = Union[str, Mapping[str, ArrayLike]]
+
+
+class Structure(Shown):
+    """A linear structure in modal form, its joints and what drives it. Immutable.
+
+    Parameters
+    ----------
+    frequency : array_like
+        Natural frequencies of the linear part, without the joints, Hz, shape (modes,); 0 of rigid
+        bodies.
+    points : mapping of str to array_like
+        Named places: mass-normalised shapes, kg**-0.5, one a mode.
+    damping_ratio : float or array_like, optional
+        zeta of viscous damping, 1; one for all or one a mode. Or
+    loss_factor : float or array_like, optional
+        eta of hysteretic damping, 1; likewise.
+    joints : sequence of StructuralJoint
+        May be empty: a linear structure.
+    excitation : str or mapping, optional
+        The point that is driven, or the base that is accelerated; or such places with the complex
+        harmonics s_1, s_2, ... of the common amplitude. The first point without it.
+    bases : mapping of str to Base, optional
+        Supports that may be accelerated.
+    static_loads : mapping of str to float, optional
+        Forces at points, N, or accelerations of bases, m/s**2, that act for ever.
+    static_modes : int
+        How many of the modes, the last, stand for the static flexibility of those left out.
+
+    Raises
+    ------
+    ValueError
+        Naming what breaks a rule.
+
+    Examples
+    --------
+    A mass of 2 kg on a spring and a joint:
+
+    >>> import microslip
+    >>> joint = microslip.Joint(1e5, [microslip.Uniform(0, 10, 1)])
+    >>> structure = microslip.Structure(
+    ...     [10.0], {"mass": [2**-0.5]}, damping_ratio=0.01,
+    ...     joints=[microslip.StructuralJoint(joint, [2**-0.5])])
+    >>> structure.stuck_frequencies().round(3).tolist()
+    [36.978]
+    """
+
+    __slots__ = ("_core",)
+    _core: _core.Structure
+
+    def __init__(
+        self,
+        frequency: ArrayLike,
+        points: Mapping[str, ArrayLike],
+        *,
+        damping_ratio: Optional[ArrayLike] = None,
+        loss_factor: Optional[ArrayLike] = None,
+        joints: Sequence[StructuralJoint] = (),
+        excitation: Optional[Excitation] = None,
+        bases: Optional[Mapping[str, Base]] = None,
+        static_loads: Optional[Mapping[str, float]] = None,
+        static_modes: int = 0,
+    ) -> None:
+        hertz = real_array(frequency, "frequency")
+        modes = len(hertz)
+        shapes = _shapes(points, modes)
+        law, loss = _damping(damping_ratio, loss_factor, modes)
+        linear = {
+            "angular_frequency": 2.0 * np.pi * hertz,
+            "loss_factor": loss,
+            "points": list(shapes.items()),
+            "bases": _bases(bases, list(shapes), modes),
+            "static_modes": whole(static_modes, "static_modes", 0, max(modes - 1, 0)),
+        }
+        driven = next(iter(shapes)) if excitation is None else excitation
+        loads = {} if static_loads is None else _mapping(static_loads, "static_loads")
+        self._core = _core.Structure(
+            linear,
+            _joint_parts(joints, modes),
+            _excitations(driven),
+            law,
+            [(place, real(value, f"static_loads[{place!r}]")) for place, value in loads.items()],
+        )
+
+    @classmethod
+    def _of(cls, core: _core.Structure) -> Structure:
+        structure = object.__new__(cls)
+        structure._core = core
+        return structure
+
+    @classmethod
+    def read(cls, path: Path) -> Structure:
+        """The structure of a model.toml with its joint files. @see docs/file_formats.md"""
+        return cls._of(_core.read_structure(path_of(path, "path"))[0])
+
+    def with_joints(self, joints: Sequence[Union[Joint, StructuralJoint]]) -> Structure:
+        """The same with other joints.
+
+        Parameters
+        ----------
+        joints : sequence
+            As many `Joint` as there are, which take the places of those; or any number of
+            `StructuralJoint`.
+        """
+        given = sequence(joints, "joints", "joints")
+        placed = self.joints
+        if given and all(isinstance(joint, Joint) for joint in given):
+            if len(given) != len(placed):
+                raise InputError(f"joints has {len(given)}; must have {len(placed)}, one a joint of"
+                                 " the structure")  # fmt: skip
+            given = [
+                StructuralJoint(joint, old.shape, old.name, old.spring_in_modes,
+                                old.series_compliance, old.shortening, old.linear_damping)
+                for joint, old in zip(given, placed)
+            ]  # fmt: skip
+        modes = len(self.angular_frequency)
+        return Structure._of(
+            _core.Structure(self._core.linear(), _joint_parts(given, modes), self._core.excitations(),
+                            self._core.damping, self._core.static_loads())  # fmt: skip
+        )
+
+    @property
+    def angular_frequency(self) -> RealArray:
+        """omega of the linear part, rad/s, shape (modes,)."""
+        array: RealArray = self._core.linear()["angular_frequency"]
+        return array
+
+    @property
+    def frequency(self) -> RealArray:
+        """Of the linear part, Hz, shape (modes,)."""
+        return self.angular_frequency / (2.0 * np.pi)
+
+    @property
+    def loss_factor(self) -> RealArray:
+        """eta of the linear part, 1, shape (modes,); with viscous damping twice its ratio."""
+        array: RealArray = self._core.linear()["loss_factor"]
+        return array
+
+    @property
+    def damping(self) -> str:
+        """``"viscous"`` or ``"hysteretic"``."""
+        return self._core.damping
+
+    @property
+    def points(self) -> dict[str, RealArray]:
+        """Shapes by name, kg**-0.5."""
+        return dict(self._core.linear()["points"])
+
+    @property
+    def joints(self) -> tuple[StructuralJoint, ...]:
+        """In the order given."""
+        return tuple(
+            StructuralJoint(**{**part, "joint": Joint._of(part["joint"])})
+            for part in self._core.joints()
+        )
+
+    @property
+    def base_driven(self) -> bool:
+        """Whether what drives it are accelerations of bases, m/s**2, and not forces, N."""
+        return self._core.base_driven
+
+    def stuck_frequencies(self) -> RealArray:
+        """Natural frequencies with all joints stuck, Hz, rising: where the resonances are at small
+        amplitude."""
+        return self._core.stuck_frequencies() / (2.0 * np.pi)
+
+    def stuck_mode(self, mode: int) -> RealArray:
+        """The shape of such a vibration over the modes, of length 1; by frequency, from 0."""
+        return self._core.stuck_mode(whole(mode, "mode"))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        joints = [{**part, "joint": Joint._of(part["joint"])} for part in self._core.joints()]
+        return _structure_of, (self._core.linear(), joints, self._core.excitations(),
+                               self._core.damping, self._core.static_loads())  # fmt: skip
+
+    def _facts(self) -> tuple[str, list[tuple[str, str]]]:
+        stuck = self.stuck_frequencies()
+        shown = ", ".join(f"{f:.5g}" for f in stuck[:5]) + (", ..." if len(stuck) > 5 else "")
+        rows = [("modes", str(len(self.angular_frequency))), ("damping", self.damping),
+                ("points", ", ".join(self.points))]  # fmt: skip
+        rows.extend(
+            (f"joint {joint.name}", f"k = {si(joint.joint.stiffness, 'N/m')}")
+            for joint in self.joints
+        )
+        rows.append(("driven", ", ".join(place for place, _ in self._core.excitations())))
+        rows.append(("all joints stuck", f"{shown} Hz"))
+        return "Structure", rows
+
+
+def _structure_of(linear: Any, joints: Any, excitations: Any, damping: str, loads: Any) -> Structure:
+    parts = [{**part, "joint": part["joint"]._core} for part in joints]
+    for part in parts:
+        if part["shortening"] is not None:
+            part["shortening"] = part["shortening"].reshape(-1)
+    return Structure._of(_core.Structure(linear, parts, excitations, damping, loads))
+
+
+def _mapping(value: object, name: str) -> Mapping[str, Any]:
+    if not isinstance(value, Mapping):
+        raise InputError(f"{name} = {value!r}; must be a mapping of names")
+    for key in value:
+        text(key, f"a name in {name}")
+    return value
+
+
+def _shapes(points: object, modes: int) -> dict[str, RealArray]:
+    shapes = {
+        name: real_array(shape, f"points[{name!r}]", length=modes, per="one a mode")
+        for name, shape in _mapping(points, "points").items()
+    }
+    if not shapes:
+        raise InputError("points is empty; must have at least one place")
+    return shapes
+
+
+def _damping(ratio: object, loss: object, modes: int) -> tuple[str, RealArray]:
+    if ratio is not None and loss is not None:
+        raise InputError("damping_ratio and loss_factor are both given; must be one of them")
+    if loss is not None:
+        return "hysteretic", broadcast(loss, "loss_factor", modes, "one a mode")
+    if ratio is None:
+        return "viscous", np.zeros(modes)
+    return "viscous", 2.0 * broadcast(ratio, "damping_ratio", modes, "one a mode")
+
+
+def _bases(bases: object, points: list[str], modes: int) -> list[tuple[str, RealArray, RealArray]]:
+    if bases is None:
+        return []
+    all_of_them = []
+    for name, base in _mapping(bases, "bases").items():
+        if not isinstance(base, Base):
+            raise InputError(f"bases[{name!r}] = {base!r}; must be a microslip.Base")
+        for point in base.point_motion:
+            if point not in points:
+                raise InputError(f"bases[{name!r}]: point_motion has {point!r}; must be of points,"
+                                 f" {', '.join(points)}")  # fmt: skip
+        motion = np.array(
+            [real(base.point_motion.get(point, 1.0), f"point_motion[{point!r}]") for point in points]
+        )
+        participation = real_array(base.participation, f"bases[{name!r}]: participation",
+                                   length=modes, per="one a mode")  # fmt: skip
+        all_of_them.append((name, participation, motion))
+    return all_of_them
+
+
+def _joint_parts(joints: object, modes: int) -> list[dict[str, Any]]:
+    given = sequence(joints, "joints", "StructuralJoint")
+    parts = []
+    for i, joint in enumerate(given):
+        if not isinstance(joint, StructuralJoint):
+            raise InputError(f"joints[{i}] = {joint!r}; must be a microslip.StructuralJoint")
+        name = f"joint{i + 1}" if joint.name is None else text(joint.name, f"joints[{i}]: name")
+        parts.append(joint._dict(modes, name))
+    return parts
+
+
+def _excitations(excitation: object) -> list[tuple[str, ComplexArray]]:
+    if isinstance(excitation, str):
+        return [(excitation, np.ones(1, dtype=complex))]
+    places = _mapping(excitation, "excitation")
+    return [
+        (place, complex_array(np.atleast_1d(np.asarray(numbers)), f"excitation[{place!r}]"))
+        for place, numbers in places.items()
+    ]
+
+
+class Compliance(NamedTuple):
+    """How much a place gives way under a constant force."""
+
+    name: str
+    place: str  #: ``"joint"``, ``"point"`` or ``"base"``
+    exact: float  #: of the matrices, m/N
+    in_modes: float  #: of the modes alone, m/N
+    in_model: float  #: of modes and static attachments, m/N
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Modes(Shown):
+    """A structure by its modes, from matrices.
+
+    Attributes
+    ----------
+    frequency : ndarray
+        Hz; of the modes, then of static attachments.
+    points : dict of str to ndarray
+        Mass-normalised shapes, kg**-0.5.
+    joint_shapes : dict of str to ndarray
+        psi of each joint, kg**-0.5.
+    static_modes : int
+        How many of the modes, the last, are attachments.
+    bases : dict of str to Base
+        That may be accelerated.
+    compliances : tuple of Compliance
+        What the model lacks at joints and points.
+    warnings : tuple of Note
+        What must be known.
+    """
+
+    frequency: RealArray
+    points: dict[str, RealArray]
+    joint_shapes: dict[str, RealArray]
+    static_modes: int
+    bases: dict[str, Base]
+    compliances: tuple[Compliance, ...]
+    warnings: tuple[Note, ...]
+    _springs: dict[str, float]
+
+    def structure(
+        self,
+        joints: Mapping[str, Joint],
+        *,
+        damping_ratio: Optional[ArrayLike] = None,
+        loss_factor: Optional[ArrayLike] = None,
+        excitation: Optional[Excitation] = None,
+        static_loads: Optional[Mapping[str, float]] = None,
+    ) -> Structure:
+        """The structure with joints in their places; see `Structure` for the rest.
+
+        Parameters
+        ----------
+        joints : mapping of str to Joint
+            Of each name that `modes` was given.
+        """
+        named = _mapping(joints, "joints")
+        if set(named) != set(self.joint_shapes):
+            raise InputError(f"joints has {', '.join(named) or 'none'}; must have"
+                             f" {', '.join(self.joint_shapes) or 'none'}")  # fmt: skip
+        return Structure(
+            self.frequency,
+            self.points,
+            damping_ratio=damping_ratio,
+            loss_factor=loss_factor,
+            joints=[
+                StructuralJoint(named[name], shape, name, spring_in_modes=self._springs[name])
+                for name, shape in self.joint_shapes.items()
+            ],
+            excitation=excitation,
+            bases=self.bases,
+            static_loads=static_loads,
+            static_modes=self.static_modes,
+        )
+
+    def _facts(self) -> tuple[str, list[tuple[str, str]]]:
+        count = len(self.frequency) - self.static_modes
+        shown = ", ".join(f"{f:.5g}" for f in self.frequency[: min(count, 8)])
+        rows = [("modes", f"{count}: {shown}{', ...' if count > 8 else ''} Hz"),
+                ("static attachments", str(self.static_modes))]  # fmt: skip
+        rows.extend((f"{c.place} {c.name}", f"{c.in_model / c.exact:.6f} of its static compliance")
+                    for c in self.compliances if c.exact)  # fmt: skip
+        rows.extend(("warning", str(note)) for note in self.warnings)
+        return "Modes", rows
+
+
+def modes(
+    stiffness: Any,
+    mass: Any,
+    *,
+    points: Mapping[str, int],
+    joints: Optional[Mapping[str, tuple[Optional[int], int, float]]] = None,
+    held: Sequence[int] = (),
+    bases: Optional[Mapping[str, Sequence[int]]] = None,
+    count: Optional[int] = None,
+    highest_frequency: Optional[float] = None,
+    stuck: bool = False,
+    attachment: bool = True,
+    attached_points: Sequence[str] = (),
+    progress: Optional[Progress] = None,
+) -> Modes:
+    """The modes of a structure from its matrices.
+
+    Parameters
+    ----------
+    stiffness, mass : array_like or scipy sparse
+        K [N/m] and M [kg] without the joints, shape (n, n), symmetric; of sparse matrices entries
+        of one place add up.
+    points : mapping of str to int
+        The row, from 0, of each place that is driven or measured.
+    joints : mapping of str to (row or None, row, float)
+        The rows between which a joint sits, None for the ground, and its k, N/m: the displacement
+        of the second less that of the first.
+    held : sequence of int
+        Rows that do not move.
+    bases : mapping of str to sequence of int
+        Rows that move by 1 with a base.
+    count : int, optional
+        So many modes, or
+    highest_frequency : float, optional
+        all up to this, Hz.
+    stuck : bool
+        Whether the joints are springs of their k while modes are computed.
+    attachment : bool
+        Whether to add static shapes so that few modes suffice at the joints.
+    attached_points : sequence of str
+        Points that get one, too.
+    progress : callable, optional
+        Called with (done, total); False cancels.
+
+    Returns
+    -------
+    Modes
+
+    Raises
+    ------
+    ValueError
+        Naming what breaks a rule: matrices that are not symmetric, for instance.
+    """
+    size, k_entries = _entries(stiffness, "stiffness")
+    mass_size, m_entries = _entries(mass, "mass")
+    if size != mass_size:
+        raise InputError(f"mass has {mass_size} rows; must have {size}, those of stiffness")
+    between = _joints_between(joints or {}, size)
+    on_it = {
+        "held": [whole(row, f"held[{i}]", 0, size - 1) for i, row in enumerate(held)],
+        "points": [(name, whole(row, f"points[{name!r}]", 0, size - 1))
+                   for name, row in _mapping(points, "points").items()],
+        "bases": [(name, [whole(row, f"bases[{name!r}]", 0, size - 1) for row in rows])
+                  for name, rows in _mapping(bases or {}, "bases").items()],
+        "joints": between,
+    }  # fmt: skip
+    if not on_it["points"]:
+        raise InputError("points is empty; must have at least one place")
+    highest = None if highest_frequency is None else positive(highest_frequency, "highest_frequency")
+    options = {
+        "count": None if count is None else whole(count, "count", 1),
+        "highest_frequency": highest,
+        "stuck": flag(stuck, "stuck"),
+        "attachment": flag(attachment, "attachment"),
+        "attached_points": [text(p, "attached_points") for p in attached_points],
+    }
+    found = _core.compute_modes(size, k_entries, m_entries, on_it, options, progress_of(progress))
+    return _modes_of(found, between, stuck)
+
+
+def _modes_of(found: dict[str, Any], between: list[tuple[str, Optional[int], int, float]],
+              stuck: bool) -> Modes:  # fmt: skip
+    linear = found["linear"]
+    names = [name for name, _ in linear["points"]]
+    return Modes(
+        frequency=linear["angular_frequency"] / (2.0 * np.pi),
+        points=dict(linear["points"]),
+        joint_shapes={joint[0]: shape for joint, shape in zip(between, found["joint_shapes"])},
+        static_modes=linear["static_modes"],
+        bases={name: Base(participation, dict(zip(names, motion)))
+               for name, participation, motion in linear["bases"]},
+        compliances=tuple(Compliance(*numbers) for numbers in found["compliances"]),
+        warnings=notes(found["warnings"]),
+        _springs={joint[0]: joint[3] if stuck else 0.0 for joint in between},
+    )  # fmt: skip
+
+
+def _joints_between(joints: object, size: int) -> list[tuple[str, Optional[int], int, float]]:
+    between = []
+    for name, joint in _mapping(joints, "joints").items():
+        if not isinstance(joint, Sequence) or len(joint) != 3:
+            raise InputError(f"joints[{name!r}] = {joint!r}; must be (row or None, row, stiffness)")
+        first, second, k = joint
+        what = f"joints[{name!r}]"
+        between.append((name, None if first is None else whole(first, what, 0, size - 1),
+                        whole(second, what, 0, size - 1), positive(k, what)))  # fmt: skip
+    return between
+
+
+def _entries(matrix: Any, name: str) -> tuple[int, tuple[Any, Any, RealArray]]:
+    """Entries on and below the diagonal, after a look at symmetry."""
+    if hasattr(matrix, "tocoo"):
+        coo = matrix.tocoo(copy=True)
+        coo.sum_duplicates()
+        rows, columns, shape = coo.row, coo.col, coo.shape
+        values = real_array(coo.data, name, empty=True)
+    else:
+        array = real_array(matrix, name, ndim=2)
+        shape = array.shape
+        rows, columns = np.nonzero(array)
+        values = array[rows, columns]
+    if len(shape) != 2 or shape[0] != shape[1]:
+        raise InputError(f"{name} has the shape {shape}; must be square")
+    _check_symmetry(rows, columns, values, shape[0], name)
+    lower = rows >= columns
+    index = np.int32
+    return shape[0], (np.ascontiguousarray(rows[lower], index),
+                      np.ascontiguousarray(columns[lower], index),
+                      np.ascontiguousarray(values[lower]))  # fmt: skip
+
+
+def _check_symmetry(rows: Any, columns: Any, values: RealArray, size: int, name: str) -> None:
+    """As of matrices in files: to 1e-10 of the largest entry."""
+    place = rows.astype(np.int64) * size + columns
+    mirror = columns.astype(np.int64) * size + rows
+    order, mirrored = np.argsort(place), np.argsort(mirror)
+    largest = np.abs(values).max(initial=0.0)
+    same = np.array_equal(place[order], mirror[mirrored])
+    if same:
+        off = np.abs(values[order] - values[mirrored]) > 1e-10 * largest
+        if not off.any():
+            return
+        at = int(np.argmax(off))
+        row, column = int(rows[order][at]), int(columns[order][at])
+    else:
+        row, column = divmod(int(np.setxor1d(place, mirror)[0]), size)
+    raise InputError(f"{name}[{row}, {column}] differs from {name}[{column}, {row}]; must be symmetric."
+                     " Take (K + K.T)/2 where that is rounding.")  # fmt: skip

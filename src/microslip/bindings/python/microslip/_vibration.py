@@ -1,0 +1,480 @@
+# SPDX-License-Identifier: MIT
+"""Steady vibrations by harmonic balance: frequency responses, backbones."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Optional
+
+import numpy as np
+
+from . import _core
+from ._arguments import (
+    ArrayLike,
+    ComplexArray,
+    Progress,
+    RealArray,
+    flag,
+    one_of,
+    positive,
+    real,
+    real_array,
+    text,
+    whole,
+)
+from ._arguments import progress as progress_of
+from ._errors import InputError
+from ._results import Note, Shown, Summary, notes, outcome, si, summary_of, told
+from ._structure import Structure
+
+if TYPE_CHECKING:
+    import pandas
+    from matplotlib.axes import Axes
+
+KINDS = ("displacement", "velocity", "acceleration")
+_UNITS = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2"}
+
+
+@dataclass(frozen=True, eq=False)
+class JointCycles:
+    """The cycles of one joint along a curve.
+
+    Attributes
+    ----------
+    name : str
+    amplitude : ndarray
+        Half of the range of u, m, shape (points,).
+    dissipation : ndarray
+        D, all that the joint loses, J per cycle, shape (points,).
+    linear_dissipation : ndarray
+        What of D is not slip, J per cycle, shape (points,).
+    reversals : ndarray
+        In a cycle, shape (points,); 2 without inner loops.
+    displacement, force : ndarray
+        Harmonics 0 to H, factors of exp(i n omega t), m and N, shape (points, H + 1).
+    """
+
+    name: str
+    amplitude: RealArray
+    dissipation: RealArray
+    linear_dissipation: RealArray
+    reversals: RealArray
+    displacement: ComplexArray
+    force: ComplexArray
+
+
+@dataclass(frozen=True, eq=False)
+class Vibrations:
+    """Steady vibrations, in the order of a curve.
+
+    Attributes
+    ----------
+    frequency : ndarray
+        Hz, shape (points,).
+    force : ndarray
+        Amplitude of the excitation, N, or m/s**2 of a base, shape (points,).
+    response : ndarray
+        Amplitude of the first harmonic at the response point, in its kind, shape (points,).
+    phase_lag : ndarray
+        Of the displacement there behind the force, rad, in (-pi, pi], shape (points,).
+    damping_ratio : ndarray
+        By the energy that a cycle loses, 1, shape (points,).
+    input_energy, linear_dissipation : ndarray
+        J per cycle, shape (points,). [AR14 (15) to (17)]
+    energy_imbalance : ndarray
+        How well the equations are solved, 1, shape (points,).
+    modal : ndarray
+        q_i,n, kg**0.5 m, shape (points, modes, H + 1).
+    joints : tuple of JointCycles
+        One a joint of the structure.
+    """
+
+    frequency: RealArray
+    force: RealArray
+    response: RealArray
+    phase_lag: RealArray
+    damping_ratio: RealArray
+    input_energy: RealArray
+    linear_dissipation: RealArray
+    energy_imbalance: RealArray
+    modal: ComplexArray
+    joints: tuple[JointCycles, ...]
+
+    def __len__(self) -> int:
+        return len(self.frequency)
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ResponseCurve(Shown):
+    """A curve of steady vibrations.
+
+    Attributes
+    ----------
+    points : Vibrations
+        In the order of the curve, the peaks among them.
+    peaks : Vibrations
+        Local maxima of the response over the force.
+    peak_points, turning_points : ndarray of int
+        Which of the points are peaks; where the curve turns back.
+    warnings : tuple of Note
+        What must be known.
+    summary : Summary
+        Why the curve ended, and where.
+    """
+
+    points: Vibrations
+    peaks: Vibrations
+    peak_points: Any
+    turning_points: Any
+    warnings: tuple[Note, ...]
+    summary: Summary
+    _structure: Structure
+    _kind: str
+
+    @property
+    def frequency(self) -> RealArray:
+        """Of the points, Hz."""
+        return self.points.frequency
+
+    @property
+    def response(self) -> RealArray:
+        """Of the points, in the kind that was asked for."""
+        return self.points.response
+
+    @property
+    def unit(self) -> str:
+        """Of the response: ``"m"``, ``"m/s"`` or ``"m/s^2"``."""
+        return _UNITS[self._kind]
+
+    def displacement(self, point: str) -> ComplexArray:
+        """The displacement at a point of the structure, relative to its base: harmonics 0 to H, m,
+        shape (points, H + 1)."""
+        shapes = self._structure.points
+        if point not in shapes:
+            raise InputError(f"point = {point!r}; must be one of {', '.join(shapes)}")
+        harmonics: ComplexArray = np.einsum("i,pin->pn", shapes[point], self.points.modal)
+        return harmonics
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A DataFrame with the numbers of the points and joints."""
+        import pandas
+
+        drive = "base_acceleration [m/s^2]" if self._structure.base_driven else "force [N]"
+        columns = {
+            "frequency [Hz]": self.points.frequency,
+            drive: self.points.force,
+            f"response [{self.unit}]": self.points.response,
+            "phase_lag [rad]": self.points.phase_lag,
+            "damping_ratio [1]": self.points.damping_ratio,
+            "linear_dissipation [J]": self.points.linear_dissipation,
+            "energy_imbalance [1]": self.points.energy_imbalance,
+        }
+        for joint in self.points.joints:
+            columns[f"amplitude_{joint.name} [m]"] = joint.amplitude
+            columns[f"dissipation_{joint.name} [J]"] = joint.dissipation
+        return pandas.DataFrame(columns)
+
+    def plot(self, ax: Optional[Axes] = None, **style: Any) -> Axes:
+        """Draws the response over the frequency, by matplotlib."""
+        from ._plot import plot_curve
+
+        return plot_curve(self, ax, **style)
+
+    def _facts(self) -> tuple[str, list[tuple[str, str]]]:
+        rows = [("points", str(len(self.points)))]
+        if len(self.points):
+            f, r = self.frequency, self.response
+            rows.append(("frequency", f"{si(f.min(), '1')} to {si(f.max(), 'Hz')}"))
+            rows.append(("response", f"{si(r.min(), '1')} to {si(r.max(), self.unit)}"))
+        rows.extend(
+            ("peak", f"{si(r, self.unit, 6)} at {si(f, 'Hz', 6)}")
+            for f, r in zip(self.peaks.frequency, self.peaks.response)
+        )
+        return "Response curve", rows + outcome(self)
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class Vibration(Shown):
+    """One steady vibration, as `Vibrations` of one point.
+
+    Attributes
+    ----------
+    points : Vibrations
+        Of length 1.
+    summary : Summary
+        How it was found.
+    """
+
+    points: Vibrations
+    summary: Summary
+    warnings: tuple[Note, ...] = ()
+
+    def _facts(self) -> tuple[str, list[tuple[str, str]]]:
+        points = self.points
+        return "Vibration", [
+            ("frequency", si(float(points.frequency[0]), "Hz")),
+            ("force", si(float(points.force[0]), "1")),
+            ("response", si(float(points.response[0]), "1")),
+            ("phase lag", si(float(points.phase_lag[0]), "rad")),
+            ("damping ratio", si(float(points.damping_ratio[0]), "1")),
+        ] + outcome(self)
+
+
+class HarmonicBalance:
+    """Steady periodic vibrations of a jointed structure, with the exact memory of its joints.
+
+    Immutable: one object serves any number of threads, beside each other.
+
+    Parameters
+    ----------
+    structure : Structure
+        What vibrates.
+    point : str, optional
+        Where the response is measured; the first driven point without it.
+    kind : {"displacement", "velocity", "acceleration"}
+        Of the response.
+    harmonics : int
+        H: harmonics 0 to H are kept; 1 or more. 3 serve where the joint hardly slips, 9 in
+        macro-slip.
+    samples : int
+        Of a cycle for the joint forces; 2 H + 2 or more.
+    tolerance : float
+        Largest residual, relative, 1; 1e-14 to 1e-4.
+    max_iterations : int
+        Evaluations of the equations that one solution may take; 2 or more.
+    largest_change : float
+        Of the response from one point of a curve to the next, relative, 1; in (0, 1].
+    least_points, max_points : int
+        Of a curve.
+    accuracy : float
+        How far the polygon through the points may lie beside the curve, relative to its peak, 1; 0:
+        no points are added.
+    frequencies : array_like, optional
+        Where a curve over the frequency is to have points as well, Hz.
+    modal_forcing : bool
+        Whether a force on every mode keeps the vibration up, which leaves nonlinear modes. [Krack
+        2015]
+
+    Raises
+    ------
+    ValueError
+        Naming what breaks a rule.
+    """
+
+    __slots__ = ("_core", "_kind", "structure")
+    structure: Structure
+
+    def __init__(
+        self,
+        structure: Structure,
+        point: Optional[str] = None,
+        *,
+        kind: str = "displacement",
+        harmonics: int = 5,
+        samples: int = 256,
+        tolerance: float = 1e-12,
+        max_iterations: int = 40,
+        largest_change: float = 0.2,
+        least_points: int = 20,
+        max_points: int = 5000,
+        accuracy: float = 0.002,
+        frequencies: Optional[ArrayLike] = None,
+        modal_forcing: bool = False,
+    ) -> None:
+        if not isinstance(structure, Structure):
+            raise InputError(f"structure = {structure!r}; must be a microslip.Structure")
+        hertz = None if frequencies is None else real_array(frequencies, "frequencies")
+        self._kind = one_of(kind, "kind", KINDS)
+        options = {
+            "harmonics": whole(harmonics, "harmonics", 1),
+            "samples": whole(samples, "samples", 1),
+            "tolerance": positive(tolerance, "tolerance"),
+            "max_iterations": whole(max_iterations, "max_iterations", 1),
+            "largest_change": positive(largest_change, "largest_change"),
+            "least_points": whole(least_points, "least_points", 1),
+            "max_points": whole(max_points, "max_points", 1),
+            "accuracy": real(accuracy, "accuracy"),
+            "angular_frequencies": None if hertz is None else 2.0 * np.pi * hertz,
+            "modal_forcing": flag(modal_forcing, "modal_forcing"),
+        }
+        self.structure = structure
+        at = structure._core.excitations()[0][0] if point is None else text(point, "point")
+        self._core = _core.HarmonicBalance(structure._core, at, self._kind, options)
+
+    def frequency_response(self, force: float, from_: float, to: float, *,
+                           progress: Optional[Progress] = None,
+                           strict: bool = True) -> ResponseCurve:  # fmt: skip
+        """The curve over the frequency at constant force.
+
+        Parameters
+        ----------
+        force : float
+            Amplitude, N, or m/s**2 of a base; above 0.
+        from_, to : float
+            Hz, either way round.
+        progress : callable, optional
+            Called with (done, total); False cancels.
+        strict : bool
+            Whether to raise where the curve did not reach its end; without it a warning is issued.
+
+        Returns
+        -------
+        ResponseCurve
+
+        Raises
+        ------
+        ValueError, NotConverged
+        """
+        return self._follow("force", positive(force, "force"), from_, to, progress, strict)
+
+    def constant_response(self, response: float, from_: float, to: float, *,
+                          progress: Optional[Progress] = None,
+                          strict: bool = True) -> ResponseCurve:  # fmt: skip
+        """The curve over the frequency at constant response, of which the force is found. [AR14
+        Fig. 4] Parameters as of `frequency_response`; `response` in the kind of this object."""
+        return self._follow("response", positive(response, "response"), from_, to, progress, strict)
+
+    def backbone(self, response: ArrayLike, *, mode: int = 0, through_folds: bool = False,
+                 progress: Optional[Progress] = None, strict: bool = True) -> ResponseCurve:  # fmt: skip
+        """The vibrations in phase resonance.
+
+        Parameters
+        ----------
+        response : array_like
+            Amplitudes, in the kind of this object, shape (n,); above 0.
+        mode : int
+            Of the stuck structure, by frequency, from 0.
+        through_folds : bool
+            Whether to follow the curve round folds, where a response may be met more than once;
+            `response` must rise then.
+        progress, strict
+            As of `frequency_response`.
+        """
+        return self._curve(
+            self._core.follow_backbone(
+                real_array(response, "response"),
+                whole(mode, "mode"),
+                flag(through_folds, "through_folds"),
+                progress_of(progress),
+            ),
+            strict,
+        )
+
+    def solve(self, *, frequency: Optional[float] = None, force: Optional[float] = None,
+              response: Optional[float] = None, phase_lag: Optional[float] = None, mode: int = 0,
+              strict: bool = True) -> Vibration:  # fmt: skip
+        """The vibration with two quantities as given.
+
+        Parameters
+        ----------
+        frequency : float, optional
+            Hz.
+        force : float, optional
+            N, or m/s**2 of a base.
+        response : float, optional
+            In the kind of this object.
+        phase_lag : float, optional
+            rad, in (0, pi); pi/2 is phase resonance.
+        mode : int
+            Where no frequency is given: at which resonance to look.
+        strict : bool
+            As of `frequency_response`.
+        """
+        given = {"angular_frequency": None if frequency is None else
+                 2.0 * np.pi * positive(frequency, "frequency"),
+                 "force": None if force is None else positive(force, "force"),
+                 "response": None if response is None else positive(response, "response"),
+                 "phase_lag": None if phase_lag is None else positive(phase_lag, "phase_lag")}  # fmt: skip
+        targets = [(name, value) for name, value in given.items() if value is not None]
+        if len(targets) != 2:
+            raise InputError(f"{len(targets)} of frequency, force, response, phase_lag are given;"
+                             " must be two")  # fmt: skip
+        found = self._core.solve(targets[0], targets[1], whole(mode, "mode"))
+        result = Vibration(_vibrations(found["points"]), summary_of(found["summary"]))
+        return told(result, flag(strict, "strict"))
+
+    def _follow(self, kept: str, value: float, from_: object, to: object, progress: object,
+                strict: object) -> ResponseCurve:  # fmt: skip
+        ends = [2.0 * np.pi * positive(from_, "from_"), 2.0 * np.pi * positive(to, "to")]
+        found = self._core.follow_frequency(kept, value, ends[0], ends[1], progress_of(progress))
+        return self._curve(found, strict, 5)
+
+    def _curve(self, found: dict[str, Any], strict: object, stacklevel: int = 4) -> ResponseCurve:
+        curve = ResponseCurve(
+            points=_vibrations(found["points"]),
+            peaks=_vibrations(found["peaks"]),
+            peak_points=np.array(found["peak_points"], dtype=int),
+            turning_points=np.array(found["turning_points"], dtype=int),
+            warnings=notes(found["warnings"]),
+            summary=summary_of(found["summary"]),
+            _structure=self.structure,
+            _kind=self._kind,
+        )
+        return told(curve, flag(strict, "strict"), stacklevel)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _balance_of, (self.structure, self._core.point, self._kind, self._core.options())
+
+    def __repr__(self) -> str:
+        return f"HarmonicBalance({self._core.point!r}, kind={self._kind!r})"
+
+
+def _balance_of(structure: Structure, point: str, kind: str, options: Any) -> HarmonicBalance:
+    balance = object.__new__(HarmonicBalance)
+    balance.structure = structure
+    balance._kind = kind
+    balance._core = _core.HarmonicBalance(structure._core, point, kind, options)
+    return balance
+
+
+def _vibrations(columns: dict[str, Any]) -> Vibrations:
+    joints = tuple(JointCycles(**joint) for joint in columns["joints"])
+    return Vibrations(**{**columns, "joints": joints})
+
+
+def frequency_response(structure: Structure, force: float, from_: float, to: float,
+                       **options: Any) -> ResponseCurve:  # fmt: skip
+    """The response of a structure over the frequency at constant force.
+
+    Parameters
+    ----------
+    structure : Structure
+        What vibrates.
+    force : float
+        Amplitude, N, or m/s**2 of a base; above 0.
+    from_, to : float
+        Hz.
+    **options
+        Of `HarmonicBalance` (`point`, `kind`, `harmonics`, ...), and `progress`, `strict` of
+        `HarmonicBalance.frequency_response`.
+
+    Examples
+    --------
+    >>> import microslip
+    >>> joint = microslip.Joint(1e5, [microslip.Uniform(0, 10, 1)])
+    >>> structure = microslip.Structure(
+    ...     [10.0], {"mass": [2**-0.5]}, damping_ratio=0.01,
+    ...     joints=[microslip.StructuralJoint(joint, [2**-0.5])])
+    >>> curve = microslip.frequency_response(structure, 0.5, 30, 40)
+    >>> print(f"{curve.peaks.response[0]:.3g} {curve.unit} at {curve.peaks.frequency[0]:.4g} Hz")
+    5.11e-05 m at 34.54 Hz
+    """
+    run = {name: options.pop(name) for name in ("progress", "strict") if name in options}
+    return HarmonicBalance(structure, **options).frequency_response(force, from_, to, **run)
+
+
+def backbone(structure: Structure, response: ArrayLike, **options: Any) -> ResponseCurve:
+    """The vibrations of a structure in phase resonance, over the response.
+
+    Parameters
+    ----------
+    structure : Structure
+        What vibrates.
+    response : array_like
+        Amplitudes, in the kind of the response, shape (n,).
+    **options
+        Of `HarmonicBalance`, and those of `HarmonicBalance.backbone`.
+    """
+    of_run = ("mode", "through_folds", "progress", "strict")
+    run = {name: options.pop(name) for name in of_run if name in options}
+    return HarmonicBalance(structure, **options).backbone(response, **run)

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#include <string>
+
+#include "core.hpp"
+#include "microslip/base/version.hpp"
+
+PYBIND11_MODULE(_core, core) {
+  using namespace microslip::python;
+  core.doc() = "The compiled half of microslip. It is no interface: import microslip.";
+  core.attr("version") = std::string(microslip::kVersion);
+  add_errors(core);
+  add_joint(core);
+  add_memory(core);
+  add_identification(core);
+  add_structure(core);
+  add_vibration(core);
+  add_march(core);
+}

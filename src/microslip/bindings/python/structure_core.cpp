@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arguments.hpp"
+#include "core.hpp"
+#include "long_work.hpp"
+#include "microslip/dynamics/jointed_structure.hpp"
+#include "microslip/io/model_file.hpp"
+#include "microslip/modes/structure_modes.hpp"
+#include "microslip/structure/modal_model.hpp"
+#include "results.hpp"
+#include "structure.hpp"
+
+namespace py = pybind11;
+
+namespace microslip::python {
+namespace {
+
+using namespace py::literals;
+
+ModalModel modal_model_of(const py::dict& linear) {
+  const std::vector<double> frequency = copy_of(linear["angular_frequency"].cast<RealArray>());
+  const std::vector<double> loss_factor = copy_of(linear["loss_factor"].cast<RealArray>());
+  std::vector<Mode> modes;
+  for (std::size_t i = 0; i < frequency.size(); ++i)
+    modes.push_back({frequency[i], loss_factor[i]});
+  std::vector<ModalPoint> points;
+  for (const py::handle point : linear["points"]) {
+    const auto [name, shape] = point.cast<std::pair<std::string, RealArray>>();
+    points.push_back({name, copy_of(shape)});
+  }
+  std::vector<ModalBase> bases;
+  for (const py::handle base : linear["bases"]) {
+    const auto [name, participation, motion] =
+        base.cast<std::tuple<std::string, RealArray, RealArray>>();
+    bases.push_back({name, copy_of(participation), copy_of(motion)});
+  }
+  return {std::move(modes), std::move(points), std::move(bases),
+          linear["static_modes"].cast<std::size_t>()};
+}
+
+std::vector<StructuralJoint> joints_of(const py::list& joints) {
+  std::vector<StructuralJoint> all;
+  for (const py::handle joint : joints) {
+    const auto of = joint.cast<py::dict>();
+    all.push_back({.name = of["name"].cast<std::string>(),
+                   .joint = *of["joint"].cast<std::shared_ptr<Joint>>(),
+                   .shape = copy_of(of["shape"].cast<RealArray>()),
+                   .spring_in_modes = of["spring_in_modes"].cast<double>(),
+                   .series_compliance = of["series_compliance"].cast<double>(),
+                   .shortening = copy_of(of["shortening"].cast<py::object>()),
+                   .linear_damping = of["linear_damping"].cast<double>()});
+  }
+  return all;
+}
+
+std::vector<Excitation> excitations_of(const py::list& excitations) {
+  std::vector<Excitation> all;
+  for (const py::handle excitation : excitations) {
+    const auto [place, harmonics] = excitation.cast<std::pair<std::string, ComplexArray>>();
+    const auto numbers = values(harmonics);
+    all.push_back({place, {numbers.begin(), numbers.end()}});
+  }
+  return all;
+}
+
+std::vector<StaticLoad> static_loads_of(const py::list& loads) {
+  std::vector<StaticLoad> all;
+  for (const py::handle load : loads) {
+    const auto [place, value] = load.cast<std::pair<std::string, double>>();
+    all.push_back({place, value});
+  }
+  return all;
+}
+
+std::shared_ptr<JointedStructure> structure_of(const py::dict& linear, const py::list& joints,
+                                               const py::list& excitations,
+                                               const std::string& damping, const py::list& loads) {
+  return std::make_shared<JointedStructure>(
+      modal_model_of(linear), joints_of(joints), excitations_of(excitations),
+      damping == "hysteretic" ? DampingLaw::kHysteretic : DampingLaw::kViscous,
+      static_loads_of(loads));
+}
+
+// What a structure was made of: the same that structure_of() takes.
+
+py::dict linear_part(const JointedStructure& of) {
+  const ModalModel& linear = of.linear();
+  std::vector<double> frequency;
+  std::vector<double> loss_factor;
+  for (const Mode& mode : linear.modes()) {
+    frequency.push_back(mode.angular_frequency);
+    loss_factor.push_back(mode.loss_factor);
+  }
+  py::list points;
+  for (const ModalPoint& point : linear.points()) {
+    points.append(py::make_tuple(point.name, array_of(point.shape)));
+  }
+  py::list bases;
+  for (const ModalBase& base : linear.bases()) {
+    bases.append(
+        py::make_tuple(base.name, array_of(base.participation), array_of(base.point_motion)));
+  }
+  return py::dict("angular_frequency"_a = array_of(std::move(frequency)),
+                  "loss_factor"_a = array_of(std::move(loss_factor)), "points"_a = points,
+                  "bases"_a = bases, "static_modes"_a = linear.static_modes());
+}
+
+py::list joint_parts(const JointedStructure& of) {
+  py::list all;
+  for (const StructuralJoint& joint : of.joints()) {
+    all.append(py::dict(
+        "name"_a = joint.name, "joint"_a = std::make_shared<Joint>(joint.joint),
+        "shape"_a = array_of(joint.shape), "spring_in_modes"_a = joint.spring_in_modes,
+        "series_compliance"_a = joint.series_compliance,
+        "shortening"_a = joint.shortening.empty() ? py::object(py::none())
+                                                  : array_of(joint.shortening, joint.shape.size()),
+        "linear_damping"_a = joint.linear_damping));
+  }
+  return all;
+}
+
+py::list excitation_parts(const JointedStructure& of) {
+  py::list all;
+  for (const Excitation& excitation : of.excitations()) {
+    all.append(py::make_tuple(excitation.point, array_of(excitation.harmonics)));
+  }
+  return all;
+}
+
+py::list load_parts(const JointedStructure& of) {
+  py::list all;
+  for (const StaticLoad& load : of.static_loads())
+    all.append(py::make_tuple(load.place, load.value));
+  return all;
+}
+
+py::tuple read_structure(const std::string& path) {
+  const ModelFile file = read_model(path);
+  return py::make_tuple(std::make_shared<JointedStructure>(file.structure), file.response,
+                        file.covered_to, file.joint_samples);
+}
+
+/// Entries on and below the diagonal, as `rows`, `columns` and `values` of the package.
+SymmetricEntries entries_of(std::size_t size, const py::tuple& entries) {
+  using IndexArray = py::array_t<std::int32_t, py::array::c_style>;
+  const auto rows = entries[0].cast<IndexArray>();
+  const auto columns = entries[1].cast<IndexArray>();
+  return {.size = size,
+          .row = {rows.data(), rows.data() + rows.size()},
+          .column = {columns.data(), columns.data() + columns.size()},
+          .value = copy_of(entries[2].cast<RealArray>())};
+}
+
+MeshPlace place_of(std::size_t row) {
+  return {.name = "row " + std::to_string(row), .nodes = {}, .row = row};
+}
+
+MeshedStructure meshed_structure_of(std::size_t size, const py::tuple& stiffness,
+                                    const py::tuple& mass, const py::dict& on_it) {
+  MeshedStructure all;
+  all.matrices = {.stiffness = entries_of(size, stiffness), .mass = entries_of(size, mass)};
+  if (const auto held = on_it["held"].cast<std::vector<std::size_t>>(); !held.empty()) {
+    all.supports.push_back({.name = "held", .nodes = {}, .rows = held});
+  }
+  for (const py::handle point : on_it["points"]) {
+    const auto [name, row] = point.cast<std::pair<std::string, std::size_t>>();
+    all.points.push_back({.name = name, .place = place_of(row)});
+  }
+  for (const py::handle base : on_it["bases"]) {
+    const auto [name, rows] = base.cast<std::pair<std::string, std::vector<std::size_t>>>();
+    all.bases.push_back({.name = name, .rows = rows});
+  }
+  for (const py::handle joint : on_it["joints"]) {
+    const auto [name, from, to, stiffness_of_it] =
+        joint.cast<std::tuple<std::string, std::optional<std::size_t>, std::size_t, double>>();
+    MeshJoint made{.name = name, .to = place_of(to), .stiffness = stiffness_of_it};
+    if (from) made.from = place_of(*from);
+    all.joints.push_back(std::move(made));
+  }
+  return all;
+}
+
+py::dict dict_of(const StructureModes& modes) {
+  py::list shapes;
+  for (const std::vector<double>& shape : modes.joint_shapes) shapes.append(array_of(shape));
+  py::list compliances;
+  for (const StaticCompliance& of : modes.compliances) {
+    compliances.append(py::make_tuple(of.name, std::string(to_string(of.place)), of.exact,
+                                      of.in_modes, of.in_model));
+  }
+  const JointedStructure structure(modes.model, {}, {{modes.model.points().front().name, {1.0}}});
+  return py::dict("linear"_a = linear_part(structure), "joint_shapes"_a = shapes,
+                  "compliances"_a = compliances, "warnings"_a = list_of(modes.warnings));
+}
+
+py::dict compute_modes(std::size_t size, const py::tuple& stiffness, const py::tuple& mass,
+                       const py::dict& on_it, const py::dict& options, const py::object& listener) {
+  const MeshedStructure structure = meshed_structure_of(size, stiffness, mass, on_it);
+  ModesOptions of{
+      .count = options["count"].cast<std::optional<std::size_t>>(),
+      .highest_frequency = options["highest_frequency"].cast<std::optional<double>>(),
+      .joints = options["stuck"].cast<bool>() ? JointsInModes::kStuck : JointsInModes::kFree,
+      .attachment = options["attachment"].cast<bool>(),
+      .attached_points = options["attached_points"].cast<std::vector<std::string>>()};
+  return dict_of(long_result(
+      [&](const Progress& progress) {
+        of.progress = progress;
+        return compute_structure_modes(structure, of);
+      },
+      listener));
+}
+
+}  // namespace
+
+void add_structure(py::module_& core) {
+  py::class_<JointedStructure, std::shared_ptr<JointedStructure>>(core, "Structure")
+      .def(py::init(&structure_of))
+      .def("linear", linear_part)
+      .def("joints", joint_parts)
+      .def("excitations", excitation_parts)
+      .def("static_loads", load_parts)
+      .def_property_readonly("damping",
+                             [](const JointedStructure& of) {
+                               return of.damping() == DampingLaw::kHysteretic ? "hysteretic"
+                                                                              : "viscous";
+                             })
+      .def_property_readonly("base_driven", &JointedStructure::base_driven)
+      .def("stuck_frequencies",
+           [](const JointedStructure& of) { return array_of(of.stuck_frequencies()); })
+      .def("stuck_mode", [](const JointedStructure& of, std::size_t mode) {
+        return array_of(of.stuck_mode(mode));
+      });
+  core.def("read_structure", read_structure);
+  core.def("compute_modes", compute_modes);
+}
+
+}  // namespace microslip::python
