@@ -133,7 +133,7 @@ def _array(value: object, name: str, kinds: str, rule: str) -> npt.NDArray[Any]:
         array = np.asarray(value)
     except (ValueError, TypeError, OverflowError):
         raise InputError(f"{name} has rows of different lengths; must be {rule}") from None
-    if np.ma.isMaskedArray(value) and np.ma.is_masked(value):
+    if isinstance(value, np.ma.MaskedArray) and bool(np.any(value.mask)):
         raise InputError(f"{name} has masked values; must be {rule}. Leave them out or fill them.")
     if array.size > 0 and array.dtype.kind not in kinds:
         found = {"c": "complex numbers", "O": "Python objects", "U": "texts", "S": "texts",

@@ -9,6 +9,7 @@ from typing import Any, Optional
 from . import _core
 from ._arguments import Path, RealArray, whole
 from ._arguments import path as path_of
+from ._core import JointDraws as CoreDraws
 from ._joint import Joint
 from ._results import Shown, si
 
@@ -20,13 +21,13 @@ class JointDraws(Shown):
     """
 
     __slots__ = ("_core",)
-    _core: _core.JointDraws
+    _core: CoreDraws
 
     def __init__(self) -> None:
         raise TypeError("JointDraws come from an identification, or from JointDraws.read")
 
     @classmethod
-    def _of(cls, core: _core.JointDraws) -> JointDraws:
+    def _of(cls, core: CoreDraws) -> JointDraws:
         draws = object.__new__(cls)
         draws._core = core
         return draws
@@ -91,5 +92,5 @@ def _draws_of(state: dict[str, Any]) -> JointDraws:
     return JointDraws._of(_core.draws_of(state))
 
 
-def draws_or_none(core: Optional[_core.JointDraws]) -> Optional[JointDraws]:
+def draws_or_none(core: Optional[CoreDraws]) -> Optional[JointDraws]:
     return None if core is None else JointDraws._of(core)

@@ -22,6 +22,7 @@ from ._arguments import (
     whole,
 )
 from ._arguments import path as path_of
+from ._core import Joint as CoreJoint
 from ._errors import InputError
 from ._results import Shown, si
 
@@ -199,14 +200,14 @@ class Joint(Shown):
     --------
     >>> import microslip
     >>> joint = microslip.Joint(1e5, [microslip.Uniform(0, 10, 1)])
-    >>> joint.force(1e-4)
-    7.5
+    >>> joint.force(5e-5)
+    3.75
     >>> joint.dissipation([5e-5, 1e-4]).tolist()
     [8.333333333333333e-05, 0.0006666666666666666]
     """
 
     __slots__ = ("_core",)
-    _core: _core.Joint
+    _core: CoreJoint
 
     def __init__(self, stiffness: float, density: Sequence[Part] = ()) -> None:
         parts = []
@@ -220,7 +221,7 @@ class Joint(Shown):
         self._core = _core.Joint(positive(stiffness, "stiffness"), parts)
 
     @classmethod
-    def _of(cls, core: _core.Joint) -> Joint:
+    def _of(cls, core: CoreJoint) -> Joint:
         joint = object.__new__(cls)
         joint._core = core
         return joint
@@ -425,12 +426,12 @@ class Memory:
     --------
     >>> import microslip
     >>> memory = microslip.Joint(1e5, [microslip.Uniform(0, 10, 1)]).memory()
-    >>> memory.trial(1e-4)
-    Response(force=7.5, tangent=50000.0)
+    >>> memory.trial(5e-5)
+    Response(force=3.75, tangent=50000.0)
     >>> memory.force
     0.0
-    >>> memory.advance(1e-4)
-    7.5
+    >>> memory.advance(5e-5)
+    3.75
     """
 
     __slots__ = ("_core", "joint")

@@ -8,7 +8,7 @@ from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, Optional
 
 from . import _core
-from ._arguments import ArrayLike, Path, RealArray, real_array
+from ._arguments import ArrayLike, Path, RealArray, optional_array, real_array
 from ._arguments import path as path_of
 from ._errors import InputError
 from ._results import Shown, si
@@ -28,9 +28,10 @@ _UNITS = {
     "frequency": "Hz",
     "frequency_std": "Hz",
 }
+_EACH = "one an amplitude"
 
 
-@dataclass(frozen=True, repr=False, eq=False)
+@dataclass(frozen=True, init=False, repr=False, eq=False)
 class Levels(Shown):
     """One entry a level of vibration.
 
@@ -55,23 +56,42 @@ class Levels(Shown):
         Naming the column, for what is no array of n finite numbers.
     """
 
-    amplitude: ArrayLike
-    dissipation: ArrayLike
-    amplitude_std: Optional[ArrayLike] = None
-    dissipation_std: Optional[ArrayLike] = None
-    secant_stiffness: Optional[ArrayLike] = None
-    secant_stiffness_std: Optional[ArrayLike] = None
-    linear_dissipation: Optional[ArrayLike] = None
-    frequency: Optional[ArrayLike] = None
-    frequency_std: Optional[ArrayLike] = None
+    amplitude: RealArray
+    dissipation: RealArray
+    amplitude_std: Optional[RealArray]
+    dissipation_std: Optional[RealArray]
+    secant_stiffness: Optional[RealArray]
+    secant_stiffness_std: Optional[RealArray]
+    linear_dissipation: Optional[RealArray]
+    frequency: Optional[RealArray]
+    frequency_std: Optional[RealArray]
 
-    def __post_init__(self) -> None:
-        count = len(real_array(self.amplitude, "amplitude"))
-        for field in fields(self):
-            value = getattr(self, field.name)
-            if value is not None or field.name in ("amplitude", "dissipation"):
-                column = real_array(value, field.name, length=count, per="one an amplitude")
-                object.__setattr__(self, field.name, column)
+    def __init__(
+        self,
+        amplitude: ArrayLike,
+        dissipation: ArrayLike,
+        amplitude_std: Optional[ArrayLike] = None,
+        dissipation_std: Optional[ArrayLike] = None,
+        secant_stiffness: Optional[ArrayLike] = None,
+        secant_stiffness_std: Optional[ArrayLike] = None,
+        linear_dissipation: Optional[ArrayLike] = None,
+        frequency: Optional[ArrayLike] = None,
+        frequency_std: Optional[ArrayLike] = None,
+    ) -> None:
+        first = real_array(amplitude, "amplitude")
+        given = {
+            "dissipation": real_array(dissipation, "dissipation", length=len(first), per=_EACH),
+            "amplitude_std": amplitude_std,
+            "dissipation_std": dissipation_std,
+            "secant_stiffness": secant_stiffness,
+            "secant_stiffness_std": secant_stiffness_std,
+            "linear_dissipation": linear_dissipation,
+            "frequency": frequency,
+            "frequency_std": frequency_std,
+        }
+        object.__setattr__(self, "amplitude", first)
+        for name, values in given.items():
+            object.__setattr__(self, name, optional_array(values, name, len(first), _EACH))
 
     @classmethod
     def read(cls, path: Path) -> Levels:
@@ -134,11 +154,7 @@ class Levels(Shown):
         return plot_levels(self, ax, **style)
 
     def __len__(self) -> int:
-        return len(self._column("amplitude"))
-
-    def _column(self, name: str) -> RealArray:
-        column: RealArray = getattr(self, name)
-        return column
+        return len(self.amplitude)
 
     def _columns(self) -> dict[str, Optional[RealArray]]:
         return {field.name: getattr(self, field.name) for field in fields(self)}

@@ -31,6 +31,7 @@ from ._arguments import (
 )
 from ._arguments import path as path_of
 from ._arguments import progress as progress_of
+from ._core import Structure as CoreStructure
 from ._errors import InputError
 from ._joint import Joint
 from ._results import Note, Shown, notes, si
@@ -154,11 +155,11 @@ class Structure(Shown):
     ...     [10.0], {"mass": [2**-0.5]}, damping_ratio=0.01,
     ...     joints=[microslip.StructuralJoint(joint, [2**-0.5])])
     >>> structure.stuck_frequencies().round(3).tolist()
-    [36.978]
+    [36.966]
     """
 
     __slots__ = ("_core",)
-    _core: _core.Structure
+    _core: CoreStructure
 
     def __init__(
         self,
@@ -195,7 +196,7 @@ class Structure(Shown):
         )
 
     @classmethod
-    def _of(cls, core: _core.Structure) -> Structure:
+    def _of(cls, core: CoreStructure) -> Structure:
         structure = object.__new__(cls)
         structure._core = core
         return structure
@@ -262,7 +263,7 @@ class Structure(Shown):
     def joints(self) -> tuple[StructuralJoint, ...]:
         """In the order given."""
         return tuple(
-            StructuralJoint(**{**part, "joint": Joint._of(part["joint"])})
+            StructuralJoint(**_with(part, "joint", Joint._of(part["joint"])))
             for part in self._core.joints()
         )
 
@@ -281,7 +282,7 @@ class Structure(Shown):
         return self._core.stuck_mode(whole(mode, "mode"))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        joints = [{**part, "joint": Joint._of(part["joint"])} for part in self._core.joints()]
+        joints = [_with(part, "joint", Joint._of(part["joint"])) for part in self._core.joints()]
         return _structure_of, (self._core.linear(), joints, self._core.excitations(),
                                self._core.damping, self._core.static_loads())  # fmt: skip
 
@@ -299,8 +300,12 @@ class Structure(Shown):
         return "Structure", rows
 
 
+def _with(part: dict[str, Any], key: str, value: object) -> dict[str, Any]:
+    return {**part, key: value}
+
+
 def _structure_of(linear: Any, joints: Any, excitations: Any, damping: str, loads: Any) -> Structure:
-    parts = [{**part, "joint": part["joint"]._core} for part in joints]
+    parts = [_with(part, "joint", part["joint"]._core) for part in joints]
     for part in parts:
         if part["shortening"] is not None:
             part["shortening"] = part["shortening"].reshape(-1)
