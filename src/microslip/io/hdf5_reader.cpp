@@ -41,7 +41,7 @@ fs::path library_folder() {
 std::vector<fs::path> candidates() {
   const fs::path program = program_folder();
   const fs::path library = library_folder();
-  std::vector<fs::path> folders{program, program.parent_path()};
+  std::vector<fs::path> folders{program, program.parent_path(), library};
   for (const fs::path& prefix :
        {program.parent_path(), library.parent_path(), library.parent_path().parent_path()}) {
     folders.push_back(prefix / "libexec/microslip");

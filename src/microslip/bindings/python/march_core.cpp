@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
@@ -8,6 +10,7 @@
 #include "core.hpp"
 #include "long_work.hpp"
 #include "microslip/dynamics/march.hpp"
+#include "microslip/workflow/model_text.hpp"
 #include "results.hpp"
 #include "structure.hpp"
 
@@ -73,13 +76,19 @@ py::dict dict_of(MarchResult result) {
                   "summary"_a = python::dict_of(result.summary));
 }
 
-py::dict march_structure(const std::shared_ptr<JointedStructure>& structure, const RealArray& time,
+py::dict march_structure(const std::shared_ptr<ModelFile>& model, const RealArray& time,
                          const py::list& forces, const py::list& normal_loads,
                          const py::dict& options, const py::object& listener) {
   const LoadHistory loads = loads_of(time, forces, normal_loads);
   const MarchOptions of = options_of(options);
   return dict_of(long_result(
-      [&](const Progress& progress) { return march(*structure, loads, of, progress); }, listener));
+      [&](const Progress& progress) {
+        MarchResult result = march(model->structure, loads, of, progress);
+        std::ranges::move(march_warnings(*model, result.reach),
+                          std::back_inserter(result.warnings));
+        return result;
+      },
+      listener));
 }
 
 }  // namespace

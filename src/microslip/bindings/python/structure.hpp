@@ -3,11 +3,12 @@
 
 #include <memory>
 
-#include "microslip/dynamics/jointed_structure.hpp"
+#include "microslip/io/model_file.hpp"
 
 namespace microslip::python {
 
-/// A structure is shared by what was made of it, as a joint is.
-using SharedStructure = std::shared_ptr<const JointedStructure>;
+/// A structure with what a model.toml says beside it, so that it is judged as that would be: levels
+/// that joints were identified by, modes left out. Shared by what was made of it.
+using SharedModel = std::shared_ptr<const ModelFile>;
 
 }  // namespace microslip::python

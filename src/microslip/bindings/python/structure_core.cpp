@@ -41,7 +41,7 @@ ModalModel modal_model_of(const py::dict& linear) {
     bases.push_back({name, copy_of(participation), copy_of(motion)});
   }
   return {std::move(modes), std::move(points), std::move(bases),
-          linear["static_modes"].cast<std::size_t>()};
+          linear["static_attachments"].cast<std::optional<std::size_t>>().value_or(0)};
 }
 
 std::vector<StructuralJoint> joints_of(const py::list& joints) {
@@ -78,19 +78,35 @@ std::vector<StaticLoad> static_loads_of(const py::list& loads) {
   return all;
 }
 
-std::shared_ptr<JointedStructure> structure_of(const py::dict& linear, const py::list& joints,
-                                               const py::list& excitations,
-                                               const std::string& damping, const py::list& loads) {
-  return std::make_shared<JointedStructure>(
-      modal_model_of(linear), joints_of(joints), excitations_of(excitations),
-      damping == "hysteretic" ? DampingLaw::kHysteretic : DampingLaw::kViscous,
-      static_loads_of(loads));
+/// Of each joint, where the model says something.
+template <class Value>
+std::vector<std::optional<Value>> told_of(const py::list& joints, const char* key) {
+  std::vector<std::optional<Value>> all;
+  for (const py::handle joint : joints) {
+    all.push_back(joint[key].cast<std::optional<Value>>());
+  }
+  return all;
+}
+
+std::shared_ptr<ModelFile> structure_of(const py::dict& linear, const py::list& joints,
+                                        const py::list& excitations, const std::string& damping,
+                                        const py::list& loads) {
+  const auto driven = excitations_of(excitations);
+  return std::make_shared<ModelFile>(ModelFile{
+      .structure =
+          JointedStructure(modal_model_of(linear), joints_of(joints), driven,
+                           damping == "hysteretic" ? DampingLaw::kHysteretic : DampingLaw::kViscous,
+                           static_loads_of(loads)),
+      .response = driven.front().point,
+      .joint_files = std::vector<std::string>(joints.size()),
+      .covered_to = told_of<double>(joints, "covered_to"),
+      .identified_damping = told_of<double>(joints, "identified_damping"),
+      .static_attachments = linear["static_attachments"].cast<std::optional<std::size_t>>()});
 }
 
 // What a structure was made of: the same that structure_of() takes.
 
-py::dict linear_part(const JointedStructure& of) {
-  const ModalModel& linear = of.linear();
+py::dict linear_part(const ModalModel& linear, std::optional<std::size_t> static_modes) {
   std::vector<double> frequency;
   std::vector<double> loss_factor;
   for (const Mode& mode : linear.modes()) {
@@ -108,42 +124,44 @@ py::dict linear_part(const JointedStructure& of) {
   }
   return py::dict("angular_frequency"_a = array_of(std::move(frequency)),
                   "loss_factor"_a = array_of(std::move(loss_factor)), "points"_a = points,
-                  "bases"_a = bases, "static_modes"_a = linear.static_modes());
+                  "bases"_a = bases, "static_attachments"_a = static_modes);
 }
 
-py::list joint_parts(const JointedStructure& of) {
+/// Entry j, where there are so many.
+std::optional<double> entry(const std::vector<std::optional<double>>& of, std::size_t j) {
+  return j < of.size() ? of[j] : std::nullopt;
+}
+
+py::list joint_parts(const ModelFile& of) {
   py::list all;
-  for (const StructuralJoint& joint : of.joints()) {
+  for (const StructuralJoint& joint : of.structure.joints()) {
+    const std::size_t j = all.size();
     all.append(py::dict(
         "name"_a = joint.name, "joint"_a = std::make_shared<Joint>(joint.joint),
         "shape"_a = array_of(joint.shape), "spring_in_modes"_a = joint.spring_in_modes,
         "series_compliance"_a = joint.series_compliance,
         "shortening"_a = joint.shortening.empty() ? py::object(py::none())
                                                   : array_of(joint.shortening, joint.shape.size()),
-        "linear_damping"_a = joint.linear_damping));
+        "linear_damping"_a = joint.linear_damping, "covered_to"_a = entry(of.covered_to, j),
+        "identified_damping"_a = entry(of.identified_damping, j)));
   }
   return all;
 }
 
-py::list excitation_parts(const JointedStructure& of) {
+py::list excitation_parts(const ModelFile& of) {
   py::list all;
-  for (const Excitation& excitation : of.excitations()) {
+  for (const Excitation& excitation : of.structure.excitations()) {
     all.append(py::make_tuple(excitation.point, array_of(excitation.harmonics)));
   }
   return all;
 }
 
-py::list load_parts(const JointedStructure& of) {
+py::list load_parts(const ModelFile& of) {
   py::list all;
-  for (const StaticLoad& load : of.static_loads())
+  for (const StaticLoad& load : of.structure.static_loads()) {
     all.append(py::make_tuple(load.place, load.value));
+  }
   return all;
-}
-
-py::tuple read_structure(const std::string& path) {
-  const ModelFile file = read_model(path);
-  return py::make_tuple(std::make_shared<JointedStructure>(file.structure), file.response,
-                        file.covered_to, file.joint_samples);
 }
 
 /// Entries on and below the diagonal, as `rows`, `columns` and `values` of the package.
@@ -194,9 +212,9 @@ py::dict dict_of(const StructureModes& modes) {
     compliances.append(py::make_tuple(of.name, std::string(to_string(of.place)), of.exact,
                                       of.in_modes, of.in_model));
   }
-  const JointedStructure structure(modes.model, {}, {{modes.model.points().front().name, {1.0}}});
-  return py::dict("linear"_a = linear_part(structure), "joint_shapes"_a = shapes,
-                  "compliances"_a = compliances, "warnings"_a = list_of(modes.warnings));
+  return py::dict("linear"_a = linear_part(modes.model, modes.model.static_modes()),
+                  "joint_shapes"_a = shapes, "compliances"_a = compliances,
+                  "warnings"_a = list_of(modes.warnings));
 }
 
 py::dict compute_modes(std::size_t size, const py::tuple& stiffness, const py::tuple& mass,
@@ -219,24 +237,30 @@ py::dict compute_modes(std::size_t size, const py::tuple& stiffness, const py::t
 }  // namespace
 
 void add_structure(py::module_& core) {
-  py::class_<JointedStructure, std::shared_ptr<JointedStructure>>(core, "Structure")
+  py::class_<ModelFile, std::shared_ptr<ModelFile>>(core, "Structure")
       .def(py::init(&structure_of))
-      .def("linear", linear_part)
+      .def("linear",
+           [](const ModelFile& of) {
+             return linear_part(of.structure.linear(), of.static_attachments);
+           })
       .def("joints", joint_parts)
       .def("excitations", excitation_parts)
       .def("static_loads", load_parts)
       .def_property_readonly("damping",
-                             [](const JointedStructure& of) {
-                               return of.damping() == DampingLaw::kHysteretic ? "hysteretic"
-                                                                              : "viscous";
+                             [](const ModelFile& of) {
+                               const bool lags = of.structure.damping() == DampingLaw::kHysteretic;
+                               return lags ? "hysteretic" : "viscous";
                              })
-      .def_property_readonly("base_driven", &JointedStructure::base_driven)
+      .def_property_readonly("response", [](const ModelFile& of) { return of.response; })
+      .def_property_readonly("base_driven",
+                             [](const ModelFile& of) { return of.structure.base_driven(); })
       .def("stuck_frequencies",
-           [](const JointedStructure& of) { return array_of(of.stuck_frequencies()); })
-      .def("stuck_mode", [](const JointedStructure& of, std::size_t mode) {
-        return array_of(of.stuck_mode(mode));
+           [](const ModelFile& of) { return array_of(of.structure.stuck_frequencies()); })
+      .def("stuck_mode", [](const ModelFile& of, std::size_t mode) {
+        return array_of(of.structure.stuck_mode(mode));
       });
-  core.def("read_structure", read_structure);
+  core.def("read_structure",
+           [](const std::string& path) { return std::make_shared<ModelFile>(read_model(path)); });
   core.def("compute_modes", compute_modes);
 }
 

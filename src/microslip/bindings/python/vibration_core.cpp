@@ -11,6 +11,7 @@
 #include "core.hpp"
 #include "long_work.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/workflow/model_text.hpp"
 #include "results.hpp"
 #include "structure.hpp"
 
@@ -52,11 +53,17 @@ py::dict dict_of(const HarmonicBalanceOptions& of) {
                   "modal_forcing"_a = of.forcing == Forcing::kModal);
 }
 
-std::shared_ptr<HarmonicBalance> balance_of(const std::shared_ptr<JointedStructure>& structure,
-                                            const std::string& point, const std::string& kind,
-                                            const py::dict& options) {
-  return std::make_shared<HarmonicBalance>(*structure, ResponsePoint{point, kKinds.at(kind)},
-                                           options_of(options));
+/// A balance with the model that judges its curves.
+struct JudgedBalance {
+  SharedModel model;
+  HarmonicBalance balance;
+};
+
+std::shared_ptr<JudgedBalance> balance_of(const std::shared_ptr<ModelFile>& model,
+                                          const std::string& point, const std::string& kind,
+                                          const py::dict& options) {
+  return std::make_shared<JudgedBalance>(
+      model, HarmonicBalance(model->structure, {point, kKinds.at(kind)}, options_of(options)));
 }
 
 /// One number of each vibration.
@@ -144,39 +151,45 @@ py::dict dict_of(const ResponseCurve& curve) {
                   "summary"_a = python::dict_of(curve.summary));
 }
 
-/// A curve that some method of a balance follows.
-template <class Follow>
-py::dict followed(const Follow& follow, const py::object& listener) {
-  return dict_of(long_result(follow, listener));
-}
-
-py::dict follow_frequency(const HarmonicBalance& balance, const std::string& kept, double value,
+/// The curve, and what the program says of such a one: modes and harmonics that it lacks, joints
+/// beyond their levels, no resonance.
+py::dict follow_frequency(const JudgedBalance& of, const std::string& kept, double value,
                           double from, double to, const py::object& listener) {
-  return followed(
+  const Quantity quantity = kQuantities.at(kept);
+  return dict_of(long_result(
       [&](const Progress& progress) {
-        return kept == "force" ? balance.frequency_response(value, from, to, progress)
-                               : balance.constant_response(value, from, to, progress);
+        ResponseCurve curve = of.balance.follow({quantity, value}, Quantity::kAngularFrequency,
+                                                from, to, 0, progress);
+        const bool of_force = quantity == Quantity::kResponse;
+        (void)add_truncation(of.balance, *of.model,
+                             of_force ? Quantity::kResponse : Quantity::kForceAmplitude, curve);
+        add_response_warnings(of.balance, *of.model, curve);
+        return curve;
       },
-      listener);
+      listener));
 }
 
-py::dict follow_backbone(const HarmonicBalance& balance, const RealArray& responses,
-                         std::size_t mode, bool through_folds, const py::object& listener) {
-  return followed(
+py::dict follow_backbone(const JudgedBalance& of, const RealArray& responses, std::size_t mode,
+                         bool through_folds, const py::object& listener) {
+  return dict_of(long_result(
       [&](const Progress& progress) {
-        return through_folds ? balance.resonances(values(responses), mode, progress)
-                             : balance.backbone(values(responses), mode, progress);
+        ResponseCurve curve = through_folds
+                                  ? of.balance.resonances(values(responses), mode, progress)
+                                  : of.balance.backbone(values(responses), mode, progress);
+        (void)add_truncation(of.balance, *of.model, Quantity::kPhaseLag, curve);
+        add_model_warnings(*of.model, curve);
+        return curve;
       },
-      listener);
+      listener));
 }
 
-py::dict solve(const HarmonicBalance& balance, const std::pair<std::string, double>& first,
+py::dict solve(const JudgedBalance& of, const std::pair<std::string, double>& first,
                const std::pair<std::string, double>& second, std::size_t mode) {
-  const auto target = [](const std::pair<std::string, double>& of) {
-    return Target{kQuantities.at(of.first), of.second};
+  const auto target = [](const std::pair<std::string, double>& given) {
+    return Target{kQuantities.at(given.first), given.second};
   };
   VibrationResult result = long_result(
-      [&](const Progress&) { return balance.solve(target(first), target(second), mode); },
+      [&](const Progress&) { return of.balance.solve(target(first), target(second), mode); },
       py::none());
   return py::dict("points"_a = columns_of({std::move(result.vibration)}),
                   "summary"_a = python::dict_of(result.summary));
@@ -185,11 +198,11 @@ py::dict solve(const HarmonicBalance& balance, const std::pair<std::string, doub
 }  // namespace
 
 void add_vibration(py::module_& core) {
-  py::class_<HarmonicBalance, std::shared_ptr<HarmonicBalance>>(core, "HarmonicBalance")
+  py::class_<JudgedBalance, std::shared_ptr<JudgedBalance>>(core, "HarmonicBalance")
       .def(py::init(&balance_of))
-      .def_property_readonly(
-          "point", [](const HarmonicBalance& balance) { return balance.response().point; })
-      .def("options", [](const HarmonicBalance& balance) { return dict_of(balance.options()); })
+      .def_property_readonly("point",
+                             [](const JudgedBalance& of) { return of.balance.response().point; })
+      .def("options", [](const JudgedBalance& of) { return dict_of(of.balance.options()); })
       .def("follow_frequency", follow_frequency)
       .def("follow_backbone", follow_backbone)
       .def("solve", solve);

@@ -25,6 +25,7 @@ from ._identification import Identification, Parameter, Verdict, identify
 from ._joint import (
     Atoms,
     FourParameter,
+    IdentifiedJoint,
     Joint,
     Memory,
     Moments,
@@ -58,6 +59,7 @@ __all__ = [
     "FourParameter",
     "HarmonicBalance",
     "Identification",
+    "IdentifiedJoint",
     "InputError",
     "Joint",
     "JointCycles",

@@ -157,6 +157,8 @@ def check_finite(array: npt.NDArray[Any], name: str) -> None:
     """Names the first number that is not finite."""
     finite = np.isfinite(array)
     if not finite.all():
+        if array.ndim == 0:
+            raise InputError(f"{name} = {array}; must be finite")
         at = tuple(int(i) for i in np.argwhere(~finite)[0])
         raise InputError(f"{name}[{', '.join(map(str, at))}] = {array[at]}; must be finite")
 
@@ -179,7 +181,7 @@ def real_array(
     if array.dtype.kind == "f" and array.dtype.itemsize > 8:
         with np.errstate(over="ignore"):
             array = array.astype(np.float64)
-    array = np.ascontiguousarray(array, dtype=np.float64)
+    array = np.require(array, np.float64, "C")
     check_finite(array, name)
     return array
 
@@ -193,7 +195,7 @@ def broadcast(value: object, name: str, length: int, per: str) -> RealArray:
     """One number for all, or one each."""
     array = real_array(value, name, ndim=None)
     if array.ndim == 0:
-        return np.full(length, float(array))
+        return np.full(length, real(value, name))
     return real_array(array, name, length=length, per=per)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union, overload
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Protocol, Union, overload
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from ._arguments import (
     ArrayLike,
     Path,
     RealArray,
+    not_negative,
     one_of,
     positive,
     real,
@@ -24,7 +25,7 @@ from ._arguments import (
 from ._arguments import path as path_of
 from ._core import Joint as CoreJoint
 from ._errors import InputError
-from ._results import Shown, si
+from ._results import Shown, si, warn
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -236,15 +237,22 @@ class Joint(Shown):
     def read(cls, path: Path) -> Joint:
         """The joint of a joint.json.
 
-        What its identification says beside the density, a linear damping for instance, is read by
-        `read_identified`.
+        A joint is F(u) alone. Where the file has an identification that found a linear damping
+        beside it, a warning says so: `IdentifiedJoint.read` keeps it.
 
         Raises
         ------
         FileError, FormatError, ValueError
             Where it cannot be read, or is no joint.
         """
-        return cls._of(_core.read_joint(path_of(path, "path"))[0])
+        found = IdentifiedJoint.read(path)
+        if found.linear_damping:
+            warn(
+                f"linear_damping: {path_of(path, 'path')} has a linear damping of"
+                f" {found.linear_damping:.4g} J/m^2 beside slip, which a Joint does not hold."
+                " IdentifiedJoint.read keeps it for predictions."
+            )
+        return found.joint
 
     def write(self, path: Path) -> None:
         """Writes a joint.json: at once and whole, or not at all."""
@@ -384,9 +392,9 @@ class Joint(Shown):
 
     @staticmethod
     def _each(function: Any, at: Any, name: str) -> Any:
-        if np.ndim(at) == 0:
-            return function(real(at, name))
         array = real_array(at, name, ndim=None)
+        if array.ndim == 0:
+            return function(real(at, name))
         return function(array.reshape(-1)).reshape(array.shape)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -409,6 +417,76 @@ class Joint(Shown):
             ("macro-slip force", si(self.macroslip_force, "N")),
             ("elastic remainder", f"{self.elastic_remainder:.4g}"),
         ]
+
+
+@dataclass(frozen=True)
+class IdentifiedJoint:
+    """A joint with what its identification found beside it, for predictions.
+
+    Parameters
+    ----------
+    joint : Joint
+        F(u).
+    linear_damping : float, optional
+        beta of a loss beta*A**2 beside slip, J/m**2; 0 or more.
+    covered_to : float, optional
+        kA of the highest level, N: predictions that go beyond warn.
+    """
+
+    joint: Joint
+    linear_damping: Optional[float] = None
+    covered_to: Optional[float] = None
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.joint, Joint):
+            raise InputError(f"joint = {self.joint!r}; must be a microslip.Joint")
+        if self.linear_damping is not None:
+            not_negative(self.linear_damping, "linear_damping")
+        if self.covered_to is not None:
+            positive(self.covered_to, "covered_to")
+
+    @classmethod
+    def _of(cls, core: CoreJoint, linear_damping: Optional[float],
+            covered_to: Optional[float]) -> IdentifiedJoint:  # fmt: skip
+        return cls(Joint._of(core), linear_damping, covered_to)
+
+    @classmethod
+    def read(cls, path: Path) -> IdentifiedJoint:
+        """The joint of a joint.json with what it says of the identification.
+
+        Raises
+        ------
+        FileError, FormatError, ValueError
+            Where it cannot be read, or is no joint.
+        """
+        return cls._of(*_core.read_joint(path_of(path, "path")))
+
+
+class Identified(Protocol):
+    """What an identification is, too."""
+
+    @property
+    def joint(self) -> Joint: ...
+    @property
+    def linear_damping(self) -> Optional[float]: ...
+    @property
+    def covered_to(self) -> Optional[float]: ...
+
+
+#: A joint by itself, or with what its identification found.
+AnyJoint = Union[Joint, Identified]
+
+
+def identified(joint: object, name: str) -> IdentifiedJoint:
+    """Any of these as the second."""
+    if isinstance(joint, Joint):
+        return IdentifiedJoint(joint)
+    if isinstance(joint, type) or not all(
+        hasattr(joint, key) for key in ("joint", "linear_damping", "covered_to")
+    ):
+        raise InputError(f"{name} = {joint!r}; must be a microslip.Joint or an identification")
+    found: Any = joint
+    return IdentifiedJoint(found.joint, found.linear_damping, found.covered_to)
 
 
 class Memory:

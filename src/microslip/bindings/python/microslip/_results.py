@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import html
+import sys
 import warnings as python_warnings
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -86,15 +87,23 @@ def summary_of(numbers: Mapping[str, Any]) -> Summary:
     return Summary(**numbers)
 
 
-def told(result: Result, strict: bool, stacklevel: int = 3) -> Result:
+def warn(text: str) -> None:
+    """Issues a warning at the line of the user's that led here."""
+    level, frame = 1, sys._getframe(1)
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("microslip."):
+        level, frame = level + 1, frame.f_back
+    python_warnings.warn(text, MicroslipWarning, stacklevel=level)
+
+
+def told(result: Result, strict: bool) -> Result:
     """Tells the warnings of a result, and raises where it did not converge and `strict` is set."""
     for note in result.warnings:
-        python_warnings.warn(str(note), MicroslipWarning, stacklevel=stacklevel)
+        warn(str(note))
     if not result.summary.converged:
         text = f"{result.summary.method}: {result.summary.reason}"
         if strict:
             raise NotConverged(f"{text}. With strict=False what was found is returned.", result)
-        python_warnings.warn(f"not_converged: {text}", MicroslipWarning, stacklevel=stacklevel)
+        warn(f"not_converged: {text}")
     return result
 
 

@@ -33,8 +33,8 @@ from ._arguments import path as path_of
 from ._arguments import progress as progress_of
 from ._core import Structure as CoreStructure
 from ._errors import InputError
-from ._joint import Joint
-from ._results import Note, Shown, notes, si
+from ._joint import AnyJoint, IdentifiedJoint, identified
+from ._results import Note, Shown, notes, si, warn
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,8 +64,9 @@ class StructuralJoint:
 
     Parameters
     ----------
-    joint : Joint
-        F(u).
+    joint : Joint, IdentifiedJoint or Identification
+        F(u). What an identification found beside it is taken along: its linear damping, and up to
+        where its levels reach, beyond which predictions warn.
     shape : array_like
         psi_i, relative displacement across the joint over q_i, kg**-0.5; one a mode.
     name : str, optional
@@ -77,21 +78,24 @@ class StructuralJoint:
         Of what lies in series with the joint, m/N; 0 or more.
     shortening : array_like, optional
         Gamma_ij, 1/(kg m), shape (modes, modes), symmetric. [AR14 (12)]
-    linear_damping : float
-        beta: loses beta*A**2 a cycle beside F, J/m**2; 0 or more.
+    linear_damping : float, optional
+        beta: loses beta*A**2 a cycle beside F, J/m**2; 0 or more. That of the identification
+        without it, else 0.
     """
 
-    joint: Joint
+    joint: AnyJoint
     shape: ArrayLike
     name: Optional[str] = None
     spring_in_modes: float = 0.0
     series_compliance: float = 0.0
     shortening: Optional[ArrayLike] = None
-    linear_damping: float = 0.0
+    linear_damping: Optional[float] = None
 
     def _dict(self, modes: int, name: str) -> dict[str, Any]:
-        if not isinstance(self.joint, Joint):
-            raise InputError(f"{name}: joint = {self.joint!r}; must be a microslip.Joint")
+        of = identified(self.joint, f"{name}: joint")
+        damping = self.linear_damping
+        if damping is None:
+            damping = of.linear_damping or 0.0
         shortening = self.shortening
         if shortening is not None:
             array = real_array(shortening, f"{name}: shortening", ndim=2)
@@ -101,12 +105,14 @@ class StructuralJoint:
             shortening = array.reshape(-1)
         return {
             "name": name,
-            "joint": self.joint._core,
+            "joint": of.joint._core,
             "shape": real_array(self.shape, f"{name}: shape", length=modes, per="one a mode"),
             "spring_in_modes": not_negative(self.spring_in_modes, f"{name}: spring_in_modes"),
             "series_compliance": not_negative(self.series_compliance, f"{name}: series_compliance"),
             "shortening": shortening,
-            "linear_damping": not_negative(self.linear_damping, f"{name}: linear_damping"),
+            "linear_damping": not_negative(damping, f"{name}: linear_damping"),
+            "covered_to": of.covered_to,
+            "identified_damping": of.linear_damping,
         }
 
 
@@ -137,8 +143,9 @@ class Structure(Shown):
         Supports that may be accelerated.
     static_loads : mapping of str to float, optional
         Forces at points, N, or accelerations of bases, m/s**2, that act for ever.
-    static_modes : int
-        How many of the modes, the last, stand for the static flexibility of those left out.
+    static_attachments : int, optional
+        How many of the modes, the last, stand for the static flexibility of those left out; 0:
+        none are left out. Without it predictions judge what modes above would change.
 
     Raises
     ------
@@ -172,7 +179,7 @@ class Structure(Shown):
         excitation: Optional[Excitation] = None,
         bases: Optional[Mapping[str, Base]] = None,
         static_loads: Optional[Mapping[str, float]] = None,
-        static_modes: int = 0,
+        static_attachments: Optional[int] = None,
     ) -> None:
         hertz = real_array(frequency, "frequency")
         modes = len(hertz)
@@ -183,7 +190,8 @@ class Structure(Shown):
             "loss_factor": loss,
             "points": list(shapes.items()),
             "bases": _bases(bases, list(shapes), modes),
-            "static_modes": whole(static_modes, "static_modes", 0, max(modes - 1, 0)),
+            "static_attachments": None if static_attachments is None else
+            whole(static_attachments, "static_attachments", 0, max(modes - 1, 0)),
         }
         driven = next(iter(shapes)) if excitation is None else excitation
         loads = {} if static_loads is None else _mapping(static_loads, "static_loads")
@@ -204,26 +212,26 @@ class Structure(Shown):
     @classmethod
     def read(cls, path: Path) -> Structure:
         """The structure of a model.toml with its joint files. @see docs/file_formats.md"""
-        return cls._of(_core.read_structure(path_of(path, "path"))[0])
+        return cls._of(_core.read_structure(path_of(path, "path")))
 
-    def with_joints(self, joints: Sequence[Union[Joint, StructuralJoint]]) -> Structure:
+    def with_joints(self, joints: Sequence[Union[AnyJoint, StructuralJoint]]) -> Structure:
         """The same with other joints.
 
         Parameters
         ----------
         joints : sequence
-            As many `Joint` as there are, which take the places of those; or any number of
-            `StructuralJoint`.
+            As many `Joint`, `IdentifiedJoint` or `Identification` as there are, which take the
+            places of those, with their own linear damping; or any number of `StructuralJoint`.
         """
         given = sequence(joints, "joints", "joints")
         placed = self.joints
-        if given and all(isinstance(joint, Joint) for joint in given):
+        if given and not any(isinstance(joint, StructuralJoint) for joint in given):
             if len(given) != len(placed):
                 raise InputError(f"joints has {len(given)}; must have {len(placed)}, one a joint of"
                                  " the structure")  # fmt: skip
             given = [
                 StructuralJoint(joint, old.shape, old.name, old.spring_in_modes,
-                                old.series_compliance, old.shortening, old.linear_damping)
+                                old.series_compliance, old.shortening)
                 for joint, old in zip(given, placed)
             ]  # fmt: skip
         modes = len(self.angular_frequency)
@@ -262,10 +270,7 @@ class Structure(Shown):
     @property
     def joints(self) -> tuple[StructuralJoint, ...]:
         """In the order given."""
-        return tuple(
-            StructuralJoint(**_with(part, "joint", Joint._of(part["joint"])))
-            for part in self._core.joints()
-        )
+        return tuple(_placed(part) for part in self._core.joints())
 
     @property
     def base_driven(self) -> bool:
@@ -282,9 +287,9 @@ class Structure(Shown):
         return self._core.stuck_mode(whole(mode, "mode"))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        joints = [_with(part, "joint", Joint._of(part["joint"])) for part in self._core.joints()]
-        return _structure_of, (self._core.linear(), joints, self._core.excitations(),
-                               self._core.damping, self._core.static_loads())  # fmt: skip
+        core = self._core
+        return _structure_of, (core.linear(), self.joints, core.excitations(), core.damping,
+                               core.static_loads())  # fmt: skip
 
     def _facts(self) -> tuple[str, list[tuple[str, str]]]:
         stuck = self.stuck_frequencies()
@@ -292,23 +297,26 @@ class Structure(Shown):
         rows = [("modes", str(len(self.angular_frequency))), ("damping", self.damping),
                 ("points", ", ".join(self.points))]  # fmt: skip
         rows.extend(
-            (f"joint {joint.name}", f"k = {si(joint.joint.stiffness, 'N/m')}")
-            for joint in self.joints
+            (f"joint {part['name']}", f"k = {si(part['joint'].stiffness, 'N/m')}")
+            for part in self._core.joints()
         )
         rows.append(("driven", ", ".join(place for place, _ in self._core.excitations())))
         rows.append(("all joints stuck", f"{shown} Hz"))
         return "Structure", rows
 
 
-def _with(part: dict[str, Any], key: str, value: object) -> dict[str, Any]:
-    return {**part, key: value}
+def _placed(part: dict[str, Any]) -> StructuralJoint:
+    """A joint of the compiled half as it was given."""
+    found = IdentifiedJoint._of(part["joint"], part["identified_damping"], part["covered_to"])
+    plain = found.linear_damping is None and found.covered_to is None
+    return StructuralJoint(
+        found.joint if plain else found, part["shape"], part["name"], part["spring_in_modes"],
+        part["series_compliance"], part["shortening"], part["linear_damping"],
+    )  # fmt: skip
 
 
 def _structure_of(linear: Any, joints: Any, excitations: Any, damping: str, loads: Any) -> Structure:
-    parts = [_with(part, "joint", part["joint"]._core) for part in joints]
-    for part in parts:
-        if part["shortening"] is not None:
-            part["shortening"] = part["shortening"].reshape(-1)
+    parts = _joint_parts(joints, len(linear["angular_frequency"]))
     return Structure._of(_core.Structure(linear, parts, excitations, damping, loads))
 
 
@@ -403,7 +411,7 @@ class Modes(Shown):
         Mass-normalised shapes, kg**-0.5.
     joint_shapes : dict of str to ndarray
         psi of each joint, kg**-0.5.
-    static_modes : int
+    static_attachments : int
         How many of the modes, the last, are attachments.
     bases : dict of str to Base
         That may be accelerated.
@@ -416,7 +424,7 @@ class Modes(Shown):
     frequency: RealArray
     points: dict[str, RealArray]
     joint_shapes: dict[str, RealArray]
-    static_modes: int
+    static_attachments: int
     bases: dict[str, Base]
     compliances: tuple[Compliance, ...]
     warnings: tuple[Note, ...]
@@ -424,7 +432,7 @@ class Modes(Shown):
 
     def structure(
         self,
-        joints: Mapping[str, Joint],
+        joints: Mapping[str, AnyJoint],
         *,
         damping_ratio: Optional[ArrayLike] = None,
         loss_factor: Optional[ArrayLike] = None,
@@ -435,7 +443,7 @@ class Modes(Shown):
 
         Parameters
         ----------
-        joints : mapping of str to Joint
+        joints : mapping of str to Joint, IdentifiedJoint or Identification
             Of each name that `modes` was given.
         """
         named = _mapping(joints, "joints")
@@ -454,14 +462,14 @@ class Modes(Shown):
             excitation=excitation,
             bases=self.bases,
             static_loads=static_loads,
-            static_modes=self.static_modes,
+            static_attachments=self.static_attachments or None,
         )
 
     def _facts(self) -> tuple[str, list[tuple[str, str]]]:
-        count = len(self.frequency) - self.static_modes
+        count = len(self.frequency) - self.static_attachments
         shown = ", ".join(f"{f:.5g}" for f in self.frequency[: min(count, 8)])
         rows = [("modes", f"{count}: {shown}{', ...' if count > 8 else ''} Hz"),
-                ("static attachments", str(self.static_modes))]  # fmt: skip
+                ("static attachments", str(self.static_attachments))]  # fmt: skip
         rows.extend((f"{c.place} {c.name}", f"{c.in_model / c.exact:.6f} of its static compliance")
                     for c in self.compliances if c.exact)  # fmt: skip
         rows.extend(("warning", str(note)) for note in self.warnings)
@@ -545,7 +553,10 @@ def modes(
         "attached_points": [text(p, "attached_points") for p in attached_points],
     }
     found = _core.compute_modes(size, k_entries, m_entries, on_it, options, progress_of(progress))
-    return _modes_of(found, between, stuck)
+    result = _modes_of(found, between, stuck)
+    for note in result.warnings:
+        warn(str(note))
+    return result
 
 
 def _modes_of(found: dict[str, Any], between: list[tuple[str, Optional[int], int, float]],
@@ -556,7 +567,7 @@ def _modes_of(found: dict[str, Any], between: list[tuple[str, Optional[int], int
         frequency=linear["angular_frequency"] / (2.0 * np.pi),
         points=dict(linear["points"]),
         joint_shapes={joint[0]: shape for joint, shape in zip(between, found["joint_shapes"])},
-        static_modes=linear["static_modes"],
+        static_attachments=linear["static_attachments"],
         bases={name: Base(participation, dict(zip(names, motion)))
                for name, participation, motion in linear["bases"]},
         compliances=tuple(Compliance(*numbers) for numbers in found["compliances"]),

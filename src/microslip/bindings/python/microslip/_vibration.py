@@ -230,7 +230,7 @@ class HarmonicBalance:
     structure : Structure
         What vibrates.
     point : str, optional
-        Where the response is measured; the first driven point without it.
+        Where the response is measured; without it as a model.toml says, else where it is driven.
     kind : {"displacement", "velocity", "acceleration"}
         Of the response.
     harmonics : int
@@ -298,7 +298,7 @@ class HarmonicBalance:
             "modal_forcing": flag(modal_forcing, "modal_forcing"),
         }
         self.structure = structure
-        at = structure._core.excitations()[0][0] if point is None else text(point, "point")
+        at = structure._core.response if point is None else text(point, "point")
         self._core = _core.HarmonicBalance(structure._core, at, self._kind, options)
 
     def frequency_response(self, force: float, from_: float, to: float, *,
@@ -334,19 +334,19 @@ class HarmonicBalance:
         Fig. 4] Parameters as of `frequency_response`; `response` in the kind of this object."""
         return self._follow("response", positive(response, "response"), from_, to, progress, strict)
 
-    def backbone(self, response: ArrayLike, *, mode: int = 0, through_folds: bool = False,
+    def backbone(self, response: ArrayLike, *, mode: int = 0, through_folds: bool = True,
                  progress: Optional[Progress] = None, strict: bool = True) -> ResponseCurve:  # fmt: skip
         """The vibrations in phase resonance.
 
         Parameters
         ----------
         response : array_like
-            Amplitudes, in the kind of this object, shape (n,); above 0.
+            Amplitudes, in the kind of this object, shape (n,); above 0, rising.
         mode : int
             Of the stuck structure, by frequency, from 0.
         through_folds : bool
-            Whether to follow the curve round folds, where a response may be met more than once;
-            `response` must rise then.
+            Whether to follow the curve from where all joints stick, round folds, where a response
+            may be met more than once. Without it each response is solved by itself, in any order.
         progress, strict
             As of `frequency_response`.
         """
@@ -397,9 +397,9 @@ class HarmonicBalance:
                 strict: object) -> ResponseCurve:  # fmt: skip
         ends = [2.0 * np.pi * positive(from_, "from_"), 2.0 * np.pi * positive(to, "to")]
         found = self._core.follow_frequency(kept, value, ends[0], ends[1], progress_of(progress))
-        return self._curve(found, strict, 5)
+        return self._curve(found, strict)
 
-    def _curve(self, found: dict[str, Any], strict: object, stacklevel: int = 4) -> ResponseCurve:
+    def _curve(self, found: dict[str, Any], strict: object) -> ResponseCurve:
         curve = ResponseCurve(
             points=_vibrations(found["points"]),
             peaks=_vibrations(found["peaks"]),
@@ -410,7 +410,7 @@ class HarmonicBalance:
             _structure=self.structure,
             _kind=self._kind,
         )
-        return told(curve, flag(strict, "strict"), stacklevel)
+        return told(curve, flag(strict, "strict"))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _balance_of, (self.structure, self._core.point, self._kind, self._core.options())

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: MIT
+"""Levels and identification: the program's joint.json, tables, draws."""
+
+import json
+import pickle
+
+import numpy as np
+import pytest
+
+import microslip
+
+K = 1e5
+
+
+@pytest.fixture
+def levels():
+    truth = microslip.Joint(K, [microslip.PowerLaw(0.05, -0.3, 0.0, 9.0)])
+    amplitude = np.geomspace(2e-6, 9e-5, 40)
+    noise = 1 + 0.01 * np.random.default_rng(1).normal(size=40)
+    return microslip.Levels(amplitude, truth.dissipation(amplitude) * noise)
+
+
+def of_program(program, tmp_path, levels, *options):
+    levels.write(tmp_path / "levels.csv")
+    program("identify", "levels.csv", "--stiffness", "1e5 N/m", "--out", "by_program.json", *options)
+    return json.loads((tmp_path / "by_program.json").read_text())
+
+
+@pytest.mark.parametrize(
+    "options, arguments",
+    [
+        ({}, []),
+        ({"samples": 50, "seed": 7}, ["--samples", "50", "--seed", "7"]),
+        ({"linear_damping": True}, ["--linear-damping", "fit"]),
+        ({"atom": True, "edges": False}, ["--atom", "--edges", "none"]),
+        ({"smoothing": "lambda=0.01"}, ["--smoothing", "lambda=0.01"]),
+        ({"fit": "power_law"}, ["--fit", "power_law"]),
+        ({"method": "spline", "smoothing": "p=0.99", "smoothing_unit": "um"},
+         ["--method", "spline", "--smoothing", "p=0.99", "--smoothing-unit", "um"]),
+    ],
+)  # fmt: skip
+@pytest.mark.filterwarnings("ignore::microslip.MicroslipWarning")
+def test_same_bits_as_the_program(program, tmp_path, levels, options, arguments):
+    found = microslip.identify(levels, stiffness=K, strict=False, **options)
+    found.write(tmp_path / "by_python.json")
+    ours = json.loads((tmp_path / "by_python.json").read_text())
+    theirs = of_program(program, tmp_path, levels, *arguments)
+    for key in ("stiffness_N_per_m", "density", "identification"):
+        assert ours[key] == theirs[key]
+    # How it came to be differs by the call alone: the levels are the same bytes.
+    of_ours, of_theirs = ours["provenance"], theirs["provenance"]
+    assert of_ours["options"] == of_theirs["options"]
+    assert of_ours["inputs"][0]["sha256"] == of_theirs["inputs"][0]["sha256"]
+
+
+def test_draws_are_kept(levels, tmp_path):
+    found = microslip.identify(levels, stiffness=K, samples=40, seed=3)
+    draws = found.draws
+    assert len(draws) == 40 and len(list(draws)) == 40
+    draws.write(tmp_path / "draws.h5")
+    read = microslip.JointDraws.read(tmp_path / "draws.h5")
+    again = pickle.loads(pickle.dumps(draws))
+    for i in (0, 17, -1):
+        assert draws[i] == read[i] == again[i]
+    with pytest.raises(IndexError):
+        draws[40]
+    # The band is made of these draws.
+    at = len(found.slip_force) // 2
+    values = [draw.density_at(found.slip_force[at]) for draw in draws]
+    assert min(values) <= found.lower[at] <= found.upper[at] <= max(values)
+
+
+def test_finds_the_truth_within_the_band():
+    truth = microslip.Joint(K, [microslip.Uniform(0, 8, 0.9)])
+    amplitude = np.linspace(2e-6, 1e-4, 60)
+    noise = 1 + 0.005 * np.random.default_rng(4).normal(size=60)
+    found = microslip.identify(amplitude, truth.dissipation(amplitude) * noise, stiffness=K,
+                               samples=200)  # fmt: skip
+    force = found.slip_force[(found.slip_force > 0.5) & (found.slip_force < 7.5)]
+    inside = [(found.slip_force == f).argmax() for f in force]
+    within = (found.lower[inside] <= 0.9 / 8) & (0.9 / 8 <= found.upper[inside])
+    # A pointwise band of 95 %, whose points hang together.
+    assert within.mean() > 0.85
+
+
+def test_tables(levels, tmp_path):
+    pandas = pytest.importorskip("pandas")
+    plain = microslip.identify(levels, stiffness=K)
+    frame = levels.to_pandas()
+    assert list(frame.columns) == ["amplitude [m]", "dissipation [J]"]
+    renamed = frame.rename(columns={"amplitude [m]": "amplitude", "dissipation [J]": "dissipation"})
+    mapping = {"amplitude": levels.amplitude, "dissipation": levels.dissipation, "note": "x"}
+    for table in (frame, renamed, mapping):
+        assert microslip.identify(table, stiffness=K).joint == plain.joint
+    with pytest.raises(ValueError, match=r"amplitude \[mm\] is in another unit"):
+        microslip.Levels.of(pandas.DataFrame({"amplitude [mm]": [1.0], "dissipation": [1.0]}))
+    levels.write(tmp_path / "levels.csv")
+    read = microslip.Levels.read(tmp_path / "levels.csv")
+    assert np.array_equal(read.dissipation, levels.dissipation)
+    assert plain.to_pandas().shape == (len(plain.slip_force), 2)
+
+
+def test_warnings_are_told_and_kept(levels):
+    rising = microslip.Levels(levels.amplitude, levels.dissipation,
+                              frequency=np.linspace(50, 51, len(levels)))  # fmt: skip
+    with pytest.warns(microslip.MicroslipWarning, match="frequency_rises"):
+        found = microslip.identify(rising, stiffness=K)
+    assert "frequency_rises" in [note.code for note in found.warnings]
+    assert "frequency_rises" in repr(found)
+    assert [v.departure for v in found.verdicts if v.broken] == ["frequency_against_dissipation"]
+
+
+def test_results_are_kept(levels):
+    found = microslip.identify(levels, stiffness=K, samples=20)
+    again = pickle.loads(pickle.dumps(found))
+    assert again.joint == found.joint and again.summary == found.summary
+    assert np.array_equal(again.upper, found.upper)
+    assert "<table>" in found._repr_html_() and "covered" in repr(found)
