@@ -141,6 +141,35 @@ if(TARGET microslip_cli)
     PATTERN "words.txt" EXCLUDE)
 endif()
 
+# The package of Python: what is compiled, the files beside it, and what reads files of HDF5 for it. Debian has
+# another place for it, see MicroslipPackage.cmake.
+if(TARGET microslip_python)
+  set(microslip_python_default
+      "lib/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/site-packages/microslip")
+  set(MICROSLIP_PYTHON_DIR "${microslip_python_default}" CACHE PATH "Where the package of Python is installed")
+  mark_as_advanced(MICROSLIP_PYTHON_DIR)
+  # microslip_install_python(<folder> <component> [EXCLUDE_FROM_ALL])
+  function(microslip_install_python folder component)
+    install(TARGETS microslip_python LIBRARY DESTINATION "${folder}" COMPONENT ${component} ${ARGN})
+    install(
+      DIRECTORY "${PROJECT_SOURCE_DIR}/src/microslip/bindings/python/microslip/"
+      DESTINATION "${folder}"
+      COMPONENT ${component} ${ARGN}
+      FILES_MATCHING
+      PATTERN "*.py"
+      PATTERN "*.pyi"
+      PATTERN "py.typed"
+      PATTERN "__pycache__" EXCLUDE)
+    if(MICROSLIP_WITH_HDF5)
+      install(
+        PROGRAMS "$<TARGET_FILE:microslip_hdf5_reader>"
+        DESTINATION "${folder}"
+        COMPONENT ${component} ${ARGN})
+    endif()
+  endfunction()
+  microslip_install_python("${MICROSLIP_PYTHON_DIR}" python)
+endif()
+
 # What needs MPI, by itself: nobody has to install that for the rest.
 if(TARGET microslip_mpi)
   install(TARGETS microslip_mpi RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT mpi)

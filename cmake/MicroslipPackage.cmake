@@ -1,5 +1,5 @@
-# `cmake --build build/release --target package`: two Debian packages, microslip with the program and
-# libmicroslip-dev with the static library. Where Debian's tools are missing, or the library is
+# `cmake --build build/release --target package`: Debian packages, microslip with the program, libmicroslip-dev
+# with the static library and python3-microslip with the package of Python. Where Debian's tools are missing, or the library is
 # shared, an archive of the installed files instead.
 
 set(MICROSLIP_MAINTAINER
@@ -26,6 +26,11 @@ if(NOT DPKG_SHLIBDEPS OR NOT microslip_type STREQUAL "STATIC_LIBRARY" OR NOT TAR
 endif()
 
 set(MICROSLIP_COMPONENTS program library)
+set(debian_packages microslip libmicroslip-dev)
+if(TARGET microslip_python)
+  list(APPEND MICROSLIP_COMPONENTS python)
+  list(APPEND debian_packages python3-microslip)
+endif()
 
 # What Debian wants beside the components of MicroslipInstall.cmake.
 
@@ -38,7 +43,6 @@ execute_process(
   OUTPUT_FILE "${debian_changelog}"
   COMMAND_ERROR_IS_FATAL ANY)
 
-set(debian_packages microslip libmicroslip-dev)
 foreach(component package IN ZIP_LISTS MICROSLIP_COMPONENTS debian_packages)
   install(
     FILES "${debian}/copyright" "${debian_changelog}"
@@ -52,10 +56,17 @@ install(
   COMPONENT debian_program
   EXCLUDE_FROM_ALL)
 
+if(TARGET microslip_python)
+  microslip_install_python(lib/python3/dist-packages/microslip debian_python EXCLUDE_FROM_ALL)
+endif()
+
 set(MICROSLIP_MAKES_DEBIAN_PACKAGES ON)
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL program debian_program library debian_library)
+if(TARGET microslip_python)
+  list(APPEND CPACK_COMPONENTS_ALL debian_python)
+endif()
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
@@ -85,10 +96,24 @@ set(CPACK_DEBIAN_LIBRARY_DESCRIPTION
     "Headers and static libraries of microslip, with the files by which CMake
 (find_package) and pkg-config find them.")
 
+# The module is of one version of Python.
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-microslip)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+if(TARGET microslip_python)
+  math(EXPR microslip_next_python "${Python3_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+      "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${microslip_next_python}), python3-numpy")
+endif()
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-matplotlib, python3-pandas, python3-scipy")
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION
+    "microslip for Python 3: identifies slip-force densities of bolted and
+frictional joints from levels of dissipation or recordings, and predicts
+the vibration of structures with such joints. Arrays of NumPy in and out.")
+
 include(CPack)
-cpack_add_component_group(program)
-cpack_add_component_group(library)
 foreach(component IN LISTS MICROSLIP_COMPONENTS)
+  cpack_add_component_group(${component})
   cpack_add_component(${component} GROUP ${component})
   cpack_add_component(debian_${component} GROUP ${component})
 endforeach()

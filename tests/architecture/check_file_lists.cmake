@@ -8,7 +8,8 @@ set(missing 0)
 file(
   GLOB folders
   RELATIVE "${ROOT}"
-  "${ROOT}/src/microslip/*")
+  "${ROOT}/src/microslip/*" "${ROOT}/src/microslip/bindings/*")
+list(REMOVE_ITEM folders src/microslip/bindings)
 foreach(folder IN LISTS folders ITEMS apps/microslip apps/microslip-mpi bench tests)
   if(NOT EXISTS "${ROOT}/${folder}/CMakeLists.txt")
     continue()

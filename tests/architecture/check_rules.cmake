@@ -2,7 +2,7 @@
 #   - an installed header (PUBLIC in the CMakeLists.txt of its folder) includes no other library, so that a
 #     user of the package needs nothing else;
 #   - only io touches files; workflow may look which there are;
-#   - only base/execution names the library of threads;
+#   - only base/execution names the library of threads, and base/attended_work a thread;
 #   - nothing prints (but io, which may be told to write to standard output), ends the process, or
 #     draws from a generator other than base/random.
 # Which folder may include which is kept by the build itself, see cmake/MicroslipHouse.cmake.
@@ -111,8 +111,8 @@ foreach(file IN LISTS files)
     if(code MATCHES "${end}" AND NOT file IN_LIST may_end)
       offend("${file}" ${number} "the library never ends the process: ${code}")
     endif()
-    if(code MATCHES "${threads}" AND NOT name MATCHES "^microslip/base/execution\\.")
-      offend("${file}" ${number} "threads come from base/execution alone: ${code}")
+    if(code MATCHES "${threads}" AND NOT name MATCHES "^microslip/base/(attended_work|execution)\\.")
+      offend("${file}" ${number} "threads come from base/execution and base/attended_work alone: ${code}")
     endif()
     if(code MATCHES "${random}")
       offend("${file}" ${number} "random numbers come from base/random alone: ${code}")

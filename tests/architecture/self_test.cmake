@@ -57,7 +57,7 @@ expect(aborts "${CHECK}" ${src}/io/a.cpp "std::abort();\n" "io/a.cpp:1: the libr
 expect(ends_its_child "${CHECK}" ${src}/io/reading_worker.cpp "_exit(0);\n" "")
 expect(draws "${CHECK}" ${src}/joint/a.cpp "std::mt19937 generator;\n" "joint/a.cpp:1: random numbers")
 expect(threads "${CHECK}" ${src}/rig/a.cpp "#include <tbb/parallel_for.h>\n"
-       "rig/a.cpp:1: threads come from base/execution alone")
+       "rig/a.cpp:1: threads come from base/execution and base/attended_work alone")
 expect(threads_at_home "${CHECK}" ${src}/base/execution.cpp "#include <tbb/parallel_for.h>\n" "")
 expect(stray "${CHECK}" ${src}/a.cpp "\n" "src/microslip/a.cpp:1: a source lies in")
 expect(empty "${CHECK}" README.md "\n" "No source under")

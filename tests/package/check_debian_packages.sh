@@ -20,7 +20,11 @@ complain() {
 architecture="$(dpkg --print-architecture)"
 program="$folder/microslip_${version}_$architecture.deb"
 library="$folder/libmicroslip-dev_${version}_$architecture.deb"
-[[ -f $program && -f $library ]] || { complain "made: $(ls "$folder")"; exit 1; }
+python="$folder/python3-microslip_${version}_$architecture.deb"
+packages=("$program" "$library" "$python")
+for package in "${packages[@]}"; do
+  [[ -f $package ]] || { complain "made: $(ls "$folder")"; exit 1; }
+done
 
 # What they say.
 field() { dpkg-deb --field "$@"; }
@@ -32,7 +36,10 @@ done
 for need in libfmt-dev libhdf5-dev libtbb-dev zlib1g-dev; do
   [[ "$(field "$library" Depends)" == *"$need"* ]] || complain "libmicroslip-dev does not depend on $need"
 done
-for package in "$program" "$library"; do
+for need in "python3 (>= 3" python3-numpy libhdf5 libtbb; do
+  [[ "$(field "$python" Depends)" == *"$need"* ]] || complain "python3-microslip does not depend on $need"
+done
+for package in "${packages[@]}"; do
   [[ -z "$(dpkg-deb --contents "$package" | grep -Ev '^(-rw-r--r--|-rwxr-xr-x|drwxr-xr-x) root/root ')" ]] ||
     complain "$package: owners or modes of $(dpkg-deb --contents "$package")"
 done
@@ -42,7 +49,7 @@ changelog="$(dpkg-parsechangelog --file "$source/cmake/debian/changelog" --show-
 # What they hold, apart from each other.
 tree="$folder/tree"
 mkdir "$tree"
-for package in "$program" "$library"; do
+for package in "${packages[@]}"; do
   name="$(field "$package" Package)"
   dpkg-deb --extract "$package" "$tree/$name"
   for file in "usr/share/doc/$name/copyright" "usr/share/doc/$name/changelog.gz"; do
@@ -50,8 +57,8 @@ for package in "$program" "$library"; do
   done
   (cd "$tree/$name" && find . ! -type d) | sort >"$folder/$name.files"
 done
-common="$(comm -12 "$folder/microslip.files" "$folder/libmicroslip-dev.files")"
-[[ -z $common ]] || complain "in both: $common"
+common="$(cat "$folder"/*.files | sort | uniq -d)"
+[[ -z $common ]] || complain "in more than one: $common"
 for file in usr/bin/microslip usr/share/man/man1/microslip.1.gz \
   usr/share/man/man1/microslip-identify.1.gz usr/share/bash-completion/completions/microslip \
   usr/share/zsh/vendor-completions/_microslip usr/share/doc/microslip/docs/commands.md; do
@@ -61,6 +68,10 @@ for file in usr/lib/libmicroslip_{core,measurement,files,report}.a usr/lib/cmake
   usr/lib/pkgconfig/microslip.pc usr/include/microslip/joint/joint.hpp; do
   [[ -s $tree/libmicroslip-dev/$file ]] || complain "libmicroslip-dev has no $file"
 done
+for file in __init__.py _core.pyi py.typed microslip-hdf5-reader; do
+  [[ -e $tree/python3-microslip/usr/lib/python3/dist-packages/microslip/$file ]] ||
+    complain "python3-microslip has no $file"
+done
 traces="$(grep -rlF -e "$source" -e "$folder" "$tree" || true)"
 [[ -z $traces ]] || complain "folders of the build in: $traces"
 
@@ -69,7 +80,7 @@ bash "$(dirname "${BASH_SOURCE[0]}")/../docs_checks/check_links.sh" "$tree/micro
 
 # What they need is in this Debian.
 if command -v apt-get >/dev/null; then
-  apt-get install --simulate --no-install-recommends "$program" "$library" >"$folder/log" 2>&1 ||
+  apt-get install --simulate --no-install-recommends "${packages[@]}" >"$folder/log" 2>&1 ||
     { complain "apt cannot install:"; cat "$folder/log" >&2; }
 else
   echo "No apt: dependencies are not resolved."
@@ -94,21 +105,38 @@ use() {
   cd "$folder"
 }
 
+# use_python ROOT: the module of that root finds a joint, and what reads files of HDF5.
+use_python() {
+  env -i PATH=/usr/bin:/bin PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$1/usr/lib/python3/dist-packages" \
+    /usr/bin/python3 - "$folder/draws.h5" <<'END' || complain "the package of Python failed"
+import sys
+import numpy as np
+import microslip
+joint = microslip.Joint(1e5, [microslip.Uniform(0, 10, 1)])
+amplitude = np.linspace(2e-6, 1e-4, 40)
+found = microslip.identify(amplitude, joint.dissipation(amplitude), stiffness=1e5, samples=20)
+found.draws.write(sys.argv[1])
+assert microslip.JointDraws.read(sys.argv[1])[3] == found.draws[3]
+END
+}
+
 # In, at work, and out. An empty system has none of what they depend on, so the program takes it from this one.
 if [[ $EUID -eq 0 ]]; then
   root="$folder/root"
   mkdir -p "$root"/var/lib/dpkg/{info,updates,triggers}
   touch "$root/var/lib/dpkg/status" "$root/var/lib/dpkg/available"
   present() { (cd "$root" && find . -path ./var -prune -o ! -path . -print); }
-  dpkg --root="$root" --force-depends --install "$program" "$library" >"$folder/log" 2>&1 ||
+  dpkg --root="$root" --force-depends --install "${packages[@]}" >"$folder/log" 2>&1 ||
     { complain "not installed:"; cat "$folder/log" >&2; }
   use "$root"
+  use_python "$root"
   [[ -z "$(dpkg --root="$root" --verify)" ]] || complain "$(dpkg --root="$root" --verify)"
-  dpkg --root="$root" --purge libmicroslip-dev microslip >"$folder/log" 2>&1 ||
+  dpkg --root="$root" --purge python3-microslip libmicroslip-dev microslip >"$folder/log" 2>&1 ||
     { complain "not removed:"; cat "$folder/log" >&2; }
   [[ -z "$(present)" ]] || complain "left behind: $(present)"
 else
   use "$tree/microslip"
+  use_python "$tree/python3-microslip"
 fi
 
 # Debian's own inspector, where there is one. Nothing is uploaded to Debian, and nothing is there to be
@@ -116,7 +144,7 @@ fi
 if command -v lintian >/dev/null; then
   lintian --allow-root --fail-on error,warning \
     --suppress-tags initial-upload-closes-no-bugs,pkg-config-unavailable-for-cross-compilation \
-    "$program" "$library" || complain "lintian complains"
+    "${packages[@]}" || complain "lintian complains"
 fi
 
 ((failed == 0)) || exit 1

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "arguments.hpp"
+#include "microslip/bindings/python/arguments.hpp"
 
 #include <memory>
 #include <utility>

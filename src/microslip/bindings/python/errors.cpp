@@ -2,8 +2,8 @@
 #include <exception>
 #include <new>
 
-#include "core.hpp"
 #include "microslip/base/error.hpp"
+#include "microslip/bindings/python/core.hpp"
 
 namespace py = pybind11;
 

@@ -6,10 +6,11 @@
 #include <variant>
 #include <vector>
 
-#include "arguments.hpp"
-#include "core.hpp"
-#include "long_work.hpp"
 #include "microslip/base/error.hpp"
+#include "microslip/bindings/python/arguments.hpp"
+#include "microslip/bindings/python/core.hpp"
+#include "microslip/bindings/python/long_work.hpp"
+#include "microslip/bindings/python/results.hpp"
 #include "microslip/identify/identification.hpp"
 #include "microslip/io/joint_file.hpp"
 #include "microslip/io/joint_samples_file.hpp"
@@ -18,7 +19,6 @@
 #include "microslip/workflow/joint_draws.hpp"
 #include "microslip/workflow/levels_identification.hpp"
 #include "microslip/workflow/smoothing_text.hpp"
-#include "results.hpp"
 
 namespace py = pybind11;
 

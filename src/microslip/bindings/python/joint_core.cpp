@@ -4,9 +4,9 @@
 #include <variant>
 #include <vector>
 
-#include "arguments.hpp"
-#include "core.hpp"
 #include "microslip/base/version.hpp"
+#include "microslip/bindings/python/arguments.hpp"
+#include "microslip/bindings/python/core.hpp"
 #include "microslip/io/joint_file.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/joint/dissipation.hpp"

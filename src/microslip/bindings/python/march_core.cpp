@@ -6,13 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include "arguments.hpp"
-#include "core.hpp"
-#include "long_work.hpp"
+#include "microslip/bindings/python/arguments.hpp"
+#include "microslip/bindings/python/core.hpp"
+#include "microslip/bindings/python/long_work.hpp"
+#include "microslip/bindings/python/results.hpp"
+#include "microslip/bindings/python/structure.hpp"
 #include "microslip/dynamics/march.hpp"
 #include "microslip/workflow/model_text.hpp"
-#include "results.hpp"
-#include "structure.hpp"
 
 namespace py = pybind11;
 

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "arguments.hpp"
-#include "core.hpp"
+#include "microslip/bindings/python/arguments.hpp"
+#include "microslip/bindings/python/core.hpp"
 #include "microslip/joint/jenkins_network.hpp"
 #include "microslip/joint/memory.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <string>
 
-#include "core.hpp"
 #include "microslip/base/version.hpp"
+#include "microslip/bindings/python/core.hpp"
 
 PYBIND11_MODULE(_core, core) {
   using namespace microslip::python;

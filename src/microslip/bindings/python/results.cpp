@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "results.hpp"
+#include "microslip/bindings/python/results.hpp"
 
 namespace py = pybind11;
 

@@ -6,15 +6,15 @@
 #include <utility>
 #include <vector>
 
-#include "arguments.hpp"
-#include "core.hpp"
-#include "long_work.hpp"
+#include "microslip/bindings/python/arguments.hpp"
+#include "microslip/bindings/python/core.hpp"
+#include "microslip/bindings/python/long_work.hpp"
+#include "microslip/bindings/python/results.hpp"
+#include "microslip/bindings/python/structure.hpp"
 #include "microslip/dynamics/jointed_structure.hpp"
 #include "microslip/io/model_file.hpp"
 #include "microslip/modes/structure_modes.hpp"
 #include "microslip/structure/modal_model.hpp"
-#include "results.hpp"
-#include "structure.hpp"
 
 namespace py = pybind11;
 

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/base/attended_work.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include "microslip/base/error.hpp"
+
+namespace microslip {
+namespace {
+
+/// Works until it is asked to stop, or for ten seconds.
+void work_until_stopped(const Progress& progress) {
+  for (std::size_t i = 0; i < 10'000; ++i) {
+    if (!progress(i, 10'000)) throw Cancelled();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+TEST(AttendedWork, IsDoneOnAnotherThread) {
+  const auto here = std::this_thread::get_id();
+  std::thread::id there;
+  do_attended([&](const Progress&) { there = std::this_thread::get_id(); },
+              [](std::size_t, std::size_t) { return true; });
+  EXPECT_NE(there, here);
+}
+
+TEST(AttendedWork, IsAttendedByTheCallerWithWhatItTold) {
+  const auto here = std::this_thread::get_id();
+  std::vector<std::size_t> told;
+  EXPECT_THROW(do_attended(work_until_stopped,
+                           [&](std::size_t done, std::size_t total) {
+                             EXPECT_EQ(std::this_thread::get_id(), here);
+                             EXPECT_EQ(total, 10'000U);
+                             told.push_back(done);
+                             return told.size() < 3;
+                           }),
+               Cancelled);
+  ASSERT_EQ(told.size(), 3U);
+  EXPECT_LT(told[0], told[1]);
+  EXPECT_LT(told[1], told[2]);
+}
+
+TEST(AttendedWork, ThrowsWhatTheWorkThrows) {
+  EXPECT_THROW(do_attended([](const Progress&) { throw std::out_of_range("work"); },
+                           [](std::size_t, std::size_t) { return true; }),
+               std::out_of_range);
+}
+
+TEST(AttendedWork, ThrowsWhatItsAttendantThrowsOnceTheWorkHasEnded) {
+  std::atomic<bool> ended = false;
+  const auto work = [&](const Progress& progress) {
+    try {
+      work_until_stopped(progress);
+    } catch (...) {
+      ended = true;
+      throw;
+    }
+  };
+  EXPECT_THROW(do_attended(work, [](std::size_t, std::size_t) -> bool {
+                 throw std::out_of_range("attendant");
+               }),
+               std::out_of_range);
+  EXPECT_TRUE(ended);
+}
+
+}  // namespace
+}  // namespace microslip
