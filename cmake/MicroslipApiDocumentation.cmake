@@ -15,6 +15,7 @@ foreach(folder IN LISTS microslip_folders)
     string(APPEND MICROSLIP_API_INPUT " \\\n  \"${file}\"")
   endforeach()
 endforeach()
+string(APPEND MICROSLIP_API_INPUT " \\\n  \"${PROJECT_SOURCE_DIR}/src/microslip/bindings/c/microslip.h\"")
 configure_file("${PROJECT_SOURCE_DIR}/docs/Doxyfile.in" "${MICROSLIP_DOXYFILE}" @ONLY)
 
 if(DOXYGEN_PROGRAM)

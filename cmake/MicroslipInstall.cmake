@@ -41,6 +41,25 @@ foreach(folder IN LISTS microslip_folders)
     COMPONENT library)
 endforeach()
 
+# The C interface: a shared library, whatever the others are, as those who load it from other languages need.
+if(TARGET microslip_c)
+  install(
+    TARGETS microslip_c
+    EXPORT microslip_c
+    LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT library)
+  install(
+    EXPORT microslip_c
+    FILE microslip-c.cmake
+    NAMESPACE microslip::
+    DESTINATION "${microslip_package_dir}"
+    COMPONENT library)
+  install(
+    FILES "${PROJECT_SOURCE_DIR}/src/microslip/bindings/c/microslip.h"
+          "${PROJECT_BINARY_DIR}/include/bindings_c/public/microslip_version.h"
+    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+    COMPONENT library)
+endif()
+
 # A static library leaves the linking of fmt, TBB, HDF5 and zlib to its user; a shared one
 # has done it, and no header of microslip includes theirs.
 get_target_property(microslip_type microslip_core TYPE)
@@ -110,6 +129,13 @@ install(
   FILES "${PROJECT_BINARY_DIR}/microslip.pc"
   DESTINATION "${microslip_pkgconfig_dir}"
   COMPONENT library)
+if(TARGET microslip_c)
+  configure_file("${PROJECT_SOURCE_DIR}/cmake/microslip-c.pc.in" "${PROJECT_BINARY_DIR}/microslip-c.pc" @ONLY)
+  install(
+    FILES "${PROJECT_BINARY_DIR}/microslip-c.pc"
+    DESTINATION "${microslip_pkgconfig_dir}"
+    COMPONENT library)
+endif()
 
 # The program, with what its help was made into.
 

@@ -18,12 +18,15 @@
 namespace microslip {
 namespace {
 
-Provenance levels_provenance(const IdentificationOptions& options, const NamedInput& input,
-                             std::string_view command, const OptionTexts& texts) {
+Provenance levels_provenance(const IdentificationOptions& options,
+                             const std::vector<NamedInput>& inputs, std::string_view command,
+                             const OptionTexts& texts) {
   Provenance provenance;
   provenance.version = kVersion;
   provenance.command = command;
-  provenance.inputs.push_back({input.path, sha256(input.text)});
+  for (const NamedInput& input : inputs) {
+    provenance.inputs.push_back({input.path, sha256(input.text)});
+  }
   provenance.options = record_of_options(options, texts);
   if (options.bands) provenance.seed = options.bands->seed;
   return provenance;
@@ -56,6 +59,10 @@ IdentifiedLevels identify_levels(const LevelsIdentification& options) {
       read_level_table(options.levels, {.use_inner_reversals = options.use_inner_reversals,
                                         .linear_dissipation = linear_loss,
                                         .assemblies = options.assemblies});
+  return identify_table(std::move(table), options);
+}
+
+IdentifiedLevels identify_table(LevelTable table, const LevelsIdentification& options) {
   check_losses(table.used);
   IdentifiedLevels done{.input = std::move(table.input), .found = identified(table.used, options)};
   done.count = table.used.levels.size();
@@ -64,18 +71,24 @@ IdentifiedLevels identify_levels(const LevelsIdentification& options) {
   return done;
 }
 
+JointFile identified_joint(const Identification& found, const IdentificationOptions& options,
+                           const std::vector<NamedInput>& inputs, std::string_view command,
+                           const OptionTexts& texts) {
+  return {found.joint, levels_provenance(options, inputs, command, texts),
+          record_of_identification(found)};
+}
+
 std::string joint_text(const Identification& found, const IdentificationOptions& options,
                        const NamedInput& input, std::string_view command,
                        const OptionTexts& texts) {
-  return format_joint({found.joint, levels_provenance(options, input, command, texts),
-                       record_of_identification(found)});
+  return format_joint(identified_joint(found, options, {input}, command, texts));
 }
 
 std::string samples_bytes(const Identification& found, const IdentificationOptions& options,
                           const NamedInput& input, std::string_view command,
                           const OptionTexts& texts, const std::string& path) {
   return joint_samples_bytes(
-      joint_samples(found, levels_provenance(options, input, command, texts)), path);
+      joint_samples(found, levels_provenance(options, {input}, command, texts)), path);
 }
 
 std::string describe_identified_levels(const LevelsIdentification& options,

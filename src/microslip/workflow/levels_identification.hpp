@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "microslip/identify/identification.hpp"
+#include "microslip/io/joint_file.hpp"
 #include "microslip/workflow/level_table.hpp"
 #include "microslip/workflow/provenance.hpp"
 #include "microslip/workflow/recorded_options.hpp"
@@ -41,6 +42,24 @@ struct IdentifiedLevels {
 /// @throws InputError  as identify(); what the levels are at fault for names their file.
 /// @throws Cancelled   as the progress of the options says.
 [[nodiscard]] IdentifiedLevels identify_levels(const LevelsIdentification& options);
+
+/// The same of levels that were read before.
+/// @param table    of identify_levels(); `levels` of the options is not looked at.
+/// @param options  as of identify_levels().
+/// @throws FormatError, InputError, Cancelled  as identify_levels().
+[[nodiscard]] IdentifiedLevels identify_table(LevelTable table,
+                                              const LevelsIdentification& options);
+
+/// What joint.json holds.
+/// @param found    with its warnings.
+/// @param options  that it was found with.
+/// @param inputs   the levels; empty where they came from no file.
+/// @param command  that the file is made by.
+/// @param texts    of the options.
+[[nodiscard]] JointFile identified_joint(const Identification& found,
+                                         const IdentificationOptions& options,
+                                         const std::vector<NamedInput>& inputs,
+                                         std::string_view command, const OptionTexts& texts = {});
 
 /// The text of joint.json.
 /// @param found       with its warnings.
