@@ -158,14 +158,14 @@ std::vector<Bad> joint_table() {
       {"atoms without an array", "parts[1].slip_force",
        [](H& h) {
          return joint_of(h, [](auto& part) {
-           part.kind = MICROSLIP_ATOMS;
+           part.kind = MICROSLIP_PART_ATOMS;
            part.count = 3;
          });
        }},
       {"atoms beyond any memory", "count of parts[1].slip_force",
        [](H& h) {
          return joint_of(h, [&](auto& part) {
-           part.kind = MICROSLIP_ATOMS;
+           part.kind = MICROSLIP_PART_ATOMS;
            part.count = kHuge;
            part.slip_force = part.value = h.rising.data();
          });
@@ -173,7 +173,7 @@ std::vector<Bad> joint_table() {
       {"knots out of order", "parts[1].slip_force",
        [](H& h) {
          return joint_of(h, [&](auto& part) {
-           part.kind = MICROSLIP_PIECEWISE_LINEAR;
+           part.kind = MICROSLIP_PART_PIECEWISE_LINEAR;
            part.count = 3;
            part.slip_force = part.value = h.falling.data();
          });
@@ -181,7 +181,7 @@ std::vector<Bad> joint_table() {
       {"a value NaN", "parts[1].value[1]",
        [](H& h) {
          return joint_of(h, [&](auto& part) {
-           part.kind = MICROSLIP_ATOMS;
+           part.kind = MICROSLIP_PART_ATOMS;
            part.count = 3;
            part.slip_force = h.rising.data();
            part.value = h.with_nan.data();
@@ -190,7 +190,9 @@ std::vector<Bad> joint_table() {
       {"too much weight", "total weight",
        [](H& h) { return joint_of(h, [](auto& part) { part.weight = 0.6; }); }},
       {"four parameters beside others", "parts[1]",
-       [](H& h) { return joint_of(h, [](auto& part) { part.kind = MICROSLIP_FOUR_PARAMETER; }); }},
+       [](H& h) {
+         return joint_of(h, [](auto& part) { part.kind = MICROSLIP_PART_FOUR_PARAMETER; });
+       }},
       {"no path to read", "path",
        [](H&) {
          CJoint joint;
@@ -295,7 +297,7 @@ std::vector<Bad> identify_table() {
        }},
       {"a column of another length", "count",
        [](H& h) {
-         return microslip_levels_set(h.levels, MICROSLIP_AMPLITUDE_STD, 1, h.rising.data());
+         return microslip_levels_set(h.levels, MICROSLIP_LEVEL_AMPLITUDE_STD, 1, h.rising.data());
        }},
       {"no path of levels", "path",
        [](H&) {
@@ -355,10 +357,13 @@ std::vector<Bad> identify_table() {
        }},
       {"values into nothing", "values",
        [](H& h) {
-         return microslip_identification_values(h.found, MICROSLIP_DENSITY, nullptr, &h.count);
+         return microslip_identification_values(h.found, MICROSLIP_IDENTIFIED_DENSITY, nullptr,
+                                                &h.count);
        }},
       {"number of nothing", "identification",
-       [](H& h) { return microslip_identification_number(nullptr, MICROSLIP_COVERED_TO, h.out); }},
+       [](H& h) {
+         return microslip_identification_number(nullptr, MICROSLIP_IDENTIFIED_COVERED_TO, h.out);
+       }},
       {"a warning too many", "index",
        [](H& h) { return microslip_identification_warning(h.found, 1000, nullptr, nullptr); }},
       {"an outcome without a size", "outcome->struct_size",

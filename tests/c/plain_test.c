@@ -17,7 +17,7 @@ static microslip_joint *spring_with_slip(void) {
   microslip_part part;
   microslip_joint *joint = NULL;
   check(microslip_part_defaults(&part, sizeof part) == MICROSLIP_OK, "defaults of a part");
-  part.kind = MICROSLIP_UNIFORM;
+  part.kind = MICROSLIP_PART_UNIFORM;
   part.to = 10.0;
   part.weight = 1.0;
   check(microslip_joint_create(1e5, &part, 1, &joint) == MICROSLIP_OK, "a joint");

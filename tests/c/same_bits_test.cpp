@@ -40,19 +40,19 @@ constexpr double kStiffness = 1.7e5;
 
 std::vector<microslip_part> c_parts() {
   std::vector<microslip_part> parts(4, defaults(microslip_part_defaults));
-  parts[0].kind = MICROSLIP_UNIFORM;
+  parts[0].kind = MICROSLIP_PART_UNIFORM;
   parts[0].from = 1.0;
   parts[0].to = 4.0;
   parts[0].weight = 0.1;
-  parts[1].kind = MICROSLIP_POWER_LAW;
+  parts[1].kind = MICROSLIP_PART_POWER_LAW;
   parts[1].coefficient = 0.02;
   parts[1].exponent = -0.5;
   parts[1].to = 10.0;
-  parts[2].kind = MICROSLIP_PIECEWISE_LINEAR;
+  parts[2].kind = MICROSLIP_PART_PIECEWISE_LINEAR;
   parts[2].count = kKnots.size();
   parts[2].slip_force = kKnots.data();
   parts[2].value = kDensity.data();
-  parts[3].kind = MICROSLIP_ATOMS;
+  parts[3].kind = MICROSLIP_PART_ATOMS;
   parts[3].count = kAtoms.size();
   parts[3].slip_force = kAtoms.data();
   parts[3].value = kWeights.data();
@@ -133,7 +133,7 @@ TEST(CJoint, TellsItsParts) {
 
 TEST(CJoint, OfFourParametersIsThatOfTheLibrary) {
   microslip_part part = defaults(microslip_part_defaults);
-  part.kind = MICROSLIP_FOUR_PARAMETER;
+  part.kind = MICROSLIP_PART_FOUR_PARAMETER;
   part.macroslip_force = 0.2;
   part.chi = -0.5;
   part.beta = 0.3;
@@ -250,7 +250,7 @@ Levels measured() {
 void make(const Levels& from, CLevels& levels) {
   ASSERT_OK(microslip_levels_create(from.size(), from.amplitude.data(), from.dissipation.data(),
                                     levels.out()));
-  ASSERT_OK(microslip_levels_set(levels, MICROSLIP_DISSIPATION_STD, from.size(),
+  ASSERT_OK(microslip_levels_set(levels, MICROSLIP_LEVEL_DISSIPATION_STD, from.size(),
                                  from.dissipation_std.data()));
 }
 
@@ -284,14 +284,14 @@ TEST(CIdentify, IsTheIdentificationOfTheLibrary) {
   same.bands = BandOptions{.samples = 40, .seed = 7};
   same.inversion.linear_damping = true;
   const Identification expected = identify(LevelEvidence(measured()), 2e5, same);
-  expect_values(found, MICROSLIP_SLIP_FORCE, expected.slip_force);
-  expect_values(found, MICROSLIP_DENSITY, expected.density);
-  expect_values(found, MICROSLIP_DENSITY_LOWER, expected.lower);
-  expect_values(found, MICROSLIP_DENSITY_UPPER, expected.upper);
+  expect_values(found, MICROSLIP_IDENTIFIED_SLIP_FORCE, expected.slip_force);
+  expect_values(found, MICROSLIP_IDENTIFIED_DENSITY, expected.density);
+  expect_values(found, MICROSLIP_IDENTIFIED_LOWER, expected.lower);
+  expect_values(found, MICROSLIP_IDENTIFIED_UPPER, expected.upper);
   EXPECT_EQ(expected.lower.size(), expected.density.size());
-  EXPECT_EQ(number_of(found, MICROSLIP_COVERED_FROM), expected.covered_from);
-  EXPECT_EQ(number_of(found, MICROSLIP_COVERED_TO), expected.covered_to);
-  EXPECT_EQ(number_of(found, MICROSLIP_LINEAR_DAMPING), expected.linear_damping.value());
+  EXPECT_EQ(number_of(found, MICROSLIP_IDENTIFIED_COVERED_FROM), expected.covered_from);
+  EXPECT_EQ(number_of(found, MICROSLIP_IDENTIFIED_COVERED_TO), expected.covered_to);
+  EXPECT_EQ(number_of(found, MICROSLIP_IDENTIFIED_LINEAR_DAMPING), expected.linear_damping.value());
 
   microslip_outcome outcome{};
   outcome.struct_size = sizeof outcome;
@@ -329,8 +329,8 @@ TEST(CIdentify, DrawsTheSameOnOneThread) {
   ASSERT_OK(microslip_identify(levels, &options, on_one.out()));
   const double* upper = nullptr;
   std::size_t count = 0;
-  ASSERT_OK(microslip_identification_values(on_one, MICROSLIP_DENSITY_UPPER, &upper, &count));
-  expect_values(on_all, MICROSLIP_DENSITY_UPPER, {upper, upper + count});
+  ASSERT_OK(microslip_identification_values(on_one, MICROSLIP_IDENTIFIED_UPPER, &upper, &count));
+  expect_values(on_all, MICROSLIP_IDENTIFIED_UPPER, {upper, upper + count});
 }
 
 // The call is told by who makes it; all else is what the program writes.

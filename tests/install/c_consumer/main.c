@@ -8,7 +8,7 @@ int main(void) {
   microslip_part part;
   microslip_joint *joint = NULL;
   if (microslip_part_defaults(&part, sizeof part) != MICROSLIP_OK) return 1;
-  part.kind = MICROSLIP_UNIFORM; /* on [0, 10 N]: F = kx - (kx)^2/20 N */
+  part.kind = MICROSLIP_PART_UNIFORM; /* on [0, 10 N]: F = kx - (kx)^2/20 N */
   part.to = 10.0;
   part.weight = 1.0;
   if (microslip_joint_create(1e5, &part, 1, &joint) != MICROSLIP_OK) return 1;

@@ -21,15 +21,15 @@ constexpr const char* kDefaultCommand = "microslip_identify";
 
 std::vector<double>& column_of(Levels& levels, microslip_level_column column) {
   switch (column) {
-    case MICROSLIP_AMPLITUDE_STD:
+    case MICROSLIP_LEVEL_AMPLITUDE_STD:
       return levels.amplitude_std;
-    case MICROSLIP_DISSIPATION_STD:
+    case MICROSLIP_LEVEL_DISSIPATION_STD:
       return levels.dissipation_std;
-    case MICROSLIP_SECANT_STIFFNESS:
+    case MICROSLIP_LEVEL_SECANT_STIFFNESS:
       return levels.secant_stiffness;
-    case MICROSLIP_SECANT_STIFFNESS_STD:
+    case MICROSLIP_LEVEL_SECANT_STIFFNESS_STD:
       return levels.secant_stiffness_std;
-    case MICROSLIP_LINEAR_DISSIPATION:
+    case MICROSLIP_LEVEL_LINEAR_DISSIPATION:
       return levels.linear_dissipation;
     case MICROSLIP_LEVEL_FREQUENCY:
       return levels.frequency;
@@ -153,13 +153,13 @@ microslip_identification* identified(const microslip_levels& levels,
 const std::vector<double>& values_of(const Identification& found,
                                      microslip_identified_values what) {
   switch (what) {
-    case MICROSLIP_SLIP_FORCE:
+    case MICROSLIP_IDENTIFIED_SLIP_FORCE:
       return found.slip_force;
-    case MICROSLIP_DENSITY:
+    case MICROSLIP_IDENTIFIED_DENSITY:
       return found.density;
-    case MICROSLIP_DENSITY_LOWER:
+    case MICROSLIP_IDENTIFIED_LOWER:
       return found.lower;
-    case MICROSLIP_DENSITY_UPPER:
+    case MICROSLIP_IDENTIFIED_UPPER:
       return found.upper;
   }
   throw_unknown(what, "what");
@@ -167,11 +167,11 @@ const std::vector<double>& values_of(const Identification& found,
 
 double number_of(const Identification& found, microslip_identified_number what) {
   switch (what) {
-    case MICROSLIP_COVERED_FROM:
+    case MICROSLIP_IDENTIFIED_COVERED_FROM:
       return found.covered_from;
-    case MICROSLIP_COVERED_TO:
+    case MICROSLIP_IDENTIFIED_COVERED_TO:
       return found.covered_to;
-    case MICROSLIP_LINEAR_DAMPING:
+    case MICROSLIP_IDENTIFIED_LINEAR_DAMPING:
       return found.linear_damping.value_or(std::numeric_limits<double>::quiet_NaN());
   }
   throw_unknown(what, "what");

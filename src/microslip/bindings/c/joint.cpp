@@ -29,17 +29,17 @@ std::vector<double> copied(const microslip_part& part, const double* from, std::
 /// @param stiffness  of the joint, which Segalman's part has too.
 DensityPart density_part(const microslip_part& part, std::size_t index, double stiffness) {
   switch (part.kind) {
-    case MICROSLIP_UNIFORM:
+    case MICROSLIP_PART_UNIFORM:
       return UniformPart{part.from, part.to, part.weight};
-    case MICROSLIP_POWER_LAW:
+    case MICROSLIP_PART_POWER_LAW:
       return PowerLawPart{part.coefficient, part.exponent, part.from, part.to};
-    case MICROSLIP_PIECEWISE_LINEAR:
+    case MICROSLIP_PART_PIECEWISE_LINEAR:
       return PiecewiseLinearPart{copied(part, part.slip_force, index, "slip_force"),
                                  copied(part, part.value, index, "value")};
-    case MICROSLIP_ATOMS:
+    case MICROSLIP_PART_ATOMS:
       return AtomsPart{copied(part, part.slip_force, index, "slip_force"),
                        copied(part, part.value, index, "value")};
-    case MICROSLIP_FOUR_PARAMETER:
+    case MICROSLIP_PART_FOUR_PARAMETER:
       return FourParameterPart{part.macroslip_force, stiffness, part.chi, part.beta};
   }
   throw_unknown(part.kind, fmt::format("parts[{}].kind", index));
@@ -78,28 +78,28 @@ microslip_joint* new_joint(JointFile file) {
 microslip_part part_of(const DensityPart& part) {
   microslip_part all{};
   if (const auto* uniform = std::get_if<UniformPart>(&part)) {
-    all.kind = MICROSLIP_UNIFORM;
+    all.kind = MICROSLIP_PART_UNIFORM;
     all.from = uniform->from;
     all.to = uniform->to;
     all.weight = uniform->weight;
   } else if (const auto* law = std::get_if<PowerLawPart>(&part)) {
-    all.kind = MICROSLIP_POWER_LAW;
+    all.kind = MICROSLIP_PART_POWER_LAW;
     all.coefficient = law->coefficient;
     all.exponent = law->exponent;
     all.from = law->from;
     all.to = law->to;
   } else if (const auto* linear = std::get_if<PiecewiseLinearPart>(&part)) {
-    all.kind = MICROSLIP_PIECEWISE_LINEAR;
+    all.kind = MICROSLIP_PART_PIECEWISE_LINEAR;
     all.count = linear->slip_force.size();
     all.slip_force = linear->slip_force.data();
     all.value = linear->density.data();
   } else if (const auto* atoms = std::get_if<AtomsPart>(&part)) {
-    all.kind = MICROSLIP_ATOMS;
+    all.kind = MICROSLIP_PART_ATOMS;
     all.count = atoms->slip_force.size();
     all.slip_force = atoms->slip_force.data();
     all.value = atoms->weight.data();
   } else if (const auto* segalman = std::get_if<FourParameterPart>(&part)) {
-    all.kind = MICROSLIP_FOUR_PARAMETER;
+    all.kind = MICROSLIP_PART_FOUR_PARAMETER;
     all.macroslip_force = segalman->macroslip_force;
     all.chi = segalman->chi;
     all.beta = segalman->beta;

@@ -37,7 +37,7 @@
 #define MICROSLIP_API
 #endif
 
-/** Makes every int a value of an enumeration in C++, as in C: what is none of it is told, not undefined. */
+/** Any int is a value of an enumeration in C++, too: one that it has not is told, not undefined. */
 #ifdef __cplusplus
 #define MICROSLIP_INT : int
 extern "C" {
@@ -92,11 +92,11 @@ typedef struct microslip_joint microslip_joint;
 
 /** What a part of a density is. */
 typedef enum microslip_part_kind MICROSLIP_INT {
-  MICROSLIP_UNIFORM = 0,          /**< φ = weight/(to − from) on [from, to] */
-  MICROSLIP_POWER_LAW = 1,        /**< φ = coefficient·f*^exponent on [from, to] */
-  MICROSLIP_PIECEWISE_LINEAR = 2, /**< φ = value[i] at slip_force[i], linear between, 0 outside */
-  MICROSLIP_ATOMS = 3,            /**< φ = Σ value[i] δ(f* − slip_force[i]) */
-  MICROSLIP_FOUR_PARAMETER = 4    /**< Segalman's, J. Appl. Mech. 72 (2005) 752; stands alone */
+  MICROSLIP_PART_UNIFORM = 0,          /**< φ = weight/(to − from) on [from, to] */
+  MICROSLIP_PART_POWER_LAW = 1,        /**< φ = coefficient·f*^exponent on [from, to] */
+  MICROSLIP_PART_PIECEWISE_LINEAR = 2, /**< φ = value[i] at slip_force[i], linear between, 0 outside */
+  MICROSLIP_PART_ATOMS = 3,            /**< φ = Σ value[i] δ(f* − slip_force[i]) */
+  MICROSLIP_PART_FOUR_PARAMETER = 4    /**< Segalman's, J. Appl. Mech. 72 (2005) 752; stands alone */
 } microslip_part_kind;
 
 /** A part of a density; those of a joint add up, and ∫φ df* must not exceed 1. Members that its kind
@@ -265,13 +265,13 @@ typedef struct microslip_levels microslip_levels;
 
 /** Columns of levels beside amplitude and dissipation. */
 typedef enum microslip_level_column MICROSLIP_INT {
-  MICROSLIP_AMPLITUDE_STD = 0,        /**< standard deviation of A, m; ≥ 0 */
-  MICROSLIP_DISSIPATION_STD = 1,      /**< standard deviation of D, J; ≥ 0 */
-  MICROSLIP_SECANT_STIFFNESS = 2,     /**< k_eq of the first harmonic, N/m; > 0 */
-  MICROSLIP_SECANT_STIFFNESS_STD = 3, /**< its standard deviation, N/m; ≥ 0 */
-  MICROSLIP_LINEAR_DISSIPATION = 4,   /**< W_lin that was subtracted, J; ≥ 0 */
-  MICROSLIP_LEVEL_FREQUENCY = 5,      /**< of the resonance, Hz; > 0 */
-  MICROSLIP_LEVEL_FREQUENCY_STD = 6   /**< its standard deviation, Hz; ≥ 0 */
+  MICROSLIP_LEVEL_AMPLITUDE_STD = 0,        /**< standard deviation of A, m; ≥ 0 */
+  MICROSLIP_LEVEL_DISSIPATION_STD = 1,      /**< standard deviation of D, J; ≥ 0 */
+  MICROSLIP_LEVEL_SECANT_STIFFNESS = 2,     /**< k_eq of the first harmonic, N/m; > 0 */
+  MICROSLIP_LEVEL_SECANT_STIFFNESS_STD = 3, /**< its standard deviation, N/m; ≥ 0 */
+  MICROSLIP_LEVEL_LINEAR_DISSIPATION = 4,   /**< W_lin that was subtracted, J; ≥ 0 */
+  MICROSLIP_LEVEL_FREQUENCY = 5,            /**< of the resonance, Hz; > 0 */
+  MICROSLIP_LEVEL_FREQUENCY_STD = 6         /**< its standard deviation, Hz; ≥ 0 */
 } microslip_level_column;
 
 /** Levels in any order.
@@ -349,10 +349,10 @@ MICROSLIP_API microslip_status microslip_identification_joint(
 
 /** Arrays of an identification. */
 typedef enum microslip_identified_values MICROSLIP_INT {
-  MICROSLIP_SLIP_FORCE = 0,    /**< f*, N, rising */
-  MICROSLIP_DENSITY = 1,       /**< φ there, 1/N */
-  MICROSLIP_DENSITY_LOWER = 2, /**< lower end of the band, 1/N; no values without a band */
-  MICROSLIP_DENSITY_UPPER = 3  /**< upper end of the band, 1/N; no values without a band */
+  MICROSLIP_IDENTIFIED_SLIP_FORCE = 0, /**< f*, N, rising */
+  MICROSLIP_IDENTIFIED_DENSITY = 1,    /**< φ there, 1/N */
+  MICROSLIP_IDENTIFIED_LOWER = 2,      /**< lower end of the band, 1/N; no values without a band */
+  MICROSLIP_IDENTIFIED_UPPER = 3       /**< upper end of the band, 1/N; no values without a band */
 } microslip_identified_values;
 
 /** An array. @param identification  any. @param what  which.
@@ -363,9 +363,9 @@ MICROSLIP_API microslip_status microslip_identification_values(
 
 /** Numbers of an identification. */
 typedef enum microslip_identified_number MICROSLIP_INT {
-  MICROSLIP_COVERED_FROM = 0,  /**< N: below it the levels tell two moments of φ only */
-  MICROSLIP_COVERED_TO = 1,    /**< N: above it they tell nothing */
-  MICROSLIP_LINEAR_DAMPING = 2 /**< β, J/m²; NaN where it was not sought */
+  MICROSLIP_IDENTIFIED_COVERED_FROM = 0,  /**< N: below it the levels tell two moments of φ only */
+  MICROSLIP_IDENTIFIED_COVERED_TO = 1,    /**< N: above it they tell nothing */
+  MICROSLIP_IDENTIFIED_LINEAR_DAMPING = 2 /**< β, J/m²; NaN where it was not sought */
 } microslip_identified_number;
 
 /** A number. @param identification  any. @param what  which. @param value  of it. */
