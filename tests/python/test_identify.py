@@ -116,3 +116,23 @@ def test_results_are_kept(levels):
     assert again.joint == found.joint and again.summary == found.summary
     assert np.array_equal(again.upper, found.upper)
     assert "<table>" in found._repr_html_() and "covered" in repr(found)
+
+
+def test_levels_that_tell_something_else_are_left_out_and_said(tmp_path):
+    rows = "\n".join(f"{a:.3e},{a * a * 100:.4e},{4 if a < 3e-6 else 2}" for a in np.geomspace(1e-6, 1e-4, 20))
+    (tmp_path / "levels.csv").write_text("amplitude [m],dissipation [J],reversals [1]\n" + rows + "\n")
+    with pytest.warns(microslip.MicroslipWarning, match="inner reversals"):
+        assert len(microslip.Levels.read(tmp_path / "levels.csv")) < 20
+    with pytest.warns(microslip.MicroslipWarning, match="inner reversals"):
+        assert len(microslip.Levels.read(tmp_path / "levels.csv", use_inner_reversals=True)) == 20
+    named = "\n".join(f"{a:.3e},{a * a * 100:.4e},{'ab'[i % 2]}" for i, a in enumerate(np.geomspace(1e-6, 1e-4, 20)))
+    (tmp_path / "two.csv").write_text("amplitude [m],dissipation [J],assembly\n" + named + "\n")
+    with pytest.raises(ValueError, match="assemblies"):
+        microslip.Levels.read(tmp_path / "two.csv")
+    assert len(microslip.Levels.read(tmp_path / "two.csv", assemblies="none")) == 20
+
+
+def test_levels_without_loss_are_refused():
+    amplitude = np.geomspace(1e-6, 1e-4, 20)
+    with pytest.raises(ValueError, match="dissipation"):
+        microslip.identify(amplitude, 0 * amplitude, stiffness=K)

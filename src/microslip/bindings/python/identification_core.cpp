@@ -17,6 +17,7 @@
 #include "microslip/io/levels_file.hpp"
 #include "microslip/observe/level_evidence.hpp"
 #include "microslip/workflow/joint_draws.hpp"
+#include "microslip/workflow/level_table.hpp"
 #include "microslip/workflow/levels_identification.hpp"
 #include "microslip/workflow/smoothing_text.hpp"
 
@@ -156,9 +157,12 @@ py::dict identify_levels(const py::dict& columns, double stiffness, const py::di
   return all;
 }
 
-std::optional<PathStart> start_of(const std::string& text) {
-  if (text == "auto") return std::nullopt;
-  return text == "virgin" ? PathStart::kVirgin : PathStart::kUnknown;
+/// Those of a file that an identification takes, and what it says of the others.
+py::tuple read_levels_of(const std::string& path, bool use_inner_reversals, bool of_one_joint) {
+  const LevelTable table = read_level_table(
+      path, {.use_inner_reversals = use_inner_reversals,
+             .assemblies = of_one_joint ? AssemblyColumn::kIgnored : AssemblyColumn::kUnsaid});
+  return py::make_tuple(dict_of(table.used.levels), python::list_of(table.warnings));
 }
 
 /// All that draws are, to be kept by pickle.
@@ -223,8 +227,7 @@ void add_identification(py::module_& core) {
   core.def("draws_of", draws_of);
   core.def("read_draws", [](const std::string& path) { return read_joint_samples(path); });
   core.def("identify_levels", identify_levels);
-  core.def("read_levels",
-           [](const std::string& path) { return dict_of(read_levels(path).levels); });
+  core.def("read_levels", read_levels_of);
   core.def("levels_csv",
            [](const py::dict& columns) { return levels_table(levels_of(columns)).str(); });
 }

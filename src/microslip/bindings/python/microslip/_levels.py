@@ -8,10 +8,10 @@ from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, Optional
 
 from . import _core
-from ._arguments import ArrayLike, Path, RealArray, optional_array, real_array
+from ._arguments import ArrayLike, Path, RealArray, flag, one_of, optional_array, real_array
 from ._arguments import path as path_of
 from ._errors import InputError
-from ._results import Shown, si
+from ._results import Shown, notes, si, warn
 
 if TYPE_CHECKING:
     import pandas
@@ -94,15 +94,34 @@ class Levels(Shown):
             object.__setattr__(self, name, optional_array(values, name, len(first), _EACH))
 
     @classmethod
-    def read(cls, path: Path) -> Levels:
-        """The levels of a levels.csv. @see docs/file_formats.md
+    def read(cls, path: Path, *, use_inner_reversals: bool = False,
+             assemblies: Optional[str] = None) -> Levels:  # fmt: skip
+        """The levels of a levels.csv, see docs/file_formats.md.
+
+        Parameters
+        ----------
+        path : path-like
+            Of the file.
+        use_inner_reversals : bool
+            Whether to take levels whose joint turns more than twice a cycle (column ``reversals``):
+            their D is not that of one loop. Without it they are left out, and a warning says so.
+        assemblies : {"none"}, optional
+            Says that all levels are of one joint although a column ``assembly`` names several.
 
         Raises
         ------
-        FileError, FormatError
+        FileError, FormatError, ValueError
             Where it cannot be read, or a cell breaks its rule.
         """
-        return cls(**_core.read_levels(path_of(path, "path")))
+        if assemblies is not None:
+            one_of(assemblies, "assemblies", ("none",))
+        columns, warnings = _core.read_levels(
+            path_of(path, "path"), flag(use_inner_reversals, "use_inner_reversals"),
+            assemblies is not None,
+        )  # fmt: skip
+        for note in notes(warnings):
+            warn(str(note))
+        return cls(**columns)
 
     def write(self, path: Path) -> None:
         """Writes a levels.csv: at once and whole, or not at all."""
