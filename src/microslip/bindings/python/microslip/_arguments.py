@@ -27,8 +27,9 @@ Progress = Callable[[int, int], Optional[bool]]
 Path = Union[str, "os.PathLike[str]"]
 
 
-def _shown(value: object) -> str:
-    text = repr(value)
+def shown(value: object) -> str:
+    """The value in a message, in one short line."""
+    text = " ".join(repr(value).split())
     return text if len(text) <= 60 else text[:57] + "..."
 
 
@@ -43,15 +44,15 @@ def real(value: object, name: str) -> float:
 
 def _number(value: object, name: str) -> float:
     if isinstance(value, (complex, np.complexfloating)):
-        raise InputError(f"{name} = {_shown(value)}; must be real, not complex")
+        raise InputError(f"{name} = {shown(value)}; must be real, not complex")
     if isinstance(value, np.ndarray) and value.shape == () and value.dtype.kind in "biuf":
         return float(value)
     if isinstance(value, (str, bytes, bool, np.bool_, np.ndarray)) or value is None:
-        raise InputError(f"{name} = {_shown(value)}; must be a number")
+        raise InputError(f"{name} = {shown(value)}; must be a number")
     try:
         return float(value)  # type: ignore[arg-type]
     except (TypeError, ValueError, OverflowError):
-        raise InputError(f"{name} = {_shown(value)}; must be a number") from None
+        raise InputError(f"{name} = {shown(value)}; must be a number") from None
 
 
 def positive(value: object, name: str) -> float:
@@ -77,7 +78,7 @@ def whole(value: object, name: str, least: int = 0, most: int = 2**31 - 1) -> in
     try:
         number = operator.index(value)  # type: ignore[arg-type]
     except TypeError:
-        raise InputError(f"{name} = {_shown(value)}; must be a whole number") from None
+        raise InputError(f"{name} = {shown(value)}; must be a whole number") from None
     if not least <= number <= most:
         raise InputError(f"{name} = {number}; must be from {least} to {most}")
     return number
@@ -86,21 +87,21 @@ def whole(value: object, name: str, least: int = 0, most: int = 2**31 - 1) -> in
 def flag(value: object, name: str) -> bool:
     """True or False."""
     if not isinstance(value, (bool, np.bool_)):
-        raise InputError(f"{name} = {_shown(value)}; must be True or False")
+        raise InputError(f"{name} = {shown(value)}; must be True or False")
     return bool(value)
 
 
 def text(value: object, name: str) -> str:
     """A text, not empty."""
     if not isinstance(value, str) or not value:
-        raise InputError(f"{name} = {_shown(value)}; must be a text")
+        raise InputError(f"{name} = {shown(value)}; must be a text")
     return value
 
 
 def one_of(value: object, name: str, choices: Sequence[str]) -> str:
     """One of some words."""
     if value not in choices or not isinstance(value, str):
-        raise InputError(f"{name} = {_shown(value)}; must be one of {', '.join(choices)}")
+        raise InputError(f"{name} = {shown(value)}; must be one of {', '.join(choices)}")
     return value
 
 
@@ -109,20 +110,20 @@ def path(value: object, name: str) -> str:
     try:
         return os.fsdecode(value)  # type: ignore[arg-type]
     except (TypeError, ValueError):
-        raise InputError(f"{name} = {_shown(value)}; must be the path of a file") from None
+        raise InputError(f"{name} = {shown(value)}; must be the path of a file") from None
 
 
 def progress(value: object) -> Optional[Progress]:
     """A callback or None."""
     if value is not None and not callable(value):
-        raise InputError(f"progress = {_shown(value)}; must be callable, or None")
+        raise InputError(f"progress = {shown(value)}; must be callable, or None")
     return value
 
 
 def sequence(value: object, name: str, of: str) -> Sequence[Any]:
     """A list or tuple."""
     if isinstance(value, (str, bytes, Mapping)) or not isinstance(value, Sequence):
-        raise InputError(f"{name} = {_shown(value)}; must be a list of {of}")
+        raise InputError(f"{name} = {shown(value)}; must be a list of {of}")
     return value
 
 

@@ -20,6 +20,7 @@ from ._arguments import (
     real,
     real_array,
     sequence,
+    shown,
     whole,
 )
 from ._arguments import path as path_of
@@ -215,7 +216,7 @@ class Joint(Shown):
         for i, part in enumerate(sequence(density, "density", "parts")):
             if type(part) not in _PARTS.values():
                 raise InputError(
-                    f"density[{i}] = {part!r}; must be a part: {', '.join(_PARTS)}, each a class"
+                    f"density[{i}] = {shown(part)}; must be a part: {', '.join(_PARTS)}, each a class"
                     " of microslip"
                 )
             parts.append(part._tuple())
@@ -517,7 +518,7 @@ class Memory:
 
     def __init__(self, joint: Joint) -> None:
         if not isinstance(joint, Joint):
-            raise InputError(f"joint = {joint!r}; must be a microslip.Joint")
+            raise InputError(f"joint = {shown(joint)}; must be a microslip.Joint")
         self.joint = joint
         self._core = _core.Memory(joint._core)
 

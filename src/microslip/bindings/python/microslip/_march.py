@@ -18,6 +18,7 @@ from ._arguments import (
     optional_array,
     positive,
     real_array,
+    shown,
     text,
     whole,
 )
@@ -194,7 +195,7 @@ def march(
     ValueError, NotConverged
     """
     if not isinstance(structure, Structure):
-        raise InputError(f"structure = {structure!r}; must be a microslip.Structure")
+        raise InputError(f"structure = {shown(structure)}; must be a microslip.Structure")
     times = real_array(time, "time")
     count = len(times)
     modes = len(structure.angular_frequency)

@@ -26,6 +26,7 @@ from ._arguments import (
     real,
     real_array,
     sequence,
+    shown,
     text,
     whole,
 )
@@ -322,7 +323,7 @@ def _structure_of(linear: Any, joints: Any, excitations: Any, damping: str, load
 
 def _mapping(value: object, name: str) -> Mapping[str, Any]:
     if not isinstance(value, Mapping):
-        raise InputError(f"{name} = {value!r}; must be a mapping of names")
+        raise InputError(f"{name} = {shown(value)}; must be a mapping of names")
     for key in value:
         text(key, f"a name in {name}")
     return value
@@ -354,7 +355,7 @@ def _bases(bases: object, points: list[str], modes: int) -> list[tuple[str, Real
     all_of_them = []
     for name, base in _mapping(bases, "bases").items():
         if not isinstance(base, Base):
-            raise InputError(f"bases[{name!r}] = {base!r}; must be a microslip.Base")
+            raise InputError(f"bases[{name!r}] = {shown(base)}; must be a microslip.Base")
         for point in base.point_motion:
             if point not in points:
                 raise InputError(f"bases[{name!r}]: point_motion has {point!r}; must be of points,"
@@ -373,7 +374,7 @@ def _joint_parts(joints: object, modes: int) -> list[dict[str, Any]]:
     parts = []
     for i, joint in enumerate(given):
         if not isinstance(joint, StructuralJoint):
-            raise InputError(f"joints[{i}] = {joint!r}; must be a microslip.StructuralJoint")
+            raise InputError(f"joints[{i}] = {shown(joint)}; must be a microslip.StructuralJoint")
         name = f"joint{i + 1}" if joint.name is None else text(joint.name, f"joints[{i}]: name")
         parts.append(joint._dict(modes, name))
     return parts
@@ -580,7 +581,7 @@ def _joints_between(joints: object, size: int) -> list[tuple[str, Optional[int],
     between = []
     for name, joint in _mapping(joints, "joints").items():
         if not isinstance(joint, Sequence) or len(joint) != 3:
-            raise InputError(f"joints[{name!r}] = {joint!r}; must be (row or None, row, stiffness)")
+            raise InputError(f"joints[{name!r}] = {shown(joint)}; must be (row or None, row, stiffness)")
         first, second, k = joint
         what = f"joints[{name!r}]"
         between.append((name, None if first is None else whole(first, what, 0, size - 1),

@@ -19,6 +19,7 @@ from ._arguments import (
     positive,
     real,
     real_array,
+    shown,
     text,
     whole,
 )
@@ -282,7 +283,7 @@ class HarmonicBalance:
         modal_forcing: bool = False,
     ) -> None:
         if not isinstance(structure, Structure):
-            raise InputError(f"structure = {structure!r}; must be a microslip.Structure")
+            raise InputError(f"structure = {shown(structure)}; must be a microslip.Structure")
         hertz = None if frequencies is None else real_array(frequencies, "frequencies")
         self._kind = one_of(kind, "kind", KINDS)
         options = {
