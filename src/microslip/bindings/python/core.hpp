@@ -21,5 +21,6 @@ void add_identification(pybind11::module_& core);
 void add_structure(pybind11::module_& core);
 void add_vibration(pybind11::module_& core);
 void add_march(pybind11::module_& core);
+void add_harmonic_force(pybind11::module_& core);
 
 }  // namespace microslip::python

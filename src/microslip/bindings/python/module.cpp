@@ -15,4 +15,5 @@ PYBIND11_MODULE(_core, core) {
   add_structure(core);
   add_vibration(core);
   add_march(core);
+  add_harmonic_force(core);
 }

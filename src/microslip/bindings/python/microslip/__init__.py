@@ -21,6 +21,7 @@ from ._errors import (
     MicroslipWarning,
     NotConverged,
 )
+from ._harmonic_force import HarmonicForce, HarmonicResponse
 from ._identification import Identification, Parameter, Verdict, identify
 from ._joint import (
     Atoms,
@@ -58,6 +59,8 @@ __all__ = [
     "FormatError",
     "FourParameter",
     "HarmonicBalance",
+    "HarmonicForce",
+    "HarmonicResponse",
     "Identification",
     "IdentifiedJoint",
     "InputError",
