@@ -297,3 +297,10 @@ def test_scipy_helper_names_what_is_wrong():
             solve_jointed(**{**good, **change})
     with pytest.raises(ValueError, match="t_eval must rise, within"):
         solve_jointed(**good, t_eval=[0.0, 2.0])
+
+
+def test_one_damping_serves_all_modes():
+    shape = [1.0, 1.0]
+    for damping in ({"loss_factor": 0.002}, {"damping_ratio": 0.001}):
+        structure = microslip.Structure([10.0, 20.0], {"mass": shape}, **damping)
+        assert structure.loss_factor.tolist() == [0.002, 0.002]
