@@ -26,13 +26,22 @@ py::tuple tuple_of(const Memory::Response& response) {
   return py::make_tuple(response.force, response.tangent);
 }
 
+/// An array of NumPy's own memory, which takes large pages for large ones: new pages would cost as
+/// much as the march.
+RealArray forces_along(const RealArray& x) { return RealArray(x.size()); }
+
+std::span<double> written(RealArray& array) {
+  return {array.mutable_data(), static_cast<std::size_t>(array.size())};
+}
+
 RealArray march(OwningMemory& of, const RealArray& x) {
-  std::vector<double> force(values(x).size());
+  RealArray force = forces_along(x);
+  const std::span<double> to = written(force);
   {
     const py::gil_scoped_release unlocked;
-    of.memory.march(values(x), force);
+    of.memory.march(values(x), to);
   }
-  return array_of(std::move(force));
+  return force;
 }
 
 RealArray reversals(const OwningMemory& of) {

@@ -556,6 +556,8 @@ class Memory:
 
     def march(self, displacement: ArrayLike) -> RealArray:
         """Takes a step to each displacement [m] in turn. Returns the forces, N, shape (n,)."""
+        if type(displacement) is np.ndarray and _plain(displacement):
+            return self._core.march(displacement)  # it looks for what is not finite itself
         return self._core.march(real_array(displacement, "displacement"))
 
     def reset(self) -> None:
@@ -583,6 +585,11 @@ class Memory:
             f"Memory(displacement={self.displacement!r}, force={self.force!r},"
             f" reversals={len(self.reversals)})"
         )
+
+
+def _plain(array: RealArray) -> bool:
+    """Whether the compiled half takes it as it is."""
+    return array.dtype == np.float64 and array.ndim == 1 and array.size > 0 and array.flags.c_contiguous
 
 
 def _memory_after(joint: Joint, path: RealArray) -> Memory:
