@@ -62,10 +62,10 @@ TEST(AttendedWork, ThrowsWhatItsAttendantThrowsOnceTheWorkHasEnded) {
       throw;
     }
   };
-  EXPECT_THROW(do_attended(work, [](std::size_t, std::size_t) -> bool {
-                 throw std::out_of_range("attendant");
-               }),
-               std::out_of_range);
+  EXPECT_THROW(
+      do_attended(work,
+                  [](std::size_t, std::size_t) -> bool { throw std::out_of_range("attendant"); }),
+      std::out_of_range);
   EXPECT_TRUE(ended);
 }
 

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "arguments.hpp"
-#include "core.hpp"
+#include "microslip/bindings/python/arguments.hpp"
+#include "microslip/bindings/python/core.hpp"
 #include "microslip/dynamics/harmonic_force.hpp"
 
 namespace py = pybind11;
