@@ -113,6 +113,19 @@ TEST(Joint, VirginForceAndTangentFollowFromTheMoments) {
   }
 }
 
+// The same formulas, but the power in F from that in F′: a few rounding errors.
+TEST(Joint, VirginCurveGivesForceAndSlopeAtOnce) {
+  for (const Joint& joint : all_kinds()) {
+    const VirginCurve& curve = joint.virgin_curve();
+    EXPECT_EQ(curve.response(-1.0).force, curve.force(0.0));
+    for (const double x : displacements(joint)) {
+      const double s = joint.stiffness() * x;
+      EXPECT_NEAR(curve.response(s).force, curve.force(s), 1e-14 * s);
+      EXPECT_NEAR(curve.response(s).slope, curve.slope(s), 1e-14);
+    }
+  }
+}
+
 // F is the integral of F′; a quadrature cut at the knots, good to rounding.
 TEST(Joint, TangentIsTheDerivativeOfTheVirginForce) {
   for (const Joint& joint : all_kinds()) {

@@ -30,6 +30,9 @@ void expect_accurate(const PowerLawPart& part, double s, double tolerance) {
   EXPECT_LT(relative_error(moments.second, exact.moment(2)), tolerance);
   EXPECT_LT(relative_error(power_law_force_deficit(part, s), exact.force_deficit()), tolerance);
   EXPECT_LT(relative_error(power_law_slip_energy(part, s), exact.slip_energy()), tolerance);
+  const PowerLawSlip slip = power_law_slip(part, s);
+  EXPECT_LT(relative_error(slip.weight, exact.moment(0)), tolerance);
+  EXPECT_LT(relative_error(slip.force_deficit, exact.force_deficit()), tolerance);
 }
 
 // The exponents at and near which an antiderivative is a logarithm, and ordinary ones.
@@ -80,6 +83,8 @@ TEST(PowerLaw, IsNothingUpToItsStart) {
     EXPECT_EQ(power_law_moments(part, s).second, 0.0);
     EXPECT_EQ(power_law_force_deficit(part, s), 0.0);
     EXPECT_EQ(power_law_slip_energy(part, s), 0.0);
+    EXPECT_EQ(power_law_slip(part, s).weight, 0.0);
+    EXPECT_EQ(power_law_slip(part, s).force_deficit, 0.0);
   }
 }
 

@@ -109,8 +109,9 @@ double MarchedJoint::elastic_force(double u) const {
 /// stick as they do: each that slips carries its slip force, each other w_a s.
 MarchedJoint::Response MarchedJoint::on_piece(double u) const {
   const double s = elastic_force(u);
-  double force = std::copysign(joint_->joint.virgin_curve().force(std::abs(s)), s);
-  double slope = joint_->joint.virgin_curve().slope(std::abs(s));
+  const auto virgin = joint_->joint.virgin_curve().response(std::abs(s));
+  double force = std::copysign(virgin.force, s);
+  double slope = virgin.slope;
   const AtomsPart& atoms = joint_->joint.density().atoms();
   if (!corners_.empty()) {
     for (std::size_t a = 0; a < atoms.slip_force.size(); ++a) {

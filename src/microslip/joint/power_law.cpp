@@ -61,6 +61,15 @@ double power_law_force_deficit(const PowerLawPart& part, double s) {
   return weighted_deficit(part, s, 0);
 }
 
+PowerLawSlip power_law_slip(const PowerLawPart& part, double s) {
+  if (part.from == 0.0 && s > 0.0 && s <= part.to) {
+    const double p = part.exponent + 1.0;
+    const double weight = part.coefficient * std::pow(s, p) / p;
+    return {weight, weight * s / (p + 1.0)};
+  }
+  return {power_law_weight(part, s), power_law_force_deficit(part, s)};
+}
+
 double power_law_slip_energy(const PowerLawPart& part, double s) {
   return weighted_deficit(part, s, 1);
 }

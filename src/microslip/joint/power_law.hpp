@@ -19,6 +19,14 @@ namespace microslip {
 /// ∫ (s − f*) φ df* over [from, min(to, s)], N; s finite: what slip takes off the elastic force.
 [[nodiscard]] double power_law_force_deficit(const PowerLawPart& part, double s);
 
+/// Both of these.
+struct PowerLawSlip {
+  double weight;         ///< Φ0(s), 1
+  double force_deficit;  ///< N
+};
+/// For the price of one where from = 0 and s ≤ to.
+[[nodiscard]] PowerLawSlip power_law_slip(const PowerLawPart& part, double s);
+
 /// ∫ f*(s − f*) φ df* over [from, min(to, s)], N²; s finite.
 [[nodiscard]] double power_law_slip_energy(const PowerLawPart& part, double s);
 

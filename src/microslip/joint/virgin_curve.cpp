@@ -119,11 +119,23 @@ double VirginCurve::power_law_deficit(double s) const {
 double VirginCurve::slope(double s) const {
   const Lookup find = lookup();
   s = std::max(s, 0.0);
-  const Cubic& c = find.cubic(s, find.bucket(s));
-  const double t = s - c.start;
-  double slope = c.slope - t * (2.0 * c.half_p + 3.0 * t * c.sixth_q);
+  double slope = linear_slope(find.cubic(s, find.bucket(s)), s);
   for (const PowerLawPart& part : power_laws_) slope -= power_law_weight(part, s);
   return std::clamp(slope, 0.0, 1.0);
+}
+
+VirginCurve::Response VirginCurve::response(double s) const {
+  const Lookup find = lookup();
+  s = std::max(s, 0.0);
+  const Cubic& c = find.cubic(s, find.bucket(s));
+  double slope = linear_slope(c, s);
+  double deficit = 0.0;
+  for (const PowerLawPart& part : power_laws_) {
+    const PowerLawSlip slip = power_law_slip(part, s);
+    slope -= slip.weight;
+    deficit += slip.force_deficit;
+  }
+  return {linear_force(c, s) - deficit, std::clamp(slope, 0.0, 1.0)};
 }
 
 }  // namespace microslip

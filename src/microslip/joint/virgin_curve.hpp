@@ -51,6 +51,14 @@ class VirginCurve {
   /// dF/ds = 1 − Φ0(s), 1, in [0, 1]. At an atom the value beyond it; s as in force().
   [[nodiscard]] double slope(double s) const;
 
+  /// Both.
+  struct Response {
+    double force;  ///< F, N
+    double slope;  ///< dF/ds, 1
+  };
+  /// For little more than one of them. @param s  as in force().
+  [[nodiscard]] Response response(double s) const;
+
  private:
   /// F = force + t·(slope − t·(half_p + t·sixth_q)), t = s − start.
   struct Cubic {
@@ -94,6 +102,12 @@ class VirginCurve {
   [[nodiscard]] static double linear_force(const Cubic& c, double s) {
     const double t = s - c.start;
     return c.force + t * (c.slope - t * (c.half_p + t * c.sixth_q));
+  }
+
+  /// Its slope.
+  [[nodiscard]] static double linear_slope(const Cubic& c, double s) {
+    const double t = s - c.start;
+    return c.slope - t * (2.0 * c.half_p + 3.0 * t * c.sixth_q);
   }
 
   static void elastic_forces(std::size_t n, const double* x, const Branch& branch, double* s);
