@@ -5,6 +5,8 @@
 #include <cmath>
 #include <complex>
 
+#include "microslip/base/vector_clones.hpp"
+
 namespace microslip {
 namespace {
 
@@ -18,6 +20,8 @@ struct Responses {
 };
 
 constexpr std::size_t kMostTerms = 100;
+/// Added before it is looked whether they were the last.
+constexpr std::size_t kTermsAtOnce = 4;
 
 /// 1/(n(n + 1)); n from 1.
 constexpr std::array<double, kMostTerms + 8> kInverseProducts = [] {
@@ -28,41 +32,70 @@ constexpr std::array<double, kMostTerms + 8> kInverseProducts = [] {
   return values;
 }();
 
-/// q(1) = Σ_k a_k of q = τ^{m+2} Σ a_k τᵏ, for m = 2 and 3. The terms fall from (θ, 2δ)ᵏ/k! on. Both
-/// at once, as each waits for its own last term.
-std::array<double, 2> power_series(double delta, double theta_squared) {
-  std::array<double, 2> before{};
-  std::array<double, 2> term{kInverseProducts[3], kInverseProducts[4]};
-  std::array<double, 2> sum = term;
-  for (std::size_t k = 1; k < kMostTerms; ++k) {
-    for (std::size_t i = 0; i < 2; ++i) {
-      const std::size_t n = 3 + i + k;
-      const double next =
-          -(2.0 * delta * static_cast<double>(n) * term[i] + theta_squared * before[i]) *
-          kInverseProducts[n];
-      before[i] = term[i];
-      term[i] = next;
-      sum[i] += term[i];
-    }
-    // What follows of the smaller one is less than half of its last digit.
-    if (std::abs(term[0]) + std::abs(before[0]) < 1e-18 * sum[1]) break;
+/// Those of a group of modes, and what they depend on.
+struct GroupResponses {
+  double delta[kLanes];
+  double theta_squared[kLanes];
+  double power[4][kLanes];
+  double impulse[kLanes];
+  double slope[kLanes];
+  double rest[kLanes];
+};
+
+/// One more term of q(1) = Σ_k a_k of q = τ^{m+2} Σ a_k τᵏ; n = m + 1 + k.
+inline void add_term(const GroupResponses& r, std::size_t n, double* before, double* term,
+                     double* sum) {
+  const double grows = 2.0 * static_cast<double>(n);
+  const double share = kInverseProducts[n];
+#pragma omp simd
+  for (std::size_t j = 0; j < kLanes; ++j) {
+    const double next = -(r.delta[j] * grows * term[j] + r.theta_squared[j] * before[j]) * share;
+    before[j] = term[j];
+    term[j] = next;
+    sum[j] += next;
   }
-  return sum;
 }
 
-// Both take τᵐ from one to the next by θ²q_m = 1 − 2δ q_m′ − q_m″, with q_m′ = m q_{m−1}: stable
-// down for a small θ, where the other way divides by it, and up for a large one.
-Responses by_series(double delta, double theta_squared) {
-  Responses r;
-  const auto [second, third] = power_series(delta, theta_squared);
-  r.power[2] = second;
-  r.power[3] = third;
-  r.power[1] = (1.0 - theta_squared * r.power[3] - 6.0 * delta * r.power[2]) / 6.0;
-  r.power[0] = (1.0 - theta_squared * r.power[2] - 4.0 * delta * r.power[1]) / 2.0;
-  r.impulse = 1.0 - theta_squared * r.power[1] - 2.0 * delta * r.power[0];
-  r.rest = 1.0 - theta_squared * r.power[0];
-  r.slope = r.rest - 2.0 * delta * r.impulse;
-  return r;
+// By the series for m = 2 and 3, both at once, as each waits for its own last term. The terms fall
+// from (θ, 2δ)ᵏ/k! on.
+// Here and in closed form τᵐ goes from one to the next by θ²q_m = 1 − 2δ q_m′ − q_m″, with q_m′ =
+// m q_{m−1}: stable down for a small θ, where the other way divides by it, and up for a large one.
+MICROSLIP_VECTOR_CLONES
+void by_series(GroupResponses& r) {
+  double before[2][kLanes] = {};
+  double term[2][kLanes];
+  double sum[2][kLanes];
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t j = 0; j < kLanes; ++j) term[i][j] = sum[i][j] = kInverseProducts[3 + i];
+  }
+  for (std::size_t k = 1; k < kMostTerms; k += kTermsAtOnce) {
+    for (std::size_t n = 3 + k; n < 3 + k + kTermsAtOnce; ++n) {
+      add_term(r, n, before[0], term[0], sum[0]);
+      add_term(r, n + 1, before[1], term[1], sum[1]);
+    }
+    // What follows of the smaller one is less than half of its last digit.
+    double left = 0.0;
+#pragma omp simd reduction(max : left)
+    for (std::size_t j = 0; j < kLanes; ++j) {
+      const double part = std::abs(term[0][j]) + std::abs(before[0][j]) - 1e-18 * sum[1][j];
+      left = part > left ? part : left;
+    }
+    if (!(left > 0.0)) break;
+  }
+#pragma omp simd
+  for (std::size_t j = 0; j < kLanes; ++j) {
+    const double delta = r.delta[j];
+    const double theta_squared = r.theta_squared[j];
+    const double first = (1.0 - theta_squared * sum[1][j] - 6.0 * delta * sum[0][j]) / 6.0;
+    const double zeroth = (1.0 - theta_squared * sum[0][j] - 4.0 * delta * first) / 2.0;
+    r.power[3][j] = sum[1][j];
+    r.power[2][j] = sum[0][j];
+    r.power[1][j] = first;
+    r.power[0][j] = zeroth;
+    r.impulse[j] = 1.0 - theta_squared * first - 2.0 * delta * zeroth;
+    r.rest[j] = 1.0 - theta_squared * zeroth;
+    r.slope[j] = r.rest[j] - 2.0 * delta * r.impulse[j];
+  }
 }
 
 /// g(1) and g′(1) of what vibrates, δ well below θ.
@@ -148,45 +181,83 @@ Responses by_real_roots(double delta, double theta_squared) {
   return r;
 }
 
-Responses responses(double delta, double theta_squared) {
-  const bool slow = theta_squared < 9.0 && delta < 1.5;
-  if (!slow && theta_squared <= 0.75 * delta * delta) return by_real_roots(delta, theta_squared);
-  return slow ? by_series(delta, theta_squared) : in_closed_form(delta, theta_squared);
+bool is_slow(double delta, double theta_squared) { return theta_squared < 9.0 && delta < 1.5; }
+
+Responses fast_responses(double delta, double theta_squared) {
+  return theta_squared <= 0.75 * delta * delta ? by_real_roots(delta, theta_squared)
+                                               : in_closed_form(delta, theta_squared);
+}
+
+/// The series where modes are slow, what they would make of the others replaced.
+void respond(GroupResponses& r) {
+  Responses fast[kLanes];
+  bool is_fast[kLanes];
+  for (std::size_t j = 0; j < kLanes; ++j) {
+    is_fast[j] = !is_slow(r.delta[j], r.theta_squared[j]);
+    if (!is_fast[j]) continue;
+    fast[j] = fast_responses(r.delta[j], r.theta_squared[j]);
+    r.delta[j] = r.theta_squared[j] = 0.0;
+  }
+  by_series(r);
+  for (std::size_t j = 0; j < kLanes; ++j) {
+    if (!is_fast[j]) continue;
+    for (std::size_t m = 0; m < 4; ++m) r.power[m][j] = fast[j].power[m];
+    r.impulse[j] = fast[j].impulse;
+    r.slope[j] = fast[j].slope;
+    r.rest[j] = fast[j].rest;
+  }
 }
 
 /// Values and slopes at both ends from the responses to 1, τ, τ², τ³.
-std::array<double, 4> hermite(double p0, double p1, double p2, double p3) {
-  return {p0 - 3.0 * p2 + 2.0 * p3, p1 - 2.0 * p2 + p3, 3.0 * p2 - 2.0 * p3, p3 - p2};
+MICROSLIP_VECTOR_CLONES
+void fill(const GroupResponses& r, double h, const double* frequency, double* weights) {
+  using W = StepWeights;
+#pragma omp simd
+  for (std::size_t j = 0; j < kLanes; ++j) {
+    const double omega = frequency[j];
+    const double p0 = r.power[0][j];
+    const double p1 = r.power[1][j];
+    const double p2 = r.power[2][j];
+    const double p3 = r.power[3][j];
+    const double g = r.impulse[j];
+    weights[W::kE11 * kLanes + j] = r.rest[j];
+    weights[W::kE12 * kLanes + j] = h * g;
+    weights[W::kE21 * kLanes + j] = -omega * omega * h * g;
+    weights[W::kE22 * kLanes + j] = r.slope[j];
+    weights[W::kA0 * kLanes + j] = h * h * (p0 - 3.0 * p2 + 2.0 * p3);
+    weights[W::kB0 * kLanes + j] = h * h * h * (p1 - 2.0 * p2 + p3);
+    weights[W::kA1 * kLanes + j] = h * h * (3.0 * p2 - 2.0 * p3);
+    weights[W::kB1 * kLanes + j] = h * h * h * (p3 - p2);
+    weights[W::kC0 * kLanes + j] = h * (g - 6.0 * p1 + 6.0 * p2);
+    weights[W::kD0 * kLanes + j] = h * h * (p0 - 4.0 * p1 + 3.0 * p2);
+    weights[W::kC1 * kLanes + j] = h * (6.0 * p1 - 6.0 * p2);
+    weights[W::kD1 * kLanes + j] = h * h * (3.0 * p2 - 2.0 * p1);
+  }
 }
 
 }  // namespace
 
 StepWeights::StepWeights(std::span<const Mode> modes)
-    : modes_(modes.begin(), modes.end()), weights_(padded(modes.size()) * kKinds, 0.0) {}
+    : frequency_(padded(modes.size()), 0.0),
+      loss_factor_(padded(modes.size()), 0.0),
+      weights_(padded(modes.size()) * kKinds, 0.0) {
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    frequency_[i] = modes[i].angular_frequency;
+    loss_factor_[i] = modes[i].loss_factor;
+  }
+}
 
 void StepWeights::set_length(double length) {
   length_ = length;
-  const double h = length;
-  for (std::size_t i = 0; i < modes_.size(); ++i) {
-    const double theta = modes_[i].angular_frequency * h;
-    const double delta = 0.5 * modes_[i].loss_factor * theta;
-    const Responses r = responses(delta, theta * theta);
-    double* out = weights_.data() + i / kLanes * kKinds * kLanes + i % kLanes;
-    const auto set = [out](Kind kind, double value) { out[kind * kLanes] = value; };
-    set(kE11, r.rest);
-    set(kE12, h * r.impulse);
-    set(kE21, -theta * theta * r.impulse / h);
-    set(kE22, r.slope);
-    const auto q = hermite(r.power[0], r.power[1], r.power[2], r.power[3]);
-    const auto v = hermite(r.impulse, r.power[0], 2.0 * r.power[1], 3.0 * r.power[2]);
-    set(kA0, h * h * q[0]);
-    set(kB0, h * h * h * q[1]);
-    set(kA1, h * h * q[2]);
-    set(kB1, h * h * h * q[3]);
-    set(kC0, h * v[0]);
-    set(kD0, h * h * v[1]);
-    set(kC1, h * v[2]);
-    set(kD1, h * h * v[3]);
+  GroupResponses r;
+  for (std::size_t first = 0; first < frequency_.size(); first += kLanes) {
+    for (std::size_t j = 0; j < kLanes; ++j) {
+      const double theta = frequency_[first + j] * length;
+      r.delta[j] = 0.5 * loss_factor_[first + j] * theta;
+      r.theta_squared[j] = theta * theta;
+    }
+    respond(r);
+    fill(r, length, frequency_.data() + first, weights_.data() + first * kKinds);
   }
 }
 

@@ -46,7 +46,7 @@ class StepWeights {
   }
 
  private:
-  std::vector<Mode> modes_;
+  std::vector<double> frequency_, loss_factor_;  // padded
   std::vector<double> weights_;
   double length_ = 0.0;
 };
