@@ -14,6 +14,8 @@ namespace {
 /// Turns nearer to an end of a step than this share of it are at that end.
 constexpr double kNear = 1e-9;
 constexpr double kStepRounding = 1e-12;
+/// Shares of a step are found to this.
+constexpr double kShareRounding = 1e-12;
 /// Motion over a step below this share of the largest is rounding: no step is cut for it.
 constexpr double kQuiet = 1e-13;
 /// Turns and kinks in one step; where there are more the joint is at rest but for rounding.
@@ -24,14 +26,21 @@ constexpr double kLeastPiece = 1e-6;
 int sign_of(double value) { return value > 0.0 ? 1 : value < 0.0 ? -1 : 0; }
 
 /// Where `ahead`, above 0 at `low` and below at `high`, changes its sign, as a share of a step;
-/// next to an end of the step, that end.
+/// next to an end of the step, that end. By Newton's method, with a bisection wherever it would leave
+/// the interval left.
+/// @param ahead  share → value and slope.
 template <typename Ahead>
 double share_of_sign_change(const Ahead& ahead, double low, double high) {
-  for (int i = 0; i < 40; ++i) {
-    const double x = 0.5 * (low + high);
-    (ahead(x) > 0.0 ? low : high) = x;
+  double share = 0.5 * (low + high);
+  for (int i = 0; i < 40 && high - low > kShareRounding; ++i) {
+    const auto [value, slope] = ahead(share);
+    (value > 0.0 ? low : high) = share;
+    double next = share - value / slope;
+    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+    const double moved = std::abs(next - share);
+    share = next;
+    if (moved <= kShareRounding) break;
   }
-  const double share = 0.5 * (low + high);
   if (share > 1.0 - kNear) return 1.0;
   return share > kNear ? share : 0.0;
 }
@@ -47,6 +56,7 @@ bool MarchState::step(const StepWeights& weights) {
   double piece = left;
   int changes = 0;
   for (;;) {
+    extrapolate(piece);
     if (!solve_piece(piece, weights)) {
       if (piece <= kLeastPiece * weights.length()) return false;
       piece *= 0.5;
@@ -59,6 +69,7 @@ bool MarchState::step(const StepWeights& weights) {
       continue;
     }
     if (next.share < 1.0) {
+      interpolate(next.share, piece);
       piece *= next.share;
       if (!solve_piece(piece, weights)) continue;
       accept(piece);
@@ -213,7 +224,10 @@ double MarchState::turning_share(const Joint& joint, const Cubic& y, double leng
   if (ahead(low) <= 0.0) return ahead(0.5) >= 0.0 ? 1.0 : 0.0;
   if (bends && ahead(vertex) < 0.0) high = vertex;
   if (ahead(high) >= 0.0) return 1.0;
-  return share_of_sign_change(ahead, low, high);
+  const auto growth = [&](double share) {
+    return std::pair(ahead(share), joint.direction * y.bend(share));
+  };
+  return share_of_sign_change(growth, low, high);
 }
 
 /// Where y comes to the next kink, before the share `until`, up to which it does not turn.
@@ -222,7 +236,10 @@ double MarchState::kink_share(const Joint& joint, const Cubic& y, double until) 
   const double kink = joint.kink + joint.compliance * joint.damper * joint.begin.u_dot;
   const auto ahead = [&](double share) { return joint.direction * (kink - y.value(share)); };
   if (joint.direction == 0 || !(ahead(until) < 0.0)) return 1.0;
-  return share_of_sign_change(ahead, 0.0, until);
+  const auto growth = [&](double share) {
+    return std::pair(ahead(share), -joint.direction * y.slope(share));
+  };
+  return share_of_sign_change(growth, 0.0, until);
 }
 
 }  // namespace microslip

@@ -17,6 +17,9 @@ constexpr double kLeastContraction = 1e-3;
 /// Rounds of Newton's method after which the tangents stay: the forces are continuous, so that they
 /// converge where tangents jump between two values.
 constexpr int kSettled = 8;
+/// Of more joints than these it takes longer to couple each with each than to place them by the
+/// modes in the two rounds that a piece of a step takes.
+constexpr std::size_t kMostCoupled = 4;
 
 }  // namespace
 
@@ -42,6 +45,8 @@ MarchState::MarchState(const JointedStructure& structure, std::vector<MarchedJoi
     add_joint(structure.joints()[j], damper_of_joint(structure, j), std::move(hysteresis[j]));
   }
   predicted_slide_.resize(joints_.size());
+  couplings_.of_others = cut_couplings_.of_others = !shortens_ && !damped_;
+  if (joints_.size() > kMostCoupled) cut_couplings_.of_others = false;
   loads_.normal.assign(joints_.size(), 1.0);
   loads_.normal_slope.assign(joints_.size(), 0.0);
 }
@@ -137,7 +142,7 @@ void MarchState::couple(const StepWeights& weights, Couplings& couplings) const 
     matrix->resize(n * n);
   }
   for (std::size_t j = 0; j < n; ++j) {
-    for (std::size_t l = 0; l <= j; ++l) {
+    for (std::size_t l = couplings.of_others ? 0 : j; l <= j; ++l) {
       const auto [a, b, c, d] = march_loops::couple(
           groups_, weights.data(), joints_[j].shape.data(), joints_[l].shape.data());
       for (const std::size_t at : {j * n + l, l * n + j}) {
@@ -161,7 +166,25 @@ MarchState::Kinematics MarchState::extrapolated(const Kinematics& from, const Cu
   return to;
 }
 
-/// R, Ṙ, F and Ḟ of the joints at the end of the step, from those extrapolated.
+void MarchState::extrapolate(double length) {
+  for (Joint& joint : joints_) joint.end = extrapolated(joint.begin, joint.curvature, length);
+}
+
+/// Over a step that was solved, up to this share of it.
+void MarchState::interpolate(double share, double length) {
+  for (Joint& joint : joints_) {
+    const Kinematics& b = joint.begin;
+    Kinematics& k = joint.end;
+    const Cubic force(b.force, b.force_dot, k.force, k.force_dot, length);
+    const Cubic r(b.r, b.r_dot, k.r, k.r_dot, length);
+    k.force = force.value(share);
+    k.force_dot = force.slope(share) / length;
+    k.r = r.value(share);
+    k.r_dot = r.slope(share) / length;
+  }
+}
+
+/// R, Ṙ, F and Ḟ of the joints at the end of the step, from those predicted.
 bool MarchState::solve(const StepWeights& weights, Couplings& couplings) {
   const double h = weights.length();
   march_loops::predict(
@@ -170,10 +193,8 @@ bool MarchState::solve(const StepWeights& weights, Couplings& couplings) {
       loads_.slope.data(), predicted_q_.data(), predicted_v_.data());
   couple(weights, couplings);
   for (std::size_t j = 0; j < joints_.size(); ++j) {
-    Joint& joint = joints_[j];
-    predicted_slide_[j] =
-        march_loops::project(groups_, joint.shape.data(), predicted_q_.data(), predicted_v_.data());
-    joint.end = extrapolated(joint.begin, joint.curvature, h);
+    predicted_slide_[j] = march_loops::project(groups_, joints_[j].shape.data(),
+                                               predicted_q_.data(), predicted_v_.data());
   }
   // Changes fall by about one factor: what is left after one is their geometric series. The factor
   // is that of steps before, mistrusted more from step to step until it is measured again.
@@ -200,8 +221,8 @@ bool MarchState::solve(const StepWeights& weights, Couplings& couplings) {
 
 /// The joints where the forces that were found put them.
 void MarchState::place(const StepWeights& weights, const Couplings& couplings) {
-  if (shortens_ || damped_) {
-    place_shortened(weights);
+  if (shortens_ || damped_ || !couplings.of_others) {
+    place_by_modes(weights);
     if (damped_) accelerate(weights.length());
     return;
   }
@@ -220,7 +241,7 @@ void MarchState::place(const StepWeights& weights, const Couplings& couplings) {
   }
 }
 
-void MarchState::place_shortened(const StepWeights& weights) {
+void MarchState::place_by_modes(const StepWeights& weights) {
   correct(weights);
   for (Joint& joint : joints_) {
     Kinematics& k = joint.end;
@@ -258,6 +279,7 @@ void MarchState::accelerate(double length) {
 
 /// u̇ and ü at the damper: ẏ = u̇ + c(Ku̇ + dü), with ü = ÿ/(1 + cK).
 void MarchState::drive_damper(const Joint& joint, double tangent, Kinematics& k) {
+  if (joint.damper == 0.0) return;
   const double soft = 1.0 + joint.compliance * tangent;
   k.u_ddot = k.gap_ddot / soft;
   k.u_dot = (k.gap_dot - joint.compliance * joint.damper * k.u_ddot) / soft;
@@ -277,11 +299,12 @@ double MarchState::update(std::size_t j, const Couplings& couplings, double leng
   const auto [force, new_tangent] = joint.hysteresis.trial(k.gap - c * k.force, load);
   if (!settled) joint.tangent = new_tangent;
   const double tangent = joint.tangent;
-  const double stiffness = tangent / (1.0 + tangent * c);  // with what is in series
+  const double soft = 1.0 / (1.0 + tangent * c);
+  const double stiffness = tangent * soft;  // with what is in series
   drive_damper(joint, tangent, k);
   const double damped = joint.damper * k.u_dot;
   const double damped_dot = joint.damper * k.u_ddot;
-  const double in_series = (force + damped + tangent * c * k.force) / (1.0 + tangent * c);
+  const double in_series = (force + damped + tangent * c * k.force) * soft;
   const double beyond = stiffness - joint.spring;
   const double dr = (in_series - joint.spring * k.slide - k.r) / (1.0 + beyond * couplings.a[own]);
   const double dslide = -couplings.a[own] * dr;

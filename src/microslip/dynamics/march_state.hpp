@@ -96,6 +96,7 @@ class MarchState {
   /// Σ_i ψ_ij w_i ψ_il for the weights w of the loads at the end: how far they move the slides.
   struct Couplings {
     double length = 0.0;
+    bool of_others = true;  ///< those off the diagonal, too
     std::vector<double> a, b, c, d;
   };
   /// What happens first in a step: a joint turns, or its tangent jumps.
@@ -114,6 +115,7 @@ class MarchState {
           b(y1 - y0 - v0 - c) {}
     [[nodiscard]] double value(double x) const { return start + x * (v0 + x * (b + x * c)); }
     [[nodiscard]] double slope(double x) const { return v0 + x * (2.0 * b + 3.0 * x * c); }
+    [[nodiscard]] double bend(double x) const { return 2.0 * b + 6.0 * x * c; }
     double start, v0, v1, c, b;
   };
 
@@ -127,9 +129,11 @@ class MarchState {
   void couple(const StepWeights& weights, Couplings& couplings) const;
   [[nodiscard]] static Kinematics extrapolated(const Kinematics& from, const Curvature& curvature,
                                                double length);
+  void extrapolate(double length);
+  void interpolate(double share, double length);
   [[nodiscard]] bool solve(const StepWeights& weights, Couplings& couplings);
   void place(const StepWeights& weights, const Couplings& couplings);
-  void place_shortened(const StepWeights& weights);
+  void place_by_modes(const StepWeights& weights);
   void accelerate(double length);
   static void drive_damper(const Joint& joint, double tangent, Kinematics& k);
   [[nodiscard]] double update(std::size_t j, const Couplings& couplings, double length,
