@@ -74,6 +74,17 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME microslip)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+# What the program loads while it runs, dpkg-shlibdeps does not see.
+get_property(loaded GLOBAL PROPERTY MICROSLIP_LOADED_LIBRARIES)
+foreach(library IN LISTS loaded)
+  execute_process(
+    COMMAND dpkg-query --search "*/${library}"
+    OUTPUT_VARIABLE owner
+    COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX MATCH "^[^:]+" owner "${owner}")
+  list(APPEND CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${owner}")
+endforeach()
+list(JOIN CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS ", " CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS)
 # The pictures; without gnuplot all else works.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS
     "gnuplot-nox | gnuplot-qt | gnuplot-x11, fonts-dejavu-core")

@@ -29,7 +29,7 @@ done
 # What they say.
 field() { dpkg-deb --field "$@"; }
 [[ "$(field "$program" Version)" == "$version" ]] || complain "version $(field "$program" Version)"
-for need in libc6 libfmt libstdc++ libtbb zlib1g; do
+for need in libc6 libfmt libmumps-seq libstdc++ libtbb zlib1g; do
   [[ "$(field "$program" Depends)" == *"$need"* ]] || complain "microslip does not depend on $need"
 done
 [[ "$(field "$program" Recommends)" == *gnuplot* ]] || complain "microslip does not recommend gnuplot"
