@@ -85,8 +85,10 @@ class HarmonicForce:
                              " the mean and one a harmonic")  # fmt: skip
         if x[0].imag != 0.0:
             raise InputError(f"displacement[0] = {x[0]}; must be real, the mean")
-        force, *rest = self._core.evaluate(joint._core, real_harmonics(x))
-        return HarmonicResponse(complex_harmonics(force), *rest)
+        force, derivative, lowest, highest, reversals = self._core.evaluate(
+            joint._core, real_harmonics(x)
+        )
+        return HarmonicResponse(complex_harmonics(force), derivative, lowest, highest, reversals)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return HarmonicForce, (self.harmonics, self.samples)

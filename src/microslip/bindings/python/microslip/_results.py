@@ -89,7 +89,7 @@ def summary_of(numbers: Mapping[str, Any]) -> Summary:
 
 def warn(text: str) -> None:
     """Issues a warning at the line of the user's that led here."""
-    level, frame = 1, sys._getframe(1)
+    level, frame = 2, sys._getframe(1)
     while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("microslip."):
         level, frame = level + 1, frame.f_back
     python_warnings.warn(text, MicroslipWarning, stacklevel=level)
