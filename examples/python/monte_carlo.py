@@ -14,7 +14,7 @@ from pictures import BLUE, GREY, RED, pyplot, save
 
 import microslip
 
-COUNT = int(os.environ.get("MICROSLIP_MONTE_CARLO", "400"))  # 10000 take half a minute on two cores
+COUNT = int(os.environ.get("MICROSLIP_MONTE_CARLO", "400"))  # 10000 take about half a minute on two cores
 FORCE, FROM, TO = 5.0, 78.0, 104.0  # N, Hz
 GRID = np.linspace(FROM, TO, 521)
 
@@ -36,10 +36,10 @@ def structure(joint):
                                joints=[microslip.StructuralJoint(joint, [0.5])])  # fmt: skip
 
 
-def response(number, **options):
+def response(number):
     """Frequency and height of the peak, and the curve over the grid."""
     curve = microslip.frequency_response(structure(draw(number)), FORCE, FROM, TO,
-                                         harmonics=3, samples=128, **options)  # fmt: skip
+                                         harmonics=3, samples=128, accuracy=0.01)  # fmt: skip
     return curve.peaks.frequency[0], curve.peaks.response[0], np.interp(GRID, curve.frequency, curve.response)
 
 

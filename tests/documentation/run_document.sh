@@ -6,11 +6,13 @@
 # examples/NAME, in a copy of that folder. Data that are not in the repository are taken from the folder
 # MICROSLIP_DATA_DIR, and what needs them is left out, with a note, where they are not there. Ends with 77 where
 # a program that the document needs is not installed.
-# Usage: run_document.sh ROOT DOCUMENT FOLDER_OF_THE_PROGRAM
+# Python blocks run in the interpreter MICROSLIP_PYTHON, python3 without it, where the module was built.
+# Usage: run_document.sh ROOT DOCUMENT FOLDER_OF_THE_PROGRAM [FOLDER_OF_THE_PYTHON_MODULE]
 set -euo pipefail
 export LC_ALL=C.UTF-8
 root="$(realpath "$1")" document="$(realpath "$2")" programs="$(realpath "$3")"
 here="$(dirname "$(realpath "${BASH_SOURCE[0]}")")"
+module="$(realpath "${4:-$programs/../python}")"
 name="${document#"$root"/}"
 
 work="$(mktemp -d)"
@@ -92,10 +94,26 @@ explain_failure() {
   fail "$line" "a command of this block ended with status $status"
 }
 
+# One interpreter for all Python blocks.
+run_python() {
+  local number kind line rest blocks=()
+  while read -r number kind line rest; do
+    [[ "$kind" == py ]] && blocks+=("$line" "$steps/$number.py" "$steps/$number.printed")
+  done <"$work/list"
+  ((${#blocks[@]})) || return 0
+  if ! compgen -G "$module/microslip/_core.*" >/dev/null; then
+    echo "$name: Python not run, the module was not built" >&2
+    grep -q ' sh ' "$work/list" || exit 77
+    return 0
+  fi
+  (cd "$folder" && MPLBACKEND=Agg PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$module" \
+    "${MICROSLIP_PYTHON:-python3}" "$here/run_python.py" "$name" "${blocks[@]}") || exit 1
+}
+
 compare_outputs() {
   local number kind line rest printed="" exact
   while read -r number kind line rest; do
-    [[ "$kind" == sh ]] && printed="$steps/$number.printed"
+    [[ "$kind" == sh || "$kind" == py ]] && printed="$steps/$number.printed"
     [[ "$kind" == expected ]] || continue
     [[ -f "$printed" ]] || continue # what it needs is not there
     exact=0
@@ -111,7 +129,7 @@ compare_outputs() {
 }
 
 LC_ALL=C awk -v STEPS="$steps" -v DOCUMENT="$name" -f "$here/split_document.awk" "$document" >"$work/list"
-grep -q ' sh ' "$work/list" || fail 1 "no session"
+grep -Eq ' (sh|py) ' "$work/list" || fail 1 "no session"
 check_programs
 check_files_are_used
 if [[ "$name" == examples/* ]]; then
@@ -123,6 +141,7 @@ write_script >"$work/script"
 status=0
 (cd "$folder" && PATH="$programs:$PATH" bash -euo pipefail "$work/script") || status=$?
 ((status == 0)) || explain_failure "$status"
+run_python
 compare_outputs
-echo "$name: $(grep -c ' sh ' "$work/list") blocks of commands, $(grep -c ' expected ' "$work/list" || true) outputs," \
+echo "$name: $(grep -c ' sh ' "$work/list" || true) blocks of commands, $(grep -c ' py ' "$work/list" || true) of Python, $(grep -c ' expected ' "$work/list" || true) outputs," \
   "$(grep -c ' file ' "$work/list" || true) files"

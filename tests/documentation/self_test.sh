@@ -111,7 +111,52 @@ run <<<$'<!-- needs no_such_program -->\n<!-- run false -->' || status=$?
 [[ "$status" == 77 ]] && grep -qF 'docs/page.md:1: not run, no_such_program' "$work/said" ||
   { echo "a program that is missing: status $status" >&2; exit 1; }
 
+# Python blocks have one interpreter, where the module was built.
+built() { compgen -G "$programs/../python/microslip/_core.*" >/dev/null; }
+if built; then
+  passes <<'END'
+<!-- python -->
+```python
+import microslip
+stiffness = microslip.Joint(1.5).stiffness
+```
+<!-- python -->
+```python
+print(stiffness)
+```
+<!-- output -->
+```text
+1.5
+```
+END
+fi
+
 # ---- What is wrong. ----
+
+if built; then
+  fails 2 'ended by an exception' <<'END'
+<!-- python -->
+```python
+1 / 0
+```
+END
+  fails 6 'other output than shown' <<'END'
+<!-- python -->
+```python
+print(1.5)
+```
+<!-- output -->
+```text
+2.5
+```
+END
+fi
+fails 2 'python is a block ```python' <<'END'
+<!-- python -->
+```sh
+true
+```
+END
 
 fails 3 'ended with status 3' <<'END'
 

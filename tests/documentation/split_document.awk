@@ -3,14 +3,15 @@
 #
 #   <!-- session -->        a ```sh block whose commands the reader types
 #   <!-- session with FILE -->  the same, where FILE is there in the folder MICROSLIP_DATA_DIR; not run elsewhere
-#   <!-- output -->         a ```text block with lines that the session above prints
+#   <!-- python -->         a ```python block that the reader types in one interpreter, after all commands
+#   <!-- output -->         a ```text block with lines that the session or the Python block above prints
 #   <!-- output exact -->   the same to the last digit
 #   <!-- file NAME -->      a block that the reader saves as NAME
 #   <!-- run COMMAND -->    no block: a command that only the test types
 #   <!-- not run: WHY -->   a ```sh block that cannot run
 #   <!-- needs PROGRAM -->  no block: the document is not run where that program is not installed
 #
-# Writes into the folder STEPS, with numbers in the order of the document: NNN.sh, NNN.file, NNN.expected,
+# Writes into the folder STEPS, with numbers in the order of the document: NNN.sh, NNN.py, NNN.file, NNN.expected,
 # and to standard output one line a step: NNN KIND LINE NAME. What breaks these rules goes to standard
 # error, and the status is 1.
 
@@ -29,9 +30,13 @@ function begin_step(what, line, name) {
 function open_block(language) {
   file = ""
   if (mark ~ /^session/ && language != "sh") fail(NR, "a session is a block ```sh, not ```" language)
+  if (mark ~ /^python/ && language != "python") fail(NR, "python is a block ```python, not ```" language)
   if (mark ~ /^output/ && language != "text") fail(NR, "output is a block ```text, not ```" language)
   if (mark ~ /^session/) {
     begin_step("sh", NR, substr(mark, 14))
+    has_session = 1
+  } else if (mark == "python") {
+    begin_step("py", NR, "")
     has_session = 1
   } else if (mark ~ /^output/) {
     if (!has_session) fail(NR, "output without a session above it")
@@ -52,9 +57,9 @@ function read_mark(text) {
     close(file)
   } else if (text ~ /^needs [^ ]+$/) {
     begin_step("needs", NR, substr(text, 7))
-  } else if (text ~ /^(session|output|output exact)$/ || text ~ /^(not run:|file|session with) ./) {
+  } else if (text ~ /^(session|python|output|output exact)$/ || text ~ /^(not run:|file|session with) ./) {
     mark = text
-  } else if (text ~ /^(session|output|file|run|not run|needs)/) {
+  } else if (text ~ /^(session|python|output|file|run|not run|needs)/) {
     fail(NR, "unknown mark <!-- " text " -->")
   }
 }
