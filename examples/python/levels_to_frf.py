@@ -49,7 +49,7 @@ def beam(joint, linear_damping):
 # costs stiffness and hardly any energy, and what was measured even rises, as the warning says.
 
 # %%
-draws = [beam(joint, beta) for joint, beta in zip(found.draws, found.draws.linear_damping)][:60]
+draws = [beam(joint, beta) for joint, beta in zip(found.draws[:60], found.draws.linear_damping)]
 force_at = levels.dissipation / (np.pi * levels.amplitude)  # N, at phase resonance
 grid = np.linspace(79.0, 81.2, 331)
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, Optional
+from typing import Any, Optional, overload
 
 from . import _core
 from ._arguments import Path, RealArray, whole
@@ -17,7 +17,7 @@ from ._results import Shown, si
 class JointDraws(Shown):
     """Joints that measurements leave possible, each as likely as any other.
 
-    ``len(draws)`` is their number, ``draws[i]`` the joint of draw i.
+    ``len(draws)`` is their number, ``draws[i]`` the joint of draw i, ``draws[:20]`` a list.
     """
 
     __slots__ = ("_core",)
@@ -45,7 +45,13 @@ class JointDraws(Shown):
     def __len__(self) -> int:
         return len(self._core)
 
-    def __getitem__(self, i: int) -> Joint:
+    @overload
+    def __getitem__(self, i: int) -> Joint: ...
+    @overload
+    def __getitem__(self, i: slice) -> list[Joint]: ...
+    def __getitem__(self, i: Any) -> Any:
+        if isinstance(i, slice):
+            return [self[at] for at in range(*i.indices(len(self)))]
         try:
             number = whole(i, "i", -len(self), len(self) - 1)
         except ValueError:
