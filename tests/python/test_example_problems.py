@@ -10,9 +10,6 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize_scalar, root
 
-# Both sides have the same harmonics, and those above leave some tenths of a percent.
-pytestmark = pytest.mark.filterwarnings("ignore:truncat:microslip.MicroslipWarning")
-
 EXAMPLES = Path(__file__).parents[2] / "examples" / "python"
 
 
