@@ -13,11 +13,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static const double kMass = 1.0;            /* kg */
-static const double kDamper = 0.01;         /* N s/m */
-static const double kSpring = 0.75;         /* N/m */
-static const double kAmplitude = 0.1;       /* of the force, N */
-static const double kPeriod = 6.8;          /* of the force, s: near resonance */
+static const double kMass = 1.0;      /* kg */
+static const double kDamper = 0.01;   /* N s/m */
+static const double kSpring = 0.75;   /* N/m */
+static const double kAmplitude = 0.1; /* of the force, N */
+static const double kPeriod = 6.8;    /* of the force, s: near resonance */
 static const int kPeriods = 10;
 static const int kStepsPerPeriod = 2000;
 
@@ -38,9 +38,9 @@ static void must(microslip_status status) {
 }
 
 /* Segalman's four parameters. */
-static microslip_joint *make_joint(void) {
+static microslip_joint* make_joint(void) {
   microslip_part part;
-  microslip_joint *joint;
+  microslip_joint* joint;
   must(microslip_part_defaults(&part, sizeof part));
   part.kind = MICROSLIP_PART_FOUR_PARAMETER;
   part.macroslip_force = 0.2; /* N */
@@ -50,10 +50,12 @@ static microslip_joint *make_joint(void) {
   return joint;
 }
 
-static double force_at(double time) { return kAmplitude * sin(2.0 * 3.14159265358979324 * time / kPeriod); }
+static double force_at(double time) {
+  return kAmplitude * sin(2.0 * 3.14159265358979324 * time / kPeriod);
+}
 
 /* The end of a step of h: x by Newton's method on the residual of the equation of motion. */
-static state solve(const microslip_memory *memory, const state *s, double h) {
+static state solve(const microslip_memory* memory, const state* s, double h) {
   state n = *s;
   int i;
   n.time = s->time + h;
@@ -62,7 +64,8 @@ static state solve(const microslip_memory *memory, const state *s, double h) {
     double f, tangent, residual, change;
     n.a = 4.0 * (n.x - s->x) / (h * h) - 4.0 * s->v / h - s->a;
     n.v = 2.0 * (n.x - s->x) / h - s->v;
-    must(microslip_memory_trial(memory, n.x, &f, &tangent)); /* asks, and leaves the joint as it is */
+    must(microslip_memory_trial(memory, n.x, &f,
+                                &tangent)); /* asks, and leaves the joint as it is */
     residual = kMass * n.a + kDamper * n.v + kSpring * n.x + f - n.force;
     change = residual / (4.0 * kMass / (h * h) + 2.0 * kDamper / h + kSpring + tangent);
     if (fabs(change) <= 1e-14) return n;
@@ -73,7 +76,7 @@ static state solve(const microslip_memory *memory, const state *s, double h) {
 }
 
 /* Takes the step: the joint moves, and what it loses on the way is added up. */
-static void commit(microslip_memory *memory, const state *s, const state *n, energies *e) {
+static void commit(microslip_memory* memory, const state* s, const state* n, energies* e) {
   double lost;
   must(microslip_memory_dissipation(memory, n->x, &lost));
   must(microslip_memory_advance(memory, n->x, NULL));
@@ -82,11 +85,11 @@ static void commit(microslip_memory *memory, const state *s, const state *n, ene
   e->damper += kDamper * 0.5 * (s->v + n->v) * (n->x - s->x);
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
   const double h = kPeriod / kStepsPerPeriod;
-  FILE *table = argc > 1 ? fopen(argv[1], "w") : NULL;
-  microslip_joint *joint = make_joint();
-  microslip_memory *memory;
+  FILE* table = argc > 1 ? fopen(argv[1], "w") : NULL;
+  microslip_joint* joint = make_joint();
+  microslip_memory* memory;
   state s = {0.0, 0.0, 0.0, 0.0, 0.0};
   energies e = {0.0, 0.0, 0.0};
   double peak = 0.0, stored, held;
@@ -111,6 +114,7 @@ int main(int argc, char **argv) {
   printf("lost in the joint     %.6f J\n", e.joint);
   printf("lost in the damper    %.6f J\n", e.damper);
   printf("held at the end       %.6f J\n", held);
-  printf("imbalance             %.1e of the work\n", fabs(e.input - e.joint - e.damper - held) / e.input);
+  printf("imbalance             %.1e of the work\n",
+         fabs(e.input - e.joint - e.damper - held) / e.input);
   return 0;
 }

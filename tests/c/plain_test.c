@@ -7,15 +7,15 @@
 
 static int failures = 0;
 
-static void check(int holds, const char *what) {
+static void check(int holds, const char* what) {
   if (holds) return;
   fprintf(stderr, "failed: %s; last error: %s\n", what, microslip_last_error());
   ++failures;
 }
 
-static microslip_joint *spring_with_slip(void) {
+static microslip_joint* spring_with_slip(void) {
   microslip_part part;
-  microslip_joint *joint = NULL;
+  microslip_joint* joint = NULL;
   check(microslip_part_defaults(&part, sizeof part) == MICROSLIP_OK, "defaults of a part");
   part.kind = MICROSLIP_PART_UNIFORM;
   part.to = 10.0;
@@ -25,17 +25,17 @@ static microslip_joint *spring_with_slip(void) {
 }
 
 /* F = kx - (kx)^2/(2 to) of a uniform density on [0, to]. */
-static void check_force(const microslip_joint *joint) {
+static void check_force(const microslip_joint* joint) {
   const double x = 5e-5;
   double force = 0.0;
   check(microslip_virgin_force(joint, 1, &x, &force) == MICROSLIP_OK, "a force");
   check(fabs(force - (5.0 - 25.0 / 20.0)) < 1e-14, "F = kx - (kx)^2/(2 to)");
 }
 
-static void check_many_calls(const microslip_joint *joint) {
+static void check_many_calls(const microslip_joint* joint) {
   int i = 0;
   for (i = 0; i < 100000; ++i) {
-    microslip_memory *memory = NULL;
+    microslip_memory* memory = NULL;
     double force = 0.0;
     if (microslip_memory_create(joint, &memory) != MICROSLIP_OK) break;
     if (microslip_memory_advance(memory, 1e-5 * (i % 7), &force) != MICROSLIP_OK) break;
@@ -46,10 +46,10 @@ static void check_many_calls(const microslip_joint *joint) {
   check(i == 100000, "a hundred thousand memories");
 }
 
-static int stop(size_t done, size_t total, void *user) {
+static int stop(size_t done, size_t total, void* user) {
   (void)done;
   (void)total;
-  ++*(int *)user;
+  ++*(int*)user;
   return 0;
 }
 
@@ -58,8 +58,8 @@ static void check_cancelled(void) {
   double dissipation[30];
   int i = 0;
   int told = 0;
-  microslip_levels *levels = NULL;
-  microslip_identification *found = NULL;
+  microslip_levels* levels = NULL;
+  microslip_identification* found = NULL;
   microslip_identify_options options;
   for (i = 0; i < 30; ++i) {
     amplitude[i] = 1e-6 * (i + 1);
@@ -77,7 +77,7 @@ static void check_cancelled(void) {
 }
 
 int main(void) {
-  microslip_joint *joint = spring_with_slip();
+  microslip_joint* joint = spring_with_slip();
   check(strcmp(microslip_version(), MICROSLIP_VERSION) == 0, "versions of header and library");
   check_force(joint);
   check_many_calls(joint);

@@ -6,7 +6,7 @@ int main(void) {
   const double x = 5e-5;
   double force = 0.0;
   microslip_part part;
-  microslip_joint *joint = NULL;
+  microslip_joint* joint = NULL;
   if (microslip_part_defaults(&part, sizeof part) != MICROSLIP_OK) return 1;
   part.kind = MICROSLIP_PART_UNIFORM; /* on [0, 10 N]: F = kx - (kx)^2/20 N */
   part.to = 10.0;
