@@ -1,5 +1,6 @@
 # `cmake --build build/release --target package`: Debian packages, microslip with the program, libmicroslip-dev
-# with the static library and python3-microslip with the package of Python. Where Debian's tools are missing, or the library is
+# with the static library and, as nothing else of ours loads it, the shared one of the C interface with the package of
+# Octave, and python3-microslip with the package of Python. Where Debian's tools are missing, or the library is
 # shared, an archive of the installed files instead.
 
 set(MICROSLIP_MAINTAINER
@@ -102,10 +103,11 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS
     "libfmt-dev (>= ${fmt_VERSION_MAJOR}), libfmt-dev (<< ${microslip_next_fmt}), libtbb-dev (>= ${TBB_VERSION_MAJOR}), libhdf5-dev, zlib1g-dev"
 )
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "microslip, cmake | pkgconf")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "microslip, cmake | pkgconf, gfortran, octave")
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION
     "Headers and static libraries of microslip, with the files by which CMake
-(find_package) and pkg-config find them.")
+(find_package) and pkg-config find them; its interface in C as a shared
+library, with a module of Fortran and a package of Octave.")
 
 # The module is of one version of Python.
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-microslip)

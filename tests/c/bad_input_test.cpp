@@ -360,6 +360,8 @@ std::vector<Bad> identify_table() {
          return microslip_identification_values(h.found, MICROSLIP_IDENTIFIED_DENSITY, nullptr,
                                                 &h.count);
        }},
+      {"a joint into nothing", "joint",
+       [](H& h) { return microslip_identification_joint(h.found, nullptr); }},
       {"number of nothing", "identification",
        [](H& h) {
          return microslip_identification_number(nullptr, MICROSLIP_IDENTIFIED_COVERED_TO, h.out);

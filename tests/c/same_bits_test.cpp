@@ -8,6 +8,7 @@
 #include <numbers>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "c/handle.hpp"
@@ -233,6 +234,31 @@ TEST(CMemory, ReturnsToASnapshotAndToTheBeginning) {
   ASSERT_OK(microslip_memory_reset(memory));
   ASSERT_OK(microslip_memory_trial(memory, 3e-5, &after, nullptr));
   EXPECT_EQ(after, cpp_joint().virgin_force(3e-5));
+}
+
+TEST(CThreads, ShareWhatDoesNotChange) {
+  CJoint joint;
+  make(joint);
+  const std::vector<double> x = path();
+  std::vector<double> expected(x.size());
+  const Joint of = cpp_joint();
+  Memory(of).march(x, expected);
+  std::vector<std::vector<double>> force(8, std::vector<double>(x.size()));
+  std::vector<const char*> text(force.size(), nullptr);
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    threads.emplace_back([&, i] {
+      CMemory memory;
+      EXPECT_OK(microslip_memory_create(joint, memory.out()));
+      EXPECT_OK(microslip_memory_march(memory, x.size(), x.data(), force[i].data()));
+      EXPECT_OK(microslip_joint_text(joint, &text[i]));  // made by the first that asks
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    EXPECT_EQ(force[i], expected);
+    EXPECT_EQ(text[i], text[0]);
+  }
 }
 
 Levels measured() {

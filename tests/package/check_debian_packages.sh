@@ -40,7 +40,7 @@ for need in "python3 (>= 3" python3-numpy libhdf5 libtbb; do
   [[ "$(field "$python" Depends)" == *"$need"* ]] || complain "python3-microslip does not depend on $need"
 done
 for package in "${packages[@]}"; do
-  [[ -z "$(dpkg-deb --contents "$package" | grep -Ev '^(-rw-r--r--|-rwxr-xr-x|drwxr-xr-x) root/root ')" ]] ||
+  [[ -z "$(dpkg-deb --contents "$package" | grep -Ev '^(-rw-r--r--|-rwxr-xr-x|drwxr-xr-x|lrwxrwxrwx) root/root ')" ]] ||
     complain "$package: owners or modes of $(dpkg-deb --contents "$package")"
 done
 changelog="$(dpkg-parsechangelog --file "$source/cmake/debian/changelog" --show-field Version)"
@@ -65,7 +65,8 @@ for file in usr/bin/microslip usr/share/man/man1/microslip.1.gz \
   [[ -s $tree/microslip/$file ]] || complain "microslip has no $file"
 done
 for file in usr/lib/libmicroslip_{core,measurement,files,report}.a usr/lib/cmake/microslip/microslipConfig.cmake \
-  usr/lib/pkgconfig/microslip.pc usr/include/microslip/joint/joint.hpp; do
+  usr/lib/pkgconfig/microslip.pc usr/include/microslip/joint/joint.hpp usr/lib/libmicroslip_c.so \
+  usr/lib/pkgconfig/microslip-c.pc usr/include/microslip.h usr/include/microslip.f90; do
   [[ -s $tree/libmicroslip-dev/$file ]] || complain "libmicroslip-dev has no $file"
 done
 for file in __init__.py _core.pyi py.typed microslip-hdf5-reader; do

@@ -250,7 +250,8 @@ microslip_status microslip_identification_joint(const microslip_identification* 
                                                 microslip_joint** joint) {
   return c::done([&] {
     const auto& file = c::at(identification, "identification").file;
-    c::at(joint, "joint") = new microslip_joint(file);
+    c::require_pointer(joint, "joint");
+    *joint = new microslip_joint(file);
   });
 }
 

@@ -7,14 +7,16 @@ namespace c = microslip::c;
 microslip_status microslip_memory_create(const microslip_joint* joint, microslip_memory** memory) {
   return c::done([&] {
     const auto& file = c::at(joint, "joint").file;
-    c::at(memory, "memory") = new microslip_memory{file, microslip::Memory(file->joint)};
+    c::require_pointer(memory, "memory");
+    *memory = new microslip_memory{file, microslip::Memory(file->joint)};
   });
 }
 
 microslip_status microslip_memory_copy(const microslip_memory* memory, microslip_memory** copy) {
   return c::done([&] {
     const microslip_memory& from = c::at(memory, "memory");
-    c::at(copy, "copy") = new microslip_memory(from);
+    c::require_pointer(copy, "copy");
+    *copy = new microslip_memory(from);
   });
 }
 
