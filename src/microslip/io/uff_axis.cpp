@@ -80,4 +80,18 @@ bool header_holds(const Axis& axis) {
   return read.start == axis.start && read.step == axis.step;
 }
 
+std::vector<double> uff_abscissae(const Recording& recording) {
+  const Axis& axis = recording.axis;
+  if (!axis.even() || header_holds(axis)) return axis.values;
+  std::vector<double> x(recording.size());
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = axis.at(i);
+  return x;
+}
+
+void set_abscissae(const std::vector<double>& x, Uff58Header& header) {
+  if (x.empty()) return;
+  header.even = false;
+  header.start = header.step = 0.0;
+}
+
 }  // namespace microslip

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "microslip/base/units.hpp"
+#include "microslip/io/uff58_header.hpp"
 #include "microslip/signal/recording.hpp"
 
 /// @file
@@ -23,5 +24,12 @@ namespace microslip {
 
 /// Whether even_uff_axis() finds this even axis, in SI, in the digits that a header has of it.
 [[nodiscard]] bool header_holds(const Axis& axis);
+
+/// The abscissae that datasets are written with so that the axis reads back bit for bit; none where
+/// a header holds start and step.
+[[nodiscard]] std::vector<double> uff_abscissae(const Recording& recording);
+
+/// Says in a header that each point has its abscissa, where there are such.
+void set_abscissae(const std::vector<double>& x, Uff58Header& header);
 
 }  // namespace microslip

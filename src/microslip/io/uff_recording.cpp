@@ -12,22 +12,16 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/io/doubtful_unit.hpp"
 #include "microslip/io/uff151.hpp"
 #include "microslip/io/uff164.hpp"
 #include "microslip/io/uff55_reader.hpp"
 #include "microslip/io/uff58.hpp"
 #include "microslip/io/uff_channel.hpp"
 #include "microslip/io/uff_envelope.hpp"
+#include "microslip/io/uff_group.hpp"
 
 namespace microslip {
 namespace {
-
-/// The functions that follow each other over one axis.
-struct Group {
-  Axis axis;
-  std::vector<UffChannel> channels;
-};
 
 enum class Wanted { kRecordings, kAll };
 
@@ -121,27 +115,13 @@ class UffRecordingReader {
                                         envelope_.dataset_name(), data.header.abscissa.unit)});
     }
     UffChannel channel = uff_channel(std::move(data), units_);
-    const bool joins = !group_.channels.empty() && group_.axis == channel.axis &&
-                       group_.channels.front().values.size() == channel.values.size();
-    if (!joins) {
-      finish_group();
-      group_.axis = std::move(channel.axis);
-    }
-    group_.channels.push_back(std::move(channel));
+    if (!group_.takes(channel)) finish_group();
+    group_.add(std::move(channel));
   }
 
   void finish_group() {
     if (group_.channels.empty()) return;
-    Recording recording;
-    recording.axis = std::move(group_.axis);
-    std::vector<bool> doubtful;
-    for (const UffChannel& channel : group_.channels) doubtful.push_back(channel.doubtful);
-    recording.channels = uff_channels(recording.axis.dimension, std::move(group_.channels));
-    for (std::size_t i = 0; i < doubtful.size(); ++i) {
-      const Channel& channel = recording.channels[i];
-      if (!doubtful[i]) continue;
-      result_.warnings.push_back(doubtful_gravity(source_, channel.name, channel.values));
-    }
+    Recording recording = recording_of(std::move(group_), source_, result_.warnings);
     recording.attributes = attributes_;
     result_.recordings.push_back(std::move(recording));
     group_ = {};
@@ -162,7 +142,7 @@ class UffRecordingReader {
   std::optional<Uff164> units_;
   Attributes attributes_;
   bool seen_function_ = false;
-  Group group_;
+  UffGroup group_;
   Recordings result_;
   std::vector<UffModeShape> mode_shapes_;
   std::exception_ptr damaged_shape_;

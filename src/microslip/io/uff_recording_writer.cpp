@@ -32,15 +32,6 @@ void check_name(const Recording& recording, const std::string& name) {
       "Rename the channel.");
 }
 
-/// The abscissae that a dataset is written with; none where its header has start and step.
-std::vector<double> abscissae(const Recording& recording, bool binary) {
-  const Axis& axis = recording.axis;
-  if (!axis.even() || !binary || header_holds(axis)) return axis.values;
-  std::vector<double> x(recording.size());
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] = axis.at(i);
-  return x;
-}
-
 void check_six_digits(const Recording& recording) {
   const std::vector<double>& x = recording.axis.values;
   const auto in_text = [](double value) { return *uff_number(uff_e13(value)); };
@@ -57,14 +48,11 @@ void check_six_digits(const Recording& recording) {
 void write_recording(FileOutput& output, const Recording& recording, bool binary) {
   output.write(format_uff151(recording.attributes));
   output.write(format_uff164_si());
-  const std::vector<double> x = abscissae(recording, binary);
+  const std::vector<double> x = binary ? uff_abscissae(recording) : recording.axis.values;
   std::vector<Uff58Header> headers = uff58_headers(recording);
   for (std::size_t i = 0; i < headers.size(); ++i) {
     Uff58Header& header = headers[i];
-    if (!x.empty()) {
-      header.even = false;
-      header.start = header.step = 0.0;
-    }
+    set_abscissae(x, header);
     const Channel& channel = recording.channels[i];
     write_uff58(output, header, {x, channel.values, channel.imaginary}, binary);
   }

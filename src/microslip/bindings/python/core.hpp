@@ -22,5 +22,7 @@ void add_structure(pybind11::module_& core);
 void add_vibration(pybind11::module_& core);
 void add_march(pybind11::module_& core);
 void add_harmonic_force(pybind11::module_& core);
+void add_recordings(pybind11::module_& core);
+void add_ring_down(pybind11::module_& core);
 
 }  // namespace microslip::python

@@ -16,4 +16,6 @@ PYBIND11_MODULE(_core, core) {
   add_vibration(core);
   add_march(core);
   add_harmonic_force(core);
+  add_recordings(core);
+  add_ring_down(core);
 }

@@ -37,8 +37,11 @@ from ._joint import (
 )
 from ._levels import Levels
 from ._march import JointMotion, MarchEnergy, MarchResult, PointMotion, march
+from ._recordings import Axis, Channel, Recording, read_recordings, write_recordings
 from ._results import Note, Summary
+from ._ring_down import RingDown, RingDownLevels, RingDownSensor, ring_down
 from ._structure import Base, Compliance, Modes, StructuralJoint, Structure, modes
+from ._uff import recordings_from_uff
 from ._vibration import (
     HarmonicBalance,
     JointCycles,
@@ -51,8 +54,10 @@ from ._vibration import (
 
 __all__ = [
     "Atoms",
+    "Axis",
     "Base",
     "Cancelled",
+    "Channel",
     "Compliance",
     "Error",
     "FileError",
@@ -81,8 +86,12 @@ __all__ = [
     "PiecewiseLinear",
     "PointMotion",
     "PowerLaw",
+    "Recording",
     "Response",
     "ResponseCurve",
+    "RingDown",
+    "RingDownLevels",
+    "RingDownSensor",
     "StructuralJoint",
     "Structure",
     "Summary",
@@ -96,4 +105,8 @@ __all__ = [
     "identify",
     "march",
     "modes",
+    "read_recordings",
+    "recordings_from_uff",
+    "ring_down",
+    "write_recordings",
 ]

@@ -207,3 +207,22 @@ def complex_array(value: object, name: str) -> ComplexArray:
     array = np.ascontiguousarray(array, dtype=np.complex128)
     check_finite(array, name)
     return array
+
+
+def real_or_complex_array(value: object, name: str) -> Union[RealArray, ComplexArray]:
+    """Finite numbers as a C-contiguous float64 or complex128 array of one dimension."""
+    array = _array(value, name, "iufc", "an array of numbers")
+    return complex_array(array, name) if array.dtype.kind == "c" else real_array(array, name)
+
+
+def attributes(value: object, name: str) -> tuple[tuple[str, str], ...]:
+    """Pairs of texts, of a mapping or a list."""
+    pairs = value.items() if isinstance(value, Mapping) else value
+    try:
+        found = tuple((key, content) for key, content in pairs)  # type: ignore[attr-defined]
+    except (TypeError, ValueError):
+        raise InputError(f"{name} = {_shown(value)}; must be a mapping or pairs of texts") from None
+    for key, content in found:
+        if not isinstance(key, str) or not isinstance(content, str):
+            raise InputError(f"{name}[{_shown(key)}] = {_shown(content)}; must be a text")
+    return found

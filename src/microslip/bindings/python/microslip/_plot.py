@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from ._joint import Joint
     from ._levels import Levels
     from ._march import MarchResult
+    from ._recordings import Recording
+    from ._ring_down import RingDown
     from ._vibration import ResponseCurve
 
 
@@ -92,4 +94,29 @@ def plot_march(result: MarchResult, ax: Optional[Axes] = None, **style: Any) -> 
         ax.plot(result.time, motion.displacement, label=name, **style)
     if result.points:
         ax.legend(frameon=False)
+    return ax
+
+
+def plot_recording(recording: Recording, ax: Optional[Axes] = None, **style: Any) -> Axes:
+    """The channels over the axis; of complex ones the magnitude."""
+    units = {channel.unit or "" for channel in recording.channels}
+    what = {"s": "time [s]", "Hz": "frequency [Hz]"}.get(recording.axis.unit, recording.axis.unit)
+    ax = _axes(ax, what, f"[{units.pop()}]" if len(units) == 1 else "in SI")
+    points = recording.axis.points(len(recording))
+    for channel in recording.channels:
+        values = np.asarray(channel.values)
+        ax.plot(points, np.abs(values) if np.iscomplexobj(values) else values,
+                label=channel.name, **style)  # fmt: skip
+    ax.legend(frameon=False)
+    return ax
+
+
+def plot_ring_down(decay: RingDown, ax: Optional[Axes] = None, **style: Any) -> Axes:
+    """The damping ratio over the amplitude, with standard deviations."""
+    ax = _axes(ax, "amplitude [m]", "damping ratio [1]")
+    style.setdefault("fmt", "o")
+    style.setdefault("markersize", 3)
+    ax.errorbar(decay.amplitude, decay.damping_ratio, yerr=decay.damping_ratio_std, **style)
+    ax.set_xscale("log")
+    ax.set_ylim(bottom=0.0)
     return ax

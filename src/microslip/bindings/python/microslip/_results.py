@@ -109,7 +109,7 @@ def told(result: Result, strict: bool) -> Result:
 
 def si(value: float, unit: str, digits: int = 5) -> str:
     """ "1.7e+05 N/m"."""
-    return f"{value:.{digits}g} {unit}".rstrip(" 1") if unit == "1" else f"{value:.{digits}g} {unit}"
+    return f"{value:.{digits}g}" if unit == "1" else f"{value:.{digits}g} {unit}"
 
 
 def text_table(title: str, rows: Iterable[tuple[str, str]]) -> str:
