@@ -9,6 +9,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/bindings/python/arguments.hpp"
 #include "microslip/bindings/python/core.hpp"
+#include "microslip/bindings/python/identification.hpp"
 #include "microslip/bindings/python/long_work.hpp"
 #include "microslip/bindings/python/results.hpp"
 #include "microslip/identify/identification.hpp"
@@ -152,9 +153,7 @@ py::dict identify_levels(const py::dict& columns, double stiffness, const py::di
       },
       listener);
   const std::string text = joint_text(found, of.options, input_of(levels), command, of.texts);
-  py::dict all = dict_of(found, provenance_of(text));
-  all["json"] = text;
-  return all;
+  return identification_dict(found, text);
 }
 
 /// Those of a file that an identification takes, and what it says of the others.
@@ -221,6 +220,14 @@ void add_draws(py::class_<JointSamples>& draws) {
 
 }  // namespace
 
+Levels levels_of_columns(const py::dict& columns) { return levels_of(columns); }
+
+py::dict identification_dict(const Identification& found, const std::string& json) {
+  py::dict all = dict_of(found, provenance_of(json));
+  all["json"] = json;
+  return all;
+}
+
 void add_identification(py::module_& core) {
   py::class_<JointSamples> draws(core, "JointDraws");
   add_draws(draws);
@@ -228,6 +235,9 @@ void add_identification(py::module_& core) {
   core.def("read_draws", [](const std::string& path) { return read_joint_samples(path); });
   core.def("identify_levels", identify_levels);
   core.def("read_levels", read_levels_of);
+  core.def("parse_levels", [](const std::string& text) {
+    return dict_of(without_inner_reversals(parse_levels(text, "levels")).levels);
+  });
   core.def("levels_csv",
            [](const py::dict& columns) { return levels_table(levels_of(columns)).str(); });
 }

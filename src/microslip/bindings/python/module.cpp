@@ -18,4 +18,5 @@ PYBIND11_MODULE(_core, core) {
   add_harmonic_force(core);
   add_recordings(core);
   add_ring_down(core);
+  add_rig(core);
 }

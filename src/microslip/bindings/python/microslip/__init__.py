@@ -39,6 +39,7 @@ from ._levels import Levels
 from ._march import JointMotion, MarchEnergy, MarchResult, PointMotion, march
 from ._recordings import Axis, Channel, Recording, read_recordings, write_recordings
 from ._results import Note, Summary
+from ._rig import Measurement, Reduction, Rig, Verification, measure, reduce, verify
 from ._ring_down import RingDown, RingDownLevels, RingDownSensor, ring_down
 from ._structure import Base, Compliance, Modes, StructuralJoint, Structure, modes
 from ._uff import recordings_from_uff
@@ -76,6 +77,7 @@ __all__ = [
     "Levels",
     "MarchEnergy",
     "MarchResult",
+    "Measurement",
     "Memory",
     "MicroslipWarning",
     "Modes",
@@ -87,8 +89,10 @@ __all__ = [
     "PointMotion",
     "PowerLaw",
     "Recording",
+    "Reduction",
     "Response",
     "ResponseCurve",
+    "Rig",
     "RingDown",
     "RingDownLevels",
     "RingDownSensor",
@@ -97,6 +101,7 @@ __all__ = [
     "Summary",
     "Uniform",
     "Verdict",
+    "Verification",
     "Vibration",
     "Vibrations",
     "__version__",
@@ -104,9 +109,12 @@ __all__ = [
     "frequency_response",
     "identify",
     "march",
+    "measure",
     "modes",
     "read_recordings",
     "recordings_from_uff",
+    "reduce",
     "ring_down",
+    "verify",
     "write_recordings",
 ]

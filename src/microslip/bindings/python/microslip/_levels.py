@@ -142,8 +142,13 @@ class Levels(Shown):
         if not isinstance(table, Mapping) and not hasattr(table, "columns"):
             raise InputError(f"table = {type(table).__name__}; must be a DataFrame or a mapping")
         columns = {}
+        keys = [str(key) for key in table.keys()]
+        resonance = any(key.partition(" [")[0] == "resonance_frequency" for key in keys)
         for key in table.keys():
             name, _, unit = str(key).partition(" [")
+            if resonance and name.startswith("frequency"):
+                continue  # of the drive
+            name = name.removeprefix("resonance_")
             if name not in _UNITS:
                 continue
             if unit and unit != _UNITS[name] + "]":

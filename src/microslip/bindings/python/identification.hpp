@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+
+#include "microslip/identify/identification.hpp"
+#include "microslip/observe/levels.hpp"
+
+namespace microslip::python {
+
+/// Columns of Levels by the names of the package, which are those of levels.csv.
+[[nodiscard]] Levels levels_of_columns(const pybind11::dict& columns);
+
+/// An identification as the package takes it.
+/// @param json  its joint.json, whose provenance the draws take over.
+[[nodiscard]] pybind11::dict identification_dict(const Identification& found,
+                                                 const std::string& json);
+
+}  // namespace microslip::python

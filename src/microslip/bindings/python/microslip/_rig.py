@@ -1,0 +1,578 @@
+# SPDX-License-Identifier: MIT
+"""Tests of a frictional support: virtual ones, records to levels, records against a joint."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Optional, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._core import Rig as CoreRig
+from ._arguments import Path, Progress, RealArray, flag, not_negative, positive, real, text, whole
+from ._arguments import path as path_of
+from ._arguments import progress as progress_of
+from ._draws import JointDraws
+from ._errors import InputError
+from ._identification import Identification
+from ._joint import Joint
+from ._levels import Levels
+from ._recordings import Recording, recordings_of, told_notes
+from ._results import Note, Shown, Summary, notes, outcome, si, summary_of, told
+from ._structure import Structure
+
+if TYPE_CHECKING:
+    import pandas
+    from matplotlib.axes import Axes
+
+#: Columns of a table as its file has them: ``"amplitude [m]"`` to an array, texts to a list.
+Table = Mapping[str, Union[RealArray, list[str]]]
+
+
+class Rig(Shown):
+    """The description of a frictional-support test: a beam or modes, the contact, sensors, and for
+    a virtual test what is to be measured. Immutable. @see docs/file_formats.md, rig.toml
+
+    Examples
+    --------
+    >>> import microslip
+    >>> rig = microslip.Rig.read("rig.toml")  # doctest: +SKIP
+    >>> levels = microslip.reduce(rig, microslip.read_recordings("level_01.csv"))  # doctest: +SKIP
+    """
+
+    __slots__ = ("_core", "_path")
+    _core: CoreRig
+    _path: Optional[str]
+
+    def __init__(self) -> None:
+        raise TypeError("a Rig comes from Rig.read, or of a text from Rig.parse")
+
+    @classmethod
+    def _of(cls, core: CoreRig, path: Optional[str] = None) -> Rig:
+        rig = object.__new__(cls)
+        rig._core = core
+        rig._path = path
+        return rig
+
+    @classmethod
+    def read(cls, path: Path) -> Rig:
+        """The rig of a rig.toml.
+
+        Raises
+        ------
+        FileError, FormatError, ValueError
+            Naming the key that breaks a rule.
+        """
+        name = path_of(path, "path")
+        return cls._of(_core.read_rig(name), name)
+
+    @classmethod
+    def parse(cls, toml: str, name: str = "rig.toml") -> Rig:
+        """The rig of a text, whose name is for messages."""
+        return cls._of(_core.parse_rig(text(toml, "toml"), text(name, "name")))
+
+    def write(self, path: Path) -> None:
+        """Writes a rig.toml: at once and whole, or not at all."""
+        _core.write_file(path_of(path, "path"), self.text.encode())
+
+    @property
+    def text(self) -> str:
+        """That of a rig.toml."""
+        return self._core.text()
+
+    @property
+    def stiffness(self) -> float:
+        """k of the stuck joint, N/m; 0 where it is not known."""
+        return self._core.stiffness
+
+    @property
+    def channels(self) -> tuple[str, ...]:
+        """Of its recordings: force, accelerometers, vibrometer."""
+        return tuple(self._core.channels)
+
+    def stuck_frequencies(self) -> RealArray:
+        """Natural frequencies with the joint stuck, Hz."""
+        return self._core.stuck_frequencies() / (2.0 * np.pi)
+
+    def structure(self, joint: Joint, *, linear_damping: float = 0.0) -> Structure:
+        """The structure of the test with a joint in its contact, driven at the exciter; its points
+        have the names of the channels there."""
+        damping = not_negative(linear_damping, "linear_damping")
+        return Structure._of(_core.rig_structure(self._core, _joint(joint), damping))
+
+    def true_joint(self) -> tuple[Joint, float]:
+        """The joint that the rig names for a virtual test, and its linear damping, J/m**2.
+
+        Raises
+        ------
+        ValueError
+            Where it names none, or was not read from a file, which the name is relative to.
+        """
+        if not self._core.joint:
+            raise InputError("contact.joint is missing; must name the file of the true joint, or"
+                             " joint must be given")  # fmt: skip
+        if self._path is None:
+            raise InputError("the rig is of no file, which its joint is relative to; give joint")
+        import os
+
+        at = os.path.join(os.path.dirname(self._path), self._core.joint)
+        core, damping, _ = _core.read_joint(at)
+        return Joint._of(core), damping or 0.0
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _rig_of, (self.text, self._path)
+
+    def _facts(self) -> tuple[str, list[tuple[str, str]]]:
+        stuck = self.stuck_frequencies()
+        shown = ", ".join(f"{f:.5g}" for f in stuck[:5]) + (", ..." if len(stuck) > 5 else "")
+        return "Rig", [
+            ("channels", ", ".join(self.channels)),
+            ("stuck joint", si(self.stiffness, "N/m")),
+            ("stuck frequencies", f"{shown} Hz"),
+            ("virtual test", "yes" if self._core.has_test else "no"),
+        ]
+
+
+def _rig_of(toml: str, path: Optional[str]) -> Rig:
+    return Rig._of(_core.parse_rig(toml, path or "rig.toml"), path)
+
+
+def _rig(rig: object) -> Rig:
+    if not isinstance(rig, Rig):
+        raise InputError(f"rig = {rig!r}; must be a microslip.Rig")
+    return rig
+
+
+def _joint(joint: object) -> Any:
+    if not isinstance(joint, Joint):
+        raise InputError(f"joint = {joint!r}; must be a microslip.Joint")
+    return joint._core
+
+
+def frame_of(table: Table) -> pandas.DataFrame:
+    import pandas
+
+    return pandas.DataFrame(dict(table))
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class Measurement(Shown):
+    """A virtual test.
+
+    Attributes
+    ----------
+    recordings : tuple of Recording
+        One a level that was found, ``level_01``, ``level_02``, ...
+    before_control : tuple of Recording
+        The same under a sinusoidal voltage, where they were asked for.
+    truth : mapping of str to ndarray
+        What their reduction should find: the columns of truth.csv.
+    force_control : mapping of str to ndarray
+        What the control of the force did: the columns of force_control.csv; empty without shaker.
+    warnings : tuple of Note
+        What must be known, each kind once.
+    summary : Summary
+        How the levels were found.
+    """
+
+    recordings: tuple[Recording, ...]
+    before_control: tuple[Recording, ...]
+    truth: Table
+    force_control: Table
+    warnings: tuple[Note, ...]
+    summary: Summary
+    _truth_csv: str
+
+    @property
+    def levels(self) -> Levels:
+        """The truth as levels, for `identify`."""
+        return Levels(**_core.parse_levels(self._truth_csv))
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A DataFrame of the truth."""
+        return frame_of(self.truth)
+
+    def _facts(self) -> tuple[str, list[tuple[str, str]]]:
+        rows = [("levels", str(len(self.recordings)))]
+        if self.recordings:
+            rows.append(("points", f"{len(self.recordings[0])} a record"))
+        return "Virtual test", rows + outcome(self)
+
+
+def measure(
+    rig: Rig,
+    joint: Optional[Joint] = None,
+    *,
+    seed: int = 1,
+    shaker: bool = True,
+    before_control: bool = False,
+    force_distortion: float = 0.003,
+    linear_damping: Optional[float] = None,
+    progress: Optional[Progress] = None,
+    strict: bool = True,
+) -> Measurement:
+    """A virtual test: what the sensors of a rig record while its joint is known.
+
+    Parameters
+    ----------
+    rig : Rig
+        With ``[test]``.
+    joint : Joint, optional
+        The true one; that of the rig's file without it.
+    seed : int
+        Of noise and phases.
+    shaker : bool
+        Whether a shaker drives it, whose force is controlled; else a pure force does.
+    before_control : bool
+        Whether to record the levels under a sinusoidal voltage as well.
+    force_distortion : float
+        Harmonics of the force over the first at which the control rests, 1; above 0.
+    linear_damping : float, optional
+        beta of the joint, J/m**2; 0, or with the rig's joint that of its file, without it.
+    progress : callable, optional
+        Called with (levels done, levels); False cancels.
+    strict : bool
+        Whether to raise where a level is not found; without it a warning is issued.
+
+    Returns
+    -------
+    Measurement
+
+    Raises
+    ------
+    ValueError, NotConverged
+    """
+    _rig(rig)
+    damping = 0.0
+    if joint is None:
+        joint, damping = rig.true_joint()
+    if linear_damping is not None:
+        damping = not_negative(linear_damping, "linear_damping")
+    options = {
+        "seed": whole(seed, "seed", 0, 2**64 - 1),
+        "shaker": flag(shaker, "shaker"),
+        "before_control": flag(before_control, "before_control"),
+        "force_distortion": positive(force_distortion, "force_distortion"),
+        "linear_damping": damping,
+    }
+    if before_control and not shaker:
+        raise InputError("before_control is given without shaker, which makes it; must be False")
+    found = _core.measure(rig._core, _joint(joint), options, progress_of(progress))
+    result = Measurement(
+        recordings=tuple(Recording._of(recording) for recording in found["recordings"]),
+        before_control=tuple(Recording._of(recording) for recording in found["before_control"]),
+        truth=found["truth"],
+        force_control=found["force_control"],
+        warnings=notes(found["warnings"]),
+        summary=summary_of(found["summary"]),
+        _truth_csv=found["truth_csv"],
+    )
+    return told(result, flag(strict, "strict"))
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class Reduction(Shown):
+    """Levels of a test, from its records.
+
+    Attributes
+    ----------
+    table : mapping of str to ndarray or list of str
+        The columns of levels.csv, ``"amplitude [m]"``, ..., ``"flags"``: of the levels with a
+        dissipation of 0 or more, in the order of the records.
+    flags : tuple of str
+        Of each level, codes between blanks, see docs/warnings.md.
+    rejected : tuple of (int, str)
+        With `skip_faulty`: which records were left out, from 0, and why.
+    warnings : tuple of Note
+        What is to be looked at.
+    """
+
+    table: Table
+    flags: tuple[str, ...]
+    rejected: tuple[tuple[int, str], ...]
+    warnings: tuple[Note, ...]
+    _csv: str
+
+    @property
+    def levels(self) -> Levels:
+        """For `identify`, with the frequencies of resonance and without levels whose joint turns
+        more than twice a cycle: their D is not that of one loop."""
+        return Levels(**_core.parse_levels(self._csv))
+
+    def write(self, path: Path) -> None:
+        """Writes a levels.csv: at once and whole, or not at all."""
+        _core.write_file(path_of(path, "path"), self._csv.encode())
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A DataFrame with the columns of levels.csv."""
+        return frame_of(self.table)
+
+    def plot(self, ax: Optional[Axes] = None, **style: Any) -> Axes:
+        """Draws D over A, by matplotlib."""
+        return self.levels.plot(ax, **style)
+
+    def __len__(self) -> int:
+        return len(self.flags)
+
+    def _facts(self) -> tuple[str, list[tuple[str, str]]]:
+        rows = self.levels._facts()[1]
+        if self.rejected:
+            rows.append(("left out", f"{len(self.rejected)} records"))
+        rows.extend(("warning", str(note)) for note in self.warnings)
+        return "Reduction", rows
+
+
+def _reduction_options(frequency: Optional[float], order: object, modes: object,
+                       use_vibrometer: object, name: str = "order") -> dict[str, Any]:  # fmt: skip
+    return {
+        "frequency": None if frequency is None else positive(frequency, "frequency"),
+        "order": whole(order, name, 1, 100),
+        "modes": whole(modes, "modes", 0, 200),
+        "use_vibrometer": flag(use_vibrometer, "use_vibrometer"),
+    }
+
+
+def reduce(
+    rig: Rig,
+    recordings: Union[Recording, Sequence[Recording]],
+    *,
+    frequency: Optional[float] = None,
+    order: int = 10,
+    modes: int = 0,
+    use_vibrometer: bool = True,
+    skip_faulty: bool = False,
+    progress: Optional[Progress] = None,
+) -> Reduction:
+    """Levels from steady records of a frictional-support test.
+
+    Parameters
+    ----------
+    rig : Rig
+        That was recorded.
+    recordings : Recording or sequence of Recording
+        One a level, with the channels that the rig names.
+    frequency : float, optional
+        Of the drive, to 3 %, Hz; found without it.
+    order : int
+        Harmonics that are fitted; 1 to 100.
+    modes : int
+        Of the beam; 0: those of the rig's test, or 30.
+    use_vibrometer : bool
+        Whether the joint displacement is what the vibrometer shows, where there is one.
+    skip_faulty : bool
+        Whether to leave out records that cannot be reduced.
+    progress : callable, optional
+        Called with (records done, records); False cancels.
+
+    Returns
+    -------
+    Reduction
+
+    Raises
+    ------
+    ValueError
+        Naming record and channel: missing, of another unit, no steady vibration in it.
+    """
+    _rig(rig)
+    given = [recording._dict() for recording in recordings_of(recordings)]
+    options = _reduction_options(frequency, order, modes, use_vibrometer)
+    found = _core.reduce(rig._core, given, options, flag(skip_faulty, "skip_faulty"),
+                         "microslip.reduce", progress_of(progress))  # fmt: skip
+    told_notes(found["warnings"])
+    return Reduction(
+        table=found["table"],
+        flags=tuple(found["table"]["flags"]),
+        rejected=tuple(found["rejected"]),
+        warnings=notes(found["warnings"]),
+        _csv=found["csv"],
+    )
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class Verification(Shown):
+    """Predicted against recorded, a row a record and channel.
+
+    Attributes
+    ----------
+    table : mapping of str to ndarray or list of str
+        The columns of verification.csv: ``"source"``, ``"channel"``, ``"status"``,
+        ``"NRMSE [1]"``, ``"noise_share [1]"``, ``"amplitude_ratio [1]"``,
+        ``"phase_error [rad]"``, ...; with draws what they leave possible beside it.
+    harmonics : mapping of str to ndarray or list of str
+        Of each record and harmonic, recorded and predicted.
+    histories : mapping of str to ndarray or list of str
+        A few cycles of each record.
+    rejected : tuple of (int, str)
+        With `skip_faulty`: which records were left out, from 0, and why.
+    failed_draws : int or None
+        That are in no band; None without draws.
+    warnings : tuple of Note
+        What must be known.
+    summary : Summary
+        Of the first record whose prediction did not converge, or of the first.
+    """
+
+    table: Table
+    harmonics: Table
+    histories: Table
+    rejected: tuple[tuple[int, str], ...]
+    failed_draws: Optional[int]
+    warnings: tuple[Note, ...]
+    summary: Summary
+    _csv: str
+
+    def nrmse(self, channel: str) -> RealArray:
+        """rms(recorded - predicted)/rms(recorded) of a channel, 1, shape (records,)."""
+        names: npt.NDArray[Any] = np.array(self.table["channel"])
+        if channel not in names:
+            raise InputError(f"channel = {channel!r}; must be one of"
+                             f" {', '.join(dict.fromkeys(names.tolist()))}")  # fmt: skip
+        values: RealArray = np.asarray(self.table["NRMSE [1]"])[names == channel]
+        return values
+
+    def write(self, path: Path) -> None:
+        """Writes a verification.csv: at once and whole, or not at all."""
+        _core.write_file(path_of(path, "path"), self._csv.encode())
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A DataFrame with the columns of verification.csv."""
+        return frame_of(self.table)
+
+    def _facts(self) -> tuple[str, list[tuple[str, str]]]:
+        names = dict.fromkeys(self.table["channel"])
+        rows = [("records", str(len(self.table["channel"]) // max(len(names), 1)))]
+        for name in names:
+            worst = 100.0 * float(self.nrmse(str(name)).max())
+            rows.append((str(name), f"NRMSE up to {worst:.3g} %"))
+        if self.failed_draws is not None:
+            rows.append(("failed draws", str(self.failed_draws)))
+        return "Verification", rows + outcome(self)
+
+
+def _known_joint(joint: Any) -> tuple[Any, float, Optional[float]]:
+    """A joint with its linear damping and kA of the highest level."""
+    if isinstance(joint, Joint):
+        return joint._core, 0.0, None
+    if isinstance(joint, Identification):
+        return joint.joint._core, joint.linear_damping or 0.0, joint.covered_to
+    if joint is None or isinstance(joint, (int, float, list, dict, np.ndarray)):
+        raise InputError(f"joint = {joint!r}; must be a Joint, an Identification or a path")
+    core, damping, covered_to = _core.read_joint(path_of(joint, "joint"))
+    return core, damping or 0.0, covered_to
+
+
+def verify(
+    rig: Rig,
+    joint: Union[Joint, Identification, Path],
+    recordings: Union[Recording, Sequence[Recording]],
+    *,
+    frequency: Optional[float] = None,
+    harmonics: int = 10,
+    modes: int = 7,
+    sine: bool = False,
+    cycles: float = 2.0,
+    use_vibrometer: bool = True,
+    skip_faulty: bool = False,
+    linear_damping: Optional[float] = None,
+    draws: Optional[JointDraws] = None,
+    samples: int = 0,
+    seed: int = 1,
+    confidence: float = 0.95,
+    frequency_std: float = 0.0,
+    loss_factor_std: float = 0.0,
+    normal_load_std: float = 0.0,
+    force_gain_std: float = 0.0,
+    acceleration_gain_std: float = 0.0,
+    progress: Optional[Progress] = None,
+    strict: bool = True,
+) -> Verification:
+    """Records of a test against what a joint predicts for it.
+
+    Parameters
+    ----------
+    rig : Rig
+        That was recorded.
+    joint : Joint, Identification or path
+        To be verified; an identification, and a joint.json, say its linear damping and up to which
+        slip force it was measured.
+    recordings : Recording or sequence of Recording
+        Steady records, with the channels that the rig names.
+    frequency : float, optional
+        Of the drive, to 3 %, Hz; found without it.
+    harmonics : int
+        That are fitted and compared; 1 to 100.
+    modes : int
+        Of the beam in the model.
+    sine : bool
+        Whether the first harmonic of the force alone drives the model.
+    cycles : float
+        Kept as histories.
+    use_vibrometer, skip_faulty
+        As of `reduce`.
+    linear_damping : float, optional
+        beta of the joint, J/m**2, in place of what is known of it.
+    draws : JointDraws, optional
+        What else the joint may be: bands of the prediction.
+    samples : int
+        Draws that are predicted; 0: none. 2/(1 - confidence) or more.
+    seed, confidence
+        Of the draws; share of them in a band, in (0, 1).
+    frequency_std, loss_factor_std, normal_load_std, force_gain_std, acceleration_gain_std : float
+        Relative standard deviations of the rig, 1, drawn with the joint.
+    progress : callable, optional
+        Called with (done, total) of records, then of draws; False cancels.
+    strict : bool
+        Whether to raise where a prediction does not converge; without it a warning is issued.
+
+    Returns
+    -------
+    Verification
+
+    Raises
+    ------
+    ValueError, NotConverged
+    """
+    _rig(rig)
+    core, damping, covered_to = _known_joint(joint)
+    if linear_damping is not None:
+        damping = not_negative(linear_damping, "linear_damping")
+    given = [recording._dict() for recording in recordings_of(recordings)]
+    options = _reduction_options(frequency, harmonics, modes, use_vibrometer, "harmonics") | {
+        "sine": flag(sine, "sine"),
+        "cycles": not_negative(cycles, "cycles"),
+        "covered_to": covered_to,
+        "linear_damping": damping,
+    }
+    asked = None
+    if draws is not None and not isinstance(draws, JointDraws):
+        raise InputError(f"draws = {draws!r}; must be microslip.JointDraws")
+    if draws is not None and not samples:
+        raise InputError("samples is 0; must say how many of the draws are predicted")
+    if whole(samples, "samples", 0, 1_000_000):
+        asked = {
+            "count": samples,
+            "confidence": real(confidence, "confidence"),
+            "seed": whole(seed, "seed", 0, 2**64 - 1),
+            "joint": None if draws is None else draws._core,
+            "frequency_std": not_negative(frequency_std, "frequency_std"),
+            "loss_factor_std": not_negative(loss_factor_std, "loss_factor_std"),
+            "normal_load_std": not_negative(normal_load_std, "normal_load_std"),
+            "force_gain_std": not_negative(force_gain_std, "force_gain_std"),
+            "acceleration_gain_std": not_negative(acceleration_gain_std, "acceleration_gain_std"),
+        }
+    found = _core.verify(rig._core, core, given, options, flag(skip_faulty, "skip_faulty"), asked,
+                         "microslip.verify", progress_of(progress))  # fmt: skip
+    result = Verification(
+        table=found["table"],
+        harmonics=found["harmonics"],
+        histories=found["histories"],
+        rejected=tuple(found["rejected"]),
+        failed_draws=found["failed_draws"],
+        warnings=notes(found["warnings"]),
+        summary=summary_of(found["summary"]),
+        _csv=found["csv"],
+    )
+    return told(result, flag(strict, "strict"))
