@@ -10,6 +10,8 @@ import pytest
 
 import microslip
 
+# What must be known of small tests is no error here.
+pytestmark = pytest.mark.filterwarnings("ignore::microslip.MicroslipWarning")
 PROGRAM = os.environ.get("MICROSLIP_PROGRAM")
 needs_program = pytest.mark.skipif(PROGRAM is None, reason="MICROSLIP_PROGRAM is not set")
 

@@ -25,5 +25,6 @@ void add_harmonic_force(pybind11::module_& core);
 void add_recordings(pybind11::module_& core);
 void add_ring_down(pybind11::module_& core);
 void add_rig(pybind11::module_& core);
+void add_records(pybind11::module_& core);
 
 }  // namespace microslip::python

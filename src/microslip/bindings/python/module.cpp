@@ -19,4 +19,5 @@ PYBIND11_MODULE(_core, core) {
   add_recordings(core);
   add_ring_down(core);
   add_rig(core);
+  add_records(core);
 }

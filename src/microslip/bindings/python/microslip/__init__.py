@@ -38,6 +38,7 @@ from ._joint import (
 from ._levels import Levels
 from ._march import JointMotion, MarchEnergy, MarchResult, PointMotion, march
 from ._recordings import Axis, Channel, Recording, read_recordings, write_recordings
+from ._records import Estimate, RecordFit, RecordIdentification, identify_records
 from ._results import Note, Summary
 from ._rig import Measurement, Reduction, Rig, Verification, measure, reduce, verify
 from ._ring_down import RingDown, RingDownLevels, RingDownSensor, ring_down
@@ -61,6 +62,7 @@ __all__ = [
     "Channel",
     "Compliance",
     "Error",
+    "Estimate",
     "FileError",
     "FormatError",
     "FourParameter",
@@ -88,6 +90,8 @@ __all__ = [
     "PiecewiseLinear",
     "PointMotion",
     "PowerLaw",
+    "RecordFit",
+    "RecordIdentification",
     "Recording",
     "Reduction",
     "Response",
@@ -108,6 +112,7 @@ __all__ = [
     "backbone",
     "frequency_response",
     "identify",
+    "identify_records",
     "march",
     "measure",
     "modes",

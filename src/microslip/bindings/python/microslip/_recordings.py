@@ -253,12 +253,12 @@ class Recording(Shown):
                             ("_count", None)):  # fmt: skip
             object.__setattr__(axis, name, value)
         channels = tuple(
-            Channel(name, numbers, of, tuple(map(tuple, more)))
+            Channel(name, numbers, of, attributes(more, "attributes"))
             for name, of, numbers, more in found["channels"]
         )
         recording = object.__new__(cls)
         for name, value in (("channels", channels), ("axis", axis), ("source", found["source"]),
-                            ("attributes", tuple(map(tuple, found["attributes"])))):  # fmt: skip
+                            ("attributes", attributes(found["attributes"], "attributes"))):  # fmt: skip
             object.__setattr__(recording, name, value)
         return recording
 
@@ -431,7 +431,7 @@ _QUANTITIES = {"m": "displacement", "m/s": "velocity", "m/s^2": "acceleration", 
 
 
 def _quantity(channel: Channel) -> str:
-    said = dict(attributes(channel.attributes, "attributes")).get("quantity")
+    said: str = dict(attributes(channel.attributes, "attributes")).get("quantity", "")
     return said or _QUANTITIES.get(channel.unit or "", "")
 
 

@@ -267,10 +267,13 @@ _COLUMNS = ("time", "amplitude", "amplitude_std", "frequency", "frequency_std", 
 
 
 def _levels_of(found: dict[str, Any]) -> RingDownLevels:
-    columns = {name: None if name.startswith(("dissipation", "secant")) and not len(values)
-               else values for name, values in found.items()}  # fmt: skip
-    levels = RingDownLevels(**{**columns, "flags": tuple(found["flags"]),
-                               "warnings": notes(found["warnings"])})  # fmt: skip
+    columns: dict[str, Any] = {
+        name: None if name.startswith(("dissipation", "secant")) and not len(values) else values
+        for name, values in found.items()
+    }
+    columns["flags"] = tuple(found["flags"])
+    columns["warnings"] = notes(found["warnings"])
+    levels = RingDownLevels(**columns)
     told_notes(found["warnings"], 4)
     return levels
 

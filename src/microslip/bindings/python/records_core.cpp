@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "arguments.hpp"
+#include "core.hpp"
+#include "identification.hpp"
+#include "long_work.hpp"
+#include "microslip/identify/joint_evidence.hpp"
+#include "microslip/io/sha256.hpp"
+#include "microslip/workflow/force_records.hpp"
+#include "microslip/workflow/records_identification.hpp"
+#include "recordings.hpp"
+
+namespace py = pybind11;
+
+namespace microslip::python {
+namespace {
+
+using namespace py::literals;
+
+/// One record, or one table of levels, as the package hands it over: with its name.
+using GivenRecord = std::tuple<std::string, RealArray, RealArray, double>;
+using GivenLevels = std::tuple<std::string, py::dict>;
+
+std::string_view bytes_of(const std::vector<double>& numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double)};
+}
+
+std::vector<NamedForceRecord> records_of(const std::vector<GivenRecord>& given) {
+  std::vector<NamedForceRecord> all;
+  for (const auto& [name, displacement, force, time_step] : given) {
+    all.push_back({.source = name,
+                   .record = {.displacement = copy_of(displacement),
+                              .force = copy_of(force),
+                              .time_step = time_step},
+                   .input = static_cast<double>(all.size() + 1)});
+  }
+  return all;
+}
+
+/// What was given, as the files of the program are.
+struct GivenEvidence {
+  std::vector<NamedForceRecord> records;
+  std::vector<std::pair<std::string, Levels>> levels;
+};
+
+RecordsIdentification options_of(const py::dict& given) {
+  RecordsIdentification all;
+  all.stiffness = given["stiffness"].cast<std::optional<double>>();
+  if (const auto start = given["start"].cast<std::string>(); start != "auto") {
+    all.start = start == "virgin" ? PathStart::kVirgin : PathStart::kUnknown;
+  }
+  all.options.viscous = given["viscous"].cast<bool>();
+  all.options.draws = given["samples"].cast<std::size_t>();
+  all.options.seed = given["seed"].cast<std::uint64_t>();
+  all.channels = {.force = "force", .displacement = "displacement"};
+  return all;
+}
+
+std::vector<RecordEvidence> evidence_of(const std::vector<NamedForceRecord>& records,
+                                        const RecordsIdentification& options,
+                                        IdentifiedRecords& done) {
+  std::vector<RecordEvidence> all;
+  for (const NamedForceRecord& one : records) {
+    of_record(one.source, [&] {
+      const RecordEvidence virgin(one.record, PathStart::kVirgin);
+      done.start.push_back(options.start ? RecordStart{*options.start, false, 0.0}
+                                         : shown_start(virgin));
+      all.push_back(virgin.from(done.start.back().start));
+      check_records({&all.back(), 1}, options.options);
+    });
+    done.source.push_back(one.source);
+    done.input.push_back(one.input);
+    std::string content(bytes_of(one.record.displacement));
+    content += bytes_of(one.record.force);
+    done.inputs.push_back({one.source, sha256(content)});
+  }
+  return all;
+}
+
+std::vector<LevelEvidence> evidence_of(const std::vector<std::pair<std::string, Levels>>& levels,
+                                       IdentifiedRecords& done) {
+  std::vector<LevelEvidence> all;
+  for (const auto& [name, table] : levels) {
+    of_record(name, [&] { all.emplace_back(table); });
+    done.tables.push_back(name);
+    done.levels.push_back(table.size());
+    std::string content(bytes_of(table.amplitude));
+    content += bytes_of(table.dissipation);
+    done.inputs.push_back({name, sha256(content)});
+  }
+  return all;
+}
+
+IdentifiedRecords identified(const GivenEvidence& given, const RecordsIdentification& options) {
+  IdentifiedRecords done{
+      .found = Identification(IdentificationMethod::kInversion, Joint(1.0, SlipDensity()))};
+  const std::vector<RecordEvidence> records = evidence_of(given.records, options, done);
+  const std::vector<LevelEvidence> levels = evidence_of(given.levels, done);
+  done.found =
+      identify({records, levels, done.source, done.tables}, options.stiffness, options.options);
+  return done;
+}
+
+py::tuple tuple_of(const Estimate& of) { return py::make_tuple(of.value, of.lower, of.upper); }
+
+py::object viscous_of(const RecordInversionResult& found) {
+  return found.viscous ? py::object(tuple_of(*found.viscous)) : py::object(py::none());
+}
+
+py::list fits_of(const IdentifiedRecords& done) {
+  py::list all;
+  for (std::size_t i = 0; i < done.source.size(); ++i) {
+    const RecordFit& fit = done.found.records()->records[i];
+    py::list verdicts;
+    for (const RecordVerdict& verdict : fit.verdicts) {
+      verdicts.append(py::make_tuple(std::string(to_string(verdict.departure)), verdict.share,
+                                     verdict.noise, verdict.broken));
+    }
+    all.append(py::dict("source"_a = done.source[i], "start"_a = std::string(to_string(fit.start)),
+                        "start_shown"_a = done.start[i].shown, "offset"_a = array_of(fit.offset),
+                        "residual"_a = array_of(fit.residual), "scatter"_a = fit.scatter,
+                        "correlation"_a = fit.correlation, "unexplained"_a = fit.unexplained,
+                        "verdicts"_a = verdicts));
+  }
+  return all;
+}
+
+py::dict identify_records(const std::vector<GivenRecord>& records,
+                          const std::vector<GivenLevels>& levels, const py::dict& given,
+                          const std::string& command, const py::object& listener) {
+  RecordsIdentification options = options_of(given);
+  GivenEvidence evidence{records_of(records), {}};
+  for (const auto& [name, columns] : levels) {
+    evidence.levels.emplace_back(name, levels_of_columns(columns));
+  }
+  const IdentifiedRecords done = long_result(
+      [&](const Progress& progress) {
+        options.options.progress = progress;
+        return identified(evidence, options);
+      },
+      listener);
+  py::dict all = identification_dict(done.found, joint_text(options, done, command));
+  const RecordInversionResult& found = *done.found.records();
+  all["stiffness"] = tuple_of(found.stiffness);
+  all["elastic_stiffness"] = tuple_of(found.elastic_stiffness);
+  all["viscous"] = viscous_of(found);
+  all["resolved_from"] = found.resolved_from;
+  all["records"] = fits_of(done);
+  return all;
+}
+
+py::tuple record_of(const py::dict& recording, const std::string& force,
+                    const std::string& displacement) {
+  ForceRecord record = force_record(recording_of(recording), {force, displacement});
+  return py::make_tuple(array_of(std::move(record.displacement)), array_of(std::move(record.force)),
+                        record.time_step);
+}
+
+}  // namespace
+
+void add_records(py::module_& core) {
+  core.def("force_record", record_of);
+  core.def("identify_records", identify_records);
+}
+
+}  // namespace microslip::python
