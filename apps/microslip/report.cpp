@@ -29,12 +29,6 @@ struct ReportOptions {
   bool no_pictures = false;
 };
 
-bool is_empty(const ExperimentResults& results) {
-  return !results.levels && !results.joint && !results.calibration && !results.modal_levels &&
-         results.densities.empty() && results.records.empty() && results.comparisons.empty() &&
-         results.predictions.empty() && results.force_control.empty();
-}
-
 /// Folders in the folder that hold what it lacks, or why its records are not shown.
 std::string remedy_for(const std::string& folder, const ExperimentResults& results) {
   if (!results.warnings.empty()) return results.warnings.front().text;
@@ -54,7 +48,7 @@ int run(const ReportOptions& options, const Call& call) {
   check_output(options.out, kReportKind);
   ExperimentResults results =
       read_experiment(options.folder, options.records, progress_bar("recordings", call.quiet));
-  if (is_empty(results)) {
+  if (results.is_empty()) {
     throw InputError("DIR", "'" + options.folder + "'",
                      "must hold levels.csv, joint.json, recordings level_*, verification.csv, "
                      "force_control.csv or what microslip calibrate writes",

@@ -131,21 +131,6 @@ Provenance calibration_provenance(const ModelCalibration& options, const Calibra
   return provenance;
 }
 
-JointSamples samples_of(const CalibratedJoint& joint, const Provenance& provenance,
-                        std::uint64_t seed) {
-  JointSamples samples;
-  samples.method = "posterior of modal levels";
-  samples.seed = seed;
-  samples.provenance = provenance;
-  samples.slip_displacement = joint.slip_displacement;
-  for (const StiffnessDraw& draw : joint.draws) {
-    samples.stiffness.push_back(draw.stiffness);
-    samples.stiffness_density.insert(samples.stiffness_density.end(), draw.density.begin(),
-                                     draw.density.end());
-  }
-  return samples;
-}
-
 std::string comment_of(const ModelCalibration& options, const CalibratedModel& done) {
   std::string comment = heading_of(options.command);
   for (const InputHash& input : done.inputs) {
@@ -192,7 +177,7 @@ void compose_files(const ModelCalibration& options, const ModalLevels& levels,
     done.files[at++].content =
         format_joint({joint.joint, provenance, record_of_calibration(done.found, joint)});
     if (!options.keep_draws) continue;
-    const JointSamples samples = samples_of(joint, provenance, options.options.seed);
+    const JointSamples samples = joint_samples(joint, provenance, options.options.seed);
     done.files[at].content = joint_samples_bytes(samples, done.files[at].path);
     ++at;
   }
@@ -255,6 +240,21 @@ std::string describe_pairs(const CalibrationResult& found) {
 }
 
 }  // namespace
+
+JointSamples joint_samples(const CalibratedJoint& joint, const Provenance& provenance,
+                           std::uint64_t seed) {
+  JointSamples samples;
+  samples.method = "posterior of modal levels";
+  samples.seed = seed;
+  samples.provenance = provenance;
+  samples.slip_displacement = joint.slip_displacement;
+  for (const StiffnessDraw& draw : joint.draws) {
+    samples.stiffness.push_back(draw.stiffness);
+    samples.stiffness_density.insert(samples.stiffness_density.end(), draw.density.begin(),
+                                     draw.density.end());
+  }
+  return samples;
+}
 
 std::vector<ResultFile> planned_files(const ModelCalibration& options) {
   if (options.out.empty() || options.out == "-") {

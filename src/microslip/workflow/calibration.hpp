@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "microslip/calibrate/calibration.hpp"
+#include "microslip/io/joint_samples_file.hpp"
 #include "microslip/io/model_file.hpp"
 #include "microslip/io/named_values.hpp"
 
@@ -40,6 +42,13 @@ struct CalibratedModel {
   std::vector<ResultFile>
       files{};  ///< NAME.json of each joint found, model.toml, calibration.csv …
 };
+
+/// The draws of a joint, to be kept.
+/// @param joint       that was found.
+/// @param provenance  of the draws.
+/// @param seed        of them.
+[[nodiscard]] JointSamples joint_samples(const CalibratedJoint& joint, const Provenance& provenance,
+                                         std::uint64_t seed);
 
 /// The paths and kinds of the files that will be written, before anything is computed.
 /// @throws FileError, FormatError, InputError  as read_model(); for a joint whose name is no name of

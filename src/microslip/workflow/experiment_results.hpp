@@ -224,6 +224,12 @@ struct ExperimentResults {
   /// names and values, for the last section
   std::vector<std::pair<std::string, std::string>> provenance = {};
   std::vector<Warning> warnings = {};  ///< of reading the files
+
+  /// Whether a report has nothing to show beside what was given of the rig or the truth.
+  [[nodiscard]] bool is_empty() const {
+    return !levels && !joint && !calibration && !modal_levels && densities.empty() &&
+           records.empty() && comparisons.empty() && predictions.empty() && force_control.empty();
+  }
 };
 
 /// @throws InputError  where vectors that belong together differ in length.

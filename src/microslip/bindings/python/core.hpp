@@ -26,5 +26,7 @@ void add_recordings(pybind11::module_& core);
 void add_ring_down(pybind11::module_& core);
 void add_rig(pybind11::module_& core);
 void add_records(pybind11::module_& core);
+void add_calibration(pybind11::module_& core);
+void add_report(pybind11::module_& core);
 
 }  // namespace microslip::python

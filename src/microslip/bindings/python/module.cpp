@@ -20,4 +20,6 @@ PYBIND11_MODULE(_core, core) {
   add_ring_down(core);
   add_rig(core);
   add_records(core);
+  add_calibration(core);
+  add_report(core);
 }

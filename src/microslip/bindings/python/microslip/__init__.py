@@ -11,6 +11,15 @@ Quantities are in SI throughout: m, N, N/m, J, Hz, kg. Arrays in, arrays out; an
 """
 
 from ._core import version as __version__
+from ._calibration import (
+    CalibratedJoint,
+    Calibration,
+    Edge,
+    JointLevels,
+    JointPair,
+    ModalLevels,
+    calibrate,
+)
 from ._draws import JointDraws
 from ._errors import (
     Cancelled,
@@ -39,6 +48,7 @@ from ._levels import Levels
 from ._march import JointMotion, MarchEnergy, MarchResult, PointMotion, march
 from ._recordings import Axis, Channel, Recording, read_recordings, write_recordings
 from ._records import Estimate, RecordFit, RecordIdentification, identify_records
+from ._report import report
 from ._results import Note, Summary
 from ._rig import Measurement, Reduction, Rig, Verification, measure, reduce, verify
 from ._ring_down import RingDown, RingDownLevels, RingDownSensor, ring_down
@@ -58,9 +68,12 @@ __all__ = [
     "Atoms",
     "Axis",
     "Base",
+    "CalibratedJoint",
+    "Calibration",
     "Cancelled",
     "Channel",
     "Compliance",
+    "Edge",
     "Error",
     "Estimate",
     "FileError",
@@ -75,13 +88,16 @@ __all__ = [
     "Joint",
     "JointCycles",
     "JointDraws",
+    "JointLevels",
     "JointMotion",
+    "JointPair",
     "Levels",
     "MarchEnergy",
     "MarchResult",
     "Measurement",
     "Memory",
     "MicroslipWarning",
+    "ModalLevels",
     "Modes",
     "Moments",
     "NotConverged",
@@ -110,6 +126,7 @@ __all__ = [
     "Vibrations",
     "__version__",
     "backbone",
+    "calibrate",
     "frequency_response",
     "identify",
     "identify_records",
@@ -119,6 +136,7 @@ __all__ = [
     "read_recordings",
     "recordings_from_uff",
     "reduce",
+    "report",
     "ring_down",
     "verify",
     "write_recordings",

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any, Optional, Union
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from ._errors import Error
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from ._calibration import CalibratedJoint
     from ._identification import Identification
     from ._joint import Joint
     from ._levels import Levels
@@ -52,7 +53,7 @@ def plot_density(joint: Joint, ax: Optional[Axes] = None, **style: Any) -> Axes:
     return ax
 
 
-def plot_identification(found: Identification, ax: Optional[Axes] = None, **style: Any) -> Axes:
+def plot_identification(found: Union[Identification, CalibratedJoint], ax: Optional[Axes] = None, **style: Any) -> Axes:
     """The identified density with its band, and where the levels tell of it."""
     ax = _axes(ax, "slip force [N]", "density [1/N]")
     (line,) = ax.plot(found.slip_force, found.density, label="identified", **style)
