@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Several joints at once: the same as the program has them."""
+"""Several joints at once, and predictions by draws: the same as the program has them."""
 
 import os
 import pickle
@@ -162,3 +162,93 @@ def test_the_report_is_that_of_the_program(folder, tmp_path):
     command = f"microslip report {folder} --out {tmp_path / 'program.html'} --no-pictures --quiet"
     start = program.index("report command")
     assert len(program) - len(python) == len(command) - len("microslip.report"), program[start:][:300]
+
+
+# ---- Predictions by draws. ----
+
+
+@pytest.fixture(scope="module")
+def predicted():
+    return {"samples": 60, "seed": 5, "confidence": 0.9}
+
+
+@needs_program
+def test_bands_of_a_response_are_those_of_the_program(calibrated, folder, tmp_path, predicted):
+    run("frf", folder / "model.toml", "--force", "2", "--frequency", "30:36", "--draws", "60",
+        "--seed", "5", "--confidence", "0.9", "--out", tmp_path / "frf.csv", "--peaks-csv",
+        tmp_path / "peaks.csv")  # fmt: skip
+    table, peaks = table_of(tmp_path / "frf.csv"), table_of(tmp_path / "peaks.csv")
+    structure = microslip.Structure.read(folder / "model.toml")
+    draws = [microslip.JointDraws.read(folder / f"joint{i}_samples.h5") for i in (1, 2)]
+    curve = microslip.frequency_response(structure, 2.0, 30.0, 36.0, draws=draws, **predicted)
+    np.testing.assert_array_equal(curve.response, table["displacement [m]"])
+    np.testing.assert_array_equal(curve.lower, table["lower [m]"])
+    np.testing.assert_array_equal(curve.upper, table["upper [m]"])
+    assert curve.peak_bands[0].frequency_lower == peaks["frequency_lower [Hz]"][0]
+    assert curve.failures == ()
+    # In memory, without any file, draws of the calibration belong together as well.
+    balance = microslip.HarmonicBalance(calibrated.structure)
+    other = balance.frequency_response(2.0, 30.0, 36.0, draws=calibrated.draws, **predicted)
+    np.testing.assert_array_equal(other.lower, curve.lower)
+    again = pickle.loads(pickle.dumps(other))
+    np.testing.assert_array_equal(again.upper, curve.upper)
+
+
+@needs_program
+def test_bands_of_a_backbone_are_those_of_the_program(folder, tmp_path, predicted):
+    run("backbone", folder / "model.toml", "--response", "1e-5:3e-5:4", "--draws", "60", "--seed",
+        "5", "--confidence", "0.9", "--out", tmp_path / "b.csv")  # fmt: skip
+    table = table_of(tmp_path / "b.csv")
+    structure = microslip.Structure.read(folder / "model.toml")
+    draws = {f"joint{i}": microslip.JointDraws.read(folder / f"joint{i}_samples.h5") for i in (1, 2)}
+    curve = microslip.backbone(structure, np.linspace(1e-5, 3e-5, 4), draws=draws, **predicted)
+    lower, upper = curve.frequency_band
+    np.testing.assert_array_equal(lower, table["frequency_lower [Hz]"])
+    np.testing.assert_array_equal(upper, table["frequency_upper [Hz]"])
+    np.testing.assert_array_equal(curve.damping_ratio_band[0], table["damping_ratio_lower [1]"])
+
+
+def small():
+    joint = microslip.Joint(1e5, [microslip.Uniform(0, 10, 1)])
+    return microslip.HarmonicBalance(
+        microslip.Structure(
+            [10.0], {"mass": [2**-0.5]}, damping_ratio=0.01,
+            joints=[microslip.StructuralJoint(joint, [2**-0.5])],
+        )
+    )  # fmt: skip
+
+
+def test_spread_of_a_structure_alone():
+    curve = small().constant_response(
+        2e-5, 33.0, 38.0, samples=40, spread=microslip.Spread(0.01, normal_load_std=0.1)
+    )
+    assert isinstance(curve, microslip.ResponseBand)
+    assert np.all(curve.lower <= curve.upper)
+    assert np.mean((curve.lower <= curve.points.force) & (curve.points.force <= curve.upper)) > 0.9
+
+
+def test_bad_draws_are_named(calibrated):
+    balance = small()
+    draws = calibrated["joint1"].draws
+    bad = [
+        ({"draws": draws}, "samples is 0"),
+        ({"samples": 100}, "uncertain"),
+        ({"draws": [draws, draws], "samples": 100}, "draws has 2; must have 1"),
+        ({"draws": {"x": draws}, "samples": 100}, "draws has 'x'"),
+        ({"draws": 3, "samples": 100}, "draws = 3"),
+        ({"draws": [3], "samples": 100}, r"draws\[0\] = 3"),
+        ({"draws": draws, "samples": 10}, "draws"),
+        ({"draws": draws, "samples": 100, "correlation": "x"}, "correlation = 'x'"),
+        ({"samples": 100, "spread": 0.1}, "spread = 0.1"),
+        ({"samples": 100, "spread": microslip.Spread([0.1, 0.2])}, "frequency_std has 2 numbers"),
+        ({"samples": 100, "spread": microslip.Spread(np.nan)}, "frequency_std"),
+        ({"samples": 100, "spread": microslip.Spread(-0.1)}, "frequency"),
+    ]
+    for arguments, message in bad:
+        with pytest.raises(ValueError, match=message):
+            balance.frequency_response(0.5, 30, 40, **arguments)
+    with pytest.raises(microslip.Cancelled):
+        balance.frequency_response(
+            0.5, 30, 40, samples=5000, spread=microslip.Spread(0.01),
+            progress=lambda done, total: total != 5000,
+        )  # fmt: skip

@@ -93,6 +93,29 @@ JointSamples samples_for(const std::string& path, double stiffness, const std::s
   return samples;
 }
 
+StructureDraws draws_of(const JointedStructure& structure, const StructureSpread& spread,
+                        std::vector<std::optional<JointSamples>> samples,
+                        const std::vector<bool>& damping_said, const DrawOptions& options,
+                        const std::string& name) {
+  options.check();
+  const bool together =
+      options.correlation == Correlation::kTogether ||
+      (options.correlation == Correlation::kAuto && are_of_one_calibration(samples));
+  std::vector<JointDraws> joints;
+  for (std::size_t j = 0; j < samples.size(); ++j) {
+    const bool said = j < damping_said.size() && damping_said[j];
+    joints.push_back(samples[j] ? joint_draws_of(*std::move(samples[j]), said) : JointDraws{});
+  }
+  StructureDraws draws(structure, spread, std::move(joints),
+                       together ? JointPairing::kTogether : JointPairing::kIndependent,
+                       options.seed);
+  if (draws.any()) return draws;
+  throw InputError(fmt::format("{}: what is uncertain", name), "nothing",
+                   "must be something that draws can vary",
+                   "Name the draws of a joint by samples, or give frequency_std, loss_factor_std, "
+                   "normal_load_std or gain_std.");
+}
+
 StructureDraws draws_of(const ModelFile& model, const std::string& file,
                         const DrawOptions& options) {
   options.check();
@@ -103,22 +126,8 @@ StructureDraws draws_of(const ModelFile& model, const std::string& file,
     samples[j] = samples_for(model.joint_samples[j], joint.joint.stiffness(),
                              fmt::format("'{}'", joint.name));
   }
-  const bool together =
-      options.correlation == Correlation::kTogether ||
-      (options.correlation == Correlation::kAuto && are_of_one_calibration(samples));
-  std::vector<JointDraws> joints;
-  for (std::size_t j = 0; j < samples.size(); ++j) {
-    const bool said = j < model.damping_said.size() && model.damping_said[j];
-    joints.push_back(samples[j] ? joint_draws_of(*std::move(samples[j]), said) : JointDraws{});
-  }
-  StructureDraws draws(model.structure, model.spread, std::move(joints),
-                       together ? JointPairing::kTogether : JointPairing::kIndependent,
-                       options.seed);
-  if (draws.any()) return draws;
-  throw InputError(fmt::format("{}: what is uncertain", input_name(file)), "nothing",
-                   "must be something that draws can vary",
-                   "Name the draws of a joint by samples, or give frequency_std, loss_factor_std, "
-                   "normal_load_std or gain_std.");
+  return draws_of(model.structure, model.spread, std::move(samples), model.damping_said, options,
+                  input_name(file));
 }
 
 std::size_t DrawsTaken::failed() const {

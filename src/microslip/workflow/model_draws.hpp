@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,20 @@ struct DrawOptions {
 ///     samples are of a joint of another stiffness; where nothing of the model is uncertain.
 [[nodiscard]] StructureDraws draws_of(const ModelFile& model, const std::string& file,
                                       const DrawOptions& options);
+
+/// The same of a structure that is no file.
+/// @param structure     as it is thought to be.
+/// @param spread        of its numbers.
+/// @param samples       of each joint, nothing where it has none; or none.
+/// @param damping_said  of each joint: see joint_draws_of(); fewer: it is not said.
+/// @param options       which draws.
+/// @param name          of the structure in messages.
+/// @throws InputError   as StructureDraws; where nothing is uncertain.
+[[nodiscard]] StructureDraws draws_of(const JointedStructure& structure,
+                                      const StructureSpread& spread,
+                                      std::vector<std::optional<JointSamples>> samples,
+                                      const std::vector<bool>& damping_said,
+                                      const DrawOptions& options, const std::string& name);
 
 /// The draws of a file, for a joint of this stiffness.
 /// @param path       of the file.

@@ -7,10 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "arguments.hpp"
-#include "core.hpp"
-#include "long_work.hpp"
 #include "microslip/base/version.hpp"
+#include "microslip/bindings/python/arguments.hpp"
+#include "microslip/bindings/python/core.hpp"
+#include "microslip/bindings/python/long_work.hpp"
+#include "microslip/bindings/python/results.hpp"
+#include "microslip/bindings/python/structure.hpp"
 #include "microslip/calibrate/calibration.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/modal_levels_file.hpp"
@@ -18,8 +20,6 @@
 #include "microslip/io/output_files.hpp"
 #include "microslip/io/output_folders.hpp"
 #include "microslip/workflow/calibration.hpp"
-#include "results.hpp"
-#include "structure.hpp"
 
 namespace py = pybind11;
 
@@ -89,13 +89,13 @@ py::dict dict_of(const ModalLevels& levels) {
 }
 
 py::dict read_modal_levels(const std::vector<std::string>& paths,
-                           const std::shared_ptr<JointedStructure>& structure) {
+                           const std::shared_ptr<ModelFile>& model) {
   std::vector<std::string> joints;
-  for (const StructuralJoint& joint : structure->joints()) joints.push_back(joint.name);
+  for (const StructuralJoint& joint : model->structure.joints()) joints.push_back(joint.name);
   ModalLevels levels;
   for (const std::string& path : paths) {
     append(parse_modal_levels(read_file(path), input_name(path), joints,
-                              structure->linear().vibrations()),
+                              model->structure.linear().vibrations()),
            levels);
   }
   return dict_of(levels);
@@ -170,7 +170,7 @@ Provenance provenance_of(const CalibrationOptions& options, const std::string& c
   return provenance;
 }
 
-py::dict calibrate_structure(const std::shared_ptr<JointedStructure>& structure,
+py::dict calibrate_structure(const std::shared_ptr<ModelFile>& model,
                              const std::vector<std::size_t>& sought, const std::string& response,
                              const py::dict& columns, const py::dict& given,
                              const std::string& command, const py::object& listener) {
@@ -179,7 +179,7 @@ py::dict calibrate_structure(const std::shared_ptr<JointedStructure>& structure,
   const CalibrationResult found = long_result(
       [&](const Progress& progress) {
         options.progress = progress;
-        return calibrate(*structure, sought, response, levels, options);
+        return calibrate(model->structure, sought, response, levels, options);
       },
       listener);
   return dict_of(found, provenance_of(options, command));
@@ -216,9 +216,8 @@ py::dict calibrate_files(const std::string& model, const std::vector<std::string
 }
 
 py::tuple read_model_to_find(const std::string& path) {
-  const ModelFile file = read_model(path, JointsToFind::kAllowed);
-  return py::make_tuple(std::make_shared<JointedStructure>(file.structure), file.response,
-                        file.to_find);
+  const auto file = std::make_shared<ModelFile>(read_model(path, JointsToFind::kAllowed));
+  return py::make_tuple(file, file->response, file->to_find);
 }
 
 }  // namespace

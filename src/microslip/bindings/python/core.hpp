@@ -28,5 +28,6 @@ void add_rig(pybind11::module_& core);
 void add_records(pybind11::module_& core);
 void add_calibration(pybind11::module_& core);
 void add_report(pybind11::module_& core);
+void add_draws(pybind11::module_& core);
 
 }  // namespace microslip::python

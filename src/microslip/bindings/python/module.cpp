@@ -22,4 +22,5 @@ PYBIND11_MODULE(_core, core) {
   add_records(core);
   add_calibration(core);
   add_report(core);
+  add_draws(core);
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "recordings.hpp"
+#include "microslip/bindings/python/recordings.hpp"
 
 #include <complex>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "arguments.hpp"
 #include "microslip/base/error.hpp"
+#include "microslip/bindings/python/arguments.hpp"
 
 namespace py = pybind11;
 

@@ -4,15 +4,15 @@
 #include <utility>
 #include <vector>
 
-#include "arguments.hpp"
-#include "core.hpp"
-#include "long_work.hpp"
+#include "microslip/bindings/python/arguments.hpp"
+#include "microslip/bindings/python/core.hpp"
+#include "microslip/bindings/python/long_work.hpp"
+#include "microslip/bindings/python/recordings.hpp"
+#include "microslip/bindings/python/results.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/io/recording_file.hpp"
 #include "microslip/io/uff_functions.hpp"
 #include "microslip/workflow/recording_conversion.hpp"
-#include "recordings.hpp"
-#include "results.hpp"
 
 namespace py = pybind11;
 

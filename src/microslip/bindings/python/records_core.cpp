@@ -7,15 +7,15 @@
 #include <utility>
 #include <vector>
 
-#include "arguments.hpp"
-#include "core.hpp"
-#include "identification.hpp"
-#include "long_work.hpp"
+#include "microslip/bindings/python/arguments.hpp"
+#include "microslip/bindings/python/core.hpp"
+#include "microslip/bindings/python/identification.hpp"
+#include "microslip/bindings/python/long_work.hpp"
+#include "microslip/bindings/python/recordings.hpp"
 #include "microslip/identify/joint_evidence.hpp"
 #include "microslip/io/sha256.hpp"
 #include "microslip/workflow/force_records.hpp"
 #include "microslip/workflow/records_identification.hpp"
-#include "recordings.hpp"
 
 namespace py = pybind11;
 

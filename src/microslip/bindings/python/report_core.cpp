@@ -5,17 +5,17 @@
 #include <utility>
 #include <vector>
 
-#include "arguments.hpp"
-#include "core.hpp"
-#include "long_work.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/version.hpp"
+#include "microslip/bindings/python/arguments.hpp"
+#include "microslip/bindings/python/core.hpp"
+#include "microslip/bindings/python/long_work.hpp"
+#include "microslip/bindings/python/results.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/report/experiment_report.hpp"
 #include "microslip/report/html_report.hpp"
 #include "microslip/workflow/experiment_folder.hpp"
-#include "results.hpp"
 
 namespace py = pybind11;
 

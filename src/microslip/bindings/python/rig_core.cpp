@@ -8,10 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "arguments.hpp"
-#include "core.hpp"
-#include "long_work.hpp"
 #include "microslip/base/error.hpp"
+#include "microslip/bindings/python/arguments.hpp"
+#include "microslip/bindings/python/core.hpp"
+#include "microslip/bindings/python/long_work.hpp"
+#include "microslip/bindings/python/recordings.hpp"
+#include "microslip/bindings/python/results.hpp"
+#include "microslip/bindings/python/tables.hpp"
 #include "microslip/io/reduction_file.hpp"
 #include "microslip/io/rig_file.hpp"
 #include "microslip/io/rig_writer.hpp"
@@ -27,9 +30,6 @@
 #include "microslip/workflow/reduction_text.hpp"
 #include "microslip/workflow/verification_draws.hpp"
 #include "microslip/workflow/verification_text.hpp"
-#include "recordings.hpp"
-#include "results.hpp"
-#include "tables.hpp"
 
 namespace py = pybind11;
 

@@ -5,13 +5,13 @@
 #include <utility>
 #include <vector>
 
-#include "arguments.hpp"
-#include "core.hpp"
-#include "long_work.hpp"
+#include "microslip/bindings/python/arguments.hpp"
+#include "microslip/bindings/python/core.hpp"
+#include "microslip/bindings/python/long_work.hpp"
+#include "microslip/bindings/python/recordings.hpp"
+#include "microslip/bindings/python/results.hpp"
 #include "microslip/signal/ring_down.hpp"
 #include "microslip/signal/ring_down_levels.hpp"
-#include "recordings.hpp"
-#include "results.hpp"
 
 namespace py = pybind11;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "tables.hpp"
+#include "microslip/bindings/python/tables.hpp"
 
-#include "arguments.hpp"
 #include "microslip/base/units.hpp"
+#include "microslip/bindings/python/arguments.hpp"
 #include "microslip/io/csv.hpp"
 
 namespace py = pybind11;

@@ -12,6 +12,7 @@
 #include "microslip/bindings/python/long_work.hpp"
 #include "microslip/bindings/python/results.hpp"
 #include "microslip/bindings/python/structure.hpp"
+#include "microslip/bindings/python/vibration.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/workflow/model_text.hpp"
 
@@ -52,12 +53,6 @@ py::dict dict_of(const HarmonicBalanceOptions& of) {
                   "angular_frequencies"_a = array_of(of.frequencies),
                   "modal_forcing"_a = of.forcing == Forcing::kModal);
 }
-
-/// A balance with the model that judges its curves.
-struct JudgedBalance {
-  SharedModel model;
-  HarmonicBalance balance;
-};
 
 std::shared_ptr<JudgedBalance> balance_of(const std::shared_ptr<ModelFile>& model,
                                           const std::string& point, const std::string& kind,
@@ -151,21 +146,11 @@ py::dict dict_of(const ResponseCurve& curve) {
                   "summary"_a = python::dict_of(curve.summary));
 }
 
-/// The curve, and what the program says of such a one: modes and harmonics that it lacks, joints
-/// beyond their levels, no resonance.
 py::dict follow_frequency(const JudgedBalance& of, const std::string& kept, double value,
                           double from, double to, const py::object& listener) {
-  const Quantity quantity = kQuantities.at(kept);
+  const Target target{kQuantities.at(kept), value};
   return dict_of(long_result(
-      [&](const Progress& progress) {
-        ResponseCurve curve = of.balance.follow({quantity, value}, Quantity::kAngularFrequency,
-                                                from, to, 0, progress);
-        const bool of_force = quantity == Quantity::kResponse;
-        (void)add_truncation(of.balance, *of.model,
-                             of_force ? Quantity::kResponse : Quantity::kForceAmplitude, curve);
-        add_response_warnings(of.balance, *of.model, curve);
-        return curve;
-      },
+      [&](const Progress& progress) { return of.follow_frequency(target, from, to, progress); },
       listener));
 }
 
@@ -173,12 +158,7 @@ py::dict follow_backbone(const JudgedBalance& of, const RealArray& responses, st
                          bool through_folds, const py::object& listener) {
   return dict_of(long_result(
       [&](const Progress& progress) {
-        ResponseCurve curve = through_folds
-                                  ? of.balance.resonances(values(responses), mode, progress)
-                                  : of.balance.backbone(values(responses), mode, progress);
-        (void)add_truncation(of.balance, *of.model, Quantity::kPhaseLag, curve);
-        add_model_warnings(*of.model, curve);
-        return curve;
+        return of.follow_backbone(values(responses), mode, through_folds, progress);
       },
       listener));
 }
@@ -196,6 +176,25 @@ py::dict solve(const JudgedBalance& of, const std::pair<std::string, double>& fi
 }
 
 }  // namespace
+
+ResponseCurve JudgedBalance::follow_frequency(const Target& kept, double from, double to,
+                                              const Progress& progress) const {
+  ResponseCurve curve = balance.follow(kept, Quantity::kAngularFrequency, from, to, 0, progress);
+  (void)add_truncation(balance, *model, kept.quantity, curve);
+  add_response_warnings(balance, *model, curve);
+  return curve;
+}
+
+ResponseCurve JudgedBalance::follow_backbone(std::span<const double> responses, std::size_t mode,
+                                             bool through_folds, const Progress& progress) const {
+  ResponseCurve curve = through_folds ? balance.resonances(responses, mode, progress)
+                                      : balance.backbone(responses, mode, progress);
+  (void)add_truncation(balance, *model, Quantity::kPhaseLag, curve);
+  add_model_warnings(*model, curve);
+  return curve;
+}
+
+py::dict curve_dict(const ResponseCurve& curve) { return dict_of(curve); }
 
 void add_vibration(py::module_& core) {
   py::class_<JudgedBalance, std::shared_ptr<JudgedBalance>>(core, "HarmonicBalance")

@@ -52,11 +52,14 @@ from ._report import report
 from ._results import Note, Summary
 from ._rig import Measurement, Reduction, Rig, Verification, measure, reduce, verify
 from ._ring_down import RingDown, RingDownLevels, RingDownSensor, ring_down
+from ._spread import PeakBand, Spread
 from ._structure import Base, Compliance, Modes, StructuralJoint, Structure, modes
 from ._uff import recordings_from_uff
 from ._vibration import (
+    BackboneBand,
     HarmonicBalance,
     JointCycles,
+    ResponseBand,
     ResponseCurve,
     Vibration,
     Vibrations,
@@ -67,6 +70,7 @@ from ._vibration import (
 __all__ = [
     "Atoms",
     "Axis",
+    "BackboneBand",
     "Base",
     "CalibratedJoint",
     "Calibration",
@@ -103,6 +107,7 @@ __all__ = [
     "NotConverged",
     "Note",
     "Parameter",
+    "PeakBand",
     "PiecewiseLinear",
     "PointMotion",
     "PowerLaw",
@@ -111,11 +116,13 @@ __all__ = [
     "Recording",
     "Reduction",
     "Response",
+    "ResponseBand",
     "ResponseCurve",
     "Rig",
     "RingDown",
     "RingDownLevels",
     "RingDownSensor",
+    "Spread",
     "StructuralJoint",
     "Structure",
     "Summary",

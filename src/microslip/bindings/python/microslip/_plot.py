@@ -84,8 +84,17 @@ def plot_curve(curve: ResponseCurve, ax: Optional[Axes] = None, **style: Any) ->
     """The response over the frequency, with its peaks."""
     ax = _axes(ax, "frequency [Hz]", f"{curve._kind} [{curve.unit}]")
     (line,) = ax.plot(curve.frequency, curve.response, **style)
+    _draw_band(curve, ax, line)
     ax.plot(curve.peaks.frequency, curve.peaks.response, "o", color=line.get_color(), markersize=4)
     return ax
+
+
+def _draw_band(curve: ResponseCurve, ax: Axes, line: Any) -> None:
+    from ._vibration import ResponseBand
+
+    if isinstance(curve, ResponseBand) and not curve._of_force:
+        ax.fill_between(curve.frequency, curve.lower, curve.upper, alpha=0.25, linewidth=0,
+                        color=line.get_color())  # fmt: skip
 
 
 def plot_march(result: MarchResult, ax: Optional[Axes] = None, **style: Any) -> Axes:

@@ -26,6 +26,7 @@ from ._arguments import (
 from ._arguments import progress as progress_of
 from ._errors import InputError
 from ._results import Note, Shown, Summary, notes, outcome, si, summary_of, told
+from ._spread import Band, DrawsOfJoints, PeakBand, Spread, drawn
 from ._structure import Structure
 
 if TYPE_CHECKING:
@@ -195,6 +196,46 @@ class ResponseCurve(Shown):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class ResponseBand(ResponseCurve):
+    """A curve over the frequency with what draws make of it: a `ResponseCurve` with
+
+    Attributes
+    ----------
+    lower, upper : ndarray
+        Between which the draws have the response, or the force where the response is kept, at the
+        frequency of each point, shape (points,).
+    peak_bands : tuple of PeakBand
+        One a peak.
+    failures : tuple of (str, int)
+        Why draws failed, and how many: they are in no band.
+    """
+
+    lower: RealArray
+    upper: RealArray
+    peak_bands: tuple[PeakBand, ...]
+    failures: tuple[tuple[str, int], ...]
+    _of_force: bool
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class BackboneBand(ResponseCurve):
+    """Resonances with what draws make of them: a `ResponseCurve` with
+
+    Attributes
+    ----------
+    force_band, frequency_band, damping_ratio_band : (ndarray, ndarray)
+        Lower and upper end, N, Hz and 1, one value a point each.
+    failures : tuple of (str, int)
+        Why draws failed, and how many: they are in no band.
+    """
+
+    force_band: Band
+    frequency_band: Band
+    damping_ratio_band: Band
+    failures: tuple[tuple[str, int], ...]
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class Vibration(Shown):
     """One steady vibration, as `Vibrations` of one point.
 
@@ -302,9 +343,21 @@ class HarmonicBalance:
         at = structure._core.response if point is None else text(point, "point")
         self._core = _core.HarmonicBalance(structure._core, at, self._kind, options)
 
-    def frequency_response(self, force: float, from_: float, to: float, *,
-                           progress: Optional[Progress] = None,
-                           strict: bool = True) -> ResponseCurve:  # fmt: skip
+    def frequency_response(
+        self,
+        force: float,
+        from_: float,
+        to: float,
+        *,
+        draws: Optional[DrawsOfJoints] = None,
+        samples: int = 0,
+        seed: int = 1,
+        confidence: float = 0.95,
+        correlation: str = "auto",
+        spread: Optional[Spread] = None,
+        progress: Optional[Progress] = None,
+        strict: bool = True,
+    ) -> ResponseCurve:
         """The curve over the frequency at constant force.
 
         Parameters
@@ -313,30 +366,72 @@ class HarmonicBalance:
             Amplitude, N, or m/s**2 of a base; above 0.
         from_, to : float
             Hz, either way round.
+        draws : JointDraws, or one or None a joint, or mapping of names, optional
+            What else the joints may be. A linear damping that was drawn with them counts.
+        samples : int
+            Predictions by draws of `draws` and `spread`; 0: none, else 2/(1 - confidence) or more.
+        seed : int
+            Of the draws.
+        confidence : float
+            Share of the draws in a band, in (0, 1).
+        correlation : {"auto", "together", "independent"}
+            Whether draws of several joints belong together by number: where one calibration drew
+            them, always, never.
+        spread : Spread, optional
+            What else is uncertain.
         progress : callable, optional
-            Called with (done, total); False cancels.
+            Called with (done, total), with draws of these afterwards; False cancels.
         strict : bool
             Whether to raise where the curve did not reach its end; without it a warning is issued.
 
         Returns
         -------
         ResponseCurve
+            With draws a `ResponseBand`, unless the curve did not converge.
 
         Raises
         ------
         ValueError, NotConverged
         """
-        return self._follow("force", positive(force, "force"), from_, to, progress, strict)
+        asked = drawn(self.structure, draws, samples, seed, confidence, correlation, spread)
+        return self._follow("force", positive(force, "force"), from_, to, asked, progress, strict)
 
-    def constant_response(self, response: float, from_: float, to: float, *,
-                          progress: Optional[Progress] = None,
-                          strict: bool = True) -> ResponseCurve:  # fmt: skip
+    def constant_response(
+        self,
+        response: float,
+        from_: float,
+        to: float,
+        *,
+        draws: Optional[DrawsOfJoints] = None,
+        samples: int = 0,
+        seed: int = 1,
+        confidence: float = 0.95,
+        correlation: str = "auto",
+        spread: Optional[Spread] = None,
+        progress: Optional[Progress] = None,
+        strict: bool = True,
+    ) -> ResponseCurve:
         """The curve over the frequency at constant response, of which the force is found. [AR14
         Fig. 4] Parameters as of `frequency_response`; `response` in the kind of this object."""
-        return self._follow("response", positive(response, "response"), from_, to, progress, strict)
+        asked = drawn(self.structure, draws, samples, seed, confidence, correlation, spread)
+        kept = positive(response, "response")
+        return self._follow("response", kept, from_, to, asked, progress, strict)
 
-    def backbone(self, response: ArrayLike, *, mode: int = 0, through_folds: bool = True,
-                 progress: Optional[Progress] = None, strict: bool = True) -> ResponseCurve:  # fmt: skip
+    def backbone(
+        self,
+        response: ArrayLike,
+        *,
+        mode: int = 0,
+        through_folds: bool = True,
+        draws: Optional[DrawsOfJoints] = None,
+        samples: int = 0,
+        seed: int = 1,
+        confidence: float = 0.95,
+        correlation: str = "auto",
+        spread: Optional[Spread] = None,
+        progress: Optional[Progress] = None,
+        strict: bool = True,
+    ) -> ResponseCurve:
         """The vibrations in phase resonance.
 
         Parameters
@@ -347,19 +442,20 @@ class HarmonicBalance:
             Of the stuck structure, by frequency, from 0.
         through_folds : bool
             Whether to follow the curve from where all joints stick, round folds, where a response
-            may be met more than once. Without it each response is solved by itself, in any order.
-        progress, strict
-            As of `frequency_response`.
+            may be met more than once; with draws it always is. Without it each response is solved
+            by itself, in any order.
+        draws, samples, seed, confidence, correlation, spread, progress, strict
+            As of `frequency_response`; with draws the result is a `BackboneBand`.
         """
-        return self._curve(
-            self._core.follow_backbone(
-                real_array(response, "response"),
-                whole(mode, "mode"),
-                flag(through_folds, "through_folds"),
-                progress_of(progress),
-            ),
-            strict,
-        )
+        asked = drawn(self.structure, draws, samples, seed, confidence, correlation, spread)
+        at = real_array(response, "response")
+        number, folds = whole(mode, "mode"), flag(through_folds, "through_folds")
+        listener = progress_of(progress)
+        if asked is None:
+            found = self._core.follow_backbone(at, number, folds, listener)
+        else:
+            found = _core.draw_backbone(self._core, at, number, asked, listener)
+        return self._curve(found, strict)
 
     def solve(self, *, frequency: Optional[float] = None, force: Optional[float] = None,
               response: Optional[float] = None, phase_lag: Optional[float] = None, mode: int = 0,
@@ -394,23 +490,32 @@ class HarmonicBalance:
         result = Vibration(_vibrations(found["points"]), summary_of(found["summary"]))
         return told(result, flag(strict, "strict"))
 
-    def _follow(self, kept: str, value: float, from_: object, to: object, progress: object,
+    def _follow(self, kept: str, value: float, from_: object, to: object,
+                asked: Optional[dict[str, Any]], progress: object,
                 strict: object) -> ResponseCurve:  # fmt: skip
-        ends = [2.0 * np.pi * positive(from_, "from_"), 2.0 * np.pi * positive(to, "to")]
-        found = self._core.follow_frequency(kept, value, ends[0], ends[1], progress_of(progress))
+        a, b = 2.0 * np.pi * positive(from_, "from_"), 2.0 * np.pi * positive(to, "to")
+        listener = progress_of(progress)
+        if asked is None:
+            found = self._core.follow_frequency(kept, value, a, b, listener)
+        else:
+            found = _core.draw_frequency(self._core, kept, value, a, b, asked, listener)
+            found["of_force"] = kept == "response"
         return self._curve(found, strict)
 
     def _curve(self, found: dict[str, Any], strict: object) -> ResponseCurve:
-        curve = ResponseCurve(
-            points=_vibrations(found["points"]),
-            peaks=_vibrations(found["peaks"]),
-            peak_points=np.array(found["peak_points"], dtype=int),
-            turning_points=np.array(found["turning_points"], dtype=int),
-            warnings=notes(found["warnings"]),
-            summary=summary_of(found["summary"]),
-            _structure=self.structure,
-            _kind=self._kind,
-        )
+        spread = found.get("spread")
+        more = [] if spread is None else spread["warnings"]
+        parts: dict[str, Any] = {
+            "points": _vibrations(found["points"]),
+            "peaks": _vibrations(found["peaks"]),
+            "peak_points": np.array(found["peak_points"], dtype=int),
+            "turning_points": np.array(found["turning_points"], dtype=int),
+            "warnings": notes([*found["warnings"], *more]),
+            "summary": summary_of(found["summary"]),
+            "_structure": self.structure,
+            "_kind": self._kind,
+        }
+        curve = _with_bands(parts, spread, found.get("of_force", False))
         return told(curve, flag(strict, "strict"))
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -418,6 +523,20 @@ class HarmonicBalance:
 
     def __repr__(self) -> str:
         return f"HarmonicBalance({self._core.point!r}, kind={self._kind!r})"
+
+
+def _with_bands(parts: dict[str, Any], spread: Optional[dict[str, Any]],
+                of_force: bool) -> ResponseCurve:  # fmt: skip
+    if spread is None:
+        return ResponseCurve(**parts)
+    failures = tuple(spread["failures"])
+    if "height" not in spread:
+        bands = {f"{name}_band": spread[name] for name in ("force", "frequency", "damping_ratio")}
+        return BackboneBand(**parts, **bands, failures=failures)
+    lower, upper = spread["height"]
+    peaks = tuple(PeakBand(*numbers) for numbers in spread["peaks"])
+    return ResponseBand(**parts, lower=lower, upper=upper, peak_bands=peaks, failures=failures,
+                        _of_force=of_force)  # fmt: skip
 
 
 def _balance_of(structure: Structure, point: str, kind: str, options: Any) -> HarmonicBalance:
@@ -434,6 +553,17 @@ def _vibrations(columns: dict[str, Any]) -> Vibrations:
     return Vibrations(**numbers)
 
 
+#: What a curve is told, and not how it is solved.
+_OF_RUN = ("draws", "seed", "confidence", "correlation", "spread", "progress", "strict")
+
+
+def _taken(options: dict[str, Any], names: tuple[str, ...]) -> dict[str, Any]:
+    """Out of the options."""
+    if options.get("draws") is not None or options.get("spread") is not None:
+        names = (*names, "samples")
+    return {name: options.pop(name) for name in names if name in options}
+
+
 def frequency_response(structure: Structure, force: float, from_: float, to: float,
                        **options: Any) -> ResponseCurve:  # fmt: skip
     """The response of a structure over the frequency at constant force.
@@ -447,8 +577,9 @@ def frequency_response(structure: Structure, force: float, from_: float, to: flo
     from_, to : float
         Hz.
     **options
-        Of `HarmonicBalance` (`point`, `kind`, `harmonics`, ...), and `progress`, `strict` of
-        `HarmonicBalance.frequency_response`.
+        Of `HarmonicBalance` (`point`, `kind`, `harmonics`, ...), and `draws`, `spread`, `progress`,
+        `strict`, ... of `HarmonicBalance.frequency_response`. With `draws` or `spread` `samples` is
+        the number of draws, else that of a cycle.
 
     Examples
     --------
@@ -461,7 +592,7 @@ def frequency_response(structure: Structure, force: float, from_: float, to: flo
     >>> print(f"{curve.peaks.response[0]:.3g} {curve.unit} at {curve.peaks.frequency[0]:.4g} Hz")
     4.73e-05 m at 32.66 Hz
     """
-    run = {name: options.pop(name) for name in ("progress", "strict") if name in options}
+    run = _taken(options, _OF_RUN)
     return HarmonicBalance(structure, **options).frequency_response(force, from_, to, **run)
 
 
@@ -477,6 +608,5 @@ def backbone(structure: Structure, response: ArrayLike, **options: Any) -> Respo
     **options
         Of `HarmonicBalance`, and those of `HarmonicBalance.backbone`.
     """
-    of_run = ("mode", "through_folds", "progress", "strict")
-    run = {name: options.pop(name) for name in of_run if name in options}
+    run = _taken(options, ("mode", "through_folds", *_OF_RUN))
     return HarmonicBalance(structure, **options).backbone(response, **run)

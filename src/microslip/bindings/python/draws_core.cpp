@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "microslip/bindings/python/arguments.hpp"
+#include "microslip/bindings/python/core.hpp"
+#include "microslip/bindings/python/long_work.hpp"
+#include "microslip/bindings/python/results.hpp"
+#include "microslip/bindings/python/vibration.hpp"
+#include "microslip/workflow/backbone_draws.hpp"
+#include "microslip/workflow/model_draws.hpp"
+#include "microslip/workflow/response_draws.hpp"
+
+namespace py = pybind11;
+
+namespace microslip::python {
+namespace {
+
+using namespace py::literals;
+
+const std::map<std::string, Correlation> kCorrelations{{"auto", Correlation::kAuto},
+                                                       {"together", Correlation::kTogether},
+                                                       {"independent", Correlation::kIndependent}};
+
+DrawOptions draw_options_of(const py::dict& given) {
+  return {.count = given["samples"].cast<std::size_t>(),
+          .confidence = given["confidence"].cast<double>(),
+          .seed = given["seed"].cast<std::uint64_t>(),
+          .correlation = kCorrelations.at(given["correlation"].cast<std::string>())};
+}
+
+StructureSpread spread_of(const py::dict& given) {
+  const auto std_of = [&](const char* name) { return copy_of(given[name].cast<py::object>()); };
+  return {.frequency = std_of("frequency_std"),
+          .loss_factor = std_of("loss_factor_std"),
+          .normal_load = std_of("normal_load_std"),
+          .force_gain = std_of("force_gain_std"),
+          .response_gain = given["response_gain_std"].cast<double>()};
+}
+
+/// What draws of a structure are.
+struct Draws {
+  DrawOptions options;
+  StructureDraws structures;
+};
+
+Draws draws_of_structure(const JointedStructure& structure, const py::dict& given) {
+  const DrawOptions options = draw_options_of(given);
+  auto joints = given["joints"].cast<std::vector<std::optional<JointSamples>>>();
+  return {options, draws_of(structure, spread_of(given), std::move(joints), {}, options, "draws")};
+}
+
+py::tuple tuple_of(const Band& band) {
+  return py::make_tuple(array_of(band.lower), array_of(band.upper));
+}
+
+py::list list_of_failures(const DrawsTaken& taken) {
+  py::list all;
+  for (const DrawsTaken::Failure& failure : taken.failures) {
+    all.append(py::make_tuple(failure.reason, failure.count));
+  }
+  return all;
+}
+
+// ---- Over the frequency. ----
+
+struct DrawnCurve {
+  ResponseCurve curve;
+  std::optional<ResponseSpread> spread;
+};
+
+py::list list_of_peaks(const ResponseSpread& spread) {
+  py::list all;
+  for (const PeakSpread& peak : spread.peaks) {
+    all.append(py::make_tuple(peak.frequency, peak.frequency_lower, peak.frequency_upper,
+                              peak.height, peak.height_lower, peak.height_upper, peak.draws));
+  }
+  return all;
+}
+
+py::object dict_of(const ResponseSpread& spread) {
+  return py::dict("height"_a = tuple_of(spread.band), "peaks"_a = list_of_peaks(spread),
+                  "failures"_a = list_of_failures(spread.taken),
+                  "too_many_failed"_a = spread.taken.too_many_failed(),
+                  "warnings"_a = list_of(spread.warnings));
+}
+
+py::dict draw_frequency(const JudgedBalance& of, const std::string& kept, double value, double from,
+                        double to, const py::dict& given, const py::object& listener) {
+  const ResponseRange range{
+      {kept == "force" ? Quantity::kForceAmplitude : Quantity::kResponse, value}, from, to};
+  const Draws draws = draws_of_structure(of.balance.structure(), given);
+  const DrawnCurve drawn = long_result(
+      [&](const Progress& progress) {
+        DrawnCurve all{of.follow_frequency(range.kept, from, to, progress), {}};
+        if (all.curve.summary.converged()) {
+          all.spread = response_spread(of.balance, all.curve, range, draws.structures,
+                                       draws.options, Execution::threads(), progress);
+        }
+        return all;
+      },
+      listener);
+  py::dict all = curve_dict(drawn.curve);
+  all["spread"] = drawn.spread ? dict_of(*drawn.spread) : py::object(py::none());
+  return all;
+}
+
+// ---- Of resonances. ----
+
+struct DrawnResonances {
+  ResponseCurve curve;
+  std::optional<BackboneSpread> spread;
+};
+
+py::object dict_of(const BackboneSpread& spread) {
+  return py::dict("force"_a = tuple_of(spread.force), "frequency"_a = tuple_of(spread.frequency),
+                  "damping_ratio"_a = tuple_of(spread.damping_ratio),
+                  "failures"_a = list_of_failures(spread.taken),
+                  "too_many_failed"_a = spread.taken.too_many_failed(),
+                  "warnings"_a = list_of(spread.warnings));
+}
+
+py::dict draw_backbone(const JudgedBalance& of, const RealArray& responses, std::size_t mode,
+                       const py::dict& given, const py::object& listener) {
+  const std::vector<double> at = copy_of(responses);
+  const Draws draws = draws_of_structure(of.balance.structure(), given);
+  const DrawnResonances drawn = long_result(
+      [&](const Progress& progress) {
+        DrawnResonances all{of.follow_backbone(at, mode, true, progress), {}};
+        if (all.curve.summary.converged()) {
+          all.spread = backbone_spread(of.balance, all.curve, at, mode, draws.structures,
+                                       draws.options, Execution::threads(), progress);
+        }
+        return all;
+      },
+      listener);
+  py::dict all = curve_dict(drawn.curve);
+  all["spread"] = drawn.spread ? dict_of(*drawn.spread) : py::object(py::none());
+  return all;
+}
+
+}  // namespace
+
+void add_draws(py::module_& core) {
+  core.def("draw_frequency", draw_frequency);
+  core.def("draw_backbone", draw_backbone);
+}
+
+}  // namespace microslip::python

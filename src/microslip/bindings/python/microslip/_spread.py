@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: MIT
+"""What is uncertain of a structure, and predictions by draws of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple, Optional, Union
+
+from ._arguments import ArrayLike, RealArray, broadcast, not_negative, one_of, real, whole
+from ._draws import JointDraws
+from ._errors import InputError
+from ._structure import Structure
+
+#: Of each joint: one object for the only joint, one or None a joint, or by name.
+DrawsOfJoints = Union[JointDraws, Sequence[Optional[JointDraws]], Mapping[str, JointDraws]]
+
+
+@dataclass(frozen=True, eq=False)
+class Spread:
+    """How uncertain the numbers of a structure are: standard deviations, relative, of logarithms.
+
+    Parameters
+    ----------
+    frequency_std, loss_factor_std : float or array_like, optional
+        Of each mode by itself, 1; one for all or one a mode.
+    normal_load_std : float or array_like, optional
+        Of what scales the slip forces of a joint, 1; one for all or one a joint.
+    force_gain_std : float or array_like, optional
+        Of the reading of a force, 1; one for all or one an excitation.
+    response_gain_std : float
+        Of the reading of the response, 1.
+    """
+
+    frequency_std: Optional[ArrayLike] = None
+    loss_factor_std: Optional[ArrayLike] = None
+    normal_load_std: Optional[ArrayLike] = None
+    force_gain_std: Optional[ArrayLike] = None
+    response_gain_std: float = 0.0
+
+    def _dict(self, structure: Structure) -> dict[str, Any]:
+        modes = len(structure.angular_frequency)
+        counts = {
+            "frequency_std": (modes, "one a mode"),
+            "loss_factor_std": (modes, "one a mode"),
+            "normal_load_std": (len(structure.joints), "one a joint"),
+            "force_gain_std": (len(structure._core.excitations()), "one an excitation"),
+        }
+        columns: dict[str, Any] = {
+            name: None if (value := getattr(self, name)) is None else
+            broadcast(value, name, count, per) for name, (count, per) in counts.items()
+        }  # fmt: skip
+        gain = not_negative(self.response_gain_std, "response_gain_std")
+        return {**columns, "response_gain_std": gain}
+
+
+class PeakBand(NamedTuple):
+    """A peak of a curve, and where those of the draws lie."""
+
+    frequency: float  #: Hz
+    frequency_lower: float  #: of the draws, Hz
+    frequency_upper: float
+    height: float  #: response, or force where the response is kept
+    height_lower: float  #: of the draws
+    height_upper: float
+    draws: int  #: that have the peak
+
+
+def drawn(structure: Structure, draws: Optional[DrawsOfJoints], samples: object, seed: object,
+          confidence: object, correlation: object,
+          spread: Optional[Spread]) -> Optional[dict[str, Any]]:  # fmt: skip
+    """What the compiled half takes; None where nothing is drawn."""
+    count = whole(samples, "samples", 0, 1_000_000)
+    if spread is not None and not isinstance(spread, Spread):
+        raise InputError(f"spread = {spread!r}; must be a microslip.Spread")
+    if count == 0:
+        for name, value in (("draws", draws), ("spread", spread)):
+            if value is not None:
+                raise InputError(f"samples is 0; must say how many draws are predicted, as {name} is"
+                                 " given")  # fmt: skip
+        return None
+    return {
+        "samples": count,
+        "seed": whole(seed, "seed", 0, 2**64 - 1),
+        "confidence": real(confidence, "confidence"),
+        "correlation": one_of(correlation, "correlation", ("auto", "together", "independent")),
+        "joints": _of_joints(structure, draws),
+        **(spread or Spread())._dict(structure),
+    }
+
+
+def _of_joints(structure: Structure, draws: Any) -> list[Any]:
+    names = [joint.name or "" for joint in structure.joints]
+    if draws is None:
+        return []
+    if isinstance(draws, Mapping):
+        for name in draws:
+            if name not in names:
+                raise InputError(f"draws has {name!r}; must be of joints, {', '.join(names)}")
+        draws = [draws.get(name) for name in names]
+    given = [draws] if isinstance(draws, JointDraws) else draws
+    if isinstance(given, (str, bytes)) or not isinstance(given, Sequence):
+        raise InputError(f"draws = {draws!r}; must be microslip.JointDraws, or a list of them")
+    if len(given) != len(names):
+        raise InputError(f"draws has {len(given)}; must have {len(names)}, one a joint")
+    for i, one in enumerate(given):
+        if one is not None and not isinstance(one, JointDraws):
+            raise InputError(f"draws[{i}] = {one!r}; must be microslip.JointDraws or None")
+    return [None if one is None else one._core for one in given]
+
+
+#: Lower and upper end of a band, one value a point each.
+Band = tuple[RealArray, RealArray]
