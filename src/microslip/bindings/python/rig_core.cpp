@@ -15,6 +15,7 @@
 #include "microslip/bindings/python/recordings.hpp"
 #include "microslip/bindings/python/results.hpp"
 #include "microslip/bindings/python/tables.hpp"
+#include "microslip/io/model_file.hpp"
 #include "microslip/io/reduction_file.hpp"
 #include "microslip/io/rig_file.hpp"
 #include "microslip/io/rig_writer.hpp"
@@ -305,8 +306,12 @@ void add_rig(py::module_& core) {
     return std::make_shared<Rig>(parse_rig(text, name));
   });
   core.def("rig_structure", [](const Rig& rig, const Joint& joint, double linear_damping) {
-    return std::make_shared<JointedStructure>(
-        rig_structure(rig, stick_state(rig), joint, {1.0}, linear_damping));
+    JointedStructure structure =
+        rig_structure(rig, stick_state(rig), joint, {1.0}, linear_damping);
+    std::string driven = structure.excitations().front().point;
+    return std::make_shared<ModelFile>(ModelFile{.structure = std::move(structure),
+                                                 .response = std::move(driven),
+                                                 .joint_files = {std::string()}});
   });
   core.def("measure", measure);
   core.def("reduce", reduce);

@@ -221,8 +221,8 @@ def attributes(value: object, name: str) -> tuple[tuple[str, str], ...]:
     try:
         found = tuple((key, content) for key, content in pairs)  # type: ignore[attr-defined]
     except (TypeError, ValueError):
-        raise InputError(f"{name} = {_shown(value)}; must be a mapping or pairs of texts") from None
+        raise InputError(f"{name} = {shown(value)}; must be a mapping or pairs of texts") from None
     for key, content in found:
         if not isinstance(key, str) or not isinstance(content, str):
-            raise InputError(f"{name}[{_shown(key)}] = {_shown(content)}; must be a text")
+            raise InputError(f"{name}[{shown(key)}] = {shown(content)}; must be a text")
     return found

@@ -474,7 +474,7 @@ def calibrate(
 
 def _to_find(model: Any) -> tuple[Structure, str, list[int]]:
     if isinstance(model, Structure):
-        return model, model._core.excitations()[0][0], list(range(len(model.joints)))
+        return model, model._core.response, list(range(len(model.joints)))
     if not _is_path(model):
         raise InputError(f"model = {model!r}; must be a microslip.Structure or a path")
     core, response, sought = _core.read_model_to_find(path_of(model, "model"))

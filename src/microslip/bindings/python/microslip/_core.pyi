@@ -133,6 +133,18 @@ class HarmonicBalance:
         self, first: tuple[str, float], second: tuple[str, float], mode: int
     ) -> dict[str, Any]: ...
 
+class Rig:
+    def text(self) -> str: ...
+    @property
+    def joint(self) -> str: ...
+    @property
+    def has_test(self) -> bool: ...
+    @property
+    def stiffness(self) -> float: ...
+    @property
+    def channels(self) -> list[str]: ...
+    def stuck_frequencies(self) -> RealArray: ...
+
 def read_joint(path: str) -> tuple[Joint, Optional[float], Optional[float]]: ...
 def write_file(path: str, content: Union[bytes, str]) -> None: ...
 def joint_json(joint: Joint, command: str) -> str: ...
@@ -169,3 +181,107 @@ def march(
     options: dict[str, Any],
     listener: Optional[Progress],
 ) -> dict[str, Any]: ...
+def parse_levels(text: str) -> dict[str, Any]: ...
+def draw_frequency(
+    balance: HarmonicBalance,
+    kept: str,
+    value: float,
+    from_: float,
+    to: float,
+    draws: dict[str, Any],
+    listener: Optional[Progress],
+) -> dict[str, Any]: ...
+def draw_backbone(
+    balance: HarmonicBalance,
+    responses: RealArray,
+    mode: int,
+    draws: dict[str, Any],
+    listener: Optional[Progress],
+) -> dict[str, Any]: ...
+def read_recordings(
+    path: str, units: list[str], allow_truncated: bool, listener: Optional[Progress]
+) -> tuple[list[dict[str, Any]], list[tuple[str, str]]]: ...
+def write_recordings(
+    path: str, recordings: list[dict[str, Any]], format: Optional[str]
+) -> None: ...
+def check_recording(recording: dict[str, Any]) -> None: ...
+def unit(text: str) -> tuple[float, float, str]: ...
+def functions_of_recording(recording: dict[str, Any]) -> list[dict[str, Any]]: ...
+def recordings_of_functions(
+    functions: list[dict[str, Any]], source: str
+) -> tuple[list[dict[str, Any]], list[tuple[str, str]]]: ...
+def ring_down(
+    recording: dict[str, Any], channels: list[str], options: dict[str, Any]
+) -> dict[str, Any]: ...
+def ring_down_levels(
+    decay: dict[str, Any],
+    modal_mass: float,
+    joint_ratio: float,
+    loss_factor: float,
+    stick_frequency: Optional[float],
+    joint_stiffness: Optional[float],
+) -> dict[str, Any]: ...
+def ring_down_damping_levels(decay: dict[str, Any], joint_ratio: float) -> dict[str, Any]: ...
+def read_rig(path: str) -> Rig: ...
+def parse_rig(text: str, name: str) -> Rig: ...
+def rig_structure(rig: Rig, joint: Joint, linear_damping: float) -> Structure: ...
+def measure(
+    rig: Rig, joint: Joint, options: dict[str, Any], listener: Optional[Progress]
+) -> dict[str, Any]: ...
+def reduce(
+    rig: Rig,
+    recordings: list[dict[str, Any]],
+    options: dict[str, Any],
+    skip_faulty: bool,
+    command: str,
+    listener: Optional[Progress],
+) -> dict[str, Any]: ...
+def verify(
+    rig: Rig,
+    joint: Joint,
+    recordings: list[dict[str, Any]],
+    options: dict[str, Any],
+    skip_faulty: bool,
+    draws: Optional[dict[str, Any]],
+    command: str,
+    listener: Optional[Progress],
+) -> dict[str, Any]: ...
+def force_record(
+    recording: dict[str, Any], force: str, displacement: str
+) -> tuple[RealArray, RealArray, float]: ...
+def identify_records(
+    records: list[tuple[str, RealArray, RealArray, float]],
+    levels: list[tuple[str, dict[str, Any]]],
+    options: dict[str, Any],
+    command: str,
+    listener: Optional[Progress],
+) -> dict[str, Any]: ...
+def read_model_to_find(path: str) -> tuple[Structure, str, list[int]]: ...
+def read_modal_levels(paths: list[str], structure: Structure) -> dict[str, Any]: ...
+def calibrate(
+    structure: Structure,
+    sought: list[int],
+    response: str,
+    levels: dict[str, Any],
+    options: dict[str, Any],
+    command: str,
+    listener: Optional[Progress],
+) -> dict[str, Any]: ...
+def calibrate_files(
+    model: str,
+    levels: list[str],
+    out: str,
+    keep_samples: bool,
+    options: dict[str, Any],
+    command: str,
+    listener: Optional[Progress],
+) -> dict[str, Any]: ...
+def report(
+    folder: str,
+    out: str,
+    title: Optional[str],
+    records: int,
+    pictures: bool,
+    command: str,
+    listener: Optional[Progress],
+) -> tuple[int, list[tuple[str, str]]]: ...

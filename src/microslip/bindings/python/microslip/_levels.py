@@ -11,7 +11,7 @@ from . import _core
 from ._arguments import ArrayLike, Path, RealArray, flag, one_of, optional_array, real_array
 from ._arguments import path as path_of
 from ._errors import InputError
-from ._results import Shown, notes, si, warn
+from ._results import Shown, si, warn_of
 
 if TYPE_CHECKING:
     import pandas
@@ -119,8 +119,7 @@ class Levels(Shown):
             path_of(path, "path"), flag(use_inner_reversals, "use_inner_reversals"),
             assemblies is not None,
         )  # fmt: skip
-        for note in notes(warnings):
-            warn(str(note))
+        warn_of(warnings)
         return cls(**columns)
 
     def write(self, path: Path) -> None:

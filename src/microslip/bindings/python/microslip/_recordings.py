@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import warnings as python_warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Optional, Union
@@ -30,7 +29,7 @@ from ._arguments import (
 from ._arguments import path as path_of
 from ._arguments import progress as progress_of
 from ._errors import InputError, MicroslipWarning
-from ._results import Shown, notes, si
+from ._results import Shown, si, warn_of
 
 if TYPE_CHECKING:
     import pandas
@@ -435,12 +434,6 @@ def _quantity(channel: Channel) -> str:
     return said or _QUANTITIES.get(channel.unit or "", "")
 
 
-def told_notes(pairs: Sequence[tuple[str, str]], stacklevel: int = 3) -> None:
-    """Tells what a reader had to forgive."""
-    for note in notes(pairs):
-        python_warnings.warn(str(note), MicroslipWarning, stacklevel=stacklevel)
-
-
 def _assumed(assume_units: object) -> list[str]:
     if assume_units is None:
         return []
@@ -494,7 +487,7 @@ def read_recordings(
         flag(allow_truncated, "allow_truncated"),
         progress_of(progress),
     )
-    told_notes(warnings)
+    warn_of(warnings)
     return [Recording._of(recording) for recording in found]
 
 

@@ -9,7 +9,7 @@ from . import _core
 from ._arguments import Path, Progress, flag, text, whole
 from ._arguments import path as path_of
 from ._arguments import progress as progress_of
-from ._recordings import told_notes
+from ._results import warn_of
 
 
 def report(
@@ -60,6 +60,6 @@ def report(
         "microslip.report",
         progress_of(progress),
     )
-    told_notes(warnings)
+    warn_of(warnings)
     bytes_written: int = size
     return bytes_written

@@ -95,6 +95,12 @@ def warn(text: str) -> None:
     python_warnings.warn(text, MicroslipWarning, stacklevel=level)
 
 
+def warn_of(pairs: Iterable[tuple[str, str]]) -> None:
+    """Issues warnings of the compiled half."""
+    for note in notes(pairs):
+        warn(str(note))
+
+
 def told(result: Result, strict: bool) -> Result:
     """Tells the warnings of a result, and raises where it did not converge and `strict` is set."""
     for note in result.warnings:

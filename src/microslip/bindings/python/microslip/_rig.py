@@ -20,8 +20,8 @@ from ._errors import InputError
 from ._identification import Identification
 from ._joint import Joint
 from ._levels import Levels
-from ._recordings import Recording, recordings_of, told_notes
-from ._results import Note, Shown, Summary, notes, outcome, si, summary_of, told
+from ._recordings import Recording, recordings_of
+from ._results import Note, Shown, Summary, notes, outcome, si, summary_of, told, warn_of
 from ._structure import Structure
 
 if TYPE_CHECKING:
@@ -381,7 +381,7 @@ def reduce(
     options = _reduction_options(frequency, order, modes, use_vibrometer)
     found = _core.reduce(rig._core, given, options, flag(skip_faulty, "skip_faulty"),
                          "microslip.reduce", progress_of(progress))  # fmt: skip
-    told_notes(found["warnings"])
+    warn_of(found["warnings"])
     return Reduction(
         table=found["table"],
         flags=tuple(found["table"]["flags"]),

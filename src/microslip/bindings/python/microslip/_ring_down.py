@@ -21,8 +21,8 @@ from ._arguments import (
 )
 from ._errors import InputError
 from ._levels import Levels
-from ._recordings import Recording, told_notes
-from ._results import Note, Shown, Summary, notes, outcome, si, summary_of, told
+from ._recordings import Recording
+from ._results import Note, Shown, Summary, notes, outcome, si, summary_of, told, warn_of
 
 if TYPE_CHECKING:
     import pandas
@@ -274,7 +274,7 @@ def _levels_of(found: dict[str, Any]) -> RingDownLevels:
     columns["flags"] = tuple(found["flags"])
     columns["warnings"] = notes(found["warnings"])
     levels = RingDownLevels(**columns)
-    told_notes(found["warnings"], 4)
+    warn_of(found["warnings"], 4)
     return levels
 
 

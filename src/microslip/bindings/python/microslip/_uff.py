@@ -11,7 +11,8 @@ import numpy as np
 from . import _core
 from ._arguments import real, real_array, real_or_complex_array, sequence, text, whole
 from ._errors import InputError
-from ._recordings import Recording, told_notes
+from ._recordings import Recording
+from ._results import warn_of
 
 _LARGEST = 2**31 - 1
 _WHOLE = ("func_type", "func_id", "ver_num", "load_case_id", "rsp_node", "rsp_dir", "ref_node",
@@ -68,7 +69,7 @@ def recordings_from_uff(functions: Union[Mapping[str, Any], Sequence[Mapping[str
     if not taken:
         raise InputError("functions has no set of type 58; must have at least one")
     found, warnings = _core.recordings_of_functions(taken, text(source, "source"))
-    told_notes(warnings)
+    warn_of(warnings)
     return [Recording._of(recording) for recording in found]
 
 
