@@ -3,10 +3,13 @@
 
 #include <ctype.h>
 #include <math.h>
-#include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+#ifdef MICROSLIP_FOR_OCTAVE
+#include <pthread.h>
+#include <signal.h>
+#endif
 
 /* Of each joint of a model one, and a few more. */
 typedef struct kept {
@@ -248,30 +251,41 @@ void mx_set_warning(mxArray* warnings, size_t index, const char* code, const cha
   mxSetField(warnings, index, "text", mxCreateString(text));
 }
 
-static volatile sig_atomic_t interrupted = 0;
-static void (*handler_before)(int) = SIG_DFL;
-static int listening = 0;
+#ifdef MICROSLIP_FOR_OCTAVE
+/* Of Octave's quit.h, which is C++: a thread of its own waits for signals and says that there was
+ * one; what it was the interpreter finds out, in its thread alone, when it asks. */
+extern volatile sig_atomic_t octave_signal_caught;
+extern sig_atomic_t octave_interrupt_state;
+extern void (*octave_signal_hook)(void);
 
-static void interrupt(int number) {
-  (void)number;
-  interrupted = 1;
-}
+static pthread_t interpreter;
 
-void mx_begin_listening(void) {
-  interrupted = 0;
-  handler_before = signal(SIGINT, interrupt);
-  listening = 1;
-}
+void mx_begin_listening(void) { interpreter = pthread_self(); }
 
+/* The interrupt has done its work: the call ends with an error. */
 void mx_end_listening(void) {
-  if (!listening) return;
-  signal(SIGINT, handler_before);
-  listening = 0;
+  if (octave_interrupt_state > 0) octave_interrupt_state = 0;
 }
 
 int mx_go_on(size_t done, size_t total, void* user) {
   (void)done;
   (void)total;
   (void)user;
-  return interrupted == 0;
+  if (octave_signal_caught && pthread_equal(pthread_self(), interpreter)) {
+    octave_signal_caught = 0;
+    if (octave_signal_hook != NULL) octave_signal_hook();
+  }
+  return octave_interrupt_state <= 0;
 }
+#else
+/* MATLAB keeps interrupts to itself while a MEX file runs. */
+void mx_begin_listening(void) {}
+void mx_end_listening(void) {}
+
+int mx_go_on(size_t done, size_t total, void* user) {
+  (void)done;
+  (void)total;
+  (void)user;
+  return 1;
+}
+#endif

@@ -67,7 +67,7 @@ void mx_set_outcome(mxArray* structure, const microslip_outcome* outcome);
 mxArray* mx_new_warnings(size_t count);
 void mx_set_warning(mxArray* warnings, size_t index, const char* code, const char* text);
 
-/* Ctrl-C while a function of microslip runs: the progress says stop. */
+/* Ctrl-C while a function of microslip runs, in Octave: the progress says stop. */
 void mx_begin_listening(void);
 void mx_end_listening(void);
 int mx_go_on(size_t done, size_t total, void* user);

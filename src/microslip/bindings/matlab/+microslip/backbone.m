@@ -1,4 +1,3 @@
-% SPDX-License-Identifier: MIT
 function curve = backbone(model, responses, varargin)
 % BACKBONE  Resonance frequency and damping of a structure with joints over the amplitude.
 %   c = microslip.backbone(model, responses, ...)
@@ -12,6 +11,9 @@ function curve = backbone(model, responses, varargin)
 %   c is as of microslip.frf.
 %
 %   See also microslip.frf.
+
+% SPDX-License-Identifier: MIT
+
 known = {'Mode', 'Forcing', 'Point', 'Kind', 'Harmonics', 'Samples', 'Tolerance', 'Judge'};
 if nargin < 2
   error('microslip:input', 'model and responses must be given');

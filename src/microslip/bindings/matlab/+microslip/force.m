@@ -1,4 +1,3 @@
-% SPDX-License-Identifier: MIT
 function f = force(joint, path)
 % FORCE  Force of a joint along a path of displacement, from virgin rest.
 %   f = microslip.force(j, path)
@@ -7,6 +6,9 @@ function f = force(joint, path)
 %   joint is exact for any path.
 %
 %   See also microslip.loop, microslip.joint.
+
+% SPDX-License-Identifier: MIT
+
 if nargin < 2
   error('microslip:input', 'joint and path must be given');
 end

@@ -1,4 +1,3 @@
-% SPDX-License-Identifier: MIT
 function curve = frf(model, varargin)
 % FRF  Steady vibrations of a structure with joints over the frequency, at one force or one response.
 %   c = microslip.frf(model, 'Force', F, 'Frequency', [from to], ...)
@@ -31,6 +30,9 @@ function curve = frf(model, varargin)
 %   of name, amplitude_m and dissipation_J; converged, reason, summary, warnings. microslip.plot(c) draws it.
 %
 %   See also microslip.backbone, microslip.march, microslip.plot.
+
+% SPDX-License-Identifier: MIT
+
 known = {'Force', 'Response', 'Frequency', 'Point', 'Kind', 'Harmonics', 'Samples', 'Tolerance', 'Accuracy', 'At', ...
          'MaxPoints', 'Judge'};
 if nargin < 1

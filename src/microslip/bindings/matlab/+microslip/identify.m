@@ -1,4 +1,3 @@
-% SPDX-License-Identifier: MIT
 function result = identify(varargin)
 % IDENTIFY  A joint from its measured dissipation.
 %   r = microslip.identify(amplitude, dissipation, 'Stiffness', k, ...)
@@ -30,9 +29,12 @@ function result = identify(varargin)
 %   r has joint (see microslip.joint; microslip.write_joint writes the joint.json of the program), slip_force_N,
 %   density_per_N, lower_per_N and upper_per_N (empty without a band), covered_from_N and covered_to_N, between which the
 %   levels tell the density, linear_damping_J_per_m2 (NaN unless sought), converged, reason, summary, and
-%   warnings, a struct array of code and text. microslip.plot(r) draws it. Ctrl-C stops the draws.
+%   warnings, a struct array of code and text. microslip.plot(r) draws it. In Octave Ctrl-C stops the draws.
 %
 %   See also microslip.plot, microslip.write_joint, microslip.frf.
+
+% SPDX-License-Identifier: MIT
+
 columns = {'AmplitudeStd', 'DissipationStd', 'SecantStiffness', 'SecantStiffnessStd', 'LinearDissipation', ...
            'LevelFrequency', 'LevelFrequencyStd'};
 fields = {'amplitude_std', 'dissipation_std', 'secant_stiffness', 'secant_stiffness_std', 'linear_dissipation', ...

@@ -1,4 +1,3 @@
-% SPDX-License-Identifier: MIT
 function result = joint(stiffness, varargin)
 % JOINT  A joint of a stiffness and the parts of its density of slip forces.
 %   j = microslip.joint(stiffness, part, ...)
@@ -15,6 +14,9 @@ function result = joint(stiffness, varargin)
 %   j is a struct with the fields of joint.json: schema, stiffness_N_per_m and density, a cell array of parts.
 %
 %   See also microslip.read_joint, microslip.write_joint, microslip.force, microslip.identify.
+
+% SPDX-License-Identifier: MIT
+
 if nargin < 1
   error('microslip:input', 'stiffness must be given');
 end

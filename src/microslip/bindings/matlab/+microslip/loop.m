@@ -1,4 +1,3 @@
-% SPDX-License-Identifier: MIT
 function result = loop(joint, amplitude, points)
 % LOOP  First loading and one steady cycle of a joint, as `microslip loop --amplitude`.
 %   l = microslip.loop(j, amplitude)
@@ -8,6 +7,9 @@ function result = loop(joint, amplitude, points)
 %   from 0 to the amplitude, to its negative, and back. microslip.plot draws it.
 %
 %   See also microslip.force, microslip.dissipation.
+
+% SPDX-License-Identifier: MIT
+
 if nargin < 2
   error('microslip:input', 'joint and amplitude must be given');
 end

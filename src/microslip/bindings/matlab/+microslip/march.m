@@ -1,4 +1,3 @@
-% SPDX-License-Identifier: MIT
 function result = march(model, time, force, varargin)
 % MARCH  Motion in time of a structure with joints under any forces.
 %   m = microslip.march(model, time, force, ...)
@@ -18,6 +17,9 @@ function result = march(model, time, force, varargin)
 %   reason, summary, warnings. microslip.plot(m) draws it.
 %
 %   See also microslip.frf, microslip.plot.
+
+% SPDX-License-Identifier: MIT
+
 known = {'Points', 'Step', 'Every', 'EstimateError', 'LargestError', 'LargestImbalance', 'StartDisplacement', ...
          'StartVelocity'};
 if nargin < 3

@@ -1,4 +1,3 @@
-% SPDX-License-Identifier: MIT
 function axes_used = plot(result)
 % PLOT  Draws a result into the current axes.
 %   microslip.plot(r)
@@ -9,9 +8,13 @@ function axes_used = plot(result)
 %   time. print(gcf, 'density.svg', '-dsvg') writes the picture.
 %
 %   See also microslip.identify, microslip.frf, microslip.loop, microslip.march.
+
+% SPDX-License-Identifier: MIT
+
 if nargin < 1 || ~isstruct(result)
   error('microslip:input', 'result must be a struct of microslip.identify, frf, backbone, loop or march');
 end
+newplot(); % not plot, which is the name of this function, too
 if isfield(result, 'density_per_N')
   draw_density(result);
 elseif isfield(result, 'frequency_Hz')
@@ -33,38 +36,43 @@ function draw_density(r)
 s = r.slip_force_N;
 if ~isempty(r.lower_per_N)
   patch([s; flipud(s)], [r.lower_per_N; flipud(r.upper_per_N)], [0.75 0.85 0.95], 'EdgeColor', 'none');
-  hold('on');
 end
-plot(s, r.density_per_N, 'Color', [0 0.27 0.55], 'LineWidth', 1.5);
-hold('off');
+draw_line(s, r.density_per_N);
 if ~isempty(r.lower_per_N)
   legend({'band', 'density'});
 end
-xlabel('slip force [N]');
-ylabel('density [1/N]');
+label('slip force [N]', 'density [1/N]');
 end
 
 function draw_curve(c)
-plot(c.frequency_Hz, c.displacement_m, 'Color', [0 0.27 0.55], 'LineWidth', 1.5);
+draw_line(c.frequency_Hz, c.displacement_m);
 if ~isempty(c.peaks)
-  hold('on');
-  plot(c.frequency_Hz(c.peaks), c.displacement_m(c.peaks), 'o', 'Color', [0.8 0.3 0]);
-  hold('off');
+  line(c.frequency_Hz(c.peaks), c.displacement_m(c.peaks), 'LineStyle', 'none', 'Marker', 'o', ...
+       'Color', [0.8 0.3 0]);
 end
-xlabel('frequency [Hz]');
-ylabel('displacement [m]');
+label('frequency [Hz]', 'displacement [m]');
 end
 
 function draw_march(m)
-names = {m.points.name};
-plot(m.time_s, [m.points.displacement_m], 'LineWidth', 1);
-legend(names);
-xlabel('time [s]');
-ylabel('displacement [m]');
+colours = get(gca(), 'ColorOrder');
+for i = 1:numel(m.points)
+  line(m.time_s, m.points(i).displacement_m, 'Color', colours(mod(i - 1, size(colours, 1)) + 1, :));
+end
+legend({m.points.name});
+label('time [s]', 'displacement [m]');
 end
 
 function draw_loop(l)
-plot(l.displacement_m, l.force_N, 'Color', [0 0.27 0.55], 'LineWidth', 1.5);
-xlabel('displacement [m]');
-ylabel('force [N]');
+draw_line(l.displacement_m, l.force_N);
+label('displacement [m]', 'force [N]');
+end
+
+function draw_line(x, y)
+line(x, y, 'Color', [0 0.27 0.55], 'LineWidth', 1.5);
+end
+
+function label(x, y)
+xlabel(x);
+ylabel(y);
+box('on');
 end

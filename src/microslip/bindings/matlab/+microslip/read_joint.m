@@ -1,4 +1,3 @@
-% SPDX-License-Identifier: MIT
 function joint = read_joint(path)
 % READ_JOINT  Reads a joint.json.
 %   j = microslip.read_joint(path)
@@ -7,6 +6,9 @@ function joint = read_joint(path)
 %   identification, and json, the text of the file, by which microslip.write_joint writes them again.
 %
 %   See also microslip.joint, microslip.write_joint.
+
+% SPDX-License-Identifier: MIT
+
 if nargin < 1
   error('microslip:input', 'path must be given');
 end

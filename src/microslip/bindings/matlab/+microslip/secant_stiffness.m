@@ -1,4 +1,3 @@
-% SPDX-License-Identifier: MIT
 function result = secant_stiffness(joint, amplitude)
 % SECANT_STIFFNESS  Secant stiffness of a joint by the first harmonic, N/m.
 %   y = microslip.secant_stiffness(j, amplitude)
@@ -6,6 +5,9 @@ function result = secant_stiffness(joint, amplitude)
 %   amplitude in m, 0 or more, in any shape; y has that shape.
 %
 %   See also microslip.joint, microslip.loop.
+
+% SPDX-License-Identifier: MIT
+
 if nargin < 2
   error('microslip:input', 'joint and amplitude must be given');
 end

@@ -1,6 +1,8 @@
-% SPDX-License-Identifier: MIT
 function text = version()
 % VERSION  The version of microslip.
 %   text = microslip.version()
+
+% SPDX-License-Identifier: MIT
+
 text = microslip.internal.call('version');
 end

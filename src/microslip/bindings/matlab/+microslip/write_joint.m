@@ -1,4 +1,3 @@
-% SPDX-License-Identifier: MIT
 function write_joint(joint, path)
 % WRITE_JOINT  Writes a joint.json, as the program does.
 %   microslip.write_joint(j, path)
@@ -7,6 +6,9 @@ function write_joint(joint, path)
 %   density was changed afterwards without, as they tell of another joint.
 %
 %   See also microslip.read_joint, microslip.identify.
+
+% SPDX-License-Identifier: MIT
+
 if nargin < 2
   error('microslip:input', 'joint and path must be given');
 end

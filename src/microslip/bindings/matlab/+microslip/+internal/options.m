@@ -1,8 +1,10 @@
-% SPDX-License-Identifier: MIT
 function all = options(known, given)
 % OPTIONS  Options from pairs of names and values, as a struct.
 %   all = microslip.internal.options(known, given): `known` are the names in a cell array, `given` the pairs.
 %   Capitals do not matter. A name that is not known is an error.
+
+% SPDX-License-Identifier: MIT
+
 all = struct();
 if mod(numel(given), 2) ~= 0
   error('microslip:input', 'options must be pairs of a name and a value');
