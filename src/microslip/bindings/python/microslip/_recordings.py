@@ -28,7 +28,7 @@ from ._arguments import (
 )
 from ._arguments import path as path_of
 from ._arguments import progress as progress_of
-from ._errors import InputError, MicroslipWarning
+from ._errors import InputError
 from ._results import Shown, si, warn_of
 
 if TYPE_CHECKING:

@@ -274,7 +274,7 @@ def _levels_of(found: dict[str, Any]) -> RingDownLevels:
     columns["flags"] = tuple(found["flags"])
     columns["warnings"] = notes(found["warnings"])
     levels = RingDownLevels(**columns)
-    warn_of(found["warnings"], 4)
+    warn_of(found["warnings"])
     return levels
 
 
