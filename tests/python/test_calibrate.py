@@ -208,6 +208,35 @@ def test_bands_of_a_backbone_are_those_of_the_program(folder, tmp_path, predicte
     np.testing.assert_array_equal(curve.damping_ratio_band[0], table["damping_ratio_lower [1]"])
 
 
+@needs_program
+def test_bands_of_a_march_are_those_of_the_program(folder, tmp_path, predicted):
+    t = np.arange(200) / 1000
+    force = 20 * np.sin(2 * np.pi * 33 * t)
+    with open(tmp_path / "f.csv", "w") as file:
+        file.write("time [s],force [N]\n")
+        file.writelines(f"{time!r},{f!r}\n" for time, f in zip(t.tolist(), force.tolist()))
+    run("march", folder / "model.toml", "--force-file", tmp_path / "f.csv", "--draws", "60",
+        "--seed", "5", "--confidence", "0.9", "--every", "3", "--out", tmp_path / "m.csv")  # fmt: skip
+    table = table_of(tmp_path / "m.csv")
+    structure = microslip.Structure.read(folder / "model.toml")
+    draws = [microslip.JointDraws.read(folder / f"joint{i}_samples.h5") for i in (1, 2)]
+    band = microslip.march_band(structure, t, {"drive": force}, draws=draws, every=3, **predicted)
+    np.testing.assert_array_equal(band.time, table["time [s]"])
+    for name in ("displacement", "acceleration", "joint2 force"):
+        signal = band.signals[name]
+        np.testing.assert_array_equal(signal.values, table[f"{name} [{signal.unit}]"])
+        np.testing.assert_array_equal(signal.lower, table[f"{name}_lower [{signal.unit}]"])
+        np.testing.assert_array_equal(signal.upper, table[f"{name}_upper [{signal.unit}]"])
+    # The march itself is that without draws.
+    alone = microslip.march(structure, t, {"drive": force}, points=["drive"], every=3)
+    np.testing.assert_array_equal(alone.points["drive"].displacement,
+                                  band.signals["displacement"].values)  # fmt: skip
+    again = pickle.loads(pickle.dumps(band))
+    assert again.signals["displacement"].peak == band.signals["displacement"].peak
+    assert "peak displacement" in repr(band)
+    assert len(band.to_pandas()) == len(band.time)
+
+
 def small():
     joint = microslip.Joint(1e5, [microslip.Uniform(0, 10, 1)])
     return microslip.HarmonicBalance(
@@ -247,6 +276,14 @@ def test_bad_draws_are_named(calibrated):
     for arguments, message in bad:
         with pytest.raises(ValueError, match=message):
             balance.frequency_response(0.5, 30, 40, **arguments)
+    t = np.arange(10) / 100
+    for arguments, message in bad[1:]:
+        with pytest.raises(ValueError, match=message):
+            microslip.march_band(balance.structure, t, **arguments)
+    with pytest.raises(ValueError, match="points is given"):
+        microslip.march_band(balance.structure, t, points=["mass"])
+    with pytest.raises(ValueError, match="samples = 0"):
+        microslip.march_band(balance.structure, t, samples=0)
     with pytest.raises(microslip.Cancelled):
         balance.frequency_response(
             0.5, 30, 40, samples=5000, spread=microslip.Spread(0.01),

@@ -13,7 +13,8 @@ void UffGroup::add(UffChannel channel) {
 }
 
 Recording recording_of(UffGroup group, const std::string& source, std::vector<Warning>& warnings) {
-  Recording recording{.source = source, .axis = std::move(group.axis), .channels = {}};
+  Recording recording{
+      .source = source, .axis = std::move(group.axis), .channels = {}, .attributes = {}};
   std::vector<bool> doubtful;
   for (const UffChannel& channel : group.channels) doubtful.push_back(channel.doubtful);
   recording.channels = uff_channels(recording.axis.dimension, std::move(group.channels));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,9 +10,11 @@
 #include "microslip/bindings/python/arguments.hpp"
 #include "microslip/bindings/python/core.hpp"
 #include "microslip/bindings/python/long_work.hpp"
+#include "microslip/bindings/python/march.hpp"
 #include "microslip/bindings/python/results.hpp"
 #include "microslip/bindings/python/vibration.hpp"
 #include "microslip/workflow/backbone_draws.hpp"
+#include "microslip/workflow/march_draws.hpp"
 #include "microslip/workflow/model_draws.hpp"
 #include "microslip/workflow/response_draws.hpp"
 
@@ -143,11 +146,63 @@ py::dict draw_backbone(const JudgedBalance& of, const RealArray& responses, std:
   return all;
 }
 
+// ---- In time. ----
+
+py::tuple tuple_of(const StatisticSpread& of) {
+  return py::make_tuple(of.value, of.lower, of.upper);
+}
+
+/// Every signals.size()-th of numbers that stand row by row.
+RealArray column(const std::vector<double>& rows, std::size_t signal, std::size_t signals) {
+  std::vector<double> numbers;
+  for (std::size_t i = signal; i < rows.size(); i += signals) numbers.push_back(rows[i]);
+  return array_of(std::move(numbers));
+}
+
+py::list signals_of(const DrawnMarch& drawn) {
+  const std::size_t count = drawn.signals.size();
+  py::list all;
+  for (std::size_t s = 0; s < count; ++s) {
+    const MarchedSignal& signal = drawn.signals[s];
+    all.append(py::make_tuple(signal.name, si_unit(signal.dimension), column(drawn.rows, s, count),
+                              column(drawn.band.lower, s, count),
+                              column(drawn.band.upper, s, count), tuple_of(signal.peak),
+                              tuple_of(signal.rms)));
+  }
+  return all;
+}
+
+py::dict draw_march(const std::shared_ptr<ModelFile>& structure, const std::string& point,
+                    const RealArray& time, const py::list& forces, const py::list& normal_loads,
+                    const py::dict& options, const py::dict& given, const py::object& listener) {
+  const LoadHistory loads = load_history_of(time, forces, normal_loads);
+  MarchOptions of = march_options_of(options);
+  of.points = {point};
+  const Draws draws = draws_of_structure(structure->structure, given);
+  ModelFile model = *structure;
+  model.response = point;
+  model.spread = spread_of(given);
+  const DrawnMarch drawn = long_result(
+      [&](const Progress& progress) {
+        return drawn_march(model, loads, of, draws.structures, draws.options, Execution::threads(),
+                           progress, progress);
+      },
+      listener);
+  py::dict all = march_dict(drawn.march);
+  std::vector<double> times;
+  for (const std::size_t i : drawn.times) times.push_back(loads.time[i]);
+  all["time"] = array_of(std::move(times));
+  all["signals"] = signals_of(drawn);
+  all["failures"] = list_of_failures(drawn.taken);
+  return all;
+}
+
 }  // namespace
 
 void add_draws(py::module_& core) {
   core.def("draw_frequency", draw_frequency);
   core.def("draw_backbone", draw_backbone);
+  core.def("draw_march", draw_march);
 }
 
 }  // namespace microslip::python

@@ -9,6 +9,7 @@
 #include "microslip/bindings/python/arguments.hpp"
 #include "microslip/bindings/python/core.hpp"
 #include "microslip/bindings/python/long_work.hpp"
+#include "microslip/bindings/python/march.hpp"
 #include "microslip/bindings/python/results.hpp"
 #include "microslip/bindings/python/structure.hpp"
 #include "microslip/dynamics/march.hpp"
@@ -92,6 +93,15 @@ py::dict march_structure(const std::shared_ptr<ModelFile>& model, const RealArra
 }
 
 }  // namespace
+
+LoadHistory load_history_of(const RealArray& time, const py::list& forces,
+                            const py::list& normal_loads) {
+  return loads_of(time, forces, normal_loads);
+}
+
+MarchOptions march_options_of(const py::dict& given) { return options_of(given); }
+
+py::dict march_dict(MarchResult result) { return dict_of(std::move(result)); }
 
 void add_march(py::module_& core) { core.def("march", march_structure); }
 

@@ -306,8 +306,7 @@ void add_rig(py::module_& core) {
     return std::make_shared<Rig>(parse_rig(text, name));
   });
   core.def("rig_structure", [](const Rig& rig, const Joint& joint, double linear_damping) {
-    JointedStructure structure =
-        rig_structure(rig, stick_state(rig), joint, {1.0}, linear_damping);
+    JointedStructure structure = rig_structure(rig, stick_state(rig), joint, {1.0}, linear_damping);
     std::string driven = structure.excitations().front().point;
     return std::make_shared<ModelFile>(ModelFile{.structure = std::move(structure),
                                                  .response = std::move(driven),

@@ -46,6 +46,7 @@ from ._joint import (
 )
 from ._levels import Levels
 from ._march import JointMotion, MarchEnergy, MarchResult, PointMotion, march
+from ._march_band import MarchBand, MarchedSignal, Statistic, march_band
 from ._recordings import Axis, Channel, Recording, read_recordings, write_recordings
 from ._records import Estimate, RecordFit, RecordIdentification, identify_records
 from ._report import report
@@ -96,8 +97,10 @@ __all__ = [
     "JointMotion",
     "JointPair",
     "Levels",
+    "MarchBand",
     "MarchEnergy",
     "MarchResult",
+    "MarchedSignal",
     "Measurement",
     "Memory",
     "MicroslipWarning",
@@ -123,6 +126,7 @@ __all__ = [
     "RingDownLevels",
     "RingDownSensor",
     "Spread",
+    "Statistic",
     "StructuralJoint",
     "Structure",
     "Summary",
@@ -138,6 +142,7 @@ __all__ = [
     "identify",
     "identify_records",
     "march",
+    "march_band",
     "measure",
     "modes",
     "read_recordings",

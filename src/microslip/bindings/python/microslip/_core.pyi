@@ -285,3 +285,13 @@ def report(
     command: str,
     listener: Optional[Progress],
 ) -> tuple[int, list[tuple[str, str]]]: ...
+def draw_march(
+    structure: Structure,
+    point: str,
+    time: RealArray,
+    forces: list[tuple[str, RealArray]],
+    normal_loads: list[tuple[str, RealArray, str]],
+    options: dict[str, Any],
+    draws: dict[str, Any],
+    listener: Optional[Progress],
+) -> dict[str, Any]: ...

@@ -194,15 +194,62 @@ def march(
     ------
     ValueError, NotConverged
     """
+    acting = march_arguments(
+        structure, time, forces, points=points, normal_loads=normal_loads, law=law,
+        displacement=displacement, velocity=velocity, step=step, every=every, tolerance=tolerance,
+        max_iterations=max_iterations, largest_imbalance=largest_imbalance,
+        estimate_error=estimate_error, largest_error=largest_error, elements=elements,
+    )  # fmt: skip
+    found = _core.march(structure._core, *acting, progress_of(progress))
+    result = MarchResult(
+        time=found["time"],
+        points={name: PointMotion(*motion) for name, *motion in found["points"]},
+        joints={name: JointMotion(*motion) for name, *motion in found["joints"]},
+        reached=found["reached"],
+        steps=found["steps"],
+        error_estimate=found["error_estimate"],
+        energy=MarchEnergy(**found["energy"]),
+        warnings=notes(found["warnings"]),
+        summary=summary_of(found["summary"]),
+    )
+    return told(result, flag(strict, "strict"))
+
+
+#: Times, forces, normal loads and options as the compiled half takes them.
+_Acting = tuple[
+    RealArray, list[tuple[str, RealArray]], list[tuple[str, RealArray, str]], dict[str, Any]
+]
+
+
+def march_arguments(
+    structure: object,
+    time: object,
+    forces: object = None,
+    *,
+    points: Optional[Sequence[str]] = None,
+    normal_loads: object = None,
+    law: object = "incremental",
+    displacement: object = None,
+    velocity: object = None,
+    step: object = 0.0,
+    every: object = 1,
+    tolerance: object = 1e-8,
+    max_iterations: object = 50,
+    largest_imbalance: object = 1e-4,
+    estimate_error: object = True,
+    largest_error: object = 1e-2,
+    elements: object = 1000,
+) -> _Acting:
+    """The arguments of `march`, checked."""
     if not isinstance(structure, Structure):
         raise InputError(f"structure = {shown(structure)}; must be a microslip.Structure")
     times = real_array(time, "time")
     count = len(times)
     modes = len(structure.angular_frequency)
-    one_of(law, "law", ("incremental", "total"))
+    named = one_of(law, "law", ("incremental", "total"))
     acting = [(name, real_array(f, f"forces[{name!r}]", length=count, per="one a time"))
               for name, f in _mapping(forces or {}, "forces").items()]  # fmt: skip
-    loads = [(name, real_array(p, f"normal_loads[{name!r}]", length=count, per="one a time"), law)
+    loads = [(name, real_array(p, f"normal_loads[{name!r}]", length=count, per="one a time"), named)
              for name, p in _mapping(normal_loads or {}, "normal_loads").items()]  # fmt: skip
     recorded = list(structure.points) if points is None else [text(p, "points") for p in points]
     options = {
@@ -218,16 +265,4 @@ def march(
         "largest_error": positive(largest_error, "largest_error"),
         "elements": whole(elements, "elements", 1),
     }
-    found = _core.march(structure._core, times, acting, loads, options, progress_of(progress))
-    result = MarchResult(
-        time=found["time"],
-        points={name: PointMotion(*motion) for name, *motion in found["points"]},
-        joints={name: JointMotion(*motion) for name, *motion in found["joints"]},
-        reached=found["reached"],
-        steps=found["steps"],
-        error_estimate=found["error_estimate"],
-        energy=MarchEnergy(**found["energy"]),
-        warnings=notes(found["warnings"]),
-        summary=summary_of(found["summary"]),
-    )
-    return told(result, flag(strict, "strict"))
+    return times, acting, loads, options

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include "microslip/bindings/python/arguments.hpp"
+#include "microslip/dynamics/march.hpp"
+
+namespace microslip::python {
+
+/// What acts on a structure, as march() of the package has it.
+[[nodiscard]] LoadHistory load_history_of(const RealArray& time, const pybind11::list& forces,
+                                          const pybind11::list& normal_loads);
+[[nodiscard]] MarchOptions march_options_of(const pybind11::dict& given);
+
+/// A march as the package takes it.
+[[nodiscard]] pybind11::dict march_dict(MarchResult result);
+
+}  // namespace microslip::python
