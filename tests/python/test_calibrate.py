@@ -103,7 +103,9 @@ def test_results_pickle_and_show(calibrated):
     assert "joint1" in repr(calibrated)
     assert "<table>" in calibrated["joint1"]._repr_html_()
     assert len(calibrated.to_pandas()) == len(calibrated.found)
-    assert calibrated.structure.joints[0].joint.stiffness == calibrated["joint1"].joint.stiffness
+    placed = calibrated.structure.joints[0].joint
+    assert placed.joint == calibrated["joint1"].joint
+    assert placed.covered_to == calibrated["joint1"].covered_to
 
 
 def test_modal_levels_of_arrays():

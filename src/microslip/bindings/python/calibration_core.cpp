@@ -19,6 +19,7 @@
 #include "microslip/io/model_file.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/io/output_folders.hpp"
+#include "microslip/io/sha256.hpp"
 #include "microslip/workflow/calibration.hpp"
 
 namespace py = pybind11;
@@ -170,6 +171,31 @@ Provenance provenance_of(const CalibrationOptions& options, const std::string& c
   return provenance;
 }
 
+/// Of levels that came as arrays: so that draws of other data are not taken for those of one
+/// calibration.
+InputHash hash_of(const ModalLevels& levels) {
+  Sha256 digest;
+  const auto add = [&](const std::vector<double>& numbers) {
+    const std::string size = std::to_string(numbers.size()) + ":";
+    digest.update(size);
+    digest.update({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double)});
+  };
+  for (const std::size_t mode : levels.mode) digest.update(std::to_string(mode) + ",");
+  for (const auto* numbers : {&levels.displacement, &levels.displacement_std, &levels.frequency,
+                              &levels.frequency_std, &levels.dissipation, &levels.dissipation_std,
+                              &levels.damping_ratio, &levels.damping_ratio_std}) {
+    add(*numbers);
+  }
+  for (const JointLevels& joint : levels.joints) {
+    digest.update(joint.name);
+    for (const auto* numbers :
+         {&joint.amplitude, &joint.amplitude_std, &joint.dissipation, &joint.dissipation_std}) {
+      add(*numbers);
+    }
+  }
+  return {"arrays", digest.finish()};
+}
+
 py::dict calibrate_structure(const std::shared_ptr<ModelFile>& model,
                              const std::vector<std::size_t>& sought, const std::string& response,
                              const py::dict& columns, const py::dict& given,
@@ -182,7 +208,9 @@ py::dict calibrate_structure(const std::shared_ptr<ModelFile>& model,
         return calibrate(model->structure, sought, response, levels, options);
       },
       listener);
-  return dict_of(found, provenance_of(options, command));
+  Provenance provenance = provenance_of(options, command);
+  provenance.inputs = {hash_of(levels)};
+  return dict_of(found, provenance);
 }
 
 /// By the files of the program, which are written.

@@ -51,10 +51,30 @@ struct Draws {
   StructureDraws structures;
 };
 
-Draws draws_of_structure(const JointedStructure& structure, const py::dict& given) {
+/// Whether the structure says the linear damping of a joint itself: that of draws is not used then.
+std::vector<bool> damping_said(const ModelFile& model) {
+  std::vector<bool> said;
+  for (const StructuralJoint& joint : model.structure.joints()) {
+    const std::size_t j = said.size();
+    const bool known = j < model.identified_damping.size();
+    const double found = known ? model.identified_damping[j].value_or(0.0) : 0.0;
+    said.push_back(joint.linear_damping != found);
+  }
+  return said;
+}
+
+/// Of draws and spread that were given; of those that a model.toml names where neither was.
+Draws draws_of_structure(const ModelFile& model, const py::dict& given) {
   const DrawOptions options = draw_options_of(given);
+  const StructureSpread spread = given["has_spread"].cast<bool>() ? spread_of(given) : model.spread;
+  if (given["joints"].is_none()) {
+    ModelFile of = model;
+    of.spread = spread;
+    return {options, draws_of(of, "structure", options)};
+  }
   auto joints = given["joints"].cast<std::vector<std::optional<JointSamples>>>();
-  return {options, draws_of(structure, spread_of(given), std::move(joints), {}, options, "draws")};
+  return {options, draws_of(model.structure, spread, std::move(joints), damping_said(model),
+                            options, "structure")};
 }
 
 py::tuple tuple_of(const Band& band) {
@@ -96,7 +116,7 @@ py::dict draw_frequency(const JudgedBalance& of, const std::string& kept, double
                         double to, const py::dict& given, const py::object& listener) {
   const ResponseRange range{
       {kept == "force" ? Quantity::kForceAmplitude : Quantity::kResponse, value}, from, to};
-  const Draws draws = draws_of_structure(of.balance.structure(), given);
+  const Draws draws = draws_of_structure(*of.model, given);
   const DrawnCurve drawn = long_result(
       [&](const Progress& progress) {
         DrawnCurve all{of.follow_frequency(range.kept, from, to, progress), {}};
@@ -130,7 +150,7 @@ py::object dict_of(const BackboneSpread& spread) {
 py::dict draw_backbone(const JudgedBalance& of, const RealArray& responses, std::size_t mode,
                        const py::dict& given, const py::object& listener) {
   const std::vector<double> at = copy_of(responses);
-  const Draws draws = draws_of_structure(of.balance.structure(), given);
+  const Draws draws = draws_of_structure(*of.model, given);
   const DrawnResonances drawn = long_result(
       [&](const Progress& progress) {
         DrawnResonances all{of.follow_backbone(at, mode, true, progress), {}};
@@ -178,10 +198,10 @@ py::dict draw_march(const std::shared_ptr<ModelFile>& structure, const std::stri
   const LoadHistory loads = load_history_of(time, forces, normal_loads);
   MarchOptions of = march_options_of(options);
   of.points = {point};
-  const Draws draws = draws_of_structure(structure->structure, given);
+  const Draws draws = draws_of_structure(*structure, given);
   ModelFile model = *structure;
   model.response = point;
-  model.spread = spread_of(given);
+  if (given["has_spread"].cast<bool>()) model.spread = spread_of(given);
   const DrawnMarch drawn = long_result(
       [&](const Progress& progress) {
         return drawn_march(model, loads, of, draws.structures, draws.options, Execution::threads(),

@@ -96,8 +96,21 @@ LevelsIdentification options_of(const py::dict& given) {
   return all;
 }
 
+/// All that is known of levels.
+std::string csv_of(const Levels& levels) {
+  CsvWriter table = levels_table(levels);
+  const auto add = [&](const char* name, const Dimension& dimension,
+                       const std::vector<double>& values) {
+    if (!values.empty()) table.add_numbers(name, dimension, values);
+  };
+  add("linear_dissipation", kEnergy, levels.linear_dissipation);
+  add("frequency", kFrequency, levels.frequency);
+  add("frequency_std", kFrequency, levels.frequency_std);
+  return table.str();
+}
+
 /// Levels that came as arrays, as if they had been a file: what joint.json says of its input.
-NamedInput input_of(const Levels& levels) { return {"arrays", levels_table(levels).str()}; }
+NamedInput input_of(const Levels& levels) { return {"arrays", csv_of(levels)}; }
 
 py::object draws_or_none(const Identification& found, const Provenance& provenance) {
   if (found.bands() == nullptr && found.records() == nullptr) return py::none();
@@ -141,17 +154,21 @@ Provenance provenance_of(const std::string& text) {
   return parse_joint(text, "joint.json").provenance.value_or(Provenance{});
 }
 
+/// @param notes  what the reader of the levels had to say: it belongs to what is found of them.
 py::dict identify_levels(const py::dict& columns, double stiffness, const py::dict& given,
-                         const std::string& command, const py::object& listener) {
+                         const std::string& command,
+                         const std::vector<std::pair<std::string, std::string>>& notes,
+                         const py::object& listener) {
   const Levels levels = levels_of(columns);
   const LevelsIdentification of = options_of(given);
-  const Identification found = long_result(
+  Identification found = long_result(
       [&](const Progress& progress) {
         IdentificationOptions options = of.options;
         if (options.bands) options.bands->progress = progress;
         return identify(LevelEvidence(levels, of.texts.common_errors), stiffness, options);
       },
       listener);
+  for (const auto& [code, words] : notes) found.warnings.push_back({code, words});
   const std::string text = joint_text(found, of.options, input_of(levels), command, of.texts);
   return identification_dict(found, text);
 }
@@ -164,6 +181,12 @@ py::tuple read_levels_of(const std::string& path, bool use_inner_reversals, bool
   return py::make_tuple(dict_of(table.used.levels), python::list_of(table.warnings));
 }
 
+/// How draws came to be, as a joint.json of the first.
+std::optional<std::string> origin_of(const JointSamples& of) {
+  if (!of.provenance) return std::nullopt;
+  return format_joint({of.joint(0), of.provenance, {}});
+}
+
 /// All that draws are, to be kept by pickle.
 py::dict state_of(const JointSamples& of) {
   return py::dict("method"_a = of.method, "seed"_a = of.seed,
@@ -173,7 +196,7 @@ py::dict state_of(const JointSamples& of) {
                   "atom_slip_displacement"_a = of.atom_slip_displacement,
                   "atom_weight"_a = array_of(of.atom_weight),
                   "linear_damping"_a = array_of(of.linear_damping),
-                  "viscous"_a = array_of(of.viscous));
+                  "viscous"_a = array_of(of.viscous), "origin"_a = origin_of(of));
 }
 
 JointSamples draws_of(const py::dict& state) {
@@ -188,6 +211,9 @@ JointSamples draws_of(const py::dict& state) {
       .atom_weight = numbers("atom_weight"),
       .linear_damping = numbers("linear_damping"),
       .viscous = numbers("viscous")};
+  if (const auto origin = state["origin"].cast<std::optional<std::string>>()) {
+    of.provenance = provenance_of(*origin);
+  }
   of.check();
   return of;
 }
@@ -238,8 +264,7 @@ void add_identification(py::module_& core) {
   core.def("parse_levels", [](const std::string& text) {
     return dict_of(without_inner_reversals(parse_levels(text, "levels")).levels);
   });
-  core.def("levels_csv",
-           [](const py::dict& columns) { return levels_table(levels_of(columns)).str(); });
+  core.def("levels_csv", [](const py::dict& columns) { return csv_of(levels_of(columns)); });
 }
 
 }  // namespace microslip::python

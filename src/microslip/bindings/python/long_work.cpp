@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/bindings/python/long_work.hpp"
 
+#include <unistd.h>
+
 #include <cstddef>
 #include <utility>
 
@@ -11,6 +13,14 @@ namespace py = pybind11;
 namespace microslip::python {
 namespace {
 
+/// A thread that nobody waits for may still work while the interpreter ends. Whoever asks for the lock
+/// then is ended by Python in a way that C++ cannot follow, so that it must never return there.
+bool interpreter_ends() { return Py_IsInitialized() == 0; }
+
+void stay_while_interpreter_ends() {
+  while (interpreter_ends()) pause();
+}
+
 /// Signals, and the listener where there is news.
 class Attention {
  public:
@@ -18,6 +28,7 @@ class Attention {
 
   /// @return whether to go on. @throws py::error_already_set
   bool operator()(std::size_t done, std::size_t total) {
+    if (interpreter_ends()) return false;
     const py::gil_scoped_acquire locked;
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     const std::pair news{done, total};
@@ -37,7 +48,13 @@ class Attention {
 void do_long_work(const std::function<void(const Progress& progress)>& work,
                   const py::object& listener) {
   const py::gil_scoped_release unlocked;
-  do_attended(work, Attention(listener));
+  try {
+    do_attended(work, Attention(listener));
+  } catch (...) {
+    stay_while_interpreter_ends();
+    throw;
+  }
+  stay_while_interpreter_ends();
 }
 
 }  // namespace microslip::python

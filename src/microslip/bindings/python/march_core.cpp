@@ -69,7 +69,9 @@ py::dict dict_of(MarchResult result) {
                     "linear_dissipation"_a = energy.linear_dissipation,
                     "kinetic"_a = energy.kinetic, "elastic"_a = energy.elastic,
                     "joint_dissipation"_a = energy.joint_dissipation(),
-                    "joint_stored"_a = energy.joint_stored(), "imbalance"_a = energy.imbalance());
+                    "joint_stored"_a = energy.joint_stored(),
+                    "joint_linear_dissipation"_a = energy.joint_linear_dissipation(),
+                    "imbalance"_a = energy.imbalance());
   return py::dict("time"_a = array_of(std::move(result.time)), "points"_a = points,
                   "joints"_a = joints, "reached"_a = result.reached, "steps"_a = result.steps,
                   "error_estimate"_a = result.error_estimate, "energy"_a = energies,

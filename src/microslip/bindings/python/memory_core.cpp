@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "microslip/base/error.hpp"
 #include "microslip/bindings/python/arguments.hpp"
 #include "microslip/bindings/python/core.hpp"
 #include "microslip/joint/jenkins_network.hpp"
@@ -14,12 +15,57 @@ namespace py = pybind11;
 namespace microslip::python {
 namespace {
 
-/// A memory that keeps its joint.
-struct OwningMemory {
-  explicit OwningMemory(SharedJoint of) : joint(std::move(of)), memory(*joint) {}
+/// A memory that keeps its joint. A long path goes on without the interpreter's lock: others must not
+/// look at the memory meanwhile.
+class OwningMemory {
+ public:
+  explicit OwningMemory(SharedJoint of) : joint_(std::move(of)), memory_(*joint_) {}
 
-  SharedJoint joint;
-  Memory memory;
+  /// @throws InputError  while a path goes on.
+  Memory& get() {
+    check();
+    return memory_;
+  }
+  [[nodiscard]] const Memory& get() const {
+    check();
+    return memory_;
+  }
+
+  void march(std::span<const double> x, std::span<double> force) {
+    constexpr std::size_t kLong = 2000;  // some 10 us
+    if (x.size() < kLong) return get().march(x, force);
+    const Busy busy(get_flag());
+    const py::gil_scoped_release unlocked;  // taken back before the flag is
+    memory_.march(x, force);
+  }
+
+ private:
+  /// Read and written with the interpreter's lock.
+  class Busy {
+   public:
+    explicit Busy(bool& flag) : flag_(flag) { flag_ = true; }
+    Busy(const Busy&) = delete;
+    Busy& operator=(const Busy&) = delete;
+    ~Busy() { flag_ = false; }
+
+   private:
+    bool& flag_;
+  };
+
+  bool& get_flag() {
+    check();
+    return busy_;
+  }
+
+  void check() const {
+    if (!busy_) return;
+    throw InputError("memory", InputState{"in use"}, "must not be used by two threads at once",
+                     "Give each thread a copy.");
+  }
+
+  SharedJoint joint_;
+  Memory memory_;
+  bool busy_ = false;
 };
 
 py::tuple tuple_of(const Memory::Response& response) {
@@ -36,17 +82,13 @@ std::span<double> written(RealArray& array) {
 
 RealArray march(OwningMemory& of, const RealArray& x) {
   RealArray force = forces_along(x);
-  const std::span<double> to = written(force);
-  {
-    const py::gil_scoped_release unlocked;
-    of.memory.march(values(x), to);
-  }
+  of.march(values(x), written(force));
   return force;
 }
 
 RealArray reversals(const OwningMemory& of) {
   std::vector<double> rows;
-  for (const Memory::ReversalPoint& point : of.memory.reversals()) {
+  for (const Memory::ReversalPoint& point : of.get().reversals()) {
     rows.push_back(point.displacement);
     rows.push_back(point.force);
   }
@@ -71,17 +113,21 @@ RealArray march_under_load(const Joint& joint, const RealArray& x, const RealArr
 void add_memory(py::module_& core) {
   py::class_<OwningMemory>(core, "Memory")
       .def(py::init([](const std::shared_ptr<Joint>& joint) { return OwningMemory(joint); }))
-      .def("copy", [](const OwningMemory& of) { return of; })
+      .def("copy",
+           [](const OwningMemory& of) {
+             (void)of.get();
+             return of;
+           })
       .def_property_readonly("displacement",
-                             [](const OwningMemory& of) { return of.memory.displacement(); })
-      .def_property_readonly("force", [](const OwningMemory& of) { return of.memory.force(); })
+                             [](const OwningMemory& of) { return of.get().displacement(); })
+      .def_property_readonly("force", [](const OwningMemory& of) { return of.get().force(); })
       .def("reversals", reversals)
-      .def("trial", [](const OwningMemory& of, double x) { return tuple_of(of.memory.trial(x)); })
-      .def("advance", [](OwningMemory& of, double x) { return of.memory.advance(x); })
-      .def("dissipation", [](const OwningMemory& of, double x) { return of.memory.dissipation(x); })
-      .def("stored_energy", [](const OwningMemory& of) { return of.memory.stored_energy(); })
+      .def("trial", [](const OwningMemory& of, double x) { return tuple_of(of.get().trial(x)); })
+      .def("advance", [](OwningMemory& of, double x) { return of.get().advance(x); })
+      .def("dissipation", [](const OwningMemory& of, double x) { return of.get().dissipation(x); })
+      .def("stored_energy", [](const OwningMemory& of) { return of.get().stored_energy(); })
       .def("march", march)
-      .def("reset", [](OwningMemory& of) { of.memory.reset(); });
+      .def("reset", [](OwningMemory& of) { of.get().reset(); });
   core.def("march_under_load", march_under_load);
 }
 

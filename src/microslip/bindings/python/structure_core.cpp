@@ -88,20 +88,54 @@ std::vector<std::optional<Value>> told_of(const py::list& joints, const char* ke
   return all;
 }
 
+/// Where the response is measured unless something is said: where it is driven, or at the first point
+/// of what a base shakes.
+std::string usual_response(const JointedStructure& structure) {
+  const std::string& driven = structure.excitations().front().point;
+  const ModalModel& linear = structure.linear();
+  return linear.is_base(driven) && !linear.points().empty() ? linear.points().front().name : driven;
+}
+
+/// What is told of a structure beside its parts: told_beside() of it, or None of a new one.
+void tell_beside(const py::object& told, ModelFile& of) {
+  if (told.is_none()) return;
+  of.response = told["response"].cast<std::string>();
+  of.joint_samples = told["joint_samples"].cast<std::vector<std::string>>();
+  of.damping_said = told["damping_said"].cast<std::vector<bool>>();
+  const auto spread = told["spread"];
+  of.spread = {.frequency = spread["frequency"].cast<std::vector<double>>(),
+               .loss_factor = spread["loss_factor"].cast<std::vector<double>>(),
+               .normal_load = spread["normal_load"].cast<std::vector<double>>(),
+               .force_gain = spread["force_gain"].cast<std::vector<double>>(),
+               .response_gain = spread["response_gain"].cast<double>()};
+}
+
+py::dict told_beside(const ModelFile& of) {
+  return py::dict(
+      "response"_a = of.response, "joint_samples"_a = of.joint_samples,
+      "damping_said"_a = of.damping_said,
+      "spread"_a =
+          py::dict("frequency"_a = of.spread.frequency, "loss_factor"_a = of.spread.loss_factor,
+                   "normal_load"_a = of.spread.normal_load, "force_gain"_a = of.spread.force_gain,
+                   "response_gain"_a = of.spread.response_gain));
+}
+
 std::shared_ptr<ModelFile> structure_of(const py::dict& linear, const py::list& joints,
                                         const py::list& excitations, const std::string& damping,
-                                        const py::list& loads) {
-  const auto driven = excitations_of(excitations);
-  return std::make_shared<ModelFile>(ModelFile{
-      .structure =
-          JointedStructure(modal_model_of(linear), joints_of(joints), driven,
-                           damping == "hysteretic" ? DampingLaw::kHysteretic : DampingLaw::kViscous,
-                           static_loads_of(loads)),
-      .response = driven.front().point,
+                                        const py::list& loads, const py::object& told) {
+  JointedStructure structure(
+      modal_model_of(linear), joints_of(joints), excitations_of(excitations),
+      damping == "hysteretic" ? DampingLaw::kHysteretic : DampingLaw::kViscous,
+      static_loads_of(loads));
+  auto made = std::make_shared<ModelFile>(ModelFile{
+      .structure = structure,
+      .response = usual_response(structure),
       .joint_files = std::vector<std::string>(joints.size()),
       .covered_to = told_of<double>(joints, "covered_to"),
       .identified_damping = told_of<double>(joints, "identified_damping"),
       .static_attachments = linear["static_attachments"].cast<std::optional<std::size_t>>()});
+  tell_beside(told, *made);
+  return made;
 }
 
 // What a structure was made of: the same that structure_of() takes.
@@ -246,6 +280,7 @@ void add_structure(py::module_& core) {
       .def("joints", joint_parts)
       .def("excitations", excitation_parts)
       .def("static_loads", load_parts)
+      .def("told", told_beside)
       .def_property_readonly("damping",
                              [](const ModelFile& of) {
                                const bool lags = of.structure.damping() == DampingLaw::kHysteretic;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <complex>
 #include <functional>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "microslip/base/error.hpp"
 #include "microslip/bindings/python/arguments.hpp"
 #include "microslip/bindings/python/core.hpp"
 #include "microslip/bindings/python/long_work.hpp"
@@ -31,6 +34,8 @@ const std::map<std::string, Quantity> kQuantities{
     {"force", Quantity::kForceAmplitude},
     {"response", Quantity::kResponse},
     {"phase_lag", Quantity::kPhaseLag}};
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
 
 HarmonicBalanceOptions options_of(const py::dict& given) {
   return {.harmonics = given["harmonics"].cast<std::size_t>(),
@@ -163,15 +168,34 @@ py::dict follow_backbone(const JudgedBalance& of, const RealArray& responses, st
       listener));
 }
 
+/// A vibration as a curve of one point, so that it is judged as others are.
+ResponseCurve judged_point(const JudgedBalance& of, const VibrationResult& result,
+                           const Target& kept) {
+  ResponseCurve curve;
+  curve.points = {result.vibration};
+  curve.summary = result.summary;
+  if (!result.summary.converged()) return curve;
+  (void)add_truncation(of.balance, *of.model, kept.quantity, curve);
+  add_model_warnings(*of.model, curve);
+  return curve;
+}
+
 py::dict solve(const JudgedBalance& of, const std::pair<std::string, double>& first,
                const std::pair<std::string, double>& second, std::size_t mode) {
   const auto target = [](const std::pair<std::string, double>& given) {
     return Target{kQuantities.at(given.first), given.second};
   };
-  VibrationResult result = long_result(
-      [&](const Progress&) { return of.balance.solve(target(first), target(second), mode); },
+  const Target one = target(first);
+  const Target other = target(second);
+  VibrationResult result;
+  ResponseCurve judged = long_result(
+      [&](const Progress&) {
+        result = of.balance.solve(one, other, mode);
+        return judged_point(of, result, one.quantity == Quantity::kAngularFrequency ? other : one);
+      },
       py::none());
-  return py::dict("points"_a = columns_of({std::move(result.vibration)}),
+  return py::dict("points"_a = columns_of(judged.points),
+                  "warnings"_a = python::list_of(judged.warnings),
                   "summary"_a = python::dict_of(result.summary));
 }
 
@@ -179,6 +203,10 @@ py::dict solve(const JudgedBalance& of, const std::pair<std::string, double>& fi
 
 ResponseCurve JudgedBalance::follow_frequency(const Target& kept, double from, double to,
                                               const Progress& progress) const {
+  for (const double frequency : balance.options().frequencies) {
+    if (std::min(from, to) <= frequency && frequency <= std::max(from, to)) continue;
+    throw InputError("frequencies", frequency / kTurn, "must be within the range of the curve");
+  }
   ResponseCurve curve = balance.follow(kept, Quantity::kAngularFrequency, from, to, 0, progress);
   (void)add_truncation(balance, *model, kept.quantity, curve);
   add_response_warnings(balance, *model, curve);
@@ -187,6 +215,11 @@ ResponseCurve JudgedBalance::follow_frequency(const Target& kept, double from, d
 
 ResponseCurve JudgedBalance::follow_backbone(std::span<const double> responses, std::size_t mode,
                                              bool through_folds, const Progress& progress) const {
+  if (!balance.options().frequencies.empty()) {
+    throw InputError("frequencies", balance.options().frequencies.front() / kTurn,
+                     "belongs to curves over the frequency, and this is a backbone",
+                     "Leave it out.");
+  }
   ResponseCurve curve = through_folds ? balance.resonances(responses, mode, progress)
                                       : balance.backbone(responses, mode, progress);
   (void)add_truncation(balance, *model, Quantity::kPhaseLag, curve);

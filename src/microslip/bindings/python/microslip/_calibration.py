@@ -247,6 +247,11 @@ class CalibratedJoint(Shown):
     covered_to: float
     draws: JointDraws
 
+    @property
+    def linear_damping(self) -> Optional[float]:
+        """None: a calibration seeks no loss beside slip."""
+        return None
+
     def to_pandas(self) -> pandas.DataFrame:
         """A DataFrame with the columns of identifiability.csv."""
         import pandas
@@ -504,8 +509,8 @@ def _joint_of(found: dict[str, Any]) -> CalibratedJoint:
 
 def _calibration_of(found: dict[str, Any], structure: Structure) -> Calibration:
     joints = tuple(_joint_of(joint) for joint in found["joints"])
-    by_name = {joint.name: joint.joint for joint in joints}
-    placed = [by_name.get(joint.name or "", joint.joint) for joint in structure.joints]
+    by_name = {joint.name: joint for joint in joints}
+    placed = [by_name.get(joint.name or "", joint) for joint in structure.joints]
     levels = found["levels"]
 
     def column(name: str) -> RealArray:

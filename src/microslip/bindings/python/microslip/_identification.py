@@ -259,7 +259,7 @@ def identify(
     }  # fmt: skip
     found = _core.identify_levels(
         levels._columns(), positive(stiffness, "stiffness"), options, "microslip.identify",
-        progress_of(progress),
+        [(note.code, note.text) for note in levels._notes], progress_of(progress),
     )  # fmt: skip
     return told(_identification_of(found), flag(strict, "strict"))
 

@@ -4,14 +4,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Optional
 
 from . import _core
 from ._arguments import ArrayLike, Path, RealArray, flag, one_of, optional_array, real_array
 from ._arguments import path as path_of
 from ._errors import InputError
-from ._results import Shown, si, warn_of
+from ._results import Note, Shown, notes, si, warn_of
 
 if TYPE_CHECKING:
     import pandas
@@ -65,6 +65,7 @@ class Levels(Shown):
     linear_dissipation: Optional[RealArray]
     frequency: Optional[RealArray]
     frequency_std: Optional[RealArray]
+    _notes: tuple[Note, ...]
 
     def __init__(
         self,
@@ -90,6 +91,7 @@ class Levels(Shown):
             "frequency_std": frequency_std,
         }
         object.__setattr__(self, "amplitude", first)
+        object.__setattr__(self, "_notes", ())
         for name, values in given.items():
             object.__setattr__(self, name, optional_array(values, name, len(first), _EACH))
 
@@ -120,7 +122,9 @@ class Levels(Shown):
             assemblies is not None,
         )  # fmt: skip
         warn_of(warnings)
-        return cls(**columns)
+        levels = cls(**columns)
+        object.__setattr__(levels, "_notes", notes(warnings))
+        return levels
 
     def write(self, path: Path) -> None:
         """Writes a levels.csv: at once and whole, or not at all."""
@@ -180,7 +184,7 @@ class Levels(Shown):
         return len(self.amplitude)
 
     def _columns(self) -> dict[str, Optional[RealArray]]:
-        return {field.name: getattr(self, field.name) for field in fields(self)}
+        return {name: getattr(self, name) for name in _UNITS}
 
     def _facts(self) -> tuple[str, list[tuple[str, str]]]:
         rows = [("levels", str(len(self)))]

@@ -53,7 +53,7 @@ class MarchEnergy:
 
     Attributes
     ----------
-    initial, input, linear_dissipation, kinetic, elastic, joint_dissipation, joint_stored : float
+    initial, input, linear_dissipation, kinetic, elastic, joint_dissipation, joint_stored, joint_linear_dissipation : float
         Each by itself, never as the rest of the others.
     imbalance : float
         Of the balance, relative, 1: it measures the error of the integration.
@@ -66,6 +66,7 @@ class MarchEnergy:
     elastic: float
     joint_dissipation: float
     joint_stored: float
+    joint_linear_dissipation: float
     imbalance: float
 
 

@@ -85,14 +85,16 @@ def drawn(structure: Structure, draws: Optional[DrawsOfJoints], samples: object,
         "confidence": real(confidence, "confidence"),
         "correlation": one_of(correlation, "correlation", ("auto", "together", "independent")),
         "joints": _of_joints(structure, draws),
+        "has_spread": spread is not None,
         **(spread or Spread())._dict(structure),
     }
 
 
-def _of_joints(structure: Structure, draws: Any) -> list[Any]:
+def _of_joints(structure: Structure, draws: Any) -> Optional[list[Any]]:
+    """None where those that a model.toml names are meant."""
     names = [joint.name or "" for joint in structure.joints]
     if draws is None:
-        return []
+        return None
     if isinstance(draws, Mapping):
         for name in draws:
             if name not in names:

@@ -202,6 +202,7 @@ class Structure(Shown):
             _excitations(driven),
             law,
             [(place, real(value, f"static_loads[{place!r}]")) for place, value in loads.items()],
+            None,
         )
 
     @classmethod
@@ -221,24 +222,28 @@ class Structure(Shown):
         Parameters
         ----------
         joints : sequence
-            As many `Joint`, `IdentifiedJoint` or `Identification` as there are, which take the
-            places of those, with their own linear damping; or any number of `StructuralJoint`.
+            As many as there are, which take their places: each a `Joint`, `IdentifiedJoint` or
+            `Identification`, or a `StructuralJoint` with a place of its own. A linear damping that
+            an old joint had from its identification goes with it; one that the structure says itself
+            stays. Or any number of `StructuralJoint`.
         """
         given = sequence(joints, "joints", "joints")
-        placed = self.joints
-        if given and not any(isinstance(joint, StructuralJoint) for joint in given):
-            if len(given) != len(placed):
-                raise InputError(f"joints has {len(given)}; must have {len(placed)}, one a joint of"
-                                 " the structure")  # fmt: skip
-            given = [
-                StructuralJoint(joint, old.shape, old.name, old.spring_in_modes,
-                                old.series_compliance, old.shortening)
-                for joint, old in zip(given, placed)
-            ]  # fmt: skip
+        old = self._core.joints()
+        told = self._core.told()
+        if not all(isinstance(joint, StructuralJoint) for joint in given) and len(given) != len(old):
+            raise InputError(f"joints has {len(given)}; must have {len(old)}, one a joint of the"
+                             " structure")  # fmt: skip
+        told |= {"joint_samples": [], "damping_said": []}
+        if len(given) != len(old):
+            told["spread"]["normal_load"] = []
+        parts = [
+            joint if isinstance(joint, StructuralJoint) else _in_place_of(part, joint)
+            for joint, part in zip(given, old)
+        ] if len(given) == len(old) else given  # fmt: skip
         modes = len(self.angular_frequency)
         return Structure._of(
-            _core.Structure(self._core.linear(), _joint_parts(given, modes), self._core.excitations(),
-                            self._core.damping, self._core.static_loads())  # fmt: skip
+            _core.Structure(self._core.linear(), _joint_parts(parts, modes), self._core.excitations(),
+                            self._core.damping, self._core.static_loads(), told)  # fmt: skip
         )
 
     @property
@@ -290,7 +295,7 @@ class Structure(Shown):
     def __reduce__(self) -> tuple[Any, ...]:
         core = self._core
         return _structure_of, (core.linear(), self.joints, core.excitations(), core.damping,
-                               core.static_loads())  # fmt: skip
+                               core.static_loads(), core.told())  # fmt: skip
 
     def _facts(self) -> tuple[str, list[tuple[str, str]]]:
         stuck = self.stuck_frequencies()
@@ -316,9 +321,18 @@ def _placed(part: dict[str, Any]) -> StructuralJoint:
     )  # fmt: skip
 
 
-def _structure_of(linear: Any, joints: Any, excitations: Any, damping: str, loads: Any) -> Structure:
+def _in_place_of(part: dict[str, Any], joint: AnyJoint) -> StructuralJoint:
+    """Another joint in the place of a part of the compiled half."""
+    said = part["linear_damping"] != (part["identified_damping"] or 0.0)
+    return StructuralJoint(joint, part["shape"], part["name"], part["spring_in_modes"],
+                           part["series_compliance"], part["shortening"],
+                           part["linear_damping"] if said else None)  # fmt: skip
+
+
+def _structure_of(linear: Any, joints: Any, excitations: Any, damping: str, loads: Any,
+                  told: Any) -> Structure:  # fmt: skip
     parts = _joint_parts(joints, len(linear["angular_frequency"]))
-    return Structure._of(_core.Structure(linear, parts, excitations, damping, loads))
+    return Structure._of(_core.Structure(linear, parts, excitations, damping, loads, told))
 
 
 def _mapping(value: object, name: str) -> Mapping[str, Any]:

@@ -487,7 +487,8 @@ class HarmonicBalance:
             raise InputError(f"{len(targets)} of frequency, force, response, phase_lag are given;"
                              " must be two")  # fmt: skip
         found = self._core.solve(targets[0], targets[1], whole(mode, "mode"))
-        result = Vibration(_vibrations(found["points"]), summary_of(found["summary"]))
+        result = Vibration(_vibrations(found["points"]), summary_of(found["summary"]),
+                           notes(found["warnings"]))  # fmt: skip
         return told(result, flag(strict, "strict"))
 
     def _follow(self, kept: str, value: float, from_: object, to: object,
