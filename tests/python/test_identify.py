@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Levels and identification: the program's joint.json, tables, draws."""
 
+import dataclasses
 import json
 import pickle
 
@@ -136,3 +137,84 @@ def test_levels_without_loss_are_refused():
     amplitude = np.geomspace(1e-6, 1e-4, 20)
     with pytest.raises(ValueError, match="dissipation"):
         microslip.identify(amplitude, 0 * amplitude, stiffness=K)
+
+
+AMPLITUDE = np.geomspace(1e-6, 1e-4, 20)
+TABLE = {"amplitude [m]": AMPLITUDE, "dissipation [J]": 100 * AMPLITUDE**2}
+
+
+def test_tables_say_what_files_say():
+    turns = np.where(AMPLITUDE < 3e-6, 4, 2)
+    told = {**TABLE, "reversals [1]": turns, "flags": ["", "noisy"] * 10, "assembly": ["a"] * 20}
+    with pytest.warns(microslip.MicroslipWarning) as warned:
+        levels = microslip.Levels.of(told)
+    assert np.array_equal(levels.amplitude, AMPLITUDE[turns == 2])
+    texts = [str(warning.message) for warning in warned]
+    assert texts[1].startswith("levels_left_out: 5 of 20 levels have inner reversals")
+    assert texts[0].startswith("levels_flagged: levels carry flags: noisy (8 of 15)")
+    with pytest.warns(microslip.MicroslipWarning, match="inner_reversals_used: 5 of 20"):
+        assert len(microslip.Levels.of({**TABLE, "reversals": turns}, use_inner_reversals=True)) == 20
+    with pytest.raises(ValueError, match="^reversals is above 2 at all levels"):
+        microslip.Levels.of({**TABLE, "reversals": [3] * 20})
+    with pytest.raises(ValueError, match="^reversals has 19"):
+        microslip.Levels.of({**TABLE, "reversals": [2] * 19})
+    several = {**TABLE, "assembly": ["a", "b"] * 10}
+    with pytest.raises(ValueError, match="^assembly has 2 names, a, b"):
+        microslip.Levels.of(several)
+    assert len(microslip.Levels.of(several, assemblies="none")) == 20
+
+
+@pytest.mark.parametrize("name", ["dissipation_sd", "Amplitude_std", "amplitude_std [m] (1 sigma)",
+                                  "disipation_std", "secant_stifness [N/m]", "reversal", "frequencies",
+                                  "dissipation std"])  # fmt: skip
+def test_mistakes_in_names_of_columns_are_refused(name):
+    with pytest.raises(ValueError, match="is no column of levels; must be"):
+        microslip.Levels.of({**TABLE, name: AMPLITUDE})
+
+
+def test_other_columns_may_hold_anything():
+    of_program = ("source", "force_amplitude [N]", "response_amplitude [m/s^2]", "input_energy [J]",
+                  "force_distortion [1]", "mean_displacement [m]", "stiffness [N/m]", "note", "level",
+                  "displacement_std [m]", "damping_ratio [1]", "decay_time [s]", "", 7)  # fmt: skip
+    assert len(microslip.Levels.of({**TABLE, **{name: object() for name in of_program}})) == 20
+
+
+def test_columns_stand_once_in_a_table():
+    pandas = pytest.importorskip("pandas")
+    with pytest.raises(ValueError, match=r"amplitude \[m\] and amplitude are both columns"):
+        microslip.Levels.of({**TABLE, "amplitude": AMPLITUDE})
+    frame = pandas.DataFrame(TABLE)
+    with pytest.raises(ValueError, match="are both columns"):
+        microslip.Levels.of(pandas.concat([frame, frame], axis=1))
+    both = {**TABLE, "frequency [Hz]": AMPLITUDE, "resonance_frequency (Hz)": 2 * AMPLITUDE}
+    assert np.array_equal(microslip.Levels.of(both).frequency, 2 * AMPLITUDE)
+
+
+def test_levels_are_their_own():
+    given = AMPLITUDE.copy()
+    levels = microslip.Levels(given, given, frequency=given)
+    given[3] = np.nan
+    for kept in (levels, pickle.loads(pickle.dumps(levels))):
+        for values in (kept.amplitude, kept.dissipation, kept.frequency):
+            assert np.array_equal(values, AMPLITUDE)
+            with pytest.raises(ValueError, match="read-only"):
+                values[3] = 0.0
+    assert given.flags.writeable
+
+
+def test_results_are_read_only(levels):
+    found = microslip.identify(levels, stiffness=K, samples=20)
+    for values in (found.slip_force, found.density, found.lower, found.upper):
+        with pytest.raises(ValueError, match="read-only"):
+            values[0] = 0.0
+
+
+def test_picture_has_the_atoms_and_takes_a_label(levels):
+    figures = pytest.importorskip("matplotlib.figure")
+    found = microslip.identify(levels, stiffness=K)
+    for joint, axes in ((found.joint, 1), (microslip.Joint(K, [microslip.Atoms([95.0], [0.5])]), 2)):
+        figure = figures.Figure()
+        ax = dataclasses.replace(found, joint=joint).plot(figure.subplots(), label="mine")
+        assert ax.lines[0].get_label() == "mine"
+        assert len(figure.axes) == axes  # the second of the weights
+        assert ax.get_xlim()[1] >= joint._core.largest_slip_force

@@ -3,15 +3,20 @@
 
 from __future__ import annotations
 
+import re
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
+from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any, Optional
+
+import numpy as np
 
 from . import _core
 from ._arguments import ArrayLike, Path, RealArray, flag, one_of, optional_array, real_array
 from ._arguments import path as path_of
 from ._errors import InputError
-from ._results import Note, Shown, notes, si, warn_of
+from ._results import Note, Shown, fix, notes, si, warn_of
 
 if TYPE_CHECKING:
     import pandas
@@ -28,12 +33,16 @@ _UNITS = {
     "frequency": "Hz",
     "frequency_std": "Hz",
 }
+#: What columns of a table say of levels beside numbers that are identified from.
+_SAID = ("reversals", "flags", "assembly")
+_FREQUENCIES = ("frequency", "frequency_std")
+_HEADER = re.compile(r"(.*?)\s*(?:\[([^\[\]]*)\]|\(([^()]*)\))?\s*")
 _EACH = "one an amplitude"
 
 
 @dataclass(frozen=True, init=False, repr=False, eq=False)
 class Levels(Shown):
-    """One entry a level of vibration.
+    """One entry a level of vibration. Immutable: arrays are copied, and read-only.
 
     Parameters
     ----------
@@ -90,10 +99,11 @@ class Levels(Shown):
             "frequency": frequency,
             "frequency_std": frequency_std,
         }
-        object.__setattr__(self, "amplitude", first)
         object.__setattr__(self, "_notes", ())
-        for name, values in given.items():
-            object.__setattr__(self, name, optional_array(values, name, len(first), _EACH))
+        for name, values in (("amplitude", first), *given.items()):
+            checked = optional_array(values, name, len(first), _EACH)
+            object.__setattr__(self, name, None if checked is None else checked.copy())
+        fix(self)
 
     @classmethod
     def read(cls, path: Path, *, use_inner_reversals: bool = False,
@@ -131,39 +141,40 @@ class Levels(Shown):
         _core.write_file(path_of(path, "path"), _core.levels_csv(self._columns()).encode())
 
     @classmethod
-    def of(cls, table: Any) -> Levels:
-        """Levels of a pandas frame or a mapping.
+    def of(cls, table: Any, *, use_inner_reversals: bool = False,
+           assemblies: Optional[str] = None) -> Levels:  # fmt: skip
+        """Levels of a pandas frame or a mapping, by the rules of `read`.
 
         Parameters
         ----------
         table : DataFrame or mapping
             With columns ``amplitude`` and ``dissipation``, and others as of the class. A unit may
             stand behind a name as in levels.csv, ``amplitude [m]``; another than SI is refused.
+            ``reversals``, ``flags`` and ``assembly`` mean what they mean there. Other columns may
+            hold anything, unless their names look like mistakes: ``dissipation_sd``.
+        use_inner_reversals, assemblies
+            As of `read`.
+
+        Raises
+        ------
+        ValueError
+            Naming the column.
         """
+        flag(use_inner_reversals, "use_inner_reversals")
+        if assemblies is not None:
+            one_of(assemblies, "assemblies", ("none",))
         if isinstance(table, Levels):
             return table
         if not isinstance(table, Mapping) and not hasattr(table, "columns"):
             raise InputError(f"table = {type(table).__name__}; must be a DataFrame or a mapping")
-        columns = {}
-        keys = [str(key) for key in table.keys()]
-        resonance = any(key.partition(" [")[0] == "resonance_frequency" for key in keys)
-        for key in table.keys():
-            name, _, unit = str(key).partition(" [")
-            if resonance and name.startswith("frequency"):
-                continue  # of the drive
-            name = name.removeprefix("resonance_")
-            if name not in _UNITS:
-                continue
-            if unit and unit != _UNITS[name] + "]":
-                raise InputError(
-                    f"{key} is in another unit; must be in {_UNITS[name]}."
-                    " Convert it, or write a levels.csv, which Levels.read converts"
-                )
-            columns[name] = table[key]
+        columns = _columns_of(table)
         for needed in ("amplitude", "dissipation"):
             if needed not in columns:
                 raise InputError(f"{needed} is missing; must be a column of the table")
-        return cls(**columns)
+        said = {name: columns.pop(name, None) for name in _SAID}
+        if assemblies is None and said["assembly"] is not None:
+            _check_one_assembly(said["assembly"])
+        return _usable(cls(**columns), said, use_inner_reversals)
 
     def to_pandas(self) -> pandas.DataFrame:
         """A DataFrame with the columns of levels.csv."""
@@ -183,6 +194,14 @@ class Levels(Shown):
     def __len__(self) -> int:
         return len(self.amplitude)
 
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        vars(self).update(state)
+        fix(self)
+
+    def _at(self, chosen: Any) -> Levels:
+        return Levels(**{name: None if values is None else values[chosen]
+                         for name, values in self._columns().items()})  # type: ignore[arg-type] # fmt: skip
+
     def _columns(self) -> dict[str, Optional[RealArray]]:
         return {name: getattr(self, name) for name in _UNITS}
 
@@ -192,3 +211,88 @@ class Levels(Shown):
             if values is not None:
                 rows.append((name, f"{si(values.min(), '1')} to {si(values.max(), _UNITS[name])}"))
         return "Levels", rows
+
+
+def _columns_of(table: Any) -> dict[str, Any]:
+    """What counts of a table, by names without units."""
+    named = [(key, *_name_and_unit(str(key))) for key in table.keys()]
+    resonance = any(name == "resonance_frequency" for _, name, _ in named)
+    columns: dict[str, Any] = {}
+    keys: dict[str, Any] = {}
+    for key, name, unit in named:
+        if resonance and name in _FREQUENCIES:
+            continue  # of the drive
+        if name.removeprefix("resonance_") in _FREQUENCIES:
+            name = name.removeprefix("resonance_")
+        if name not in _UNITS and name not in _SAID:
+            _check_no_mistake(str(key), name)
+            continue
+        if name in keys:
+            raise InputError(f"{keys[name]} and {key} are both columns; must be one of them")
+        if unit and name in _UNITS and unit != _UNITS[name]:
+            raise InputError(
+                f"{key} is in another unit; must be in {_UNITS[name]}."
+                " Convert it, or write a levels.csv, which Levels.read converts"
+            )
+        keys[name] = key
+        columns[name] = table[key]
+    return columns
+
+
+def _name_and_unit(key: str) -> tuple[str, str]:
+    """``amplitude [m]`` and ``amplitude (m)`` in two."""
+    found = _HEADER.fullmatch(key)
+    return (found[1], found[2] or found[3] or "") if found else (key, "")
+
+
+def _check_no_mistake(key: str, name: str) -> None:
+    """A column that is left alone must not be one whose name was mistyped."""
+    known = [*_UNITS, *_SAID]
+    plain = name.strip().lower().replace(" ", "_")
+    near = get_close_matches(plain, known, 1, 0.8)
+    near = near or [stem for stem in known if re.match(rf"{stem}(?![a-z])", plain)]
+    if near:
+        raise InputError(f"{key} is no column of levels; must be {near[0]}, or have a name that is"
+                         " not so like one. Columns are"
+                         f" {', '.join(known)}")  # fmt: skip
+
+
+def _check_one_assembly(assembly: Any) -> None:
+    found = dict.fromkeys(str(name) for name in assembly)
+    if len(found) > 1:
+        raise InputError(f"assembly has {len(found)} names, {', '.join(found)}; must be one. Keep the"
+                         " rows of one, or say assemblies='none' where all levels are of one"
+                         " joint")  # fmt: skip
+
+
+def _usable(levels: Levels, said: dict[str, Any], use_inner_reversals: bool) -> Levels:
+    """Without levels whose D is not that of one loop [AR14 (7)]; warns of them, and of flags."""
+    count = len(levels)
+    turns = optional_array(said["reversals"], "reversals", count, _EACH)
+    inner = np.zeros(count, dtype=bool) if turns is None else turns > 2.0
+    flags = [] if said["flags"] is None else list(said["flags"])
+    if inner.any() and not use_inner_reversals:
+        if inner.all():
+            raise InputError("reversals is above 2 at all levels; must be 2 at one at least."
+                             " use_inner_reversals=True takes them all the same")  # fmt: skip
+        levels = levels._at(~inner)
+        flags = [cell for cell, left_out in zip(flags, inner) if not left_out]
+    warnings = _warnings_of_flags(flags, len(levels))
+    if inner.any():
+        code = "inner_reversals_used" if use_inner_reversals else "levels_left_out"
+        done = "used all the same" if use_inner_reversals else "left out"
+        warnings.append(
+            (code, f"{inner.sum()} of {count} levels have inner reversals; they were {done}.")
+        )
+    warn_of(warnings)
+    object.__setattr__(levels, "_notes", notes(warnings))
+    return levels
+
+
+def _warnings_of_flags(flags: list[Any], count: int) -> list[tuple[str, str]]:
+    """An empty cell is no text where pandas read the table."""
+    having = Counter(word for cell in flags if isinstance(cell, str) for word in set(cell.split()))
+    if not having:
+        return []
+    text = ", ".join(f"{word} ({having[word]} of {count})" for word in sorted(having))
+    return [("levels_flagged", f"levels carry flags: {text}; docs/warnings.md says what they mean.")]

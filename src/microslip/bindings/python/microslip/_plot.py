@@ -43,27 +43,34 @@ def plot_density(joint: Joint, ax: Optional[Axes] = None, **style: Any) -> Axes:
     ax.plot(force, joint.density_at(force), **style)
     ax.set_ylim(bottom=0.0)
     ax.set_xlim(0.0, 1.05 * largest)
-    atoms = [part for part in joint._core.parts() if part[0] == "atoms"]
-    if atoms:
-        weights = ax.twinx()
-        weights.set_ylabel("weight of atoms [1]")
-        for part in atoms:
-            weights.stem(part[1], part[2], linefmt="C1-", markerfmt="C1o", basefmt=" ")
-        weights.set_ylim(bottom=0.0)
+    _draw_atoms(joint, ax)
     return ax
+
+
+def _draw_atoms(joint: Joint, ax: Axes) -> None:
+    atoms = [part for part in joint._core.parts() if part[0] == "atoms"]
+    if not atoms:
+        return
+    weights = ax.twinx()
+    weights.set_ylabel("weight of atoms [1]")
+    for part in atoms:
+        weights.stem(part[1], part[2], linefmt="C1-", markerfmt="C1o", basefmt=" ")
+    weights.set_ylim(bottom=0.0)
 
 
 def plot_identification(found: Union[Identification, CalibratedJoint], ax: Optional[Axes] = None, **style: Any) -> Axes:
     """The identified density with its band, and where the levels tell of it."""
     ax = _axes(ax, "slip force [N]", "density [1/N]")
-    (line,) = ax.plot(found.slip_force, found.density, label="identified", **style)
+    (line,) = ax.plot(found.slip_force, found.density, **{"label": "identified", **style})
     if found.lower is not None:
         ax.fill_between(found.slip_force, found.lower, found.upper, alpha=0.25, linewidth=0,
                         color=line.get_color(), label="95 % of the draws")  # fmt: skip
     ax.axvspan(0.0, found.covered_from, color="0.5", alpha=0.12, linewidth=0,
                label="below the lowest level")  # fmt: skip
     ax.set_ylim(bottom=0.0)
-    ax.set_xlim(0.0, max(found.slip_force[-1], found.covered_to))
+    largest = found.joint._core.largest_slip_force
+    ax.set_xlim(0.0, max(found.slip_force[-1], found.covered_to, 1.05 * largest))
+    _draw_atoms(found.joint, ax)
     ax.legend(frameon=False)
     return ax
 
@@ -73,8 +80,9 @@ def plot_levels(levels: Levels, ax: Optional[Axes] = None, **style: Any) -> Axes
     ax = _axes(ax, "amplitude [m]", "dissipation per cycle [J]")
     style.setdefault("fmt", "o")
     style.setdefault("markersize", 4)
-    ax.errorbar(levels.amplitude, levels.dissipation, yerr=levels.dissipation_std,
-                xerr=levels.amplitude_std, **style)  # fmt: skip
+    style.setdefault("yerr", levels.dissipation_std)
+    style.setdefault("xerr", levels.amplitude_std)
+    ax.errorbar(levels.amplitude, levels.dissipation, **style)
     ax.set_xscale("log")
     ax.set_yscale("log")
     return ax
@@ -101,7 +109,7 @@ def plot_march(result: MarchResult, ax: Optional[Axes] = None, **style: Any) -> 
     """The displacements of all recorded points over time."""
     ax = _axes(ax, "time [s]", "displacement [m]")
     for name, motion in result.points.items():
-        ax.plot(result.time, motion.displacement, label=name, **style)
+        ax.plot(result.time, motion.displacement, **{"label": name, **style})
     if result.points:
         ax.legend(frameon=False)
     return ax
@@ -116,7 +124,7 @@ def plot_recording(recording: Recording, ax: Optional[Axes] = None, **style: Any
     for channel in recording.channels:
         values = np.asarray(channel.values)
         ax.plot(points, np.abs(values) if np.iscomplexobj(values) else values,
-                label=channel.name, **style)  # fmt: skip
+                **{"label": channel.name, **style})  # fmt: skip
     ax.legend(frameon=False)
     return ax
 
@@ -126,7 +134,8 @@ def plot_ring_down(decay: RingDown, ax: Optional[Axes] = None, **style: Any) -> 
     ax = _axes(ax, "amplitude [m]", "damping ratio [1]")
     style.setdefault("fmt", "o")
     style.setdefault("markersize", 3)
-    ax.errorbar(decay.amplitude, decay.damping_ratio, yerr=decay.damping_ratio_std, **style)
+    style.setdefault("yerr", decay.damping_ratio_std)
+    ax.errorbar(decay.amplitude, decay.damping_ratio, **style)
     ax.set_xscale("log")
     ax.set_ylim(bottom=0.0)
     return ax

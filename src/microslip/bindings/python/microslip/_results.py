@@ -7,8 +7,10 @@ import html
 import sys
 import warnings as python_warnings
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, is_dataclass
 from typing import Any, Protocol, TypeVar
+
+import numpy as np
 
 from ._errors import MicroslipWarning, NotConverged
 
@@ -101,8 +103,24 @@ def warn_of(pairs: Iterable[tuple[str, str]]) -> None:
         warn(str(note))
 
 
+def fix(value: object) -> None:
+    """Makes the arrays of a result read-only: they are its own, and it is shared freely."""
+    if isinstance(value, np.ndarray):
+        value.setflags(write=False)
+    elif is_dataclass(value):
+        for field in fields(value):
+            fix(getattr(value, field.name))
+    elif isinstance(value, (tuple, list)):
+        for one in value:
+            fix(one)
+    elif isinstance(value, Mapping):
+        fix(list(value.values()))
+
+
 def told(result: Result, strict: bool) -> Result:
-    """Tells the warnings of a result, and raises where it did not converge and `strict` is set."""
+    """Tells the warnings of a result, and raises where it did not converge and `strict` is set. Its
+    arrays are read-only from here on."""
+    fix(result)
     for note in result.warnings:
         warn(str(note))
     if not result.summary.converged:
