@@ -304,3 +304,19 @@ def test_one_damping_serves_all_modes():
     for damping in ({"loss_factor": 0.002}, {"damping_ratio": 0.001}):
         structure = microslip.Structure([10.0, 20.0], {"mass": shape}, **damping)
         assert structure.loss_factor.tolist() == [0.002, 0.002]
+
+
+def test_bad_arguments_are_named(joint):
+    for mass in ([-2.0], [0.0], [[1.0, 2.0], [2.0, 1.0]]):
+        with pytest.raises(ValueError, match="^mass "):
+            n = len(mass)
+            solve_jointed(mass, [0.0] * n, [1e5] * n, [], None, (0.0, 0.1))
+    for span in (5, (0.0, 1.0, 2.0), None, "ab", (0.0, np.nan), (1.0, 0.0)):
+        with pytest.raises(ValueError, match="^t_span"):
+            solve_jointed([2.0], [0.0], [1e5], [(joint, [1.0])], None, span)
+    force = JointForce([[1.0]], [[1.0]], joint)
+    for samples in (-1, 3, 64.0, None):
+        with pytest.raises(ValueError, match="^Nt = "):
+            force.aft(np.array([0.0, 1e-5, 0.0]), 1.0, np.array([0, 1]), Nt=samples)
+    with pytest.raises(ValueError, match="^U"):
+        force.aft(np.array([0.0, np.nan, 0.0]), 1.0, np.array([0, 1]))

@@ -227,3 +227,28 @@ def test_bad_input_is_named(rig, joint, measured):
             call()
     with pytest.raises(TypeError):
         microslip.Rig()
+
+
+def test_spread_without_draws_is_refused(rig, joint, measured):
+    for name in ("frequency_std", "loss_factor_std", "normal_load_std", "force_gain_std",
+                 "acceleration_gain_std"):  # fmt: skip
+        with pytest.raises(ValueError, match=f"^samples is 0; .* as {name} is given"):
+            microslip.verify(rig, joint, measured.recordings, **{name: 0.01})
+        with pytest.raises(ValueError, match=f"^{name} = "):
+            microslip.verify(rig, joint, measured.recordings, **{name: -0.01})
+
+
+def test_identified_joints_bring_their_damping(rig, joint):
+    known = microslip.IdentifiedJoint(joint, 30.0, 50.0)
+    of_known, of_number = rig.structure(known), rig.structure(joint, linear_damping=30.0)
+    other = rig.structure(known, linear_damping=0.0)
+    lag = [microslip.HarmonicBalance(s).solve(frequency=55.0, force=0.1).points.phase_lag[0]
+           for s in (of_known, of_number, other, rig.structure(joint))]  # fmt: skip
+    assert lag[0] == lag[1] != lag[2] == lag[3]
+    for bad in (3, None, [joint], joint.__class__):
+        with pytest.raises(ValueError, match="^joint = "):
+            microslip.verify(rig, bad, [])
+        with pytest.raises(ValueError, match="^joint = "):
+            rig.structure(bad)
+    with pytest.raises(ValueError, match="^channel = "):
+        microslip.verify(rig, joint, microslip.measure(rig, joint).recordings[:1]).nrmse(np.zeros(2))

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Optional, Union
@@ -12,16 +13,26 @@ import numpy.typing as npt
 
 from . import _core
 from ._core import Rig as CoreRig
-from ._arguments import Path, Progress, RealArray, flag, not_negative, positive, real, text, whole
+from ._arguments import (
+    Path,
+    Progress,
+    RealArray,
+    flag,
+    not_negative,
+    one_of,
+    positive,
+    real,
+    text,
+    whole,
+)
 from ._arguments import path as path_of
 from ._arguments import progress as progress_of
 from ._draws import JointDraws
 from ._errors import InputError
-from ._identification import Identification
-from ._joint import Joint
+from ._joint import AnyJoint, IdentifiedJoint, Joint, identified
 from ._levels import Levels
 from ._recordings import Recording, recordings_of
-from ._results import Note, Shown, Summary, notes, outcome, si, summary_of, told, warn_of
+from ._results import Note, Shown, Summary, fix, notes, outcome, si, summary_of, told, warn_of
 from ._structure import Structure
 
 if TYPE_CHECKING:
@@ -97,11 +108,15 @@ class Rig(Shown):
         """Natural frequencies with the joint stuck, Hz."""
         return self._core.stuck_frequencies() / (2.0 * np.pi)
 
-    def structure(self, joint: Joint, *, linear_damping: float = 0.0) -> Structure:
+    def structure(self, joint: AnyJoint, *, linear_damping: Optional[float] = None) -> Structure:
         """The structure of the test with a joint in its contact, driven at the exciter; its points
-        have the names of the channels there."""
-        damping = not_negative(linear_damping, "linear_damping")
-        return Structure._of(_core.rig_structure(self._core, _joint(joint), damping))
+        have the names of the channels there. A linear damping, J/m**2, is that of an identification
+        without another."""
+        known = identified(joint, "joint")
+        damping = known.linear_damping or 0.0
+        if linear_damping is not None:
+            damping = not_negative(linear_damping, "linear_damping")
+        return Structure._of(_core.rig_structure(self._core, known.joint._core, damping))
 
     def true_joint(self) -> tuple[Joint, float]:
         """The joint that the rig names for a virtual test, and its linear damping, J/m**2.
@@ -116,8 +131,6 @@ class Rig(Shown):
                              " joint must be given")  # fmt: skip
         if self._path is None:
             raise InputError("the rig is of no file, which its joint is relative to; give joint")
-        import os
-
         at = os.path.join(os.path.dirname(self._path), self._core.joint)
         core, damping, _ = _core.read_joint(at)
         return Joint._of(core), damping or 0.0
@@ -144,12 +157,6 @@ def _rig(rig: object) -> Rig:
     if not isinstance(rig, Rig):
         raise InputError(f"rig = {rig!r}; must be a microslip.Rig")
     return rig
-
-
-def _joint(joint: object) -> Any:
-    if not isinstance(joint, Joint):
-        raise InputError(f"joint = {joint!r}; must be a microslip.Joint")
-    return joint._core
 
 
 def frame_of(table: Table) -> pandas.DataFrame:
@@ -204,7 +211,7 @@ class Measurement(Shown):
 
 def measure(
     rig: Rig,
-    joint: Optional[Joint] = None,
+    joint: Optional[AnyJoint] = None,
     *,
     seed: int = 1,
     shaker: bool = True,
@@ -220,7 +227,7 @@ def measure(
     ----------
     rig : Rig
         With ``[test]``.
-    joint : Joint, optional
+    joint : Joint, IdentifiedJoint or Identification, optional
         The true one; that of the rig's file without it.
     seed : int
         Of noise and phases.
@@ -231,7 +238,7 @@ def measure(
     force_distortion : float
         Harmonics of the force over the first at which the control rests, 1; above 0.
     linear_damping : float, optional
-        beta of the joint, J/m**2; 0, or with the rig's joint that of its file, without it.
+        beta of the joint, J/m**2, in place of what is known of it.
     progress : callable, optional
         Called with (levels done, levels); False cancels.
     strict : bool
@@ -245,10 +252,10 @@ def measure(
     ------
     ValueError, NotConverged
     """
+    strict = flag(strict, "strict")
     _rig(rig)
-    damping = 0.0
-    if joint is None:
-        joint, damping = rig.true_joint()
+    true = IdentifiedJoint(*rig.true_joint()) if joint is None else identified(joint, "joint")
+    damping = true.linear_damping or 0.0
     if linear_damping is not None:
         damping = not_negative(linear_damping, "linear_damping")
     options = {
@@ -260,7 +267,7 @@ def measure(
     }
     if before_control and not shaker:
         raise InputError("before_control is given without shaker, which makes it; must be False")
-    found = _core.measure(rig._core, _joint(joint), options, progress_of(progress))
+    found = _core.measure(rig._core, true.joint._core, options, progress_of(progress))
     result = Measurement(
         recordings=tuple(Recording._of(recording) for recording in found["recordings"]),
         before_control=tuple(Recording._of(recording) for recording in found["before_control"]),
@@ -270,7 +277,7 @@ def measure(
         summary=summary_of(found["summary"]),
         _truth_csv=found["truth_csv"],
     )
-    return told(result, flag(strict, "strict"))
+    return told(result, strict)
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -382,13 +389,15 @@ def reduce(
     found = _core.reduce(rig._core, given, options, flag(skip_faulty, "skip_faulty"),
                          "microslip.reduce", progress_of(progress))  # fmt: skip
     warn_of(found["warnings"])
-    return Reduction(
+    result = Reduction(
         table=found["table"],
         flags=tuple(found["table"]["flags"]),
         rejected=tuple(found["rejected"]),
         warnings=notes(found["warnings"]),
         _csv=found["csv"],
     )
+    fix(result)
+    return result
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -427,9 +436,7 @@ class Verification(Shown):
     def nrmse(self, channel: str) -> RealArray:
         """rms(recorded - predicted)/rms(recorded) of a channel, 1, shape (records,)."""
         names: npt.NDArray[Any] = np.array(self.table["channel"])
-        if channel not in names:
-            raise InputError(f"channel = {channel!r}; must be one of"
-                             f" {', '.join(dict.fromkeys(names.tolist()))}")  # fmt: skip
+        one_of(channel, "channel", tuple(dict.fromkeys(names.tolist())))
         values: RealArray = np.asarray(self.table["NRMSE [1]"])[names == channel]
         return values
 
@@ -452,21 +459,26 @@ class Verification(Shown):
         return "Verification", rows + outcome(self)
 
 
-def _known_joint(joint: Any) -> tuple[Any, float, Optional[float]]:
-    """A joint with its linear damping and kA of the highest level."""
-    if isinstance(joint, Joint):
-        return joint._core, 0.0, None
-    if isinstance(joint, Identification):
-        return joint.joint._core, joint.linear_damping or 0.0, joint.covered_to
-    if joint is None or isinstance(joint, (int, float, list, dict, np.ndarray)):
-        raise InputError(f"joint = {joint!r}; must be a Joint, an Identification or a path")
-    core, damping, covered_to = _core.read_joint(path_of(joint, "joint"))
-    return core, damping or 0.0, covered_to
+def _known_joint(joint: Any) -> IdentifiedJoint:
+    """Of a path, too."""
+    if isinstance(joint, (str, bytes, os.PathLike)):
+        return IdentifiedJoint._of(*_core.read_joint(path_of(joint, "joint")))
+    return identified(joint, "joint")
+
+
+def _spread_of_rig(count: int, spread: dict[str, float]) -> dict[str, float]:
+    """Standard deviations of the rig, checked; none where nothing is drawn, which would not use them."""
+    checked = {name: not_negative(value, name) for name, value in spread.items()}
+    for name, value in checked.items():
+        if count == 0 and value > 0.0:
+            raise InputError(f"samples is 0; must say how many draws are predicted, as {name} is"
+                             " given")  # fmt: skip
+    return checked
 
 
 def verify(
     rig: Rig,
-    joint: Union[Joint, Identification, Path],
+    joint: Union[AnyJoint, Path],
     recordings: Union[Recording, Sequence[Recording]],
     *,
     frequency: Optional[float] = None,
@@ -495,7 +507,7 @@ def verify(
     ----------
     rig : Rig
         That was recorded.
-    joint : Joint, Identification or path
+    joint : Joint, IdentifiedJoint, Identification or path
         To be verified; an identification, and a joint.json, say its linear damping and up to which
         slip force it was measured.
     recordings : Recording or sequence of Recording
@@ -535,15 +547,17 @@ def verify(
     ------
     ValueError, NotConverged
     """
+    strict = flag(strict, "strict")
     _rig(rig)
-    core, damping, covered_to = _known_joint(joint)
+    known = _known_joint(joint)
+    damping = known.linear_damping or 0.0
     if linear_damping is not None:
         damping = not_negative(linear_damping, "linear_damping")
     given = [recording._dict() for recording in recordings_of(recordings)]
     options = _reduction_options(frequency, harmonics, modes, use_vibrometer, "harmonics") | {
         "sine": flag(sine, "sine"),
         "cycles": not_negative(cycles, "cycles"),
-        "covered_to": covered_to,
+        "covered_to": known.covered_to,
         "linear_damping": damping,
     }
     asked = None
@@ -551,19 +565,21 @@ def verify(
         raise InputError(f"draws = {draws!r}; must be microslip.JointDraws")
     if draws is not None and not samples:
         raise InputError("samples is 0; must say how many of the draws are predicted")
-    if whole(samples, "samples", 0, 1_000_000):
+    count = whole(samples, "samples", 0, 1_000_000)
+    spread = _spread_of_rig(count, {
+        "frequency_std": frequency_std, "loss_factor_std": loss_factor_std,
+        "normal_load_std": normal_load_std, "force_gain_std": force_gain_std,
+        "acceleration_gain_std": acceleration_gain_std,
+    })  # fmt: skip
+    if count:
         asked = {
-            "count": samples,
+            "count": count,
             "confidence": real(confidence, "confidence"),
             "seed": whole(seed, "seed", 0, 2**64 - 1),
             "joint": None if draws is None else draws._core,
-            "frequency_std": not_negative(frequency_std, "frequency_std"),
-            "loss_factor_std": not_negative(loss_factor_std, "loss_factor_std"),
-            "normal_load_std": not_negative(normal_load_std, "normal_load_std"),
-            "force_gain_std": not_negative(force_gain_std, "force_gain_std"),
-            "acceleration_gain_std": not_negative(acceleration_gain_std, "acceleration_gain_std"),
+            **spread,
         }
-    found = _core.verify(rig._core, core, given, options, flag(skip_faulty, "skip_faulty"), asked,
+    found = _core.verify(rig._core, known.joint._core, given, options, flag(skip_faulty, "skip_faulty"), asked,
                          "microslip.verify", progress_of(progress))  # fmt: skip
     result = Verification(
         table=found["table"],
@@ -575,4 +591,4 @@ def verify(
         summary=summary_of(found["summary"]),
         _csv=found["csv"],
     )
-    return told(result, flag(strict, "strict"))
+    return told(result, strict)

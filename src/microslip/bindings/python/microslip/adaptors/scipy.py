@@ -40,7 +40,6 @@ from .._arguments import (
     RealArray,
     optional_array,
     positive,
-    real,
     real_array,
     sequence,
     shown,
@@ -144,13 +143,13 @@ def solve_jointed(
     Raises
     ------
     ValueError
-        Where shapes do not fit.
+        Where shapes do not fit, or M is not positive definite.
     Error
         Where `solve_ivp` fails, with its message.
     """
     parts = _joints(joints)
     system = _System(mass, damping, stiffness, parts, force)
-    begin, end = (real(t, f"t_span[{i}]") for i, t in enumerate(t_span))
+    begin, end = real_array(t_span, "t_span", length=2, per="where it begins and ends").tolist()
     if not begin < end:
         raise InputError(f"t_span = {(begin, end)}; must rise")
     times = None if t_eval is None else real_array(t_eval, "t_eval")
@@ -265,6 +264,9 @@ class _System:
             self.inverse_mass = np.linalg.inv(self.mass)
         except np.linalg.LinAlgError:
             raise InputError("mass is singular; must have an inverse") from None
+        least = float(np.linalg.eigvalsh(0.5 * (self.mass + self.mass.T)).min())
+        if least <= 0.0:
+            raise InputError(f"mass has an eigenvalue of {least:.3g} kg; must be positive definite")
         self.linear = -self.inverse_mass @ np.hstack((self.stiffness, self.damping))
         self.shapes = np.array([joint.shape for joint in self.joints]).reshape(-1, n)
         self.inverse_shapes = self.inverse_mass @ self.shapes.T

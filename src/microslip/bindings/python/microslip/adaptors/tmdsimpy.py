@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 import numpy as np
 
 from .. import _core
-from .._arguments import ArrayLike, RealArray, real_array, sequence
+from .._arguments import ArrayLike, RealArray, real_array, sequence, whole
 from .._errors import InputError
 from .._joint import Joint, Memory
 
@@ -165,7 +165,8 @@ class JointForce(_Base):
         """
         kept = _Kept(np.asarray(h))
         components = kept.places.size
-        given = np.asarray(U, dtype=float)
+        given = real_array(U, "U", ndim=None)
+        samples = whole(Nt, "Nt", 2 * kept.highest + 2)
         dofs = self.Q.shape[1]
         if given.shape != (dofs * components,):
             raise InputError(f"U has the shape {given.shape}; must have {(dofs * components,)}")
@@ -174,7 +175,7 @@ class JointForce(_Base):
         blocks = np.zeros((len(self.joints), components, components))
         if not self.slips_freely:
             for j, joint in enumerate(self.joints):
-                forces[j], blocks[j] = self._harmonics(joint, local[j], kept, Nt, self.virgin_at[j])
+                forces[j], blocks[j] = self._harmonics(joint, local[j], kept, samples, self.virgin_at[j])
         harmonics = (self.T @ forces).T.reshape(-1)
         if not calc_grad:
             return (harmonics,)
