@@ -2,6 +2,7 @@
 """Bad input: each is a ValueError that names the argument, and never a crash."""
 
 import decimal
+import os
 
 import numpy as np
 import pytest
@@ -42,6 +43,7 @@ BAD_COUNTS = {"None": None, "half": 1.5, "negative": -1, "text": "3", "truth val
               "huge": 10**30}  # fmt: skip
 
 A = np.linspace(1e-6, 1e-4, 20)
+REFERENCE_RIG = os.path.join(os.path.dirname(__file__), "../../examples/reference_rig/rig.toml")
 
 
 def table(values):
@@ -170,3 +172,92 @@ def test_of_rows_in_matrices():
             microslip.modes(K2, np.eye(2), count=1, **call)
     with pytest.raises(ValueError, match="count"):
         microslip.modes(K2, np.eye(2), points={"a": 0})
+
+
+@table({"text": "no", "number": 0, "None": None, "array": np.array([True, False])})
+def test_of_strict_before_any_work(structure, monkeypatch, bad):
+    rig = microslip.Rig.read(REFERENCE_RIG)
+    for module in ("_identification", "_records", "_march", "_march_band", "_vibration", "_rig",
+                   "_ring_down"):  # fmt: skip
+        # Work is done there alone.
+        monkeypatch.setattr(getattr(microslip, module), "_core", None)
+    balance = object.__new__(microslip.HarmonicBalance)
+    balance.structure = structure
+    for call in (
+        lambda: microslip.identify(A, A, stiffness=1e5, strict=bad),
+        lambda: microslip.identify_records(force=A, displacement=A, strict=bad),
+        lambda: microslip.march(structure, [0.0, 1.0], strict=bad),
+        lambda: microslip.march_band(structure, [0.0, 1.0], strict=bad),
+        lambda: microslip.measure(rig, strict=bad),
+        lambda: microslip.verify(rig, "joint.json", [], strict=bad),
+        lambda: microslip.ring_down(A, fs=1.0, unit="m", strict=bad),
+        lambda: balance.frequency_response(1.0, 80, 120, strict=bad),
+        lambda: balance.constant_response(1e-5, 80, 120, strict=bad),
+        lambda: balance.backbone(A, strict=bad),
+        lambda: balance.solve(frequency=50.0, force=1.0, strict=bad),
+    ):
+        refused("strict", call)
+
+
+@table({"array": np.array(["inversion", "spline"]), "numbers": np.zeros(3), "list": ["total"]})
+def test_of_words_that_are_arrays(joint, structure, bad):
+    refused("method", lambda: microslip.identify(A, A, stiffness=1e5, method=bad))
+    refused("fit", lambda: microslip.identify(A, A, stiffness=1e5, fit=bad))
+    refused("kind", lambda: microslip.HarmonicBalance(structure, kind=bad))
+    refused("law", lambda: joint.loop([0.0, 1e-5], law=bad))
+    refused("law", lambda: microslip.march(structure, [0.0, 1.0], law=bad))
+    refused("assemblies", lambda: microslip.Levels.read("levels.csv", assemblies=bad))
+    refused("assemblies", lambda: microslip.Levels.of({}, assemblies=bad))
+
+
+@table({"zero": 0, "list": [], "text": "", "array": np.zeros(2), "False": False})
+def test_of_mappings_of_a_march(structure, bad):
+    refused("forces", lambda: microslip.march(structure, [0.0, 1.0], bad))
+    refused("normal_loads", lambda: microslip.march(structure, [0.0, 1.0], normal_loads=bad))
+
+
+@table({"number": 5, "text": "drive", "mapping": {"drive": 1}, "numbers": [5], "bytes": b"drive"})
+def test_of_names_of_points(structure, bad):
+    refused("points", lambda: microslip.march(structure, [0.0, 1.0], points=bad))
+
+
+def test_names_of_points_may_be_of_any_kind(structure):
+    for points in (["end"], ("end",), np.array(["end"]), iter(["end"])):
+        assert list(microslip.march(structure, [0.0, 1e-3], points=points).points) == ["end"]
+
+
+@table({"standard output": "-", "bytes that are no UTF-8": b"\xff.json", "surrogate": "\udcff.json",
+        "code 0": "a\0b"})  # fmt: skip
+def test_of_paths(joint, capfd, bad):
+    levels = microslip.Levels(A, A)
+    for call in (joint.write, levels.write, microslip.Joint.read, microslip.Levels.read,
+                 microslip.Structure.read):  # fmt: skip
+        refused("path", lambda call=call: call(bad))
+    # The library never prints.
+    assert capfd.readouterr().out == ""
+
+
+def test_paths_may_be_bytes(joint, tmp_path):
+    at = os.fsencode(tmp_path / "é.json")
+    joint.write(at)
+    assert microslip.Joint.read(at) == joint
+
+
+def unaligned(values):
+    """The same numbers, beginning at an odd byte."""
+    values = np.asarray(values)
+    room = np.zeros(values.nbytes + 1, dtype=np.uint8)[1:]
+    found = room.view(values.dtype).reshape(values.shape)
+    found[...] = values
+    assert not found.flags.aligned
+    return found
+
+
+def test_arrays_may_be_unaligned(joint):
+    odd = unaligned(A)
+    assert np.array_equal(joint.force(odd), joint.force(A))
+    assert np.array_equal(joint.memory().march(odd), joint.memory().march(A))
+    from microslip import _arguments
+
+    for made in (_arguments.real_array(odd, "x"), _arguments.complex_array(unaligned(A + 0j), "x")):
+        assert made.flags.aligned and made.flags.c_contiguous and np.array_equal(made, A)

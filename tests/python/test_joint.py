@@ -158,3 +158,15 @@ def test_shows_itself(joint):
     assert "2.3e+06 N/m" in repr(joint) and "power_law" in repr(joint)
     assert joint._repr_html_().startswith("<table>")
     assert repr(joint.memory()) == "Memory(displacement=0.0, force=0.0, reversals=0)"
+
+
+@pytest.mark.parametrize("name", ["force", "tangent_stiffness", "dissipation", "secant_stiffness",
+                                  "loss_factor", "density_at"])  # fmt: skip
+def test_numbers_of_any_kind_give_the_same(joint, name):
+    function = getattr(joint, name)
+    for number in (1, 1.0, np.float64(1.0), np.int64(1), np.float32(1.0), np.array(1.0)):
+        found = function(number)
+        assert type(found) is float and found == function(np.array([1.0]))[0]
+    for bad in (True, np.nan, np.float64(np.inf), 10**400):
+        with pytest.raises(ValueError):
+            function(bad)

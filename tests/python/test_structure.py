@@ -218,3 +218,39 @@ def test_modes_that_are_missing_are_said(joint):
     with pytest.warns(microslip.MicroslipWarning, match="modes_missing"):
         curve = microslip.frequency_response(few, 5.0, 40, 60)
     assert "modes_missing" in [note.code for note in curve.warnings]
+
+
+def test_points_and_joints_of_one_name_are_columns_each(joint):
+    pytest.importorskip("pandas")
+    structure = microslip.Structure([40.0], {"a": [1.0]}, damping_ratio=0.01, static_attachments=0,
+                                    joints=[microslip.StructuralJoint(joint, [0.5], "a")])  # fmt: skip
+    moved = microslip.march(structure, np.linspace(0.0, 0.1, 201), velocity=[0.1])
+    frame = moved.to_pandas()
+    assert list(frame.columns) == ["time [s]", "displacement_a [m]", "velocity_a [m/s]",
+                                   "acceleration_a [m/s^2]", "a displacement [m]", "a force [N]"]  # fmt: skip
+    assert np.array_equal(frame["displacement_a [m]"], moved.points["a"].displacement)
+    assert np.array_equal(frame["a displacement [m]"], moved.joints["a"].displacement)
+    for values in (moved.time, moved.points["a"].displacement, moved.joints["a"].force):
+        assert not values.flags.writeable
+
+
+def test_pictures_take_a_label(structure):
+    figures = pytest.importorskip("matplotlib.figure")
+    moved = microslip.march(structure, [0.0, 1e-3])
+    for style, labels in (({}, ["drive", "end"]), ({"label": "mine"}, ["mine", "mine"])):
+        ax = moved.plot(figures.Figure().subplots(), **style)
+        assert [line.get_label() for line in ax.lines] == labels
+
+
+def test_base_driven_structures_are_seen_at_their_first_point(joint):
+    shaken = microslip.Structure(
+        [40.0], {"tip": [1.0], "end": [0.3]}, damping_ratio=0.01, static_attachments=0,
+        bases={"g": microslip.Base([1.2])}, excitation={"g": 1.0},
+        joints=[microslip.StructuralJoint(joint, [0.5])])  # fmt: skip
+    named, plain = (microslip.HarmonicBalance(shaken, *at) for at in (["tip"], []))
+    assert repr(plain) == repr(named)
+    time = np.linspace(0.0, 0.05, 51)
+    band = microslip.march_band(shaken, time, {"g": np.sin(250 * time)}, samples=40,
+                                spread=microslip.Spread(frequency_std=0.01))  # fmt: skip
+    moved = microslip.march(shaken, time, {"g": np.sin(250 * time)})
+    assert np.array_equal(band.signals["displacement"].values, moved.points["tip"].displacement)

@@ -7,7 +7,7 @@ from __future__ import annotations
 import math
 import operator
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Optional, Union
 
 import numpy as np
@@ -100,7 +100,7 @@ def text(value: object, name: str) -> str:
 
 def one_of(value: object, name: str, choices: Sequence[str]) -> str:
     """One of some words."""
-    if value not in choices or not isinstance(value, str):
+    if not isinstance(value, str) or value not in choices:
         raise InputError(f"{name} = {shown(value)}; must be one of {', '.join(choices)}")
     return value
 
@@ -108,9 +108,18 @@ def one_of(value: object, name: str, choices: Sequence[str]) -> str:
 def path(value: object, name: str) -> str:
     """The path of a file."""
     try:
-        return os.fsdecode(value)  # type: ignore[arg-type]
+        found = os.fsdecode(value)  # type: ignore[arg-type]
+        found.encode()
+    except UnicodeError:
+        raise InputError(f"{name} = {shown(value)}; must be in UTF-8") from None
     except (TypeError, ValueError):
         raise InputError(f"{name} = {shown(value)}; must be the path of a file") from None
+    if "\0" in found:
+        raise InputError(f"{name} = {shown(value)}; must be without a character of code 0")
+    if found == "-":
+        raise InputError(f"{name} = '-'; must be the path of a file, for standard input and output"
+                         " are not the library's. A file of that name is './-'")  # fmt: skip
+    return found
 
 
 def progress(value: object) -> Optional[Progress]:
@@ -125,6 +134,13 @@ def sequence(value: object, name: str, of: str) -> Sequence[Any]:
     if isinstance(value, (str, bytes, Mapping)) or not isinstance(value, Sequence):
         raise InputError(f"{name} = {shown(value)}; must be a list of {of}")
     return value
+
+
+def names(value: Any, name: str) -> list[str]:
+    """Some texts, of anything that has them one by one, but no text itself."""
+    if isinstance(value, (str, bytes, Mapping)) or not isinstance(value, Iterable):
+        raise InputError(f"{name} = {shown(value)}; must be a list of names")
+    return [text(one, name) for one in value]
 
 
 def _array(value: object, name: str, kinds: str, rule: str) -> npt.NDArray[Any]:
@@ -173,7 +189,7 @@ def real_array(
     per: str = "",
     empty: bool = False,
 ) -> RealArray:
-    """Finite numbers as a C-contiguous float64 array; no copy of what is one."""
+    """Finite numbers as an aligned C-contiguous float64 array; no copy of what is one."""
     rule = "an array of numbers"
     array = _array(value, name, "iuf", rule)
     _dimensions(array, name, ndim, empty)
@@ -182,7 +198,7 @@ def real_array(
     if array.dtype.kind == "f" and array.dtype.itemsize > 8:
         with np.errstate(over="ignore"):
             array = array.astype(np.float64)
-    array = np.require(array, np.float64, "C")
+    array = np.require(array, np.float64, ("C", "A"))
     check_finite(array, name)
     return array
 
@@ -204,7 +220,7 @@ def complex_array(value: object, name: str) -> ComplexArray:
     """Finite numbers as a C-contiguous complex128 array of one dimension."""
     array = _array(value, name, "iufc", "an array of numbers")
     _dimensions(array, name, 1, False)
-    array = np.ascontiguousarray(array, dtype=np.complex128)
+    array = np.require(array, np.complex128, ("C", "A"))
     check_finite(array, name)
     return array
 

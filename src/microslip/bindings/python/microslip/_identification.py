@@ -230,6 +230,7 @@ def identify(
     >>> bool(abs(found.joint.force(8e-5) / truth.force(8e-5) - 1) < 2e-3)
     True
     """
+    strict = flag(strict, "strict")
     levels = _levels_of(
         amplitude,
         dissipation,
@@ -261,7 +262,7 @@ def identify(
         levels._columns(), positive(stiffness, "stiffness"), options, "microslip.identify",
         [(note.code, note.text) for note in levels._notes], progress_of(progress),
     )  # fmt: skip
-    return told(_identification_of(found), flag(strict, "strict"))
+    return told(_identification_of(found), strict)
 
 
 def _identification_of(found: dict[str, Any]) -> Identification:

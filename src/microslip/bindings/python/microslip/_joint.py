@@ -182,6 +182,10 @@ class Response(NamedTuple):
     tangent: float  #: df/dx in the direction of the step, N/m
 
 
+#: What a number mostly is: it needs no array.
+_NUMBERS = frozenset((float, int, np.float64))
+
+
 class Joint(Shown):
     """A frictional contact as a parallel-series Iwan model. Immutable.
 
@@ -393,6 +397,8 @@ class Joint(Shown):
 
     @staticmethod
     def _each(function: Any, at: Any, name: str) -> Any:
+        if type(at) in _NUMBERS:
+            return function(real(at, name))
         array = real_array(at, name, ndim=None)
         if array.ndim == 0:
             return function(real(at, name))
@@ -589,7 +595,9 @@ class Memory:
 
 def _plain(array: RealArray) -> bool:
     """Whether the compiled half takes it as it is."""
-    return array.dtype == np.float64 and array.ndim == 1 and array.size > 0 and array.flags.c_contiguous
+    flags = array.flags
+    return (array.dtype == np.float64 and array.ndim == 1 and array.size > 0 and flags.c_contiguous
+            and flags.aligned)  # fmt: skip
 
 
 def _memory_after(joint: Joint, path: RealArray) -> Memory:

@@ -13,13 +13,13 @@ from ._arguments import (
     Progress,
     RealArray,
     flag,
+    names,
     not_negative,
     one_of,
     optional_array,
     positive,
     real_array,
     shown,
-    text,
     whole,
 )
 from ._arguments import progress as progress_of
@@ -107,7 +107,8 @@ class MarchResult(Shown):
     summary: Summary
 
     def to_pandas(self) -> pandas.DataFrame:
-        """A DataFrame with the motions of points and joints."""
+        """A DataFrame with the motions of points, ``"displacement_tip [m]"``, and of joints,
+        ``"lap displacement [m]"``."""
         import pandas
 
         columns = {"time [s]": self.time}
@@ -116,8 +117,8 @@ class MarchResult(Shown):
             columns[f"velocity_{name} [m/s]"] = motion.velocity
             columns[f"acceleration_{name} [m/s^2]"] = motion.acceleration
         for name, joint in self.joints.items():
-            columns[f"displacement_{name} [m]"] = joint.displacement
-            columns[f"force_{name} [N]"] = joint.force
+            columns[f"{name} displacement [m]"] = joint.displacement
+            columns[f"{name} force [N]"] = joint.force
         return pandas.DataFrame(columns)
 
     def plot(self, ax: Optional[Axes] = None, **style: Any) -> Axes:
@@ -195,6 +196,7 @@ def march(
     ------
     ValueError, NotConverged
     """
+    strict = flag(strict, "strict")
     acting = march_arguments(
         structure, time, forces, points=points, normal_loads=normal_loads, law=law,
         displacement=displacement, velocity=velocity, step=step, every=every, tolerance=tolerance,
@@ -213,13 +215,17 @@ def march(
         warnings=notes(found["warnings"]),
         summary=summary_of(found["summary"]),
     )
-    return told(result, flag(strict, "strict"))
+    return told(result, strict)
 
 
 #: Times, forces, normal loads and options as the compiled half takes them.
 _Acting = tuple[
     RealArray, list[tuple[str, RealArray]], list[tuple[str, RealArray, str]], dict[str, Any]
 ]
+
+
+def _named(value: object, name: str) -> Mapping[str, Any]:
+    return _mapping({} if value is None else value, name)
 
 
 def march_arguments(
@@ -249,10 +255,10 @@ def march_arguments(
     modes = len(structure.angular_frequency)
     named = one_of(law, "law", ("incremental", "total"))
     acting = [(name, real_array(f, f"forces[{name!r}]", length=count, per="one a time"))
-              for name, f in _mapping(forces or {}, "forces").items()]  # fmt: skip
+              for name, f in _named(forces, "forces").items()]  # fmt: skip
     loads = [(name, real_array(p, f"normal_loads[{name!r}]", length=count, per="one a time"), named)
-             for name, p in _mapping(normal_loads or {}, "normal_loads").items()]  # fmt: skip
-    recorded = list(structure.points) if points is None else [text(p, "points") for p in points]
+             for name, p in _named(normal_loads, "normal_loads").items()]  # fmt: skip
+    recorded = list(structure.points) if points is None else names(points, "points")
     options = {
         "step": not_negative(step, "step"),
         "every": whole(every, "every", 1),

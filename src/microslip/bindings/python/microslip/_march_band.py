@@ -8,13 +8,14 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple, Optional
 
 from . import _core
-from ._arguments import ArrayLike, Progress, RealArray, flag, text
+from ._arguments import ArrayLike, Progress, RealArray, flag, shown, text
 from ._arguments import progress as progress_of
 from ._errors import InputError
 from ._march import MarchEnergy, march_arguments
 from ._results import Note, Shown, Summary, notes, outcome, si, summary_of, told
 from ._spread import DrawsOfJoints, Spread, drawn
 from ._structure import Structure
+from ._vibration import point_or_first
 
 if TYPE_CHECKING:
     import pandas
@@ -125,7 +126,8 @@ def march_band(
     structure, time, forces
         As of `march`.
     point : str, optional
-        Whose motion is recorded; the first driven point without it.
+        Whose motion is recorded; without it the first driven point, or the first of all where a
+        base drives.
     draws, samples, seed, confidence, correlation, spread
         As of `HarmonicBalance.frequency_response`; `samples` is the number of draws.
     progress : callable, optional
@@ -143,11 +145,13 @@ def march_band(
     ------
     ValueError, NotConverged
     """
+    strict = flag(strict, "strict")
     if not isinstance(structure, Structure):
-        raise InputError(f"structure = {structure!r}; must be a microslip.Structure")
+        raise InputError(f"structure = {shown(structure)}; must be a microslip.Structure")
     if "points" in options:
         raise InputError("points is given; must be point, of which there is one")
-    at = structure._core.excitations()[0][0] if point is None else text(point, "point")
+    driven = structure._core.excitations()[0][0]
+    at = point_or_first(structure, driven) if point is None else text(point, "point")
     acting = march_arguments(structure, time, forces, points=[at], **options)
     asked = drawn(structure, draws, samples, seed, confidence, correlation, spread)
     if asked is None:
@@ -166,4 +170,4 @@ def march_band(
         warnings=notes(found["warnings"]),
         summary=summary_of(found["summary"]),
     )
-    return told(result, flag(strict, "strict"))
+    return told(result, strict)

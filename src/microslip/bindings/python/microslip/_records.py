@@ -233,6 +233,7 @@ def identify_records(
     >>> bool(abs(found.stiffness.value / 1e5 - 1) < 0.02)
     True
     """
+    strict = flag(strict, "strict")
     if records is not None:
         given = _of_recordings(records, force, displacement, time_step, fs)
     elif force is None:
@@ -252,7 +253,7 @@ def identify_records(
     found = _core.identify_records(
         given, _tables(levels), options, "microslip.identify_records", progress_of(progress)
     )
-    return told(_found(found), flag(strict, "strict"))
+    return told(_found(found), strict)
 
 
 def _found(found: dict[str, Any]) -> RecordIdentification:

@@ -379,6 +379,7 @@ def ring_down(
     >>> bool(abs(decay.damping_ratio[0] - 0.01) < 1e-5)
     True
     """
+    strict = flag(strict, "strict")
     recording = _recording_of(signal, fs, time, unit)
     ends = None
     if band is not None:
@@ -404,4 +405,4 @@ def ring_down(
         summary=summary_of(found.pop("summary")),
         **found,
     )
-    return told(decay, flag(strict, "strict"))
+    return told(decay, strict)

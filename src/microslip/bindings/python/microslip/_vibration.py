@@ -152,9 +152,8 @@ class ResponseCurve(Shown):
         """The displacement at a point of the structure, relative to its base: harmonics 0 to H, m,
         shape (points, H + 1)."""
         shapes = self._structure.points
-        if point not in shapes:
-            raise InputError(f"point = {point!r}; must be one of {', '.join(shapes)}")
-        harmonics: ComplexArray = np.einsum("i,pin->pn", shapes[point], self.points.modal)
+        shape = shapes[one_of(point, "point", tuple(shapes))]
+        harmonics: ComplexArray = np.einsum("i,pin->pn", shape, self.points.modal)
         return harmonics
 
     def to_pandas(self) -> pandas.DataFrame:
@@ -262,6 +261,14 @@ class Vibration(Shown):
         ] + outcome(self)
 
 
+def point_or_first(structure: Structure, wanted: str) -> str:
+    """A point by default: the wanted one, unless that is a base, which is none."""
+    if not structure.base_driven:
+        return wanted
+    points = structure.points
+    return wanted if wanted in points else next(iter(points))
+
+
 class HarmonicBalance:
     """Steady periodic vibrations of a jointed structure, with the exact memory of its joints.
 
@@ -272,7 +279,8 @@ class HarmonicBalance:
     structure : Structure
         What vibrates.
     point : str, optional
-        Where the response is measured; without it as a model.toml says, else where it is driven.
+        Where the response is measured; without it as a model.toml says, else where it is driven, or
+        the first point where a base drives.
     kind : {"displacement", "velocity", "acceleration"}
         Of the response.
     harmonics : int
@@ -340,7 +348,8 @@ class HarmonicBalance:
             "modal_forcing": flag(modal_forcing, "modal_forcing"),
         }
         self.structure = structure
-        at = structure._core.response if point is None else text(point, "point")
+        at = text(point, "point") if point is not None else point_or_first(
+            structure, structure._core.response)  # fmt: skip
         self._core = _core.HarmonicBalance(structure._core, at, self._kind, options)
 
     def frequency_response(
@@ -393,6 +402,7 @@ class HarmonicBalance:
         ------
         ValueError, NotConverged
         """
+        strict = flag(strict, "strict")
         asked = drawn(self.structure, draws, samples, seed, confidence, correlation, spread)
         return self._follow("force", positive(force, "force"), from_, to, asked, progress, strict)
 
@@ -413,6 +423,7 @@ class HarmonicBalance:
     ) -> ResponseCurve:
         """The curve over the frequency at constant response, of which the force is found. [AR14
         Fig. 4] Parameters as of `frequency_response`; `response` in the kind of this object."""
+        strict = flag(strict, "strict")
         asked = drawn(self.structure, draws, samples, seed, confidence, correlation, spread)
         kept = positive(response, "response")
         return self._follow("response", kept, from_, to, asked, progress, strict)
@@ -447,6 +458,7 @@ class HarmonicBalance:
         draws, samples, seed, confidence, correlation, spread, progress, strict
             As of `frequency_response`; with draws the result is a `BackboneBand`.
         """
+        strict = flag(strict, "strict")
         asked = drawn(self.structure, draws, samples, seed, confidence, correlation, spread)
         at = real_array(response, "response")
         number, folds = whole(mode, "mode"), flag(through_folds, "through_folds")
@@ -477,6 +489,7 @@ class HarmonicBalance:
         strict : bool
             As of `frequency_response`.
         """
+        strict = flag(strict, "strict")
         given = {"angular_frequency": None if frequency is None else
                  2.0 * np.pi * positive(frequency, "frequency"),
                  "force": None if force is None else positive(force, "force"),
@@ -489,11 +502,11 @@ class HarmonicBalance:
         found = self._core.solve(targets[0], targets[1], whole(mode, "mode"))
         result = Vibration(_vibrations(found["points"]), summary_of(found["summary"]),
                            notes(found["warnings"]))  # fmt: skip
-        return told(result, flag(strict, "strict"))
+        return told(result, strict)
 
     def _follow(self, kept: str, value: float, from_: object, to: object,
                 asked: Optional[dict[str, Any]], progress: object,
-                strict: object) -> ResponseCurve:  # fmt: skip
+                strict: bool) -> ResponseCurve:  # fmt: skip
         a, b = 2.0 * np.pi * positive(from_, "from_"), 2.0 * np.pi * positive(to, "to")
         listener = progress_of(progress)
         if asked is None:
@@ -503,7 +516,7 @@ class HarmonicBalance:
             found["of_force"] = kept == "response"
         return self._curve(found, strict)
 
-    def _curve(self, found: dict[str, Any], strict: object) -> ResponseCurve:
+    def _curve(self, found: dict[str, Any], strict: bool) -> ResponseCurve:
         spread = found.get("spread")
         more = [] if spread is None else spread["warnings"]
         parts: dict[str, Any] = {
@@ -517,7 +530,7 @@ class HarmonicBalance:
             "_kind": self._kind,
         }
         curve = _with_bands(parts, spread, found.get("of_force", False))
-        return told(curve, flag(strict, "strict"))
+        return told(curve, strict)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _balance_of, (self.structure, self._core.point, self._kind, self._core.options())
