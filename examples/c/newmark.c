@@ -85,6 +85,11 @@ static void commit(microslip_memory* memory, const state* s, const state* n, ene
   e->damper += kDamper * 0.5 * (s->v + n->v) * (n->x - s->x);
 }
 
+static void fail_on_file(const char* path) {
+  perror(path);
+  exit(1);
+}
+
 int main(int argc, char** argv) {
   const double h = kPeriod / kStepsPerPeriod;
   FILE* table = argc > 1 ? fopen(argv[1], "w") : NULL;
@@ -94,6 +99,7 @@ int main(int argc, char** argv) {
   energies e = {0.0, 0.0, 0.0};
   double peak = 0.0, stored, held;
   int i;
+  if (argc > 1 && table == NULL) fail_on_file(argv[1]);
   must(microslip_memory_create(joint, &memory));
   microslip_joint_destroy(joint); /* the memory holds what it needs */
   if (table != NULL) fprintf(table, "time [s],force [N],displacement [m]\n0,0,0\n");
@@ -105,7 +111,7 @@ int main(int argc, char** argv) {
     if (fabs(s.x) > peak) peak = fabs(s.x);
     if (table != NULL) fprintf(table, "%.17g,%.17g,%.17g\n", s.time, s.force, s.x);
   }
-  if (table != NULL) fclose(table);
+  if (table != NULL && fclose(table) != 0) fail_on_file(argv[1]);
   must(microslip_memory_stored_energy(memory, &stored));
   microslip_memory_destroy(memory);
   held = 0.5 * kMass * s.v * s.v + 0.5 * kSpring * s.x * s.x + stored;

@@ -24,6 +24,8 @@ expect_below() {
 
 "$cc" -std=c99 -Wall -Wextra -pedantic -Werror -I"$headers" "$examples/c/newmark.c" -o newmark "${link[@]}" -lm
 ./newmark c.csv
+if ./newmark nowhere/c.csv 2>message; then echo "a table that cannot be written is no error" >&2; exit 1; fi
+grep -q '^nowhere/c.csv: ' message
 "$program" march "$examples/one_mass/model.toml" --force-file c.csv --out march.csv --quiet
 column="$(awk -F, '!/^#/ { for (i = 1; i <= NF; ++i) if ($i == "displacement [m]") print i; exit }' march.csv)"
 # (2 pi/2000)^2/12 of each of ten periods is 5e-5.
