@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -80,6 +81,14 @@ microslip_status joint_of(Handles& h, const std::function<void(microslip_part&)>
   return microslip_joint_create(stiffness, parts.data(), 2, joint.out());
 }
 
+/// Both parts say that they have this size.
+microslip_status joint_of_size(std::size_t size) {
+  std::vector<microslip_part> parts(200, uniform());  // beyond what is said
+  for (microslip_part& part : parts) part.struct_size = size;
+  CJoint joint;
+  return microslip_joint_create(1e5, parts.data(), 2, joint.out());
+}
+
 microslip_status identify_with(Handles& h,
                                const std::function<void(microslip_identify_options&)>& change) {
   auto options = defaults(microslip_identify_options_defaults);
@@ -95,6 +104,13 @@ microslip_status frf_with(Handles& h, const std::function<void(microslip_frf_opt
   CCurve curve;
   return microslip_frf(h.structure, "mass", MICROSLIP_KEEP_FORCE, 0.1, 0.14, 0.15, &options,
                        curve.out());
+}
+
+microslip_status frf_at(Handles& h, double frequency) {
+  return frf_with(h, [&](auto& options) {
+    options.at_count = 1;
+    options.at = &frequency;
+  });
 }
 
 microslip_status march_with(Handles& h,
@@ -149,6 +165,11 @@ std::vector<Bad> joint_table() {
        }},
       {"size of an older age", "parts[1]->struct_size",
        [](H& h) { return joint_of(h, [](auto& part) { part.struct_size = 8; }); }},
+      {"a larger size than the first", "parts[1]->struct_size",
+       [](H& h) { return joint_of(h, [](auto& part) { part.struct_size += 8; }); }},
+      {"a size that no alignment has", "parts[0]->struct_size",
+       [](H&) { return joint_of_size(sizeof(microslip_part) + 1); }},
+      {"a size beyond 4 KiB", "parts[0]->struct_size", [](H&) { return joint_of_size(4096 + 8); }},
       {"weight below 0", "parts[1].weight",
        [](H& h) { return joint_of(h, [](auto& part) { part.weight = -0.1; }); }},
       {"weight NaN", "parts[1].weight",
@@ -332,6 +353,14 @@ std::vector<Bad> identify_table() {
        [](H& h) { return identify_with(h, [](auto& options) { options.smoothing = "much"; }); }},
       {"few draws", "options->bands",
        [](H& h) { return identify_with(h, [](auto& options) { options.bands = 3; }); }},
+      {"more draws than use", "options->bands",
+       [](H& h) { return identify_with(h, [](auto& options) { options.bands = 1'000'001; }); }},
+      {"draws beyond any memory", "options->bands",
+       [](H& h) { return identify_with(h, [](auto& options) { options.bands = kHuge; }); }},
+      {"draws beyond any vector", "options->bands",
+       [](H& h) {
+         return identify_with(h, [](auto& options) { options.bands = std::size_t{1} << 60U; });
+       }},
       {"confidence of 1", "options->confidence",
        [](H& h) {
          return identify_with(h, [](auto& options) {
@@ -350,6 +379,22 @@ std::vector<Bad> identify_table() {
        [](H& h) {
          return identify_with(h, [](auto& options) { options.dissipation_gain_std = kNan; });
        }},
+      {"an error of a loss that the file does not have", "options->loss_factor_std",
+       [](H& h) { return identify_with(h, [](auto& options) { options.loss_factor_std = 0.1; }); }},
+      {"an error of a loss that nobody set", "options->loss_factor_std",
+       [=](H& h) {
+         CLevels levels;
+         EXPECT_OK(microslip_levels_create(3, h.rising.data(), h.rising.data(), levels.out()));
+         auto options = defaults(microslip_identify_options_defaults);
+         options.stiffness = 1e7;
+         options.loss_factor_std = 0.1;
+         CIdentification found;
+         return microslip_identify(levels, &options, found.out());
+       }},
+      {"a command that is no UTF-8", "options->command",
+       [](H& h) { return identify_with(h, [](auto& options) { options.command = "caf\xE9"; }); }},
+      {"a command of two lines", "options->command",
+       [](H& h) { return identify_with(h, [](auto& options) { options.command = "a\nb"; }); }},
       {"unknown values", "what",
        [](H& h) {
          return microslip_identification_values(
@@ -420,6 +465,15 @@ std::vector<Bad> structure_table() {
        [](H& h) { return microslip_model_add_excitation(h.model, "p", 0, nullptr, nullptr); }},
       {"harmonics without values", "real",
        [](H& h) { return microslip_model_add_excitation(h.model, "p", 2, nullptr, nullptr); }},
+      {"harmonics beyond any memory", "harmonics",
+       [](H& h) {
+         return microslip_model_add_excitation(h.model, "p", kHuge, h.rising.data(), nullptr);
+       }},
+      {"more harmonics than a balance takes", "harmonics",
+       [](H& h) {
+         const std::vector<double> ones(1001, 1.0);
+         return microslip_model_add_excitation(h.model, "p", ones.size(), ones.data(), nullptr);
+       }},
       {"a harmonic NaN", "imaginary[1]",
        [](H& h) {
          return microslip_model_add_excitation(h.model, "p", 3, h.rising.data(), h.with_nan.data());
@@ -483,6 +537,8 @@ std::vector<Bad> prediction_table() {
        }},
       {"frequencies without values", "options->at",
        [](H& h) { return frf_with(h, [](auto& options) { options.at_count = 2; }); }},
+      {"a frequency above the range", "options->at[0]", [](H& h) { return frf_at(h, 900.0); }},
+      {"a frequency below the range", "options->at[0]", [](H& h) { return frf_at(h, 0.139); }},
       {"options of a later age", "options",
        [](H& h) {
          struct {
@@ -545,12 +601,24 @@ std::vector<Bad> prediction_table() {
        [=](H& h) { return march(h, 3, h.rising.data(), 1, h.null_place, h.one_load); }},
       {"two loads without places", "places",
        [=](H& h) { return march(h, 3, h.rising.data(), 2, nullptr, h.one_load); }},
+      {"more loads than places", "load_count",
+       [=](H& h) { return march(h, 3, h.rising.data(), 2, h.null_place, h.one_load); }},
+      {"loads beyond any memory", "load_count",
+       [=](H& h) { return march(h, 3, h.rising.data(), kHuge, h.null_place, h.one_load); }},
       {"a step below 0", "step",
        [](H& h) { return march_with(h, [](auto& options) { options.step = -1.0; }); }},
       {"every 0th time", "every",
        [](H& h) { return march_with(h, [](auto& options) { options.every = 0; }); }},
       {"a start of other modes", "options->start_modes",
        [](H& h) { return march_with(h, [](auto& options) { options.start_modes = 4; }); }},
+      {"a start of no modes", "options->start_modes",
+       [](H& h) {
+         return march_with(h, [&](auto& options) { options.start_velocity = h.rising.data(); });
+       }},
+      {"a start at a place of no modes", "options->start_modes",
+       [](H& h) {
+         return march_with(h, [&](auto& options) { options.start_displacement = h.rising.data(); });
+       }},
       {"unknown motion", "what",
        [](H& h) {
          return microslip_marched_point(h.marched, 0, static_cast<microslip_response>(8), &h.values,
@@ -597,6 +665,18 @@ TEST(CBadInput, OfFilesHasStatusesOfItsOwn) {
   CJoint good;
   ASSERT_OK(microslip_joint_create(1.0, nullptr, 0, good.out()));
   EXPECT_EQ(microslip_joint_write(good, "/nowhere/joint.json"), MICROSLIP_FILE);
+}
+
+// A listener of C++ is the one place from where any exception comes.
+TEST(CBadInput, IsNoMemoryWhereAVectorCannotBeSoLong) {
+  Handles handles;
+  const auto status = frf_with(handles, [](auto& options) {
+    options.progress = [](std::size_t, std::size_t, void*) -> int {
+      throw std::length_error("too long");
+    };
+  });
+  EXPECT_EQ(status, MICROSLIP_MEMORY);
+  EXPECT_STREQ(microslip_last_error(), "no memory left");
 }
 
 TEST(CBadInput, LeavesAMemoryWhereItWas) {

@@ -387,6 +387,62 @@ TEST(CIdentify, WritesTheJointFileOfTheProgram) {
                              "microslip identify levels.csv", same.texts));
 }
 
+/// Levels with W_lin.
+const std::string kWithLoss = std::string(MICROSLIP_TEST_DATA) + "/reference_rig_levels.csv";
+
+std::string joint_text_of(const microslip_levels* levels,
+                          const microslip_identify_options& options) {
+  CIdentification found;
+  CJoint joint;
+  const char* text = "";
+  EXPECT_OK(microslip_identify(levels, &options, found.out()));
+  EXPECT_OK(microslip_identification_joint(found, joint.out()));
+  EXPECT_OK(microslip_joint_text(joint, &text));
+  return text;
+}
+
+void expect_program_with_loss(double loss_factor_std) {
+  LevelsIdentification same;
+  same.levels = kWithLoss;
+  same.stiffness = 1.7e5;
+  same.texts.common_errors.loss_factor_std = loss_factor_std;
+  same.options.bands = BandOptions{.samples = 40};
+  const IdentifiedLevels expected = identify_levels(same);
+
+  CLevels levels;
+  ASSERT_OK(microslip_levels_read(kWithLoss.c_str(), levels.out()));
+  auto options = defaults(microslip_identify_options_defaults);
+  options.stiffness = same.stiffness;
+  options.loss_factor_std = loss_factor_std;
+  options.bands = 40;
+  options.command = "microslip identify";
+  EXPECT_EQ(joint_text_of(levels, options),
+            joint_text(expected.found, same.options, expected.input, options.command, same.texts));
+}
+
+TEST(CIdentify, KnowsTheLinearLossOfAFile) { expect_program_with_loss(0.05); }
+TEST(CIdentify, IsTheSameWhereNobodyAsksForTheLinearLoss) { expect_program_with_loss(0.0); }
+
+// They are not those of the file any more, whose SHA-256 would tell something else.
+TEST(CIdentify, TellsNoFileOfLevelsThatWereChanged) {
+  CLevels levels;
+  ASSERT_OK(microslip_levels_read(kWithLoss.c_str(), levels.out()));
+  auto options = defaults(microslip_identify_options_defaults);
+  options.stiffness = 1.7e5;
+  EXPECT_NE(joint_text_of(levels, options).find("reference_rig_levels.csv"), std::string::npos);
+  std::size_t count = 0;
+  ASSERT_OK(microslip_levels_count(levels, &count));
+  const std::vector<double> frequency(count, 50.0);
+  const std::vector<double> bad(count, -1.0);
+  EXPECT_EQ(microslip_levels_set(levels, MICROSLIP_LEVEL_FREQUENCY, count, bad.data()),
+            MICROSLIP_INPUT);
+  EXPECT_NE(joint_text_of(levels, options).find("sha256"), std::string::npos) << "not changed";
+  ASSERT_OK(microslip_levels_set(levels, MICROSLIP_LEVEL_FREQUENCY, count, frequency.data()));
+  const std::string text = joint_text_of(levels, options);
+  EXPECT_EQ(text.find("reference_rig_levels.csv"), std::string::npos);
+  EXPECT_EQ(text.find("sha256"), std::string::npos);
+}
+
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 /// The model of examples/two_joints by the functions that make one.

@@ -94,14 +94,21 @@ TEST(LevelsFile, ReadsTheLinearLossWhereItIsAskedFor) {
       "amplitude [m],dissipation [J],linear_dissipation [mJ],reversals [1],flags\n"
       "1,2,3,2,\n2,3,4,6,spike\n3,4,5,2,clipped few_cycles\n";
   EXPECT_TRUE(parse_levels(text, "levels.csv").levels.linear_dissipation.empty());
-  const LevelsFile file = parse_levels(text, "levels.csv", {.linear_dissipation = true});
+  const LevelsFile file =
+      parse_levels(text, "levels.csv", {.linear_dissipation = LinearLossColumn::kNeeded});
   EXPECT_EQ(file.levels.linear_dissipation, (Numbers{3e-3, 4e-3, 5e-3}));
   const LevelsFile usable = without_inner_reversals(file);
   EXPECT_EQ(usable.levels.linear_dissipation, (Numbers{3e-3, 5e-3}));
   EXPECT_EQ(usable.flags, (std::vector<std::string>{"", "clipped few_cycles"}));
+  const LevelsReadOptions where_there{.linear_dissipation = LinearLossColumn::kUsed};
+  EXPECT_EQ(parse_levels(text, "levels.csv", where_there).levels.linear_dissipation,
+            file.levels.linear_dissipation);
+  const std::string without = "amplitude [m],dissipation [J]\n1,2\n";
+  EXPECT_TRUE(parse_levels(without, "levels.csv", where_there).levels.linear_dissipation.empty());
   const auto fault_with_loss = [](const std::string& table) {
-    return message_of<FormatError>(
-        [&] { return parse_levels(table, "levels.csv", {.linear_dissipation = true}); });
+    return message_of<FormatError>([&] {
+      return parse_levels(table, "levels.csv", {.linear_dissipation = LinearLossColumn::kNeeded});
+    });
   };
   EXPECT_NE(fault_with_loss("amplitude [m],dissipation [J]\n1,2\n")
                 .find("expected a column 'linear_dissipation [J]'"),

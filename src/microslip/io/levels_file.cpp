@@ -39,6 +39,14 @@ void read_frequency(const CsvTable& table, Levels& levels) {
   }
 }
 
+void read_linear_loss(const CsvTable& table, LinearLossColumn use, Levels& levels) {
+  if (use == LinearLossColumn::kIgnored) return;
+  levels.linear_dissipation = use == LinearLossColumn::kNeeded
+                                  ? table.numbers("linear_dissipation", kEnergy)
+                                  : table.numbers_if_present("linear_dissipation", kEnergy);
+  require_non_negative(table, "linear_dissipation", levels.linear_dissipation);
+}
+
 /// Names in the column `assembly`, and k beside them.
 void read_assemblies(const CsvTable& table, bool used, LevelsFile& file) {
   if (table.has("assembly")) file.assembly = table.text("assembly");
@@ -78,10 +86,7 @@ LevelsFile parse_levels(std::string text, std::string_view file, const LevelsRea
   read_frequency(table, levels);
   std::vector<double> reversals = table.numbers_if_present("reversals", kDimensionless);
   require_non_negative(table, "reversals", reversals);
-  if (options.linear_dissipation) {
-    levels.linear_dissipation = table.numbers("linear_dissipation", kEnergy);
-    require_non_negative(table, "linear_dissipation", levels.linear_dissipation);
-  }
+  read_linear_loss(table, options.linear_dissipation, levels);
   std::vector<std::string> flags;
   if (table.has("flags")) flags = table.text("flags");
   LevelsFile read{std::move(levels), table.file(), table.row_lines(), std::move(reversals),

@@ -42,10 +42,17 @@ struct LevelsFile {
 /// The file without the levels that have inner reversals.
 [[nodiscard]] LevelsFile without_inner_reversals(const LevelsFile& file);
 
+/// How the column `linear_dissipation [J]`, W_lin, is taken.
+enum class LinearLossColumn {
+  kIgnored,  ///< not read
+  kUsed,     ///< read where it is there
+  kNeeded,   ///< must be there
+};
+
 /// What parse_levels() reads beside what every identification uses.
 struct LevelsReadOptions {
-  bool linear_dissipation = false;  ///< the column `linear_dissipation [J]`, W_lin, must be there
-  bool assemblies = false;          ///< no name in `assembly` is empty; `stiffness [N/m]` is read
+  LinearLossColumn linear_dissipation = LinearLossColumn::kIgnored;  ///< how W_lin is taken
+  bool assemblies = false;  ///< no name in `assembly` is empty; `stiffness [N/m]` is read
 };
 
 /// Levels from the text of a levels.csv.

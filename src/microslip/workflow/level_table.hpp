@@ -30,7 +30,7 @@ enum class AssemblyColumn {
 struct LevelTableOptions {
   /// Takes levels with inner reversals, too, whose D is not that of one loop [AR14 (7)].
   bool use_inner_reversals = false;
-  bool linear_dissipation = false;                      ///< W_lin must be there
+  LinearLossColumn linear_dissipation = LinearLossColumn::kIgnored;  ///< how W_lin is taken
   AssemblyColumn assemblies = AssemblyColumn::kUnsaid;  ///< how the column `assembly` is taken
 };
 

@@ -54,7 +54,9 @@ Identification identified(const LevelsFile& file, const LevelsIdentification& op
 }  // namespace
 
 IdentifiedLevels identify_levels(const LevelsIdentification& options) {
-  const bool linear_loss = options.texts.common_errors.loss_factor_std > 0.0;
+  const auto linear_loss = options.texts.common_errors.loss_factor_std > 0.0
+                               ? LinearLossColumn::kNeeded
+                               : LinearLossColumn::kIgnored;
   LevelTable table =
       read_level_table(options.levels, {.use_inner_reversals = options.use_inner_reversals,
                                         .linear_dissipation = linear_loss,

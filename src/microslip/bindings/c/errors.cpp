@@ -5,6 +5,7 @@
 
 #include <exception>
 #include <new>
+#include <stdexcept>
 
 #include "microslip/base/version.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 
 // Beyond the address space of any machine.
 constexpr std::size_t kMostValues = std::size_t{1} << 44;
-constexpr std::size_t kLargestStruct = 1 << 16;
+constexpr std::size_t kLargestStruct = 4096;  // ten times the largest: more was not filled
 
 /// Where there is no memory for a text a constant stands for it.
 struct LastError {
@@ -40,6 +41,11 @@ microslip_status failed(microslip_status status, std::string_view text) noexcept
   return status;
 }
 
+microslip_status no_memory() noexcept {
+  last_error().constant = "no memory left";
+  return MICROSLIP_MEMORY;
+}
+
 }  // namespace
 
 microslip_status status_of_exception() noexcept {
@@ -54,8 +60,9 @@ microslip_status status_of_exception() noexcept {
   } catch (const Cancelled& error) {
     return failed(MICROSLIP_CANCELLED, error.what());
   } catch (const std::bad_alloc&) {
-    last_error().constant = "no memory left";
-    return MICROSLIP_MEMORY;
+    return no_memory();
+  } catch (const std::length_error&) {
+    return no_memory();
   } catch (const std::exception& error) {
     return failed(MICROSLIP_INTERNAL, error.what());
   } catch (...) {
@@ -129,8 +136,9 @@ void throw_unknown(int value, std::string_view name) {
   throw InputError(name, static_cast<double>(value), "must be one of its enumeration");
 }
 
-void check_struct_size(std::size_t size, std::size_t least, std::string_view name) {
-  if (size >= least && size <= kLargestStruct) return;
+void check_struct_size(std::size_t size, std::size_t least, std::size_t alignment,
+                       std::string_view name) {
+  if (size >= least && size <= kLargestStruct && size % alignment == 0) return;
   throw InputError(fmt::format("{}->struct_size", name), fmt::format("{}", size),
                    "must be the size of the struct",
                    "Set it to sizeof; options are filled by their function of defaults.");

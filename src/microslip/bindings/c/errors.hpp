@@ -80,8 +80,10 @@ void require_count(std::size_t count, std::size_t wanted, std::string_view name,
 /// Of an enumeration that has another value.
 [[noreturn]] void throw_unknown(int value, std::string_view name);
 
-/// @throws InputError  unless a struct of the caller has this size at least.
-void check_struct_size(std::size_t size, std::size_t least, std::string_view name);
+/// @throws InputError  unless a struct of the caller has this size at least, 4 KiB at most, and one
+/// of which an array can be made.
+void check_struct_size(std::size_t size, std::size_t least, std::size_t alignment,
+                       std::string_view name);
 
 /// @throws InputError  where a later version knows a member beyond `known` that is not 0.
 void check_unknown_members(const void* given, std::size_t size, std::size_t known,
@@ -94,7 +96,7 @@ T read_struct(const T* given, const T& defaults, std::string_view name,
               std::size_t least = sizeof(T)) {
   if (given == nullptr) return defaults;
   const std::size_t size = given->struct_size;
-  check_struct_size(size, least, name);
+  check_struct_size(size, least, alignof(T), name);
   check_unknown_members(given, size, sizeof(T), name);
   T all = defaults;
   std::memcpy(&all, given, std::min(size, sizeof(T)));
@@ -106,7 +108,7 @@ template <typename T>
 void write_struct(const T& from, T* to, std::size_t size, std::string_view name,
                   std::size_t least = sizeof(T)) {
   require_pointer(to, name);
-  check_struct_size(size, least, name);
+  check_struct_size(size, least, alignof(T), name);
   std::memset(static_cast<void*>(to), 0, size);
   std::memcpy(static_cast<void*>(to), &from, std::min(size, sizeof(T)));
   to->struct_size = size;

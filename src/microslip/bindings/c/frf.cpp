@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -71,6 +72,18 @@ Quantity quantity_of(microslip_kept kept) {
   throw_unknown(kept, "kept");
 }
 
+/// @throws InputError  naming the first frequency that no curve over the range can have.
+void check_frequencies(const microslip_frf_options& options, double from, double to) {
+  const auto [low, high] = std::minmax(from, to);
+  const auto at = values(options.at_count, options.at, "options->at");
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    if (at[i] >= low && at[i] <= high) continue;
+    throw InputError(fmt::format("options->at[{}]", i), at[i],
+                     fmt::format("must lie within the range, {:g} to {:g} Hz", low, high),
+                     "Widen the range, or leave this frequency out.");
+  }
+}
+
 HarmonicBalance balance_of(const ModelFile& model, const char* point,
                            const microslip_frf_options& options) {
   const ResponsePoint response{point == nullptr ? model.response : std::string(point),
@@ -124,6 +137,7 @@ std::string judged(const HarmonicBalance& balance, const ModelFile& model, Quant
 microslip_curve* over_frequency(const microslip_structure& structure, const char* point,
                                 const Target& kept, double from, double to,
                                 const microslip_frf_options& options) {
+  check_frequencies(options, from, to);
   const HarmonicBalance balance = balance_of(*structure.model, point, options);
   ResponseCurve curve =
       balance.follow(kept, Quantity::kAngularFrequency, kRadians * from, kRadians * to, 0,

@@ -40,6 +40,7 @@ struct microslip_memory {
 struct microslip_levels {
   microslip::LevelTable table;
   bool of_file = false;
+  bool changed = false;  ///< since they were read: the file is not what they are identified from
 };
 
 namespace microslip::c {

@@ -9,6 +9,7 @@
 #include "microslip/base/execution.hpp"
 #include "microslip/bindings/c/errors.hpp"
 #include "microslip/bindings/c/handles.hpp"
+#include "microslip/io/text.hpp"
 #include "microslip/workflow/identification_text.hpp"
 #include "microslip/workflow/smoothing_text.hpp"
 
@@ -102,11 +103,20 @@ void check_member(const Check& check, std::string_view instead = {}) {
   }
 }
 
+/// The program takes as many.
+void check_draws(std::size_t bands) {
+  constexpr std::size_t kMost = 1'000'000;  // more memory than use
+  if (bands <= kMost) return;
+  throw InputError("options->bands", fmt::format("{}", bands), "must be at most 1000000",
+                   "1000 give smooth bands.");
+}
+
 /// Before the levels are looked at, whose file would be blamed.
 void check_options(const LevelsIdentification& all) {
   check_member([&] { all.texts.common_errors.check(); });
   if (!all.options.bands) return;
   const BandOptions& bands = *all.options.bands;
+  check_draws(bands.samples);
   check_member([&] { BandOptions{.samples = bands.samples}.check(); }, "bands");
   check_member([&] { bands.check(); });
 }
@@ -129,6 +139,22 @@ LevelsIdentification levels_identification(const microslip_identify_options& opt
   return all;
 }
 
+/// What is missing is an option too many, whose name levels and their file do not know.
+void check_linear_loss(const Levels& levels, double loss_factor_std) {
+  if (loss_factor_std == 0.0 || !levels.linear_dissipation.empty()) return;
+  throw InputError("options->loss_factor_std", loss_factor_std,
+                   "needs the linear loss of the levels",
+                   "It is the column linear_dissipation of a file, or set as "
+                   "MICROSLIP_LEVEL_LINEAR_DISSIPATION.");
+}
+
+/// It goes into joint.json, which is UTF-8, and from there into lines of others.
+std::string command_of(const microslip_identify_options& options) {
+  std::string command(text_or(options.command, kDefaultCommand));
+  if (printable(command) == command) return command;
+  throw InputError("options->command", in_quotes(command), "must be a line of printable UTF-8");
+}
+
 /// Levels of a file carry its name in messages and its warnings.
 Identification found_in(const microslip_levels& levels, const LevelsIdentification& options) {
   if (levels.of_file) return identify_table(levels.table, options).found;
@@ -139,11 +165,12 @@ Identification found_in(const microslip_levels& levels, const LevelsIdentificati
 microslip_identification* identified(const microslip_levels& levels,
                                      const microslip_identify_options& options) {
   const LevelsIdentification all = levels_identification(options);
+  const std::string command = command_of(options);
+  check_linear_loss(levels.table.used.levels, options.loss_factor_std);
   Identification found = found_in(levels, all);
   std::vector<NamedInput> inputs;
-  if (levels.of_file) inputs.push_back(levels.table.input);
-  JointFile file = identified_joint(found, all.options, inputs,
-                                    text_or(options.command, kDefaultCommand), all.texts);
+  if (levels.of_file && !levels.changed) inputs.push_back(levels.table.input);
+  JointFile file = identified_joint(found, all.options, inputs, command, all.texts);
   Ending ending(found.summary, found.warnings,
                 describe_identification(found, levels.table.used.levels.size()));
   return new microslip_identification{
@@ -197,13 +224,15 @@ microslip_status microslip_levels_create(std::size_t count, const double* amplit
 microslip_status microslip_levels_set(microslip_levels* levels, microslip_level_column column,
                                       std::size_t count, const double* values) {
   return c::done([&] {
-    microslip::Levels& all = c::at(levels, "levels").table.used.levels;
+    c::require_pointer(levels, "levels");
+    microslip::Levels& all = levels->table.used.levels;
     c::require_count(count, all.size(), "count", "levels");
     const auto given = c::values(count, values, "values");
     microslip::Levels changed = all;
     c::column_of(changed, column).assign(given.begin(), given.end());
     microslip::check_levels(changed);
     all = std::move(changed);
+    levels->changed = true;
   });
 }
 
@@ -211,8 +240,9 @@ microslip_status microslip_levels_read(const char* path, microslip_levels** leve
   return c::done([&] {
     c::require_pointer(levels, "levels");
     auto made = std::make_unique<microslip_levels>();
-    made->table = microslip::read_level_table(&c::at(path, "path"),
-                                              {.assemblies = microslip::AssemblyColumn::kRefused});
+    made->table = microslip::read_level_table(
+        &c::at(path, "path"), {.linear_dissipation = microslip::LinearLossColumn::kUsed,
+                               .assemblies = microslip::AssemblyColumn::kRefused});
     made->of_file = true;
     *levels = made.release();
   });

@@ -45,6 +45,15 @@ DensityPart density_part(const microslip_part& part, std::size_t index, double s
   throw_unknown(part.kind, fmt::format("parts[{}].kind", index));
 }
 
+/// @throws InputError  unless a part says the size by which all lie apart.
+void check_part_size(const microslip_part& part, std::size_t index, std::size_t size) {
+  if (part.struct_size == size) return;
+  throw InputError(fmt::format("parts[{}]->struct_size", index),
+                   fmt::format("{}", part.struct_size),
+                   fmt::format("must be that of the first part, {}", size),
+                   "Fill each part by microslip_part_defaults().");
+}
+
 /// Parts lie as far apart as the struct is large to the caller.
 std::vector<DensityPart> density_parts(double stiffness, const microslip_part* parts,
                                        std::size_t count) {
@@ -54,6 +63,7 @@ std::vector<DensityPart> density_parts(double stiffness, const microslip_part* p
   const auto* bytes = reinterpret_cast<const unsigned char*>(parts);
   for (std::size_t i = 0; i < count; ++i) {
     const auto* part = reinterpret_cast<const microslip_part*>(bytes + i * size);
+    check_part_size(*part, i, size);
     all.push_back(density_part(read_struct(part, microslip_part{}, fmt::format("parts[{}]", i)), i,
                                stiffness));
   }

@@ -46,7 +46,8 @@ MarchOptions march_options(const microslip_march_options& options,
   all.largest_imbalance = options.largest_imbalance;
   all.estimate_error = options.estimate_error != 0;
   all.largest_error = options.largest_error;
-  if (options.start_modes != 0) {
+  if (options.start_modes != 0 || options.start_displacement != nullptr ||
+      options.start_velocity != nullptr) {
     require_count(options.start_modes, structure.linear().size(), "options->start_modes",
                   "modes of the structure");
     all.start.displacement =
@@ -58,10 +59,20 @@ MarchOptions march_options(const microslip_march_options& options,
   return all;
 }
 
-std::string place_of(const JointedStructure& structure, std::size_t load_count,
-                     const char* const* places, std::size_t index) {
-  if (places == nullptr && load_count == 1) return structure.excitations().front().point;
-  require_pointer(places, "places");
+/// Before any load is looked at: the arrays are as long as `load_count` says.
+void check_loads(const JointedStructure& structure, std::size_t load_count,
+                 const char* const* places, const double* const* loads) {
+  if (load_count > 0) require_pointer(loads, "loads");
+  if (load_count > 1) require_pointer(places, "places");
+  const std::size_t most = structure.linear().points().size() + structure.linear().bases().size();
+  if (load_count <= most) return;
+  throw InputError("load_count", fmt::format("{}", load_count),
+                   fmt::format("must be at most the number of points and bases, {}", most));
+}
+
+std::string place_of(const JointedStructure& structure, const char* const* places,
+                     std::size_t index) {
+  if (places == nullptr) return structure.excitations().front().point;
   return &at(places[index], fmt::format("places[{}]", index));
 }
 
@@ -69,9 +80,9 @@ LoadHistory history_of(const JointedStructure& structure, std::span<const double
                        std::size_t load_count, const char* const* places,
                        const double* const* loads) {
   LoadHistory history{{time.begin(), time.end()}, {}};
-  if (load_count > 0) require_pointer(loads, "loads");
+  check_loads(structure, load_count, places, loads);
   for (std::size_t i = 0; i < load_count; ++i) {
-    std::string place = place_of(structure, load_count, places, i);
+    std::string place = place_of(structure, places, i);
     const auto load = values(time.size(), loads[i], fmt::format("loads[{}]", i));
     history.forces.push_back({std::move(place), {load.begin(), load.end()}});
   }

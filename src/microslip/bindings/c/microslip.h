@@ -122,7 +122,7 @@ MICROSLIP_API microslip_status microslip_part_defaults(microslip_part *part, siz
 
 /** A joint of its parts.
  * @param stiffness  k, N/m; > 0.
- * @param parts      `count` of them; NULL where there are none: a spring.
+ * @param parts      `count` of them, of one size; NULL where there are none: a spring.
  * @param count      how many.
  * @param joint      the joint. */
 MICROSLIP_API microslip_status microslip_joint_create(double stiffness, const microslip_part *parts,
@@ -283,14 +283,16 @@ MICROSLIP_API microslip_status microslip_levels_create(size_t count, const doubl
                                                        const double *dissipation,
                                                        microslip_levels **levels);
 
-/** Adds a column to levels that nobody else uses at the time, or replaces it.
+/** Adds a column to levels that nobody else uses at the time, or replaces it. What is identified from
+ * levels of a file that were changed so does not name the file as its input.
  * @param levels  that get it. @param column  which. @param count  as many as there are levels.
  * @param values  copied. */
 MICROSLIP_API microslip_status microslip_levels_set(microslip_levels *levels,
                                                     microslip_level_column column, size_t count,
                                                     const double *values);
 
-/** Reads a levels.csv, as `microslip identify` does: levels with inner reversals are left out.
+/** Reads a levels.csv, as `microslip identify` does: levels with inner reversals are left out. W_lin
+ * is read where there is a column linear_dissipation.
  * @param path  of the file. @param levels  of it. */
 MICROSLIP_API microslip_status microslip_levels_read(const char *path, microslip_levels **levels);
 
@@ -311,14 +313,15 @@ typedef struct microslip_identify_options {
   int linear_damping;           /**< 1: finds β of D = … + βA², too; 0 (default) */
   int atom;                     /**< 1: seeks macro-slip, too; 0 (default) */
   int edges;                    /**< 1 (default): lets the density jump; 0 */
-  size_t bands;                 /**< draws of the band; 0 (default): no band, else ≥ 20 */
+  size_t bands;                 /**< draws of the band; 0 (default): no band, else 20 to 10⁶ */
   double confidence;            /**< nominal coverage of the band, in (0, 1); 0.95 */
   uint64_t seed;                /**< of the draws; 1 */
   double dissipation_gain_std;  /**< relative error of D that all levels share, 1; 0 */
   double amplitude_gain_std;    /**< relative error of A that all levels share, 1; 0 */
-  double loss_factor_std;       /**< relative error of the loss in W_lin, 1; 0 */
+  double loss_factor_std;       /**< relative error of the loss in W_lin, 1; 0; needs W_lin */
   int threads;                  /**< that draw: 0 (default) one a processor, 1 the calling one alone */
-  const char *command;          /**< what joint.json tells as the call; NULL: a text of microslip */
+  const char *command;          /**< what joint.json tells as the call, a line; NULL: a text of
+                                     microslip */
   microslip_progress progress;  /**< told of the draws; NULL (default): nobody listens */
   void *user;                   /**< handed to it */
 } microslip_identify_options;
@@ -441,7 +444,7 @@ MICROSLIP_API microslip_status microslip_model_add_joint(microslip_model *model,
 /** Adds a periodic force at a point, f(t) = A Re Σ_n s_n e^{inωt}: it drives frequency responses.
  * @param model      that gets it; one at least.
  * @param point      where it acts.
- * @param harmonics  ≥ 1.
+ * @param harmonics  1 to 1000.
  * @param real       Re s_n, 1, of harmonic n = 1, 2, …; NULL with one harmonic: 1.
  * @param imaginary  Im s_n, 1; NULL: zeros. */
 MICROSLIP_API microslip_status microslip_model_add_excitation(microslip_model *model,
@@ -513,7 +516,8 @@ typedef struct microslip_frf_options {
   int max_points;              /**< of a curve; ≥ 2; 5000 */
   double accuracy;             /**< how far the polygon may lie beside the curve, 1; 0 or more; 0.002 */
   size_t at_count;             /**< frequencies at which the curve has points as well; 0 */
-  const double *at;            /**< Hz; `at_count` of them, within the range */
+  const double *at;            /**< Hz; `at_count` of them, within the range of
+                                    microslip_frf(); backbones have none */
   microslip_response response; /**< what is kept by MICROSLIP_KEEP_RESPONSE and on backbones */
   int modal_forcing;           /**< 1: a backbone is the nonlinear mode; 0 (default) */
   int judge;                   /**< 1 (default): what harmonics and modes above leave out is judged in
@@ -632,7 +636,8 @@ typedef struct microslip_march_options {
   double largest_imbalance;         /**< of the energy, beyond which it is not converged, 1; 1e-4 */
   int estimate_error;               /**< 1 (default): a second march of twice the step tells it; 0 */
   double largest_error;             /**< beyond which it is not converged, 1; 1e-2 */
-  size_t start_modes;               /**< modes with a start: 0 (default), at rest, or all */
+  size_t start_modes;               /**< modes with a start: 0 (default), at rest, or all; all where
+                                         one of the next two is not NULL */
   const double *start_displacement; /**< q_i at the first time, kg^½ m; NULL: zeros */
   const double *start_velocity;     /**< q̇_i at the first time, kg^½ m/s; NULL: zeros */
   microslip_progress progress;      /**< told of the times done; NULL (default): nobody listens */
@@ -651,7 +656,7 @@ typedef struct microslip_marched microslip_marched;
  * @param structure   any.
  * @param count       of the times; ≥ 2.
  * @param time        s, rising, even or not.
- * @param load_count  0: free vibration.
+ * @param load_count  0: free vibration; at most as many as there are points and bases.
  * @param places      names of points (or bases); `load_count` of them, no two the same; NULL with one
  *                    load: that of the first excitation.
  * @param loads       the force at each, N (m/s² of a base); `load_count` arrays of `count` values.

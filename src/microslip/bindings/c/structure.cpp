@@ -16,6 +16,7 @@ namespace microslip::c {
 namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
+constexpr std::size_t kMostHarmonics = 1000;  // of a harmonic balance
 
 std::string name_of(const char* name, std::string_view argument) {
   std::string text = &at(name, argument);
@@ -65,7 +66,10 @@ void add_joint(microslip_model& model, std::string name, const JointFile& file,
 Excitation excitation_of(std::string point, std::size_t harmonics, const double* real,
                          const double* imaginary) {
   Excitation excitation{std::move(point)};
-  if (harmonics == 0) throw InputError("harmonics", 0.0, "must be 1 or more");
+  if (harmonics == 0 || harmonics > kMostHarmonics) {
+    throw InputError("harmonics", fmt::format("{}", harmonics),
+                     fmt::format("must be from 1 to {}", kMostHarmonics));
+  }
   if (real == nullptr && harmonics > 1) require_pointer(real, "real");
   excitation.harmonics.assign(harmonics, 0.0);
   const auto re = real == nullptr ? std::span<const double>{} : values(harmonics, real, "real");
