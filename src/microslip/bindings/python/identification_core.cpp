@@ -177,6 +177,7 @@ py::dict identify_levels(const py::dict& columns, double stiffness, const py::di
 py::tuple read_levels_of(const std::string& path, bool use_inner_reversals, bool of_one_joint) {
   const LevelTable table = read_level_table(
       path, {.use_inner_reversals = use_inner_reversals,
+             .linear_dissipation = LinearLossColumn::kUsed,
              .assemblies = of_one_joint ? AssemblyColumn::kIgnored : AssemblyColumn::kUnsaid});
   return py::make_tuple(dict_of(table.used.levels), python::list_of(table.warnings));
 }
