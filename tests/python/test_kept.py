@@ -151,3 +151,14 @@ def test_a_daemon_thread_does_not_crash_the_end():
         done = subprocess.run([sys.executable, "-W", "ignore", "-c", textwrap.dedent(code)],
                               capture_output=True, text=True, timeout=120)  # fmt: skip
         assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.filterwarnings("ignore::microslip.MicroslipWarning")
+def test_draws_bring_their_linear_damping(structure, joint):
+    loss = joint.dissipation(A) + 2e3 * A**2
+    found = microslip.identify(A, loss, stiffness=2.3e6, samples=20, linear_damping=True, strict=False)
+    draw = found.draws[3]
+    assert draw.linear_damping == found.draws.linear_damping[3]
+    assert structure.with_joints([draw]).joints[0].linear_damping == draw.linear_damping
+    assert pickle.loads(pickle.dumps(draw)).linear_damping == draw.linear_damping
+    assert draw.force(1e-5) == draw.joint.force(1e-5)

@@ -263,7 +263,10 @@ void add_identification(py::module_& core) {
   core.def("identify_levels", identify_levels);
   core.def("read_levels", read_levels_of);
   core.def("parse_levels", [](const std::string& text) {
-    return dict_of(without_inner_reversals(parse_levels(text, "levels")).levels);
+    return dict_of(
+        without_inner_reversals(
+            parse_levels(text, "levels", {.linear_dissipation = LinearLossColumn::kUsed}))
+            .levels);
   });
   core.def("levels_csv", [](const py::dict& columns) { return csv_of(levels_of(columns)); });
 }

@@ -10,14 +10,15 @@ from . import _core
 from ._arguments import Path, RealArray, whole
 from ._arguments import path as path_of
 from ._core import JointDraws as CoreDraws
-from ._joint import Joint
+from ._joint import IdentifiedJoint, Joint
 from ._results import Shown, si
 
 
 class JointDraws(Shown):
     """Joints that measurements leave possible, each as likely as any other.
 
-    ``len(draws)`` is their number, ``draws[i]`` the joint of draw i, ``draws[:20]`` a list.
+    ``len(draws)`` is their number, ``draws[i]`` the joint of draw i, with its
+    own linear damping where that was sought (`IdentifiedJoint`), ``draws[:20]`` a list.
     """
 
     __slots__ = ("_core",)
@@ -56,7 +57,10 @@ class JointDraws(Shown):
             number = whole(i, "i", -len(self), len(self) - 1)
         except ValueError:
             raise IndexError(f"draw {i} of {len(self)}") from None
-        return Joint._of(self._core.joint(number % len(self)))
+        number %= len(self)
+        joint = Joint._of(self._core.joint(number))
+        damping = self.linear_damping
+        return IdentifiedJoint(joint, float(damping[number])) if len(damping) else joint
 
     def __iter__(self) -> Iterator[Joint]:
         return (self[i] for i in range(len(self)))

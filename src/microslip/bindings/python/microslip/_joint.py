@@ -226,9 +226,9 @@ class Joint(Shown):
             parts.append(part._tuple())
         self._core = _core.Joint(positive(stiffness, "stiffness"), parts)
 
-    @classmethod
-    def _of(cls, core: CoreJoint) -> Joint:
-        joint = object.__new__(cls)
+    @staticmethod
+    def _of(core: CoreJoint) -> Joint:
+        joint = object.__new__(Joint)
         joint._core = core
         return joint
 
@@ -236,7 +236,7 @@ class Joint(Shown):
     def four_parameter(cls, macroslip_force: float, stiffness: float, chi: float,
                        beta: float) -> Joint:  # fmt: skip
         """Segalman's four-parameter joint, see `FourParameter`."""
-        return cls(stiffness, [FourParameter(macroslip_force, stiffness, chi, beta)])
+        return Joint(stiffness, [FourParameter(macroslip_force, stiffness, chi, beta)])
 
     @classmethod
     def read(cls, path: Path) -> Joint:
@@ -426,8 +426,7 @@ class Joint(Shown):
         ]
 
 
-@dataclass(frozen=True)
-class IdentifiedJoint:
+class IdentifiedJoint(Joint):
     """A joint with what its identification found beside it, for predictions.
 
     Parameters
@@ -440,22 +439,26 @@ class IdentifiedJoint:
         kA of the highest level, N: predictions that go beyond warn.
     """
 
-    joint: Joint
-    linear_damping: Optional[float] = None
-    covered_to: Optional[float] = None
+    __slots__ = ("covered_to", "linear_damping")
+    linear_damping: Optional[float]
+    covered_to: Optional[float]
 
-    def __post_init__(self) -> None:
-        if not isinstance(self.joint, Joint):
-            raise InputError(f"joint = {self.joint!r}; must be a microslip.Joint")
-        if self.linear_damping is not None:
-            not_negative(self.linear_damping, "linear_damping")
-        if self.covered_to is not None:
-            positive(self.covered_to, "covered_to")
+    def __init__(self, joint: Joint, linear_damping: Optional[float] = None,
+                 covered_to: Optional[float] = None) -> None:  # fmt: skip
+        if not isinstance(joint, Joint):
+            raise InputError(f"joint = {shown(joint)}; must be a microslip.Joint")
+        if linear_damping is not None:
+            linear_damping = not_negative(linear_damping, "linear_damping")
+        if covered_to is not None:
+            covered_to = positive(covered_to, "covered_to")
+        self._core = joint._core
+        self.linear_damping = linear_damping
+        self.covered_to = covered_to
 
-    @classmethod
-    def _of(cls, core: CoreJoint, linear_damping: Optional[float],
-            covered_to: Optional[float]) -> IdentifiedJoint:  # fmt: skip
-        return cls(Joint._of(core), linear_damping, covered_to)
+    @property
+    def joint(self) -> Joint:
+        """F(u) by itself."""
+        return Joint._of(self._core)
 
     @classmethod
     def read(cls, path: Path) -> IdentifiedJoint:
@@ -466,7 +469,19 @@ class IdentifiedJoint:
         FileError, FormatError, ValueError
             Where it cannot be read, or is no joint.
         """
-        return cls._of(*_core.read_joint(path_of(path, "path")))
+        core, linear_damping, covered_to = _core.read_joint(path_of(path, "path"))
+        return IdentifiedJoint(Joint._of(core), linear_damping, covered_to)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return IdentifiedJoint, (self.joint, self.linear_damping, self.covered_to)
+
+    def _facts(self) -> tuple[str, list[tuple[str, str]]]:
+        _, rows = super()._facts()
+        if self.linear_damping is not None:
+            rows.append(("linear damping", si(self.linear_damping, "J/m^2")))
+        if self.covered_to is not None:
+            rows.append(("levels up to", si(self.covered_to, "N")))
+        return "Identified joint", rows
 
 
 class Identified(Protocol):
@@ -486,6 +501,8 @@ AnyJoint = Union[Joint, Identified]
 
 def identified(joint: object, name: str) -> IdentifiedJoint:
     """Any of these as the second."""
+    if isinstance(joint, IdentifiedJoint):
+        return joint
     if isinstance(joint, Joint):
         return IdentifiedJoint(joint)
     if isinstance(joint, type) or not all(

@@ -462,7 +462,7 @@ class Verification(Shown):
 def _known_joint(joint: Any) -> IdentifiedJoint:
     """Of a path, too."""
     if isinstance(joint, (str, bytes, os.PathLike)):
-        return IdentifiedJoint._of(*_core.read_joint(path_of(joint, "joint")))
+        return IdentifiedJoint.read(os.fsdecode(joint))
     return identified(joint, "joint")
 
 

@@ -34,7 +34,7 @@ from ._arguments import path as path_of
 from ._arguments import progress as progress_of
 from ._core import Structure as CoreStructure
 from ._errors import InputError
-from ._joint import AnyJoint, IdentifiedJoint, identified
+from ._joint import AnyJoint, IdentifiedJoint, Joint, identified
 from ._results import Note, Shown, notes, si, warn
 
 
@@ -313,10 +313,12 @@ class Structure(Shown):
 
 def _placed(part: dict[str, Any]) -> StructuralJoint:
     """A joint of the compiled half as it was given."""
-    found = IdentifiedJoint._of(part["joint"], part["identified_damping"], part["covered_to"])
-    plain = found.linear_damping is None and found.covered_to is None
+    joint = Joint._of(part["joint"])
+    damping, reach = part["identified_damping"], part["covered_to"]
+    if damping is not None or reach is not None:
+        joint = IdentifiedJoint(joint, damping, reach)
     return StructuralJoint(
-        found.joint if plain else found, part["shape"], part["name"], part["spring_in_modes"],
+        joint, part["shape"], part["name"], part["spring_in_modes"],
         part["series_compliance"], part["shortening"], part["linear_damping"],
     )  # fmt: skip
 
