@@ -4,8 +4,10 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>
@@ -39,6 +41,25 @@ TEST(OutputFiles, WritesAFile) {
   write_file(folder.file("levels.csv"), kLevelsText);
   EXPECT_EQ(get(folder.file("levels.csv")), kLevelsText);
   EXPECT_EQ(folder.names(), Names{"levels.csv"});
+}
+
+// What a killed process left goes with the next file that is written there; what a living one works on stays.
+TEST(OutputFiles, RemovesWhatAKilledProcessLeft) {
+  const test::TemporaryFolder folder;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    OutputFiles files;
+    files.add(folder.file("levels.csv"), kLevelsText);
+    ::kill(::getpid(), SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_EQ(folder.names().size(), 1U) << "its temporary file";
+  OutputFiles living;
+  living.add(folder.file("first.csv"), kLevelsText);
+  EXPECT_EQ(folder.names().size(), 1U) << "that of this process";
+  living.commit();
+  EXPECT_EQ(folder.names(), Names{"first.csv"});
 }
 
 TEST(OutputFiles, GivesTheUsualPermissions) {

@@ -7,9 +7,17 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <filesystem>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -18,12 +26,16 @@
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/file_output.hpp"
 #include "microslip/io/input_file.hpp"
+#include "microslip/io/sha256.hpp"
 #include "microslip/io/write_error.hpp"
 
 namespace microslip {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Of the name that the old file has while it is replaced.
+constexpr const char* kOldSuffix = ".old";
 
 [[noreturn]] void fail_twice(std::string_view path) {
   throw FileError(path, "would be written twice", "Choose different names.");
@@ -117,13 +129,59 @@ void check_kind(const std::string& path, const std::string& target, std::string_
                   "Remove it or choose another name.");
 }
 
+/// Where a process of this number can be asked for: this machine and its numbering of processes, in a
+/// few letters. A folder may be one of a network.
+const std::string& place_of_processes() {
+  static const std::string place = [] {
+    std::array<char, 256> host{};
+    (void)::gethostname(host.data(), host.size() - 1);
+    std::array<char, 64> numbering{};
+    (void)::readlink("/proc/self/ns/pid", numbering.data(), numbering.size() - 1);
+    constexpr std::size_t kLetters = 8;
+    return sha256(std::string(host.data()) + numbering.data()).substr(0, kLetters);
+  }();
+  return place;
+}
+
+/// The number of the process that left a file of this name, where it is one of ours from this place.
+std::optional<pid_t> process_of(std::string_view name) {
+  const std::string prefix = ".microslip-" + place_of_processes() + "-";
+  if (!name.starts_with(prefix) ||
+      !(name.ends_with(".tmp") || name.ends_with(std::string(".tmp") + kOldSuffix))) {
+    return std::nullopt;
+  }
+  name.remove_prefix(prefix.size());
+  pid_t process = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), process);
+  if (error != std::errc() || *end != '-' || process <= 0) return std::nullopt;
+  return process;
+}
+
+/// Removes what processes left that were killed before they could; once a folder.
+void remove_litter(const std::string& folder) {
+  static std::mutex mutex;
+  static std::set<std::string> looked_at;
+  {
+    const std::lock_guard lock(mutex);
+    if (!looked_at.insert(folder).second) return;
+  }
+  std::error_code unreadable;  // then there is nothing to be done about it
+  for (fs::directory_iterator at(folder, unreadable), end; !unreadable && at != end;
+       at.increment(unreadable)) {
+    const std::optional<pid_t> process = process_of(at->path().filename().string());
+    if (process && ::kill(*process, 0) != 0 && errno == ESRCH) ::unlink(at->path().c_str());
+  }
+}
+
 /// A new file in the folder of the target, with the permissions of the file it is going to replace.
 std::pair<Temporary, FileDescriptor> create_beside(const std::string& path,
                                                    const OutputTarget& target) {
   static std::atomic<unsigned> counter{0};
+  const std::string folder = folder_of(target.file);
+  remove_litter(folder);
   for (;;) {
-    Temporary temporary(
-        fmt::format("{}/.microslip-{}-{}.tmp", folder_of(target.file), ::getpid(), counter++));
+    Temporary temporary(fmt::format("{}/.microslip-{}-{}-{}.tmp", folder, place_of_processes(),
+                                    ::getpid(), counter++));
     FileDescriptor file(
         ::open(temporary.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (file.is_open()) {
@@ -167,7 +225,7 @@ struct Placed {
 };
 
 std::optional<Temporary> second_name(const std::string& target, const std::string& temporary) {
-  std::optional<Temporary> old(temporary + ".old");
+  std::optional<Temporary> old(temporary + kOldSuffix);
   if (::link(target.c_str(), old->path().c_str()) != 0) old.reset();
   return old;
 }

@@ -36,7 +36,8 @@ void check_outputs(std::span<const PlannedOutput> outputs);
 /// Files that are written all or none. Each is written under a temporary name in its folder first;
 /// commit() gives them their names. Without commit(), on an exception for instance, nothing is left
 /// behind and existing files stay as they were. A file replaces only one of its kind (file_kind()),
-/// or an empty one, and takes over its permissions; a link stays a link.
+/// or an empty one, and takes over its permissions; a link stays a link. What a process that was killed
+/// left of this kind in a folder is removed by the next one that writes there on the same machine.
 class OutputFiles {
  public:
   OutputFiles() = default;
