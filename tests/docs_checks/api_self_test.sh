@@ -11,7 +11,7 @@ page="$work/main_page.dox"
 printf '/** @mainpage Test */\n/** @namespace microslip\nAll. */\n/** @defgroup joint joint\nOne. */\n' >"$page"
 printf '# Bibliography\n\n[x](../x.md)\n\n| key | source |\n|---|---|\n| AR14 | A paper |\n' >"$work/bibliography.md"
 {
-  grep -vE '^(INPUT|  ".*\.(hpp|md)"|INPUT_FILTER|STRIP_)' "$doxyfile"
+  grep -vE '^(INPUT|  ".*\.(h|hpp|md)"|INPUT_FILTER|STRIP_)' "$doxyfile"
   printf 'INPUT = "%s" "%s" \\\n  "%s"\n' "$page" "$work/bibliography.md" "$header"
   grep '^INPUT_FILTER' "$doxyfile" | sed "s|bibliography='[^']*'|bibliography='$work/bibliography.md'|"
   printf 'STRIP_FROM_PATH = "%s"\n' "$work"
@@ -37,6 +37,6 @@ api member "Member stiffness (variable)" '/// kx.' '/// A joint.\nstruct Joint {
 api type "Compound microslip::Joint is not documented" '/// kx.' 'struct Joint {\n  double stiffness;  ///< k\n};\n'
 api private "" '/// kx.' '/// A joint.\nclass Joint {\n public:\n  Joint();  ///< None.\n\n private:\n  double stiffness;\n};\n'
 api path_of_this_machine "These pages hold the path" "/// kx, see $(cd "$here/../.." && pwd)/docs."
-expect no_headers "names no header" bash "$here/check_api.sh" "$doxygen" <(grep -v '\.hpp"' "$work/Doxyfile" | sed 's/\\$//') "$work/out"
+expect no_headers "names no header" bash "$here/check_api.sh" "$doxygen" <(grep -vE '\.(h|hpp)"' "$work/Doxyfile" | sed 's/\\$//') "$work/out"
 
 finish

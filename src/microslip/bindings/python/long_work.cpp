@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/bindings/python/long_work.hpp"
 
-#include <unistd.h>
-
 #include <cstddef>
+#include <ctime>
 #include <utility>
 
 #include "microslip/base/attended_work.hpp"
@@ -18,7 +17,8 @@ namespace {
 bool interpreter_ends() { return Py_IsInitialized() == 0; }
 
 void stay_while_interpreter_ends() {
-  while (interpreter_ends()) pause();
+  constexpr std::timespec kWhile{1, 0};
+  while (interpreter_ends()) ::nanosleep(&kWhile, nullptr);
 }
 
 /// Signals, and the listener where there is news.
