@@ -116,6 +116,16 @@ function(microslip_link_into_shared target)
   set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS "${CMAKE_CURRENT_BINARY_DIR}/${target}.map")
 endfunction()
 
+# microslip_private_headers(<target> <folder> <header>...)
+# Headers of a folder below bindings, for that target alone.
+function(microslip_private_headers target folder)
+  set(tree "${PROJECT_BINARY_DIR}/include/bindings_${folder}/private")
+  set(headers ${ARGN})
+  _microslip_make_absolute(headers)
+  _microslip_forward_headers("${tree}/microslip/bindings/${folder}" ${headers})
+  target_include_directories(${target} PRIVATE "${tree}")
+endfunction()
+
 # The parts and those that they use, directly or not.
 function(_microslip_parts_below list)
   set(parts ${ARGN})

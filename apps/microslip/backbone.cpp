@@ -100,8 +100,7 @@ int run(const BackboneOptions& options, const Call& call) {
   const Forcing forcing = options.forcing == "modal" ? Forcing::kModal : Forcing::kExcitation;
   const HarmonicBalance balance = balance_of(model, options.prediction, {.forcing = forcing});
   ResponseCurve curve = curve_of(balance, options, responses, mode, call.quiet);
-  const std::string truncation = add_truncation(balance, model, Quantity::kPhaseLag, curve);
-  add_model_warnings(model, curve);
+  const std::string truncation = judge_backbone(balance, model, curve);
   const std::optional<BackboneSpread> spread =
       spread_of(balance, curve, mode, draws, options, call.quiet);
   if (spread) std::ranges::copy(spread->warnings, std::back_inserter(curve.warnings));

@@ -190,9 +190,8 @@ int run(const FrfOptions& options, const Call& call) {
   const HarmonicBalance balance =
       balance_of(model, options.prediction, std::move(drawn), kept.kind);
   ResponseCurve curve = curve_of(balance, range, call.quiet);
-  const std::string truncation = add_truncation(
+  const std::string truncation = judge_response(
       balance, model, options.of_force() ? Quantity::kResponse : Quantity::kForceAmplitude, curve);
-  add_response_warnings(balance, model, curve);
   const std::optional<ResponseSpread> spread =
       spread_of(balance, curve, range, draws, options, call.quiet);
   if (spread) std::ranges::copy(spread->warnings, std::back_inserter(curve.warnings));

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <string_view>
 
 #include "command.hpp"
@@ -19,20 +19,12 @@
 namespace microslip::app {
 namespace {
 
-const std::map<std::string, IdentificationMethod> kMethods{
-    {"inversion", IdentificationMethod::kInversion},
-    {"spline", IdentificationMethod::kSpline},
-    {"differences", IdentificationMethod::kDifferences}};
-
-const std::map<std::string, ParametricModel> kModels{
-    {"four_parameter", ParametricModel::kFourParameter},
-    {"power_law", ParametricModel::kPowerLaw},
-    {"uniform", ParametricModel::kUniform}};
-
-template <typename Map>
-std::vector<std::string> names_of(const Map& map) {
+/// As the help lists them.
+template <typename All>
+std::vector<std::string> names_of(const All& all) {
   std::vector<std::string> names;
-  for (const auto& [name, value] : map) names.push_back(name);
+  for (const auto one : all) names.emplace_back(to_string(one));
+  std::ranges::sort(names);
   return names;
 }
 
@@ -122,11 +114,11 @@ IdentificationOptions library_options(const IdentifyArguments& options, bool qui
   IdentificationOptions all;
   all.bands = bands_of(options, quiet);
   check_method(options);
-  all.method = kMethods.at(options.method);
+  all.method = find_identification_method(options.method).value();
   all.inversion.linear_damping = options.linear_damping == "fit";
   all.inversion.edges = options.edges == "sought";
   all.inversion.atom = options.atom;
-  if (options.fit != "none") all.fit = kModels.at(options.fit);
+  all.fit = find_parametric_model(options.fit);  // nothing for none
   set_smoothing(options.smoothing, options.smoothing_unit, all);
   return all;
 }
@@ -214,7 +206,7 @@ void add_output_options(CLI::App& command, IdentifyArguments& options) {
 
 void add_method_options(CLI::App& command, IdentifyArguments& options) {
   command.add_option("--method", options.method, "How the density is found")
-      ->check(CLI::IsMember(names_of(kMethods)))
+      ->check(CLI::IsMember(names_of(kIdentificationMethods)))
       ->capture_default_str();
   command
       .add_option("--smoothing", options.smoothing,
@@ -241,7 +233,7 @@ void add_method_options(CLI::App& command, IdentifyArguments& options) {
   command.add_flag("--atom", options.atom, "Seek an atom of the density where macro-slip begins");
   command
       .add_option("--fit", options.fit, "Write this parametric model in place of the free density")
-      ->check(CLI::IsMember(names_of(kModels)));
+      ->check(CLI::IsMember(names_of(kParametricModels)));
 }
 
 void add_band_options(CLI::App& command, IdentifyArguments& options) {

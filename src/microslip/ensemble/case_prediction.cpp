@@ -77,8 +77,7 @@ class ResponseCase : public CasePrediction {
     prediction_ = std::make_unique<ResponseOfDraws>(balance_, reference_, range_);
     const bool of_force = planned.response.has_value();
     ResponseCurve told = reference_;
-    (void)add_truncation(balance_, model, range_.kept.quantity, told);
-    add_response_warnings(balance_, model, told);
+    judge_response(balance_, model, range_.kept.quantity, told);
     warnings_ = std::move(told.warnings);
     const CurveHeight height = of_force ? drive_of(model.structure) : displacement_height();
     const std::string name(height.name);
@@ -125,8 +124,7 @@ class BackboneCase : public CasePrediction {
         reference_(balance_.resonances(responses_, mode_)) {
     require_converged(reference_.summary);
     ResponseCurve told = reference_;
-    (void)add_truncation(balance_, model, Quantity::kPhaseLag, told);
-    add_model_warnings(model, told);
+    judge_backbone(balance_, model, told);
     warnings_ = std::move(told.warnings);
     std::vector<double> axis;
     for (const SteadyVibration& point : reference_.points) axis.push_back(point.response);

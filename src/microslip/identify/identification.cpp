@@ -201,6 +201,13 @@ std::string_view to_string(IdentificationMethod method) {
   return "inversion";
 }
 
+std::optional<IdentificationMethod> find_identification_method(std::string_view name) {
+  for (const IdentificationMethod method : kIdentificationMethods) {
+    if (name == to_string(method)) return method;
+  }
+  return std::nullopt;
+}
+
 // The band is of the free density of the inversion: beside another joint it would pass for its own.
 void IdentificationOptions::check() const {
   inversion.check();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -31,8 +32,14 @@ enum class IdentificationMethod {
   kDifferences,  ///< density_by_differences(), a baseline
 };
 
+inline constexpr std::array kIdentificationMethods = {IdentificationMethod::kInversion,
+                                                      IdentificationMethod::kSpline,
+                                                      IdentificationMethod::kDifferences};  ///< all
+
 /// "inversion", "spline", "differences".
 [[nodiscard]] std::string_view to_string(IdentificationMethod method);
+/// The method of such a name; nothing for another.
+[[nodiscard]] std::optional<IdentificationMethod> find_identification_method(std::string_view name);
 
 /// What identify() does.
 struct IdentificationOptions {

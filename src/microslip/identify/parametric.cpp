@@ -471,6 +471,13 @@ std::string_view to_string(ParametricModel model) {
   return "four_parameter";
 }
 
+std::optional<ParametricModel> find_parametric_model(std::string_view name) {
+  for (const ParametricModel model : kParametricModels) {
+    if (name == to_string(model)) return model;
+  }
+  return std::nullopt;
+}
+
 void ParametricOptions::check() const {
   if (starts < 1) throw InputError("starts", starts, "must be at least 1");
   if (max_evaluations < 1) {

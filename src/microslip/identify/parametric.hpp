@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,8 +25,14 @@ enum class ParametricModel {
   kUniform,
 };
 
+inline constexpr std::array kParametricModels = {ParametricModel::kFourParameter,
+                                                 ParametricModel::kPowerLaw,
+                                                 ParametricModel::kUniform};  ///< all
+
 /// "four_parameter", "power_law", "uniform".
 [[nodiscard]] std::string_view to_string(ParametricModel model);
+/// The model of such a name; nothing for another.
+[[nodiscard]] std::optional<ParametricModel> find_parametric_model(std::string_view name);
 
 /// What fit_parametric() fits, and how it searches.
 struct ParametricOptions {

@@ -262,6 +262,20 @@ void add_response_warnings(const HarmonicBalance& balance, const ModelFile& mode
                                    stuck_frequencies_text(balance.structure()))});
 }
 
+std::string judge_response(const HarmonicBalance& balance, const ModelFile& model, Quantity kept,
+                           ResponseCurve& curve) {
+  std::string truncation = add_truncation(balance, model, kept, curve);
+  add_response_warnings(balance, model, curve);
+  return truncation;
+}
+
+std::string judge_backbone(const HarmonicBalance& balance, const ModelFile& model,
+                           ResponseCurve& curve) {
+  std::string truncation = add_truncation(balance, model, Quantity::kPhaseLag, curve);
+  add_model_warnings(model, curve);
+  return truncation;
+}
+
 std::string describe_response(const std::string& file, const HarmonicBalance& balance,
                               const ResponseCurve& curve, bool of_force) {
   const SteadyVibration& first = curve.points.front();
@@ -319,6 +333,13 @@ std::vector<Warning> march_warnings(const ModelFile& model, const std::vector<do
   std::ranges::move(mode_warnings(model), std::back_inserter(warnings));
   std::ranges::move(reach_warnings(model, reach), std::back_inserter(warnings));
   return warnings;
+}
+
+MarchResult judged_march(const ModelFile& model, const LoadHistory& loads,
+                         const MarchOptions& options, const Progress& progress) {
+  MarchResult result = march(model.structure, loads, options, progress);
+  std::ranges::move(march_warnings(model, result.reach), std::back_inserter(result.warnings));
+  return result;
 }
 
 MarchResult march_to_table(const std::string& path, const ModelFile& model,

@@ -71,6 +71,15 @@ void add_model_warnings(const ModelFile& model, ResponseCurve& curve);
 void add_response_warnings(const HarmonicBalance& balance, const ModelFile& model,
                            ResponseCurve& curve);
 
+/// add_truncation() and add_response_warnings(): all that is said of a frequency response.
+/// @param kept  along the curve. @return as add_truncation().
+std::string judge_response(const HarmonicBalance& balance, const ModelFile& model, Quantity kept,
+                           ResponseCurve& curve);
+
+/// add_truncation() and add_model_warnings(): the same of a backbone.
+std::string judge_backbone(const HarmonicBalance& balance, const ModelFile& model,
+                           ResponseCurve& curve);
+
 /// The summary of a frequency response, without warnings.
 /// @param file      of the model.
 /// @param of_force  at a constant response.
@@ -86,6 +95,11 @@ void add_response_warnings(const HarmonicBalance& balance, const ModelFile& mode
 /// @param reach  the farthest that each joint moved, m.
 [[nodiscard]] std::vector<Warning> march_warnings(const ModelFile& model,
                                                   const std::vector<double>& reach);
+
+/// march(), with march_warnings() beside those of the result.
+/// @throws InputError, Cancelled  as march().
+[[nodiscard]] MarchResult judged_march(const ModelFile& model, const LoadHistory& loads,
+                                       const MarchOptions& options, const Progress& progress = {});
 
 /// Marches, writes the table row by row, and adds march_warnings() to those of the result.
 /// @param path     of the table; "-" is standard output.

@@ -13,15 +13,8 @@ namespace microslip {
 IdentificationOptions recorded_options(const NamedValues& record) {
   IdentificationOptions options;
   const std::string method = text_in(record, "method").value_or("");
-  for (const auto known : {IdentificationMethod::kInversion, IdentificationMethod::kSpline,
-                           IdentificationMethod::kDifferences}) {
-    if (method == to_string(known)) options.method = known;
-  }
-  const std::string model = text_in(record, "fit").value_or("");
-  for (const auto known :
-       {ParametricModel::kFourParameter, ParametricModel::kPowerLaw, ParametricModel::kUniform}) {
-    if (model == to_string(known)) options.fit = known;
-  }
+  options.method = find_identification_method(method).value_or(options.method);
+  options.fit = find_parametric_model(text_in(record, "fit").value_or(""));
   options.inversion.linear_damping = text_in(record, "linear_damping") == "fit";
   options.inversion.atom = text_in(record, "atom") == "sought";
   options.inversion.edges = text_in(record, "edges") == "sought";

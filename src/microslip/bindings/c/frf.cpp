@@ -127,13 +127,6 @@ microslip_curve* new_curve(const microslip_structure& structure, const HarmonicB
   return made.release();
 }
 
-/// The warnings of the program beside those of the curve.
-std::string judged(const HarmonicBalance& balance, const ModelFile& model, Quantity kept,
-                   const microslip_frf_options& options, ResponseCurve& curve) {
-  if (options.judge == 0 || curve.points.empty()) return "";
-  return add_truncation(balance, model, kept, curve);
-}
-
 microslip_curve* over_frequency(const microslip_structure& structure, const char* point,
                                 const Target& kept, double from, double to,
                                 const microslip_frf_options& options) {
@@ -142,10 +135,12 @@ microslip_curve* over_frequency(const microslip_structure& structure, const char
   ResponseCurve curve =
       balance.follow(kept, Quantity::kAngularFrequency, kRadians * from, kRadians * to, 0,
                      progress_of(options.progress, options.user));
-  const Quantity found =
-      kept.quantity == Quantity::kForceAmplitude ? Quantity::kForceAmplitude : Quantity::kResponse;
-  std::string lines = judged(balance, *structure.model, found, options, curve);
-  add_response_warnings(balance, *structure.model, curve);
+  std::string lines;
+  if (options.judge != 0) {
+    lines = judge_response(balance, *structure.model, kept.quantity, curve);
+  } else {
+    add_response_warnings(balance, *structure.model, curve);
+  }
   return new_curve(structure, balance, std::move(curve), std::move(lines));
 }
 
@@ -155,8 +150,12 @@ microslip_curve* over_response(const microslip_structure& structure, const char*
   const HarmonicBalance balance = balance_of(*structure.model, point, options);
   ResponseCurve curve =
       balance.resonances(response, mode, progress_of(options.progress, options.user));
-  std::string lines = judged(balance, *structure.model, Quantity::kPhaseLag, options, curve);
-  add_model_warnings(*structure.model, curve);
+  std::string lines;
+  if (options.judge != 0) {
+    lines = judge_backbone(balance, *structure.model, curve);
+  } else {
+    add_model_warnings(*structure.model, curve);
+  }
   return new_curve(structure, balance, std::move(curve), std::move(lines));
 }
 

@@ -54,20 +54,14 @@ microslip_identify_options identify_defaults() {
 }
 
 IdentificationMethod method_of(std::string_view text) {
-  for (const auto known : {IdentificationMethod::kInversion, IdentificationMethod::kSpline,
-                           IdentificationMethod::kDifferences}) {
-    if (text == to_string(known)) return known;
-  }
+  if (const auto method = find_identification_method(text)) return *method;
   throw InputError("options->method", fmt::format("'{}'", text),
                    "must be inversion, spline or differences");
 }
 
 std::optional<ParametricModel> model_of(std::string_view text) {
   if (text == "none") return std::nullopt;
-  for (const auto known :
-       {ParametricModel::kFourParameter, ParametricModel::kPowerLaw, ParametricModel::kUniform}) {
-    if (text == to_string(known)) return known;
-  }
+  if (const auto model = find_parametric_model(text)) return model;
   throw InputError("options->fit", fmt::format("'{}'", text),
                    "must be none, four_parameter, power_law or uniform");
 }

@@ -91,13 +91,9 @@ LoadHistory history_of(const JointedStructure& structure, std::span<const double
 
 microslip_marched* marched(const ModelFile& model, const LoadHistory& history,
                            const microslip_march_options& options) {
-  MarchResult result = march(model.structure, history, march_options(options, model.structure),
-                             progress_of(options.progress, options.user));
-  std::vector<Warning> warnings = result.warnings;
-  for (Warning& warning : march_warnings(model, result.reach)) {
-    warnings.push_back(std::move(warning));
-  }
-  Ending ending(result.summary, std::move(warnings), result.summary.full());
+  MarchResult result = judged_march(model, history, march_options(options, model.structure),
+                                    progress_of(options.progress, options.user));
+  Ending ending(result.summary, result.warnings, result.summary.full());
   return new microslip_marched{std::move(result), std::move(ending)};
 }
 

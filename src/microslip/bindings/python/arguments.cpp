@@ -39,17 +39,6 @@ std::vector<double> copy_of(const py::object& array) {
   return array.is_none() ? std::vector<double>{} : copy_of(array.cast<RealArray>());
 }
 
-std::vector<std::vector<double>> rows_of(const RealArray& array) {
-  const auto all = values(array);
-  const auto columns = static_cast<std::size_t>(array.shape(1));
-  std::vector<std::vector<double>> rows;
-  for (std::size_t begin = 0; begin < all.size(); begin += columns) {
-    const auto row = all.subspan(begin, columns);
-    rows.emplace_back(row.begin(), row.end());
-  }
-  return rows;
-}
-
 RealArray array_of(std::vector<double> numbers) {
   const auto size = static_cast<py::ssize_t>(numbers.size());
   return owning_array(std::move(numbers), {size});
@@ -58,6 +47,10 @@ RealArray array_of(std::vector<double> numbers) {
 ComplexArray array_of(std::vector<std::complex<double>> numbers) {
   const auto size = static_cast<py::ssize_t>(numbers.size());
   return owning_array(std::move(numbers), {size});
+}
+
+py::object array_or_none(std::vector<double> numbers) {
+  return numbers.empty() ? py::object(py::none()) : array_of(std::move(numbers));
 }
 
 RealArray array_of(std::vector<double> numbers, std::size_t columns) {

@@ -25,13 +25,12 @@ using ComplexArray = pybind11::array_t<std::complex<double>, pybind11::array::c_
 [[nodiscard]] std::vector<double> copy_of(const RealArray& array);
 /// The same of what may be None: then empty.
 [[nodiscard]] std::vector<double> copy_of(const pybind11::object& array);
-/// The rows of an array of two dimensions, a copy.
-[[nodiscard]] std::vector<std::vector<double>> rows_of(const RealArray& array);
-
 /// An array of the numbers, without a copy: it owns the vector.
 [[nodiscard]] RealArray array_of(std::vector<double> numbers);
 [[nodiscard]] ComplexArray array_of(std::vector<std::complex<double>> numbers);
-/// The same by rows, of a length that divides theirs.
+/// None for no numbers, as of what was not measured.
+[[nodiscard]] pybind11::object array_or_none(std::vector<double> numbers);
+/// An array by rows, of a length that divides theirs.
 [[nodiscard]] RealArray array_of(std::vector<double> numbers, std::size_t columns);
 
 }  // namespace microslip::python

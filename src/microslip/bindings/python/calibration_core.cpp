@@ -71,22 +71,21 @@ ModalLevels levels_of(const py::dict& given) {
 }
 
 py::dict dict_of(const ModalLevels& levels) {
-  const auto column = [](const std::vector<double>& numbers) -> py::object {
-    return numbers.empty() ? py::object(py::none()) : py::object(array_of(numbers));
-  };
   py::list joints;
   for (const JointLevels& joint : levels.joints) {
-    joints.append(py::make_tuple(joint.name, column(joint.amplitude), column(joint.amplitude_std),
-                                 column(joint.dissipation), column(joint.dissipation_std)));
+    joints.append(py::make_tuple(
+        joint.name, array_or_none(joint.amplitude), array_or_none(joint.amplitude_std),
+        array_or_none(joint.dissipation), array_or_none(joint.dissipation_std)));
   }
-  return py::dict("mode"_a = levels.mode, "displacement"_a = column(levels.displacement),
-                  "displacement_std"_a = column(levels.displacement_std),
-                  "frequency"_a = column(levels.frequency),
-                  "frequency_std"_a = column(levels.frequency_std),
-                  "dissipation"_a = column(levels.dissipation),
-                  "dissipation_std"_a = column(levels.dissipation_std),
-                  "damping_ratio"_a = column(levels.damping_ratio),
-                  "damping_ratio_std"_a = column(levels.damping_ratio_std), "joints"_a = joints);
+  return py::dict("mode"_a = levels.mode, "displacement"_a = array_or_none(levels.displacement),
+                  "displacement_std"_a = array_or_none(levels.displacement_std),
+                  "frequency"_a = array_or_none(levels.frequency),
+                  "frequency_std"_a = array_or_none(levels.frequency_std),
+                  "dissipation"_a = array_or_none(levels.dissipation),
+                  "dissipation_std"_a = array_or_none(levels.dissipation_std),
+                  "damping_ratio"_a = array_or_none(levels.damping_ratio),
+                  "damping_ratio_std"_a = array_or_none(levels.damping_ratio_std),
+                  "joints"_a = joints);
 }
 
 py::dict read_modal_levels(const std::vector<std::string>& paths,
@@ -103,8 +102,6 @@ py::dict read_modal_levels(const std::vector<std::string>& paths,
 }
 
 // ---- What was found. ----
-
-py::tuple tuple_of(const Estimate& of) { return py::make_tuple(of.value, of.lower, of.upper); }
 
 py::dict dict_of(const CalibratedJoint& joint, const Provenance& provenance) {
   const double k = joint.joint.stiffness();

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -44,32 +43,16 @@ Levels levels_of(const py::dict& columns) {
 }
 
 py::dict dict_of(const Levels& levels) {
-  const auto column = [](const std::vector<double>& numbers) -> py::object {
-    return numbers.empty() ? py::object(py::none()) : py::object(array_of(numbers));
-  };
-  return py::dict(
-      "amplitude"_a = column(levels.amplitude), "dissipation"_a = column(levels.dissipation),
-      "amplitude_std"_a = column(levels.amplitude_std),
-      "dissipation_std"_a = column(levels.dissipation_std),
-      "secant_stiffness"_a = column(levels.secant_stiffness),
-      "secant_stiffness_std"_a = column(levels.secant_stiffness_std),
-      "linear_dissipation"_a = column(levels.linear_dissipation),
-      "frequency"_a = column(levels.frequency), "frequency_std"_a = column(levels.frequency_std));
+  return py::dict("amplitude"_a = array_or_none(levels.amplitude),
+                  "dissipation"_a = array_or_none(levels.dissipation),
+                  "amplitude_std"_a = array_or_none(levels.amplitude_std),
+                  "dissipation_std"_a = array_or_none(levels.dissipation_std),
+                  "secant_stiffness"_a = array_or_none(levels.secant_stiffness),
+                  "secant_stiffness_std"_a = array_or_none(levels.secant_stiffness_std),
+                  "linear_dissipation"_a = array_or_none(levels.linear_dissipation),
+                  "frequency"_a = array_or_none(levels.frequency),
+                  "frequency_std"_a = array_or_none(levels.frequency_std));
 }
-
-template <class Enum>
-Enum one_of(const std::map<std::string, Enum>& names, const py::handle& name) {
-  return names.at(name.cast<std::string>());
-}
-
-const std::map<std::string, IdentificationMethod> kMethods{
-    {"inversion", IdentificationMethod::kInversion},
-    {"spline", IdentificationMethod::kSpline},
-    {"differences", IdentificationMethod::kDifferences}};
-const std::map<std::string, ParametricModel> kModels{
-    {"four_parameter", ParametricModel::kFourParameter},
-    {"power_law", ParametricModel::kPowerLaw},
-    {"uniform", ParametricModel::kUniform}};
 
 std::optional<std::string> text_or_none(const py::handle& text) {
   return text.is_none() ? std::nullopt : std::optional(text.cast<std::string>());
@@ -83,11 +66,11 @@ LevelsIdentification options_of(const py::dict& given) {
   all.texts.common_errors = {.dissipation_gain_std = given["dissipation_gain_std"].cast<double>(),
                              .amplitude_gain_std = given["amplitude_gain_std"].cast<double>(),
                              .loss_factor_std = given["loss_factor_std"].cast<double>()};
-  all.options.method = one_of(kMethods, given["method"]);
+  all.options.method = find_identification_method(given["method"].cast<std::string>()).value();
   all.options.inversion.linear_damping = given["linear_damping"].cast<bool>();
   all.options.inversion.atom = given["atom"].cast<bool>();
   all.options.inversion.edges = given["edges"].cast<bool>();
-  if (!given["fit"].is_none()) all.options.fit = one_of(kModels, given["fit"]);
+  if (const auto fit = text_or_none(given["fit"])) all.options.fit = find_parametric_model(*fit);
   if (const auto samples = given["samples"].cast<std::size_t>(); samples > 0) {
     all.options.bands =
         BandOptions{.samples = samples, .seed = given["seed"].cast<std::uint64_t>()};

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
@@ -85,12 +83,7 @@ py::dict march_structure(const std::shared_ptr<ModelFile>& model, const RealArra
   const LoadHistory loads = loads_of(time, forces, normal_loads);
   const MarchOptions of = options_of(options);
   return dict_of(long_result(
-      [&](const Progress& progress) {
-        MarchResult result = march(model->structure, loads, of, progress);
-        std::ranges::move(march_warnings(*model, result.reach),
-                          std::back_inserter(result.warnings));
-        return result;
-      },
+      [&](const Progress& progress) { return judged_march(*model, loads, of, progress); },
       listener));
 }
 

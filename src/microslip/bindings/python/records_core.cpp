@@ -12,6 +12,7 @@
 #include "microslip/bindings/python/identification.hpp"
 #include "microslip/bindings/python/long_work.hpp"
 #include "microslip/bindings/python/recordings.hpp"
+#include "microslip/bindings/python/results.hpp"
 #include "microslip/identify/joint_evidence.hpp"
 #include "microslip/io/sha256.hpp"
 #include "microslip/workflow/force_records.hpp"
@@ -107,8 +108,6 @@ IdentifiedRecords identified(const GivenEvidence& given, const RecordsIdentifica
       identify({records, levels, done.source, done.tables}, options.stiffness, options.options);
   return done;
 }
-
-py::tuple tuple_of(const Estimate& of) { return py::make_tuple(of.value, of.lower, of.upper); }
 
 py::object viscous_of(const RecordInversionResult& found) {
   return found.viscous ? py::object(tuple_of(*found.viscous)) : py::object(py::none());

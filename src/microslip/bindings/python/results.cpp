@@ -13,6 +13,10 @@ py::dict dict_of(const Summary& summary) {
                   "seconds"_a = summary.wall_seconds, "text"_a = summary.full());
 }
 
+py::tuple tuple_of(const Estimate& estimate) {
+  return py::make_tuple(estimate.value, estimate.lower, estimate.upper);
+}
+
 py::list list_of(const std::vector<Warning>& warnings) {
   py::list all;
   for (const Warning& warning : warnings) all.append(py::make_tuple(warning.code, warning.text));

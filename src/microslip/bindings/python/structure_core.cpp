@@ -78,13 +78,10 @@ std::vector<StaticLoad> static_loads_of(const py::list& loads) {
   return all;
 }
 
-/// Of each joint, where the model says something.
-template <class Value>
-std::vector<std::optional<Value>> told_of(const py::list& joints, const char* key) {
-  std::vector<std::optional<Value>> all;
-  for (const py::handle joint : joints) {
-    all.push_back(joint[key].cast<std::optional<Value>>());
-  }
+/// A number of each joint, where the model says it.
+std::vector<std::optional<double>> told_of(const py::list& joints, const char* key) {
+  std::vector<std::optional<double>> all;
+  for (const py::handle joint : joints) all.push_back(joint[key].cast<std::optional<double>>());
   return all;
 }
 
@@ -131,8 +128,8 @@ std::shared_ptr<ModelFile> structure_of(const py::dict& linear, const py::list& 
       .structure = structure,
       .response = usual_response(structure),
       .joint_files = std::vector<std::string>(joints.size()),
-      .covered_to = told_of<double>(joints, "covered_to"),
-      .identified_damping = told_of<double>(joints, "identified_damping"),
+      .covered_to = told_of(joints, "covered_to"),
+      .identified_damping = told_of(joints, "identified_damping"),
       .static_attachments = linear["static_attachments"].cast<std::optional<std::size_t>>()});
   tell_beside(told, *made);
   return made;

@@ -208,8 +208,7 @@ ResponseCurve JudgedBalance::follow_frequency(const Target& kept, double from, d
     throw InputError("frequencies", frequency / kTurn, "must be within the range of the curve");
   }
   ResponseCurve curve = balance.follow(kept, Quantity::kAngularFrequency, from, to, 0, progress);
-  (void)add_truncation(balance, *model, kept.quantity, curve);
-  add_response_warnings(balance, *model, curve);
+  judge_response(balance, *model, kept.quantity, curve);
   return curve;
 }
 
@@ -222,8 +221,7 @@ ResponseCurve JudgedBalance::follow_backbone(std::span<const double> responses, 
   }
   ResponseCurve curve = through_folds ? balance.resonances(responses, mode, progress)
                                       : balance.backbone(responses, mode, progress);
-  (void)add_truncation(balance, *model, Quantity::kPhaseLag, curve);
-  add_model_warnings(*model, curve);
+  judge_backbone(balance, *model, curve);
   return curve;
 }
 

@@ -129,6 +129,15 @@ def progress(value: object) -> Optional[Progress]:
     return value
 
 
+def mapping(value: object, name: str) -> Mapping[str, Any]:
+    """A mapping with texts as keys."""
+    if not isinstance(value, Mapping):
+        raise InputError(f"{name} = {shown(value)}; must be a mapping of names")
+    for key in value:
+        text(key, f"a name in {name}")
+    return value
+
+
 def sequence(value: object, name: str, of: str) -> Sequence[Any]:
     """A list or tuple."""
     if isinstance(value, (str, bytes, Mapping)) or not isinstance(value, Sequence):

@@ -13,6 +13,7 @@ from ._arguments import (
     Progress,
     RealArray,
     flag,
+    mapping,
     names,
     not_negative,
     one_of,
@@ -25,7 +26,7 @@ from ._arguments import (
 from ._arguments import progress as progress_of
 from ._errors import InputError
 from ._results import Note, Shown, Summary, notes, outcome, si, summary_of, told
-from ._structure import Structure, _mapping
+from ._structure import Structure
 
 if TYPE_CHECKING:
     import pandas
@@ -225,7 +226,7 @@ _Acting = tuple[
 
 
 def _named(value: object, name: str) -> Mapping[str, Any]:
-    return _mapping({} if value is None else value, name)
+    return mapping({} if value is None else value, name)
 
 
 def march_arguments(

@@ -15,7 +15,6 @@ from ._march import MarchEnergy, march_arguments
 from ._results import Note, Shown, Summary, notes, outcome, si, summary_of, told
 from ._spread import DrawsOfJoints, Spread, drawn
 from ._structure import Structure
-from ._vibration import point_or_first
 
 if TYPE_CHECKING:
     import pandas
@@ -126,8 +125,7 @@ def march_band(
     structure, time, forces
         As of `march`.
     point : str, optional
-        Whose motion is recorded; without it the first driven point, or the first of all where a
-        base drives.
+        Whose motion is recorded; without it that of `HarmonicBalance`.
     draws, samples, seed, confidence, correlation, spread
         As of `HarmonicBalance.frequency_response`; `samples` is the number of draws.
     progress : callable, optional
@@ -150,8 +148,7 @@ def march_band(
         raise InputError(f"structure = {shown(structure)}; must be a microslip.Structure")
     if "points" in options:
         raise InputError("points is given; must be point, of which there is one")
-    driven = structure._core.excitations()[0][0]
-    at = point_or_first(structure, driven) if point is None else text(point, "point")
+    at = structure._core.response if point is None else text(point, "point")
     acting = march_arguments(structure, time, forces, points=[at], **options)
     asked = drawn(structure, draws, samples, seed, confidence, correlation, spread)
     if asked is None:

@@ -19,6 +19,7 @@ from ._arguments import (
     broadcast,
     complex_array,
     flag,
+    mapping,
     not_negative,
     one_of,
     optional_array,
@@ -195,7 +196,7 @@ class Structure(Shown):
             whole(static_attachments, "static_attachments", 0, max(modes - 1, 0)),
         }
         driven = next(iter(shapes)) if excitation is None else excitation
-        loads = {} if static_loads is None else _mapping(static_loads, "static_loads")
+        loads = {} if static_loads is None else mapping(static_loads, "static_loads")
         self._core = _core.Structure(
             linear,
             _joint_parts(joints, modes),
@@ -337,18 +338,10 @@ def _structure_of(linear: Any, joints: Any, excitations: Any, damping: str, load
     return Structure._of(_core.Structure(linear, parts, excitations, damping, loads, told))
 
 
-def _mapping(value: object, name: str) -> Mapping[str, Any]:
-    if not isinstance(value, Mapping):
-        raise InputError(f"{name} = {shown(value)}; must be a mapping of names")
-    for key in value:
-        text(key, f"a name in {name}")
-    return value
-
-
 def _shapes(points: object, modes: int) -> dict[str, RealArray]:
     shapes = {
         name: real_array(shape, f"points[{name!r}]", length=modes, per="one a mode")
-        for name, shape in _mapping(points, "points").items()
+        for name, shape in mapping(points, "points").items()
     }
     if not shapes:
         raise InputError("points is empty; must have at least one place")
@@ -369,7 +362,7 @@ def _bases(bases: object, points: list[str], modes: int) -> list[tuple[str, Real
     if bases is None:
         return []
     all_of_them = []
-    for name, base in _mapping(bases, "bases").items():
+    for name, base in mapping(bases, "bases").items():
         if not isinstance(base, Base):
             raise InputError(f"bases[{name!r}] = {shown(base)}; must be a microslip.Base")
         for point in base.point_motion:
@@ -399,7 +392,7 @@ def _joint_parts(joints: object, modes: int) -> list[dict[str, Any]]:
 def _excitations(excitation: object) -> list[tuple[str, ComplexArray]]:
     if isinstance(excitation, str):
         return [(excitation, np.ones(1, dtype=complex))]
-    places = _mapping(excitation, "excitation")
+    places = mapping(excitation, "excitation")
     return [
         (place, complex_array(np.atleast_1d(np.asarray(numbers)), f"excitation[{place!r}]"))
         for place, numbers in places.items()
@@ -463,7 +456,7 @@ class Modes(Shown):
         joints : mapping of str to Joint, IdentifiedJoint or Identification
             Of each name that `modes` was given.
         """
-        named = _mapping(joints, "joints")
+        named = mapping(joints, "joints")
         if set(named) != set(self.joint_shapes):
             raise InputError(f"joints has {', '.join(named) or 'none'}; must have"
                              f" {', '.join(self.joint_shapes) or 'none'}")  # fmt: skip
@@ -554,9 +547,9 @@ def modes(
     on_it = {
         "held": [whole(row, f"held[{i}]", 0, size - 1) for i, row in enumerate(held)],
         "points": [(name, whole(row, f"points[{name!r}]", 0, size - 1))
-                   for name, row in _mapping(points, "points").items()],
+                   for name, row in mapping(points, "points").items()],
         "bases": [(name, [whole(row, f"bases[{name!r}]", 0, size - 1) for row in rows])
-                  for name, rows in _mapping(bases or {}, "bases").items()],
+                  for name, rows in mapping(bases or {}, "bases").items()],
         "joints": between,
     }  # fmt: skip
     if not on_it["points"]:
@@ -595,7 +588,7 @@ def _modes_of(found: dict[str, Any], between: list[tuple[str, Optional[int], int
 
 def _joints_between(joints: object, size: int) -> list[tuple[str, Optional[int], int, float]]:
     between = []
-    for name, joint in _mapping(joints, "joints").items():
+    for name, joint in mapping(joints, "joints").items():
         if not isinstance(joint, Sequence) or len(joint) != 3:
             raise InputError(f"joints[{name!r}] = {shown(joint)}; must be (row or None, row, stiffness)")
         first, second, k = joint

@@ -261,14 +261,6 @@ class Vibration(Shown):
         ] + outcome(self)
 
 
-def point_or_first(structure: Structure, wanted: str) -> str:
-    """A point by default: the wanted one, unless that is a base, which is none."""
-    if not structure.base_driven:
-        return wanted
-    points = structure.points
-    return wanted if wanted in points else next(iter(points))
-
-
 class HarmonicBalance:
     """Steady periodic vibrations of a jointed structure, with the exact memory of its joints.
 
@@ -348,8 +340,7 @@ class HarmonicBalance:
             "modal_forcing": flag(modal_forcing, "modal_forcing"),
         }
         self.structure = structure
-        at = text(point, "point") if point is not None else point_or_first(
-            structure, structure._core.response)  # fmt: skip
+        at = structure._core.response if point is None else text(point, "point")
         self._core = _core.HarmonicBalance(structure._core, at, self._kind, options)
 
     def frequency_response(
