@@ -46,6 +46,14 @@ TEST(AttendedWork, IsAttendedByTheCallerWithWhatItTold) {
   EXPECT_LT(told[1], told[2]);
 }
 
+// Work that is over at once is stopped all the same.
+TEST(AttendedWork, AsksBeforeShortWorkEnds) {
+  bool went_on = false;
+  do_attended([&](const Progress& progress) { went_on = progress(0, 1); },
+              [](std::size_t, std::size_t) { return false; });
+  EXPECT_FALSE(went_on);
+}
+
 TEST(AttendedWork, ThrowsWhatTheWorkThrows) {
   EXPECT_THROW(do_attended([](const Progress&) { throw std::out_of_range("work"); },
                            [](std::size_t, std::size_t) { return true; }),

@@ -86,6 +86,8 @@ def test_threads_find_what_one_finds(structure):
         assert np.array_equal(one.response, other.response)
 
 
+@pytest.mark.skipif("asan" in os.environ.get("LD_PRELOAD", ""),
+                    reason="the sanitizer keeps what was freed; test_leaks.py looks there")  # fmt: skip
 def test_calls_leave_nothing_behind(joint, structure):
     # Resident memory, in pages, after a warm-up: 1e5 calls of each would show a byte a call.
     def pages():

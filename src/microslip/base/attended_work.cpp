@@ -15,9 +15,11 @@ namespace {
 /// What the thread that works and the one that waits tell each other.
 class SharedState {
  public:
+  /// The first time it waits for the answer: short work would end before anybody was asked.
   bool tell(std::size_t done, std::size_t total) {
     done_.store(done, std::memory_order_relaxed);
     total_.store(total, std::memory_order_relaxed);
+    if (!told_.exchange(true)) wait_for_answer();
     return !stopped_.load(std::memory_order_relaxed);
   }
   void stop() { stopped_.store(true, std::memory_order_relaxed); }
@@ -29,22 +31,40 @@ class SharedState {
       const std::lock_guard lock(mutex_);
       ended_ = true;
     }
-    changed_.notify_one();
+    changed_.notify_all();
   }
-  /// @return whether it has ended.
-  bool wait_a_while() {
+  enum class Event { kEnded, kFirstQuestion, kTimePassed };
+  [[nodiscard]] Event wait_a_while() {
     constexpr std::chrono::milliseconds kWhile{50};
     std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, kWhile, [this] { return ended_; });
+    changed_.wait_for(lock, kWhile, [this] { return ended_ || waits_; });
+    if (ended_) return Event::kEnded;
+    return waits_ ? Event::kFirstQuestion : Event::kTimePassed;
+  }
+  void answer_first_question() {
+    {
+      const std::lock_guard lock(mutex_);
+      waits_ = false;
+    }
+    changed_.notify_all();
   }
 
  private:
+  void wait_for_answer() {
+    std::unique_lock lock(mutex_);
+    waits_ = true;
+    changed_.notify_all();
+    changed_.wait(lock, [this] { return !waits_; });
+  }
+
   std::atomic<std::size_t> done_ = 0;
   std::atomic<std::size_t> total_ = 0;
   std::atomic<bool> stopped_ = false;
   std::mutex mutex_;
   std::condition_variable changed_;
   bool ended_ = false;
+  bool waits_ = false;  ///< for the first answer
+  std::atomic<bool> told_ = false;
 };
 
 }  // namespace
@@ -62,14 +82,15 @@ void do_attended(const std::function<void(const Progress& progress)>& work,
     }
     state.end();
   });
-  while (!state.wait_a_while()) {
-    if (of_attendance) continue;
+  using Event = SharedState::Event;
+  for (auto event = state.wait_a_while(); event != Event::kEnded; event = state.wait_a_while()) {
     try {
-      if (!state.ask(attend)) state.stop();
+      if (!of_attendance && !state.ask(attend)) state.stop();
     } catch (...) {
       of_attendance = std::current_exception();
       state.stop();
     }
+    if (event == Event::kFirstQuestion) state.answer_first_question();
   }
   worker.join();
   if (of_attendance) std::rethrow_exception(of_attendance);
