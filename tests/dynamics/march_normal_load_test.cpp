@@ -8,6 +8,7 @@
 
 #include "dynamics/structures.hpp"
 #include "microslip/dynamics/march.hpp"
+#include "support/largest_difference.hpp"
 
 namespace microslip::march_normal_load_test {
 namespace {
@@ -29,16 +30,6 @@ LoadHistory vibration(double variation, NormalLoadLaw law) {
   return loads;
 }
 
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  double largest = 0.0;
-  double difference = a.size() == b.size() ? 0.0 : HUGE_VAL;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-    largest = std::max(largest, std::abs(a[i]));
-    difference = std::max(difference, std::abs(a[i] - b[i]));
-  }
-  return difference / largest;
-}
-
 // At p = 1 the elements are the joint: 1000 of them to 1e-6 of its force. The chosen step must keep
 // the energy to 1e-4.
 TEST(MarchNormalLoad, OfOneIsTheMemory) {
@@ -49,8 +40,9 @@ TEST(MarchNormalLoad, OfOneIsTheMemory) {
     loads.normal_loads.clear();
     const MarchResult exact = march(structure, loads, {.step = kStep, .points = {"mass"}});
     ASSERT_TRUE(elements.summary.converged()) << elements.summary.full();
-    EXPECT_LT(largest_difference(exact.points[0].displacement, elements.points[0].displacement),
-              1e-4);
+    EXPECT_LT(
+        testing::largest_difference(exact.points[0].displacement, elements.points[0].displacement),
+        1e-4);
     EXPECT_LT(elements.energy.imbalance(), 1e-4);
     // What went into the joint is what it lost and what it holds.
     const double work = exact.energy.joint_dissipation() + exact.energy.joint_stored();
@@ -131,10 +123,10 @@ TEST(MarchNormalLoad, FollowsBothLaws) {
     const LoadHistory loads = vibration(0.9, law);
     const MarchResult found = march(structure, loads, {.points = {"mass"}});
     ASSERT_TRUE(found.summary.converged()) << found.summary.full();
-    EXPECT_LT(largest_difference(leapfrog(loads, 20), found.points[0].displacement), 5e-4);
+    EXPECT_LT(testing::largest_difference(leapfrog(loads, 20), found.points[0].displacement), 5e-4);
     of_law.push_back(found.points[0].displacement);
   }
-  EXPECT_GT(largest_difference(of_law[0], of_law[1]), 0.02);
+  EXPECT_GT(testing::largest_difference(of_law[0], of_law[1]), 0.02);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 namespace microslip {
 
-/// The value of a function of an angle and its derivative.
+/// The value of a function, of an angle or a share of a step, and its derivative.
 struct Growing {
   double value;
   double slope;
@@ -13,20 +13,20 @@ struct Growing {
 
 /// Where a function that grows from below 0 at `low` to above 0 at `high` is 0: Newton's method,
 /// with a bisection wherever it would leave the interval left. Internal to dynamics.
-/// @param function  angle → Growing.
+/// @param function  place → Growing. @param within  how near to it.
 template <typename Function>
-[[nodiscard]] double growing_zero(const Function& function, double low, double high) {
-  constexpr double kAngle = 1e-10;  // rad
+[[nodiscard]] double growing_zero(const Function& function, double low, double high,
+                                  double within = 1e-10) {
   constexpr int kMostSteps = 60;
   double tau = 0.5 * (low + high);
-  for (int step = 0; step < kMostSteps && high - low > kAngle; ++step) {
+  for (int step = 0; step < kMostSteps && high - low > within; ++step) {
     const Growing at = function(tau);
     (at.value < 0.0 ? low : high) = tau;
     double next = tau - at.value / at.slope;
     if (!(next >= low && next <= high)) next = 0.5 * (low + high);
     const double moved = std::abs(next - tau);
     tau = next;
-    if (moved < kAngle) break;
+    if (moved < within) break;
   }
   return tau;
 }

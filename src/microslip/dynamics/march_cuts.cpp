@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
+#include "microslip/dynamics/bracketed_newton.hpp"
 #include "microslip/dynamics/march_state.hpp"
 
 /// @file
@@ -16,8 +16,6 @@ constexpr double kNear = 1e-9;
 constexpr double kStepRounding = 1e-12;
 /// Shares of a step are found to this.
 constexpr double kShareRounding = 1e-12;
-/// Motion over a step below this share of the largest is rounding: no step is cut for it.
-constexpr double kQuiet = 1e-13;
 /// Turns and kinks in one step; where there are more the joint is at rest but for rounding.
 constexpr int kMostChanges = 100;
 /// Pieces of a step that are shorter than this share of it are not tried.
@@ -25,22 +23,8 @@ constexpr double kLeastPiece = 1e-6;
 
 int sign_of(double value) { return value > 0.0 ? 1 : value < 0.0 ? -1 : 0; }
 
-/// Where `ahead`, above 0 at `low` and below at `high`, changes its sign, as a share of a step;
-/// next to an end of the step, that end. By Newton's method, with a bisection wherever it would leave
-/// the interval left.
-/// @param ahead  share → value and slope.
-template <typename Ahead>
-double share_of_sign_change(const Ahead& ahead, double low, double high) {
-  double share = 0.5 * (low + high);
-  for (int i = 0; i < 40 && high - low > kShareRounding; ++i) {
-    const auto [value, slope] = ahead(share);
-    (value > 0.0 ? low : high) = share;
-    double next = share - value / slope;
-    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
-    const double moved = std::abs(next - share);
-    share = next;
-    if (moved <= kShareRounding) break;
-  }
+/// Next to an end of the step, that end.
+double rounded_share(double share) {
   if (share > 1.0 - kNear) return 1.0;
   return share > kNear ? share : 0.0;
 }
@@ -49,9 +33,10 @@ double share_of_sign_change(const Ahead& ahead, double low, double high) {
 
 // ---- Steps and their cuts. ----
 
-/// In pieces that end where a joint turns or its tangent jumps. Where the equations of a piece do
-/// not converge, a shorter one is tried.
+/// As a whole, or else in pieces that end where a joint turns or its tangent jumps. Where the
+/// equations of a piece do not converge, a shorter one is tried.
 bool MarchState::step(const StepWeights& weights) {
+  if (step_over_knots(weights)) return true;
   double left = weights.length();
   double piece = left;
   int changes = 0;
@@ -85,10 +70,20 @@ bool MarchState::step(const StepWeights& weights) {
   }
 }
 
+/// @return false where nothing was done.
+bool MarchState::step_over_knots(const StepWeights& weights) {
+  if (weights.length() > longest_over_knots_) return false;
+  extrapolate(weights.length());
+  if (!solve(weights, couplings_, Knots::kAllowed)) return false;
+  accept(weights.length());
+  pass_kinks();
+  return true;
+}
+
 bool MarchState::solve_piece(double length, const StepWeights& whole) {
-  if (length == whole.length()) return solve(whole, couplings_);
+  if (length == whole.length()) return solve(whole, couplings_, Knots::kNone);
   cut_.set_length(length);
-  return solve(cut_, cut_couplings_);
+  return solve(cut_, cut_couplings_, Knots::kNone);
 }
 
 void MarchState::accept(double length) {
@@ -111,14 +106,15 @@ void MarchState::accept(double length) {
     Joint& joint = joints_[j];
     Kinematics& k = joint.end;
     loads_.normal[j] = normal_load(j, length);
-    k.force = joint.hysteresis.advance(k.gap - joint.compliance * k.force, loads_.normal[j]) +
-              joint.damper * k.u_dot;
+    pass_knots(joint);
+    const double damped = joint.damper * k.u_dot;
+    k.force = damped + joint.hysteresis.settle(k.gap - joint.compliance * k.force, loads_.normal[j],
+                                               k.force - damped);
     const Kinematics& b = joint.begin;
     joint.damped += joint.damper * length *
                     (0.5 * (b.u_dot * b.u_dot + k.u_dot * k.u_dot) +
                      length / 6.0 * (b.u_dot * b.u_ddot - k.u_dot * k.u_ddot));
-    joint.curvature = {(k.force_dot - joint.begin.force_dot) / length,
-                       (k.r_dot - joint.begin.r_dot) / length};
+    joint.curvature = curvature(joint, length);
     joint.begin = k;
     joint.turned_here = false;
     joint.largest_force = std::max(joint.largest_force, std::abs(k.force));
@@ -126,6 +122,36 @@ void MarchState::accept(double length) {
     if (joint.direction == 0) set_off(joint);
   }
   ++steps_;
+}
+
+/// Over the step, or the part of it behind the last knot.
+MarchState::Curvature MarchState::curvature(const Joint& joint, double length) {
+  const Kinematics& b = joint.begin;
+  const Kinematics& k = joint.end;
+  if (joint.way.knots().empty()) {
+    return {(k.force_dot - b.force_dot) / length, (k.r_dot - b.r_dot) / length};
+  }
+  const JointWay::Knot& last = joint.way.knots().back();
+  const double left = length * std::max(1.0 - last.share, kLeastPiece);
+  const double force = (k.force_dot - last.after / length) / left;
+  return {force, force - joint.spring * (k.slide_dot - b.slide_dot) / length};
+}
+
+/// Those on its way over the step.
+void MarchState::pass_knots(Joint& joint) {
+  if (joint.way.knots().empty()) return;
+  for (const JointWay::Knot& knot : joint.way.knots()) {
+    if (knot.turns) {
+      joint.hysteresis.settle(knot.displacement, 1.0, knot.force);
+      joint.direction = -joint.direction;
+      joint.hysteresis.turn(joint.direction);
+      ++reversals_;
+    } else {
+      joint.hysteresis.pass_kink();
+      ++kinks_;
+    }
+  }
+  find_kink(joint);
 }
 
 void MarchState::set_off(Joint& joint) {
@@ -187,16 +213,17 @@ void MarchState::pass_kinks() {
 }
 
 void MarchState::find_kink(Joint& joint) {
-  const MarchedJoint::Kink& kink = joint.hysteresis.next_kink();
-  joint.kink = std::isfinite(kink.displacement) ? kink.displacement + joint.compliance * kink.force
-                                                : joint.direction * HUGE_VAL;
+  joint.kink = joint.hysteresis.is_network()
+                   ? joint.direction * HUGE_VAL
+                   : joint.hysteresis.follower().next_kink_behind(joint.compliance);
 }
 
 MarchState::Change MarchState::first_change(double length) {
   Change first;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const Joint& joint = joints_[j];
-    const Cubic y(joint.begin.gap, joint.begin.gap_dot, joint.end.gap, joint.end.gap_dot, length);
+    const StepCubic y(joint.begin.gap, joint.begin.gap_dot, joint.end.gap, joint.end.gap_dot,
+                      length);
     // It turns once at one place: what turns back at once is at rest but for rounding.
     const double turn = joint.turned_here ? 1.0 : turning_share(joint, y, length);
     if (turn < first.share) first = {turn, j, true};
@@ -208,7 +235,7 @@ MarchState::Change MarchState::first_change(double length) {
 
 /// Where in the step a joint turns, by the cubic through y and ẏ at its ends: ẏ there is of the
 /// order h³ and y off its extreme by h⁶. 1 where it does not, 0 where it has turned already.
-double MarchState::turning_share(const Joint& joint, const Cubic& y, double length) {
+double MarchState::turning_share(const Joint& joint, const StepCubic& y, double length) {
   const auto ahead = [&](double share) { return joint.direction * y.slope(share); };
   if (length * std::max(std::abs(joint.begin.gap_dot), std::abs(joint.end.gap_dot)) <=
       kQuiet * joint.largest_gap) {
@@ -224,22 +251,24 @@ double MarchState::turning_share(const Joint& joint, const Cubic& y, double leng
   if (ahead(low) <= 0.0) return ahead(0.5) >= 0.0 ? 1.0 : 0.0;
   if (bends && ahead(vertex) < 0.0) high = vertex;
   if (ahead(high) >= 0.0) return 1.0;
-  const auto growth = [&](double share) {
-    return std::pair(ahead(share), joint.direction * y.bend(share));
-  };
-  return share_of_sign_change(growth, low, high);
+  return rounded_share(growing_zero(
+      [&](double share) {
+        return Growing{-ahead(share), -joint.direction * y.bend(share)};
+      },
+      low, high, kShareRounding));
 }
 
 /// Where y comes to the next kink, before the share `until`, up to which it does not turn.
-double MarchState::kink_share(const Joint& joint, const Cubic& y, double until) {
+double MarchState::kink_share(const Joint& joint, const StepCubic& y, double until) {
   // What is in series gives way to the damper, too.
   const double kink = joint.kink + joint.compliance * joint.damper * joint.begin.u_dot;
   const auto ahead = [&](double share) { return joint.direction * (kink - y.value(share)); };
   if (joint.direction == 0 || !(ahead(until) < 0.0)) return 1.0;
-  const auto growth = [&](double share) {
-    return std::pair(ahead(share), -joint.direction * y.slope(share));
-  };
-  return share_of_sign_change(growth, 0.0, until);
+  return rounded_share(growing_zero(
+      [&](double share) {
+        return Growing{-ahead(share), joint.direction * y.slope(share)};
+      },
+      0.0, until, kShareRounding));
 }
 
 }  // namespace microslip

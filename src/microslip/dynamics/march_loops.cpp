@@ -3,6 +3,7 @@
 
 #include "microslip/base/vector_clones.hpp"
 #include "microslip/dynamics/march_weights.hpp"
+#include "microslip/dynamics/step_knots.hpp"
 
 namespace microslip::march_loops {
 namespace {
@@ -141,6 +142,47 @@ Coupling couple(std::size_t groups, const double* weights, const double* shape,
     }
   }
   return {sum_of(a), sum_of(b), sum_of(c), sum_of(d)};
+}
+
+MICROSLIP_VECTOR_CLONES
+void add_knots(std::size_t groups, const double* weights, const double* shape,
+               const double* moments, double* q, double* v) {
+  for (std::size_t group = 0; group < groups; ++group) {
+    double q_sum[kLanes] = {};
+    double v_sum[kLanes] = {};
+    for (std::size_t m = 0; m < kKnotTerms; ++m) {
+      const double* w = weights + (group * kKnotTerms + m) * KnotWeights::kKinds * kLanes;
+      const double moment = moments[m];
+#pragma omp simd
+      for (std::size_t j = 0; j < kLanes; ++j) {
+        q_sum[j] += moment * w[KnotWeights::kOfDisplacement * kLanes + j];
+        v_sum[j] += moment * w[KnotWeights::kOfVelocity * kLanes + j];
+      }
+    }
+#pragma omp simd
+    for (std::size_t j = 0; j < kLanes; ++j) {
+      const std::size_t i = group * kLanes + j;
+      q[i] -= shape[i] * q_sum[j];
+      v[i] -= shape[i] * v_sum[j];
+    }
+  }
+}
+
+MICROSLIP_VECTOR_CLONES
+void couple_knots(std::size_t groups, const double* weights, const double* shape,
+                  const double* other, double* coupling) {
+  constexpr std::size_t kEach = kKnotTerms * KnotWeights::kKinds;
+  for (std::size_t w = 0; w < kEach; ++w) {
+    double lanes[kLanes] = {};
+    for (std::size_t group = 0; group < groups; ++group) {
+#pragma omp simd
+      for (std::size_t j = 0; j < kLanes; ++j) {
+        const std::size_t i = group * kLanes + j;
+        lanes[j] += weights[(group * kEach + w) * kLanes + j] * shape[i] * other[i];
+      }
+    }
+    coupling[w] = sum_of(lanes);
+  }
 }
 
 MICROSLIP_VECTOR_CLONES

@@ -62,6 +62,15 @@ struct Coupling {
 [[nodiscard]] Coupling couple(std::size_t groups, const double* weights, const double* shape,
                               const double* other);
 
+/// What knots of one joint add to q and q̇: −ψ_i Σ_m w_im M_m.
+/// @param weights  of KnotWeights. @param moments  kKnotTerms.
+void add_knots(std::size_t groups, const double* weights, const double* shape,
+               const double* moments, double* q, double* v);
+
+/// Σ_i ψ_i w_im χ_i of two shapes, [term][kind], as KnotWeights has them.
+void couple_knots(std::size_t groups, const double* weights, const double* shape,
+                  const double* other, double* coupling);
+
 struct Energies {
   double input;  ///< ∫ force·q̇ dt, J
   double loss;   ///< Σ ηω ∫ q̇² dt, J

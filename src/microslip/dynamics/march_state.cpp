@@ -17,6 +17,9 @@ constexpr double kLeastContraction = 1e-3;
 /// Rounds of Newton's method after which the tangents stay: the forces are continuous, so that they
 /// converge where tangents jump between two values.
 constexpr int kSettled = 8;
+/// The way of a joint over a step is a cubic where it vibrates against all modes by no more than
+/// this in the step, rad.
+constexpr double kLargestJointAngle = 1.0;
 /// Of more joints than these it takes longer to couple each with each than to place them by the
 /// modes in the two rounds that a piece of a step takes.
 constexpr std::size_t kMostCoupled = 4;
@@ -29,7 +32,8 @@ MarchState::MarchState(const JointedStructure& structure, std::vector<MarchedJoi
       max_iterations_(options.max_iterations),
       groups_(padded(structure.linear().size()) / kLanes),
       shortens_(structure.shortens()),
-      cut_(structure.linear().modes()) {
+      cut_(structure.linear().modes()),
+      knot_weights_({}, {}) {
   const std::size_t lanes = groups_ * kLanes;
   for (auto* vector : {&stiffness_, &damping_, &q_, &v_, &load_, &load_slope_, &end_q_, &end_v_,
                        &end_load_, &end_load_slope_, &end_force_, &end_a_, &predicted_q_,
@@ -45,6 +49,8 @@ MarchState::MarchState(const JointedStructure& structure, std::vector<MarchedJoi
     add_joint(structure.joints()[j], damper_of_joint(structure, j), std::move(hysteresis[j]));
   }
   predicted_slide_.resize(joints_.size());
+  knot_weights_ = KnotWeights(stiffness_, damping_);
+  longest_over_knots_ = longest_step_over_knots();
   couplings_.of_others = cut_couplings_.of_others = !shortens_ && !damped_;
   if (joints_.size() > kMostCoupled) cut_couplings_.of_others = false;
   loads_.normal.assign(joints_.size(), 1.0);
@@ -54,8 +60,13 @@ MarchState::MarchState(const JointedStructure& structure, std::vector<MarchedJoi
 void MarchState::add_joint(const StructuralJoint& joint, double damper, MarchedJoint hysteresis) {
   const std::size_t lanes = groups_ * kLanes;
   const std::size_t modes = joint.shape.size();
-  Joint added{joint.shape,          {}, joint.spring_in_modes, joint.series_compliance, damper,
-              std::move(hysteresis)};
+  Joint added{joint.shape,
+              {},
+              joint.spring_in_modes,
+              joint.series_compliance,
+              damper,
+              std::move(hysteresis),
+              JointWay(joint.joint)};
   damped_ = damped_ || damper > 0.0;
   added.shape.resize(lanes, 0.0);
   added.g.assign(lanes, 0.0);
@@ -69,6 +80,20 @@ void MarchState::add_joint(const StructuralJoint& joint, double damper, MarchedJ
     }
   }
   joints_.push_back(std::move(added));
+}
+
+/// 0 where no step goes over knots, s.
+double MarchState::longest_step_over_knots() const {
+  if (shortens_ || damped_) return 0.0;
+  double longest = knot_weights_.longest();
+  for (const Joint& joint : joints_) {
+    if (joint.hysteresis.is_network()) return 0.0;
+    double square = 0.0;  // 1/kg
+    for (const double psi : joint.shape) square += psi * psi;
+    const double frequency = std::sqrt(square * joint.hysteresis.stuck_stiffness());
+    longest = std::min(longest, kLargestJointAngle / frequency);
+  }
+  return longest;
 }
 
 /// Where a joint begins, by the modes that are set.
@@ -175,8 +200,8 @@ void MarchState::interpolate(double share, double length) {
   for (Joint& joint : joints_) {
     const Kinematics& b = joint.begin;
     Kinematics& k = joint.end;
-    const Cubic force(b.force, b.force_dot, k.force, k.force_dot, length);
-    const Cubic r(b.r, b.r_dot, k.r, k.r_dot, length);
+    const StepCubic force(b.force, b.force_dot, k.force, k.force_dot, length);
+    const StepCubic r(b.r, b.r_dot, k.r, k.r_dot, length);
     k.force = force.value(share);
     k.force_dot = force.slope(share) / length;
     k.r = r.value(share);
@@ -185,7 +210,7 @@ void MarchState::interpolate(double share, double length) {
 }
 
 /// R, Ṙ, F and Ḟ of the joints at the end of the step, from those predicted.
-bool MarchState::solve(const StepWeights& weights, Couplings& couplings) {
+bool MarchState::solve(const StepWeights& weights, Couplings& couplings, Knots knots) {
   const double h = weights.length();
   march_loops::predict(
       groups_, weights.data(), h,
@@ -199,14 +224,23 @@ bool MarchState::solve(const StepWeights& weights, Couplings& couplings) {
   // Changes fall by about one factor: what is left after one is their geometric series. The factor
   // is that of steps before, mistrusted more from step to step until it is measured again.
   double before = 0.0;
+  for (Joint& joint : joints_) joint.way.forget();
   for (int i = 0; i < max_iterations_ && !joints_.empty(); ++i) {
     place(weights, couplings);
+    const Ways ways = knots == Knots::kAllowed ? find_ways(h, couplings) : Ways::kSame;
+    if (ways == Ways::kUnclear) return false;
     double change = 0.0;
     for (std::size_t j = 0; j < joints_.size(); ++j) {
       change = std::max(change, update(j, couplings, h, i >= kSettled));
     }
     last_change_ = change;
     if (!std::isfinite(change)) return false;
+    if (knots == Knots::kAllowed) add_moments(h);
+    if (ways == Ways::kOthers && i < kSettled) {  // what new knots add is not in this change
+      before = change;
+      contraction_ = 1.0;
+      continue;
+    }
     contraction_ = i == 0 ? kMistrust * std::max(contraction_, kLeastContraction) : change / before;
     const bool falls = contraction_ < 0.5;
     if (change <= tolerance_ || (falls && change * contraction_ <= 0.5 * tolerance_)) {
@@ -235,6 +269,14 @@ void MarchState::place(const StepWeights& weights, const Couplings& couplings) {
       const Kinematics& other = joints_[l].end;
       k.slide -= couplings.a[j * n + l] * other.r + couplings.b[j * n + l] * other.r_dot;
       k.slide_dot -= couplings.c[j * n + l] * other.r + couplings.d[j * n + l] * other.r_dot;
+      if (joints_[l].way.knots().empty()) continue;
+      const double* by = couplings.knots.data() + (j * n + l) * kKnotTerms * KnotWeights::kKinds;
+      for (std::size_t m = 0; m < kKnotTerms; ++m) {
+        k.slide -=
+            by[m * KnotWeights::kKinds + KnotWeights::kOfDisplacement] * joints_[l].moments[m];
+        k.slide_dot -=
+            by[m * KnotWeights::kKinds + KnotWeights::kOfVelocity] * joints_[l].moments[m];
+      }
     }
     k.gap = k.slide;
     k.gap_dot = k.slide_dot;
@@ -256,6 +298,53 @@ void MarchState::place_by_modes(const StepWeights& weights) {
                                         joint.g.data(), joint.g_dot.data());
     k.gap -= 0.5 * g.q;
     k.gap_dot -= g.v;
+  }
+}
+
+/// Where the joints turn, and where their tangents jump, on the way to where they were placed.
+MarchState::Ways MarchState::find_ways(double length, Couplings& couplings) {
+  Ways ways = Ways::kSame;
+  for (Joint& joint : joints_) {
+    const Kinematics& b = joint.begin;
+    const std::size_t knots = joint.way.knots().size();
+    const StepCubic y(b.gap, b.gap_dot, joint.end.gap, joint.end.gap_dot, length);
+    if (!joint.way.follow({joint.hysteresis.follower(), joint.direction, b.force, joint.kink,
+                           joint.compliance, kQuiet * joint.largest_gap},
+                          y)) {
+      return Ways::kUnclear;
+    }
+    if (joint.way.knots().size() == knots) continue;
+    ways = Ways::kOthers;
+    couple_knots(length, couplings);
+  }
+  return ways;
+}
+
+void MarchState::couple_knots(double length, Couplings& couplings) {
+  knot_weights_.set_length(length);
+  if (!couplings.of_others || couplings.knot_length == length) return;
+  couplings.knot_length = length;
+  constexpr std::size_t kEach = kKnotTerms * KnotWeights::kKinds;
+  const std::size_t n = joints_.size();
+  couplings.knots.resize(n * n * kEach);
+  for (std::size_t j = 0; j < n; ++j) {
+    for (std::size_t l = 0; l <= j; ++l) {
+      double* one = couplings.knots.data() + (j * n + l) * kEach;
+      march_loops::couple_knots(groups_, knot_weights_.data(), joints_[j].shape.data(),
+                                joints_[l].shape.data(), one);
+      std::copy_n(one, kEach, couplings.knots.data() + (l * n + j) * kEach);
+    }
+  }
+}
+
+/// By the forces that were found.
+void MarchState::add_moments(double length) {
+  for (Joint& joint : joints_) {
+    if (joint.way.knots().empty()) continue;
+    const Kinematics& b = joint.begin;
+    const Kinematics& k = joint.end;
+    joint.moments =
+        knot_moments(joint.way.knots(), {b.force, b.force_dot, k.force, k.force_dot, length});
   }
 }
 
@@ -296,7 +385,9 @@ double MarchState::update(std::size_t j, const Couplings& couplings, double leng
   const double c = joint.compliance;
   const double load = normal_load(j, length);
   if (!std::isfinite(k.gap - c * k.force)) return HUGE_VAL;
-  const auto [force, new_tangent] = joint.hysteresis.trial(k.gap - c * k.force, load);
+  const double u = k.gap - c * k.force;
+  const auto [force, new_tangent] = joint.way.knots().empty() ? joint.hysteresis.trial(u, load)
+                                                              : joint.way.follower().response(u);
   if (!settled) joint.tangent = new_tangent;
   const double tangent = joint.tangent;
   const double soft = 1.0 / (1.0 + tangent * c);
@@ -347,6 +438,11 @@ void MarchState::correct(const StepWeights& weights) {
   load_modes();
   march_loops::correct(groups_, weights.data(), predicted_q_.data(), predicted_v_.data(),
                        end_load_.data(), end_load_slope_.data(), end_q_.data(), end_v_.data());
+  for (const Joint& joint : joints_) {
+    if (joint.way.knots().empty()) continue;
+    march_loops::add_knots(groups_, knot_weights_.data(), joint.shape.data(), joint.moments.data(),
+                           end_q_.data(), end_v_.data());
+  }
 }
 
 // ---- What came out. ----

@@ -7,15 +7,22 @@
 #include <span>
 #include <vector>
 
+#include "microslip/dynamics/joint_way.hpp"
 #include "microslip/dynamics/march.hpp"
 #include "microslip/dynamics/march_loops.hpp"
 #include "microslip/dynamics/march_weights.hpp"
 #include "microslip/dynamics/marched_joint.hpp"
+#include "microslip/dynamics/step_cubic.hpp"
+#include "microslip/dynamics/step_knots.hpp"
 
 namespace microslip {
 
-/// The state of a structure in a march and its way over one step, cut where a joint turns or its
-/// tangent jumps. Internal to dynamics.
+/// The state of a structure in a march and its way over one step. Internal to dynamics.
+///
+/// Where joints turn or their tangents jump in a step their forces are piecewise cubics over it
+/// (step_knots.hpp). Where that is not possible – joints that shorten the structure, have dampers
+/// beside them or a varying normal load, modes that a step does not resolve – or does not converge,
+/// the step is cut at these places.
 class MarchState {
  public:
   /// @param hysteresis  one a joint of the structure.
@@ -80,6 +87,8 @@ class MarchState {
     double compliance;          ///< c, m/N
     double damper;              ///< beside F, N s/m
     MarchedJoint hysteresis;
+    JointWay way;              ///< over the step that is tried
+    KnotMoments moments = {};  ///< of its knots, if it has any
     Kinematics begin = {};
     Kinematics end = {};
     Curvature curvature = {};
@@ -98,32 +107,23 @@ class MarchState {
     double length = 0.0;
     bool of_others = true;  ///< those off the diagonal, too
     std::vector<double> a, b, c, d;
+    double knot_length = 0.0;
+    std::vector<double> knots;  ///< of knots: kKnotTerms pairs for q and q̇ for each pair of joints
   };
+  /// Motion over a step below this share of the largest is rounding.
+  static constexpr double kQuiet = 1e-13;
   /// What happens first in a step: a joint turns, or its tangent jumps.
   struct Change {
     double share = 1.0;     ///< of the step; 1 where nothing does, 0 where it is behind already
     std::size_t joint = 0;  ///< of which
     bool turns = false;     ///< or else it comes to a kink
   };
-  /// y over a step by its values and slopes at the ends, over the share x of the step.
-  struct Cubic {
-    Cubic(double y0, double dy0, double y1, double dy1, double length)
-        : start(y0),
-          v0(length * dy0),
-          v1(length * dy1),
-          c(v0 + v1 - 2.0 * (y1 - y0)),
-          b(y1 - y0 - v0 - c) {}
-    [[nodiscard]] double value(double x) const { return start + x * (v0 + x * (b + x * c)); }
-    [[nodiscard]] double slope(double x) const { return v0 + x * (2.0 * b + 3.0 * x * c); }
-    [[nodiscard]] double bend(double x) const { return 2.0 * b + 6.0 * x * c; }
-    double start, v0, v1, c, b;
-  };
-
   /// In the step, after the length. Rounding makes no load that falls to 0 a negative one.
   [[nodiscard]] double normal_load(std::size_t j, double length) const {
     return std::max(0.0, loads_.normal[j] + length * loads_.normal_slope[j]);
   }
   void add_joint(const StructuralJoint& joint, double damper, MarchedJoint hysteresis);
+  [[nodiscard]] double longest_step_over_knots() const;
   void begin(std::size_t j);
   void begin_dampers();
   void couple(const StepWeights& weights, Couplings& couplings) const;
@@ -131,7 +131,16 @@ class MarchState {
                                                double length);
   void extrapolate(double length);
   void interpolate(double share, double length);
-  [[nodiscard]] bool solve(const StepWeights& weights, Couplings& couplings);
+  /// Whether joints may turn, and their tangents jump, in a step that is solved.
+  enum class Knots { kNone, kAllowed };
+  [[nodiscard]] bool solve(const StepWeights& weights, Couplings& couplings, Knots knots);
+  [[nodiscard]] bool step_over_knots(const StepWeights& weights);
+  enum class Ways { kSame, kOthers, kUnclear };
+  [[nodiscard]] Ways find_ways(double length, Couplings& couplings);
+  void couple_knots(double length, Couplings& couplings);
+  void add_moments(double length);
+  void pass_knots(Joint& joint);
+  [[nodiscard]] static Curvature curvature(const Joint& joint, double length);
   void place(const StepWeights& weights, const Couplings& couplings);
   void place_by_modes(const StepWeights& weights);
   void accelerate(double length);
@@ -143,8 +152,8 @@ class MarchState {
   void accept(double length);
   [[nodiscard]] bool solve_piece(double length, const StepWeights& whole);
   [[nodiscard]] Change first_change(double length);
-  [[nodiscard]] static double turning_share(const Joint& joint, const Cubic& y, double length);
-  [[nodiscard]] static double kink_share(const Joint& joint, const Cubic& y, double until);
+  [[nodiscard]] static double turning_share(const Joint& joint, const StepCubic& y, double length);
+  [[nodiscard]] static double kink_share(const Joint& joint, const StepCubic& y, double until);
   void change(const Change& change);
   void set_off(Joint& joint);
   static void find_kink(Joint& joint);
@@ -165,6 +174,8 @@ class MarchState {
   std::vector<Joint> joints_;
   Loads loads_;
   StepWeights cut_;  // of parts of a step
+  KnotWeights knot_weights_;
+  double longest_over_knots_ = 0.0;  // step, s
   Couplings couplings_, cut_couplings_;
   double contraction_ = 1.0;  // from one change of the joint forces to the next
   double initial_energy_ = 0.0;

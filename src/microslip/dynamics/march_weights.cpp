@@ -10,6 +10,36 @@
 namespace microslip {
 namespace {
 
+/// g(1) and g′(1) of what vibrates, δ well below θ.
+ImpulseResponse vibrating_response(double delta, double theta_squared) {
+  const double frequency = std::sqrt(theta_squared - delta * delta);
+  const double decay = std::exp(-delta);
+  const double ratio = decay * std::sin(frequency) / frequency;
+  return {ratio, decay * std::cos(frequency) - delta * ratio};
+}
+
+/// By the roots −δ ± √(δ² − θ²), real or not.
+ImpulseResponse decaying_response(double delta, double theta_squared) {
+  using Complex = std::complex<double>;
+  const Complex root = std::sqrt(Complex(delta * delta - theta_squared, 0.0));
+  const Complex up = std::exp(root - delta);  // no overflow: |Re root| ≤ δ
+  const Complex down = std::exp(-root - delta);
+  const Complex sinh = 0.5 * (up - down);
+  const Complex cosh = 0.5 * (up + down);
+  const double small = std::abs(root);
+  const Complex ratio = small < 1e-4 ? std::exp(-delta) * (1.0 + root * root / 6.0) : sinh / root;
+  return {ratio.real(), (cosh - delta * ratio).real()};
+}
+
+}  // namespace
+
+ImpulseResponse impulse_response(double delta, double theta_squared) {
+  return delta * delta < 0.5 * theta_squared ? vibrating_response(delta, theta_squared)
+                                             : decaying_response(delta, theta_squared);
+}
+
+namespace {
+
 /// Of q″ + 2δq′ + θ²q = τᵐ over τ from 0 to 1, from rest: q(1) for m = 0 … 3, and the impulse
 /// response g(1), its slope g′(1) and g′ + 2δg, the response to q(0) = 1. δ = ½ηωh, θ = ωh.
 struct Responses {
@@ -98,31 +128,8 @@ void by_series(GroupResponses& r) {
   }
 }
 
-/// g(1) and g′(1) of what vibrates, δ well below θ.
-std::array<double, 2> vibrating_response(double delta, double theta_squared) {
-  const double frequency = std::sqrt(theta_squared - delta * delta);
-  const double decay = std::exp(-delta);
-  const double ratio = decay * std::sin(frequency) / frequency;
-  return {ratio, decay * std::cos(frequency) - delta * ratio};
-}
-
-/// g(1) and g′(1) with the roots −δ ± √(δ² − θ²), real or not.
-std::array<double, 2> impulse_response(double delta, double theta_squared) {
-  using Complex = std::complex<double>;
-  const Complex root = std::sqrt(Complex(delta * delta - theta_squared, 0.0));
-  const Complex up = std::exp(root - delta);  // no overflow: |Re root| ≤ δ
-  const Complex down = std::exp(-root - delta);
-  const Complex sinh = 0.5 * (up - down);
-  const Complex cosh = 0.5 * (up + down);
-  const double small = std::abs(root);
-  const Complex ratio = small < 1e-4 ? std::exp(-delta) * (1.0 + root * root / 6.0) : sinh / root;
-  return {ratio.real(), (cosh - delta * ratio).real()};
-}
-
 Responses in_closed_form(double delta, double theta_squared) {
-  const auto [impulse, slope] = delta * delta < 0.5 * theta_squared
-                                    ? vibrating_response(delta, theta_squared)
-                                    : impulse_response(delta, theta_squared);
+  const auto [impulse, slope] = impulse_response(delta, theta_squared);
   Responses r;
   r.impulse = impulse;
   r.slope = slope;

@@ -18,6 +18,13 @@ inline constexpr std::size_t kLanes = 8;
   return (modes + kLanes - 1) / kLanes * kLanes;
 }
 
+/// g(1) and g′(1) of g″ + 2δg′ + θ²g = 0 with g(0) = 0 and g′(0) = 1.
+struct ImpulseResponse {
+  double value;
+  double slope;
+};
+[[nodiscard]] ImpulseResponse impulse_response(double delta, double theta_squared);
+
 /// What a step of length h makes of the state (q, q̇) and the load p of a mode, p cubic over the
 /// step with the values and slopes at its ends given (Hermite): with τ = t/h
 ///

@@ -2,25 +2,17 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <memory>
-#include <optional>
-#include <vector>
 
-#include "microslip/dynamics/density_corners.hpp"
+#include "microslip/dynamics/curve_follower.hpp"
 #include "microslip/dynamics/jointed_structure.hpp"
 #include "microslip/joint/jenkins_network.hpp"
 #include "microslip/joint/memory.hpp"
 
 namespace microslip {
 
-/// The hysteresis of one joint in a march: its Memory, or where the normal load varies a network of
-/// Jenkins elements. Internal to dynamics.
-///
-/// Between two kinks the Memory moves on one smooth curve. A step is tried on that curve as if it
-/// had no end: with the kink inside of the step the tangent would jump there, and the equations of
-/// the step may have no solution at all. Where the kink lies is found afterwards, and the step cut
-/// there.
+/// The hysteresis of one joint in a march: its Memory on smooth curves, or where the normal load
+/// varies a network of Jenkins elements. Internal to dynamics.
 class MarchedJoint {
  public:
   /// @param joint  kept by reference.
@@ -28,30 +20,23 @@ class MarchedJoint {
   /// Under a varying normal load. @param load  p at the start.
   MarchedJoint(const StructuralJoint& joint, NormalLoadLaw law, std::size_t elements, double load);
 
-  struct Response {
-    double force;    ///< F, N
-    double tangent;  ///< dF/du, N/m
-  };
+  using Response = CurveFollower::Response;
 
   /// After a move to u at the load p, which is not taken.
   [[nodiscard]] Response trial(double u, double load);
   /// Takes it. @return F, N.
   double advance(double u, double load);
+  /// Takes it where its force is known, N. @return F, N; of a network that of its elements.
+  double settle(double u, double load, double force);
   /// Says that the motion turns here, or that it begins: from here on it goes in this direction, +1
   /// or −1. What the way to here dissipated is counted.
   void turn(int direction);
 
-  /// Where the tangent jumps next, or its slope: a loop closes, an atom begins to slip, the density
-  /// jumps.
-  struct Kink {
-    double displacement;  ///< u, m; ±infinite where there is none
-    double force;         ///< F there, N
-  };
-  [[nodiscard]] const Kink& next_kink() const { return kink_; }
-  /// Goes over to the curve behind the next kink.
-  void pass_kink();
-  /// dF/du on the present curve, where the joint stands, N/m.
-  [[nodiscard]] double tangent() const;
+  void pass_kink() { follower_.pass_kink(); }
+  [[nodiscard]] double tangent() const { return follower_.tangent(); }
+  /// The Memory on its curves; at rest for a network.
+  [[nodiscard]] const CurveFollower& follower() const { return follower_; }
+  [[nodiscard]] bool is_network() const { return network_ != nullptr; }
   /// Counts dissipation from here on.
   void begin_energy();
 
@@ -79,27 +64,9 @@ class MarchedJoint {
     NetworkMemory tried;
   };
 
-  /// The smooth part of a Memory between two kinks.
-  struct Piece {
-    Memory::Curve curve;
-    std::size_t passed;    ///< corners that lie behind
-    std::size_t slipping;  ///< atoms that slip on it
-  };
-
-  void follow(int direction, double from);
-  void pass_corner();
-  void find_kink();
-  [[nodiscard]] double elastic_force(double u) const;
-  [[nodiscard]] Response on_piece(double u) const;
-
-  static constexpr Kink kNoKink{std::numeric_limits<double>::infinity(), 0.0};
-
   const StructuralJoint* joint_;
-  Memory memory_;
+  CurveFollower follower_;
   Memory turned_;  ///< where the motion turned last
-  std::vector<Corner> corners_;
-  std::optional<Piece> piece_;  ///< none before the first motion, and for a network
-  Kink kink_ = kNoKink;
   std::unique_ptr<Network> network_;
   double u_ = 0.0;
   double force_ = 0.0;

@@ -85,6 +85,13 @@ class Memory {
   /// @throws InputError  where x is not finite; then no step is taken.
   double advance(double x);
 
+  /// Takes a step whose force is known, as from trial() or the curve of curve_ahead().
+  /// @param x  m, finite. @param force  f there, N. @throws InputError  as advance().
+  void settle(double x, double force) {
+    move_to(x);
+    force_ = force;
+  }
+
   /// Takes a step to each x in turn and writes the forces.
   /// @param x      displacements, m; finite.
   /// @param force  N; of the length of x; may be x itself.

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/dynamics/joint_way.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "microslip/dynamics/bracketed_newton.hpp"
+
+namespace microslip {
+namespace {
+
+/// Changes nearer to an end of the step than this share of it are at that end.
+constexpr double kAtEnd = 1e-9;
+constexpr double kWithin = 1e-12;
+
+/// The shares of a step at which a cubic has its extremes, by rising share; 1 where it has none.
+std::pair<double, double> extremes(const StepCubic& y) {
+  const double a = 3.0 * y.c;
+  // Of one sign at both ends, and monotone between them: the slope that most steps have.
+  if (y.v0 * y.v1 > 0.0 && (y.b * a >= 0.0 || std::abs(y.b) >= std::abs(a))) return {1.0, 1.0};
+  const double discriminant = y.b * y.b - a * y.v0;
+  if (!(discriminant > 0.0)) return {1.0, 1.0};
+  const double q = -(y.b + std::copysign(std::sqrt(discriminant), y.b));
+  const auto inside = [](double share) {
+    return share > kAtEnd && share < 1.0 - kAtEnd ? share : 1.0;
+  };
+  const double first = inside(q / a);
+  const double second = inside(y.v0 / q);
+  return {std::min(first, second), std::max(first, second)};
+}
+
+}  // namespace
+
+bool JointWay::follow(const Start& start, const StepCubic& y) {
+  size_ = 0;
+  if (start.direction == 0) return true;
+  if (std::max(std::abs(y.v0), std::abs(y.v1)) <= start.quiet) return start.direction * y.v1 >= 0.0;
+  const auto [first, second] = extremes(y);
+  if (!(start.direction * y.slope(0.5 * first) > 0.0)) return false;
+  direction_ = start.direction;
+  compliance_ = start.compliance;
+  if (first == 1.0 && direction_ * (start.kink - y.value(1.0)) >= 0.0) return true;
+  follower_ = start.follower;
+  double from = 0.0;
+  for (const double share : {first, second}) {
+    if (!pass_kinks(y, from, share)) return false;
+    if (share == 1.0) return true;
+    if (!turn(y, share, size_ == 0 ? start.force : knots_[size_ - 1].force)) return false;
+    from = share;
+  }
+  return pass_kinks(y, from, 1.0);
+}
+
+bool JointWay::add(const Knot& knot) {
+  if (size_ == kMostKnots) return false;
+  knots_[size_++] = knot;
+  return true;
+}
+
+/// Those between two shares, where y does not turn.
+bool JointWay::pass_kinks(const StepCubic& y, double from, double to) {
+  const double end = y.value(to);
+  const auto stiffness = [&](double tangent) { return tangent / (1.0 + tangent * compliance_); };
+  for (;;) {
+    const double at = follower_.next_kink_behind(compliance_);
+    if (direction_ * (at - end) >= 0.0) return true;
+    const double share = growing_zero(
+        [&](double x) {
+          return Growing{direction_ * (y.value(x) - at), direction_ * y.slope(x)};
+        },
+        from, to, kWithin);
+    const double u = follower_.next_kink();
+    const double slope = y.slope(share);
+    const auto [force, before] = follower_.response(u);
+    follower_.pass_kink();
+    const double after = follower_.response(u).tangent;
+    if (!add({share, u, force, stiffness(before) * slope, stiffness(after) * slope, false})) {
+      return false;
+    }
+    from = share;
+  }
+}
+
+/// @param force  near the one there.
+bool JointWay::turn(const StepCubic& y, double share, double force) {
+  const double extreme = y.value(share);
+  double u = extreme - compliance_ * force;
+  for (int i = 0; i < 50 && compliance_ > 0.0; ++i) {  // u + cF(u) = y
+    const auto [f, tangent] = follower_.response(u);
+    const double miss = extreme - u - compliance_ * f;
+    u += miss / (1.0 + compliance_ * tangent);
+    if (std::abs(miss) <= 1e-14 * std::abs(extreme)) break;
+  }
+  direction_ = -direction_;
+  const double there = follower_.advance(u);
+  follower_.turn(direction_);
+  return add({share, u, there, 0.0, 0.0, true});
+}
+
+}  // namespace microslip
