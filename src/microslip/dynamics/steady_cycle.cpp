@@ -297,13 +297,13 @@ void SteadyCycle::branch(const Joint& joint, const Reversal& origin, double sign
 void SteadyCycle::block(const Joint& joint, const Reversal& origin, double sign, Index first,
                         Index samples) {
   if (samples == 0) return;
-  const auto size = static_cast<std::size_t>(samples);
   const double turned_at = extremes_[origin.at].displacement;
   const double k = joint.stiffness();
-  joint.virgin_curve().branch_forces({turned_at, origin.force, 0.5 * k, 2.0 * sign},
-                                     {x_.data() + first, size}, {force_.data() + first, size});
+  const VirginCurve& curve = joint.virgin_curve();
   for (Index i = first; i < first + samples; ++i) {
-    tangent_[i] = k * joint.virgin_curve().slope(0.5 * k * std::abs(x_[i] - turned_at));
+    const auto [force, slope] = curve.response(0.5 * k * std::abs(x_[i] - turned_at));
+    force_[i] = origin.force + 2.0 * sign * force;
+    tangent_[i] = k * slope;
   }
   part_.noalias() =
       basis_.rows().middleRows(first, samples).transpose() * tangent_.segment(first, samples);
