@@ -13,16 +13,19 @@
 #include "command.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/io/file_kind.hpp"
+#include "microslip/io/input_file.hpp"
 #include "microslip/io/load_file.hpp"
 #include "microslip/io/model_file.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/io/power_density_file.hpp"
+#include "microslip/io/required_spectrum_file.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/workflow/made_load.hpp"
 #include "microslip/workflow/provenance.hpp"
 #include "microslip/workflow/quantity_text.hpp"
 #include "microslip/workflow/summary_text.hpp"
 #include "prediction.hpp"
+#include "progress_bar.hpp"
 
 namespace microslip::app {
 namespace {
@@ -39,6 +42,10 @@ struct LoadOptions {
   std::string pulse;
   std::string begin;
   std::string density;
+  std::string spectrum;
+  std::string damping_ratio;
+  std::string per_octave;
+  std::string tolerance;
   std::string seed;
   std::string duration;
   std::string sampling_rate;
@@ -46,11 +53,11 @@ struct LoadOptions {
 };
 
 LoadShape parse_shape(const std::string& text) {
-  for (const LoadShape shape :
-       {LoadShape::kSine, LoadShape::kSweep, LoadShape::kHalfSine, LoadShape::kNoise}) {
+  for (const LoadShape shape : {LoadShape::kSine, LoadShape::kSweep, LoadShape::kHalfSine,
+                                LoadShape::kNoise, LoadShape::kShock}) {
     if (text == to_string(shape)) return shape;
   }
-  throw InputError("shape", in_quotes(text), "must be sine, sweep, half-sine or noise");
+  throw InputError("shape", in_quotes(text), "must be sine, sweep, half-sine, noise or shock");
 }
 
 double parse_positive(std::string_view option, const std::string& text, const Dimension& unit) {
@@ -68,14 +75,17 @@ struct KnownOptions {
 
 /// What a shape does not know would be given for nothing.
 void check_options(const LoadOptions& options, LoadShape shape) {
-  static const std::array<KnownOptions, 4> kKnown{{
+  static const std::array<KnownOptions, 5> kKnown{{
       {LoadShape::kSine, {"--peak", "--frequency"}, {"--cycles"}},
       {LoadShape::kSweep, {"--peak", "--frequency"}, {"--log"}},
       {LoadShape::kHalfSine, {"--peak", "--pulse"}, {"--at"}},
       {LoadShape::kNoise, {"--density"}, {"--seed"}},
+      {LoadShape::kShock,
+       {"--spectrum"},
+       {"--damping-ratio", "--per-octave", "--tolerance", "--pulse", "--at", "--seed"}},
   }};
   const KnownOptions& known = *std::ranges::find(kKnown, shape, &KnownOptions::shape);
-  const std::array<std::pair<std::string_view, bool>, 8> given{{
+  const std::array<std::pair<std::string_view, bool>, 12> given{{
       {"--peak", !options.peak.empty()},
       {"--frequency", !options.frequency.empty()},
       {"--cycles", !options.cycles.empty()},
@@ -83,6 +93,10 @@ void check_options(const LoadOptions& options, LoadShape shape) {
       {"--pulse", !options.pulse.empty()},
       {"--at", !options.begin.empty()},
       {"--density", !options.density.empty()},
+      {"--spectrum", !options.spectrum.empty()},
+      {"--damping-ratio", !options.damping_ratio.empty()},
+      {"--per-octave", !options.per_octave.empty()},
+      {"--tolerance", !options.tolerance.empty()},
       {"--seed", !options.seed.empty()},
   }};
   for (const auto& [option, is_given] : given) {
@@ -96,6 +110,21 @@ void check_options(const LoadOptions& options, LoadShape shape) {
       throw InputError(option, InputState{"given"},
                        fmt::format("must be left out: a {} does not know it", to_string(shape)));
     }
+  }
+}
+
+/// What a shock has beside other shapes.
+void set_shock(const LoadOptions& options, LoadPlan& plan) {
+  plan.required = read_required_spectrum(options.spectrum);
+  if (!options.damping_ratio.empty()) {
+    plan.shock.damping_ratio =
+        parse_quantity("--damping-ratio", options.damping_ratio, kDimensionless);
+  }
+  if (!options.per_octave.empty()) {
+    plan.shock.per_octave = parse_quantity("--per-octave", options.per_octave, kDimensionless);
+  }
+  if (!options.tolerance.empty()) {
+    plan.shock.tolerance = parse_quantity("--tolerance", options.tolerance, kDimensionless);
   }
 }
 
@@ -115,6 +144,7 @@ LoadPlan plan_of(const LoadOptions& options, LoadShape shape, const Dimension& u
   if (!options.pulse.empty()) plan.pulse = parse_positive("--pulse", options.pulse, kTime);
   if (!options.begin.empty()) plan.begin = parse_quantity("--at", options.begin, kTime);
   if (!options.density.empty()) plan.density = read_power_density(options.density, unit);
+  if (shape == LoadShape::kShock) set_shock(options, plan);
   if (!options.seed.empty()) plan.seed = parse_whole_number("--seed", options.seed, 0, kMostSeed);
   plan.duration = parse_positive("--duration", options.duration, kTime);
   if (!options.sampling_rate.empty()) {
@@ -129,13 +159,21 @@ int run(const LoadOptions& options, const Call& call) {
   check_options(options, shape);
   const ModelFile model = read_model(options.model, JointsToFind::kAllowed);
   const Dimension unit = model.structure.base_driven() ? kAcceleration : kForce;
-  const LoadHistory load = make_load(model.structure, plan_of(options, shape, unit));
-  write_file(options.out, format_loads(load, model.structure, heading_of(call.command_line)));
+  const LoadPlan plan = plan_of(options, shape, unit);
+  const MadeLoad load =
+      make_load(model.structure, plan, progress_bar("spectrum of the shock", call.quiet));
+  std::string heading = heading_of(call.command_line);
+  const std::string comment = load_comment(plan, load);
+  if (!comment.empty()) heading += '\n' + comment;
+  write_file(options.out, format_loads(load.history, model.structure, heading));
   if (!call.quiet) {
     fmt::print(options.out == "-" ? stderr : stdout, "A {} on {}\n{}", to_string(shape),
                options.model, describe_load(model.structure, load));
+  } else if (!load.converged()) {
+    fmt::print(stderr, "microslip: {}: not converged: {}; what was found is written and marked\n",
+               input_name(options.model), load.shock->summary.reason);
   }
-  return kDone;
+  return load.converged() ? kDone : kNotConverged;
 }
 
 void add_shape_options(CLI::App& command, LoadOptions& options) {
@@ -148,15 +186,33 @@ void add_shape_options(CLI::App& command, LoadOptions& options) {
                      "Periods after which a sine ends; else it goes on");
   command.add_flag("--log", options.logarithmic,
                    "A sweep by equal ratios in equal times, not by equal steps");
-  command.add_option("--pulse", options.pulse, "Length of a half-sine, in s or with a unit");
-  command.add_option("--at", options.begin, "When a half-sine begins (0 s)");
+  command.add_option("--pulse", options.pulse,
+                     "Length of a half-sine, or of a shock (the shortest: three half-cycles of its "
+                     "lowest frequency), in s or with a unit");
+  command.add_option("--at", options.begin, "When a half-sine or a shock begins (0 s)");
   command
       .add_option("--density", options.density,
                   "Power spectral density of noise: frequency [Hz], density [N^2/Hz], or "
                   "[(m/s^2)^2/Hz] or [g^2/Hz] where a base is driven; straight in logarithms "
                   "between its rows")
       ->type_name(kCsvValue);
-  command.add_option("--seed", options.seed, "Of noise: the same seed, the same noise (1)");
+  command.add_option("--seed", options.seed,
+                     "Of noise or a shock: the same seed, the same noise (1)");
+}
+
+void add_shock_options(CLI::App& command, LoadOptions& options) {
+  command
+      .add_option("--spectrum", options.spectrum,
+                  "Shock response spectrum that a shock is to have: frequency [Hz], maximax "
+                  "[m/s^2] or [g]; straight in logarithms between its rows. What the command "
+                  "spectrum writes is one")
+      ->type_name(kCsvValue);
+  command.add_option("--damping-ratio", options.damping_ratio,
+                     "Of the masses of that spectrum: 1/(2Q) (0.05)");
+  command.add_option("--per-octave", options.per_octave,
+                     "Natural frequencies in an octave at which a shock is judged, 6 to 48 (12)");
+  command.add_option("--tolerance", options.tolerance,
+                     "Most that its spectrum may lie above or below, in dB (1)");
 }
 
 }  // namespace
@@ -164,10 +220,10 @@ void add_shape_options(CLI::App& command, LoadOptions& options) {
 void add_load(CLI::App& program, Call& call) {
   auto options = std::make_shared<LoadOptions>();
   CLI::App* command = program.add_subcommand(
-      "load", "What acts over time, for march: a sine, a sweep, a shock, noise");
-  command->add_option("shape", options->shape, "sine, sweep, half-sine or noise")
+      "load", "What acts over time, for march: a sine, a sweep, a half-sine, noise, a shock");
+  command->add_option("shape", options->shape, "sine, sweep, half-sine, noise or shock")
       ->required()
-      ->check(CLI::IsMember({"sine", "sweep", "half-sine", "noise"}));
+      ->check(CLI::IsMember({"sine", "sweep", "half-sine", "noise", "shock"}));
   command
       ->add_option("model", options->model,
                    "Structure, model.toml: its excitation says what is driven, a sine takes its "
@@ -185,8 +241,9 @@ void add_load(CLI::App& program, Call& call) {
   command->add_option("--sampling-rate", options->sampling_rate,
                       "Of the table, in Hz or with a unit; between its times the load is straight. "
                       "Without it 256 times a period, 200 times a half-sine, 32 times a period of "
-                      "the highest frequency of noise");
+                      "the highest frequency of noise, 20 times of a shock");
   add_shape_options(*command, *options);
+  add_shock_options(*command, *options);
   command->add_flag("--quiet", call.quiet, "No summary");
   add_examples(*command,
                {"microslip load sine model.toml --peak 20N --frequency 16.2 --cycles 100 \\",
@@ -194,7 +251,9 @@ void add_load(CLI::App& program, Call& call) {
                 "microslip load half-sine shaken.toml --peak 50g --pulse 11ms --duration 0.5s \\",
                 "          --out shock.csv",
                 "microslip load noise shaken.toml --density asd.csv --duration 60s --seed 7 \\",
-                "          --out noise.csv"});
+                "          --out noise.csv",
+                "microslip load shock shaken.toml --spectrum required.csv --duration 0.5s \\",
+                "          --out shock.csv"});
   command->callback(
       [options, &call] { call.run = [options, &call] { return run(*options, call); }; });
 }

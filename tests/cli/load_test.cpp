@@ -140,6 +140,83 @@ TEST(load, OfNoiseLeadsToASpectrum) {
   EXPECT_NEAR(spectrum.numbers("relative_displacement", kLength)[0], largest, 2e-3 * largest);
 }
 
+/// 9 dB an octave, then flat, as of a functional shock.
+const std::string kRequired = "frequency [Hz],maximax [g]\n10,4\n60,40\n400,40\n";
+
+// What `spectrum` finds in the file lies within 1 dB of what was asked for, which is written out
+// here; peaks are right to 1e-5. At the end of the march the table is at rest where it was.
+TEST(load, OfAShockHasTheRequiredSpectrum) {
+  const Sandbox box{{"model.toml", kMassOnTable}, {"required.csv", kRequired}};
+  const Outcome run = expect_done(box, {"load", "shock", "model.toml", "--spectrum", "required.csv",
+                                        "--duration", "0.5s", "--at", "20ms", "--out", "s.csv"});
+  EXPECT_NE(run.out.find("worst deviation"), std::string::npos) << run.out;
+  EXPECT_NE(box.get("s.csv").find("# sum of 65 wavelets: converged"), std::string::npos);
+  EXPECT_NE(box.get("s.csv").find("# worst deviation: "), std::string::npos);
+  expect_done(box, {"spectrum", "s.csv", "--column", "acceleration of table", "--frequency",
+                    "10:400:65:log", "--out", "srs.csv"});
+  const CsvTable spectrum = table_of(box, "srs.csv");
+  const std::vector<double> frequency = spectrum.numbers("frequency", kFrequency);
+  const std::vector<double> maximax = spectrum.numbers("maximax", kAcceleration);
+  for (std::size_t i = 0; i < frequency.size(); ++i) {
+    const double f = frequency[i];
+    const double level = f < 60.0 ? 4.0 * std::pow(f / 10.0, 1.0 / std::log10(6.0)) : 40.0;
+    EXPECT_LT(std::abs(20.0 * std::log10(maximax[i] / (level * 9.80665))), 1.0 + 1e-3) << f;
+  }
+  expect_done(box, {"march", "model.toml", "--force-file", "s.csv", "--out", "march.csv"});
+  const CsvTable march = table_of(box, "march.csv");
+  const std::vector<double> relative = march.numbers("displacement", kLength);
+  const std::vector<double> absolute = march.numbers("absolute_displacement", kLength);
+  const std::vector<double> time = march.numbers("time", kTime);
+  EXPECT_EQ(march.numbers("acceleration of table", kAcceleration)[160], 0.0);  // at 20 ms
+  EXPECT_NE(march.numbers("acceleration of table", kAcceleration)[165], 0.0);
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    if (time[i] < 0.18) continue;  // the shock is over, the table has gone back
+    EXPECT_NEAR(absolute[i], relative[i], 1e-9);
+  }
+}
+
+// It is written, marked in the file, told with --quiet, and the status says it.
+TEST(load, MarksAShockThatMissesItsSpectrum) {
+  const Sandbox box{
+      {"model.toml", kMassOnTable},
+      {"jump.csv", "frequency [Hz],maximax [m/s^2]\n20,10\n50,10\n51,100\n200,100\n"}};
+  const Outcome run = box.run({"load", "shock", "model.toml", "--spectrum", "jump.csv",
+                               "--duration", "0.2s", "--out", "s.csv", "--quiet"});
+  EXPECT_EQ(run.status, 3) << run.err;
+  EXPECT_NE(run.err.find("not converged: the spectrum lies"), std::string::npos) << run.err;
+  EXPECT_NE(box.get("s.csv").find("wavelets: NOT CONVERGED: the spectrum lies"), std::string::npos);
+}
+
+TEST(load, RefusesSpectraThatMeanNothing) {
+  const auto refused = [](const std::string& table, const Arguments& more, const std::string& part,
+                          const std::string& model = kMassOnTable) {
+    const Sandbox box{{"model.toml", model}, {"r.csv", table}};
+    Arguments call{"load",       "shock", "model.toml", "--spectrum", "r.csv",
+                   "--duration", "0.5s",  "--out",      "s.csv"};
+    call.insert(call.end(), more.begin(), more.end());
+    const Outcome run = box.run(call);
+    EXPECT_EQ(run.status, 2) << run.out << run.err;
+    EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
+  };
+  refused("frequency [Hz],maximax [g]\n10,4\n", {}, "points of a required spectrum");
+  refused("frequency [Hz],maximax [g]\n10,4\n10,4\n", {}, "r.csv: frequency[1]");
+  refused("frequency [Hz],maximax [g]\n10,4\n20,-1\n", {}, "r.csv: maximax[1]");
+  refused("frequency [Hz],maximax\n10,4\n20,1\n", {}, "unit");
+  refused("frequency [Hz],maximax [N]\n10,4\n20,1\n", {}, "r.csv");
+  refused("frequency [Hz],level [g]\n10,4\n20,1\n", {}, "'maximax [m/s^2]'");
+  refused(kRequired, {"--sampling-rate", "3kHz"}, "must be 4000 Hz or more");
+  refused(kRequired, {"--pulse", "0.1s"}, "must be 0.15 s or more");
+  refused(kRequired, {"--at", "0.4s"}, "begin of the shock");
+  refused(kRequired, {"--pulse", "0.6s"}, "must be 0.6 s or more, the length of the shock");
+  refused(kRequired, {"--per-octave", "4"}, "must be from 6 to 48");
+  refused(kRequired, {"--tolerance", "0"}, "must be from 0.1 to 12");
+  refused(kRequired, {"--damping-ratio", "1"}, "damping ratio");
+  refused(kRequired, {"--peak", "1"}, "a shock does not know it");
+  refused(kRequired, {}, "must be a base for a shock",
+          test::replaced(kMassOnTable, "[excitation]\nbase = \"table\"",
+                         "[excitation]\npoint = \"mass\""));
+}
+
 TEST(load, RefusesWhatMeansNothing) {
   const Sandbox box{{"model.toml", kMassOnTable},
                     {"asd.csv", "frequency [Hz],density [N^2/Hz]\n5,1\n60,1\n"}};

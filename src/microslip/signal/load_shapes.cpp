@@ -11,6 +11,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
+#include "microslip/signal/log_log_line.hpp"
 
 namespace microslip {
 namespace {
@@ -18,7 +19,6 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kMostTimes = 2e7;
-constexpr double kLargestDensity = 1e30;
 /// Of noise within its density: the variance of one signal is then known to some √(2/64).
 constexpr double kLeastLines = 64.0;
 constexpr std::size_t kLargestTransform = std::size_t{1} << 26U;
@@ -111,30 +111,10 @@ std::vector<double> half_sine(std::span<const double> time, double begin, double
 }
 
 void PowerDensity::check() const {
-  if (frequency.size() < 2 || density.size() != frequency.size()) {
-    throw InputError("points of a power density", static_cast<double>(frequency.size()),
-                     "must be 2 at least, with a density each");
-  }
-  for (std::size_t i = 0; i < frequency.size(); ++i) {
-    const bool rises = i == 0 ? frequency[i] > 0.0 : frequency[i] > frequency[i - 1];
-    if (!(std::isfinite(frequency[i]) && rises)) {
-      throw InputError(fmt::format("frequency[{}] of a power density", i), frequency[i],
-                       "must be above 0 and above the one before");
-    }
-    if (density[i] > 0.0 && density[i] <= kLargestDensity) continue;
-    throw InputError(fmt::format("density[{}] of a power density", i), density[i],
-                     fmt::format("must be above 0, to {:g}", kLargestDensity));
-  }
+  check_log_log_line("a power density", "density", frequency, density);
 }
 
-double PowerDensity::at(double f) const {
-  if (!(f >= frequency.front() && f <= frequency.back())) return 0.0;
-  const auto next = std::ranges::upper_bound(frequency, f);
-  const auto k = std::min(static_cast<std::size_t>(next - frequency.begin()), frequency.size() - 1);
-  const double slope =
-      std::log(density[k] / density[k - 1]) / std::log(frequency[k] / frequency[k - 1]);
-  return density[k - 1] * std::pow(f / frequency[k - 1], slope);
-}
+double PowerDensity::at(double f) const { return log_log_value(frequency, density, f); }
 
 double PowerDensity::rms() const {
   double area = 0.0;

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+/// @file
+/// The wavelets that a shock is made of. Internal to signal.
+
+namespace microslip {
+
+/// sin(πi/m) sin(πNi/m), i = 0 … m, N odd: Σ w = 0 and Σ iw = 0, so that chords through it leave
+/// velocity and displacement as they were.
+struct ShockWavelet {
+  std::size_t begin = 0;       ///< its first step
+  std::vector<double> values;  ///< w, m + 1 of them
+};
+
+class ShockWavelets {
+ public:
+  /// One wavelet at each frequency.
+  /// @param frequency      Hz. @param steps  of the shock: its length times the sampling rate.
+  /// @param sampling_rate  Hz.
+  /// @param seed, draw     of the begins.
+  ShockWavelets(const std::vector<double>& frequency, std::size_t steps, double sampling_rate,
+                std::uint64_t seed, std::uint64_t draw);
+
+  /// Σ A_k w_k at the times 0, h, 2h, …
+  [[nodiscard]] std::vector<double> sum(const Eigen::VectorXd& amplitude) const;
+
+  /// Whether the amplitude of a wavelet begins above or below 0, ±1; drawn.
+  [[nodiscard]] const Eigen::VectorXd& sign() const { return sign_; }
+
+  /// The signed peak of the absolute acceleration of a mass under Σ A_k w_k, and its derivatives by
+  /// the A_k with the time of the peak held, by a rectangle rule.
+  struct Peak {
+    double value = 0.0;
+    Eigen::VectorXd derivative;
+  };
+  [[nodiscard]] Peak peak(const std::vector<double>& acceleration, double frequency,
+                          double damping_ratio) const;
+
+ private:
+  double step_;
+  std::size_t times_;
+  std::vector<ShockWavelet> wavelets_;
+  Eigen::VectorXd sign_;
+};
+
+}  // namespace microslip
