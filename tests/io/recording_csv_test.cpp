@@ -465,6 +465,17 @@ TEST(RecordingCsvWriter, ReadsBackAsItWas) {
   expect_same(written_and_read(r), r, "uneven, complex");
 }
 
+// As of a frequency response in a universal file, whose points name it.
+TEST(RecordingCsvWriter, KeepsAttributesOfChannelsWithMarksInTheirNames) {
+  Recording r = sample();
+  r.channels[0].name = "point 5 +Z / point 2 +Z";
+  r.channels[0].attributes = {{"response node", "5"}, {"a / b", "c"}};
+  r.channels[1].name = "point 5 +Z";
+  r.channels[1].attributes = {{"response node", "6"}};
+  r.attributes = {{"no channel / operator", "A. Böhm"}};
+  expect_same(written_and_read(r), r);
+}
+
 TEST(RecordingCsvWriter, StepsThatAreNoWholeRateComeBackToRounding) {
   Recording r = sample();
   r.axis.start = 0.1;

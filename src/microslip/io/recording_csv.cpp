@@ -346,16 +346,24 @@ class CsvRecordingReader {
     return name.substr(0, name.size() - mark.size());
   }
 
-  void distribute_attributes(Recording& recording) const {
-    for (const auto& [name, value] : header_.attributes()) {
-      const std::size_t mark = name.find(kChannelMark);
+  /// The channel of an attribute, and how much of its name tells that. Of names with marks in them
+  /// the longest that fits is taken.
+  static std::pair<Channel*, std::size_t> channel_of(Recording& recording, std::string_view name) {
+    std::size_t mark = name.rfind(kChannelMark);
+    while (mark != std::string_view::npos) {
       const auto channel =
           std::ranges::find(recording.channels, name.substr(0, mark), &Channel::name);
-      if (mark == std::string::npos || channel == recording.channels.end()) {
-        recording.attributes.emplace_back(name, value);
-      } else {
-        channel->attributes.emplace_back(name.substr(mark + kChannelMark.size()), value);
-      }
+      if (channel != recording.channels.end()) return {&*channel, mark + kChannelMark.size()};
+      mark = mark == 0 ? std::string_view::npos : name.rfind(kChannelMark, mark - 1);
+    }
+    return {nullptr, 0};
+  }
+
+  void distribute_attributes(Recording& recording) const {
+    for (const auto& [name, value] : header_.attributes()) {
+      const auto [channel, told] = channel_of(recording, name);
+      Attributes& target = channel != nullptr ? channel->attributes : recording.attributes;
+      target.emplace_back(name.substr(told), value);
     }
   }
 
