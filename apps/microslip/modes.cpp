@@ -44,7 +44,7 @@ void add_modes(CLI::App& program, Call& call) {
   command
       ->add_option(
           "structure", options->structure,
-          "Matrices, or a test (universal files 55, 58), supports, points, joints and the modes "
+          "Matrices, or a test (universal files 55, 58, 2414), supports, points, joints and the modes "
           "wanted, STRUCTURE.toml")
       ->required()
       ->type_name(kTomlValue);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/run_program.hpp"
+#include "support/tested_chain.hpp"
 
 namespace microslip::cli_test::convert_test {
 namespace {
@@ -89,6 +90,15 @@ TEST(Convert, ListsModeShapes) {
   expect_refused(box, {"convert", "nodes.unv", "--list"}, {"nodes.unv", "found 1 dataset 15"});
   expect_refused(box, {"convert", "modes.unv", "--list", "--recording", "1"},
                  {"modes.unv", "found 3 datasets 55 (mode shapes)"});
+
+  const std::string of_2414 = test::analysis_dataset(
+      {.number = 4, .reals = {55.8, 1.0, 0.002, 0.0}}, Eigen::VectorXcd::Ones(2));
+  const Sandbox newer{{"m.unv", kModes + of_2414}};
+  EXPECT_EQ(
+      expect_done(newer, {"convert", "m.unv", "--list"}).out,
+      kModesList + "1 dataset 2414 (mode shapes)\n  mode 4: 55.8 Hz, damping 0.002, 2 nodes\n");
+  expect_refused(newer, {"convert", "m.unv", "x.csv"},
+                 {"found 3 datasets 55 (mode shapes), 1 dataset 2414 (results"});
 
   expect_done(box, {"convert", "level.csv", "both.uff"});
   const std::string recordings = expect_done(box, {"convert", "both.uff", "--list"}).out;

@@ -138,15 +138,18 @@ TEST(tested_modes, TakeTheDampingThatIsTold) {
 }
 
 /// Mode shapes 1 to 3, of modal mass 4 in tonnes.
-std::string shapes(const std::string& units, double mass = 4e-3) {
+/// @param write  as dataset 55 or 2414.
+std::string shapes(const std::string& units, double mass = 4e-3,
+                   std::string (*write)(const test::UffShape&,
+                                        const Eigen::VectorXcd&) = test::shape_dataset) {
   const auto exact = TestedChain{}.modes();
   std::string text = units;
   for (Eigen::Index r = 0; r < 3; ++r) {
     const double omega = std::sqrt(exact.eigenvalues()(r));
-    text += test::shape_dataset({.number = static_cast<int>(r) + 1,
-                                 .reals = {omega / (2.0 * std::numbers::pi), mass,
-                                           0.5 * TestedChain{}.loss_of(omega), 0.0}},
-                                2.0 * exact.eigenvectors().col(r));
+    text += write({.number = static_cast<int>(r) + 1,
+                   .reals = {omega / (2.0 * std::numbers::pi), mass,
+                             0.5 * TestedChain{}.loss_of(omega), 0.0}},
+                  2.0 * exact.eigenvectors().col(r));
   }
   return text;
 }
@@ -171,6 +174,33 @@ TEST(tested_modes, OfShapesInMillimetresAreThoseOfTheResponses) {
     EXPECT_NEAR(first.modes()[r].loss_factor / second.modes()[r].loss_factor, 1.0, 1e-5);
     EXPECT_NEAR(std::abs(first.shape("tip")[r] / second.shape("tip")[r]), 1.0, 1e-4);
   }
+}
+
+// The same digits in other records: the same model, but for the number of the dataset that it tells.
+TEST(tested_modes, OfDataset2414AreThoseOfDataset55) {
+  const std::string units = test::units_dataset(1000.0, 1.0);
+  const Sandbox old = sandbox(kShapes, shapes(units));
+  const Sandbox box = sandbox(kShapes, shapes(units, 4e-3, test::analysis_dataset));
+  expect_done(old, kModes);
+  expect_done(box, kModes);
+  const std::string model = box.get("model.toml");
+  EXPECT_NE(model.find("3 shapes (dataset 2414) of frf.uff"), std::string::npos) << model;
+  EXPECT_EQ(test::replaced(model, "(dataset 2414)", "(dataset 55)"), old.get("model.toml"));
+}
+
+// What is left out stands in the model, too.
+TEST(tested_modes, OfDataset2414TellWhatIsLeftOut) {
+  const std::string stress =
+      test::replaced(shapes(test::units_dataset(1000.0, 1.0), 4e-3, test::analysis_dataset),
+                     "         2         8         2", "         2         2         2");
+  const Sandbox box = sandbox(kShapes, stress);
+  const Outcome run = box.run(kModes);
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.err.find("dataset 2 (2414) has result type 2 at nodes"), std::string::npos)
+      << run.err;
+  const std::string model = box.get("model.toml");
+  EXPECT_NE(model.find("# warning: uff_no_motion: "), std::string::npos) << model;
+  EXPECT_NE(model.find(": 2 shapes (dataset 2414)"), std::string::npos) << model;
 }
 
 TEST(tested_modes, RefuseByName) {
@@ -209,7 +239,7 @@ TEST(tested_modes, OfShapesRefuseByName) {
   const std::string si = test::units_dataset(1.0, 1.0);
   refused(kShapes, shapes(si, 0.0), "modal mass of frf.uff: mode 1");
   refused(kShapes, shapes(""), "Give length_unit and force_unit in [test]");
-  refused(kShapes, responses(), "mode shapes (dataset 55)");
+  refused(kShapes, responses(), "mode shapes (dataset 55 or 2414), found none");
   refused(kStructure, shapes(si), "a frequency response (dataset 58");
   refused(kShapes, "", "frf.uff");
   refused(test::replaced(kShapes, "node = 5\ndirection = \"-z\"", "node = 5\ndirection = \"x\""),

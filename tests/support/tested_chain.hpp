@@ -192,4 +192,32 @@ inline std::string shape_dataset(const UffShape& of, const Eigen::VectorXcd& val
   return text + "    -1\n";
 }
 
+/// Dataset 2414 of the same, in records 1 to 15 of the format's public description; modal data in
+/// the fields of a normal mode, or those of a complex one.
+inline std::string analysis_dataset(const UffShape& of, const Eigen::VectorXcd& values) {
+  const bool complex = values.imag().norm() > 0.0;
+  const auto real = [&](std::size_t i) { return i < of.reals.size() ? of.reals[i] : 0.0; };
+  const bool normal = of.analysis == 2;
+  std::string text = fmt::format("    -1\n  2414\n{:10d}\n{:<80}\n{:10d}\n", of.number, "mode", 1);
+  text += "NONE\nNONE\nNONE\nNONE\nNONE\n";
+  text += fmt::format("{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}\n", 1, of.analysis, 2, of.specific_type,
+                      complex ? 5 : 2, 3);
+  text += fmt::format("{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}\n{:10d}{:10d}\n", 0, 0, 0,
+                      0, 1, of.number, 0, 0, 0, 0);
+  const double frequency = normal ? real(0) : 0.0;
+  text += fmt::format("{:13.5E}{:13.5E}{:13.5E}{:13.5E}{:13.5E}{:13.5E}\n", 0.0, frequency, 0.0,
+                      normal ? real(1) : 0.0, normal ? real(2) : 0.0, normal ? real(3) : 0.0);
+  for (std::size_t i = 0; i < 6; ++i) text += fmt::format("{:13.5E}", normal ? 0.0 : real(i));
+  text += '\n';
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    text += fmt::format("{:10d}\n", i + 1);
+    const std::string zero = fmt::format("{:13.5E}", 0.0);
+    text += complex ? zero + zero + zero + zero : zero + zero;
+    text += fmt::format("{:13.5E}", values(i).real());
+    if (complex) text += fmt::format("{:13.5E}", values(i).imag());
+    text += '\n';
+  }
+  return text + "    -1\n";
+}
+
 }  // namespace microslip::test

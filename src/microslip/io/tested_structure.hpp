@@ -19,7 +19,7 @@ namespace microslip {
 /// Mode shapes of a test, or the frequency responses that modes are to be found in.
 struct TestedStructure {
   std::string file;                                ///< the universal file, as it was named
-  std::vector<UffModeShape> shapes = {};           ///< of datasets 55; or
+  std::vector<UffModeShape> shapes = {};           ///< of datasets 55 and 2414; or
   std::vector<FrequencyResponse> responses = {};   ///< of datasets 58
   std::optional<DegreeOfFreedom> drive = {};       ///< where the force acts; always with responses
   std::optional<std::array<double, 2>> band = {};  ///< of the responses that is looked at, Hz

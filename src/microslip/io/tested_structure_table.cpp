@@ -84,7 +84,8 @@ void read_shapes(const TomlTable& test, std::string_view file, TestedStructure& 
   read.shapes = std::move(shapes.shapes);
   read.warnings = std::move(shapes.warnings);
   if (!read.shapes.empty()) return;
-  throw FormatError({.file = path}, "mode shapes (dataset 55)", "none");
+  throw FormatError({.file = path}, "mode shapes (dataset 55 or 2414)",
+                    read.warnings.empty() ? "none" : read.warnings.front().text);
 }
 
 void read_frequency_responses(const TomlTable& test, std::string_view file, TestedStructure& read) {

@@ -12,12 +12,12 @@
 #include "microslip/base/summary.hpp"
 
 /// @file
-/// Mode shapes from universal files: dataset 55, "data at nodes", of the Structural Dynamics
-/// Research Laboratory, University of Cincinnati.
+/// Mode shapes from universal files: datasets 55, "data at nodes", and 2414, "analysis data", of the
+/// Structural Dynamics Research Laboratory, University of Cincinnati.
 
 namespace microslip {
 
-/// What a dataset 55 can be.
+/// What such a dataset can be.
 enum class UffAnalysis {
   kOther,
   kNormalMode,         ///< real mode of the undamped structure
@@ -27,15 +27,16 @@ enum class UffAnalysis {
 
 /// Values at nodes, in the units of the file: the scale of a mode shape is its maker's choice.
 struct UffModeShape {
+  int dataset = 55;                            ///< or 2414
   std::array<std::string, 5> id_lines;         ///< empty where the file has NONE
   UffAnalysis analysis = UffAnalysis::kOther;  ///< what the dataset says it is
   std::int64_t load_case = 0;                  ///< its number; 0 where there is none
   std::int64_t number = 0;                     ///< of the mode or of the frequency
-  std::int64_t specific_type = 0;              ///< 8 displacement, 11 velocity, 12 acceleration
-  double frequency = 0.0;                      ///< Hz; of a complex mode |λ|/2π
-  std::optional<double> damping_ratio;         ///< viscous, ζ, 1; of a complex mode -Re λ/|λ|
-  std::optional<double> loss_factor;           ///< hysteretic, η, 1
-  std::optional<double> modal_mass;            ///< of a normal mode, as in the file
+  std::int64_t specific_type = 0;  ///< or result type: 8 displacement, 11 velocity, 12 acceleration
+  double frequency = 0.0;          ///< Hz; of a complex mode |λ|/2π
+  std::optional<double> damping_ratio;  ///< viscous, ζ, 1; of a complex mode -Re λ/|λ|
+  std::optional<double> loss_factor;    ///< hysteretic, η, 1
+  std::optional<double> modal_mass;     ///< of a normal mode, as in the file
   std::optional<std::complex<double>> eigenvalue;  ///< λ of a complex mode, rad/s
   /// Of a complex mode as in the file: a of the receptance Σ ψψᵀ/(a(iω − λ)) and the conjugate.
   std::optional<std::complex<double>> modal_a;
@@ -52,13 +53,14 @@ struct UffModeShape {
   }
 };
 
-/// What the datasets 55 of a file hold.
+/// What the datasets 55 and 2414 of a file hold.
 struct UffModeShapes {
-  std::vector<UffModeShape> shapes;  ///< in the order of the file; none where it has no dataset 55
-  std::vector<Warning> warnings;     ///< what the reader had to forgive
+  std::vector<UffModeShape> shapes;  ///< in the order of the file; none where it has none
+  std::vector<Warning> warnings;     ///< what the reader had to forgive or left out
 };
 
-/// Reads all datasets 55 of a file and skips the others.
+/// Reads all datasets 55 and 2414 of a file and skips the others; of 2414 those of no motion of nodes
+/// (stresses, values on elements) too, with a warning.
 /// @throws FormatError  where the file is not of this form or ends within a dataset.
 /// @throws FileError    where it cannot be read.
 [[nodiscard]] UffModeShapes read_mode_shapes_uff(const std::string& path);

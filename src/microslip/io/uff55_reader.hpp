@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-
-#include "microslip/io/uff164.hpp"
 #include "microslip/io/uff55.hpp"
 #include "microslip/io/uff_envelope.hpp"
 
@@ -15,8 +12,5 @@ namespace microslip {
 /// Reads the lines of the dataset that is open, all but the one that closes it.
 /// @throws FormatError  where they are no dataset 55, or end before it does.
 [[nodiscard]] UffModeShape read_uff55(UffEnvelope& envelope);
-
-/// What the units of the file are in SI, where it tells them.
-void set_uff_units(const std::optional<Uff164>& units, UffModeShape& shape);
 
 }  // namespace microslip

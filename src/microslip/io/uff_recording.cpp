@@ -14,11 +14,11 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/uff151.hpp"
 #include "microslip/io/uff164.hpp"
-#include "microslip/io/uff55_reader.hpp"
 #include "microslip/io/uff58.hpp"
 #include "microslip/io/uff_channel.hpp"
 #include "microslip/io/uff_envelope.hpp"
 #include "microslip/io/uff_group.hpp"
+#include "microslip/io/uff_mode_shapes.hpp"
 
 namespace microslip {
 namespace {
@@ -32,6 +32,7 @@ std::string describe(const std::map<int, std::size_t>& datasets) {
     if (!text.empty()) text += ", ";
     text += fmt::format("{} dataset{} {}", count, count == 1 ? "" : "s", number);
     if (number == 55) text += " (mode shapes)";
+    if (number == 2414) text += " (results at nodes or on elements)";
   }
   return text;
 }
@@ -71,7 +72,7 @@ class UffRecordingReader {
       return;
     }
     if (dataset.number == 151) begin_file();
-    if (dataset.number == 55 && wanted_ == Wanted::kAll) read_mode_shape();
+    if (has_uff_mode_shape(dataset) && wanted_ == Wanted::kAll) read_mode_shape(dataset);
     if (dataset.number == 164) units_ = read_uff164(envelope_);
     if (!envelope_.close().closed) {
       result_.warnings.push_back(
@@ -81,10 +82,10 @@ class UffRecordingReader {
     }
   }
 
-  void read_mode_shape() {
+  void read_mode_shape(const UffDataset& dataset) {
     try {
-      mode_shapes_.push_back(read_uff55(envelope_));
-      set_uff_units(units_, mode_shapes_.back());
+      auto shape = read_uff_mode_shape(envelope_, dataset, units_, result_.warnings);
+      if (shape) mode_shapes_.push_back(std::move(*shape));
     } catch (const FormatError& error) {
       if (!damaged_shape_) damaged_shape_ = std::current_exception();
       result_.warnings.push_back({"uff_mode_shape", error.what()});

@@ -37,7 +37,7 @@ namespace microslip {
 /// What can be read of a file.
 struct UffContents {
   Recordings recordings;                  ///< none where it has mode shapes alone
-  std::vector<UffModeShape> mode_shapes;  ///< datasets 55, in the order of the file
+  std::vector<UffModeShape> mode_shapes;  ///< datasets 55 and 2414, in the order of the file
 };
 
 /// Reads recordings as read_recordings_uff() does, and mode shapes. One that is damaged is left out

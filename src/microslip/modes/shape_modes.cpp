@@ -40,7 +40,7 @@ std::vector<NamedShape> shapes_wanted(const TestedStructure& test,
         {&shape, fmt::format("{}: {}", test.file, mode_name(wanted.size(), shape.frequency))});
   }
   if (wanted.empty()) {
-    throw InputError(test.file, fmt::format("{} datasets 55", test.shapes.size()),
+    throw InputError(test.file, fmt::format("{} results at nodes", test.shapes.size()),
                      "must have normal or complex modes (analysis type 2, 3 or 7) among them");
   }
   if (!test.modal_mass.empty() && test.modal_mass.size() != wanted.size()) {
@@ -203,6 +203,14 @@ void add_mode(const NamedShape& named, const TestedModesOptions& options, bool f
   tested.modes.push_back(mode);
 }
 
+/// "dataset 55".
+std::string datasets_of(const std::vector<NamedShape>& wanted) {
+  const int first = wanted.front().shape->dataset;
+  const bool same = std::ranges::all_of(
+      wanted, [&](const NamedShape& named) { return named.shape->dataset == first; });
+  return same ? fmt::format("dataset {}", first) : "datasets 55 and 2414";
+}
+
 }  // namespace
 
 TestedModes modes_of_shapes(const TestedStructure& test, const TestedModesOptions& options) {
@@ -228,8 +236,8 @@ TestedModes modes_of_shapes(const TestedStructure& test, const TestedModesOption
     tested.shapes.col(static_cast<Eigen::Index>(i)) = real_shape(named, std::move(shape), tested);
   }
   tested.origin.push_back(fmt::format(
-      "modes of a test: {} shapes (dataset 55) of {}, scaled by {}", wanted.size(), test.file,
-      test.modal_mass.empty() ? "the modal mass of the file" : "modal_mass_kg"));
+      "modes of a test: {} shapes ({}) of {}, scaled by {}", wanted.size(), datasets_of(wanted),
+      test.file, test.modal_mass.empty() ? "the modal mass of the file" : "modal_mass_kg"));
   tested.summary.stop = Stop::kClosedForm;
   tested.summary.method = "mode shapes of a test";
   tested.summary.reason = "as in the file";

@@ -42,7 +42,7 @@ struct TestedModesOptions {
   bool damping_told = false;              ///< by the user: that of the test need not be there
 };
 
-/// Modes of datasets 55: φ = ψ/√m by the modal mass, of complex modes the real part of
+/// Modes of datasets 55 and 2414: φ = ψ/√m by the modal mass, of complex modes the real part of
 /// ψ √(2iω_d/a) by modal A, once its phase is that of most of it.
 /// @throws InputError  naming the mode, where it has no modal mass, damping, units, or other nodes.
 [[nodiscard]] TestedModes modes_of_shapes(const TestedStructure& test,

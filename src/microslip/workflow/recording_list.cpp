@@ -131,8 +131,18 @@ std::string describe(const UffModeShape& shape) {
 
 std::string list_mode_shapes(std::span<const UffModeShape> shapes) {
   if (shapes.empty()) return {};
-  std::string text = counted(shapes.size(), "dataset") + " 55 (mode shapes)\n";
-  for (const UffModeShape& shape : shapes) text += as_line("  " + describe(shape));
+  std::string text;
+  for (const int dataset : {55, 2414}) {
+    std::string lines;
+    std::size_t count = 0;
+    for (const UffModeShape& shape : shapes) {
+      if (shape.dataset != dataset) continue;
+      lines += as_line("  " + describe(shape));
+      ++count;
+    }
+    if (count > 0) text += fmt::format("{} {} (mode shapes)\n", counted(count, "dataset"), dataset);
+    text += lines;
+  }
   return text;
 }
 
