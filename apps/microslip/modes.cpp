@@ -42,10 +42,10 @@ void add_modes(CLI::App& program, Call& call) {
                                              "or its modes in a test, and its joints, "
                                              "to a model.toml");
   command
-      ->add_option(
-          "structure", options->structure,
-          "Matrices, or a test (universal files 55, 58, 2414), supports, points, joints and the modes "
-          "wanted, STRUCTURE.toml")
+      ->add_option("structure", options->structure,
+                   "Matrices, or a test (universal files 55, 58, 2414; responses in CSV, MATLAB "
+                   "and HDF5 files), "
+                   "supports, points, joints and the modes wanted, STRUCTURE.toml")
       ->required()
       ->type_name(kTomlValue);
   command

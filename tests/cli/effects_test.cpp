@@ -337,6 +337,9 @@ const Files& inputs() {
     all["damped_joints.csv"] =
         damped_levels(all.at("two_joints.csv"), found.at("c/calibration.csv"));
     all["frf.uff"] = tested_responses({"m", "m/s", "m/s^2"}, "N");
+    all["responses.csv"] =
+        run({{"frf.uff", all.at("frf.uff")}}, {"convert", "frf.uff", "responses.csv"})
+            .files.at("responses.csv");
     all["bare.uff"] = tested_responses({"", "", ""}, "");
     all["bare.toml"] = edited(all.at("tested.toml"), "frf.uff -> bare.uff");
     all["noise.csv"] = "time [s], nothing [V]\n0,1\n1,2\n2,3\n";
@@ -540,8 +543,9 @@ TEST(EffectsTable, HasEveryOption) {
 
 TEST(EffectsTable, HasEveryKeyOfTheDocumentedFiles) {
   const std::map<std::string, std::string> files = documented_files();
-  for (const char* name : {"rig.toml", "modes.toml", "structure.toml", "frame.toml", "tested.toml",
-                           "shapes.toml", "model.toml", "joint.json", "four.json"}) {
+  for (const char* name :
+       {"rig.toml", "modes.toml", "structure.toml", "frame.toml", "tested.toml", "channels.toml",
+        "shapes.toml", "model.toml", "joint.json", "four.json"}) {
     for (const std::string& key : keys_in(files.at(name))) {
       EXPECT_TRUE(has_row(name, key)) << name << " " << key << kAddRow;
     }

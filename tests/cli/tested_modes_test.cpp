@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/run_program.hpp"
@@ -201,6 +202,115 @@ TEST(tested_modes, OfDataset2414TellWhatIsLeftOut) {
   const std::string model = box.get("model.toml");
   EXPECT_NE(model.find("# warning: uff_no_motion: "), std::string::npos) << model;
   EXPECT_NE(model.find(": 2 shapes (dataset 2414)"), std::string::npos) << model;
+}
+
+void expect_same_modes(const Sandbox& one, const Sandbox& other, double bound) {
+  const ModelFile first = read_model(one.file("model.toml"));
+  const ModelFile second = read_model(other.file("model.toml"));
+  ASSERT_EQ(first.structure.linear().size(), second.structure.linear().size());
+  for (std::size_t r = 0; r < first.structure.linear().size(); ++r) {
+    const Mode& mode = first.structure.linear().modes()[r];
+    const Mode& its = second.structure.linear().modes()[r];
+    EXPECT_NEAR(mode.angular_frequency / its.angular_frequency, 1.0, bound);
+    EXPECT_NEAR(mode.loss_factor / its.loss_factor, 1.0, bound);
+    for (const char* point : {"drive", "tip"}) {
+      const double shape = first.structure.linear().shape(point)[r];
+      EXPECT_NEAR(shape / second.structure.linear().shape(point)[r], 1.0, bound);
+    }
+  }
+}
+
+std::string naming(const std::string& file, const std::string& more = "") {
+  return test::replaced(test::replaced(kStructure, "frf.uff", file), "[[point]]",
+                        more + "[[point]]");
+}
+
+// The numbers of MATLAB and HDF5 files are those of the universal file, bit for bit; frequencies of
+// CSV come from equal steps to rounding, 1e-16, which the fit of the last digits multiplies by the
+// number of lines at most.
+TEST(tested_modes, OfTheSameResponsesInAnyFormatAreTheSame) {
+  const Sandbox uff = sandbox(kStructure, responses());
+  expect_done(uff, kModes);
+  for (const auto& [file, bound] :
+       {std::pair<std::string, double>{"frf.mat", 0.0}, {"frf.h5", 0.0}, {"frf.csv", 1e-12}}) {
+    const Sandbox box = sandbox(naming(file), responses());
+    expect_done(box, {"convert", "frf.uff", file});
+    EXPECT_EQ(expect_done(box, kModes).err, "");
+    EXPECT_NE(box.get("model.toml").find("5 frequency responses (channels) of " + file),
+              std::string::npos);
+    expect_same_modes(uff, box, bound);
+  }
+}
+
+/// The responses of the masses as an own program writes them: no word of where they were measured.
+std::string plain_csv(const std::string& unit) {
+  const Eigen::MatrixXcd exact = TestedChain{}.responses(kBand, 1, 2);
+  std::string text = "frequency [Hz]";
+  for (int j = 1; j <= 5; ++j) text += fmt::format(",H{0}.real{1},H{0}.imag{1}", j, unit);
+  for (Eigen::Index i = 0; i < exact.rows(); ++i) {
+    text += fmt::format("\n{}", kBand[static_cast<std::size_t>(i)]);
+    for (Eigen::Index j = 0; j < 5; ++j) {
+      const double sign = j == 4 ? -1.0 : 1.0;  // the last sensor points the other way
+      text += fmt::format(",{:.17g},{:.17g}", sign * exact(i, j).real(), sign * exact(i, j).imag());
+    }
+  }
+  return text + "\n";
+}
+
+std::string channel_table(int mass, const std::string& direction, const std::string& more = "") {
+  return fmt::format("[[test.response]]\nchannel = \"H{0}\"\nnode = {0}\ndirection = \"{1}\"\n{2}",
+                     mass, direction, more);
+}
+
+std::string all_channels(const std::string& more = "") {
+  std::string text;
+  for (int mass = 1; mass <= 5; ++mass) {
+    text += channel_table(mass, mass == 5 ? "-z" : "z", more);
+  }
+  return text;
+}
+
+// The universal file has 13 digits, those here 17.
+TEST(tested_modes, TakeTheNodesOfChannelsFromTheirTables) {
+  const Sandbox uff = sandbox(kStructure, responses());
+  expect_done(uff, kModes);
+  const Sandbox labelled{{"s.toml", naming("own.csv", all_channels())},
+                         {"own.csv", plain_csv(" [m/s^2/N]")}};
+  expect_done(labelled, kModes);
+  expect_same_modes(uff, labelled, 1e-9);
+  const Sandbox bare{{"s.toml", naming("own.csv", all_channels("unit = \"mm/s^2/kN\"\n"))},
+                     {"own.csv", plain_csv("")}};
+  expect_done(bare, kModes);  // a millionth of the force: shapes a thousandth
+  const double tip = read_model(labelled.file("model.toml")).structure.linear().shape("tip")[0];
+  EXPECT_NEAR(read_model(bare.file("model.toml")).structure.linear().shape("tip")[0] / tip, 1e-3,
+              1e-9);
+}
+
+TEST(tested_modes, OfChannelsRefuseByName) {
+  const auto refused = [](const std::string& tables, const std::string& csv,
+                          const std::string& part) {
+    const Sandbox box{{"s.toml", naming("own.csv", tables)}, {"own.csv", csv}};
+    expect_refused(box, kModes, {part});
+  };
+  const std::string csv = plain_csv(" [m/s^2/N]");
+  refused("", csv, "Give channel, node and direction of each in a [[test.response]]");
+  refused(all_channels() + channel_table(6, "z"), csv, "'H6'");
+  refused(all_channels() + channel_table(1, "z"), csv, "must be there once");
+  refused(channel_table(1, "z"), csv, "must have a response to its own force");
+  refused(all_channels(), plain_csv(""), "must have the unit of a motion over a force");
+  refused(all_channels(), plain_csv(" [N]"), "a displacement, velocity or acceleration over");
+  refused(all_channels("unit = \"m/N\"\n"), csv, "must have no unit where one is assumed");
+  refused(all_channels("unit = \"parsec\"\n"), csv, "must be the unit of a motion over a force");
+  refused(all_channels("weight = 1\n"), csv, "unknown key 'weight'");
+  refused("length_unit = \"mm\"\n", csv, "length_unit beside a universal file");
+  refused(channel_table(2, "z"), "time [s],H1 [m]\n0,1\n1,2\n", "'H2'");
+  refused(channel_table(1, "z"), "time [s],H1 [m/N]\n0,1\n1,2\n", "must be complex");
+  refused(channel_table(1, "z"), "time [s],H1.real [m/N],H1.imag [m/N]\n0,1,1\n1,2,1\n",
+          "must be over frequency");
+  refused(channel_table(1, "q"), csv, "direction");
+  expect_refused(sandbox(naming("frf.uff", channel_table(1, "z")), responses()), kModes,
+                 {"response beside a file that is not universal"});
+  expect_refused(sandbox(naming("none.csv"), responses()), kModes, {"none.csv"});
 }
 
 TEST(tested_modes, RefuseByName) {

@@ -21,11 +21,13 @@
 ///                    a row, `node.direction`; or, in place of the three, calculix: the path of
 ///                    JOB.sti, JOB.mas and JOB.dof without the ending. length_unit, force_unit: of
 ///                    the matrices and of nodes in files without units; m and N without them
-///     [test]         in place of [matrices]: shapes, a universal file with datasets 55, and
-///                    modal_mass_kg = [...]; or frfs, one with datasets 58, and drive, a table with node
-///                    and direction, band_Hz = [from, to], start_frequency_Hz = [...], damping =
-///                    "viscous" (default) or "hysteretic". length_unit, force_unit: where the file
-///                    has no dataset 164
+///     [test]         in place of [matrices]: shapes, a universal file with datasets 55 or 2414, and
+///                    modal_mass_kg = [...]; or frfs, one with datasets 58 or a recording in CSV, MATLAB
+///                    or HDF5, and drive, a table with node and direction, band_Hz = [from, to],
+///                    start_frequency_Hz = [...], damping = "viscous" (default) or "hysteretic".
+///                    length_unit, force_unit: where a universal file has no dataset 164
+///     [[test.response]]  of a recording: channel, node, direction; force: node and direction, that
+///                    of drive without it; unit where the channel has none
 ///     [nodes]        file: one or an array of those that read_mesh() takes; optional
 ///     [[set]]        name, and nodes = […] or box = {x_m = […], y_m = […], z_m = […]}: from, to;
 ///                    beside the sets of [nodes]

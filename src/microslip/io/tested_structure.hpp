@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "microslip/base/summary.hpp"
@@ -18,9 +19,10 @@ namespace microslip {
 
 /// Mode shapes of a test, or the frequency responses that modes are to be found in.
 struct TestedStructure {
-  std::string file;                                ///< the universal file, as it was named
+  std::string file;                                ///< of shapes or responses, as it was named
   std::vector<UffModeShape> shapes = {};           ///< of datasets 55 and 2414; or
-  std::vector<FrequencyResponse> responses = {};   ///< of datasets 58
+  std::vector<FrequencyResponse> responses = {};   ///< of datasets 58, or of channels
+  std::string_view kept_as = "dataset 58";         ///< the responses in the file
   std::optional<DegreeOfFreedom> drive = {};       ///< where the force acts; always with responses
   std::optional<std::array<double, 2>> band = {};  ///< of the responses that is looked at, Hz
   std::vector<double> start_frequency = {};        ///< of the modes, Hz; empty: they are searched

@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/model_tables.hpp"
+#include "microslip/io/recorded_responses.hpp"
+#include "microslip/io/recording_file.hpp"
 #include "microslip/io/structure_places.hpp"
 #include "microslip/io/text.hpp"
 
@@ -22,21 +25,52 @@ constexpr std::string_view kDriveKey = "drive";
 constexpr std::string_view kBandKey = "band_Hz";
 constexpr std::string_view kStartKey = "start_frequency_Hz";
 constexpr std::string_view kDampingKey = "damping";
+constexpr std::string_view kResponseKey = "response";
+constexpr std::string_view kChannelKey = "channel";
+constexpr std::string_view kForceKey = "force";
+constexpr std::string_view kUnitKey = "unit";
 constexpr std::string_view kModalMassKey = "modal_mass_kg";
 constexpr std::string_view kLengthUnitKey = "length_unit";
 constexpr std::string_view kForceUnitKey = "force_unit";
 
+/// Node and direction of a table, as a universal file has them.
+UffPoint read_point(const TomlTable& table) {
+  const MeshPlace place = read_place(table, NodeSets());
+  const MeshDirection direction = read_direction(table, true);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (std::abs(direction.axis[k]) != 1.0) continue;
+    const auto number = static_cast<std::int64_t>(direction.turns ? k + 4 : k + 1);
+    return {.node = place.nodes.front(), .direction = direction.axis[k] < 0.0 ? -number : number};
+  }
+  throw InputError(table.name("direction"), "no axis",
+                   "must be x, y, z, rx, ry or rz: a direction of the file");
+}
+
 DegreeOfFreedom read_drive(const TomlTable& test) {
   const TomlTable drive = test.table(kDriveKey);
   drive.allow_only({kNodeKey, "direction"});
-  const MeshPlace place = read_place(drive, NodeSets());
-  const MeshDirection direction = read_direction(drive, true);
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (std::abs(direction.axis[k]) != 1.0) continue;
-    return {place.nodes.front(), static_cast<NodalDirection>(direction.turns ? k + 3 : k)};
+  const UffPoint point = read_point(drive);
+  return {point.node, static_cast<NodalDirection>(std::abs(point.direction) - 1)};
+}
+
+/// A [[test.response]]. @param drive  where the force is, unless the table says another place.
+ResponseChannel read_channel(const TomlTable& table, const DegreeOfFreedom& drive) {
+  table.allow_only({kChannelKey, kNodeKey, "direction", kForceKey, kUnitKey});
+  ResponseChannel channel{.name = table.text(kChannelKey), .response = read_point(table)};
+  channel.reference = {.node = drive.node,
+                       .direction = static_cast<std::int64_t>(drive.direction) + 1};
+  if (table.has(kForceKey)) {
+    const TomlTable force = table.table(kForceKey);
+    force.allow_only({kNodeKey, "direction"});
+    channel.reference = read_point(force);
   }
-  throw InputError(drive.name("direction"), "no axis",
-                   "must be x, y, z, rx, ry or rz: a direction of the file");
+  if (!table.has(kUnitKey)) return channel;
+  channel.unit = find_unit(table.text(kUnitKey));
+  if (!channel.unit) {
+    throw InputError(table.name(kUnitKey), in_quotes(table.text(kUnitKey)),
+                     "must be the unit of a motion over a force, for instance m/s^2/N");
+  }
+  return channel;
 }
 
 std::array<double, 2> read_band(const TomlTable& test) {
@@ -72,7 +106,7 @@ void refuse_idle(const TomlTable& test, std::string_view key, std::string_view w
 }
 
 void read_shapes(const TomlTable& test, std::string_view file, TestedStructure& read) {
-  for (const std::string_view key : {kDriveKey, kBandKey, kStartKey, kDampingKey}) {
+  for (const std::string_view key : {kDriveKey, kBandKey, kStartKey, kDampingKey, kResponseKey}) {
     refuse_idle(test, key, kResponsesKey);
   }
   if (test.has(kModalMassKey)) {
@@ -88,6 +122,31 @@ void read_shapes(const TomlTable& test, std::string_view file, TestedStructure& 
                     read.warnings.empty() ? "none" : read.warnings.front().text);
 }
 
+bool is_universal(const std::string& path) {
+  const RecordingFormat format = recording_format(part_of_file(path).file);
+  return format == RecordingFormat::kUff || format == RecordingFormat::kUffBinary;
+}
+
+/// Whatever format the file has.
+FrequencyResponses responses_of(const TomlTable& test, const std::string& path,
+                                TestedStructure& read) {
+  if (is_universal(path)) {
+    refuse_idle(test, kResponseKey, "a file that is not universal");
+    return read_responses_uff(path, read.units);
+  }
+  for (const std::string_view key : {kLengthUnitKey, kForceUnitKey}) {
+    refuse_idle(test, key, "a universal file");
+  }
+  read.kept_as = "channels";
+  std::vector<ResponseChannel> channels;
+  if (test.has(kResponseKey)) {
+    for (const TomlTable& table : test.tables(kResponseKey)) {
+      channels.push_back(read_channel(table, *read.drive));
+    }
+  }
+  return read_recorded_responses(path, channels);
+}
+
 void read_frequency_responses(const TomlTable& test, std::string_view file, TestedStructure& read) {
   refuse_idle(test, kModalMassKey, kShapesKey);
   read.drive = read_drive(test);
@@ -97,9 +156,9 @@ void read_frequency_responses(const TomlTable& test, std::string_view file, Test
   }
   if (test.has(kDampingKey)) read.law = read_law(test);
   read.file = test.text(kResponsesKey);
-  const std::string path = path_beside(test, kResponsesKey, "a universal file", file);
+  const std::string path = path_beside(test, kResponsesKey, "a file of responses", file);
   FrequencyResponses responses = read_named(test, kResponsesKey, path, [&](const std::string& its) {
-    return read_responses_uff(its, read.units);
+    return responses_of(test, its, read);
   });
   read.responses = std::move(responses.responses);
   read.warnings = std::move(responses.warnings);
@@ -118,7 +177,7 @@ double read_unit_factor(const TomlTable& table, std::string_view key, const Dime
 
 TestedStructure read_tested_structure(const TomlTable& test, std::string_view file) {
   test.allow_only({kShapesKey, kResponsesKey, kDriveKey, kBandKey, kStartKey, kDampingKey,
-                   kModalMassKey, kLengthUnitKey, kForceUnitKey});
+                   kResponseKey, kModalMassKey, kLengthUnitKey, kForceUnitKey});
   if (test.has(kShapesKey) == test.has(kResponsesKey)) {
     throw FormatError(test.place(kResponsesKey), "in test one of the keys shapes and frfs",
                       test.has(kShapesKey) ? "both" : "neither");

@@ -277,11 +277,11 @@ TestedModes modes_of_responses(const TestedStructure& test, const TestedModesOpt
 
   const BandResponse& drive = cut[column.drive];
   tested.origin.push_back(
-      fmt::format("modes of a test: {} frequency responses (dataset 58) of {} to a force at {}, "
+      fmt::format("modes of a test: {} frequency responses ({}) of {} to a force at {}, "
                   "{:.6g} to {:.6g} "
                   "Hz, scaled by the drive point",
-                  cut.size(), test.file, freedom_name(*test.drive), drive.omega.front() / kCircle,
-                  drive.omega.back() / kCircle));
+                  cut.size(), test.kept_as, test.file, freedom_name(*test.drive),
+                  drive.omega.front() / kCircle, drive.omega.back() / kCircle));
   tell_misfits(column, fit, tested);
   tell_drive_compliance(column, fit, tested);
   check_reciprocity(test, column, tested);
