@@ -39,7 +39,7 @@ class LineReader {
     line.at_most = number("at_most");
     line.reference = text("reference", true);
     line.external = flag("external");
-    line.summary = flag("summary");
+    line.summary = static_cast<int>(number("summary").value_or(0.0));
     for (const auto& [key, value] : table_) {
       if (!known_.contains(std::string(key.str()))) fail(fmt::format("unknown key {}", key.str()));
     }

@@ -22,7 +22,7 @@ struct FigureLine {
   std::optional<double> at_most;
   std::string reference;  ///< what it is measured against
   bool external = false;  ///< needs data that are not in the repository
-  bool summary = false;   ///< stands in README.md too
+  int summary = 0;        ///< its place among the lines of README.md, from 1; 0: it is not there
 
   /// That tests pass is all.
   [[nodiscard]] bool counts_tests() const { return figure.empty(); }

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::string_view kOpen = "<!-- validation: ";
 constexpr std::string_view kClose = "<!-- end validation -->";
+constexpr std::string_view kAsAbove = "the same";
 constexpr std::string_view kNoData = "not measured, its data are not there";
 
 /// The lines of a text; what `inside` and `outside` make of each of a block (with its name) and of
@@ -136,17 +137,24 @@ std::string table_of(const std::vector<FigureLine>& lines, const Figures& figure
 
 Blocks tables_of(const std::vector<FigureTopic>& topics, const std::vector<Figures>& figures) {
   Blocks blocks;
-  std::string summary = "| what | measured | bound |\n|---|---|---|\n";
+  std::map<int, std::string> summary;  // by their places
   for (std::size_t t = 0; t < topics.size(); ++t) {
     const std::vector<FigureLine>& lines = topics[t].lines;
     blocks[topics[t].name] = table_of(lines, figures.at(t));
+    std::string against;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      if (!lines[i].summary) continue;
-      summary += fmt::format("| {} | {} | {} |\n", lines[i].what,
-                             figure_text(lines[i], figures[t].at(i)), bound_text(lines[i]));
+      const std::string& reference = lines[i].reference;
+      const bool as_above = reference.starts_with(kAsAbove);
+      if (!as_above) against = reference;
+      if (lines[i].summary == 0) continue;
+      const std::string rest = as_above ? reference.substr(kAsAbove.size()) : "";
+      summary[lines[i].summary] +=
+          fmt::format("| {} | {} | {} | {}{} |\n", lines[i].what,
+                      figure_text(lines[i], figures[t].at(i)), bound_text(lines[i]), against, rest);
     }
   }
-  blocks["summary"] = summary;
+  std::string& table = blocks["summary"] = "| what | measured | bound | against |\n|---|---|---|---|\n";
+  for (const auto& [place, text] : summary) table += text;
   return blocks;
 }
 

@@ -32,8 +32,8 @@ std::string with_blocks(const std::string& text, const Blocks& blocks);
 /// are missing.
 std::string table_of(const std::vector<FigureLine>& lines, const Figures& figures);
 
-/// The tables of all topics by their names, and `summary`, a short one of the lines that are marked
-/// so.
+/// The tables of all topics by their names, and `summary`, a short one of the lines that have a
+/// place in it.
 Blocks tables_of(const std::vector<FigureTopic>& topics, const std::vector<Figures>& figures);
 
 /// What table_of() shows as measured. @throws std::runtime_error  not such a table.
