@@ -153,7 +153,8 @@ Blocks tables_of(const std::vector<FigureTopic>& topics, const std::vector<Figur
                       figure_text(lines[i], figures[t].at(i)), bound_text(lines[i]), against, rest);
     }
   }
-  std::string& table = blocks["summary"] = "| what | measured | bound | against |\n|---|---|---|---|\n";
+  std::string& table = blocks["summary"] =
+      "| what | measured | bound | against |\n|---|---|---|---|\n";
   for (const auto& [place, text] : summary) table += text;
   return blocks;
 }
