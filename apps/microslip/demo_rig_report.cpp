@@ -67,8 +67,8 @@ std::string describe_density(const RigDemonstration& done) {
               found.joint.density().moments(reach).zeroth);
   for (const double share : {0.25, 0.5, 0.75}) {
     const double f = share * reach;
-    text += row(fmt::format("density at {:.1f} N [1/kN]", f), 1e3 * truth.density(f),
-                1e3 * found.joint.density().density(f));
+    text += row(fmt::format("density at {:.1f} N [1/N]", f), truth.density(f),
+                found.joint.density().density(f));
   }
   text += "\n";
   text += line("density error", fmt::format("{:.2f} % (relative L2 over 5 to 95 % of the range)",

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <array>
@@ -12,6 +13,7 @@
 #include <exception>
 #include <memory>
 #include <new>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -71,6 +73,30 @@ int complain(int status, std::string_view message) {
   return status;
 }
 
+/// "; --stiffness is near": the name that was probably meant, where there is one.
+std::string near_text(std::string_view name, const std::vector<std::string>& known) {
+  const std::string_view nearest = closest_name(name, {known.begin(), known.end()});
+  return nearest.empty() ? std::string() : fmt::format("; {} is near", nearest);
+}
+
+/// CLI11's "OPTION: VALUE not in {A,B}" in the form of all messages; others as they are.
+std::string value_fault(const std::string& text) {
+  constexpr std::string_view kNotIn = " not in {";
+  const std::size_t colon = text.find(": ");
+  const std::size_t list = text.find(kNotIn);
+  if (colon == std::string::npos || list == std::string::npos || list < colon ||
+      !text.ends_with('}')) {
+    return text;
+  }
+  std::vector<std::string> known;
+  std::istringstream names(
+      text.substr(list + kNotIn.size(), text.size() - list - kNotIn.size() - 1));
+  for (std::string name; std::getline(names, name, ',');) known.push_back(name);
+  const std::string value = text.substr(colon + 2, list - colon - 2);
+  return fmt::format("{} = '{}'; must be one of {}{}", text.substr(0, colon), value,
+                     fmt::join(known, ", "), near_text(value, known));
+}
+
 /// An option that the subcommand does not have, and the one that was probably meant.
 std::string unknown_option(const CLI::App& command, const std::string& argument) {
   const std::string name = argument.substr(0, argument.find('='));
@@ -78,9 +104,7 @@ std::string unknown_option(const CLI::App& command, const std::string& argument)
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& one : option->get_lnames()) known.push_back("--" + one);
   }
-  const std::string_view nearest = closest_name(name, {known.begin(), known.end()});
-  return fmt::format("There is no option {}{}", name,
-                     nearest.empty() ? "" : fmt::format("; {} is near", nearest));
+  return fmt::format("There is no option {}{}", name, near_text(name, known));
 }
 
 /// What CLI11 found, but for options and subcommands that do not exist: it says that there are
@@ -93,16 +117,15 @@ std::string fault_of(const CLI::App& program, const CLI::ParseError& error) {
         return "After -- all arguments are names of files: give options before it";
       if (argument.starts_with("--")) return unknown_option(*chosen.front(), argument);
     }
-    return error.what();
+    return value_fault(error.what());
   }
   const std::vector<std::string> rest = program.remaining();
   if (rest.empty()) return error.what();
-  std::string names;
-  for (const CLI::App* command : program.get_subcommands({})) {
-    names += (names.empty() ? "" : ", ") + command->get_name();
-  }
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
   if (rest.front().starts_with('-')) return unknown_option(program, rest.front());
-  return fmt::format("subcommand = '{}'; must be one of {}", rest.front(), names);
+  return fmt::format("subcommand = '{}'; must be one of {}{}", rest.front(), fmt::join(names, ", "),
+                     near_text(rest.front(), names));
 }
 
 /// What is printed is written as one: of a write in between only that it failed would be known, not

@@ -211,6 +211,37 @@ export function folder(path) {
   return path;
 }
 
+/** What a reader sees before he scrolls, on a desk and on a phone, in both themes: whether the joint is to be believed,
+    the names of the warnings, the density with its axes. All sections can be reached, and nothing is wider than the
+    screen. @param warnings  codes that must be named there. */
+export async function checkFirstScreen(browser, file, warnings, artefacts) {
+  for (const viewport of [{width: 1300, height: 900}, {width: 400, height: 850}]) {
+    for (const colorScheme of ['light', 'dark']) {
+      const name = `${viewport.width} ${colorScheme}`;
+      const {page, context, faults} = await open(browser, file, {viewport, colorScheme});
+      await page.screenshot({path: `${artefacts}/first_${name.replace(' ', '_')}.png`});
+      const box = (selector) => page.locator(selector).first().boundingBox();
+      const shown = ['.verdict', '#figure-0 .chart', ...(warnings.length > 0 ? ['.verdict .codes'] : [])];
+      for (const selector of shown) {
+        const {x, y, width, height} = await box(selector);
+        assert.ok(width > 0 && height > 0, `${name}: ${selector} is empty`);
+        assert.ok(x >= 0 && x + width <= viewport.width && y + height <= viewport.height,
+            `${name}: ${selector} ends at ${x + width}, ${y + height}`);
+      }
+      for (const code of warnings) {
+        assert.ok((await page.locator('.verdict .codes').first().textContent()).includes(code), `${name}: ${code}`);
+      }
+      const wide = await page.evaluate(() => [...document.querySelectorAll('body, nav a, nav button, figure, .chart, .table-block, .facts, .warnings li')]
+          .map((node) => [node.className || node.textContent, node.getBoundingClientRect().right])
+          .filter(([, right]) => right > innerWidth + 0.5));
+      assert.deepEqual(wide, [], name);
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), name);
+      assert.deepEqual(faults, [], name);
+      await context.close();
+    }
+  }
+}
+
 /** Saves what a button gives and returns its bytes. */
 export async function download(page, locator) {
   const [file] = await Promise.all([page.waitForEvent('download'), locator.click()]);

@@ -42,6 +42,8 @@ assert.deepEqual((await traces('Energies per cycle')).map(({name, points}) => [n
     [['identified joint', 160], ['truth', 160], ['input energy', 12], ['linear loss', 12],
       ['joint, D', 12]]);
 assert.deepEqual((await traces('Slip-force density')).map(({name}) => name),
+    ['95 % band', 'identified joint', 'truth']);
+assert.deepEqual((await tools.plotted(page, `#figure-${titles.lastIndexOf('Slip-force density')}`)).map(({name}) => name),
     ['95 % band', 'identified joint', 'truth', 'smoothing spline']);
 // Levels, five responses, and the true joint once in the legend.
 assert.equal((await traces('Frequency responses at constant response')).length, 7);

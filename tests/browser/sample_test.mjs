@@ -86,6 +86,20 @@ await test('log switches', async () => {
   assert.equal(await axis('Dissipation', 'yaxis'), 'log');
 });
 
+/** Numbers at the ticks of a logarithmic axis, as they are read. */
+const ticks = (title, name) => figure(title).locator(`.${name}tick text`).evaluateAll(
+    (all) => all.map((one) => one.textContent));
+
+// Powers of ten over three and more of them, else 1, 2, 5; of a part of a decade that a zoom shows, too.
+await test('log axes are labelled as pictures for paper are', async () => {
+  for (const label of await ticks('Dissipation', 'y')) assert.match(label, /^10−?\d$/);
+  await page.evaluate(() => Plotly.relayout(document.querySelector('#figure-0 .chart'), {'xaxis.range': [1, 2.2]}));
+  await page.waitForFunction(() => document.querySelectorAll('#figure-0 .xtick').length === 4);
+  assert.deepEqual(await ticks('Dissipation', 'x'), ['10', '20', '50', '100']);
+  await press('Dissipation', 'Reset');
+  await page.waitForFunction(() => document.querySelectorAll('#figure-0 .xtick').length !== 4);
+});
+
 await test('the legend switches traces', async () => {
   const made = figure('Dissipation').locator('.legend button').first();
   await made.click();

@@ -40,6 +40,7 @@ TEST(BadCall, OfTheProgram) {
   expect_all_refused({}, {{{}, {"A subcommand is required", "microslip --help"}},
                           {{"guess"}, {"'guess'", "identify", "loop", "dissipation", "demo"}},
                           {{"Identify"}, {"'Identify'", "must be one of"}},
+                          {{"identfy"}, {"'identfy'", "; identify is near"}},
                           {{"--bogus"}, {"--bogus", "microslip --help"}},
                           {{""}, {"''"}}});
 }
@@ -55,6 +56,8 @@ TEST(BadCall, MissingOrSuperfluous) {
            {{"loop", "joint.json", "--path", "path.csv", "--amplitude", "1um", "--out", "l.csv"},
             {"--path", "--amplitude"}},
            {{"dissipation", "joint.json", "--out", "c.csv"}, {"--amplitude is required"}},
+           {{"plot", ".", "--figure", "denisty"},
+            {"--figure = 'denisty'; must be one of energies, ", "; density is near"}},
            {{"demo", "here"}, {"here", "microslip demo --help"}}});
   expect_all_refused(kIdentify,
                      {{{"more.csv"}, {"more.csv"}},

@@ -68,6 +68,40 @@ TEST(report, TakesTheOptionsOfTheJoint) {
                             "<dt>option smoothing</dt><dd>lambda=0.125</dd>"});
 }
 
+/// The eight levels of the Brake–Reuß beam, whose frequency rises where a joint only softens.
+void identify_contradicted_in(const Sandbox& box) {
+  put_in_test(box, {{"levels.csv", test::get(MICROSLIP_EXAMPLES "/brake_reuss_beam/levels.csv")}});
+  expect_done(box, {"identify", "test/levels.csv", "--stiffness", "5.08e5", "--out",
+                    "test/joint.json", "--quiet"});
+}
+
+TEST(report, BeginsWithWhatTheLevelsContradict) {
+  const Sandbox box;
+  identify_contradicted_in(box);
+  const std::string html =
+      expect_done(box, {"report", "test", "--out", "-", "--no-pictures"}).out;
+  const std::size_t verdict =
+      html.find("Not a joint of sliders under a constant load (frequency: does not fall as D says)");
+  ASSERT_NE(verdict, std::string::npos);
+  EXPECT_LT(verdict, html.find("<figure"));
+  EXPECT_LT(html.find("<code>frequency_rises</code>"), html.find("<figure"));
+  expect_parts_of(html, {"<dt>joint amplitude</dt><dd>19.6 to 315 µm, 8 levels</dd>",
+                         "frequency: does not fall as D says: 0.41 %"});
+}
+
+TEST(report, RefusesADepartureWithoutItsNumbers) {
+  const Sandbox box;
+  identify_contradicted_in(box);
+  const std::string joint = box.get("test/joint.json");
+  const std::size_t key = joint.find("\"verdict_noise\": [");
+  ASSERT_NE(key, std::string::npos);
+  const std::size_t from = joint.find('[', key) + 1;
+  box.put("test/joint.json",
+          joint.substr(0, from) + "0.5, 0.5, 0.5, " + joint.substr(from));
+  expect_refused(box, {"report", "test", "--out", "r.html"},
+                 {"identification.verdict_noise", "must be 1", "Identify the joint again"});
+}
+
 TEST(report, RefusesABandWithoutAValueForEachForce) {
   const Sandbox box;
   identify_in(box);

@@ -112,7 +112,8 @@ TEST(Csv, ReadsTheHeaderOfAPieceOfATable) {
 TEST(CsvFault, Empty) {
   EXPECT_EQ(
       fault(""),
-      "t.csv: expected a header such as 'amplitude [m],dissipation [J]', found an empty file");
+      "t.csv: expected a header such as 'amplitude [m],dissipation [J]', found an empty file. Was "
+      "it written to its end?");
   EXPECT_EQ(fault("\n# only this\n \n"),
             "t.csv: expected a header such as 'amplitude [m],dissipation [J]', found nothing but "
             "blanks and comments");

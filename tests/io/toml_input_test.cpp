@@ -136,6 +136,11 @@ TEST(TomlInput, RefusesWhatIsNoTomlAtAll) {
   EXPECT_EQ(syntax_fault("\xEF\xBB\xBF \r\n\t\n"), "a.toml: expected TOML, found an empty file");
   EXPECT_EQ(syntax_fault("{\"schema\": 1}"),
             "a.toml: expected TOML, found JSON. Is it the right file?");
+  for (const char* table : {"time [s],force [N]\n0,1\n", "# a test\n\n A [m];D [J]\r\n1;2\r\n"}) {
+    EXPECT_EQ(syntax_fault(table),
+              "a.toml: expected TOML, found a table of comma-separated values. Is it the right "
+              "file?");
+  }
   EXPECT_EQ(syntax_fault("\x89HDF\r\n\x1A\n"),
             "a.toml: expected TOML, found an HDF5 file. Is it the right file?");
   EXPECT_EQ(syntax_fault("\1\2\0\xFF"s),

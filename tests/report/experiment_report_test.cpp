@@ -69,9 +69,12 @@ const ReportSection& section(const ReportDocument& document, std::string_view ti
   return *std::ranges::find(document.sections, title, &ReportSection::title);
 }
 
-const ReportFigure& figure(const ReportDocument& document, std::string_view title) {
+/// The first of that title, or the one of a section.
+const ReportFigure& figure(const ReportDocument& document, std::string_view title,
+                           std::string_view of = {}) {
   static const ReportFigure kNone;
   for (const ReportSection& part : document.sections) {
+    if (!of.empty() && part.title != of) continue;
     for (const ReportBlock& block : part.blocks) {
       const auto* found = std::get_if<ReportFigure>(&block);
       if (found != nullptr && found->figure.title == title) return *found;
@@ -81,7 +84,8 @@ const ReportFigure& figure(const ReportDocument& document, std::string_view titl
   return kNone;
 }
 
-const ReportFigure& figure(const ReportDocument&& document, std::string_view title) = delete;
+const ReportFigure& figure(const ReportDocument&& document, std::string_view title,
+                           std::string_view of = {}) = delete;
 
 /// The points of a line, marks, bars or a band.
 struct Drawn {
@@ -216,11 +220,11 @@ TEST(ExperimentReport, EnergiesAreInMillijoulesOverMicrometres) {
   EXPECT_DOUBLE_EQ(trace(share, "linear loss").y[0], 50.0);
 }
 
-// φ of the uniform joint is 1/40 N everywhere, so 25 1/kN; D′ = 4Φ1(kA) = 2 (kA)²/40 N.
+// φ of the uniform joint is 1/40 N everywhere; D′ = 4Φ1(kA) = 2 (kA)²/40 N.
 TEST(ExperimentReport, DensityAndSlopeOfAUniformJoint) {
   const ReportDocument document = experiment_report(exact_results());
-  const ReportFigure& density = figure(document, "Slip-force density");
-  for (const double value : trace(density, "truth").y) EXPECT_DOUBLE_EQ(value, 25.0);
+  const ReportFigure& density = figure(document, "Slip-force density", "Density");
+  for (const double value : trace(density, "truth").y) EXPECT_DOUBLE_EQ(value, 0.025);
   EXPECT_EQ(trace(density, "95 % band").x, (std::vector{15.0, 30.0}));  // not below 0.9 kA_min
   EXPECT_FALSE(trace(density, "differences").shown);
   const ReportFigure& slope = figure(document, "Slope of the dissipation");
@@ -338,6 +342,66 @@ TEST(ExperimentReport, TellsWhatSlipsInTheCoveredRange) {
   results.joint->covered_to = 40.0;
   const std::string all = summary_text(experiment_report(results));
   EXPECT_TRUE(contains(all, "100.0 % of its stiffness slips at slip forces up to 40 N.\n")) << all;
+}
+
+/// The block of the summary that comes first.
+ReportVerdict verdict_of(const ExperimentResults& results) {
+  const ReportDocument document = experiment_report(results);
+  return std::get<ReportVerdict>(section(document, "Summary").blocks.front());
+}
+
+// The density, whether it is to be believed, what predictions reach and what to worry about stand
+// before all else.
+TEST(ExperimentReport, BeginsWithVerdictDensityReachAndWarnings) {
+  ExperimentResults results = exact_results();
+  const ReportDocument document = experiment_report(results);
+  const std::vector<ReportBlock>& blocks = section(document, "Summary").blocks;
+  EXPECT_FALSE(std::get<ReportVerdict>(blocks[0]).doubtful);
+  EXPECT_EQ(std::get<ReportVerdict>(blocks[0]).codes, std::vector<std::string>{"levels_flagged"});
+  const auto& density = std::get<ReportFigure>(blocks[1]);
+  EXPECT_EQ(density.figure.y.unit, "1/N");
+  EXPECT_EQ(trace(density, "95 % band").y.size(), 2U);
+  EXPECT_TRUE(std::get<ReportFacts>(blocks[2]).prominent);
+  EXPECT_TRUE(std::get<ReportFacts>(blocks[3]).beside);
+  EXPECT_TRUE(std::get<ReportWarnings>(blocks[4]).beside);
+}
+
+TEST(ExperimentReport, SaysWhatTheLevelsWereTestedFor) {
+  ExperimentResults results = exact_results();
+  EXPECT_TRUE(contains(verdict_of(results).text, "Not tested whether"));
+  results.joint->verdicts = {{"secant_against_dissipation", 0.001, 0.002, false},
+                             {"frequency_against_dissipation", 0.001, 0.002, false}};
+  EXPECT_TRUE(contains(verdict_of(results).text, "2 departures looked for, none found"));
+  EXPECT_FALSE(verdict_of(results).doubtful);
+  results.joint->verdicts[1].broken = true;
+  EXPECT_TRUE(contains(verdict_of(results).text, "frequency: does not fall as D says"));
+  EXPECT_TRUE(verdict_of(results).doubtful);
+  results.joint->verdicts.clear();
+  results.joint->status = "no_progress";
+  EXPECT_TRUE(contains(verdict_of(results).text, "did not converge (no_progress)"));
+  EXPECT_TRUE(verdict_of(results).doubtful);
+}
+
+// Up to kA = 30 N of 40 three quarters of k slip.
+TEST(ExperimentReport, SaysHowFarPredictionsReach) {
+  ExperimentResults results = exact_results();
+  results.levels->force_amplitude.assign(kLevels, 2.0);
+  results.levels->force_amplitude[0] = 0.5;
+  results.levels->response_amplitude.assign(kLevels, std::nan(""));
+  std::string text = summary_text(experiment_report(results));
+  EXPECT_TRUE(contains(text, "joint amplitude = 15 to 300 µm, 20 levels")) << text;
+  EXPECT_TRUE(contains(text, "force of the exciter = 0.5 to 2 N")) << text;
+  EXPECT_TRUE(contains(text, "response = not measured")) << text;
+  EXPECT_TRUE(contains(text, "larger motions = not known: 25.0 % of k has not slipped")) << text;
+  EXPECT_TRUE(contains(text, "error of predictions = not verified")) << text;
+  results.joint->from_these_levels = false;
+  results.joint->covered_to = 40.0;
+  text = summary_text(experiment_report(results));
+  EXPECT_TRUE(contains(text, "joint amplitude = 15 to 400 µm\n")) << text;
+  EXPECT_TRUE(contains(text, "larger motions = known: all of the stiffness has slipped")) << text;
+  results.joint->covered_from.reset();
+  text = summary_text(experiment_report(results));
+  EXPECT_TRUE(contains(text, "joint amplitude = not told by its file")) << text;
 }
 
 TEST(ExperimentReport, ShowsAtoms) {
@@ -468,7 +532,7 @@ TEST(ExperimentReport, PredictionsOfAnotherJointAreNotItsError) {
   results.predictions_are_of_this_joint = false;
   const ReportDocument document = experiment_report(results);
   const std::string text = summary_text(document);
-  EXPECT_TRUE(contains(text, "error of the prediction = not told")) << text;
+  EXPECT_TRUE(contains(text, "error of predictions = not told")) << text;
   const auto& first = std::get<ReportText>(section(document, "Prediction").blocks[0]);
   EXPECT_TRUE(contains(first.text, "another joint or rig")) << first.text;
 }
@@ -660,9 +724,11 @@ TEST(ExperimentReport, PredictionsAndTheWorstOfThem) {
   misfit.chosen = 1;
   EXPECT_EQ(trace(misfit, "prediction").x, (std::vector{1.0, 2.0}));
   EXPECT_EQ(trace(misfit, "noise alone").y, (std::vector{0.5, 25.0}));
-  const auto& certainty = std::get<ReportFacts>(section(document, "Summary").blocks.back());
-  EXPECT_EQ(certainty.facts.back().second,
-            "at most 16.6 % beyond the noise (acc1, b.csv); NRMSE with the noise at most 30.0 %");
+  EXPECT_TRUE(
+      contains(summary_text(document),
+               "error of predictions = at most 16.6 % beyond the noise (acc1, b.csv); NRMSE "
+               "with the noise at most 30.0 %; records of 1 to 2 m/s²"))
+      << summary_text(document);
 }
 
 TEST(ExperimentReport, ARecordHasItsResponseBesideItsName) {
@@ -791,17 +857,21 @@ TEST(ReportOfRecords, BeginsWithDensityVerdictsAndWarnings) {
             (std::vector<std::string>{"Summary", "Force along the record", "Measured loops",
                                       "Dissipation and stiffness", "Records", "Provenance"}));
   const ReportSection& summary = document.sections.front();
-  const auto& facts = std::get<ReportFacts>(summary.blocks[1]);
+  const auto& verdict = std::get<ReportVerdict>(summary.blocks[0]);
+  EXPECT_TRUE(verdict.doubtful);
+  EXPECT_TRUE(contains(verdict.text, "(asymmetry: sides differ). What is shown")) << verdict.text;
+  EXPECT_EQ(std::get<ReportFigure>(summary.blocks[1]).figure.title, "Slip-force density");
+  EXPECT_TRUE(std::get<ReportTable>(summary.blocks[3]).beside);
+  EXPECT_TRUE(std::get<ReportFacts>(summary.blocks[4]).beside);
+  const auto& warnings = std::get<ReportWarnings>(summary.blocks[5]).warnings;
+  ASSERT_EQ(warnings.size(), 2U) << "one of each record, of the same code";
+  EXPECT_EQ(warnings[1].text, "record 2: two");
+  const auto& facts = std::get<ReportFacts>(summary.blocks[2]);
   EXPECT_EQ(facts.facts[0], (std::pair<std::string, std::string>{"stuck stiffness k, 95 % band",
                                                                  "100.0 ± 2.0 kN/m"}));
   EXPECT_EQ(facts.facts[2],
             (std::pair<std::string, std::string>{"force unexplained, at most", "4.0 %"}));
   EXPECT_EQ(facts.facts[3], (std::pair<std::string, std::string>{"departures found", "1 of 2"}));
-  const auto& warnings = std::get<ReportWarnings>(summary.blocks[2]).warnings;
-  ASSERT_EQ(warnings.size(), 2U) << "one of each record, of the same code";
-  EXPECT_EQ(warnings[1].text, "record 2: two");
-  EXPECT_EQ(std::get<ReportFigure>(summary.blocks[3]).figure.title, "Slip-force density");
-  EXPECT_TRUE(std::get<ReportTable>(summary.blocks[4]).beside);
 }
 
 TEST(ReportOfRecords, ShowsEachDepartureWhereItStandsOutMost) {

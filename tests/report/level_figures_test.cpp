@@ -146,14 +146,14 @@ TEST(DensityFigure, HasBandTruthOthersAndWhereLevelsAre) {
   known.joint->band_upper = {1.0, 0.06, 0.06};
   const Figure figure = density_figure(known, {.others = {{"fit", uniform_joint()}}});
   EXPECT_EQ(axis_text(figure.x), "slip force f* [N]");
-  EXPECT_EQ(axis_text(figure.y), "density φ [1/kN]");
+  EXPECT_EQ(axis_text(figure.y), "density φ [1/N]");
   // Below the lowest level the band is an assumption.
   EXPECT_EQ(layer<BandLayer>(figure, "90 % band").x, (Numbers{2.0, 10.0}));
-  expect_near(layer<BandLayer>(figure, "90 % band").upper, {60.0, 60.0});
+  expect_near(layer<BandLayer>(figure, "90 % band").upper, {0.06, 0.06});
   EXPECT_EQ(layer<LineLayer>(figure, "identified joint").x.front(), 1.8);
   for (const char* name : {"identified joint", "truth", "fit"}) {
     const auto& line = layer<LineLayer>(figure, name);
-    for (const double density : line.y) EXPECT_NEAR(density, 50.0, 1e-9) << name;
+    for (const double density : line.y) EXPECT_NEAR(density, 0.05, 1e-12) << name;
     EXPECT_EQ(line.x.back(), 10.0);
   }
   EXPECT_EQ(layer<LineLayer>(figure, "truth").stroke.style, LineStyle::kDashed);

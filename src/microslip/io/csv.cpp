@@ -48,7 +48,8 @@ class CsvTable::Parser {
     }
     if (position_ == end_) {
       throw FormatError({table_.file_, 0, 0}, fmt::format("a header such as {}", kExampleHeader),
-                        text_.empty() ? "an empty file" : "nothing but blanks and comments");
+                        text_.empty() ? "an empty file" : "nothing but blanks and comments",
+                        "Was it written to its end?");
     }
     table_.header_start_ = offset(position_);
     const std::string_view rest = text_.substr(table_.header_start_);
@@ -71,7 +72,7 @@ class CsvTable::Parser {
     }
     if (table_.rows() == 0) {
       throw FormatError(scanner_.place(end_), "a row of values below the header",
-                        "the end of the file");
+                        "the end of the file", "Was it written to its end?");
     }
   }
 

@@ -61,7 +61,8 @@ class CsvRecordingReader {
   [[noreturn]] void throw_no_header() const {
     throw FormatError(
         {file_.name(), 0, 0}, "a header such as 'time [s],force [N],acc1 [m/s^2]'",
-        blocks_.bytes_done() == 0 ? "an empty file" : "nothing but blanks and comments");
+        blocks_.bytes_done() == 0 ? "an empty file" : "nothing but blanks and comments",
+        "Was it written to its end?");
   }
 
   void read_block() {

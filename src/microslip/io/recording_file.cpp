@@ -75,7 +75,8 @@ RecordingFormat format_of(std::string_view head, const std::string& name) {
     return RecordingFormat::kHdf5;
   }
   if (found.empty()) return RecordingFormat::kCsv;
-  throw FormatError({name, 0, 0}, "a recording in CSV, a universal file, MATLAB or HDF5", found);
+  throw FormatError({name, 0, 0}, "a recording in CSV, a universal file, MATLAB or HDF5", found,
+                    found == "UTF-16 text" ? "Save it as UTF-8." : "Is it the right file?");
 }
 
 void require_rewind(InputStream& file) {

@@ -50,8 +50,11 @@ InputError wrong_type(std::string_view name, std::string_view found, std::string
 void check_schema(const TextPlace& place, std::string_view found, std::string_view schema,
                   std::string_view content) {
   if (found == schema) return;
+  const bool rig_as_model = found.starts_with("microslip.rig/") && content == "a model";
   throw FormatError(place, fmt::format("the schema '{}'", schema), in_quotes(found),
-                    fmt::format("Is it {}, and of this version of the program?", content));
+                    rig_as_model
+                        ? std::string("Make a model of it: microslip model RIG.toml JOINT.json.")
+                        : fmt::format("Is it {}, and of this version of the program?", content));
 }
 
 }  // namespace microslip

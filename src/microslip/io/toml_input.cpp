@@ -34,9 +34,24 @@ std::string name_of(const toml::node& node, std::string_view file, std::string_v
                   in_quotes(error.description(), kLongest)));
 }
 
+/// Whether the first line that is no comment is the header of a table: commas, and neither a value
+/// nor a [table].
+bool begins_as_csv(std::string_view text) {
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    if (first == std::string_view::npos || line[first] == '#') continue;
+    return line[first] != '[' && line.find('=') == std::string_view::npos &&
+           line.find_first_of(",;") != std::string_view::npos;
+  }
+  return false;
+}
+
 void require_toml(std::string_view text, std::string_view file) {
   require_content(text, "TOML", file);
-  const std::string_view other = signature(text);
+  std::string_view other = signature(text);
+  if (other.empty() && begins_as_csv(text)) other = "a table of comma-separated values";
   if (!other.empty()) {
     throw FormatError({std::string(file), 0, 0}, "TOML", other, "Is it the right file?");
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -15,6 +16,8 @@
 #include "microslip/report/calibration_figures.hpp"
 #include "microslip/report/calibration_layers.hpp"
 #include "microslip/report/calibration_sections.hpp"
+#include "microslip/report/prediction_reach.hpp"
+#include "microslip/report/verdict_block.hpp"
 #include "microslip/workflow/summary_text.hpp"
 
 namespace microslip {
@@ -75,7 +78,7 @@ std::string scatter_text(double scatter, bool relative) {
 }
 
 ReportFacts key_facts_of_calibration(const CalibrationSummary& found) {
-  ReportFacts facts{.prominent = true};
+  ReportFacts facts{.prominent = true, .beside = true};
   const auto add = [&](std::string name, std::string value) {
     facts.facts.emplace_back(std::move(name), std::move(value));
   };
@@ -158,6 +161,52 @@ ReportFacts certainty_of_calibration(const CalibrationSummary& found) {
   return facts;
 }
 
+/// What is to be believed of joints that were found together.
+ReportVerdict verdict_on_joints(const ExperimentResults& results,
+                                const std::vector<Warning>& warnings) {
+  const CalibrationSummary& found = *results.calibration;
+  ReportVerdict verdict{.text = {}, .codes = codes_of(warnings)};
+  if (found.status != kConvergedStatus) {
+    verdict.text =
+        fmt::format("The iteration did not converge ({}): do not rely on it. ", found.status);
+  }
+  std::vector<std::string> doubtful;
+  for (const JointSummary& joint : found.joints) {
+    if (is_doubtful(found, joint.name, most_told(results, joint.name))) {
+      doubtful.push_back(joint.name);
+    }
+  }
+  verdict.doubtful = !verdict.text.empty() || !doubtful.empty();
+  verdict.text +=
+      doubtful.empty()
+          ? fmt::format("{} told apart by the levels.",
+                        found.joints.size() == 1 ? "The density is" : "The densities are")
+          : fmt::format("Not to be believed by itself: {}.", names_text(doubtful));
+  return verdict;
+}
+
+void add_calibration(const ExperimentResults& results, ReportSection& section) {
+  const auto add = [&section](auto block) { section.blocks.emplace_back(std::move(block)); };
+  const CalibrationSummary& found = *results.calibration;
+  ReportWarnings warnings{.warnings = results.warnings, .beside = true};
+  std::ranges::copy(found.warnings, std::back_inserter(warnings.warnings));
+  add(verdict_on_joints(results, warnings.warnings));
+  if (results.densities.empty()) {
+    add(ReportMissing{"No densities: no identifiability.csv in this folder.", kCalibrate});
+  } else {
+    add(ReportFigure{.figure = densities_figure(results)});
+  }
+  add(key_facts_of_calibration(found));
+  add(joints_table(results));
+  add(reach_of_calibration(results));
+  add(warnings);
+  add(ReportText{lead_of_calibration(results)});
+  add(certainty_of_calibration(found));
+  add(
+      ReportText{"Not examined: whether the modes of the model, the stiffness of the joints, their "
+                 "shapes and the gains of the sensors are right, and whether the test repeats."});
+}
+
 }  // namespace
 
 bool has_calibration(const ExperimentResults& results) {
@@ -167,34 +216,19 @@ bool has_calibration(const ExperimentResults& results) {
 ReportSection calibration_summary_section(const ExperimentResults& results) {
   ReportSection section{.title = "Summary", .blocks = {}};
   if (results.calibration) {
-    section.blocks.emplace_back(ReportText{lead_of_calibration(results)});
-    section.blocks.emplace_back(key_facts_of_calibration(*results.calibration));
-  } else {
-    section.blocks.emplace_back(ReportMissing{
-        joint_count(results) > 0
-            ? "No calibration.json in this folder: which joints are known only together, scatter "
-              "and what to worry about are not told."
-            : "Levels of modes as measured: no joint was found from them yet.",
-        kCalibrate});
+    add_calibration(results, section);
+    return section;
   }
-  ReportWarnings warnings{results.warnings};
-  if (results.calibration) {
-    std::ranges::copy(results.calibration->warnings, std::back_inserter(warnings.warnings));
-  }
-  if (!warnings.warnings.empty()) section.blocks.emplace_back(warnings);
+  section.blocks.emplace_back(ReportMissing{
+      joint_count(results) > 0
+          ? "No calibration.json in this folder: which joints are known only together, scatter "
+            "and what to worry about are not told."
+          : "Levels of modes as measured: no joint was found from them yet.",
+      kCalibrate});
   if (!results.densities.empty()) {
     section.blocks.emplace_back(ReportFigure{.figure = densities_figure(results)});
-  } else if (results.calibration) {
-    section.blocks.emplace_back(
-        ReportMissing{"No densities: no identifiability.csv in this folder.", kCalibrate});
   }
-  if (results.calibration) {
-    section.blocks.emplace_back(joints_table(results));
-    section.blocks.emplace_back(certainty_of_calibration(*results.calibration));
-    section.blocks.emplace_back(ReportText{
-        "Not examined: whether the modes of the model, the stiffness of the joints, their shapes "
-        "and the gains of the sensors are right, and whether the test repeats."});
-  }
+  section.blocks.emplace_back(ReportWarnings{.warnings = results.warnings, .beside = true});
   return section;
 }
 

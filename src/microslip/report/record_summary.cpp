@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,28 +14,14 @@
 
 #include "microslip/base/percent.hpp"
 #include "microslip/report/density_figure.hpp"
+#include "microslip/report/prediction_reach.hpp"
 #include "microslip/report/record_sections.hpp"
+#include "microslip/report/verdict_block.hpp"
 #include "microslip/workflow/summary_text.hpp"
 #include "microslip/workflow/verdict.hpp"
 
 namespace microslip {
 namespace {
-
-/// What a departure is, by its code; the code itself of one that is not known here.
-std::string departure_text(const std::string& code) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kTexts = {{
-      {"rate_dependent", "rate: force follows velocity"},
-      {"asymmetric", "asymmetry: sides differ"},
-      {"dead_zone", "dead zone: no force about 0"},
-      {"drifts", "drift: force grows or falls"},
-      {"offset_drifts", "offset: zero moves"},
-      {"not_masing", "not Masing: branches differ"},
-      {"records_contradict", "not the other records' joint"},
-  }};
-  const auto* known =
-      std::ranges::find(kTexts, code, &std::pair<std::string_view, std::string_view>::first);
-  return std::string(known == kTexts.end() ? std::string_view(code) : known->second);
-}
 
 /// A departure in one record.
 struct Judged {
@@ -107,7 +93,7 @@ std::string lead_of_records(const ExperimentResults& results) {
 ReportFacts key_facts_of_records(const IdentifiedJoint& joint) {
   const FoundByRecords& found = *joint.by_records;
   const std::vector<Judged> verdicts = verdicts_of(found);
-  ReportFacts facts{.prominent = true};
+  ReportFacts facts{.prominent = true, .beside = true};
   const auto add = [&](std::string name, std::string value) {
     facts.facts.emplace_back(std::move(name), std::move(value));
   };
@@ -189,18 +175,25 @@ ReportFacts certainty_of_records(const IdentifiedJoint& joint) {
 ReportSection record_summary_section(const ExperimentResults& results) {
   const IdentifiedJoint& joint = *results.joint;
   ReportSection section{.title = "Summary", .blocks = {}};
-  section.blocks.emplace_back(ReportText{lead_of_records(results)});
-  section.blocks.emplace_back(key_facts_of_records(joint));
-  const ReportWarnings warnings{warnings_of(results, {})};
-  if (!warnings.warnings.empty()) section.blocks.emplace_back(warnings);
-  if (joint.joint.density().largest_slip_force() > 0.0) {
-    section.blocks.emplace_back(ReportFigure{.figure = density_figure(results)});
-  } else {
-    section.blocks.emplace_back(ReportMissing{"No density: no part of the joint slips."});
+  const auto add = [&section](auto block) { section.blocks.emplace_back(std::move(block)); };
+  const ReportWarnings warnings{.warnings = warnings_of(results, {}), .beside = true};
+  std::vector<DepartureFound> looked_for;
+  for (const RecordFound& record : joint.by_records->records) {
+    std::ranges::copy(record.verdicts, std::back_inserter(looked_for));
   }
-  section.blocks.emplace_back(verdict_table(*joint.by_records));
-  section.blocks.emplace_back(certainty_of_records(joint));
-  section.blocks.emplace_back(
+  add(verdict_on_joint(looked_for, joint.status, warnings.warnings));
+  if (joint.joint.density().largest_slip_force() > 0.0) {
+    add(ReportFigure{.figure = density_figure(results)});
+  } else {
+    add(ReportMissing{"No density: no part of the joint slips."});
+  }
+  add(key_facts_of_records(joint));
+  add(verdict_table(*joint.by_records));
+  add(reach_of_records(joint));
+  add(warnings);
+  add(ReportText{lead_of_records(results)});
+  add(certainty_of_records(joint));
+  add(
       ReportText{"Not examined: whether the gains of force and displacement are right, whether the "
                  "displacement is that across the joint alone, and whether the test repeats."});
   return section;

@@ -73,6 +73,7 @@ struct ReportFacts {
   std::vector<std::pair<std::string, std::string>> facts = {};  ///< names and values
   bool prominent = false;   ///< large figures, for the few that matter most
   bool one_column = false;  ///< for long values
+  bool beside = false;      ///< stands beside the figure before it where there is room
 };
 
 /// A paragraph.
@@ -83,6 +84,14 @@ struct ReportText {
 /// What to worry about. Never hidden.
 struct ReportWarnings {
   std::vector<Warning> warnings = {};  ///< in the order shown
+  bool beside = false;                 ///< stands beside the figure before it where there is room
+};
+
+/// What a report says first: whether its result is to be believed, and what it is warned of.
+struct ReportVerdict {
+  std::string text;                ///< a sentence or two
+  bool doubtful = false;           ///< whether the text is a warning
+  std::vector<std::string> codes;  ///< of the warnings of the section, which tell more
 };
 
 /// What is not there, and the command that makes it.
@@ -92,8 +101,8 @@ struct ReportMissing {
 };
 
 /// A piece of a section.
-using ReportBlock =
-    std::variant<ReportText, ReportFacts, ReportWarnings, ReportMissing, ReportTable, ReportFigure>;
+using ReportBlock = std::variant<ReportText, ReportFacts, ReportVerdict, ReportWarnings,
+                                 ReportMissing, ReportTable, ReportFigure>;
 
 /// A part of the report under a heading.
 struct ReportSection {

@@ -38,12 +38,16 @@ std::string rounded(double number, int digits) {
 
 /// Whether it stands among figures.
 bool is_beside(const ReportBlock& block) {
-  const auto* table = std::get_if<ReportTable>(&block);
-  return table && table->beside;
+  return std::visit(
+      [](const auto& content) {
+        if constexpr (requires { content.beside; }) return content.beside;
+        return false;
+      },
+      block);
 }
 
 /// Those over the width of the page: two that follow each other stand side by side, as a figure and
-/// the table that belongs beside it do, and one that is left has the width for itself.
+/// what belongs beside it do, and one that is left has the width for itself.
 std::set<const ReportFigure*> wide_figures(const ReportSection& section) {
   std::set<const ReportFigure*> wide;
   const ReportFigure* alone = nullptr;
@@ -74,14 +78,18 @@ class Page {
 
   void add(const ReportSection& section, std::size_t index) {
     const std::string id = section_id(index, section);
+    warnings_id_ = id + "-warnings";
     wide_ = wide_figures(section);
     html_ += fmt::format("<section id=\"{0}\" aria-labelledby=\"{0}-title\">\n", id);
     html_ += fmt::format("<h2 id=\"{}-title\">{}</h2>\n", id, html_text(section.title));
     for (const ReportBlock& block : section.blocks) {
-      group_figures(std::holds_alternative<ReportFigure>(block) ||
-                    (in_figures_ && is_beside(block)));
+      const bool is_figure = std::holds_alternative<ReportFigure>(block);
+      const bool beside = in_figures_ && is_beside(block);
+      group_beside(beside);
+      group_figures(is_figure || beside);
       std::visit([this](const auto& content) { write(content); }, block);
     }
+    group_beside(false);
     group_figures(false);
     html_ += "</section>\n";
   }
@@ -94,6 +102,13 @@ class Page {
     if (is_figure == in_figures_) return;
     html_ += is_figure ? "<div class=\"figures\">\n" : "</div>\n";
     in_figures_ = is_figure;
+  }
+
+  /// What stands beside a figure, one below the other.
+  void group_beside(bool is_beside) {
+    if (is_beside == in_beside_) return;
+    html_ += is_beside ? "<div class=\"beside\">\n" : "</div>\n";
+    in_beside_ = is_beside;
   }
 
   void write(const ReportText& block) {
@@ -119,9 +134,24 @@ class Page {
     html_ += "</dl>\n";
   }
 
+  void write(const ReportVerdict& block) {
+    html_ += fmt::format("<div class=\"verdict{}\">\n<p>{}</p>\n",
+                         block.doubtful ? " doubtful" : "", html_text(block.text));
+    if (!block.codes.empty()) {
+      html_ += fmt::format("<p class=\"codes\"><a href=\"#{}\">{} warning{}</a>:", warnings_id_,
+                           block.codes.size(), block.codes.size() == 1 ? "" : "s");
+      for (const std::string& code : block.codes) {
+        html_ += fmt::format(" <code>{}</code>", html_text(code));
+      }
+      html_ += "</p>\n";
+    }
+    html_ += "</div>\n";
+  }
+
   void write(const ReportWarnings& block) {
     if (block.warnings.empty()) return;
-    html_ += "<ul class=\"warnings\" aria-label=\"Warnings\">\n";
+    html_ +=
+        fmt::format("<ul id=\"{}\" class=\"warnings\" aria-label=\"Warnings\">\n", warnings_id_);
     for (const Warning& warning : block.warnings) {
       html_ += fmt::format("<li>{} <code>{}</code></li>\n", html_text(warning.text),
                            html_text(warning.code));
@@ -222,8 +252,10 @@ class Page {
   const HtmlReportOptions& options_;
   std::size_t room_;
   std::string html_;
+  std::string warnings_id_;
   std::set<const ReportFigure*> wide_;
   bool in_figures_ = false;
+  bool in_beside_ = false;
   std::size_t figures_ = 0;
 };
 

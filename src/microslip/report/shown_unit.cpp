@@ -136,15 +136,6 @@ ShownUnit shown_unit(std::string_view si_unit, double largest) {
   if (si_unit == "m/s^2") return {"m/s²", 1.0};
   if (si_unit == "%") return {"%", 0.01};
   if (si_unit == "°") return {"°", std::numbers::pi / 180.0};
-  if (si_unit == "1/N") {
-    // 0.03 1/N are 30 1/kN: the smallest of these that gives 0.1 or more.
-    for (auto prefix = kPrefixes.rbegin(); prefix != kPrefixes.rend(); ++prefix) {
-      if (largest * prefix->size >= 0.1) {
-        return {fmt::format("1/{}N", prefix->text), 1.0 / prefix->size};
-      }
-    }
-    return {"1/N", 1.0};
-  }
   if (!takes_prefix(si_unit)) return {std::string(si_unit), 1.0};
   const Prefix prefix = prefix_of(largest);
   return {prefix.text + std::string(si_unit), prefix.size};

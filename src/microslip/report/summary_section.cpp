@@ -4,9 +4,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 #include "microslip/base/percent.hpp"
+#include "microslip/report/density_figure.hpp"
+#include "microslip/report/prediction_reach.hpp"
 #include "microslip/report/sections.hpp"
+#include "microslip/report/verdict_block.hpp"
 #include "microslip/workflow/summary_text.hpp"
 #include "microslip/workflow/verdict.hpp"
 
@@ -53,7 +57,7 @@ std::string lead(const ExperimentResults& results) {
 }
 
 ReportFacts key_facts(const ExperimentResults& results) {
-  ReportFacts facts{.prominent = true};
+  ReportFacts facts{.prominent = true, .beside = true};
   const auto add = [&](const char* name, std::string value) {
     facts.facts.emplace_back(name, std::move(value));
   };
@@ -73,15 +77,6 @@ ReportFacts key_facts(const ExperimentResults& results) {
   }
   add("slipped part carries at most", fmt::format("{:.4g} N", found.joint.macroslip_force()));
   return facts;
-}
-
-/// The noise of a weak signal alone can be a quarter of it.
-std::string describe_predictions(const std::vector<ChannelMisfit>& comparisons) {
-  const auto worst = std::ranges::max_element(comparisons, {}, beyond_noise);
-  const auto noisiest = std::ranges::max_element(comparisons, {}, &ChannelMisfit::nrmse);
-  return fmt::format("at most {} beyond the noise ({}, {}); NRMSE with the noise at most {}",
-                     percent_text(beyond_noise(*worst)), worst->channel, file_name(worst->source),
-                     percent_text(noisiest->nrmse));
 }
 
 /// What the identification of the joint said of its own levels.
@@ -113,6 +108,11 @@ ReportFacts certainty(const ExperimentResults& results) {
     add("levels", fmt::format("{}", used_count(*results.levels)));
   }
   add("solver", found.status);
+  for (const DepartureFound& one : found.verdicts) {
+    add("tested for", fmt::format("{}: {}, by noise {}: {}", departure_text(one.departure),
+                                  percent_text(one.share), percent_text(one.noise),
+                                  one.broken ? "found" : "not found"));
+  }
   if (const auto width = typical_half_width(found)) {
     add("density known to",
         fmt::format("± {} by scatter alone (median half-width of the {:.0f} % band)",
@@ -136,11 +136,6 @@ ReportFacts certainty(const ExperimentResults& results) {
         fmt::format("{} of the density, relative L2 over 5 to 95 % of the range",
                     percent_text(*error)));
   }
-  if (!results.comparisons.empty()) {
-    add("error of the prediction", results.predictions_are_of_this_joint
-                                       ? describe_predictions(results.comparisons)
-                                       : "not told: the predictions are of another joint or rig");
-  }
   return facts;
 }
 
@@ -156,17 +151,24 @@ std::string not_examined(const ReportWarnings& warnings) {
 ReportSection summary_section(const ExperimentResults& results,
                               const std::optional<MethodComparison>& methods) {
   ReportSection section{.title = "Summary", .blocks = {}};
-  if (results.joint) {
-    section.blocks.emplace_back(ReportText{lead(results)});
-    section.blocks.emplace_back(key_facts(results));
-  } else {
-    section.blocks.emplace_back(
-        ReportMissing{"No joint.json in this folder: no joint was identified yet.", kIdentify});
+  const auto add = [&section](auto block) { section.blocks.emplace_back(std::move(block)); };
+  const ReportWarnings warnings{.warnings = warnings_of(results, methods), .beside = true};
+  if (!results.joint) {
+    add(ReportMissing{"No joint.json in this folder: no joint was identified yet.", kIdentify});
+    add(warnings);
+    return section;
   }
-  const ReportWarnings warnings{warnings_of(results, methods)};
-  if (!warnings.warnings.empty()) section.blocks.emplace_back(warnings);
-  if (results.joint) section.blocks.emplace_back(ReportText{not_examined(warnings)});
-  if (results.joint) section.blocks.emplace_back(certainty(results));
+  const IdentifiedJoint& joint = *results.joint;
+  add(verdict_on_joint(joint.verdicts, joint.status, warnings.warnings));
+  if (joint.joint.density().largest_slip_force() > 0.0) {
+    add(ReportFigure{.figure = density_figure(results)});
+  }
+  add(key_facts(results));
+  add(reach_of_levels(results));
+  add(warnings);
+  add(ReportText{lead(results)});
+  add(ReportText{not_examined(warnings)});
+  add(certainty(results));
   return section;
 }
 

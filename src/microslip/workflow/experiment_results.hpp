@@ -37,10 +37,10 @@ struct MeasuredLevels {
   std::vector<bool> left_out = {};               ///< of the identification: inner reversals
 };
 
-/// A departure from the kind of joint, as it was looked for in a record.
+/// A departure from the kind of joint, as it was looked for in a record or in levels.
 struct DepartureFound {
   std::string departure = {};  ///< its code: "rate_dependent"
-  double share = 0.0;          ///< of the force, that it explains beside the joint, 1
+  double share = 0.0;          ///< of the force, or of what the levels tell, that it explains, 1
   double noise = 0.0;          ///< that it would of noise alone, 1
   bool broken = false;         ///< whether it is there
 };
@@ -86,6 +86,9 @@ struct ForcePath {
   std::size_t reversals = 0;              ///< of the path
 };
 
+/// The status of an identification whose file does not tell it.
+inline constexpr std::string_view kStatusNotTold = "not told by the file";
+
 /// A joint with what its identification said. A joint without a method was not identified as far as
 /// its file tells, and the report does not say so.
 struct IdentifiedJoint {
@@ -99,6 +102,7 @@ struct IdentifiedJoint {
   std::vector<std::string> warnings = {};         ///< codes
   std::vector<std::string> warning_texts = {};    ///< one a code, or none
   std::optional<FoundByRecords> by_records = {};  ///< of an identification from records
+  std::vector<DepartureFound> verdicts = {};      ///< of one from levels: what they were tested for
   std::optional<double> scatter = {};             ///< of D of its levels, in the unit that follows
   bool scatter_is_relative = true;            ///< to D; in the standard deviations given otherwise
   std::optional<double> secant_scatter = {};  ///< of k_eq, in the standard deviations given

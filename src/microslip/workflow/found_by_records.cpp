@@ -14,7 +14,7 @@
 namespace microslip {
 namespace {
 
-constexpr std::string_view kAgain = "Identify the joint again from its records.";
+constexpr std::string_view kAgain = "Identify the joint again from its measurements.";
 
 /// Reads an identification key by key, and names the one at fault.
 class RecordKeys {
@@ -81,18 +81,25 @@ class RecordKeys {
   const std::string& path_;
 };
 
-void add_verdicts(const NamedValues& identification, const RecordKeys& keys,
-                  std::vector<RecordFound>& records) {
-  const std::size_t count = numbers_in(identification, "verdict_record").size();
-  const std::vector<std::size_t> record = keys.records("verdict_record", count, records.size());
+/// The departures that were looked for, in the order of the file.
+std::vector<DepartureFound> departures_in(const RecordKeys& keys, std::size_t count) {
   const std::vector<std::string> departure = keys.texts("verdict_departure", count);
   const std::vector<std::string> verdict = keys.texts("verdict", count);
   const std::vector<double> share = keys.numbers("verdict_share", count);
   const std::vector<double> noise = keys.numbers("verdict_noise", count);
+  std::vector<DepartureFound> found;
   for (std::size_t i = 0; i < count; ++i) {
-    records[record[i]].verdicts.push_back(
-        {departure[i], share[i], noise[i], verdict[i] == "broken"});
+    found.push_back({departure[i], share[i], noise[i], verdict[i] == "broken"});
   }
+  return found;
+}
+
+void add_verdicts(const NamedValues& identification, const RecordKeys& keys,
+                  std::vector<RecordFound>& records) {
+  const std::size_t count = numbers_in(identification, "verdict_record").size();
+  const std::vector<std::size_t> record = keys.records("verdict_record", count, records.size());
+  const std::vector<DepartureFound> found = departures_in(keys, count);
+  for (std::size_t i = 0; i < count; ++i) records[record[i]].verdicts.push_back(found[i]);
 }
 
 void add_offsets(const NamedValues& identification, const RecordKeys& keys,
@@ -131,6 +138,13 @@ std::optional<FoundByRecords> found_by_records(const JointFile& file, const std:
   add_offsets(identification, keys, found.records);
   add_verdicts(identification, keys, found.records);
   return found;
+}
+
+std::vector<DepartureFound> departures_of_levels(const JointFile& file, const std::string& path) {
+  const NamedValues& identification = file.identification;
+  if (!numbers_in(identification, "verdict_record").empty()) return {};
+  return departures_in(RecordKeys(identification, path),
+                       texts_in(identification, "verdict_departure").size());
 }
 
 }  // namespace microslip

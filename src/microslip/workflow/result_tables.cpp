@@ -109,6 +109,7 @@ IdentifiedJoint joint_of(const JointFile& file, const std::string& path) {
                         .warnings = texts_in(record, "warnings"),
                         .warning_texts = texts_in(record, "warning_texts"),
                         .by_records = found_by_records(file, path),
+                        .verdicts = departures_of_levels(file, path),
                         .scatter = of_dissipation ? of_dissipation : number_in(record, "scatter"),
                         .scatter_is_relative = text_in(record, "scatter_of") != "dissipation_std",
                         .secant_scatter = number_in(record, "scatter_secant"),
@@ -121,7 +122,7 @@ IdentifiedJoint joint_of(const JointFile& file, const std::string& path) {
                         .band_upper = numbers_in(record, "band_upper_per_N")};
   if (!joint.lambda) joint.lambda = number_in(record, "lambda_m3");
   if (const auto model = text_in(record, "model")) joint.method = *model;
-  if (joint.status.empty()) joint.status = "not told by the file";
+  if (joint.status.empty()) joint.status = kStatusNotTold;
   joint.parameters = parameters_in(record);
   check_band(joint, path);
   return joint;

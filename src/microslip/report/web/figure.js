@@ -6,7 +6,6 @@ const kSwatches = {
   points: () => ({d: 'M11 6h0', wide: true}),
   bars: () => ({d: 'M4 6H18', wide: true}),
   band: () => ({d: 'M0 6H22', band: true}),
-  marker: () => ({d: 'M11 0V12', style: 'dash'}),
 };
 
 const kDashes = {dash: '5 3', dot: '2 3', dashdot: '5 3 2 3', longdash: '8 3'};
@@ -20,7 +19,7 @@ function swatch(trace) {
     for (const [name, value] of Object.entries(attributes)) target.setAttribute(name, value);
   };
   set(svg, {viewBox: '0 0 22 12', width: 22, height: 12, 'aria-hidden': 'true'});
-  set(path, {d, class: trace.kind === 'marker' ? 'muted' : `colour-${trace.colour}`,
+  set(path, {d, class: `colour-${trace.colour}`,
     'stroke-width': band ? 12 : wide ? 7 : 2, 'stroke-linecap': trace.kind === 'points' ? 'round' : 'butt',
     'stroke-opacity': band ? 0.25 : 1});
   if (kDashes[style]) path.setAttribute('stroke-dasharray', kDashes[style]);
@@ -116,6 +115,9 @@ class FigureView {
   fillLegend() {
     const entries = new Map(this.state.traces.map((trace) => [trace.group, trace]).reverse());
     entries.delete('');  // what has no legend cannot be turned off
+    for (const {group, kind} of this.state.traces) {
+      if (kind === 'marker') entries.delete(group);  // its name stands at the line
+    }
     this.legend.replaceChildren(...[...entries].reverse().map(([name, trace]) => {
       const made = button('', 'Show or hide', () => this.toggle(name, made));
       made.append(swatch(trace), element('span', {textContent: name}));

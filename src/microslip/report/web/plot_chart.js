@@ -7,6 +7,45 @@ function plain(text) {
       .replaceAll('%{', '%&#123;');
 }
 
+/** Where a logarithmic axis has its ticks, and what stands there, as in pictures for paper (axis_ticks.cpp): powers of ten
+    where there are three or more, else 1, 2, 5, and even steps on a part of a decade.
+    @param range  decimal logarithms of the ends. @param length  px, and what a label takes of it. */
+function logTicks([from, to], {length, label}) {
+  const inside = (value) => Math.log10(value) >= from - 1e-9 && Math.log10(value) <= to + 1e-9;
+  const multiples = (digits) => {
+    const values = [];
+    for (let power = Math.floor(from); power <= Math.floor(to); ++power) {
+      values.push(...digits.map((digit) => Number(`${digit}e${power}`)).filter(inside));
+    }
+    return values;
+  };
+  const fits = (values) => values.every((value, i) => i === 0 ||
+      length * Math.log10(value / values[i - 1]) / (to - from) >= label);
+  const all = multiples([1, 2, 3, 4, 5, 6, 7, 8, 9]);
+  const powers = multiples([1]);
+  const minor = {ticks: 'outside', ticklen: 2, tickmode: 'array', tickvals: all};
+  if (powers.length >= 3) {
+    const stride = [1, 2, 3, 5, 10, 20, 50, 100, 200].find((step) => fits(
+        powers.filter((value) => Math.round(Math.log10(value)) % step === 0))) ?? 200;
+    const shown = powers.filter((value) => Math.round(Math.log10(value)) % stride === 0);
+    return {tickmode: 'array', tickvals: shown, minor: stride === 1 ? minor : {...minor, tickvals: powers},
+      ticktext: shown.map((value) => `10<sup>${minus(Math.round(Math.log10(value)))}</sup>`)};
+  }
+  const some = [multiples([1, 2, 5]), all].find((values) => values.length >= 3);
+  if (!some) return {tickmode: 'auto', exponentformat: 'power', minorloglabels: 'complete'};
+  const shown = fits(some) ? some : powers;
+  return {tickmode: 'array', tickvals: shown, ticktext: shown.map(withPower), minor};
+}
+
+function minus(number) { return String(number).replace('-', '−'); }
+
+/** With the power of ten apart where the number is very large or small: 2×10⁻⁵. */
+function withPower(value) {
+  const power = Math.floor(Math.log10(value) + 1e-9);
+  if (power >= -4 && power < 4) return minus(Number(value.toPrecision(4)));
+  return `${Math.round(value / 10 ** power)}×10<sup>${minus(power)}</sup>`;
+}
+
 /** A number to read. */
 function readable(value) {
   return value === null || value === undefined ? '–' : String(Number(value.toPrecision(4)));
@@ -20,16 +59,43 @@ class PlotChart {
     this.element = element;
     this.figure = figure;
     this.pointed = {trace: 0, point: -1};
+    this.ticked = {};  // what the ticks that are drawn were made for, see tickKey()
   }
 
   /** @param state  {traces, hidden: Set of groups, logX, logY} */
   draw(state) {
     this.state = state;
     const {data, layout} = this.picture(theme.colours());
+    const first = !this.element.layout;
+    for (const name of ['x', 'y']) this.ticked[name] = this.tickKey(name, layout[`${name}axis`].range);
     Plotly.react(this.element, data, layout, {displayModeBar: false, responsive: false});
+    if (first) this.element.on('plotly_relayout', () => this.tickAgain());
+    this.tickAgain();  // a zoom may have lasted
   }
 
-  resize() { Plotly.Plots.resize(this.element); }
+  /** What the ticks of a logarithmic axis depend on. */
+  tickKey(name, range) { return `${range} ${this.length(name).length}`; }
+
+  /** Ticks of logarithmic axes for what they show now: a part after a zoom, in the place that there is. */
+  tickAgain() {
+    const {logX, logY} = this.state;
+    const changes = {};
+    for (const [name, log] of [['x', logX], ['y', logY]]) {
+      const {range} = this.element.layout[`${name}axis`];
+      const key = this.tickKey(name, range);
+      if (!log || this.ticked[name] === key) continue;
+      this.ticked[name] = key;
+      for (const [what, value] of Object.entries(logTicks(range, this.length(name)))) {
+        changes[`${name}axis.${what}`] = value;
+      }
+    }
+    if (Object.keys(changes).length > 0) Plotly.relayout(this.element, changes);
+  }
+
+  async resize() {
+    await Plotly.Plots.resize(this.element);
+    this.tickAgain();
+  }
 
   reset() { Plotly.relayout(this.element, this.ranges()); }
 
@@ -140,8 +206,9 @@ class PlotChart {
       if (!axis.range || log !== axis.log) return null;
       return log ? axis.range.map(Math.log10) : axis.range;
     };
-    const x = range(this.figure.x, logX) ?? this.aboutOne('x', logX);
-    const y = range(this.figure.y, logY) ?? this.positiveRange() ?? this.aboutOne('y', logY);
+    const all = (axis, log) => this.aboutOne(axis, log) ?? (log ? this.valuesRange(axis) : null);
+    const x = range(this.figure.x, logX) ?? all('x', logX);
+    const y = range(this.figure.y, logY) ?? this.positiveRange() ?? all('y', logY);
     return {'xaxis.range': x, 'xaxis.autorange': x === null, 'yaxis.range': y, 'yaxis.autorange': y === null};
   }
 
@@ -158,6 +225,25 @@ class PlotChart {
     return high - low > 1e-6 * most || most === 0 ? null : [low - 0.1 * most, high + 0.1 * most];
   }
 
+  /** Decimal logarithms of the ends of what is drawn over an axis, with a margin. */
+  valuesRange(axis) {
+    const values = this.state.traces.filter(({group}) => !this.state.hidden.has(group))
+        .flatMap((trace) => (axis === 'x' ? trace.x : [...(trace.y ?? []), ...(trace.upper ?? []), ...(trace.lower ?? [])]))
+        .filter((value) => value > 0);
+    if (values.length === 0) return [0, 1];
+    const low = Math.log10(values.reduce((a, b) => Math.min(a, b)));
+    const high = Math.log10(values.reduce((a, b) => Math.max(a, b)));
+    const margin = 0.04 * (high - low);
+    const bars = axis === 'y' && this.state.traces.some(({kind}) => kind === 'bars');
+    return [low - (bars ? 0.3 : margin), high + margin];  // the lowest bar has a height, too
+  }
+
+  /** Of an axis in px, and what a label of it takes. */
+  length(axis) {
+    const {clientWidth, clientHeight} = this.element ?? {clientWidth: 800, clientHeight: 520};
+    return axis === 'x' ? {length: clientWidth - 70, label: 44} : {length: clientHeight - 60, label: 18};
+  }
+
   /** Of a logarithmic y axis with a band that reaches zero: that of the curves. */
   positiveRange() {
     const {traces, logY} = this.state;
@@ -166,20 +252,6 @@ class PlotChart {
         .filter((value) => value > 0);
     const largest = Math.max(...values);
     return [Math.log10(Math.max(Math.min(...values), 1e-6 * largest)) - 0.2, Math.log10(largest) + 0.1];
-  }
-
-  /** How a logarithmic axis is labelled: by powers over many decades, else by 1, 2, 5, 10, 20…,
-      and evenly on a part of a decade. */
-  logTicks(axis) {
-    const values = this.state.traces.flatMap((trace) => trace[axis] ?? []).filter((value) => value > 0);
-    const largest = Math.max(...values);
-    const smallest = Math.min(...values);
-    if (largest > 300 * smallest || largest > 3e4 || smallest < 3e-4) {
-      // Powers of ten come out a quarter larger.
-      return {exponentformat: 'power', minorloglabels: 'none', tickfont: {size: 10}};
-    }
-    if (largest < 4 * smallest) return {exponentformat: 'none'};  // even steps, as plotly.js chooses
-    return {exponentformat: 'none', minorloglabels: 'complete', dtick: 'D2'};
   }
 
   axis(name, log, range, colours) {
@@ -198,7 +270,7 @@ class PlotChart {
       zeroline: false,
       exponentformat: 'power',
       automargin: true,
-      ...(log ? this.logTicks(name) : {}),
+      ...(log ? logTicks(range ?? this.valuesRange(name), this.length(name)) : {}),
     };
   }
 

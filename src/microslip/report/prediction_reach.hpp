@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "microslip/report/report_document.hpp"
+#include "microslip/workflow/experiment_results.hpp"
+
+/// @file
+/// What predictions from a joint are good for: the motions that were measured, what lies beyond,
+/// and their error where they were held against recordings. Internal to report.
+
+namespace microslip {
+
+/// Of a joint that was identified from levels, or whose file does not tell from what.
+/// @param results  with a joint.
+[[nodiscard]] ReportFacts reach_of_levels(const ExperimentResults& results);
+
+/// Of a joint that was identified from records of force and displacement.
+[[nodiscard]] ReportFacts reach_of_records(const IdentifiedJoint& joint);
+
+/// Of joints that were found from levels of modes.
+/// @param results  with a calibration.
+[[nodiscard]] ReportFacts reach_of_calibration(const ExperimentResults& results);
+
+}  // namespace microslip
