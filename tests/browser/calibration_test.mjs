@@ -76,7 +76,7 @@ const phone = await tools.open(browser, alike,
     {viewport: {width: 400, height: 850}, isMobile: true, hasTouch: true});
 assert.match(await phone.page.locator('.warnings').textContent(), /known_only_together/);
 assert.match(await phone.page.locator('.verdict').textContent(), /Not to be believed by itself: wall and middle/);
-assert.match(await phone.page.locator('#section-0-summary .text').first().textContent(),
+assert.match(await phone.page.locator('#section-0-summary p.text').first().textContent(),
     /wall and middle are known only together/);
 assert.equal(await phone.page.locator('#section-0-summary tr.marked').count(), 2);
 assert.match(await phone.page.locator('tr.marked').last().textContent(), /known only together$/);
