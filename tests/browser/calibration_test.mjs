@@ -75,7 +75,7 @@ const alike = reportOf('alike', model.replace(/^shape = \[0\.0, 1\.41.*\]/m,
 const phone = await tools.open(browser, alike,
     {viewport: {width: 400, height: 850}, isMobile: true, hasTouch: true});
 assert.match(await phone.page.locator('.warnings').textContent(), /known_only_together/);
-assert.match(await phone.page.locator('.verdict').textContent(), /Not to be believed by itself: wall and middle/);
+assert.match(await phone.page.locator('.verdict').textContent(), /densities of wall and middle are not to be believed by themselves/);
 assert.match(await phone.page.locator('#section-0-summary p.text').first().textContent(),
     /wall and middle are known only together/);
 assert.equal(await phone.page.locator('#section-0-summary tr.marked').count(), 2);

@@ -94,10 +94,10 @@ const ticks = (title, name) => figure(title).locator(`.${name}tick text`).evalua
 await test('log axes are labelled as pictures for paper are', async () => {
   for (const label of await ticks('Dissipation', 'y')) assert.match(label, /^10−?\d$/);
   await page.evaluate(() => Plotly.relayout(document.querySelector('#figure-0 .chart'), {'xaxis.range': [1, 2.2]}));
-  await page.waitForFunction(() => document.querySelectorAll('#figure-0 .xtick').length === 4);
+  await page.waitForFunction(() => document.querySelectorAll('#figure-0 g.xtick').length === 4);
   assert.deepEqual(await ticks('Dissipation', 'x'), ['10', '20', '50', '100']);
   await press('Dissipation', 'Reset');
-  await page.waitForFunction(() => document.querySelectorAll('#figure-0 .xtick').length !== 4);
+  await page.waitForFunction(() => document.querySelectorAll('#figure-0 g.xtick').length !== 4);
 });
 
 await test('the legend switches traces', async () => {

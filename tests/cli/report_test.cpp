@@ -78,10 +78,9 @@ void identify_contradicted_in(const Sandbox& box) {
 TEST(report, BeginsWithWhatTheLevelsContradict) {
   const Sandbox box;
   identify_contradicted_in(box);
-  const std::string html =
-      expect_done(box, {"report", "test", "--out", "-", "--no-pictures"}).out;
-  const std::size_t verdict =
-      html.find("Not a joint of sliders under a constant load (frequency: does not fall as D says)");
+  const std::string html = expect_done(box, {"report", "test", "--out", "-", "--no-pictures"}).out;
+  const std::size_t verdict = html.find(
+      "Not a joint of sliders under a constant load (frequency: does not fall as D says)");
   ASSERT_NE(verdict, std::string::npos);
   EXPECT_LT(verdict, html.find("<figure"));
   EXPECT_LT(html.find("<code>frequency_rises</code>"), html.find("<figure"));
@@ -96,8 +95,7 @@ TEST(report, RefusesADepartureWithoutItsNumbers) {
   const std::size_t key = joint.find("\"verdict_noise\": [");
   ASSERT_NE(key, std::string::npos);
   const std::size_t from = joint.find('[', key) + 1;
-  box.put("test/joint.json",
-          joint.substr(0, from) + "0.5, 0.5, 0.5, " + joint.substr(from));
+  box.put("test/joint.json", joint.substr(0, from) + "0.5, 0.5, 0.5, " + joint.substr(from));
   expect_refused(box, {"report", "test", "--out", "r.html"},
                  {"identification.verdict_noise", "must be 1", "Identify the joint again"});
 }

@@ -347,9 +347,10 @@ TEST(ModelFileFault, AnotherFile) {
   EXPECT_EQ(folder.message("schema = \"microslip.rig/1\"\nsurprise = 1\n"),
             "model.toml:1:10: expected the schema 'microslip.model/1', found 'microslip.rig/1'. "
             "Make a model of it: microslip model RIG.toml JOINT.json.");
-  EXPECT_EQ(folder.message("schema = \"microslip.plan/1\"\n"),
-            "model.toml:1:10: expected the schema 'microslip.model/1', found 'microslip.plan/1'. Is "
-            "it a model, and of this version of the program?");
+  EXPECT_EQ(
+      folder.message("schema = \"microslip.plan/1\"\n"),
+      "model.toml:1:10: expected the schema 'microslip.model/1', found 'microslip.plan/1'. Is "
+      "it a model, and of this version of the program?");
 }
 
 // Each eigenvalue of the matrix becomes a mode at ten times 120.5 Hz: φ_a = ω_a √λ v.

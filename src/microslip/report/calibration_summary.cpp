@@ -161,6 +161,18 @@ ReportFacts certainty_of_calibration(const CalibrationSummary& found) {
   return facts;
 }
 
+/// @param doubtful  names of those of the joints whose density is not to be believed.
+std::string belief_text(const std::vector<std::string>& doubtful, std::size_t joints) {
+  if (doubtful.size() > 1) {
+    return fmt::format("The densities of {} are not to be believed by themselves.",
+                       names_text(doubtful));
+  }
+  if (doubtful.size() == 1) {
+    return fmt::format("The density of {} is not to be believed by itself.", doubtful.front());
+  }
+  return joints == 1 ? "The levels tell the density." : "The levels tell the densities apart.";
+}
+
 /// What is to be believed of joints that were found together.
 ReportVerdict verdict_on_joints(const ExperimentResults& results,
                                 const std::vector<Warning>& warnings) {
@@ -177,11 +189,7 @@ ReportVerdict verdict_on_joints(const ExperimentResults& results,
     }
   }
   verdict.doubtful = !verdict.text.empty() || !doubtful.empty();
-  verdict.text +=
-      doubtful.empty()
-          ? fmt::format("{} told apart by the levels.",
-                        found.joints.size() == 1 ? "The density is" : "The densities are")
-          : fmt::format("Not to be believed by itself: {}.", names_text(doubtful));
+  verdict.text += belief_text(doubtful, found.joints.size());
   return verdict;
 }
 

@@ -269,6 +269,7 @@ class PlotChart {
       showline: true,
       zeroline: false,
       exponentformat: 'power',
+      minexponent: 4,  // 0.0001 and 10 000 without: as in pictures for paper
       automargin: true,
       ...(log ? logTicks(range ?? this.valuesRange(name), this.length(name)) : {}),
     };
