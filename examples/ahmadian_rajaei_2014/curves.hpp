@@ -18,7 +18,6 @@
 namespace ahmadian_rajaei {
 
 inline constexpr double kMicrometre = 1e-6;
-inline constexpr double kPerKilonewton = 1e-3;
 
 /// `count` values from `from` to `to`; count ≥ 2.
 [[nodiscard]] std::vector<double> equal_steps(double from, double to, std::size_t count);

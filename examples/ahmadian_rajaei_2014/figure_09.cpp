@@ -116,8 +116,7 @@ microslip::Figure slope_figure(const Answers& answers, const Lines& lines) {
 }
 
 microslip::LineLayer density_line(const Lines& lines, std::size_t i) {
-  return {lines.slip_force, scaled(lines.density[i].second, kPerKilonewton), lines.density[i].first,
-          kStrokes[i]};
+  return {lines.slip_force, lines.density[i].second, lines.density[i].first, kStrokes[i]};
 }
 
 microslip::Figure empty_density_figure(const char* title, const Lines& lines) {
@@ -126,32 +125,30 @@ microslip::Figure empty_density_figure(const char* title, const Lines& lines) {
   figure.x = {.label = "slip force f*",
               .unit = "N",
               .range = microslip::AxisRange{0.0, 1.03 * lines.slip_force.back()}};
-  figure.y = {.label = "density φ", .unit = "1/kN"};
+  figure.y = {.label = "density φ", .unit = "1/N"};
   return figure;
 }
 
 microslip::Figure unsmoothed_figure(const Answers& answers, const Lines& lines) {
   microslip::Figure figure = empty_density_figure("Density, hardly smoothed", lines);
   figure.layers.emplace_back(density_line(lines, kPaper));
-  figure.layers.emplace_back(
-      microslip::PointLayer{.x = answers.differences.slip_force,
-                            .y = scaled(answers.differences.density, kPerKilonewton),
-                            .legend = "differences",
-                            .colour = microslip::kGrey,
-                            .size = 0.5});
+  figure.layers.emplace_back(microslip::PointLayer{.x = answers.differences.slip_force,
+                                                   .y = answers.differences.density,
+                                                   .legend = "differences",
+                                                   .colour = microslip::kGrey,
+                                                   .size = 0.5});
   figure.layers.emplace_back(density_line(lines, kTruth));
   return figure;
 }
 
 microslip::Figure smoothed_figure(const Experiment& experiment, const Lines& lines) {
   microslip::Figure figure = empty_density_figure("Density, smoothed", lines);
-  const double highest = std::ranges::max(lines.density[kTruth].second) / kPerKilonewton;
+  const double highest = std::ranges::max(lines.density[kTruth].second);
   figure.y.range = microslip::AxisRange{0.0, 1.3 * highest};
-  figure.layers.emplace_back(
-      microslip::BandLayer{.x = experiment.found.slip_force,
-                           .lower = scaled(experiment.found.lower, kPerKilonewton),
-                           .upper = scaled(experiment.found.upper, kPerKilonewton),
-                           .legend = "95 % band of the inversion"});
+  figure.layers.emplace_back(microslip::BandLayer{.x = experiment.found.slip_force,
+                                                  .lower = experiment.found.lower,
+                                                  .upper = experiment.found.upper,
+                                                  .legend = "95 % band of the inversion"});
   for (std::size_t i = kPaper + 1; i < lines.density.size(); ++i) {
     figure.layers.emplace_back(density_line(lines, i));
   }

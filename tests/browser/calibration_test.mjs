@@ -63,6 +63,10 @@ assert.match(await page.locator('.facts.prominent').first().textContent(), /50 o
 assert.equal(await page.locator('tr.marked').count(), 0);
 await page.evaluate(() => scrollTo(0, 0));
 assert.ok(await bottom(page, '#section-0-summary table') <= 1);
+const reach = await page.locator('.beside').first().textContent();
+for (const part of ['displacement, mode 12 to 500 µm, 25 levels', 'amplitude of wall', 'not verified on a level']) {
+  assert.ok(reach.includes(part), `${part} in ${reach}`);
+}
 const drawn = (await tools.plotted(page, '#figure-0')).map(({name}) => name);
 for (const name of ['wall', 'middle', 'wall: band', 'middle: band']) assert.ok(drawn.includes(name), `${name} in ${drawn}`);
 assert.deepEqual(faults, []);

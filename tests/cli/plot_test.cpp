@@ -126,8 +126,8 @@ TEST(plot, EveryFigureOfItsFile) {
   const Sandbox box = sandbox();
   const std::vector<std::pair<Arguments, std::vector<std::string>>> cases = {
       {{"joint.json", "--figure", "density"},
-       {label("density φ [1/kN]"), label("slip force f* [N]")}},
-      {{"density.csv", "--figure", "density"}, {label("95 % band"), label("density φ [1/kN]")}},
+       {label("density φ [1/N]"), label("slip force f* [N]")}},
+      {{"density.csv", "--figure", "density"}, {label("95 % band"), label("density φ [1/N]")}},
       {{"joint.json", "--figure", "loops"}, {label("joint force [N]"), label("A = 282.4 µm")}},
       {{"loop.csv", "--figure", "loops"}, {label("joint force [N]")}},
       {{"levels.csv", "--figure", "resonance"},
@@ -311,7 +311,7 @@ TEST(plot, AJointOfAtomsShowsWhatSlips) {
   expect_parts(svg_of(box, {"atoms.json", "--figure", "density", "--other", "joint.json"}),
                {label("share of k that slips up to f* [1]")});
   expect_parts(svg_of(box, {"joint.json", "--figure", "density", "--other", "atoms.json"}),
-               {label("density φ [1/kN]"), "atoms without its atoms, 75.0 % of k"});
+               {label("density φ [1/N]"), "atoms without its atoms, 75.0 % of k"});
 }
 
 TEST(plot, ARecordOfManyChannelsShowsTheFirst) {

@@ -862,7 +862,10 @@ TEST(ReportOfRecords, BeginsWithDensityVerdictsAndWarnings) {
   EXPECT_TRUE(contains(verdict.text, "(asymmetry: sides differ). What is shown")) << verdict.text;
   EXPECT_EQ(std::get<ReportFigure>(summary.blocks[1]).figure.title, "Slip-force density");
   EXPECT_TRUE(std::get<ReportTable>(summary.blocks[3]).beside);
-  EXPECT_TRUE(std::get<ReportFacts>(summary.blocks[4]).beside);
+  const auto& reach = std::get<ReportFacts>(summary.blocks[4]);
+  EXPECT_TRUE(reach.beside);
+  EXPECT_EQ(reach.facts.front().first, "half range of the motion");
+  EXPECT_TRUE(contains(reach.facts.back().second, "4.0 % of the force of its own records"));
   const auto& warnings = std::get<ReportWarnings>(summary.blocks[5]).warnings;
   ASSERT_EQ(warnings.size(), 2U) << "one of each record, of the same code";
   EXPECT_EQ(warnings[1].text, "record 2: two");

@@ -115,6 +115,17 @@ TEST(ValidationTable, ShowsFiguresAndBounds) {
   EXPECT_EQ(table_of(lines, figures_in(table)), table);
 }
 
+// Lines stand by their places, and "the same" is told.
+TEST(ValidationTable, SummaryIsInItsOrder) {
+  FigureTopic topic{"a", std::vector<FigureLine>(3, line_of({}, 1.0))};
+  topic.lines[0].summary = 2;
+  topic.lines[1].reference = "the same; twice";
+  topic.lines[1].summary = 1;
+  EXPECT_EQ(tables_of({topic}, {{0.5, 0.25, 0.125}}).at("summary"),
+            "| what | measured | bound | against |\n|---|---|---|---|\n"
+            "| error | 0.25 N | ≤ 1 N | truth; twice |\n| error | 0.5 N | ≤ 1 N | truth |\n");
+}
+
 TEST(ValidationTable, MarksBrokenBounds) {
   EXPECT_FALSE(broken_bound(line_of({}, 1.0), 1.0));
   EXPECT_FALSE(broken_bound(line_of(1.0, {}), 1.0));
