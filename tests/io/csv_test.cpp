@@ -116,13 +116,14 @@ TEST(CsvFault, Empty) {
       "it written to its end?");
   EXPECT_EQ(fault("\n# only this\n \n"),
             "t.csv: expected a header such as 'amplitude [m],dissipation [J]', found nothing but "
-            "blanks and comments");
+            "blanks and comments. Was it written to its end?");
   EXPECT_EQ(fault("\xEF\xBB\xBF"), fault("\n"));
 }
 
 TEST(CsvFault, HeaderOnly) {
   EXPECT_EQ(fault("a [m]\n# no rows\n"),
-            "t.csv:3:1: expected a row of values below the header, found the end of the file");
+            "t.csv:3:1: expected a row of values below the header, found the end of the file. Was "
+            "it written to its end?");
 }
 
 TEST(CsvFault, NoHeader) {

@@ -250,11 +250,11 @@ TEST(RecordingCsvCut, WhereNobodyCanTell) {
 TEST(RecordingCsvFault, Empty) {
   EXPECT_EQ(fault(""),
             "r.csv: expected a header such as 'time [s],force [N],acc1 [m/s^2]', found an "
-            "empty file");
+            "empty file. Was it written to its end?");
   EXPECT_EQ(fault("\n# only this\n"),
             "r.csv: expected a header such as 'time "
             "[s],force [N],acc1 [m/s^2]', found nothing but blanks and "
-            "comments");
+            "comments. Was it written to its end?");
   EXPECT_EQ(fault("time [s],a\n"), "r.csv: expected two rows of values below the header, found 0");
   EXPECT_EQ(fault("time [s],a\n0,1\n"),
             "r.csv: expected two rows of values below the header, found 1");

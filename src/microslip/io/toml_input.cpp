@@ -37,6 +37,7 @@ std::string name_of(const toml::node& node, std::string_view file, std::string_v
 /// Whether the first line that is no comment is the header of a table: commas, and neither a value
 /// nor a [table].
 bool begins_as_csv(std::string_view text) {
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find('\n'));
     text.remove_prefix(std::min(line.size() + 1, text.size()));
