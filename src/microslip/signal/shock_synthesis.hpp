@@ -25,6 +25,7 @@ struct RequiredSpectrum {
   [[nodiscard]] double at(double f) const;
 };
 
+/// How a shock is to be, and be judged.
 struct ShockOptions {
   double damping_ratio = 0.05;  ///< ζ of the masses, 1; from 0, below 1. Q = 10 is 0.05
   double per_octave = 12.0;     ///< natural frequencies at which it is judged; 6 to 48

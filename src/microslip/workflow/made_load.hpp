@@ -45,7 +45,7 @@ struct LoadPlan {
 
 /// A load, and how it was found.
 struct MadeLoad {
-  LoadHistory history;
+  LoadHistory history;                    ///< what `march` takes
   std::optional<SynthesizedShock> shock;  ///< of a shock; from its own begin on
 
   /// Whether it is what was asked for.
@@ -54,7 +54,8 @@ struct MadeLoad {
 
 /// The load on each excitation of a structure: of a sine with all its harmonics and phases, of the
 /// others times its first harmonic. Noise of several excitations is independent.
-/// @param progress  of the synthesis of a shock.
+/// @param structure  its excitations and bases. @param plan  of the load.
+/// @param progress   of the synthesis of a shock.
 /// @throws InputError  for values out of their range; for shapes other than a sine where a first
 ///                     harmonic is 0 or has a phase other than 0 and π; where an excitation is named
 ///                     twice; for a shock of a structure whose base is not driven.
