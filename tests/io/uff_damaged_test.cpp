@@ -65,8 +65,16 @@ std::string shapes_file() {
          "         2         4         1         1\n" +
          "  1.00000E+01  0.00000E+00  0.00000E+00  0.00000E+00\n" +
          "         1\n -1.46518E+00 -1.46518E+00 -1.46518E+00\n" +
-         "         2\n  1.50162E-01  1.50162E-01  1.50162E-01\n" + test::marker() +
-         uneven_text_file();
+         "         2\n  1.50162E-01  1.50162E-01  1.50162E-01\n" + test::marker() + test::marker() +
+         "  2414\n         1\nmode\n         1\nNONE\nNONE\nNONE\nNONE\nNONE\n" +
+         "         1         3         2         8         5         3\n" +
+         "         0         0         0         0         1         1         0         0\n" +
+         "         0         0\n" +
+         "  0.00000E+00  0.00000E+00  0.00000E+00  0.00000E+00  0.00000E+00  0.00000E+00\n" +
+         " -3.00000E+00  4.00000E+00  1.00000E+00 -2.00000E+00  0.00000E+00  0.00000E+00\n" +
+         "         1\n" +
+         "  1.00000E+00  2.00000E+00  3.00000E+00  4.00000E+00  5.00000E+00  6.00000E+00\n" +
+         test::marker() + uneven_text_file();
 }
 
 /// One or more bytes changed, taken out or doubled; those that matter to the format more often.
