@@ -150,6 +150,13 @@ std::string message(std::string_view text, const Dimension& expected) {
   return "no error";
 }
 
+// Found by scripts/fuzz.
+TEST(Units, MessagesShowTheBeginningOfWhatIsLong) {
+  const std::string long_one = std::string(59, 'm') + "µ" + std::string(60000, 'm');
+  EXPECT_EQ(message(long_one, kLength).substr(0, 80),
+            "unit = '" + std::string(59, 'm') + "…'; must be");
+}
+
 TEST(Units, MessagesNameTheUnitTheRuleAndTheRemedy) {
   EXPECT_EQ(message("furlong", kLength),
             "unit = 'furlong'; must be a unit of length and is not known. Units that fit: "

@@ -189,5 +189,13 @@ TEST(DmigMatrices, OfOneTriangleAreNoSquareOnes) {
             "symmetric. A matrix of one triangle has form 6.");
 }
 
+// Found by scripts/fuzz: a name with a control character broke the line of the message.
+TEST(DmigMatrices, NamesOfAnySortLeaveTheMessageALine) {
+  const std::string text = "DMIG,KAAX,0,1,2\nDMIG,KAAX,7,1,,7,1,4.,,\nDMIG,X\x01\x7F,7,1,,7,1,2.\n";
+  EXPECT_EQ(message_of<InputError>([&] { return parse(text); }),
+            "m.pch = 0 matrices M…; must have one whose name begins so, or be named behind a "
+            "colon. It has KAAX, X??.");
+}
+
 }  // namespace
 }  // namespace microslip::dmig_matrices_test

@@ -255,6 +255,15 @@ std::string base_units(const Dimension& dimension) {
   return text;
 }
 
+/// For messages: in quotes, and not whole where it is longer than any unit.
+std::string shown_unit(std::string_view text) {
+  constexpr std::size_t kLongest = 60;
+  if (text.size() <= kLongest) return fmt::format("'{}'", text);
+  std::size_t end = kLongest;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // UTF-8
+  return fmt::format("'{}…'", text.substr(0, end));
+}
+
 }  // namespace
 
 std::optional<Unit> find_unit(std::string_view text) {
@@ -264,13 +273,13 @@ std::optional<Unit> find_unit(std::string_view text) {
 }
 
 Unit parse_unit(std::string_view text, const Dimension& expected) {
+  const std::string shown = shown_unit(text);
   const std::string rule = fmt::format("must be a unit of {}", dimension_name(expected));
   const std::string remedy = fmt::format("Units that fit: {}.", usual_units(expected));
   const std::optional<Unit> unit = find_unit(text);
-  if (!unit)
-    throw InputError("unit", fmt::format("'{}'", text), rule + " and is not known", remedy);
+  if (!unit) throw InputError("unit", shown, rule + " and is not known", remedy);
   if (unit->dimension != expected) {
-    throw InputError("unit", fmt::format("'{}'", text),
+    throw InputError("unit", shown,
                      fmt::format("{} and is one of {}", rule, dimension_name(unit->dimension)),
                      remedy);
   }
