@@ -358,6 +358,18 @@ TEST(RecordingCsvFault, Names) {
       "Rename or remove one of them.");
 }
 
+// Found by scripts/fuzz: places were counted from the start of the line for each name, for minutes
+// here.
+TEST(RecordingCsvFault, NamesOfManyColumns) {
+  std::string text = "time [s]";
+  for (int i = 0; i < 300000; ++i) {
+    text += ",x" + std::to_string(i);
+  }
+  const std::string expected =
+      "r.csv:1:" + std::to_string(text.size() + 2) + ": expected columns with different names";
+  EXPECT_EQ(fault(text + ",x7\n0\n").substr(0, expected.size()), expected);
+}
+
 TEST(RecordingCsvFault, Files) {
   const test::TemporaryFolder folder;
   EXPECT_THROW((void)read_recordings_csv(folder.file("none.csv"), {}), FileError);

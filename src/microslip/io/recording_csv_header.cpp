@@ -73,6 +73,14 @@ std::string_view without_brackets(std::string_view text) {
   return is_bracketed(text) ? trimmed(text.substr(1, text.size() - 2)) : text;
 }
 
+/// The place of what begins behind `passed`, which begins at `known`.
+TextPlace place_behind(const TextPlace& known, std::string_view passed) {
+  TextPlace place = place_at(passed, passed.size(), known.file);
+  if (place.line == 1) place.column += known.column - 1;
+  place.line += known.line - 1;
+  return place;
+}
+
 }  // namespace
 
 void RecordingCsvHeader::add_comment(std::string_view text) {
@@ -91,13 +99,16 @@ std::vector<RecordingCsvHeader::Cell> RecordingCsvHeader::read_cells(std::string
                                                                      std::size_t number) const {
   const CellScanner scanner(line, file_, separator_, number);
   std::vector<Cell> cells;
+  const char* known = line.data();
+  TextPlace place{.file = file_, .line = number, .column = 1};
   for (const char* p = line.data();;) {
     const RawCell raw = scanner.scan(p);
+    place = place_behind(place, {known, raw.begin});
+    known = raw.begin;
     const bool last = scanner.at_line_end(raw.next);
     const bool trailing = last && raw.begin == raw.end && !raw.quoted && !cells.empty();
     if (!trailing) {
-      cells.push_back({.column = {.name = to_utf8(unescaped(raw)), .unit = {}},
-                       .place = scanner.place(raw.begin)});
+      cells.push_back({.column = {.name = to_utf8(unescaped(raw)), .unit = {}}, .place = place});
     }
     if (last) return cells;
     p = raw.next + 1;
