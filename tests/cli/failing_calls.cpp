@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -14,12 +15,14 @@
 
 /// @file
 /// Loaded before the program (LD_PRELOAD): one system call on a file or folder below a folder fails
-/// with EIO, as on a network disk that is gone. The environment tells which:
+/// with EIO, as on a network disk that is gone; or a signal comes just before it. The environment
+/// tells which:
 ///
 ///     MICROSLIP_FAILING_FOLDER  the folder, absolute and without links
 ///     MICROSLIP_FAILING_CALL    close, fsync or rename
 ///     MICROSLIP_FAILING_NUMBER  the how manieth of them, from 1
 ///     MICROSLIP_FAILED          a file that is made when it has failed
+///     MICROSLIP_FAILING_SIGNAL  the number of the signal that comes; without it, the call fails
 ///
 /// Closing counts for what was opened to be written; what was only read loses nothing.
 
@@ -60,6 +63,10 @@ bool fails(std::string_view call) {
   if (variable("MICROSLIP_FAILING_CALL") != call) return false;
   if (++count != std::atoi(std::getenv("MICROSLIP_FAILING_NUMBER"))) return false;
   (void)::creat(std::getenv("MICROSLIP_FAILED"), 0600);
+  if (const char* signal = std::getenv("MICROSLIP_FAILING_SIGNAL")) {
+    std::raise(std::atoi(signal));
+    return false;
+  }
   errno = EIO;
   return true;
 }

@@ -242,12 +242,14 @@ class MeasurementWriter {
     folders_.make(options.out, "Choose another folder with `out`.");
   }
 
+  /// truth.csv comes first, so that it has its name before the others get theirs: without it, what
+  /// a process wrote that was killed meanwhile would be taken for recordings of a laboratory.
   void write(const VirtualMeasurement& test, const Progress& progress) {
+    write_tables(test);
     for (const VirtualLevel& level : test.levels) {
       if (level.summary.converged()) write_level(level);
       if (progress && !progress(level.number, test.levels.size())) throw Cancelled();
     }
-    write_tables(test);
     write_rig();
     files_.commit();
   }

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "cli/run_program.hpp"
+#include "cli/writings.hpp"
+#include "io/support.hpp"
+#include "microslip/base/random.hpp"
+#include "support/figures.hpp"
+#include "support/thinned_table.hpp"
+
+/// Ended by a signal at any moment, by one that cannot be caught, too: what stands under a final
+/// name is whole, and the next run does all as if nothing had been and takes away what was left.
+
+namespace microslip::cli_test::killed_test {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+using Contents = std::map<std::string, std::string>;
+
+/// Random kills; MICROSLIP_KILLS sets how many.
+int kills() {
+  constexpr int kDefault = 30;
+  const char* const given = std::getenv("MICROSLIP_KILLS");
+  return given == nullptr ? kDefault : std::atoi(given);
+}
+
+const std::string kTwoJoints = MICROSLIP_TEST_DATA "/two_joints/";
+
+const std::string kStructure =
+    "schema = \"microslip.structure/1\"\n"
+    "[matrices]\nstiffness = \"stiffness.mtx\"\nmass = \"mass.mtx\"\n"
+    "[[point]]\nname = \"drive\"\nrow = 1\n"
+    "[[joint]]\nname = \"joint\"\nto = { row = 6 }\nfile = \"joint.json\"\n"
+    "[modes]\ncount = 6\njoints = \"stuck\"\nloss_factor = [0.003]\n"
+    "[excitation]\npoint = \"drive\"\n";
+
+const std::string kPlan =
+    "schema = \"microslip.ensemble/1\"\nkind = \"bootstrap\"\n"
+    "[bootstrap]\nlevels = \"levels.csv\"\nstiffness_N_per_m = 1.7e5\ncount = 20\n";
+
+/// Beside every format, each subcommand that writes.
+std::vector<Writing> all_calls() {
+  std::vector<Writing> all = all_writings();
+  all.push_back({"next.csv", {"plan", "levels.csv", "--stiffness", "1.7e5", "--out", "next.csv"}});
+  all.push_back({"result.h5", {"ensemble", "plan.toml", "--out", "result.h5"}});
+  all.push_back({"push.csv",
+                 {"load", "half-sine", "model.toml", "--peak", "20N", "--pulse", "11ms",
+                  "--duration", "0.5s", "--out", "push.csv"}});
+  all.push_back({"spectrum.csv",
+                 {"spectrum", "decay.csv", "--column", "acc1", "--frequency", "10:200:20", "--out",
+                  "spectrum.csv"}});
+  all.push_back({"modes.toml", {"modes", "structure.toml", "--out", "modes.toml"}});
+  all.push_back({"found/joint1.json",
+                 {"calibrate", "two.toml", "modal.csv", "--samples", "100", "--keep-samples",
+                  "--out", "found"}});
+  return all;
+}
+
+void put_all_inputs(const Sandbox& box) {
+  put_inputs(box);
+  box.put("plan.toml", kPlan);
+  box.put("structure.toml", kStructure);
+  for (const char* name : {"stiffness.mtx", "mass.mtx", "truth_joint2.json"}) {
+    box.put(name, test::get(kTwoJoints + name));
+  }
+  box.put("two.toml", test::get(kTwoJoints + "model.toml"));
+  box.put("modal.csv", testing::every_third_row(test::get(kTwoJoints + "modal_levels.csv")));
+}
+
+bool is_temporary(const std::string& path) {
+  return fs::path(path).filename().string().starts_with(".microslip-");
+}
+
+/// An ensemble goes on from it.
+bool is_journal(const std::string& path) { return path.ends_with(".journal"); }
+
+/// One call, what is there before it and after it where nothing hinders it.
+class Killed {
+ public:
+  explicit Killed(Writing writing) : writing_(std::move(writing)) {
+    put_all_inputs(box_);
+    given_ = box_.content();
+    const auto start = Clock::now();
+    const Outcome run = box_.run(writing_.call);
+    duration_ = Clock::now() - start;
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_TRUE(box_.has(writing_.out)) << writing_.out;
+    whole_ = box_.content();
+  }
+
+  [[nodiscard]] const Sandbox& box() const { return box_; }
+  [[nodiscard]] const Arguments& call() const { return writing_.call; }
+  [[nodiscard]] Clock::duration duration() const { return duration_; }
+
+  /// Removes what the call made.
+  void clear() const {
+    for (const auto& [path, content] : box_.content()) {
+      if (!given_.contains(path)) fs::remove_all(path);
+    }
+  }
+
+  /// @param replaced  whether the outputs were there before.
+  void check_after(int signal, bool replaced) const {
+    const Contents now = box_.content();
+    for (const auto& [path, content] : now) {
+      if (is_temporary(path)) {
+        EXPECT_EQ(signal, SIGKILL) << path << " is left";
+      } else if (!is_journal(path)) {
+        ASSERT_TRUE(whole_.contains(path)) << path << " is left";
+        EXPECT_TRUE(content == whole_.at(path)) << path << " is not whole";
+      }
+    }
+    for (const auto& [path, content] : replaced ? whole_ : given_) {
+      EXPECT_TRUE(now.contains(path)) << path << " is gone";
+    }
+  }
+
+  void check_again() const {
+    const Outcome run = box_.run(writing_.call);
+    EXPECT_EQ(run.status, 0) << run.err;
+    const Contents now = box_.content();
+    for (const auto& [path, content] : now) {
+      EXPECT_TRUE(whole_.contains(path)) << path << " is left for ever";
+    }
+    for (const auto& [path, content] : whole_) {
+      ASSERT_TRUE(now.contains(path)) << path;
+      EXPECT_TRUE(now.at(path) == content) << path << " is another than without a kill";
+    }
+  }
+
+ private:
+  Writing writing_;
+  Sandbox box_;
+  Contents given_;
+  Contents whole_;
+  Clock::duration duration_{};
+};
+
+constexpr std::array kSignals{SIGKILL, SIGINT, SIGTERM};
+
+void expect_ended(const Outcome& run, int signal) {
+  EXPECT_TRUE(run.signal == signal || run.status == 0) << run.status << ": " << run.err;
+}
+
+// Seeded, so that the order of calls and signals repeats; where each is hit depends on the machine.
+TEST(Killed, AtRandomMoments) {
+  const std::vector<Writing> writings = all_calls();
+  RandomStream random(1, 0);
+  const int draws = kills();
+  int hit = 0;
+  std::map<std::size_t, Killed> cases;
+  for (int i = 0; i < draws && !HasFailure(); ++i) {
+    const std::size_t chosen = static_cast<std::size_t>(i) % writings.size();
+    const Killed& one = cases.try_emplace(chosen, writings[chosen]).first->second;
+    const int signal = kSignals.at(static_cast<std::size_t>(3.0 * random.uniform()));
+    const bool replaced = random.uniform() < 0.5;
+    if (!replaced) one.clear();
+    SCOPED_TRACE(typed(one.call()) + " by signal " + std::to_string(signal));
+    Running running(one.call(), one.box().path(), {});
+    std::this_thread::sleep_for(1.1 * random.uniform() * one.duration());
+    running.send(signal);
+    const Outcome run = running.wait();
+    expect_ended(run, signal);
+    hit += run.signal == signal ? 1 : 0;
+    one.check_after(signal, replaced);
+    one.check_again();
+  }
+  test::record_sum("kills [1]", hit);
+  EXPECT_GT(hit, draws / 2);
+}
+
+/// Runs the call and kills it before the `number`th call of the system of this name on its files;
+/// whether it came to it.
+bool killed_before(const Killed& one, const std::string& what, int number) {
+  const Sandbox outside;
+  const std::vector<std::string> environment{
+      "LD_PRELOAD=" MICROSLIP_FAILING_CALLS,
+      "ASAN_OPTIONS=verify_asan_link_order=0",
+      "MICROSLIP_FAILING_FOLDER=" + fs::canonical(one.box().path()).string(),
+      "MICROSLIP_FAILING_CALL=" + what,
+      "MICROSLIP_FAILING_NUMBER=" + std::to_string(number),
+      "MICROSLIP_FAILING_SIGNAL=" + std::to_string(SIGKILL),
+      "MICROSLIP_FAILED=" + outside.file("failed")};
+  expect_ended(one.box().run(one.call(), {.environment = environment}), SIGKILL);
+  return outside.has("failed");
+}
+
+class KilledBefore : public ::testing::TestWithParam<std::string> {};
+
+// Where files get their names it is a matter of single calls, which a random moment hardly hits:
+// all of them.
+TEST_P(KilledBefore, EachCallOfTheSystem) {
+  const auto writings = all_calls();
+  const auto writing = std::ranges::find(writings, GetParam(), &Writing::out);
+  const Killed one(*writing);
+  for (const char* what : {"close", "fsync", "rename"}) {
+    for (int number = 1; !HasFailure(); ++number) {
+      SCOPED_TRACE(fmt::format("before {} {}", what, number));
+      const bool replaced = number % 2 == 0;
+      if (!replaced) one.clear();
+      const bool came = killed_before(one, what, number);
+      one.check_after(SIGKILL, replaced);
+      one.check_again();
+      if (!came) break;
+    }
+  }
+}
+
+// One of each way of writing: a text, two files, one by another library, a folder, a picture,
+// blocks.
+INSTANTIATE_TEST_SUITE_P(Of, KilledBefore,
+                         ::testing::Values("loop.csv", "density.csv", "rec.h5", "made/level_01.csv",
+                                           "levels.svg", "result.h5"),
+                         [](const auto& each) {
+                           std::string name = each.param;
+                           std::ranges::replace_if(
+                               name, [](char c) { return std::isalnum(c) == 0; }, '_');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace microslip::cli_test::killed_test
