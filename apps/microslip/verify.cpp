@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdio>
 #include <memory>
@@ -12,6 +13,8 @@
 
 #include "command.hpp"
 #include "draw_arguments.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/io/file_kind.hpp"
 #include "microslip/io/output_files.hpp"
 #include "microslip/report/gnuplot.hpp"
 #include "microslip/report/verification_figure.hpp"
@@ -20,18 +23,23 @@
 #include "picture_argument.hpp"
 #include "progress_bar.hpp"
 #include "recording_arguments.hpp"
+#include "verify_tests.hpp"
 
 namespace microslip::app {
 namespace {
 
+constexpr std::size_t kRigHarmonics = 10;
+
 struct VerifyOptions : RecordingsVerification {
+  std::vector<std::string> tests;
   VerificationTables tables;
   std::string picture;
   std::string frequency;
-  std::size_t harmonics = 10;
+  std::optional<std::size_t> harmonics;
   bool no_vibrometer = false;
   RecordingArguments arguments;
   JointDrawArguments drawn;
+  TestArguments of_tests;
   std::string frequency_std = "0";
   std::string loss_factor_std = "0";
   std::string force_gain_std = "0";
@@ -77,10 +85,22 @@ void write_outputs(const VerifyOptions& options, const VerifiedRecordings& verif
   outputs.commit();
 }
 
-int run(VerifyOptions options, const Call& call) {
+/// The joint and the recordings of a rig.
+void name_inputs(VerifyOptions& options) {
+  options.joint = options.tests.front();
+  options.recordings.assign(options.tests.begin() + 1, options.tests.end());
+  if (!options.recordings.empty()) return;
+  throw InputError("recordings", InputState{"missing"},
+                   "must be named behind rig.toml and joint.json",
+                   "For instance: microslip verify rig.toml joint.json level_01.csv --out "
+                   "verification.csv");
+}
+
+int run_of_rig(VerifyOptions options, const Call& call) {
+  name_inputs(options);
   check_outputs(outputs_of(options));
   ReductionOptions& reduction = options.verification.reduction;
-  reduction.fit.order = static_cast<int>(options.harmonics);
+  reduction.fit.order = static_cast<int>(options.harmonics.value_or(kRigHarmonics));
   reduction.fit.frequency_guess = frequency_guess(options.frequency);
   reduction.use_vibrometer = !options.no_vibrometer;
   options.reading = read_options(options.arguments);
@@ -101,11 +121,49 @@ int run(VerifyOptions options, const Call& call) {
   return batch.converged() && !failed ? kDone : kNotConverged;
 }
 
+/// Options that belong to a rig alone, and to tests of a model alone.
+constexpr std::array kOfRig{"--harmonics-csv",  "--histories",     "--modes",
+                            "--sine",           "--frequency",     "--cycles",
+                            "--no-vibrometer",  "--frequency-std", "--loss-factor-std",
+                            "--force-gain-std", "--skip-faulty",   "--acceleration-gain-std"};
+constexpr std::array kOfTests{"--kind",         "--sensor", "--mode",       "--force",
+                              "--displacement", "--joint",  "--correlation"};
+
+template <std::size_t N>
+void refuse_options(const CLI::App& command, const std::array<const char*, N>& names,
+                    const char* with) {
+  for (const char* name : names) {
+    if (command.get_option(name)->count() == 0) continue;
+    throw InputError(name, InputState{"given"}, fmt::format("must not be given {}", with),
+                     "Leave it out.");
+  }
+}
+
+int run(const VerifyOptions& options, const CLI::App& command, const Call& call) {
+  // What comes through a pipe can be read only once: it is a rig.
+  const std::string kind = options.rig == "-" ? "" : file_kind(read_kind_head(options.rig));
+  if (kind != kModelKind && kind != kJointKind) {
+    refuse_options(command, kOfTests, "with a rig.toml, whose records are steady");
+    return run_of_rig(options, call);
+  }
+  refuse_options(command, kOfRig, "with a model.toml or joint.json: it is of records of a rig");
+  return run_of_tests({.model = options.rig,
+                       .tests = options.tests,
+                       .out = options.tables.table,
+                       .picture = options.picture,
+                       .harmonics = options.harmonics,
+                       .arguments = options.of_tests,
+                       .reading = options.arguments,
+                       .drawn = options.drawn},
+                      kind == kJointKind, call);
+}
+
 void add_output_options(CLI::App& command, VerifyOptions& options) {
   command
       .add_option("--out", options.tables.table,
-                  "CSV to write, a row a record and channel: NRMSE [1], noise_share [1], "
-                  "amplitude_ratio [1], phase_error [rad], ...; - is standard output")
+                  "CSV to write, of a rig a row a record and channel: NRMSE [1], noise_share [1], "
+                  "amplitude_ratio [1], phase_error [rad], ...; of tests of a model a row a value: "
+                  "quantity, measured, predicted, lower, upper, verdict, ...; - is standard output")
       ->required()
       ->type_name(kCsvValue);
   command
@@ -117,8 +175,10 @@ void add_output_options(CLI::App& command, VerifyOptions& options) {
                   "A few cycles of each channel as CSV, recorded and predicted")
       ->type_name(kCsvValue);
   command
-      .add_option("--picture", options.picture,
-                  "Lowest, middle and highest level as .svg, .png or .pdf")
+      .add_option(
+          "--picture", options.picture,
+          "Lowest, middle and highest level of a rig, or the tests of a model, as .svg, .png "
+          "or .pdf")
       ->type_name(kPictureValue);
 }
 
@@ -127,9 +187,12 @@ void add_model_options(CLI::App& command, VerifyOptions& options) {
       .add_option("--modes", options.verification.reduction.modes, "Modes of the beam in the model")
       ->check(CLI::Range(1, 40))
       ->capture_default_str();
-  command.add_option("--harmonics", options.harmonics, "Harmonics that are fitted and compared")
-      ->check(CLI::Range(1, 100))
-      ->capture_default_str();
+  command
+      .add_option(
+          "--harmonics", options.harmonics,
+          "Harmonics that are fitted and compared, 10 without it; of tests of a model those "
+          "of its motion, 5 without it")
+      ->check(CLI::Range(1, 100));
   command.add_flag("--sine", options.verification.sine,
                    "Drive the model by a pure sine, not with the recorded harmonics of the force");
   command.add_option("--frequency", options.frequency,
@@ -148,7 +211,8 @@ void add_rig_draws(CLI::App& command, VerifyOptions& options) {
       command, options.drawn,
       "predicted_response_lower and predicted_response_upper [m/s^2] at the recorded force, the "
       "same of the frequency there, of the joint's amplitude and of the energy input, and 1 or 0 "
-      "for whether what was measured lies inside");
+      "for whether what was measured lies inside; of tests of a model lower, upper and verdict");
+  add_correlation_argument(command, options.drawn);
   CLI::Option* draws = command.get_option("--draws");
   const auto add = [&](const char* name, std::string& value, const char* text) {
     command.add_option(name, value, text)->needs(draws)->capture_default_str();
@@ -166,21 +230,28 @@ void add_rig_draws(CLI::App& command, VerifyOptions& options) {
 void add_verify(CLI::App& program, Call& call) {
   auto options = std::make_shared<VerifyOptions>();
   CLI::App* command = program.add_subcommand(
-      "verify", "Recordings of a frictional-support test against what a joint predicts");
-  command->add_option("rig", options->rig, "Description of the test, rig.toml")
+      "verify",
+      "Tests against what is predicted: recordings of a frictional-support test by its joint, or "
+      "sweeps, ring-downs and loops by a model");
+  command
+      ->add_option("description", options->rig,
+                   "Description of a frictional-support test, rig.toml; or a structure with "
+                   "joints, model.toml; or a joint by itself, joint.json, for loops")
       ->required()
       ->type_name(kTomlValue);
-  command->add_option("joint", options->joint, "The joint, joint.json")
-      ->required()
-      ->type_name(kJsonValue);
   command
-      ->add_option("recordings", options->recordings,
-                   "Steady records, one a level (CSV, UFF, MAT, HDF5)")
+      ->add_option("tests", options->tests,
+                   "With a rig.toml its joint, joint.json, and steady records, one a level (CSV, "
+                   "UFF, MAT, HDF5). Else tests: stepped-sine tables (CSV with frequency [Hz], "
+                   "force [N], acceleration [m/s^2], phase [rad], or FILE.mat:VARIABLE with such "
+                   "fields), modal_levels.csv, recordings of a ring-down or of force and "
+                   "displacement")
       ->required()
       ->type_name(kRecordingValue);
   add_output_options(*command, *options);
   add_model_options(*command, *options);
   add_rig_draws(*command, *options);
+  add_test_arguments(*command, options->of_tests);
   add_recording_arguments(*command, options->arguments);
   command->add_flag("--skip-faulty", options->skip_faulty,
                     "Leave out what cannot be read or fitted, and say so");
@@ -190,9 +261,13 @@ void add_verify(CLI::App& program, Call& call) {
                           "          --histories histories.csv --picture verification.svg",
                           "microslip verify rig.toml joint.json level_*.csv --draws 200 \\",
                           "          --samples joint_samples.h5 --frequency-std 0.05% \\",
-                          "          --loss-factor-std 5% --out verification.csv"});
-  command->callback(
-      [options, &call] { call.run = [options, &call] { return run(*options, call); }; });
+                          "          --loss-factor-std 5% --out verification.csv",
+                          "microslip verify model.toml sweep_1.csv sweep_2.csv --draws 1000 \\",
+                          "          --out comparison.csv --picture comparison.svg",
+                          "microslip verify joint.json record.csv --out comparison.csv"});
+  command->callback([options, command, &call] {
+    call.run = [options, command, &call] { return run(*options, *command, call); };
+  });
 }
 
 }  // namespace microslip::app

@@ -30,6 +30,7 @@ constexpr std::array kTableKinds{
     TableKind{kModalLevelsKind, {"mode", "displacement", "dissipation"}},
     TableKind{kModalLevelsKind, {"mode", "displacement", "damping_ratio"}},
     TableKind{kVerificationKind, {"channel", "NRMSE", "noise_share"}},
+    TableKind{kComparisonKind, {"quantity", "measured", "verdict"}},
     TableKind{kHarmonicsKind, {"source", "harmonic", "frequency"}},
     TableKind{kForceControlKind, {"level", "force_before", "force_after"}},
     TableKind{kDissipationKind, {"amplitude", "dissipation", "loss_factor"}},

@@ -53,6 +53,8 @@ inline constexpr std::string_view kMarchPeaksKind = "a table of peaks of draws o
 inline constexpr std::string_view kBackboneKind = "a table of a backbone";  ///< of backbone_table()
 /// of verification_table()
 inline constexpr std::string_view kVerificationKind = "a table of a verification";
+/// of comparison_table()
+inline constexpr std::string_view kComparisonKind = "a table of compared tests";
 /// of harmonics_table()
 inline constexpr std::string_view kHarmonicsKind = "a table of predicted harmonics";
 /// of histories_table()

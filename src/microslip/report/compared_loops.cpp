@@ -10,16 +10,16 @@
 
 namespace microslip {
 
-ComparedLoops compared_loops(std::span<const DrawnJoint> joints, double amplitude) {
+ComparedLoops compared_loops(std::span<const ShownJoint> joints, double amplitude) {
   constexpr std::size_t kHalfLoop = 120;  // points
   ComparedLoops compared;
   const SteadyLoop base = steady_loop(joints.front().joint, amplitude, kHalfLoop);
-  const auto add = [&](std::vector<Layer>& layers, const DrawnJoint& drawn,
+  const auto add = [&](std::vector<Layer>& layers, const ShownJoint& drawn,
                        std::vector<double> force) {
     layers.emplace_back(LoopLayer{base.displacement, std::move(force), drawn.name, drawn.stroke});
   };
   add(compared.loops, joints.front(), base.force);
-  for (const DrawnJoint& drawn : joints.subspan(1)) {
+  for (const ShownJoint& drawn : joints.subspan(1)) {
     const SteadyLoop loop = steady_loop(drawn.joint, amplitude, kHalfLoop);
     add(compared.loops, drawn, loop.force);
     add(compared.differences, drawn, force_difference(loop, base));
@@ -27,11 +27,11 @@ ComparedLoops compared_loops(std::span<const DrawnJoint> joints, double amplitud
   return compared;
 }
 
-std::vector<DrawnJoint> joints_to_compare(const ExperimentResults& results,
+std::vector<ShownJoint> joints_to_compare(const ExperimentResults& results,
                                           const std::optional<MethodComparison>& methods) {
-  std::vector<DrawnJoint> joints = drawn_joints(results, {});
+  std::vector<ShownJoint> joints = drawn_joints(results, {});
   if (!methods) return joints;
-  std::vector<DrawnJoint> splines;
+  std::vector<ShownJoint> splines;
   int colour = kGreen;
   for (auto& [factor, found] : varied_splines(*methods)) {
     const std::string name =

@@ -23,10 +23,10 @@ struct ComparedLoops {
 };
 
 /// @param joints     one at least. @param amplitude  A, m.
-[[nodiscard]] ComparedLoops compared_loops(std::span<const DrawnJoint> joints, double amplitude);
+[[nodiscard]] ComparedLoops compared_loops(std::span<const ShownJoint> joints, double amplitude);
 
 /// The joint of the results, splines with other smoothing, and the truth where it is known.
-[[nodiscard]] std::vector<DrawnJoint> joints_to_compare(
+[[nodiscard]] std::vector<ShownJoint> joints_to_compare(
     const ExperimentResults& results, const std::optional<MethodComparison>& methods);
 
 }  // namespace microslip

@@ -88,7 +88,7 @@ void add_range(Figure& figure, const DensityCurve& curve) {
 }
 
 /// @param others  beside the curve, up to its end.
-Figure figure_of(const DensityCurve& curve, std::span<const DrawnJoint> others,
+Figure figure_of(const DensityCurve& curve, std::span<const ShownJoint> others,
                  const FigureOptions& options) {
   Figure figure{.title = "Slip-force density",
                 .caption = curve.of_records ? kOfRecords : kOfLevels};
@@ -97,7 +97,7 @@ Figure figure_of(const DensityCurve& curve, std::span<const DrawnJoint> others,
   figure.layers.emplace_back(LineLayer{covered(curve, curve.slip_force, curve.slip_force),
                                        covered(curve, curve.slip_force, curve.density), curve.name,
                                        kFound});
-  for (const DrawnJoint& drawn : others) {
+  for (const ShownJoint& drawn : others) {
     DensityPoints points = density_points(drawn.joint, 0.0, end);
     figure.layers.emplace_back(LineLayer{std::move(points.slip_force), std::move(points.density),
                                          density_name(drawn.name, drawn.joint), drawn.stroke});
@@ -124,16 +124,16 @@ bool is_of_atoms(const SlipDensity& density) {
 }
 
 /// Φ0(f*), which has steps where a density has atoms.
-Figure slipped_shares(const std::vector<DrawnJoint>& joints) {
+Figure slipped_shares(const std::vector<ShownJoint>& joints) {
   double end = 0.0;
-  for (const DrawnJoint& drawn : joints) {
+  for (const ShownJoint& drawn : joints) {
     end = std::max(end, 1.1 * drawn.joint.density().largest_slip_force());
   }
   Figure figure{.title = "Slip forces",
                 .caption =
                     "What part of the stiffness slips up to a slip force. The joint is of "
                     "single slip forces, which have no density."};
-  for (const DrawnJoint& drawn : joints) {
+  for (const ShownJoint& drawn : joints) {
     Curve curve = slipped_share(drawn.joint, end);
     figure.layers.emplace_back(
         LineLayer{std::move(curve.x), std::move(curve.y), drawn.name, drawn.stroke});

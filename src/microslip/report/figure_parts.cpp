@@ -51,9 +51,9 @@ const char* joint_name(const IdentifiedJoint& found) {
   return found.covered_to ? "identified joint" : "joint";
 }
 
-std::vector<DrawnJoint> drawn_others(const ExperimentResults& results,
+std::vector<ShownJoint> drawn_others(const ExperimentResults& results,
                                      const FigureOptions& options) {
-  std::vector<DrawnJoint> drawn;
+  std::vector<ShownJoint> drawn;
   if (results.truth) drawn.push_back({"truth", *results.truth, kTruth});
   for (std::size_t i = 0; i < options.others.size(); ++i) {
     const NamedJoint& other = options.others[i];
@@ -62,9 +62,9 @@ std::vector<DrawnJoint> drawn_others(const ExperimentResults& results,
   return drawn;
 }
 
-std::vector<DrawnJoint> drawn_joints(const ExperimentResults& results,
+std::vector<ShownJoint> drawn_joints(const ExperimentResults& results,
                                      const FigureOptions& options) {
-  std::vector<DrawnJoint> drawn;
+  std::vector<ShownJoint> drawn;
   if (results.joint) drawn.push_back({joint_name(*results.joint), results.joint->joint, kFound});
   std::ranges::move(drawn_others(results, options), std::back_inserter(drawn));
   return drawn;
@@ -93,7 +93,7 @@ PointLayer at_levels(const MeasuredLevels& levels, const MeasuredPoints& measure
 void add_curves(Figure& figure, const ExperimentResults& results, const FigureOptions& options,
                 JointQuantity quantity) {
   const std::vector<double> amplitude = drawn_amplitudes(results);
-  for (const DrawnJoint& drawn : drawn_joints(results, options)) {
+  for (const ShownJoint& drawn : drawn_joints(results, options)) {
     figure.layers.emplace_back(LineLayer{amplitude, joint_curve(drawn.joint, quantity, amplitude),
                                          drawn.name, drawn.stroke});
   }

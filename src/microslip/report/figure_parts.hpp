@@ -34,18 +34,18 @@ inline constexpr const char* kPredictedByTruth = "by the true joint";
 [[nodiscard]] const char* joint_name(const IdentifiedJoint& found);
 
 /// A joint that is drawn beside others.
-struct DrawnJoint {
+struct ShownJoint {
   std::string name;    ///< in the legend
   Joint joint;         ///< whose curve is drawn
   Stroke stroke = {};  ///< of its line
 };
 
 /// The truth, and the others of the options.
-[[nodiscard]] std::vector<DrawnJoint> drawn_others(const ExperimentResults& results,
+[[nodiscard]] std::vector<ShownJoint> drawn_others(const ExperimentResults& results,
                                                    const FigureOptions& options);
 
 /// With the joint of the results before them: dashed lines can be seen on its solid one.
-[[nodiscard]] std::vector<DrawnJoint> drawn_joints(const ExperimentResults& results,
+[[nodiscard]] std::vector<ShownJoint> drawn_joints(const ExperimentResults& results,
                                                    const FigureOptions& options);
 
 /// Where the last slider slips, m. @throws InputError  where none does.

@@ -41,7 +41,7 @@ Figure loops_figure(const ExperimentResults& results, const FigureOptions& optio
         found.joint, amplitude, fmt::format("A = {:.4g} {}", amplitude / unit.size, unit.text),
         {.colour = colour++}));
   }
-  for (const DrawnJoint& drawn : drawn_others(results, options)) {
+  for (const ShownJoint& drawn : drawn_others(results, options)) {
     for (const double amplitude : amplitudes) {
       figure.layers.emplace_back(
           loop_of(drawn.joint, amplitude, drawn.name,

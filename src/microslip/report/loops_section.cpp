@@ -35,7 +35,7 @@ ReportSection loops_section(const ExperimentResults& results,
         ReportMissing{"No loops, which need an amplitude: no levels.csv in this folder.", ""});
     return section;
   }
-  const std::vector<DrawnJoint> joints = joints_to_compare(results, methods);
+  const std::vector<ShownJoint> joints = joints_to_compare(results, methods);
   std::vector<FigureChoice> loops;
   std::vector<FigureChoice> differences;
   for (const double amplitude :

@@ -10,6 +10,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/report/calibration_figures.hpp"
+#include "microslip/report/comparison_figure.hpp"
 #include "microslip/report/density_figure.hpp"
 #include "microslip/report/force_figures.hpp"
 #include "microslip/report/level_figures.hpp"
@@ -122,7 +123,7 @@ bool has_densities(const ResultInput& input) { return !input.test.densities.empt
 constexpr const char* kNeedsDensities =
     "identifiability.csv, or joint.json of calibrate, or densities.csv, or several joints";
 
-constexpr std::array<NamedFigure, 27> kFigures = {{
+constexpr std::array<NamedFigure, 28> kFigures = {{
     {"energies", "input energy, linear loss and joint dissipation over the amplitude", "levels.csv",
      has_levels, always, always, of_test<energies_figure>},
     {"density", "slip-force density with its band", "joint.json or density.csv", has_density, never,
@@ -146,6 +147,13 @@ constexpr std::array<NamedFigure, 27> kFigures = {{
      of_test<constant_response_figure>},
     {"verification", "recorded and predicted signals, or the error of each channel",
      "verification.csv or histories", has_verification, has_deviations, never, verification},
+    {"comparison",
+     "tests of a structure beside what its model predicts, with the band of the draws",
+     "CSV of verify, of tests of a model",
+     [](const ResultInput& input) { return !input.compared.empty(); }, never, never,
+     [](const ResultInput& input, const FigureOptions& /*options*/) {
+       return comparison_figure(input.compared);
+     }},
     {"response", "frequency response, amplitude and phase", "CSV of frf",
      [](const ResultInput& input) { return input.response.has_value(); }, never, never,
      [](const ResultInput& input, const FigureOptions& /*options*/) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <optional>
 #include <string_view>
 
 #include "microslip/base/error.hpp"
@@ -76,7 +77,8 @@ FourierSeries harmonic(double omega, std::complex<double> first) {
   return series;
 }
 
-[[noreturn]] void throw_no_resonance(const SteppedSine& sweep, const std::vector<Step>& steps) {
+[[noreturn]] void throw_no_resonance(const SteppedSine& sweep) {
+  const std::vector<Step> steps = sorted_steps(sweep);
   const auto [least, most] = std::ranges::minmax(steps, {}, &Step::phase);
   throw InputError(sweep.source + ": phase",
                    fmt::format("{:.3g} to {:.3g} rad", least.phase, most.phase),
@@ -97,29 +99,35 @@ void check_stepped_sine(const SteppedSine& sweep) {
   check_column(sweep, "phase", sweep.phase, false);
 }
 
-ReducedLevel reduce_stepped_sine(const Reducer& reducer, const SteppedSine& sweep) {
+std::optional<SweepResonance> resonance_of(const SteppedSine& sweep) {
   check_stepped_sine(sweep);
+  const std::vector<Step> found = resonances(sorted_steps(sweep));
+  if (found.empty()) return std::nullopt;
+  const Step& step = *std::ranges::max_element(found, {}, &Step::acceleration);
+  return SweepResonance{step.frequency, step.force, step.acceleration, found.size()};
+}
+
+ReducedLevel reduce_stepped_sine(const Reducer& reducer, const SteppedSine& sweep) {
+  const std::optional<SweepResonance> found = resonance_of(sweep);
   const SignalLayout layout = signal_layout(reducer.rig(), false);
   if (layout.accelerometers != 1 || !layout.at_exciter) {
     throw InputError("accelerometer", fmt::format("{} of them", layout.accelerometers),
                      "must be one, at the exciter, for a stepped-sine table",
                      "The table has one acceleration.");
   }
-  const std::vector<Step> steps = sorted_steps(sweep);
-  const std::vector<Step> found = resonances(steps);
-  if (found.empty()) throw_no_resonance(sweep, steps);
-  const Step& step = *std::ranges::max_element(found, {}, &Step::acceleration);
+  if (!found) throw_no_resonance(sweep);
 
-  const double omega = 2.0 * std::numbers::pi * step.frequency;
+  const double omega = 2.0 * std::numbers::pi * found->frequency;
   const std::array<FourierSeries, 2> series{
-      harmonic(omega, step.force), harmonic(omega, std::polar(step.acceleration, step.phase))};
+      harmonic(omega, found->force),
+      harmonic(omega, std::polar(found->acceleration, kQuarterTurn))};
   const CycleResult cycle = CycleReduction(reducer.state(), layout, omega, 1).reduce(series);
   ReducedLevel level;
   level.source = sweep.source;
-  level.frequency = step.frequency;
-  level.resonance_frequency = step.frequency;
-  level.force_amplitude = step.force;
-  level.response_amplitude = step.acceleration;
+  level.frequency = found->frequency;
+  level.resonance_frequency = found->frequency;
+  level.force_amplitude = found->force;
+  level.response_amplitude = found->acceleration;
   level.amplitude.value = cycle.amplitude;
   level.input_energy.value = cycle.input_energy;
   level.linear_dissipation = cycle.linear_dissipation;
@@ -128,9 +136,10 @@ ReducedLevel reduce_stepped_sine(const Reducer& reducer, const SteppedSine& swee
   if (reducer.state().stiffness > 0.0) {
     level.secant_stiffness = Measured{cycle.secant_stiffness, 0.0};
   }
-  if (found.size() > 1) {
-    level.flags.push_back({"several_resonances",
-                           fmt::format("The phase passes a quarter turn {} times.", found.size())});
+  if (found->passages > 1) {
+    level.flags.push_back(
+        {"several_resonances",
+         fmt::format("The phase passes a quarter turn {} times.", found->passages)});
   }
   return level;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,9 +25,21 @@ struct SteppedSine {
 /// @throws InputError  naming the source, the column and the value that breaks a rule.
 void check_stepped_sine(const SteppedSine& sweep);
 
-/// The level that a sweep holds: force, acceleration and frequency where the phase passes a quarter
-/// turn, logarithms of amplitudes and the frequency taken linear in the phase between the two steps
-/// beside it. There
+/// Where the phase of a sweep passes a quarter turn, either way: in phase resonance.
+struct SweepResonance {
+  double frequency = 0.0;     ///< Hz
+  double force = 0.0;         ///< |F_1| there, N
+  double acceleration = 0.0;  ///< |A_1| there, m/s²
+  std::size_t passages = 1;   ///< of a quarter turn in the sweep
+};
+
+/// Logarithms of amplitudes and the frequency are taken linear in the phase between the two steps
+/// beside it; of several passages that of the largest acceleration.
+/// @return nothing where the phase does not pass a quarter turn.
+/// @throws InputError  as check_stepped_sine().
+[[nodiscard]] std::optional<SweepResonance> resonance_of(const SteppedSine& sweep);
+
+/// The level that a sweep holds, by its resonance_of(). There
 ///
 ///     W_ext = π |F_1| |A_1|/ω²,
 ///

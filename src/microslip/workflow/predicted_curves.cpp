@@ -2,9 +2,7 @@
 #include "microslip/workflow/predicted_curves.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,32 +10,10 @@
 
 #include "microslip/base/units.hpp"
 #include "microslip/io/csv.hpp"
+#include "microslip/workflow/table_cells.hpp"
 
 namespace microslip {
 namespace {
-
-/// A column whose cells may be empty: NaN.
-std::vector<double> numbers_or_none(const CsvTable& table, const std::string& name) {
-  std::vector<double> numbers;
-  const std::vector<std::string> cells = table.text(name);
-  for (std::size_t row = 0; row < cells.size(); ++row) {
-    double number = std::numeric_limits<double>::quiet_NaN();
-    const char* const end = cells[row].data() + cells[row].size();
-    const auto [rest, error] = std::from_chars(cells[row].data(), end, number);
-    if (!cells[row].empty() && (error != std::errc() || rest != end)) {
-      table.reject(row, name, "a number, or nothing");
-    }
-    numbers.push_back(number);
-  }
-  return numbers;
-}
-
-/// "frequency [Hz]" by its parts.
-std::pair<std::string, std::string> name_and_unit(const std::string& text) {
-  const std::size_t bracket = text.find(" [");
-  if (bracket == std::string::npos || !text.ends_with(']')) return {text, ""};
-  return {text.substr(0, bracket), text.substr(bracket + 2, text.size() - bracket - 3)};
-}
 
 /// The least and the largest that may be meant become one curve: from the lower edge of the one to
 /// the upper edge of the other.
@@ -153,11 +129,11 @@ std::vector<EnsembleCurve> ensemble_curves(const CsvTable& table) {
   const std::vector<std::string> output = table.text("output");
   const std::vector<std::string> unit = table.text("unit");
   const std::vector<std::string> axis = table.text("axis");
-  const std::vector<double> at = numbers_or_none(table, "at");
-  const std::vector<double> median = numbers_or_none(table, "median");
-  const std::vector<double> lower = numbers_or_none(table, "lower");
-  const std::vector<double> upper = numbers_or_none(table, "upper");
-  const std::vector<double> count = numbers_or_none(table, "count");
+  const std::vector<double> at = numbers_or_empty(table, "at");
+  const std::vector<double> median = numbers_or_empty(table, "median");
+  const std::vector<double> lower = numbers_or_empty(table, "lower");
+  const std::vector<double> upper = numbers_or_empty(table, "upper");
+  const std::vector<double> count = numbers_or_empty(table, "count");
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const bool same =
         !curves.empty() && curves.back().group == group[row] && curves.back().output == output[row];

@@ -12,13 +12,11 @@
 #include "microslip/dynamics/curve_heights.hpp"
 #include "microslip/identify/quantiles.hpp"
 #include "microslip/io/csv_writer.hpp"
+#include "microslip/workflow/model_comparison.hpp"
 #include "microslip/workflow/summary_text.hpp"
 
 namespace microslip {
 namespace {
-
-/// Of a draw: what limits a band is neither.
-constexpr double kDrawTolerance = 1e-8;
 
 using Station = ResponseOfDraws::Station;
 
@@ -47,13 +45,6 @@ std::pair<double, double> meant(const Station& station, const std::vector<double
     return {heights.back(), heights.back()};
   }
   return {heights.front(), heights.back()};
-}
-
-HarmonicBalanceOptions options_of_draws(HarmonicBalanceOptions options) {
-  options.accuracy = 0.0;
-  options.frequencies.clear();
-  options.tolerance = std::max(options.tolerance, kDrawTolerance);
-  return options;
 }
 
 /// The peak of the reference next to a frequency.

@@ -19,6 +19,7 @@
 #include "microslip/io/recording_file.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/workflow/calibration_input.hpp"
+#include "microslip/workflow/comparison_table.hpp"
 #include "microslip/workflow/experiment_folder.hpp"
 #include "microslip/workflow/force_paths.hpp"
 
@@ -102,6 +103,8 @@ bool add_text(const std::string& kind, const std::string& text, const std::strin
   } else if (kind == kEnsembleTableKind) {
     input.ensemble = ensemble_curves({text, file});
     input.instead = "A sweep has values of its grid, in its table and its HDF5 file.";
+  } else if (kind == kComparisonKind) {
+    input.compared = compared_tests({text, file});
   } else if (kind == kMarchKind) {
     input.history = marched_histories({text, file});
   } else {

@@ -9,6 +9,7 @@
 #include "microslip/io/path_file.hpp"
 #include "microslip/workflow/experiment_results.hpp"
 #include "microslip/workflow/predicted_curves.hpp"
+#include "microslip/workflow/test_comparison.hpp"
 
 namespace microslip {
 
@@ -41,6 +42,7 @@ struct ResultInput {
   std::vector<double> path_force = {};               ///< N, one a point of the path
   CurveBand path_band = {};                          ///< of the force, N
   std::vector<EnsembleCurve> ensemble = {};          ///< of a CSV of ensemble
+  std::vector<ComparedTest> compared = {};           ///< of a CSV of verify, of tests of a model
   std::optional<JointSamples> samples = {};          ///< of joint_samples.h5
   std::vector<HistorySignal> history = {};           ///< of a CSV of march, or a recording
   std::size_t left_out = 0;                          ///< channels beyond those that a figure holds

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "microslip/report/figure.hpp"
+#include "microslip/report/gnuplot.hpp"
+#include "microslip/workflow/test_comparison.hpp"
+
+namespace microslip {
+
+/// A row of panels for each test, up to kMostComparedTests, spread over all that there are: each
+/// curve over its axis, measured, predicted and the band of the draws, what lies outside in another
+/// colour, with the peak where it has one; before them the loop of a record.
+/// @param tests  compared. @throws InputError  where no value was predicted.
+[[nodiscard]] FigureGrid comparison_figure(std::span<const ComparedTest> tests);
+
+/// The size of its picture.
+[[nodiscard]] PictureSize comparison_size(const FigureGrid& figure);
+
+/// More are not drawn together.
+inline constexpr std::size_t kMostComparedTests = 8;
+
+}  // namespace microslip

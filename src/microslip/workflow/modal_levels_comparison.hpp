@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/dynamics/structure_draws.hpp"
+#include "microslip/io/model_file.hpp"
+#include "microslip/observe/modal_levels.hpp"
+#include "microslip/workflow/modal_decay.hpp"
+#include "microslip/workflow/test_comparison.hpp"
+
+/// @file
+/// Levels of the modes of a structure, of ring-downs above all, against what its model predicts.
+
+namespace microslip {
+
+/// What followed modes in a decay, as levels.
+[[nodiscard]] ModalLevels levels_of(const ReducedModalDecay& decay);
+
+/// Predicts the nonlinear mode (Forcing::kModal) at each displacement that was measured: frequency
+/// [Hz], damping_ratio [1] and dissipation [J] of all joints, those that were measured, over
+/// displacement [m]; one test a mode. A mode that no joint takes part in is predicted in phase
+/// resonance with the excitation of the model. By a draw of a response that reads g times what is
+/// there the displacement is 1/g of the reading, its other values are as predicted. Standard deviations of
+/// frequency, damping and dissipation are those of readings in compare(); those of the displacement
+/// are not used, nor are losses of single joints.
+/// @param source   of the levels, for the table.
+/// @param levels   of one mode or several.
+/// @param model    whose response point the displacements are of.
+/// @param options  of the harmonic balance.
+/// @param spread   of the model; nothing without draws.
+/// @param draws    which of them; nothing without.
+/// @throws InputError  as HarmonicBalance and compare(); where no level has one of the three.
+/// @throws Cancelled   as the progress of the draws says.
+[[nodiscard]] std::vector<ComparedTest> compare_modal_levels(
+    const std::string& source, const ModalLevels& levels, const ModelFile& model,
+    const HarmonicBalanceOptions& options, const std::optional<StructureDraws>& spread = {},
+    const std::optional<TestDraws>& draws = {});
+
+}  // namespace microslip

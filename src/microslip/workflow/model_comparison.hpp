@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/io/model_file.hpp"
+
+/// @file
+/// What comparisons of tests with a model share. Internal to workflow.
+
+namespace microslip {
+
+/// A vibration with two targets: from one near it, or, where that does not lead there, from none.
+/// @param start    nothing: from none.
+/// @param mode     as in HarmonicBalance::solve().
+/// @param failure  gets why there is none, where it has no other reason yet.
+/// @return nothing where it was not found.
+[[nodiscard]] std::optional<SteadyVibration> vibration_near(const HarmonicBalance& balance,
+                                                            const Target& first,
+                                                            const Target& second,
+                                                            const SteadyVibration* start,
+                                                            std::size_t mode, std::string& failure);
+
+/// Of the vibrations with stuck joints the one whose frequency is next to ω by ratio, from 0.
+[[nodiscard]] std::size_t nearest_mode(const JointedStructure& structure, double angular_frequency);
+
+/// Of a draw: its accuracy is not what limits a band.
+[[nodiscard]] HarmonicBalanceOptions options_of_draws(HarmonicBalanceOptions options);
+
+/// What must be known of predicted motions: add_truncation() and add_model_warnings().
+/// @param kept  as there.
+[[nodiscard]] std::vector<Warning> motion_warnings(const HarmonicBalance& balance,
+                                                   const ModelFile& model, Quantity kept,
+                                                   ResponseCurve motions);
+
+}  // namespace microslip

@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/workflow/tests_verification.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/file_kind.hpp"
+#include "microslip/io/input_file.hpp"
+#include "microslip/io/joint_file.hpp"
+#include "microslip/io/modal_levels_file.hpp"
+#include "microslip/io/recording_file.hpp"
+#include "microslip/io/stepped_sine_file.hpp"
+#include "microslip/io/text.hpp"
+#include "microslip/workflow/distinct_files.hpp"
+#include "microslip/workflow/loops_comparison.hpp"
+#include "microslip/workflow/modal_decay.hpp"
+#include "microslip/workflow/modal_levels_comparison.hpp"
+#include "microslip/workflow/model_rules.hpp"
+#include "microslip/workflow/named_recordings.hpp"
+#include "microslip/workflow/record_entries.hpp"
+#include "microslip/workflow/recordings_provenance.hpp"
+#include "microslip/workflow/sweep_comparison.hpp"
+
+namespace microslip {
+namespace {
+
+// ---- Reading. ----
+
+/// Kinds that files hold by their content.
+enum class Content : std::uint8_t { kSweeps, kModalLevels, kRecording };
+
+Content content_of(const std::string& path) {
+  if (is_stepped_sine(path)) return Content::kSweeps;
+  const PartOfFile part = part_of_file(path);
+  if (part.variable.empty() && file_kind(read_kind_head(part.file)) == kModalLevelsKind) {
+    return Content::kModalLevels;
+  }
+  return Content::kRecording;
+}
+
+bool has_loops(const std::vector<Recording>& recordings) {
+  return std::ranges::any_of(recordings, [](const Recording& recording) {
+    const auto has = [&](const Dimension& dimension) {
+      return std::ranges::any_of(recording.channels, [&](const Channel& channel) {
+        return channel.dimension == dimension;
+      });
+    };
+    return has(kForce) && has(kLength);
+  });
+}
+
+bool is_of_sweeps(TestKind kind) {
+  return kind == TestKind::kSweep || kind == TestKind::kConstantResponse;
+}
+
+[[noreturn]] void throw_other_kind(const std::string& path, TestKind kind, const char* found) {
+  throw InputError("`kind`", in_quotes(to_string(kind)),
+                   fmt::format("must be what {} is: {}", path, found),
+                   "Leave it out, or name the tests of another kind in another call.");
+}
+
+/// Without what single joints lose, which is not compared.
+void append_level(const ModalLevels& all, std::size_t i, ModalLevels& kept) {
+  const auto one = [i](const std::vector<double>& values) {
+    return std::vector<double>{ModalLevels::value(values, i)};
+  };
+  append({.mode = {all.mode[i]},
+          .displacement = one(all.displacement),
+          .displacement_std = one(all.displacement_std),
+          .frequency = one(all.frequency),
+          .frequency_std = one(all.frequency_std),
+          .dissipation = one(all.dissipation),
+          .dissipation_std = one(all.dissipation_std),
+          .damping_ratio = one(all.damping_ratio),
+          .damping_ratio_std = one(all.damping_ratio_std)},
+         kept);
+}
+
+ModalLevels levels_of_table(const std::string& path, const ModelFile& model,
+                            const TestReading& options) {
+  std::vector<std::string> joints;
+  for (const StructuralJoint& joint : model.structure.joints()) joints.push_back(joint.name);
+  const ModalLevels all = parse_modal_levels(read_file(path), input_name(path), joints,
+                                             model.structure.linear().vibrations());
+  if (options.modes.empty()) return all;
+  ModalLevels kept;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (std::ranges::count(options.modes, all.mode[i] + 1) > 0) append_level(all, i, kept);
+  }
+  if (kept.size() > 0) return kept;
+  throw InputError("`mode`", fmt::format("{}", fmt::join(options.modes, ", ")),
+                   fmt::format("must be one of those of {}", path));
+}
+
+void read_decay(const std::string& model_path, const TestReading& options, ReadTest& test) {
+  const ReducedModalDecay reduced = reduce_modal_decay({.recording = test.path,
+                                                        .model = model_path,
+                                                        .sensors = options.sensors,
+                                                        .modes = options.modes,
+                                                        .analysis = options.decay,
+                                                        .reading = options.reading});
+  test.content = levels_of(reduced);
+  test.warnings = reduced.warnings;
+  test.converged = reduced.converged();
+}
+
+void read_loops(std::vector<Recording> recordings, const TestReading& options, ReadTest& test) {
+  std::vector<NamedForceRecord> records;
+  for (const Recording& recording : recordings) {
+    records.push_back(
+        {recording.source, force_record(recording, options.channels), recording.axis.start, 1.0});
+  }
+  test.content = std::move(records);
+}
+
+void require_model(const ModelFile* model, const std::string& path, const std::string& test) {
+  if (model != nullptr) return;
+  throw InputError(path, "a joint by itself",
+                   fmt::format("must be a model.toml for {}, a test of a structure", test),
+                   "A joint by itself predicts records of its force and displacement.");
+}
+
+}  // namespace
+
+ReadTest read_test(const std::string& path, const ModelFile* model, const std::string& model_path,
+                   const TestReading& options) {
+  ReadTest test{.path = path, .digest = digest_of(path), .content = {}, .kind = options.kind};
+  const Content content = content_of(path);
+  if (content == Content::kSweeps) {
+    require_model(model, model_path, path);
+    if (options.kind && !is_of_sweeps(*options.kind)) {
+      throw_other_kind(path, *options.kind, "a stepped-sine table");
+    }
+    test.content = read_stepped_sines(path);
+    return test;
+  }
+  if (options.kind && is_of_sweeps(*options.kind)) {
+    throw_other_kind(path, *options.kind, "no stepped-sine table");
+  }
+  if (content == Content::kModalLevels) {
+    require_model(model, model_path, path);
+    if (options.kind == TestKind::kLoops) throw_other_kind(path, *options.kind, "modal levels");
+    test.content = levels_of_table(path, *model, options);
+    return test;
+  }
+  std::vector<Recording> recordings = read_named_recordings(path, options.reading, test.warnings);
+  const bool loops =
+      options.kind ? options.kind == TestKind::kLoops : model == nullptr || has_loops(recordings);
+  if (loops) {
+    read_loops(std::move(recordings), options, test);
+  } else {
+    require_model(model, model_path, path);
+    read_decay(model_path, options, test);
+  }
+  return test;
+}
+
+namespace {
+
+// ---- What predicts. ----
+
+/// What the identification of a joint said against it.
+void add_joint_warnings(const std::string& path, const JointFile& file,
+                        std::vector<Warning>& warnings) {
+  const std::vector<std::string> departure = texts_in(file.identification, "verdict_departure");
+  const std::vector<std::string> verdict = texts_in(file.identification, "verdict");
+  std::vector<std::string> broken;
+  for (std::size_t i = 0; i < std::min(departure.size(), verdict.size()); ++i) {
+    if (verdict[i] == "broken" && std::ranges::count(broken, departure[i]) == 0) {
+      broken.push_back(departure[i]);
+    }
+  }
+  if (!broken.empty()) {
+    warnings.push_back(
+        {"joint_not_of_this_kind",
+         fmt::format("{} was identified as NOT A JOINT OF THIS KIND: {}. It is the joint of the "
+                     "kind that is nearest.",
+                     path, fmt::join(broken, ", "))});
+  }
+  const std::string status = text_in(file.identification, "status").value_or("");
+  if (!status.empty() && status != kConvergedStatus) {
+    warnings.push_back(
+        {"joint_not_converged", fmt::format("the identification of {} is {}.", path, status)});
+  }
+}
+
+/// Predicts tests by a model.toml.
+class ModelPrediction {
+ public:
+  ModelPrediction(const TestsVerification& options, const NamedInput& input)
+      : options_(options), model_(parse_model(input.text, input_name(input.path))) {
+    if (options.draws) draws_ = draws_of(model_, options.model, *options.draws);
+    for (const std::string& path : model_.joint_files) {
+      if (!path.empty()) add_joint_warnings(path, read_joint(path), warnings_);
+    }
+  }
+
+  [[nodiscard]] const ModelFile& model() const { return model_; }
+  [[nodiscard]] const std::vector<Warning>& warnings() const { return warnings_; }
+  [[nodiscard]] std::string uncertain() const { return draws_ ? uncertain_text(model_) : ""; }
+
+  [[nodiscard]] std::vector<ComparedTest> compare(const ReadTest& test,
+                                                  const std::optional<TestDraws>& draws) const {
+    if (const auto* sweeps = std::get_if<std::vector<SteppedSine>>(&test.content)) {
+      return compare_sweeps(*sweeps, test.kind, draws);
+    }
+    if (const auto* levels = std::get_if<ModalLevels>(&test.content)) {
+      return compare_modal_levels(input_name(test.path), *levels, model_, options_.balance, draws_,
+                                  draws);
+    }
+    return compare_records(std::get<std::vector<NamedForceRecord>>(test.content), draws);
+  }
+
+ private:
+  [[nodiscard]] std::vector<ComparedTest> compare_sweeps(
+      const std::vector<SteppedSine>& sweeps, std::optional<TestKind> kind,
+      const std::optional<TestDraws>& draws) const {
+    require_driven_by_forces(model_, options_.model, "verify");
+    std::vector<ComparedTest> tests;
+    for (const SteppedSine& sweep : sweeps) {
+      tests.push_back(compare_sweep(sweep, kind ? *kind : kind_of(sweep), model_, options_.balance,
+                                    draws_, draws));
+    }
+    return tests;
+  }
+
+  [[nodiscard]] std::vector<ComparedTest> compare_records(
+      const std::vector<NamedForceRecord>& records, const std::optional<TestDraws>& draws) const {
+    const std::size_t j = joint_of_records();
+    LoopJoint joint = loop_joint(model_.structure.joints()[j]);
+    if (j < model_.covered_to.size()) joint.covered_to = model_.covered_to[j];
+    std::function<LoopJoint(std::size_t)> draw;
+    if (draws_) {
+      draw = [&, j](std::size_t i) { return loop_joint(draws_->draw(i).structure.joints()[j]); };
+    }
+    std::vector<ComparedTest> tests;
+    for (const NamedForceRecord& record : records) {
+      tests.push_back(compare_loops(record, joint, draw, draws));
+    }
+    return tests;
+  }
+
+  [[nodiscard]] static LoopJoint loop_joint(const StructuralJoint& joint) {
+    return {joint.joint, joint.linear_damping};
+  }
+
+  [[nodiscard]] std::size_t joint_of_records() const {
+    const auto joints = model_.structure.joints();
+    if (options_.joint.empty() && joints.size() == 1) return 0;
+    const auto found = std::ranges::find(joints, options_.joint, &StructuralJoint::name);
+    if (found != joints.end()) return static_cast<std::size_t>(found - joints.begin());
+    std::vector<std::string> names;
+    for (const StructuralJoint& joint : joints) names.push_back(joint.name);
+    throw InputError(
+        "`joint`", in_quotes(options_.joint),
+        fmt::format("must be one of the joints of the model: {}", fmt::join(names, ", ")),
+        "Records of force and displacement are of one joint.");
+  }
+
+  const TestsVerification& options_;
+  ModelFile model_;
+  std::optional<StructureDraws> draws_;
+  std::vector<Warning> warnings_;
+};
+
+/// Predicts records of a joint by its joint.json.
+class JointPrediction {
+ public:
+  JointPrediction(const TestsVerification& options, const NamedInput& input)
+      : file_(parse_joint(input.text, input_name(input.path))),
+        joint_{file_.joint, 0.0, number_in(file_.identification, kViscousKey).value_or(0.0),
+               covered_to(file_)} {
+    if (joint_.viscous == 0.0) joint_.linear_damping = identified_damping(file_).value_or(0.0);
+    if (options.draws) draws_ = draws_of(file_, options.uncertain, *options.draws);
+    add_joint_warnings(input_name(input.path), file_, warnings_);
+  }
+
+  [[nodiscard]] const std::vector<Warning>& warnings() const { return warnings_; }
+  [[nodiscard]] std::string uncertain() const { return draws_ ? draws_->uncertain : ""; }
+
+  [[nodiscard]] std::vector<ComparedTest> compare(const ReadTest& test,
+                                                  const std::optional<TestDraws>& draws) const {
+    std::function<LoopJoint(std::size_t)> draw;
+    if (draws_) {
+      draw = [&](std::size_t i) {
+        DrawnJoint drawn = draws_->joint.draw({&file_.joint, 1}, i).front();
+        return LoopJoint{std::move(drawn.joint),
+                         drawn.linear_damping.value_or(joint_.linear_damping), joint_.viscous};
+      };
+    }
+    std::vector<ComparedTest> tests;
+    for (const NamedForceRecord& record : std::get<std::vector<NamedForceRecord>>(test.content)) {
+      tests.push_back(compare_loops(record, joint_, draw, draws));
+    }
+    return tests;
+  }
+
+ private:
+  JointFile file_;
+  LoopJoint joint_;
+  std::optional<LoneJointDraws> draws_;
+  std::vector<Warning> warnings_;
+};
+
+/// Draws of test t, counted in those of all.
+std::optional<TestDraws> draws_of_test(const TestsVerification& options, std::size_t t,
+                                       std::size_t count) {
+  if (!options.draws) return std::nullopt;
+  TestDraws draws{.options = *options.draws, .execution = options.execution};
+  if (options.progress) {
+    draws.progress = [&options, t, count](std::size_t done, std::size_t all) {
+      return options.progress(t * all + done, count * all);
+    };
+  }
+  return draws;
+}
+
+template <typename Prediction>
+void compare_all(const Prediction& prediction, const std::vector<ReadTest>& read,
+                 const TestsVerification& options, VerifiedTests& verified) {
+  for (std::size_t t = 0; t < read.size(); ++t) {
+    std::vector<ComparedTest> tests =
+        prediction.compare(read[t], draws_of_test(options, t, read.size()));
+    std::ranges::move(tests, std::back_inserter(verified.tests));
+    std::ranges::copy(read[t].warnings, std::back_inserter(verified.warnings));
+    verified.followed = verified.followed && read[t].converged;
+  }
+  std::ranges::copy(prediction.warnings(), std::back_inserter(verified.warnings));
+  verified.uncertain = prediction.uncertain();
+}
+
+}  // namespace
+
+bool VerifiedTests::converged() const {
+  return followed &&
+         std::ranges::all_of(tests, [](const ComparedTest& test) { return test.converged(); });
+}
+
+VerifiedTests verify_tests(const TestsVerification& options, const std::string& command) {
+  check_distinct_files(options.tests);
+  const NamedInput input{options.model, read_file(options.model)};
+  std::vector<ReadTest> read;
+  VerifiedTests verified;
+  const auto read_all = [&](const ModelFile* model) {
+    for (const std::string& path : options.tests) {
+      read.push_back(read_test(path, model, options.model, options.reading));
+    }
+  };
+  if (file_kind(input.text) == kJointKind) {
+    const JointPrediction prediction(options, input);
+    read_all(nullptr);
+    compare_all(prediction, read, options, verified);
+  } else {
+    const ModelPrediction prediction(options, input);
+    read_all(&prediction.model());
+    compare_all(prediction, read, options, verified);
+  }
+  std::vector<std::string> digests;
+  for (const ReadTest& test : read) digests.push_back(test.digest);
+  verified.heading = recordings_provenance(command, input, options.tests, digests);
+  return verified;
+}
+
+}  // namespace microslip
