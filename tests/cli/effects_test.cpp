@@ -200,6 +200,17 @@ std::string two_records() {
   return text;
 }
 
+/// A structure with two joints, of the stiffness 1.7e5 and 4e5 N/m.
+std::string two_laps() {
+  std::string text =
+      "schema = \"microslip.model/1\"\n[structure]\nfrequency_Hz = [16.0]\nloss_factor = [0.004]\n"
+      "[[structure.point]]\nname = \"first\"\nshape = [0.707]\n";
+  for (const auto* joint : {"joint", "joint400"}) {
+    text += fmt::format("[[joint]]\nname = \"{0}\"\nfile = \"{0}.json\"\nshape = [0.01]\n", joint);
+  }
+  return text + "[excitation]\npoint = \"first\"\n";
+}
+
 /// The files from which every call starts: those of docs/file_formats.md, records of their rig, and
 /// what the options are about that only files with a fault need.
 /// structure.toml with joints that slip.
@@ -389,6 +400,16 @@ const Files& inputs() {
     written =
         run(all, words("frf model.toml --force 50 --frequency 10:20 --out frf.csv --quiet")).files;
     all["frf.csv"] = written.at("frf.csv");
+    written = run(all, words("march model.toml --release 1:1mm --duration 4 --sampling-rate 1024 "
+                             "--out released.csv --quiet"))
+                  .files;
+    all["released.csv"] = written.at("released.csv");
+    all["two_modes.csv"] =
+        "mode [1],displacement [m],displacement_std [m],frequency [Hz],frequency_std [Hz],"
+        "damping_ratio [1],damping_ratio_std [1],dissipation [J],dissipation_std [J]\n"
+        "1,5e-4,1e-6,15.5,0.01,0.004,0.0001,0.01,0.0001\n1,1e-3,1e-6,15,0.01,0.01,0.0001,0.02,"
+        "0.0001\n2,5e-4,1e-6,27,0.01,0.004,0.0001,0.01,0.0001\n";
+    all["two_laps.toml"] = two_laps();
     written = run(all, words("identify levels.csv --stiffness 1.7e5 --out identified.json "
                              "--density-csv density.csv --samples 100 --samples-out "
                              "joint_samples.h5 --quiet"))

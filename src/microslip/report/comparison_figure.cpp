@@ -164,12 +164,15 @@ std::vector<Figure> panels_of(const ComparedTest& test) {
 }  // namespace
 
 FigureGrid comparison_figure(std::span<const ComparedTest> tests) {
-  FigureGrid grid{.title = "", .columns = 2, .panels = {}};
+  FigureGrid grid{.title = "", .columns = 0, .panels = {}};
+  bool even = true;  // all tests have as many panels
   for (const ComparedTest* test : shown_tests(tests)) {
     std::vector<Figure> panels = panels_of(*test);
-    if (tests.size() == 1) grid.columns = std::max<std::size_t>(1, panels.size());
+    even = even && (grid.columns == 0 || panels.size() == grid.columns);
+    grid.columns = panels.size();
     std::ranges::move(panels, std::back_inserter(grid.panels));
   }
+  if (!even || grid.columns == 0) grid.columns = 2;
   if (grid.panels.empty()) {
     throw InputError("compared tests", 0, "must have a value that is measured and predicted");
   }

@@ -142,7 +142,7 @@ std::string whole_text(const ComparedCurve& curve) {
                         100.0 * curve.deviation());
   const double normalised = curve.normalised_deviation();
   if (std::isfinite(normalised)) {
-    text += fmt::format(", {:.2g} of its standard deviation", normalised);
+    text += fmt::format(", or {:.2g} of its standard deviations", normalised);
   }
   if (curve.has_band()) text += fmt::format(", {} inside", curve.inside());
   return text;

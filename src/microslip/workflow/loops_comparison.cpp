@@ -14,6 +14,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/identify/covered_range.hpp"
+#include "microslip/identify/record_inversion.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 #include "microslip/observe/record_cycles.hpp"
@@ -32,6 +33,7 @@ class LoopQuestion {
       : evidence_(record, PathStart::kUnknown), cycles_(record_cycles(evidence_)) {}
 
   [[nodiscard]] const RecordCycles& cycles() const { return cycles_; }
+  [[nodiscard]] const RecordEvidence& evidence() const { return evidence_; }
   [[nodiscard]] const ForceRecord& record() const { return evidence_.measured(); }
 
   /// N, at each sample; NaN where the state is not known.
@@ -126,6 +128,30 @@ std::vector<ComparedCurve> curves_of(const RecordCycles& cycles) {
   return curves;
 }
 
+/// What of the record no joint of the kind has, whatever its density.
+std::optional<Warning> departures_of(const RecordEvidence& evidence) {
+  constexpr std::size_t kFewDraws = 100;  // the verdicts use none
+  RecordInversionResult nearest;
+  try {
+    nearest = invert_records({&evidence, 1}, {}, {.draws = kFewDraws});
+  } catch (const InputError& error) {
+    return Warning{"departures_unknown",
+                   fmt::format("whether the record is of a joint of this kind was not seen: {}",
+                               error.what())};
+  }
+  std::string text;
+  for (const RecordVerdict& verdict : nearest.records.front().verdicts) {
+    if (!verdict.broken) continue;
+    text += fmt::format("{}{} ({:.2g} % of the force, {:.2g} % by noise)", text.empty() ? "" : ", ",
+                        to_string(verdict.departure), 100.0 * verdict.share, 100.0 * verdict.noise);
+  }
+  if (text.empty()) return std::nullopt;
+  return Warning{"test_not_of_this_kind",
+                 fmt::format("the record is NOT OF A JOINT OF THIS KIND, whatever its density: {}. "
+                             "No such joint predicts it.",
+                             text)};
+}
+
 std::vector<Warning> warnings_of(const LoopQuestion& question, const LoopJoint& joint) {
   std::vector<Warning> warnings;
   const auto [least, most] = std::ranges::minmax(question.record().displacement);
@@ -142,6 +168,7 @@ std::vector<Warning> warnings_of(const LoopQuestion& question, const LoopJoint& 
              "no force along a path.",
              damping_text(joint.linear_damping))});
   }
+  if (const auto departs = departures_of(question.evidence())) warnings.push_back(*departs);
   if (question.cycles().cycles.empty()) {
     warnings.push_back({"no_closed_cycles",
                         "no cycle of the path closes above its noise: forces are compared, losses "

@@ -36,7 +36,9 @@ struct LoopJoint {
 ///
 /// over the samples of which the state of the joint is known; F_joint as found_force(), with the
 /// mean of what is measured, without βA², which has no force along a path (warning
-/// `linear_damping_left_out`). Warnings also: `beyond_identification`, `no_closed_cycles`.
+/// `linear_damping_left_out`). Warnings also: `beyond_identification`, `no_closed_cycles`,
+/// `test_not_of_this_kind` with the departures that invert_records() finds in the record by itself,
+/// `departures_unknown` where it cannot be inverted.
 /// @param record  of the joint.
 /// @param joint   as it is thought to be.
 /// @param draw    draw i of it; empty without draws.

@@ -7,11 +7,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <set>
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/random.hpp"
 #include "microslip/workflow/model_comparison.hpp"
 
 namespace microslip {
@@ -49,20 +51,42 @@ class ModeQuestion {
       if (levels.mode[i] == mode) rows_.push_back(i);
     }
     std::ranges::stable_sort(rows_, {}, [&](std::size_t i) { return levels.displacement[i]; });
-    for (const std::size_t i : rows_) displacement_.push_back(levels.displacement[i]);
+    for (const std::size_t i : rows_) {
+      displacement_.push_back(levels.displacement[i]);
+      const double deviation = ModalLevels::value(levels.displacement_std, i);
+      displacement_std_.push_back(std::isfinite(deviation) ? deviation : 0.0);
+    }
     for (const ModalQuantity& quantity : kModalQuantities) add_curve(levels, quantity);
   }
 
   [[nodiscard]] std::size_t mode() const { return mode_; }
   [[nodiscard]] const std::vector<ComparedCurve>& curves() const { return curves_; }
 
-  /// At the displacements over the gain; fewer where they were not all found.
-  [[nodiscard]] std::vector<SteadyVibration> solve(const HarmonicBalance& balance, double gain,
+  [[nodiscard]] const std::vector<double>& displacement() const { return displacement_; }
+
+  /// What they may have been: as far from the readings as their noise has it, over the gain.
+  [[nodiscard]] std::vector<double> drawn_displacement(double gain, std::uint64_t seed,
+                                                       std::size_t draw) const {
+    // Apart from the streams of structures, joints and other readings.
+    constexpr std::uint64_t kDisplacementStreams = std::uint64_t{0x101} << 48U;
+    constexpr double kLeast = 1e-3;  // of the reading: noise beyond is not that of a level
+    RandomStream random(seed, kDisplacementStreams + draw);
+    std::vector<double> drawn;
+    for (std::size_t i = 0; i < displacement_.size(); ++i) {
+      const double there = displacement_[i] + displacement_std_[i] * random.normal();
+      drawn.push_back(std::max(there, kLeast * displacement_[i]) / gain);
+    }
+    return drawn;
+  }
+
+  /// At these displacements; fewer where they were not all found.
+  [[nodiscard]] std::vector<SteadyVibration> solve(const HarmonicBalance& balance,
+                                                   const std::vector<double>& displacements,
                                                    std::string& failure) const {
     std::vector<SteadyVibration> found;
-    for (const double displacement : displacement_) {
+    for (const double displacement : displacements) {
       std::optional<SteadyVibration> there =
-          vibration_near(balance, kPhaseResonance, {Quantity::kResponse, displacement / gain},
+          vibration_near(balance, kPhaseResonance, {Quantity::kResponse, displacement},
                          found.empty() ? nullptr : &found.back(), mode_, failure);
       if (!there) break;
       found.push_back(std::move(*there));
@@ -107,6 +131,7 @@ class ModeQuestion {
   std::size_t mode_;
   std::vector<std::size_t> rows_;     // of the levels, by rising displacement
   std::vector<double> displacement_;  // of each
+  std::vector<double> displacement_std_;
   std::vector<ComparedCurve> curves_;
   std::vector<std::vector<std::size_t>> level_of_;  // of each value of each curve
   std::vector<const ModalQuantity*> quantity_of_;   // of each curve
@@ -119,7 +144,7 @@ HarmonicBalance balance_of(const ModelFile& model, HarmonicBalanceOptions option
   HarmonicBalance modal(model.structure, {model.response}, options);
   try {
     std::string ignored;
-    (void)question.solve(modal, 1.0, ignored);
+    (void)question.solve(modal, {question.displacement().front()}, ignored);
     return modal;
   } catch (const InputError& error) {
     if (error.name() != "mode with modal forcing") throw;
@@ -135,7 +160,8 @@ ComparedTest compare_mode(const std::string& source, const ModeQuestion& questio
   const HarmonicBalance balance = balance_of(model, options, question);
   ComparedTest test{.source = source, .kind = TestKind::kRingDown, .curves = question.curves()};
   std::string failure;
-  const std::vector<SteadyVibration> nominal = question.solve(balance, 1.0, failure);
+  const std::vector<SteadyVibration> nominal =
+      question.solve(balance, question.displacement(), failure);
   test.warnings = motion_warnings(balance, model, Quantity::kPhaseLag,
                                   {.points = nominal,
                                    .peaks = {},
@@ -145,13 +171,14 @@ ComparedTest compare_mode(const std::string& source, const ModeQuestion& questio
                                    .summary = {}});
   TestPredictor predictor{.nominal = question.readings(nominal, failure)};
   const HarmonicBalanceOptions drawn = options_of_draws(balance.options());
+  const std::uint64_t seed = draws ? draws->options.seed : 0;
   if (spread) {
     predictor.draw = [&](std::size_t i) {
       StructureDraw draw = spread->draw(i);
       const HarmonicBalance of_draw(std::move(draw.structure), balance.response(), drawn);
       std::string missed;
       const std::vector<SteadyVibration> found =
-          question.solve(of_draw, draw.response_gain, missed);
+          question.solve(of_draw, question.drawn_displacement(draw.response_gain, seed, i), missed);
       return question.readings(found, missed);
     };
   }

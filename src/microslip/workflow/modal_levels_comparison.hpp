@@ -24,9 +24,9 @@ namespace microslip {
 /// [Hz], damping_ratio [1] and dissipation [J] of all joints, those that were measured, over
 /// displacement [m]; one test a mode. A mode that no joint takes part in is predicted in phase
 /// resonance with the excitation of the model. By a draw of a response that reads g times what is
-/// there the displacement is 1/g of the reading, its other values are as predicted. Standard deviations of
-/// frequency, damping and dissipation are those of readings in compare(); those of the displacement
-/// are not used, nor are losses of single joints.
+/// there the displacement is 1/g of the reading, and as far from it as its standard deviation has it. Those of
+/// frequency, damping and dissipation are those of readings in compare(). Losses of single joints
+/// are not compared.
 /// @param source   of the levels, for the table.
 /// @param levels   of one mode or several.
 /// @param model    whose response point the displacements are of.

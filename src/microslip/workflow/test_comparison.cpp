@@ -84,10 +84,13 @@ void add_few_draws(const DrawsTaken& taken, std::vector<Warning>& warnings) {
                    beyond, std::ceil(2.0 * kFewBeyond / (1.0 - taken.options.confidence)))});
 }
 
+/// Where all values err together as few as 1 − P of the draws are all outside, but for the two draws
+/// that the edges are drawn between.
 void add_few_inside(const ComparedTest& test, std::vector<Warning>& warnings) {
   const double confidence = test.taken->options.confidence;
+  const double taken = static_cast<double>(test.taken->options.count - test.taken->failed());
   for (const ComparedCurve& curve : test.curves) {
-    if (curve.compared() < 2 || curve.chance > 0.5 * (1.0 - confidence)) continue;
+    if (curve.compared() < 2 || curve.chance > 1.0 - confidence + 2.0 / taken) continue;
     warnings.push_back(
         {"few_inside",
          fmt::format(

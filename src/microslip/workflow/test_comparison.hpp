@@ -133,8 +133,8 @@ struct TestDraws {
 /// where what was measured has a standard deviation σ, noise σz of its own (z standard normal, a
 /// function of seed, draw and value). A draw fails of which a value is not found. Warnings:
 /// `not_converged`, `draws_failed`, `draws_few` (fewer than kFewBeyond beyond each edge),
-/// `few_inside` (a curve of which at most (1 − P)/2 of the draws have so few values in the band as
-/// what was measured: errors that all values share, of a gain or a frequency, are in the draws).
+/// `few_inside` (a curve of which at most 1 − P of the draws have so few values in the band as what
+/// was measured: errors that all values share, of a gain or a frequency, are in the draws).
 /// @param predictor  of the values of the test.
 /// @param draws      nothing: no bands.
 /// @param test       with what was measured.
