@@ -139,9 +139,18 @@ void refuse_options(const CLI::App& command, const std::array<const char*, N>& n
   }
 }
 
+/// What comes through a pipe can be read only once: it is a rig. So is what cannot be read, which
+/// who reads the rig says, behind what is wrong with the outputs.
+std::string kind_of_description(const std::string& path) {
+  try {
+    return path == "-" ? "" : file_kind(read_kind_head(path));
+  } catch (const FileError&) {
+    return "";
+  }
+}
+
 int run(const VerifyOptions& options, const CLI::App& command, const Call& call) {
-  // What comes through a pipe can be read only once: it is a rig.
-  const std::string kind = options.rig == "-" ? "" : file_kind(read_kind_head(options.rig));
+  const std::string kind = kind_of_description(options.rig);
   if (kind != kModelKind && kind != kJointKind) {
     refuse_options(command, kOfTests, "with a rig.toml, whose records are steady");
     return run_of_rig(options, call);

@@ -221,6 +221,7 @@ TEST(verifyTests, RefusesWhatDoesNotBelong) {
   refuse({"verify", "joint.json", "record.csv", "--harmonics", "3"}, "--harmonics");
   refuse({"verify", "joint.json", "noise.csv"}, "channel of force");
   refuse({"verify", "true.toml", "missing.csv"}, "missing.csv");
+  refuse({"verify", "true.toml", "-"}, "must be files");
 }
 
 }  // namespace

@@ -215,7 +215,7 @@ std::vector<ComparedTest> compare_modal_levels(const std::string& source, const 
     const ModeQuestion question(levels, mode);
     if (question.curves().empty()) continue;
     const std::string name =
-        modes.size() == 1 ? source : fmt::format("{}, mode {}", source, mode + 1);
+        modes.size() == 1 ? source : fmt::format("{}: mode {}", source, mode + 1);
     tests.push_back(compare_mode(name, question, model, options, spread, draws));
   }
   if (!tests.empty()) return tests;

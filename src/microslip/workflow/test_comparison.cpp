@@ -226,7 +226,7 @@ void compare(const TestPredictor& predictor, const std::optional<TestDraws>& dra
     test.warnings.push_back({"not_converged", test.failure});
     return;  // draws about a curve that is not whole would be no band of it
   }
-  if (draws) take_bands(predictor, *draws, test);
+  if (draws && predictor.draw) take_bands(predictor, *draws, test);
 }
 
 }  // namespace microslip

@@ -136,7 +136,7 @@ struct TestDraws {
 /// `few_inside` (a curve of which at most 1 − P of the draws have so few values in the band as what
 /// was measured: errors that all values share, of a gain or a frequency, are in the draws).
 /// @param predictor  of the values of the test.
-/// @param draws      nothing: no bands.
+/// @param draws      nothing, or a predictor without draws: no bands.
 /// @param test       with what was measured.
 /// @throws InputError  as DrawOptions; where all draws failed. @throws Cancelled  as progress says.
 void compare(const TestPredictor& predictor, const std::optional<TestDraws>& draws,

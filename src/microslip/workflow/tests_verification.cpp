@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <iterator>
+#include <system_error>
 #include <utility>
 
 #include "microslip/base/error.hpp"
@@ -35,11 +37,15 @@ namespace {
 /// Kinds that files hold by their content.
 enum class Content : std::uint8_t { kSweeps, kModalLevels, kRecording };
 
-Content content_of(const std::string& path) {
+/// @param model_path  of what predicts, for messages.
+Content content_of(const std::string& path, const std::string& model_path) {
   if (is_stepped_sine(path)) return Content::kSweeps;
   const PartOfFile part = part_of_file(path);
-  if (part.variable.empty() && file_kind(read_kind_head(part.file)) == kModalLevelsKind) {
-    return Content::kModalLevels;
+  const std::string kind = part.variable.empty() ? file_kind(read_kind_head(part.file)) : "";
+  if (kind == kModalLevelsKind) return Content::kModalLevels;
+  if (kind == kRigKind || kind == kModelKind || kind == kJointKind) {
+    throw InputError(path, in_quotes(kind), "must be a test",
+                     fmt::format("What predicts comes first, and that is {} here.", model_path));
   }
   return Content::kRecording;
 }
@@ -119,6 +125,15 @@ void read_loops(std::vector<Recording> recordings, const TestReading& options, R
   test.content = std::move(records);
 }
 
+/// A test is looked at before it is read, and read again for its hash.
+void require_file(const std::string& path) {
+  std::error_code unknown;  // what is not there says who reads it
+  const bool once = path == "-" || std::filesystem::is_fifo(path, unknown);
+  if (!once) return;
+  throw InputError("tests", in_quotes(path), "must be files: a pipe can be read only once",
+                   "Write it to a file first.");
+}
+
 void require_model(const ModelFile* model, const std::string& path, const std::string& test) {
   if (model != nullptr) return;
   throw InputError(path, "a joint by itself",
@@ -130,8 +145,9 @@ void require_model(const ModelFile* model, const std::string& path, const std::s
 
 ReadTest read_test(const std::string& path, const ModelFile* model, const std::string& model_path,
                    const TestReading& options) {
+  require_file(path);
   ReadTest test{.path = path, .digest = digest_of(path), .content = {}, .kind = options.kind};
-  const Content content = content_of(path);
+  const Content content = content_of(path, model_path);
   if (content == Content::kSweeps) {
     require_model(model, model_path, path);
     if (options.kind && !is_of_sweeps(*options.kind)) {
@@ -279,6 +295,11 @@ class JointPrediction {
     if (joint_.viscous == 0.0) joint_.linear_damping = identified_damping(file_).value_or(0.0);
     if (options.draws) draws_ = draws_of(file_, options.uncertain, *options.draws);
     add_joint_warnings(input_name(input.path), file_, warnings_);
+    if (!draws_ || joint_.viscous == 0.0) return;
+    warnings_.push_back({"viscous_not_drawn",
+                         fmt::format("all draws have the viscous part of {}, {:.4g} N s/m: the "
+                                     "bands are too narrow by what it is uncertain.",
+                                     input_name(input.path), joint_.viscous)});
   }
 
   [[nodiscard]] const std::vector<Warning>& warnings() const { return warnings_; }

@@ -55,7 +55,7 @@ struct ReadTest {
 /// @param model_path  of the model.
 /// @param options  see TestReading.
 /// @throws FileError, FormatError, InputError  as the readers; where the file is not of the kind
-///     that is asked for, or a joint by itself is to predict a structure.
+///     that is asked for, is a pipe, or a joint by itself is to predict a structure.
 [[nodiscard]] ReadTest read_test(const std::string& path, const ModelFile* model,
                                  const std::string& model_path, const TestReading& options);
 
