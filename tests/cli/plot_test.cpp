@@ -71,6 +71,13 @@ Sandbox sandbox() {
         "loss_factor [1]\n1e-5,1,1e-6,1e5,0.01\n1e-4,8,1e-4,8e4,0.1\n"},
        {"verification.csv", kVerification},
        {"histories.csv", kHistories},
+       {"comparison.csv",
+        "source,kind,part,quantity,unit,axis,at,measured,measured_std,predicted,lower,upper,"
+        "verdict\n"
+        "a.csv,sweep,curve,displacement,m,frequency [Hz],10,1e-4,,1.1e-4,0.9e-4,1.2e-4,inside\n"
+        "a.csv,sweep,curve,displacement,m,frequency [Hz],11,3e-4,,2e-4,1.5e-4,2.5e-4,outside\n"
+        "a.csv,sweep,curve,phase_lag,rad,frequency [Hz],10,1,,1.1,0.9,1.2,inside\n"
+        "a.csv,sweep,curve,phase_lag,rad,frequency [Hz],11,2,,2.1,1.9,2.2,inside\n"},
        {"force_control.csv", kForceControl}});
 }
 
@@ -145,6 +152,9 @@ TEST(plot, EveryFigureOfItsFile) {
        {label("displacement amplitude"), label("phase lag [°]"), number("90")}},
       {{"backbone.csv", "--figure", "backbone"},
        {label("resonance frequency [Hz]"), label("damping ratio ζ [%]")}},
+      {{"comparison.csv", "--figure", "comparison"},
+       {label("(a)"), label("displacement [µm]"), label("phase lag [°]"), label("band of draws"),
+        label("measured, outside")}},
       {{"srs.csv", "--figure", "spectrum"},
        {label("natural frequency [Hz]"), label("largest acceleration [m/s²]"),
         label("either way")}},

@@ -41,6 +41,8 @@ TEST(FileKind, KnowsTablesOfATestAndOfAMarch) {
       file_kind("# c\nlevel [1],frequency [Hz],force_before [N],force_after [N],after_2 [1]\n"),
       kForceControlKind);
   EXPECT_EQ(file_kind("source,time [s],force_recorded [N],force_predicted [N]\n"), kHistoriesKind);
+  EXPECT_EQ(file_kind("source,kind,part,quantity,unit,axis,at,measured,predicted,verdict\n"),
+            kComparisonKind);
   const std::string motion = "displacement [m],velocity [m/s],acceleration [m/s^2]";
   const std::string joint = ",joint displacement [m],joint force [N]";
   EXPECT_EQ(file_kind("time [s],force [N]," + motion + joint + "\n"), kMarchKind);
