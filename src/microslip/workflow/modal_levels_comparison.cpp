@@ -85,9 +85,9 @@ class ModeQuestion {
                                                    std::string& failure) const {
     std::vector<SteadyVibration> found;
     for (const double displacement : displacements) {
-      std::optional<SteadyVibration> there =
-          vibration_near(balance, kPhaseResonance, {Quantity::kResponse, displacement},
-                         found.empty() ? nullptr : &found.back(), mode_, failure);
+      const std::array before{found.empty() ? nullptr : &std::as_const(found).back()};
+      std::optional<SteadyVibration> there = vibration_near(
+          balance, kPhaseResonance, {Quantity::kResponse, displacement}, before, mode_, failure);
       if (!there) break;
       found.push_back(std::move(*there));
     }

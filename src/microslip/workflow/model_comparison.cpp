@@ -13,9 +13,11 @@
 namespace microslip {
 
 std::optional<SteadyVibration> vibration_near(const HarmonicBalance& balance, const Target& first,
-                                              const Target& second, const SteadyVibration* start,
+                                              const Target& second,
+                                              std::span<const SteadyVibration* const> starts,
                                               std::size_t mode, std::string& failure) {
-  if (start != nullptr) {
+  for (const SteadyVibration* start : starts) {
+    if (start == nullptr) continue;
     VibrationResult found = balance.solve(first, second, *start);
     if (found.summary.converged()) return std::move(found.vibration);
   }

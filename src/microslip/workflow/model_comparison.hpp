@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,16 +15,15 @@
 
 namespace microslip {
 
-/// A vibration with two targets: from one near it, or, where that does not lead there, from none.
-/// @param start    nothing: from none.
+/// A vibration with two targets: from the first of some near it that leads there, or, where none
+/// does, from none.
+/// @param starts   in this order; null for one that is not there.
 /// @param mode     as in HarmonicBalance::solve().
 /// @param failure  gets why there is none, where it has no other reason yet.
 /// @return nothing where it was not found.
-[[nodiscard]] std::optional<SteadyVibration> vibration_near(const HarmonicBalance& balance,
-                                                            const Target& first,
-                                                            const Target& second,
-                                                            const SteadyVibration* start,
-                                                            std::size_t mode, std::string& failure);
+[[nodiscard]] std::optional<SteadyVibration> vibration_near(
+    const HarmonicBalance& balance, const Target& first, const Target& second,
+    std::span<const SteadyVibration* const> starts, std::size_t mode, std::string& failure);
 
 /// Of the vibrations with stuck joints the one whose frequency is next to ω by ratio, from 0.
 [[nodiscard]] std::size_t nearest_mode(const JointedStructure& structure, double angular_frequency);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -63,20 +64,23 @@ class SweepQuestion {
   /// @param gain  of the reading of the response.
   [[nodiscard]] SweptVibrations solve(const HarmonicBalance& balance, double gain) const {
     SweptVibrations found;
+    found.steps.reserve(steps_.size());  // pointers into it stay
+    if (resonance_) {
+      found.at_response =
+          vibration_near(balance, kPhaseResonance, {Quantity::kResponse, peak_.displacement / gain},
+                         {}, mode_, found.failure);
+    }
+    const SteadyVibration* const resonant = found.at_response ? &*found.at_response : nullptr;
     const SteadyVibration* before = nullptr;
     for (const MeasuredStep& step : steps_) {
       const Target at{Quantity::kAngularFrequency, step.angular_frequency};
-      found.steps.push_back(
-          vibration_near(balance, at, kept(step, gain), before, mode_, found.failure));
+      found.steps.push_back(vibration_near(balance, at, kept(step, gain),
+                                           std::array{before, resonant}, mode_, found.failure));
       if (found.steps.back()) before = &*found.steps.back();
     }
-    if (!resonance_) return found;
-    found.at_response =
-        vibration_near(balance, kPhaseResonance, {Quantity::kResponse, peak_.displacement / gain},
-                       nullptr, mode_, found.failure);
     if (!of_force_) found.peak = found.at_response;
-    if (of_force_ && found.at_response) {  // from there: at a force there may be no other way
-      found.peak = vibration_near(balance, kPhaseResonance, kept(peak_, gain), &*found.at_response,
+    if (of_force_ && resonant != nullptr) {  // from there: at a force there may be no other way
+      found.peak = vibration_near(balance, kPhaseResonance, kept(peak_, gain), std::array{resonant},
                                   mode_, found.failure);
     }
     return found;
