@@ -32,11 +32,10 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 using Contents = std::map<std::string, std::string>;
 
-/// Random kills; MICROSLIP_KILLS sets how many.
-int kills() {
-  constexpr int kDefault = 30;
+/// Random kills: one of each call, or as many as MICROSLIP_KILLS says.
+int kills(std::size_t calls) {
   const char* const given = std::getenv("MICROSLIP_KILLS");
-  return given == nullptr ? kDefault : std::atoi(given);
+  return given == nullptr ? static_cast<int>(calls) : std::atoi(given);
 }
 
 const std::string kTwoJoints = MICROSLIP_TEST_DATA "/two_joints/";
@@ -161,7 +160,7 @@ void expect_ended(const Outcome& run, int signal) {
 TEST(Killed, AtRandomMoments) {
   const std::vector<Writing> writings = all_calls();
   RandomStream random(1, 0);
-  const int draws = kills();
+  const int draws = kills(writings.size());
   int hit = 0;
   std::map<std::size_t, Killed> cases;
   for (int i = 0; i < draws && !HasFailure(); ++i) {
