@@ -113,6 +113,15 @@ void check_options(const LoadOptions& options, LoadShape shape) {
   }
 }
 
+/// "3" or "3dB".
+double parse_decibels(const std::string& text) {
+  constexpr std::string_view kUnit = "dB";
+  const std::string number =
+      text.ends_with(kUnit) ? text.substr(0, text.size() - kUnit.size()) : text;
+  if (!number.ends_with('%')) return parse_quantity("--tolerance", number, kDimensionless);
+  throw InputError("--tolerance", text, "must be in dB", "For instance: --tolerance 3dB");
+}
+
 /// What a shock has beside other shapes.
 void set_shock(const LoadOptions& options, LoadPlan& plan) {
   plan.required = read_required_spectrum(options.spectrum);
@@ -123,9 +132,7 @@ void set_shock(const LoadOptions& options, LoadPlan& plan) {
   if (!options.per_octave.empty()) {
     plan.shock.per_octave = parse_quantity("--per-octave", options.per_octave, kDimensionless);
   }
-  if (!options.tolerance.empty()) {
-    plan.shock.tolerance = parse_quantity("--tolerance", options.tolerance, kDimensionless);
-  }
+  if (!options.tolerance.empty()) plan.shock.tolerance = parse_decibels(options.tolerance);
 }
 
 LoadPlan plan_of(const LoadOptions& options, LoadShape shape, const Dimension& unit) {
@@ -212,7 +219,7 @@ void add_shock_options(CLI::App& command, LoadOptions& options) {
   command.add_option("--per-octave", options.per_octave,
                      "Natural frequencies in an octave at which a shock is judged, 6 to 48 (12)");
   command.add_option("--tolerance", options.tolerance,
-                     "Most that its spectrum may lie above or below, in dB (1)");
+                     "Most that its spectrum may lie above or below (1dB)");
 }
 
 }  // namespace

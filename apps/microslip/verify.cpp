@@ -90,6 +90,7 @@ void name_inputs(VerifyOptions& options) {
   options.joint = options.tests.front();
   options.recordings.assign(options.tests.begin() + 1, options.tests.end());
   if (!options.recordings.empty()) return;
+  if (options.rig != "-") (void)read_kind_head(options.rig);  // it may be no rig, but missing
   throw InputError("recordings", InputState{"missing"},
                    "must be named behind rig.toml and joint.json",
                    "For instance: microslip verify rig.toml joint.json level_01.csv --out "

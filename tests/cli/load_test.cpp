@@ -206,6 +206,7 @@ TEST(load, RefusesSpectraThatMeanNothing) {
   refused("frequency [Hz],level [g]\n10,4\n20,1\n", {}, "'maximax [m/s^2]'");
   refused(kRequired, {"--sampling-rate", "3kHz"}, "must be 4000 Hz or more");
   refused(kRequired, {"--pulse", "0.1s"}, "must be 0.15 s or more");
+  refused(kRequired, {"--tolerance", "50%"}, "must be in dB");
   refused(kRequired, {"--at", "0.4s"}, "begin of the shock");
   refused(kRequired, {"--pulse", "0.6s"}, "must be 0.6 s or more, the length of the shock");
   refused(kRequired, {"--per-octave", "4"}, "must be from 6 to 48");

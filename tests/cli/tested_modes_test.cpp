@@ -295,7 +295,7 @@ TEST(tested_modes, OfChannelsRefuseByName) {
   const std::string csv = plain_csv(" [m/s^2/N]");
   refused("", csv, "Give channel, node and direction of each in a [[test.response]]");
   refused(all_channels() + channel_table(6, "z"), csv, "'H6'");
-  refused(all_channels() + channel_table(1, "z"), csv, "must be there once");
+  refused(all_channels() + channel_table(1, "z"), csv, "must be measured at one place");
   refused(channel_table(1, "z"), csv, "must have a response to its own force");
   refused(all_channels(), plain_csv(""), "must have the unit of a motion over a force");
   refused(all_channels(), plain_csv(" [N]"), "a displacement, velocity or acceleration over");

@@ -222,6 +222,7 @@ TEST(verifyTests, RefusesWhatDoesNotBelong) {
   refuse({"verify", "joint.json", "noise.csv"}, "channel of force");
   refuse({"verify", "true.toml", "missing.csv"}, "missing.csv");
   refuse({"verify", "true.toml", "-"}, "must be files");
+  refuse({"verify", "missing.toml", "sweep.csv"}, "missing.toml: cannot be read");
 }
 
 }  // namespace

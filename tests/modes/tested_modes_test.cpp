@@ -164,6 +164,8 @@ TEST(TestedModes, OfShapesRefuseByName) {
   refused(si + one({.reals = {13.0, 1.0, 0.01, 0.0}}) + one({.reals = {14.0, 1.0, 0.0, 0.01}}),
           "viscous beside hysteretic");
   refused(one({.reals = {13.0, 1.0, 0.01, 0.0}}), "must have dataset 164 before it");
+  refused(si + one({.reals = {13.0, 1.0, 0.01, 0.0}}) + one({.reals = {13.0, 2.0, 0.01, 0.0}}),
+          "of the shape of t.uff: mode 1 (13 Hz); must be another mode");
   refused(si + one({.specific_type = 12, .reals = {13.0, 1.0, 0.01, 0.0}}), "data type 12");
   refused(si + one({.analysis = 5, .reals = {13.0}}), "must have normal or complex modes");
   refused(si + one({.analysis = 3, .reals = {-1.0, 80.0}}), "modal A of t.uff");

@@ -33,7 +33,7 @@ void EvenSteps::set(double length, std::size_t count) {
 
 CoarseMarch::CoarseMarch(const JointedStructure& structure, const LoadHistory& loads,
                          const MarchOptions& options)
-    : state_(structure, marched_joints(structure, loads, options.elements), options),
+    : state_(structure, marched_joints(structure, loads, options.elements), options, 2.0),
       steps_(structure),
       second_order_(!loads.normal_loads.empty() || has_many_atoms(structure)) {
   for (const std::string& point : options.points) {

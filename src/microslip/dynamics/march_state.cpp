@@ -17,9 +17,11 @@ constexpr double kLeastContraction = 1e-3;
 /// Rounds of Newton's method after which the tangents stay: the forces are continuous, so that they
 /// converge where tangents jump between two values.
 constexpr int kSettled = 8;
-/// The way of a joint over a step is a cubic where it vibrates against all modes by no more than
-/// this in the step, rad.
-constexpr double kLargestJointAngle = 1.0;
+/// A joint vibrates against all modes by no more than this in a step that goes over knots, rad: in
+/// longer ones its way is too far from a cubic, and cuts are more accurate.
+constexpr double kLargestJointAngle = 0.5;
+/// Of the longest step for which the weights of knots suffice: twice the step must, too.
+constexpr double kOfLongest = 0.5;
 /// Of more joints than these it takes longer to couple each with each than to place them by the
 /// modes in the two rounds that a piece of a step takes.
 constexpr std::size_t kMostCoupled = 4;
@@ -27,7 +29,7 @@ constexpr std::size_t kMostCoupled = 4;
 }  // namespace
 
 MarchState::MarchState(const JointedStructure& structure, std::vector<MarchedJoint> hysteresis,
-                       const MarchOptions& options)
+                       const MarchOptions& options, double coarseness)
     : tolerance_(options.tolerance),
       max_iterations_(options.max_iterations),
       groups_(padded(structure.linear().size()) / kLanes),
@@ -50,7 +52,7 @@ MarchState::MarchState(const JointedStructure& structure, std::vector<MarchedJoi
   }
   predicted_slide_.resize(joints_.size());
   knot_weights_ = KnotWeights(stiffness_, damping_);
-  longest_over_knots_ = longest_step_over_knots();
+  longest_over_knots_ = coarseness * longest_step_over_knots();
   couplings_.of_others = cut_couplings_.of_others = !shortens_ && !damped_;
   if (joints_.size() > kMostCoupled) cut_couplings_.of_others = false;
   loads_.normal.assign(joints_.size(), 1.0);
@@ -85,7 +87,7 @@ void MarchState::add_joint(const StructuralJoint& joint, double damper, MarchedJ
 /// 0 where no step goes over knots, s.
 double MarchState::longest_step_over_knots() const {
   if (shortens_ || damped_) return 0.0;
-  double longest = knot_weights_.longest();
+  double longest = kOfLongest * knot_weights_.longest();
   for (const Joint& joint : joints_) {
     if (joint.hysteresis.is_network()) return 0.0;
     double square = 0.0;  // 1/kg

@@ -26,8 +26,10 @@ namespace microslip {
 class MarchState {
  public:
   /// @param hysteresis  one a joint of the structure.
+  /// @param coarseness  by how many times its steps are longer than those of the march whose error
+  ///     it tells: both go over knots, or both are cut, so that their errors are of one order.
   MarchState(const JointedStructure& structure, std::vector<MarchedJoint> hysteresis,
-             const MarchOptions& options);
+             const MarchOptions& options, double coarseness = 1.0);
 
   /// What acts: the force on each mode and the load of each joint, with their slopes in time.
   struct Loads {
@@ -53,7 +55,7 @@ class MarchState {
 
   [[nodiscard]] std::size_t steps() const { return steps_; }
   [[nodiscard]] std::size_t reversals() const { return reversals_; }
-  /// Loops that closed and atoms that began to slip, where steps were cut for them.
+  /// Loops that closed, atoms that began to slip and jumps of densities that were passed.
   [[nodiscard]] std::size_t kinks() const { return kinks_; }
   [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
   /// Of the last step that did not converge: relative change of the joint forces.

@@ -82,6 +82,10 @@ FrequencyResponses read_recorded_responses(const std::string& path,
   FrequencyResponses result;
   result.warnings = std::move(read.warnings);
   for (const ResponseChannel& wanted : channels) {
+    if (std::ranges::count(channels, wanted.name, &ResponseChannel::name) > 1) {
+      throw InputError("channel " + in_quotes(wanted.name), "in two [[test.response]]",
+                       "must be measured at one place");
+    }
     result.responses.push_back(listed_response(read.recordings, wanted));
   }
   if (!channels.empty()) return result;

@@ -211,6 +211,23 @@ std::string datasets_of(const std::vector<NamedShape>& wanted) {
   return same ? fmt::format("dataset {}", first) : "datasets 55 and 2414";
 }
 
+/// A mode that stands in the file twice, as in datasets 55 and 2414, would count twice.
+void check_different(const std::vector<NamedShape>& wanted, const TestedModes& tested) {
+  constexpr double kSame = 1e-6;
+  for (std::size_t j = 1; j < wanted.size(); ++j) {
+    const auto later = tested.shapes.col(static_cast<Eigen::Index>(j));
+    for (std::size_t i = 0; i < j; ++i) {
+      const auto one = tested.shapes.col(static_cast<Eigen::Index>(i));
+      const double frequency = wanted[j].shape->frequency;
+      if (frequency - wanted[i].shape->frequency > kSame * frequency) continue;
+      if (std::abs(one.dot(later)) < (1.0 - kSame) * one.norm() * later.norm()) continue;
+      throw InputError(wanted[j].name, fmt::format("of the shape of {}", wanted[i].name),
+                       "must be another mode: it would count twice",
+                       "Keep one of both in the file.");
+    }
+  }
+}
+
 }  // namespace
 
 TestedModes modes_of_shapes(const TestedStructure& test, const TestedModesOptions& options) {
@@ -235,6 +252,7 @@ TestedModes modes_of_shapes(const TestedStructure& test, const TestedModesOption
     to_si(units_of(named, test.units), named.mass > 0.0, tested.freedoms, shape);
     tested.shapes.col(static_cast<Eigen::Index>(i)) = real_shape(named, std::move(shape), tested);
   }
+  check_different(wanted, tested);
   tested.origin.push_back(fmt::format(
       "modes of a test: {} shapes ({}) of {}, scaled by {}", wanted.size(), datasets_of(wanted),
       test.file, test.modal_mass.empty() ? "the modal mass of the file" : "modal_mass_kg"));

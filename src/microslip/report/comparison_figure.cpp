@@ -102,9 +102,15 @@ bool suits_log(const std::vector<double>& rising) {
   return rising.front() > 0.0 && rising.back() > kFar * rising.front();
 }
 
+/// Without the folder of the file, which may be long: "sweeps.mat:FRdata(1)".
+std::string title_of(const ComparedTest& test) {
+  const std::size_t folder = test.source.substr(0, test.source.find(':')).rfind('/');
+  return test.source.substr(folder + 1);  // npos + 1 is 0
+}
+
 Figure curve_panel(const ComparedTest& test, const ComparedCurve& curve,
                    const std::vector<std::size_t>& order) {
-  Figure panel{.title = test.source};
+  Figure panel{.title = title_of(test)};
   const std::vector<double> at = picked(curve.at, order);
   if (curve.has_band()) {
     panel.layers.emplace_back(BandLayer{at, picked(curve.lower, order), picked(curve.upper, order),
@@ -134,7 +140,7 @@ Figure loop_panel(const ComparedTest& test) {
     measured.y.push_back(test.loop.measured[i]);
     predicted.y.push_back(test.loop.predicted[i]);
   }
-  Figure panel{.title = test.source, .layers = {std::move(measured), std::move(predicted)}};
+  Figure panel{.title = title_of(test), .layers = {std::move(measured), std::move(predicted)}};
   show_x(panel, "displacement", "m");
   show_y(panel, "force", "N");
   return panel;

@@ -101,6 +101,11 @@ double share_of(const Excitation& excitation, LoadShape shape) {
         fmt::format("must be other than 0 and have no phase for a {}", to_string(shape)),
         "A sine knows phases.");
   }
+  if (shape == LoadShape::kShock && std::abs(first.real()) != 1.0) {
+    throw InputError(fmt::format("first harmonic of the excitation at '{}'", excitation.point),
+                     first.real(), "must be 1 or -1 for a shock: its spectrum is that required",
+                     "Scale the levels that are required.");
+  }
   return first.real();
 }
 
@@ -235,8 +240,7 @@ std::string load_comment(const LoadPlan& plan, const MadeLoad& load) {
   return fmt::format(
       "{}: {}: {}\n"
       "shock of a required response spectrum from {:g} Hz to {:g} Hz, damping ratio {:g} (Q "
-      "{:.4g}), "
-      "times the first harmonic of each excitation\n"
+      "{:.4g})\n"
       "worst deviation: {}\n{}",
       shock.summary.method, load.converged() ? "converged" : "NOT CONVERGED", shock.summary.reason,
       shock.frequency.front(), shock.frequency.back(), plan.shock.damping_ratio,
