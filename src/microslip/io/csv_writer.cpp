@@ -39,6 +39,21 @@ void CsvWriter::add_numbers(std::string_view name, const Dimension& dimension,
                       .is_text = false});
 }
 
+void CsvWriter::add_numbers_or_empty(std::string_view name, const Dimension& dimension,
+                                     std::span<const double> values) {
+  check_column(name, values.size());
+  rows_ = values.size();
+  Column column{.header = fmt::format("{} [{}]", name, si_unit(dimension)),
+                .numbers = {},
+                .texts = {},
+                .is_text = true};
+  for (const double value : values) {
+    column.texts.emplace_back();
+    if (std::isfinite(value)) append_number(column.texts.back(), value);
+  }
+  columns_.push_back(std::move(column));
+}
+
 void CsvWriter::add_text(std::string_view name, std::span<const std::string> values) {
   check_column(name, values.size());
   rows_ = values.size();

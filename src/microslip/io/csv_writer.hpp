@@ -28,6 +28,11 @@ class CsvWriter {
   void add_numbers(std::string_view name, const Dimension& dimension,
                    std::span<const double> values);
 
+  /// The same, with empty cells where a value is not finite.
+  /// @throws InputError  where the lengths differ.
+  void add_numbers_or_empty(std::string_view name, const Dimension& dimension,
+                            std::span<const double> values);
+
   /// A column of text; control characters, line breaks among them, become blanks.
   /// @throws InputError  where the lengths differ.
   void add_text(std::string_view name, std::span<const std::string> values);

@@ -62,9 +62,17 @@ void write_place(const JointedStructure& structure, const std::string& place, To
   lines.add(structure.linear().is_base(place) ? "base" : "point", place);
 }
 
-/// Without the key a reader takes what the joint file says.
+/// Without the key a reader takes what the joint file says, and draws bring their own.
+bool brings_damping(const ModelFile& model, std::size_t joint) {
+  const bool drawn = joint < model.joint_samples.size() && !model.joint_samples[joint].empty() &&
+                     joint < model.damping_said.size() && joint < model.identified_damping.size();
+  return drawn && model.identified_damping[joint] == model.structure.joints()[joint].linear_damping;
+}
+
 bool says_damping(const ModelFile& model, std::size_t joint) {
-  if (joint < model.damping_said.size() && model.damping_said[joint]) return true;
+  const bool said = joint < model.damping_said.size() && model.damping_said[joint];
+  if (said) return true;
+  if (brings_damping(model, joint)) return false;
   if (model.structure.joints()[joint].linear_damping > 0.0) return true;
   const bool known = joint < model.identified_damping.size();
   return !known || model.identified_damping[joint].value_or(0.0) > 0.0;

@@ -77,6 +77,12 @@ toml::table parse_toml(std::string_view text, std::string_view file) {
 TomlTable::TomlTable(const toml::table& table, std::string_view file, std::string_view path)
     : table_(table), file_(file), path_(path) {}
 
+std::vector<std::string> TomlTable::keys() const {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : table_) keys.emplace_back(key.str());
+  return keys;
+}
+
 void TomlTable::allow_only(const std::vector<std::string_view>& keys) const {
   for (const auto& [key, value] : table_) {
     if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;

@@ -34,6 +34,8 @@ class TomlTable {
   /// @throws FormatError  naming the first key that is not among them.
   void allow_only(const std::vector<std::string_view>& keys) const;
 
+  /// Its keys, in alphabetical order.
+  [[nodiscard]] std::vector<std::string> keys() const;
   [[nodiscard]] bool has(std::string_view key) const;
   /// Whether its value is a text; false where the key is missing.
   [[nodiscard]] bool is_text(std::string_view key) const;

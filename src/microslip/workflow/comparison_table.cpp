@@ -35,13 +35,6 @@ std::string cell_of(const std::vector<double>& values, std::size_t i) {
   return i < values.size() && std::isfinite(values[i]) ? fmt::format("{}", values[i]) : "";
 }
 
-std::string verdict_of(const ComparedCurve& curve, std::size_t i) {
-  if (!std::isfinite(curve.measured[i])) return "";
-  if (!curve.compares(i)) return "not_found";
-  if (!curve.has_band()) return "";
-  return curve.inside(i) ? "inside" : "outside";
-}
-
 std::string axis_of(const ComparedCurve& curve) {
   if (curve.axis.empty()) return "";
   return fmt::format("{} [{}]", curve.axis, si_unit(curve.axis_dimension));

@@ -116,8 +116,12 @@ void check_assembly_column(const LevelsFile& file, AssemblyColumn use) {
 }  // namespace
 
 LevelTable read_level_table(const std::string& path, const LevelTableOptions& options) {
-  LevelTable table{.input = {path, read_file(path)}};
-  const LevelsFile all = parse_levels(table.input.text, input_name(path),
+  return level_table_of({path, read_file(path)}, options);
+}
+
+LevelTable level_table_of(NamedInput input, const LevelTableOptions& options) {
+  LevelTable table{.input = std::move(input)};
+  const LevelsFile all = parse_levels(table.input.text, input_name(table.input.path),
                                       {.linear_dissipation = options.linear_dissipation,
                                        .assemblies = options.assemblies == AssemblyColumn::kUsed});
   check_assembly_column(all, options.assemblies);

@@ -42,10 +42,13 @@ struct LevelTable {
   std::vector<Warning> warnings = {};      ///< of flags; the last of inner reversals
 };
 
-/// @throws FileError, FormatError  as parse_levels(), at the cell that no joint can have, and where
+/// @throws FormatError             as parse_levels(), at the cell that no joint can have, and where
 ///                                 all levels have inner reversals.
 /// @throws InputError              where levels are of several assemblies and nobody said what that
 ///                                 means.
+[[nodiscard]] LevelTable level_table_of(NamedInput input, const LevelTableOptions& options = {});
+
+/// The same of a file. @throws FileError, FormatError, InputError  as level_table_of().
 [[nodiscard]] LevelTable read_level_table(const std::string& path,
                                           const LevelTableOptions& options = {});
 

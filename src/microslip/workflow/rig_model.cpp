@@ -38,6 +38,24 @@ void check_readable(const std::string& text, const std::string& rig, const std::
 
 }  // namespace
 
+RigModel model_of_rig(const NamedInput& input, const JointFile& joint,
+                      const std::string& joint_path, std::size_t modes) {
+  const Rig rig = parse_rig(input);
+  const std::optional<double> damping = identified_damping(joint);
+  const StickState state = of_rig(input, [&] { return stick_state(rig, modes); });
+  JointedStructure structure = of_rig(
+      input, [&] { return rig_structure(rig, state, joint.joint, {1.0}, damping.value_or(0.0)); });
+  RigModel model{
+      {std::move(structure), rig.excitation.channel, {joint_path}, {covered_to(joint)}, {damping}},
+      {},
+      {}};
+  model.warnings = damping_twice(model.file.structure);
+  if (const auto warning = stiffness_warning(state, joint.joint)) {
+    model.warnings.push_back(*warning);
+  }
+  return model;
+}
+
 RigModel model_of_rig(const std::string& rig_path, const std::string& joint_path,
                       const std::string& out, std::size_t modes, std::string_view command) {
   if (joint_path == "-") {
@@ -45,23 +63,9 @@ RigModel model_of_rig(const std::string& rig_path, const std::string& joint_path
   }
   const std::vector<NamedInput> inputs{{rig_path, read_file(rig_path)},
                                        {joint_path, read_file(joint_path)}};
-  const Rig rig = parse_rig(inputs[0]);
   const JointFile file = parse_joint(inputs[1].text, joint_path);
-  const std::optional<double> damping = identified_damping(file);
   check_name("joint", joint_path);
-  const StickState state = of_rig(inputs[0], [&] { return stick_state(rig, modes); });
-  JointedStructure structure = of_rig(inputs[0], [&] {
-    return rig_structure(rig, state, file.joint, {1.0}, damping.value_or(0.0));
-  });
-  RigModel model{{std::move(structure),
-                  rig.excitation.channel,
-                  {path_from(joint_path, out)},
-                  {covered_to(file)},
-                  {damping}},
-                 {},
-                 {}};
-  model.warnings = damping_twice(model.file.structure);
-  if (const auto warning = stiffness_warning(state, file.joint)) model.warnings.push_back(*warning);
+  RigModel model = model_of_rig(inputs[0], file, path_from(joint_path, out), modes);
   model.text =
       format_model(model.file, with_warnings(provenance_of(command, inputs), model.warnings));
   check_readable(model.text, rig_path, out);

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "microslip/base/summary.hpp"
+#include "microslip/io/joint_file.hpp"
 #include "microslip/io/model_file.hpp"
+#include "microslip/workflow/provenance.hpp"
 
 namespace microslip {
 
@@ -18,7 +20,16 @@ struct RigModel {
   std::vector<Warning> warnings;  ///< also in the text
 };
 
-/// The model of a rig with a joint in its contact.
+/// The model of a rig with a joint in its contact, without its text.
+/// @param rig         rig.toml.
+/// @param joint       joint.json.
+/// @param joint_path  of it, as the model names it.
+/// @param modes       of the beam.
+/// @throws FormatError, InputError  as the readers.
+[[nodiscard]] RigModel model_of_rig(const NamedInput& rig, const JointFile& joint,
+                                    const std::string& joint_path, std::size_t modes);
+
+/// The same of files.
 /// @param rig      path of rig.toml.
 /// @param joint    path of joint.json; none of standard input, which a model cannot name.
 /// @param out      where model.toml will lie: it names the joint from there.

@@ -160,6 +160,13 @@ std::string_view to_string(TestPart part) {
   return "record";
 }
 
+std::string verdict_of(const ComparedCurve& curve, std::size_t i) {
+  if (!std::isfinite(curve.measured[i])) return "";
+  if (!curve.compares(i)) return "not_found";
+  if (!curve.has_band()) return "";
+  return curve.inside(i) ? "inside" : "outside";
+}
+
 bool ComparedCurve::compares(std::size_t i) const {
   return std::isfinite(measured.at(i)) && std::isfinite(predicted.at(i));
 }

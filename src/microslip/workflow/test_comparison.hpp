@@ -85,6 +85,10 @@ struct ComparedCurve {
   [[nodiscard]] double normalised_deviation() const;
 };
 
+/// "inside" or "outside" of the band; "not_found" where value i was measured and is not predicted;
+/// empty where it was not measured or there is no band.
+[[nodiscard]] std::string verdict_of(const ComparedCurve& curve, std::size_t i);
+
 /// A loop that was measured and its prediction, for pictures. One length.
 struct ComparedLoop {
   std::vector<double> displacement = {};  ///< m

@@ -181,7 +181,35 @@ namespace {
 
 // ---- What predicts. ----
 
-/// What the identification of a joint said against it.
+std::vector<ComparedTest> compare_each(const std::vector<SteppedSine>& sweeps,
+                                       std::optional<TestKind> kind, const ModelFile& model,
+                                       const HarmonicBalanceOptions& balance,
+                                       const std::optional<StructureDraws>& spread,
+                                       const std::optional<TestDraws>& draws) {
+  std::vector<ComparedTest> tests;
+  for (const SteppedSine& sweep : sweeps) {
+    tests.push_back(
+        compare_sweep(sweep, kind ? *kind : kind_of(sweep), model, balance, spread, draws));
+  }
+  return tests;
+}
+
+}  // namespace
+
+std::vector<ComparedTest> compare_test(const ReadTest& test, const ModelFile& model,
+                                       const HarmonicBalanceOptions& balance,
+                                       const std::optional<StructureDraws>& spread,
+                                       const std::optional<TestDraws>& draws) {
+  if (const auto* sweeps = std::get_if<std::vector<SteppedSine>>(&test.content)) {
+    return compare_each(*sweeps, test.kind, model, balance, spread, draws);
+  }
+  if (const auto* levels = std::get_if<ModalLevels>(&test.content)) {
+    return compare_modal_levels(input_name(test.path), *levels, model, balance, spread, draws);
+  }
+  throw InputError(test.path, "a record of force and displacement",
+                   "must be a test of the structure: sweeps or a ring-down");
+}
+
 void add_joint_warnings(const std::string& path, const JointFile& file,
                         std::vector<Warning>& warnings) {
   const std::vector<std::string> departure = texts_in(file.identification, "verdict_departure");
@@ -206,6 +234,8 @@ void add_joint_warnings(const std::string& path, const JointFile& file,
   }
 }
 
+namespace {
+
 /// Predicts tests by a model.toml.
 class ModelPrediction {
  public:
@@ -223,29 +253,16 @@ class ModelPrediction {
 
   [[nodiscard]] std::vector<ComparedTest> compare(const ReadTest& test,
                                                   const std::optional<TestDraws>& draws) const {
-    if (const auto* sweeps = std::get_if<std::vector<SteppedSine>>(&test.content)) {
-      return compare_sweeps(*sweeps, test.kind, draws);
+    if (const auto* records = std::get_if<std::vector<NamedForceRecord>>(&test.content)) {
+      return compare_records(*records, draws);
     }
-    if (const auto* levels = std::get_if<ModalLevels>(&test.content)) {
-      return compare_modal_levels(input_name(test.path), *levels, model_, options_.balance, draws_,
-                                  draws);
+    if (std::holds_alternative<std::vector<SteppedSine>>(test.content)) {
+      require_driven_by_forces(model_, options_.model, "verify");
     }
-    return compare_records(std::get<std::vector<NamedForceRecord>>(test.content), draws);
+    return compare_test(test, model_, options_.balance, draws_, draws);
   }
 
  private:
-  [[nodiscard]] std::vector<ComparedTest> compare_sweeps(
-      const std::vector<SteppedSine>& sweeps, std::optional<TestKind> kind,
-      const std::optional<TestDraws>& draws) const {
-    require_driven_by_forces(model_, options_.model, "verify");
-    std::vector<ComparedTest> tests;
-    for (const SteppedSine& sweep : sweeps) {
-      tests.push_back(compare_sweep(sweep, kind ? *kind : kind_of(sweep), model_, options_.balance,
-                                    draws_, draws));
-    }
-    return tests;
-  }
-
   [[nodiscard]] std::vector<ComparedTest> compare_records(
       const std::vector<NamedForceRecord>& records, const std::optional<TestDraws>& draws) const {
     const std::size_t j = joint_of_records();

@@ -11,6 +11,7 @@
 #include "microslip/base/progress.hpp"
 #include "microslip/base/summary.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/io/joint_file.hpp"
 #include "microslip/io/model_file.hpp"
 #include "microslip/io/recordings.hpp"
 #include "microslip/observe/modal_levels.hpp"
@@ -58,6 +59,25 @@ struct ReadTest {
 ///     that is asked for, is a pipe, or a joint by itself is to predict a structure.
 [[nodiscard]] ReadTest read_test(const std::string& path, const ModelFile* model,
                                  const std::string& model_path, const TestReading& options);
+
+/// Compares a test by a model that need not be a file.
+/// @param test     sweeps or a ring-down.
+/// @param model    that it is a test of.
+/// @param balance  of the predictions.
+/// @param spread   of the model; nothing without draws.
+/// @param draws    which of them; nothing without.
+/// @throws InputError  as compare_sweep(), compare_modal_levels(); for loops.
+/// @throws Cancelled   as the progress of the draws says.
+[[nodiscard]] std::vector<ComparedTest> compare_test(const ReadTest& test, const ModelFile& model,
+                                                     const HarmonicBalanceOptions& balance,
+                                                     const std::optional<StructureDraws>& spread,
+                                                     const std::optional<TestDraws>& draws);
+
+/// What the identification of a joint said against it: `joint_not_of_this_kind` for a verdict,
+/// `joint_not_converged`.
+/// @param path  of the joint. @param file  joint.json. @param warnings  get them behind theirs.
+void add_joint_warnings(const std::string& path, const JointFile& file,
+                        std::vector<Warning>& warnings);
 
 /// What is to be compared, and how.
 struct TestsVerification {
