@@ -82,6 +82,7 @@ void add_reduce(CLI::App& program, Call& call);
 void add_identify(CLI::App& program, Call& call);
 void add_levels(CLI::App& program, Call& call);
 void add_calibrate(CLI::App& program, Call& call);
+void add_campaign(CLI::App& program, Call& call);
 void add_loop(CLI::App& program, Call& call);
 void add_dissipation(CLI::App& program, Call& call);
 void add_model(CLI::App& program, Call& call);

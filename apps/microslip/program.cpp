@@ -19,6 +19,7 @@ std::unique_ptr<CLI::App> make_program(Call& call) {
   add_levels(*program, call);
   add_calibrate(*program, call);
   add_identify(*program, call);
+  add_campaign(*program, call);
   add_plan(*program, call);
   add_watch(*program, call);
   add_verify(*program, call);

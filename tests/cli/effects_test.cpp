@@ -322,6 +322,22 @@ std::string tested_responses(const std::array<std::string, 3>& units, const std:
   return text;
 }
 
+/// A campaign of one table of levels.
+std::string campaign_of(const std::string& levels) {
+  return fmt::format(R"(schema = "microslip.campaign/1"
+structure = "beam.toml"
+[identification]
+stiffness_N_per_m = 1.7e5
+atom = false
+inner_reversals = "leave-out"
+[[test]]
+name = "only"
+file = "{}"
+use = "identify"
+)",
+                     levels);
+}
+
 const Files& inputs() {
   static const Files files = [] {
     Files all = documented_files();
@@ -368,6 +384,8 @@ const Files& inputs() {
     all["atom_plan.toml"] =
         edited(edited(all.at("bootstrap.toml"), "\"levels.csv\" -> \"atom_levels.csv\""),
                "linear_damping = true -> linear_damping = false");
+    all["atom_campaign.toml"] = campaign_of("atom_levels.csv");
+    all["reversing_campaign.toml"] = campaign_of("full_levels.csv");
     all["failing.toml"] = edited(all.at("sweep.toml"), "from = 4e5 -> from = -4e5");
     all["failing.toml"] = edited(all["failing.toml"], "[sweep] -> most_failed = 1.0\n[sweep]");
     all["beats.csv"] = two_modes(all.at("decay.csv"));
@@ -576,6 +594,9 @@ TEST(EffectsTable, HasEveryKeyOfTheDocumentedFiles) {
     for (const std::string& key : keys_in(files.at(name))) {
       EXPECT_TRUE(has_row("plan.toml", key)) << name << " " << key << kAddRow;
     }
+  }
+  for (const std::string& key : keys_in(files.at("campaign.toml"))) {
+    EXPECT_TRUE(has_row("campaign.toml", key)) << key << kAddRow;
   }
   for (const std::string& key : keys_in(files.at("drawn_model.toml"))) {
     EXPECT_TRUE(has_row("model.toml", key)) << "drawn_model.toml " << key << kAddRow;

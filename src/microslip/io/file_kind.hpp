@@ -18,7 +18,9 @@ inline constexpr std::string_view kEnsembleKind = "microslip.ensemble_result/1";
 inline constexpr std::string_view kJournalKind = "microslip.journal/1";
 /// of ensemble_table() and sweep_table()
 inline constexpr std::string_view kEnsembleTableKind = "a table of an ensemble";
-inline constexpr std::string_view kRigKind = "microslip.rig/1";              ///< rig.toml
+inline constexpr std::string_view kRigKind = "microslip.rig/1";  ///< rig.toml
+/// campaign.toml
+inline constexpr std::string_view kCampaignKind = "microslip.campaign/1";
 inline constexpr std::string_view kStructureKind = "microslip.structure/1";  ///< STRUCTURE.toml
 inline constexpr std::string_view kModelKind = "microslip.model/1";          ///< model.toml
 inline constexpr std::string_view kLevelsKind = "a table of levels";         ///< levels.csv
@@ -55,6 +57,12 @@ inline constexpr std::string_view kBackboneKind = "a table of a backbone";  ///<
 inline constexpr std::string_view kVerificationKind = "a table of a verification";
 /// of comparison_table()
 inline constexpr std::string_view kComparisonKind = "a table of compared tests";
+/// campaign.csv
+inline constexpr std::string_view kCampaignTableKind = "a table of a campaign";
+/// sessions.csv of a campaign
+inline constexpr std::string_view kSessionsKind = "a table of sessions";
+/// leave_one_out.csv of a campaign
+inline constexpr std::string_view kLeftOutKind = "a table of what was left out";
 /// of harmonics_table()
 inline constexpr std::string_view kHarmonicsKind = "a table of predicted harmonics";
 /// of histories_table()

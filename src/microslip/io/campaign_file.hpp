@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// @file
+/// campaign.toml, schema microslip.campaign/1: several tests of one structure, some to identify its
+/// joint from, others to be predicted. Values are SI, their keys end in the unit.
+///
+///     schema = "microslip.campaign/1"
+///     title = "…"            optional
+///     structure = "rig.toml" of which all tests are, relative to the folder of the campaign
+///     [identification]       stiffness_N_per_m; optional: linear_damping = "none" or "fit",
+///                            smoothing = "gcv" or "lambda=X", edges = "sought" or "none", atom,
+///                            inner_reversals = "leave-out" or "use", draws, seed,
+///                            dissipation_gain_std, amplitude_gain_std, session_offsets,
+///                            leave_one_out = "none", "tests" or "levels"
+///     [prediction]           frequency_std, force_gain_std, each optional; optional
+///     [[test]]               name, file, use = "identify", "predict" or "both"; optional: session,
+///                            conditions = { … }, numbers and texts; one at least
+
+namespace microslip {
+
+// g++ 12 says that scoped enumerators hide names of other types, which they do not.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wshadow"
+
+/// What a test of a campaign is for.
+enum class CampaignUse {
+  kIdentify,  ///< the joint is identified from it, with the others
+  kPredict,   ///< it is predicted
+  kBoth,      ///< both: its prediction is no proof
+};
+
+/// What is left out in turn and predicted from the rest.
+enum class LeaveOut {
+  kNothing,
+  kTests,   ///< each test
+  kLevels,  ///< each level
+};
+
+#pragma GCC diagnostic pop
+
+/// "identify", "predict", "both".
+[[nodiscard]] std::string_view to_string(CampaignUse use);
+
+/// Something that was the case in a test: "torque_Nm", "20".
+struct CampaignCondition {
+  std::string name;   ///< letters, digits and underscores
+  std::string value;  ///< as text; a number as the shortest that reads back
+};
+
+/// A test of a campaign.
+struct CampaignTest {
+  std::string name;                                ///< usable as that of a file; no two the same
+  std::string file;                                ///< to be opened; may be `FILE:VARIABLE`
+  CampaignUse use = CampaignUse::kIdentify;        ///< what it is for
+  std::string session = "1";                       ///< in which it was measured
+  std::vector<CampaignCondition> conditions = {};  ///< in alphabetical order
+
+  /// Whether the joint is identified from it.
+  [[nodiscard]] bool identifies() const { return use != CampaignUse::kPredict; }
+  /// Whether it is predicted.
+  [[nodiscard]] bool predicted() const { return use != CampaignUse::kIdentify; }
+};
+
+/// What a campaign.toml holds.
+struct CampaignFile {
+  std::string title = {};                   ///< may be empty
+  std::string structure;                    ///< path of rig.toml, to be opened
+  double stiffness = 0.0;                   ///< k of the stuck joint, N/m; > 0
+  bool linear_damping = false;              ///< whether β is fitted
+  std::string smoothing = "gcv";            ///< as of set_smoothing()
+  bool edges = true;                        ///< whether edges of the density are sought
+  bool atom = false;                        ///< whether one is sought at the end of the density
+  bool use_inner_reversals = false;         ///< takes levels with inner reversals too
+  std::size_t draws = 0;                    ///< of joint and predictions; 0: none
+  std::uint64_t seed = 1;                   ///< of them
+  double dissipation_gain_std = 0.0;        ///< of D, common to all levels of a test, relative
+  double amplitude_gain_std = 0.0;          ///< of A, likewise
+  bool session_offsets = false;             ///< whether those of the frequency are fitted
+  LeaveOut leave_out = LeaveOut::kNothing;  ///< what is left out in turn
+  /// Of a predicted frequency, relative; nothing: what the frequencies miss those of the model by.
+  std::optional<double> frequency_std = {};
+  double force_gain_std = 0.0;      ///< of the force of a predicted test, relative
+  std::vector<CampaignTest> tests;  ///< in the order of the file
+
+  /// The sessions of the tests to identify from, in the order in which these first name them.
+  [[nodiscard]] std::vector<std::string> sessions() const;
+};
+
+/// @param text  the file's whole text.
+/// @param file  its name: its folder is where those it names are sought.
+/// @throws FormatError  for text that is no TOML, another schema, keys unknown or missing.
+/// @throws InputError   naming `campaign.toml:12:3: test[1].use` for a value of a wrong type or one
+///                      that breaks a rule: no test to identify from, two of one name, options that
+///                      would do nothing.
+[[nodiscard]] CampaignFile parse_campaign(std::string_view text, std::string_view file);
+
+}  // namespace microslip

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "microslip/io/campaign_file.hpp"
+#include "microslip/joint/joint.hpp"
+#include "microslip/rig/stick_state.hpp"
+#include "microslip/workflow/campaign_levels.hpp"
+
+/// @file
+/// What the sessions of a campaign differ by.
+
+namespace microslip {
+
+/// A session against the joint that was identified from all. NaN where the levels do not tell.
+struct SessionEffect {
+  std::string name = {};   ///< of the session
+  std::size_t tests = 0;   ///< with levels
+  std::size_t levels = 0;  ///< of these
+  /// Mean of y less that of the first session, 1.
+  double frequency_difference = std::numeric_limits<double>::quiet_NaN();
+  /// σ of that, 1; NaN also where no session has two levels.
+  double frequency_difference_std = std::numeric_limits<double>::quiet_NaN();
+  double frequency_offset = 0.0;      ///< δ: the difference where offsets are fitted, else 0, 1
+  double frequency_offset_std = 0.0;  ///< σ of that, 1
+  /// Of y about its mean over the session, rms, 1.
+  double frequency_scatter = std::numeric_limits<double>::quiet_NaN();
+  double dissipation_offset = std::numeric_limits<double>::quiet_NaN();   ///< mean of r, 1
+  double dissipation_scatter = std::numeric_limits<double>::quiet_NaN();  ///< of r about it, rms, 1
+};
+
+/// With y = ln(f/f̂) of each level, f̂ the natural frequency with the secant stiffness that the joint
+/// has at its amplitude, and r = ln(D/D̂), D̂ of joint and linear damping there.
+struct SessionEffects {
+  std::vector<SessionEffect> sessions = {};  ///< those with levels, in the order of the campaign
+  std::vector<double> frequency = {};        ///< f̂ of each level, Hz; empty without frequencies
+  std::vector<double> dissipation = {};      ///< D̂ of each level, J
+  /// rms of y less the offset of its session, 1: what the model misses the frequencies by, its
+  /// nominal frequency among it; 0 without frequencies.
+  double frequency_std = 0.0;
+  /// Of the offsets, that of the first, 0, among them: √(Σδ²/(S − 1)), 1; 0 of one session.
+  double between_frequencies = 0.0;
+  /// Standard deviation of the means of r of the tests of one session, pooled, 1; nothing where no
+  /// session has two tests.
+  std::optional<double> within_sessions = {};
+  /// Standard deviation of the means of r of the sessions, 1; nothing of one session.
+  std::optional<double> between_sessions = {};
+
+  /// The session of that name; null where it has no levels.
+  [[nodiscard]] const SessionEffect* find(const std::string& name) const;
+};
+
+/// Differences are those of least squares, ȳ_s − ȳ_1 with
+/// σ² = s²(1/n_s + 1/n_1), s² = Σ(y − ȳ)²/(n − S) over all S sessions;
+/// they are offsets δ_s where the campaign asks for these.
+/// @param campaign  of the levels. @param levels  of its tests.
+/// @param state     of the structure; k of the joint is in its modes.
+/// @param joint     identified from the levels.
+/// @param linear_damping  β that was identified with it, J/m².
+/// @throws InputError  where offsets are asked for, and a level has no frequency, a frequency is off
+///     that of the first mode by more than a tenth, or no session has two levels.
+[[nodiscard]] SessionEffects session_effects(const CampaignFile& campaign,
+                                             const CampaignLevels& levels, const StickState& state,
+                                             const Joint& joint, double linear_damping);
+
+/// δ of the session of each level, 1.
+[[nodiscard]] std::vector<double> offsets_of_levels(const SessionEffects& effects,
+                                                    const CampaignFile& campaign,
+                                                    const CampaignLevels& levels);
+
+}  // namespace microslip

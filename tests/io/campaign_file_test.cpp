@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/campaign_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "microslip/base/error.hpp"
+#include "support/replaced.hpp"
+
+namespace microslip::campaign_file_test {
+namespace {
+
+const std::string kText = R"(schema = "microslip.campaign/1"
+title = "beam"
+structure = "rig.toml"
+[identification]
+stiffness_N_per_m = 4e5
+linear_damping = "fit"
+smoothing = "lambda=0.1"
+edges = "none"
+atom = true
+inner_reversals = "use"
+draws = 200
+seed = 7
+dissipation_gain_std = 0.02
+amplitude_gain_std = 0.01
+session_offsets = true
+leave_one_out = "tests"
+[prediction]
+frequency_std = 0.004
+force_gain_std = 0.03
+[[test]]
+name = "first"
+file = "a.mat:sweeps.held"
+use = "identify"
+conditions = { torque_Nm = 20.5, order = "rising" }
+[[test]]
+name = "second"
+file = "b.csv"
+use = "both"
+session = "2"
+[[test]]
+name = "third"
+file = "c.csv"
+use = "predict"
+)";
+
+TEST(CampaignFile, TakesEachKey) {
+  const CampaignFile campaign = parse_campaign(kText, "folder/campaign.toml");
+  EXPECT_EQ(campaign.title, "beam");
+  EXPECT_EQ(campaign.structure, "folder/rig.toml");
+  EXPECT_EQ(campaign.stiffness, 4e5);
+  EXPECT_TRUE(campaign.linear_damping);
+  EXPECT_EQ(campaign.smoothing, "lambda=0.1");
+  EXPECT_FALSE(campaign.edges);
+  EXPECT_TRUE(campaign.atom);
+  EXPECT_TRUE(campaign.use_inner_reversals);
+  EXPECT_EQ(campaign.draws, 200U);
+  EXPECT_EQ(campaign.seed, 7U);
+  EXPECT_EQ(campaign.dissipation_gain_std, 0.02);
+  EXPECT_EQ(campaign.amplitude_gain_std, 0.01);
+  EXPECT_TRUE(campaign.session_offsets);
+  EXPECT_EQ(campaign.leave_out, LeaveOut::kTests);
+  EXPECT_EQ(campaign.frequency_std, 0.004);
+  EXPECT_EQ(campaign.force_gain_std, 0.03);
+  ASSERT_EQ(campaign.tests.size(), 3U);
+  EXPECT_EQ(campaign.tests[0].file, "folder/a.mat:sweeps.held");
+  ASSERT_EQ(campaign.tests[0].conditions.size(), 2U);
+  EXPECT_EQ(campaign.tests[0].conditions[0].value, "rising");
+  EXPECT_EQ(campaign.tests[0].conditions[1].name, "torque_Nm");
+  EXPECT_EQ(campaign.tests[0].conditions[1].value, "20.5");
+  EXPECT_TRUE(campaign.tests[1].identifies() && campaign.tests[1].predicted());
+  EXPECT_FALSE(campaign.tests[2].identifies());
+  EXPECT_EQ(campaign.sessions(), (std::vector<std::string>{"1", "2"}));
+}
+
+/// That the message of the changed file has these parts.
+void expect_refused_text(const std::string& before, const std::string& after,
+                         const std::vector<std::string>& parts) {
+  SCOPED_TRACE(before + " -> " + after);
+  try {
+    (void)parse_campaign(test::replaced(kText, before, after), "campaign.toml");
+    FAIL() << "was taken";
+  } catch (const Error& error) {
+    for (const std::string& part : parts) {
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos)
+          << part << " in: " << error.what();
+    }
+  }
+}
+
+TEST(CampaignFile, NamesWhatIsWrong) {
+  expect_refused_text("campaign/1", "campaign/2", {"campaign.toml:1", "microslip.campaign/1"});
+  expect_refused_text("title =", "titel =", {"campaign.toml:2", "titel", "title"});
+  expect_refused_text("structure = \"rig.toml\"", "structure = \"\"", {"structure", "path"});
+  expect_refused_text("= 4e5", "= -4e5", {"identification.stiffness_N_per_m", "-400000"});
+  expect_refused_text("\"fit\"", "\"fitted\"", {"linear_damping", "'fitted'", "none, fit"});
+  expect_refused_text("draws = 200", "draws = 1", {"draws", "1", "40", "1000 give"});
+  expect_refused_text("draws = 200", "draws = 0", {"seed", "belongs to draws"});
+  expect_refused_text("_gain_std = 0.02", "_gain_std = 2.0", {"dissipation_gain_std", "0.3"});
+  expect_refused_text("session = \"2\"", "session = \"1\"",
+                      {"session_offsets", "does nothing", "'1'"});
+  expect_refused_text("name = \"second\"", "name = \"first\"",
+                      {"test[1].name", "'first'", "another test"});
+  expect_refused_text("name = \"second\"", "name = \"a/b\"", {"test[1].name", "without /"});
+  expect_refused_text("use = \"both\"", "use = \"predict\"", {"session_offsets", "does nothing"});
+  expect_refused_text("use = \"both\"", "use = \"all\"",
+                      {"use", "'all'", "identify, predict, both"});
+  expect_refused_text("use = \"both\"\n", "", {"use"});
+  expect_refused_text("torque_Nm =", "\"torque [Nm]\" =", {"torque [Nm]", "letters"});
+  expect_refused_text("torque_Nm = 20.5", "torque_Nm = [1, 2]", {"torque_Nm", "a number"});
+}
+
+TEST(CampaignFile, NeedsATestToIdentifyFrom) {
+  const std::string none = R"(schema = "microslip.campaign/1"
+structure = "rig.toml"
+[identification]
+stiffness_N_per_m = 4e5
+[[test]]
+name = "only"
+file = "c.csv"
+use = "predict"
+)";
+  try {
+    (void)parse_campaign(none, "campaign.toml");
+    FAIL() << "was taken";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("to identify from"), std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace microslip::campaign_file_test
