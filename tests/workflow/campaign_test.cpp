@@ -219,7 +219,7 @@ TEST(CampaignLeaveOneOut, LeavesOutLevels) {
   campaign.levels.levels.dissipation[4] *= 1.2;
   const std::vector<LeftOut> parts = left_out_of(campaign, LeaveOut::kLevels, 0.02);
   ASSERT_EQ(parts.size(), 10U);
-  EXPECT_EQ(parts[4].name, "test 1, level 5");
+  EXPECT_EQ(parts[4].name, "test 1: level 5");
   EXPECT_TRUE(parts[4].contradicts());
   EXPECT_EQ(parts[9].curve.compared(), 0U);  // the highest
   EXPECT_FALSE(parts[9].contradicts());

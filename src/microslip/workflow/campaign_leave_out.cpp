@@ -29,7 +29,7 @@ std::vector<LeftOut> parts_of(const CampaignFile& campaign, const CampaignLevels
     const bool same = i > 0 && levels.test[i] == levels.test[i - 1];
     first = same ? first : i;
     if (campaign.leave_out == LeaveOut::kLevels) {
-      parts.push_back({.name = fmt::format("{}, level {}", test, i - first + 1)});
+      parts.push_back({.name = fmt::format("{}: level {}", test, i - first + 1)});
     } else if (!same) {
       parts.push_back({.name = test});
     }
