@@ -109,5 +109,16 @@ TEST(CsvWriter, ControlCharactersBecomeBlanks) {
   EXPECT_EQ(CsvTable(writer.str(), "").text("t"), Texts{"a b c"});
 }
 
+TEST(CsvWriter, LeavesCellsEmptyWhereThereIsNoNumber) {
+  CsvWriter writer;
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  writer.add_numbers_or_empty("force", kForce, std::vector<double>{1.5, none});
+  writer.add_text("name", std::vector<std::string>{"a", "b"});
+  const CsvTable table(writer.str(), "table.csv");
+  EXPECT_EQ(table.text("force"), (std::vector<std::string>{"1.5", ""}));
+  EXPECT_EQ(table.columns()[0].unit, "N");
+  EXPECT_THROW(writer.add_numbers_or_empty("more", kForce, std::vector<double>{1.0}), InputError);
+}
+
 }  // namespace
 }  // namespace microslip::csv_writer_test

@@ -101,6 +101,22 @@ TEST(ModelWriter, SaysThatAJointHasNoLinearDampingWhereItsFileHasSome) {
   EXPECT_EQ(format_model(model).find("linear_damping"), std::string::npos) << "nothing to say";
 }
 
+// With the key all draws would have that damping, and not each its own.
+TEST(ModelWriter, LeavesTheLinearDampingToTheDrawsThatBringTheirs) {
+  ModelFile model = two_modes(DampingLaw::kViscous);
+  const auto says = [&] { return format_model(model).find("linear_damping") != std::string::npos; };
+  model.identified_damping = {model.structure.joints()[0].linear_damping};
+  model.damping_said = {false};
+  EXPECT_TRUE(says()) << "no draws";
+  model.joint_samples = {"joint_samples.h5"};
+  EXPECT_FALSE(says());
+  model.damping_said = {true};
+  EXPECT_TRUE(says()) << "said by the model";
+  model.damping_said = {false};
+  model.identified_damping = {1.0};
+  EXPECT_TRUE(says()) << "another than that of the joint file";
+}
+
 // An amplitude and a phase of each are written: rounding of either is 2 ulp.
 TEST(ModelWriter, KeepsTheHarmonicsOfTheForces) {
   const ModelFile model = two_modes(DampingLaw::kViscous);

@@ -53,7 +53,9 @@ struct LeaveOutOptions {
 /// of its linear damping, noise of each level, its standard deviation or what the others scatter by,
 /// and for a test that is left out gains of its own of the standard deviations that all have; those
 /// of a level are those of the others, of which it is one.
-/// @param campaign  says whether tests or levels. @param levels  of its tests.
+/// @param campaign  says whether tests or levels.
+/// @param levels    of its tests.
+/// @param options   of the identifications.
 /// @throws InputError  as identify(), naming what was left out.
 /// @throws Cancelled   as the progress says.
 [[nodiscard]] std::vector<LeftOut> leave_one_out(const CampaignFile& campaign,
