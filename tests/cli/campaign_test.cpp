@@ -245,6 +245,7 @@ TEST(campaign, NamesWhatIsWrong) {
   refused("leave_one_out = \"tests\"", "leave_one_out = \"all\"", {"leave_one_out", "'all'"});
   refused("leave_one_out = \"tests\"", "smoothing = \"lambda=-1\"", {"smoothing", "-1"});
   box.put("campaign.toml", kCampaign);
+  expect_refused(box, {"campaign", "-", "--out", "found"}, {"standard input", "a file"});
   expect_refused(box, {"campaign", "campaign.toml", "--out", "-"}, {"folder"});
   expect_refused(box, with(kCall, {"--picture", "a.jpg"}), {"--picture", ".svg"});
   box.put("levels.csv", box.get("monday.csv"));

@@ -51,6 +51,9 @@ std::string in_folder(const CampaignRun& run, const std::string& name) {
 }
 
 CampaignFile read_plan(const CampaignRun& run) {
+  if (run.campaign == "-") {
+    throw InputError("campaign", "standard input", "must be a file: its folder has the tests");
+  }
   return parse_campaign(read_file(run.campaign), input_name(run.campaign));
 }
 
@@ -60,8 +63,8 @@ void check_structure(const CampaignFile& plan) {
   throw InputError(
       "structure", in_quotes(plan.structure), "must be a rig.toml: a campaign has one joint",
       kind == kModelKind
-          ? "`microslip calibrate` finds the joints of a model.toml from levels of its "
-            "modes, and `microslip verify` predicts tests by it."
+          ? "The subcommand calibrate finds the joints of a model.toml from levels of its "
+            "modes, and verify predicts tests by it."
           : "A structure known by its modes has [modes] there.");
 }
 
@@ -71,10 +74,11 @@ void check_predictable(const CampaignTest& test) {
   const PartOfFile part = part_of_file(test.file);
   const std::string kind = file_kind(read_kind_head(part.file));  // throws where there is no file
   if (part.variable.empty() && kind == kModalLevelsKind) return;
-  throw InputError(fmt::format("test '{}'", test.name), in_quotes(test.file),
-                   "must be stepped sines or modal levels to be predicted",
-                   "`microslip verify` predicts steady records of a rig, and `microslip ringdown` "
-                   "makes modal levels of a decay.");
+  throw InputError(
+      fmt::format("test '{}'", test.name), in_quotes(test.file),
+      "must be stepped sines or modal levels to be predicted",
+      "The subcommand verify predicts steady records of a rig, and ringdown makes modal "
+      "levels of a decay.");
 }
 
 void check_campaign(const CampaignFile& plan) {
