@@ -47,6 +47,8 @@ inline constexpr const char* kTomlValue = "FILE.toml";
 inline constexpr const char* kHtmlValue = "FILE.html";
 inline constexpr const char* kPictureValue = "PICTURE";      ///< in any format that is drawn
 inline constexpr const char* kRecordingValue = "RECORDING";  ///< in any format that can be read
+inline constexpr const char* kTestValue = "TEST";  ///< a recording, or another file of a test
+inline constexpr const char* kDescriptionValue = "DESCRIPTION";  ///< .toml, or the .json of a joint
 inline constexpr const char* kFolderValue = "FOLDER";
 inline constexpr const char* kResultValue = "RESULT";  ///< a folder, or a file of any kind
 

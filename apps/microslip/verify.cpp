@@ -248,7 +248,7 @@ void add_verify(CLI::App& program, Call& call) {
                    "Description of a frictional-support test, rig.toml; or a structure with "
                    "joints, model.toml; or a joint by itself, joint.json, for loops")
       ->required()
-      ->type_name(kTomlValue);
+      ->type_name(kDescriptionValue);
   command
       ->add_option("tests", options->tests,
                    "With a rig.toml its joint, joint.json, and steady records, one a level (CSV, "
@@ -257,7 +257,7 @@ void add_verify(CLI::App& program, Call& call) {
                    "fields), modal_levels.csv, recordings of a ring-down or of force and "
                    "displacement")
       ->required()
-      ->type_name(kRecordingValue);
+      ->type_name(kTestValue);
   add_output_options(*command, *options);
   add_model_options(*command, *options);
   add_rig_draws(*command, *options);

@@ -52,8 +52,11 @@ void find_offer(ValueDescription& value) {
     value.offer = Offer::kChoices;
   } else if (value.name == kFolderValue) {
     value.offer = Offer::kFolders;
-  } else if (value.name == kResultValue) {
+  } else if (value.name == kResultValue || value.name == kTestValue) {
     value.offer = Offer::kFiles;
+  } else if (value.name == kDescriptionValue) {
+    value.offer = Offer::kFiles;
+    value.endings = {"toml", "json"};
   } else if (value.name == kRecordingValue) {
     value.offer = Offer::kFiles;
     value.endings.assign(kRecordingEndings.begin(), kRecordingEndings.end());
