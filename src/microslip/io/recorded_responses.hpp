@@ -16,10 +16,10 @@ namespace microslip {
 
 /// Where a channel belongs, for a file that does not tell it.
 struct ResponseChannel {
-  std::string name;          ///< of the channel
-  UffPoint response;         ///< with the sign of the direction
-  UffPoint reference;        ///< of the force, likewise
-  std::optional<Unit> unit;  ///< of a channel that has none in the file
+  std::string name;               ///< of the channel
+  UffPoint response;              ///< with the sign of the direction
+  UffPoint reference = {};        ///< of the force, likewise
+  std::optional<Unit> unit = {};  ///< of a channel that has none in the file
 };
 
 /// The channels of the list, or, without one, those that have the attributes of a frequency response

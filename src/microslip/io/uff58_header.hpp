@@ -16,7 +16,7 @@ namespace microslip {
 
 /// A point of the structure and the direction there.
 struct UffPoint {
-  std::string entity;  ///< empty: none
+  std::string entity = {};  ///< empty: none
   std::int64_t node = 0;
   std::int64_t direction = 0;  ///< 0 none, ±1…±3 = ±X, ±Y, ±Z, ±4…±6 rotations about them
 
