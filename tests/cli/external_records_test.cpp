@@ -104,7 +104,9 @@ TEST_F(ExternalRecords, AFrictionDamperIsNotPredictedAndItIsSaidWhy) {
       EXPECT_GT(std::stod(predicted[row]), 0.1);
       EXPECT_LT(std::stod(predicted[row]), 0.3);
     }
-    if (quantity[row] == "force_noise") EXPECT_LT(std::stod(predicted[row]), 1e-3);
+    if (quantity[row] == "force_noise") {
+      EXPECT_LT(std::stod(predicted[row]), 1e-3);
+    }
   }
   EXPECT_EQ(records, 3U);
   for (const char* amplitude : {"0.5", "1", "1.5"}) {

@@ -29,6 +29,7 @@ VerifiedTests verified() {
                       .upper = {1.1e-4, 2.8e-4, 4e-4},
                       .chance = 0.1};
   ComparedCurve whole{.quantity = "force_nrmse",
+                      .dimension = kDimensionless,
                       .part = TestPart::kRecord,
                       .at = {kNone},
                       .measured = {kNone},

@@ -44,7 +44,8 @@ enum class Held { kForce, kResponse };
 
 /// A sweep of it in closed form, with a force that dips to half about the resonance, as a shaker's does.
 SteppedSine sweep_of(Held held, std::size_t steps = 81, double from = 49.0, double to = 51.0) {
-  SteppedSine sweep{.source = "sweep"};
+  SteppedSine sweep;
+  sweep.source = "sweep";
   for (std::size_t i = 0; i < steps; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(steps - 1);
     const double f = std::lerp(from, to, share);
