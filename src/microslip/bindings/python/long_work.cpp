@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/bindings/python/long_work.hpp"
 
+#include <atomic>
 #include <cstddef>
 #include <ctime>
 #include <utility>
@@ -12,14 +13,28 @@ namespace py = pybind11;
 namespace microslip::python {
 namespace {
 
-/// A thread that nobody waits for may still work while the interpreter ends. Whoever asks for the lock
-/// then is ended by Python in a way that C++ cannot follow, so that it must never return there.
-bool interpreter_ends() { return Py_IsInitialized() == 0; }
+// A thread that nobody waits for may still work while the interpreter ends. Work is stopped then and waited for,
+// as what it uses ends next. Its thread must never return: whoever asks for the lock of an interpreter that has
+// ended is ended by Python in a way that C++ cannot follow.
+std::atomic<bool> interpreter_ends = false;
+std::atomic<int> working = 0;
+
+void sleep_for_a_while() {
+  constexpr std::timespec kWhile{0, 5'000'000};
+  ::nanosleep(&kWhile, nullptr);
+}
 
 void stay_while_interpreter_ends() {
-  constexpr std::timespec kWhile{1, 0};
-  while (interpreter_ends()) ::nanosleep(&kWhile, nullptr);
+  while (interpreter_ends) sleep_for_a_while();
 }
+
+/// One of those that are waited for.
+struct Working {
+  Working() { ++working; }
+  ~Working() { --working; }
+  Working(const Working&) = delete;
+  Working& operator=(const Working&) = delete;
+};
 
 /// Signals, and the listener where there is news.
 class Attention {
@@ -28,7 +43,7 @@ class Attention {
 
   /// @return whether to go on. @throws py::error_already_set
   bool operator()(std::size_t done, std::size_t total) {
-    if (interpreter_ends()) return false;
+    if (interpreter_ends) return false;
     const py::gil_scoped_acquire locked;
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     const std::pair news{done, total};
@@ -49,12 +64,19 @@ void do_long_work(const std::function<void(const Progress& progress)>& work,
                   const py::object& listener) {
   const py::gil_scoped_release unlocked;
   try {
-    do_attended(work, Attention(listener));
+    const Working one;
+    if (!interpreter_ends) do_attended(work, Attention(listener));
   } catch (...) {
     stay_while_interpreter_ends();
     throw;
   }
   stay_while_interpreter_ends();
+}
+
+void stop_long_work() {
+  const py::gil_scoped_release unlocked;
+  interpreter_ends = true;
+  while (working > 0) sleep_for_a_while();
 }
 
 }  // namespace microslip::python

@@ -28,4 +28,7 @@ template <class Work>
   return std::move(*result);
 }
 
+/// Stops what other threads do in do_long_work() and waits for its end: when the interpreter ends. They stay there.
+void stop_long_work();
+
 }  // namespace microslip::python

@@ -3,11 +3,13 @@
 
 #include "microslip/base/version.hpp"
 #include "microslip/bindings/python/core.hpp"
+#include "microslip/bindings/python/long_work.hpp"
 
 PYBIND11_MODULE(_core, core) {
   using namespace microslip::python;
   core.doc() = "The compiled half of microslip. It is no interface: import microslip.";
   core.attr("version") = std::string(microslip::kVersion);
+  pybind11::module_::import("atexit").attr("register")(pybind11::cpp_function(stop_long_work));
   add_errors(core);
   add_joint(core);
   add_memory(core);
