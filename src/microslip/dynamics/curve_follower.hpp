@@ -12,6 +12,11 @@
 
 namespace microslip {
 
+/// dF/dy of a joint of the tangent K = dF/du and what is in series with it, y = u + cF, N/m.
+[[nodiscard]] inline double in_series(double tangent, double compliance) {
+  return tangent / (1.0 + tangent * compliance);
+}
+
 /// A Memory that moves from kink to kink. Internal to dynamics.
 ///
 /// Between two kinks it moves on one smooth curve. A step is tried on that curve as if it had no

@@ -61,7 +61,7 @@ bool JointWay::add(const Knot& knot) {
 /// Those between two shares, where y does not turn.
 bool JointWay::pass_kinks(const StepCubic& y, double from, double to) {
   const double end = y.value(to);
-  const auto stiffness = [&](double tangent) { return tangent / (1.0 + tangent * compliance_); };
+  const auto stiffness = [&](double tangent) { return in_series(tangent, compliance_); };
   for (;;) {
     const double at = follower_.next_kink_behind(compliance_);
     if (direction_ * (at - end) >= 0.0) return true;

@@ -183,10 +183,7 @@ void MarchState::turn(Joint& joint) {
 
 /// The tangent jumps here, and with it the slopes of the loads.
 void MarchState::pass_kink(Joint& joint) {
-  const auto stiffness = [&] {
-    const double tangent = joint.hysteresis.tangent();
-    return tangent / (1.0 + tangent * joint.compliance);
-  };
+  const auto stiffness = [&] { return in_series(joint.hysteresis.tangent(), joint.compliance); };
   const double before = stiffness();
   joint.hysteresis.pass_kink();
   find_kink(joint);

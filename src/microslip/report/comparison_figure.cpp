@@ -6,11 +6,13 @@
 #include <cstddef>
 #include <iterator>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "microslip/base/error.hpp"
 #include "microslip/report/shown_unit.hpp"
+#include "microslip/workflow/experiment_results.hpp"
 
 namespace microslip {
 namespace {
@@ -104,8 +106,9 @@ bool suits_log(const std::vector<double>& rising) {
 
 /// Without the folder of the file, which may be long: "sweeps.mat:FRdata(1)".
 std::string title_of(const ComparedTest& test) {
-  const std::size_t folder = test.source.substr(0, test.source.find(':')).rfind('/');
-  return test.source.substr(folder + 1);  // npos + 1 is 0
+  const std::size_t file = std::min(test.source.find(':'), test.source.size());
+  return std::string(file_name(std::string_view(test.source).substr(0, file))) +
+         test.source.substr(file);
 }
 
 Figure curve_panel(const ComparedTest& test, const ComparedCurve& curve,
