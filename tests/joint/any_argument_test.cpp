@@ -163,7 +163,7 @@ TEST(AnyArgument, OfMemories) {
     memory.advance(-5e-5);
     const double force = memory.force();
     std::vector<double> some(3);
-    for (const double bad : {kNaN, kInfinity, -kInfinity}) {
+    for (const double bad : {kNaN, kInfinity, -kInfinity, kHuge, -kHuge}) {
       EXPECT_THROW((void)memory.trial(bad), InputError);
       EXPECT_THROW((void)memory.advance(bad), InputError);
       EXPECT_THROW((void)memory.dissipation(bad), InputError);
@@ -173,7 +173,7 @@ TEST(AnyArgument, OfMemories) {
     EXPECT_NO_THROW(memory.march({}, {}));
     EXPECT_EQ(memory.force(), force) << "no step is taken";
     EXPECT_EQ(memory.displacement(), -5e-5);
-    for (const double far : {kHuge, -kHuge, kTiny, -kTiny}) (void)memory.trial(far);
+    for (const double near : {kTiny, -kTiny}) (void)memory.trial(near);
     EXPECT_GT(memory.stored_energy(), 0.0);
   }
 }

@@ -16,6 +16,7 @@
 #include "microslip/base/random.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/jenkins_network.hpp"
+#include "microslip/joint/path.hpp"
 #include "support/figures.hpp"
 #include "support/random_path.hpp"
 #include "support/reference_csv.hpp"
@@ -448,6 +449,27 @@ TEST(Memory, ResetIsVirgin) {
 }
 
 // ---- The rules on a path. ----
+
+// Forces and energies beyond would be NaN: differences of displacements overflow, and their squares.
+TEST(Memory, FollowsAJointAsFarAsItSays) {
+  const Joint joint = atoms_joint();
+  Memory memory(joint);
+  EXPECT_TRUE(std::isfinite(memory.advance(kFarthestDisplacement)));
+  EXPECT_TRUE(std::isfinite(memory.advance(-kFarthestDisplacement)));
+  EXPECT_TRUE(std::isfinite(memory.dissipation(0.0)));
+  EXPECT_TRUE(std::isfinite(memory.stored_energy()));
+  const Memory before = memory;
+  const std::string rule = "must be from -1e+100 to 1e+100 m";
+  EXPECT_EQ(test::message_or("accepted", [&] { memory.advance(1e101); }),
+            "displacement = 1e+101; " + rule);
+  std::vector<double> force(2);
+  EXPECT_EQ(test::message_or("accepted",
+                             [&] {
+                               memory.march(std::vector<double>{0.0, -1e308}, force);
+                             }),
+            "displacement[1] = -1e+308; " + rule);
+  expect_same_state(memory, before);
+}
 
 TEST(Memory, RejectsAPathWithANonFiniteDisplacementBeforeAnyStep) {
   const Joint joint = atoms_joint();

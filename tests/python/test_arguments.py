@@ -115,6 +115,40 @@ def test_of_words(structure, bad):
     refused("kind", lambda: microslip.HarmonicBalance(structure, kind=bad))
 
 
+@table({"number": 5, "text": "ab", "list": ["a"]})
+def test_of_mappings(bad):
+    refused("point_motion", lambda: microslip.Base([1.0], bad))
+    refused("points", lambda: microslip.Structure([1.0], bad))
+
+
+@table({"a text": "ab", "a number": 3, "numbers": [1]})
+def test_of_lists_of_names(bad):
+    refused("attached_points", lambda: microslip.modes(
+        np.eye(2), np.eye(2), points={"a": 0, "b": 1}, count=1, attached_points=bad))  # fmt: skip
+
+
+def test_of_matrices_that_are_not_symmetric():
+    sparse = pytest.importorskip("scipy.sparse")
+    stiffness = np.array([[2e5, -1e5, 0.0], [-1e5, 2e5, -1e5], [0.0, -1e5, 1e5]])
+
+    def of(matrix):
+        return microslip.modes(matrix, np.eye(3), points={"a": 0}, count=3)
+
+    exact = of(stiffness).frequency
+    for made in (np.array, sparse.csr_matrix):
+        one_sided = stiffness.copy()
+        one_sided[0, 2] = 1e-9  # rounding, beside 2e5, where its mirror image has no entry
+        np.testing.assert_allclose(of(made(one_sided)).frequency, exact, rtol=1e-12)
+        one_sided[0, 2] = 1.0
+        refused(r"stiffness\[0, 2\]", lambda bad=made(one_sided): of(bad))
+
+
+def test_of_displacements_that_no_joint_reaches(joint):
+    refused("displacement", lambda: joint.memory().advance(1e308))
+    refused(r"displacement\[1\]", lambda: joint.loop([0.0, -1e308]))
+    refused(r"displacement\[1500\]", lambda: joint.loop(1500 * [0.0] + [1e308], 1501 * [1.0]))
+
+
 @table({"None": None, "number": 1e5, "text": "joint", "class": microslip.Joint})
 def test_of_other_objects(bad):
     refused("joint", lambda: microslip.Memory(bad))

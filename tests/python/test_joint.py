@@ -133,6 +133,16 @@ def test_joints_are_values(joint):
     assert len({joint, again}) == 1
 
 
+def test_equal_parts_have_equal_hashes():
+    for one, other in (
+        (microslip.Atoms([1, 2], [1, 0]), microslip.Atoms((1.0, 2.0), np.array([1.0, -0.0]))),
+        (microslip.Uniform(0, 10, 1), microslip.Uniform(0.0, np.float64(10), 1.0)),
+    ):
+        assert one == other and hash(one) == hash(other)
+        assert len({microslip.Joint(1e5, [one]), microslip.Joint(1e5, [other])}) == 1
+    assert microslip.Atoms([1, 2], [0.5, 0.5]) != microslip.Atoms([1, 2], [0.5, 0.4])
+
+
 def test_objects_survive_their_parents():
     memory = microslip.Joint(1e5, [microslip.Uniform(0, 10, 1)]).memory()
     gc.collect()

@@ -60,6 +60,15 @@ def test_control_c_ends_long_work(dissipation):
     timer.join()
 
 
+def test_control_c_ends_a_path_under_normal_load(joint):
+    timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+    path = 1e-5 * np.sin(np.linspace(0, 1e4, 1_000_000))
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):  # 1e11 steps of elements
+        joint.loop(path, np.ones_like(path), elements=100_000)
+    timer.join()
+
+
 def test_the_interpreter_is_free_meanwhile(dissipation):
     turns = 0
     done = threading.Event()

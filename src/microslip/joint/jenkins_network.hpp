@@ -82,7 +82,7 @@ class NetworkMemory {
                          NormalLoadLaw law = NormalLoadLaw::kIncremental) = delete;
 
   /// Moves to x at the load p = 1. @param x  m. @return force, N.
-  /// @throws InputError  where x is not finite; then no step is taken.
+  /// @throws InputError  where x is beyond kFarthestDisplacement (path.hpp); then no step is taken.
   double advance(double x);
 
   /// Moves to x while the load goes to p, both along a straight line. Within a step the incremental
@@ -91,7 +91,7 @@ class NetworkMemory {
   /// @param x  m.
   /// @param p  1; ≥ 0.
   /// @return force, N.
-  /// @throws InputError  where x or p is not finite or p < 0; then no step is taken.
+  /// @throws InputError  where x is beyond it, p is not finite or p < 0; then no step is taken.
   double advance(double x, double p);
 
   /// A whole path; lengths equal. @throws InputError  as check_path() (see path.hpp).

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "microslip/base/error.hpp"
 #include "microslip/joint/path.hpp"
 
 namespace microslip {
@@ -25,7 +24,7 @@ Memory::Curve Memory::curve(const Branch& branch) const {
 
 /// The branch on which a step to x begins.
 Memory::Branch Memory::first_branch(double x) const {
-  if (!std::isfinite(x)) throw InputError("displacement", x, "must be finite");
+  if (!can_be_followed(x)) refuse_displacement("displacement", x);
   Branch branch{reversals_.size(), false, direction_};
   if (x != x_) {
     const int direction = x > x_ ? 1 : -1;

@@ -23,7 +23,8 @@ namespace microslip {
 ///
 /// A step is a straight move of x from where the joint stands. trial() evaluates a step without
 /// taking it, so an implicit integrator tries as many as it likes and then takes one by advance().
-/// A Memory is a value: a copy is a snapshot of several steps to return to.
+/// A Memory is a value: a copy is a snapshot of several steps to return to. Displacements within reach
+/// are those that are not beyond kFarthestDisplacement (path.hpp).
 class Memory {
  public:
   /// Where the path turned.
@@ -62,18 +63,18 @@ class Memory {
   [[nodiscard]] std::span<const ReversalPoint> reversals() const { return reversals_; }
 
   /// Force and tangent stiffness after a step to x, which is not taken. Where x is the present
-  /// displacement: the present force and the tangent of going on. @param x  m, finite.
-  /// @throws InputError  where x is not finite.
+  /// displacement: the present force and the tangent of going on. @param x  m, within reach.
+  /// @throws InputError  where x is beyond it.
   [[nodiscard]] Response trial(double x) const;
 
   /// The curve of a motion in this direction from where the joint stands, or from x on where that
   /// lies ahead: minor loops that close on the way there are behind it.
-  /// @param direction  +1 or −1. @param x  m, finite.
+  /// @param direction  +1 or −1. @param x  m, within reach.
   [[nodiscard]] Curve curve_ahead(int direction, double x) const;
 
   /// What the sliders would take in a step to x, J: ∫ Φ1(s)|dx| along the branches, s = k|x| on the
-  /// virgin curve and ½k|x − x_r| on the others, in closed form. @param x  m, finite.
-  /// @throws InputError  where x is not finite.
+  /// virgin curve and ½k|x − x_r| on the others, in closed form. @param x  m, within reach.
+  /// @throws InputError  where x is beyond it.
   [[nodiscard]] double dissipation(double x) const;
 
   /// Σ ½κ_i(x − z_i)² of the springs of all elements, J, in closed form: those that slipped at the
@@ -81,21 +82,21 @@ class Memory {
   /// ∫ f dx = dissipated + change of the stored energy along any path.
   [[nodiscard]] double stored_energy() const;
 
-  /// Takes the step to x. @param x  m, finite. @return the force there, N.
-  /// @throws InputError  where x is not finite; then no step is taken.
+  /// Takes the step to x. @param x  m, within reach. @return the force there, N.
+  /// @throws InputError  where x is beyond it; then no step is taken.
   double advance(double x);
 
   /// Takes a step whose force is known, as from trial() or the curve of curve_ahead().
-  /// @param x  m, finite. @param force  f there, N. @throws InputError  as advance().
+  /// @param x  m, within reach. @param force  f there, N. @throws InputError  as advance().
   void settle(double x, double force) {
     move_to(x);
     force_ = force;
   }
 
   /// Takes a step to each x in turn and writes the forces.
-  /// @param x      displacements, m; finite.
+  /// @param x      displacements, m; each within reach.
   /// @param force  N; of the length of x; may be x itself.
-  /// @throws InputError  for another length, or naming the first x (0-based) that is not finite;
+  /// @throws InputError  for another length, or naming the first x (0-based) that is beyond it;
   ///                     then no step is taken.
   void march(std::span<const double> x, std::span<double> force);
 

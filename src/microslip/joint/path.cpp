@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 #include "microslip/base/error.hpp"
@@ -21,15 +22,20 @@ void check_length(std::string_view what, std::size_t length, std::size_t expecte
 
 }  // namespace
 
+void refuse_displacement(std::string_view name, double x) {
+  throw InputError(std::string(name), x,
+                   std::isfinite(x) ? fmt::format("must be from {} to {} m", -kFarthestDisplacement,
+                                                  kFarthestDisplacement)
+                                    : "must be finite");
+}
+
 void check_path(std::span<const double> x, std::span<const double> force) {
   check_length("force", force.size(), x.size());
-  bool finite = true;  // without an early end the loop is done several samples at a time
-  for (const double value : x) finite &= std::isfinite(value);
-  if (finite) return;
+  bool good = true;  // without an early end the loop is done several samples at a time
+  for (const double value : x) good &= can_be_followed(value);
+  if (good) return;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    if (!std::isfinite(x[i])) {
-      throw InputError(fmt::format("displacement[{}]", i), x[i], "must be finite");
-    }
+    if (!can_be_followed(x[i])) refuse_displacement(fmt::format("displacement[{}]", i), x[i]);
   }
 }
 

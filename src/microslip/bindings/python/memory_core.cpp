@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -7,8 +10,10 @@
 #include "microslip/base/error.hpp"
 #include "microslip/bindings/python/arguments.hpp"
 #include "microslip/bindings/python/core.hpp"
+#include "microslip/bindings/python/long_work.hpp"
 #include "microslip/joint/jenkins_network.hpp"
 #include "microslip/joint/memory.hpp"
+#include "microslip/joint/path.hpp"
 
 namespace py = pybind11;
 
@@ -95,17 +100,33 @@ RealArray reversals(const OwningMemory& of) {
   return array_of(std::move(rows), 2);
 }
 
+/// A path of the network between looks at who listens.
+void march_in_blocks(NetworkMemory& memory, std::span<const double> x, std::span<const double> load,
+                     std::span<double> force, const Progress& progress) {
+  constexpr std::size_t kBlock = 1000;
+  const std::size_t all = x.size();
+  for (std::size_t done = 0; done < all; done += kBlock) {
+    if (progress && !progress(done, all)) throw Cancelled();
+    const std::size_t n = std::min(kBlock, all - done);
+    memory.march(x.subspan(done, n), load.subspan(done, n), force.subspan(done, n));
+  }
+}
+
 RealArray march_under_load(const Joint& joint, const RealArray& x, const RealArray& load,
                            std::size_t elements, const std::string& law) {
-  std::vector<double> force(values(x).size());
-  {
-    const py::gil_scoped_release unlocked;
-    const JenkinsNetwork network = JenkinsNetwork::discretise(joint, elements);
-    NetworkMemory memory(network,
-                         law == "total" ? NormalLoadLaw::kTotal : NormalLoadLaw::kIncremental);
-    memory.march(values(x), values(load), force);
-  }
-  return array_of(std::move(force));
+  const auto path = values(x);
+  const auto loads = values(load);
+  check_path(path, loads, path);  // here, as a block would count from its own first
+  return array_of(long_result(
+      [&](const Progress& progress) {
+        std::vector<double> force(path.size());
+        const JenkinsNetwork network = JenkinsNetwork::discretise(joint, elements);
+        NetworkMemory memory(network,
+                             law == "total" ? NormalLoadLaw::kTotal : NormalLoadLaw::kIncremental);
+        march_in_blocks(memory, path, loads, force, progress);
+        return force;
+      },
+      py::none()));
 }
 
 }  // namespace

@@ -120,13 +120,20 @@ py::dict told_beside(const ModelFile& of) {
 std::shared_ptr<ModelFile> structure_of(const py::dict& linear, const py::list& joints,
                                         const py::list& excitations, const std::string& damping,
                                         const py::list& loads, const py::object& told) {
-  JointedStructure structure(
-      modal_model_of(linear), joints_of(joints), excitations_of(excitations),
-      damping == "hysteretic" ? DampingLaw::kHysteretic : DampingLaw::kViscous,
-      static_loads_of(loads));
+  ModalModel modes = modal_model_of(linear);
+  std::vector<StructuralJoint> parts = joints_of(joints);
+  std::vector<Excitation> driven = excitations_of(excitations);
+  std::vector<StaticLoad> acting = static_loads_of(loads);
+  std::optional<JointedStructure> structure;
+  {
+    const py::gil_scoped_release unlocked;  // hundreds of modes take a while
+    structure.emplace(std::move(modes), std::move(parts), std::move(driven),
+                      damping == "hysteretic" ? DampingLaw::kHysteretic : DampingLaw::kViscous,
+                      std::move(acting));
+  }
   auto made = std::make_shared<ModelFile>(ModelFile{
-      .structure = structure,
-      .response = usual_response(structure),
+      .structure = *structure,
+      .response = usual_response(*structure),
       .joint_files = std::vector<std::string>(joints.size()),
       .covered_to = told_of(joints, "covered_to"),
       .identified_damping = told_of(joints, "identified_damping"),
@@ -291,8 +298,10 @@ void add_structure(py::module_& core) {
       .def("stuck_mode", [](const ModelFile& of, std::size_t mode) {
         return array_of(of.structure.stuck_mode(mode));
       });
-  core.def("read_structure",
-           [](const std::string& path) { return std::make_shared<ModelFile>(read_model(path)); });
+  core.def(
+      "read_structure",
+      [](const std::string& path) { return std::make_shared<ModelFile>(read_model(path)); },
+      py::call_guard<py::gil_scoped_release>());
   core.def("compute_modes", compute_modes);
 }
 

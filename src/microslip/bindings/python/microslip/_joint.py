@@ -91,8 +91,9 @@ class _Arrays:
             np.array_equal(getattr(self, name), getattr(other, name)) for name in self._names
         )
 
-    def __hash__(self) -> int:
-        return hash(tuple(np.asarray(getattr(self, name)).tobytes() for name in self._names))
+    def __hash__(self) -> int:  # the same of whole and real numbers, and of 0 and -0
+        numbers = (np.asarray(getattr(self, name), np.float64) for name in self._names)
+        return hash(tuple((array + 0.0).tobytes() for array in numbers))
 
 
 @dataclass(frozen=True, eq=False)

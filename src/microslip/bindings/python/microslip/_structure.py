@@ -20,6 +20,7 @@ from ._arguments import (
     complex_array,
     flag,
     mapping,
+    names,
     not_negative,
     one_of,
     optional_array,
@@ -57,7 +58,8 @@ class Base:
     def __init__(self, participation: ArrayLike,
                  point_motion: Optional[Mapping[str, float]] = None) -> None:  # fmt: skip
         object.__setattr__(self, "participation", participation)
-        object.__setattr__(self, "point_motion", dict(point_motion or {}))
+        moved = {} if point_motion is None else mapping(point_motion, "point_motion")
+        object.__setattr__(self, "point_motion", dict(moved))
 
 
 @dataclass(frozen=True, eq=False)
@@ -560,7 +562,7 @@ def modes(
         "highest_frequency": highest,
         "stuck": flag(stuck, "stuck"),
         "attachment": flag(attachment, "attachment"),
-        "attached_points": [text(p, "attached_points") for p in attached_points],
+        "attached_points": names(attached_points, "attached_points"),
     }
     found = _core.compute_modes(size, k_entries, m_entries, on_it, options, progress_of(progress))
     result = _modes_of(found, between, stuck)
@@ -572,13 +574,13 @@ def modes(
 def _modes_of(found: dict[str, Any], between: list[tuple[str, Optional[int], int, float]],
               stuck: bool) -> Modes:  # fmt: skip
     linear = found["linear"]
-    names = [name for name, _ in linear["points"]]
+    point_names = [name for name, _ in linear["points"]]
     return Modes(
         frequency=linear["angular_frequency"] / (2.0 * np.pi),
         points=dict(linear["points"]),
         joint_shapes={joint[0]: shape for joint, shape in zip(between, found["joint_shapes"])},
         static_attachments=linear["static_attachments"],
-        bases={name: Base(participation, dict(zip(names, motion)))
+        bases={name: Base(participation, dict(zip(point_names, motion)))
                for name, participation, motion in linear["bases"]},
         compliances=tuple(Compliance(*numbers) for numbers in found["compliances"]),
         warnings=notes(found["warnings"]),
@@ -621,19 +623,14 @@ def _entries(matrix: Any, name: str) -> tuple[int, tuple[Any, Any, RealArray]]:
 
 
 def _check_symmetry(rows: Any, columns: Any, values: RealArray, size: int, name: str) -> None:
-    """As of matrices in files: to 1e-10 of the largest entry."""
+    """As of matrices in files: to 1e-10 of the largest entry, 0 where none is."""
     place = rows.astype(np.int64) * size + columns
     mirror = columns.astype(np.int64) * size + rows
-    order, mirrored = np.argsort(place), np.argsort(mirror)
-    largest = np.abs(values).max(initial=0.0)
-    same = np.array_equal(place[order], mirror[mirrored])
-    if same:
-        off = np.abs(values[order] - values[mirrored]) > 1e-10 * largest
-        if not off.any():
-            return
-        at = int(np.argmax(off))
-        row, column = int(rows[order][at]), int(columns[order][at])
-    else:
-        row, column = divmod(int(np.setxor1d(place, mirror)[0]), size)
+    both, at = np.unique(np.concatenate((place, mirror)), return_inverse=True)
+    differences = np.bincount(at, np.concatenate((values, -values)), len(both))
+    off = np.abs(differences) > 1e-10 * np.abs(values).max(initial=0.0)
+    if not off.any():
+        return
+    row, column = divmod(int(both[np.argmax(off)]), size)
     raise InputError(f"{name}[{row}, {column}] differs from {name}[{column}, {row}]; must be symmetric."
                      " Take (K + K.T)/2 where that is rounding.")  # fmt: skip
