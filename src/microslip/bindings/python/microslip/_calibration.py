@@ -455,6 +455,7 @@ def calibrate(
         "samples": whole(samples, "samples", 100, 100_000),
         "seed": whole(seed, "seed", 0, 2**64 - 1),
     }
+    keep_samples, strict = flag(keep_samples, "keep_samples"), flag(strict, "strict")
     structure, at, sought = _to_find(model)
     listener = progress_of(progress)
     if out is not None:
@@ -465,7 +466,7 @@ def calibrate(
             raise InputError("out is given with arrays; must be without, or model and levels be paths")
         found = _core.calibrate_files(
             path_of(model, "model"), _paths(levels, "levels"), path_of(out, "out"),
-            flag(keep_samples, "keep_samples"), options, "microslip.calibrate", listener,
+            keep_samples, options, "microslip.calibrate", listener,
         )  # fmt: skip
     else:
         if find is not None:
@@ -474,7 +475,7 @@ def calibrate(
         measured = levels if isinstance(levels, ModalLevels) else ModalLevels.read(levels, structure)
         found = _core.calibrate(structure._core, sought, at, measured._dict(), options,
                                 "microslip.calibrate", listener)  # fmt: skip
-    return told(_calibration_of(found, structure), flag(strict, "strict"))
+    return told(_calibration_of(found, structure), strict)
 
 
 def _to_find(model: Any) -> tuple[Structure, str, list[int]]:
