@@ -80,8 +80,7 @@ std::optional<LoneJointDraws> draws_of(const JointFile& file, const JointDrawArg
 }
 
 DrawOptions draw_options(const DrawArguments& arguments) {
-  DrawOptions options;
-  options.count = parse_whole_number("--draws", arguments.count, 1, DrawOptions::kMostDraws);
+  DrawOptions options{.count = DrawOptions::kMostDraws};  // until the confidence is known
   options.seed =
       parse_whole_number("--seed", arguments.seed, 0, std::numeric_limits<std::uint64_t>::max());
   options.confidence = parse_quantity("--confidence", arguments.confidence, kDimensionless);
@@ -92,6 +91,12 @@ DrawOptions draw_options(const DrawArguments& arguments) {
   } catch (const InputError& error) {
     throw error.renamed("--" + error.name());
   }
+  options.count = parse_whole_number(
+      "--draws", arguments.count, DrawOptions::fewest(options.confidence), DrawOptions::kMostDraws,
+      fmt::format(
+          "Of fewer none lies beyond each edge of a band of {:g} %, and 1000 tell its edges "
+          "to some 5 % of its width. Leave it out for a prediction without bands.",
+          100.0 * options.confidence));
   return options;
 }
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "command.hpp"
@@ -85,10 +86,26 @@ void write_outputs(const VerifyOptions& options, const VerifiedRecordings& verif
   outputs.commit();
 }
 
+/// What comes through a pipe can be read only once: it is a rig. So is what cannot be read, which
+/// who reads the rig says, behind what is wrong with the outputs.
+std::string kind_of_description(const std::string& path) {
+  try {
+    return path == "-" ? "" : file_kind(read_kind_head(path));
+  } catch (const FileError&) {
+    return "";
+  }
+}
+
 /// The joint and the recordings of a rig.
 void name_inputs(VerifyOptions& options) {
   options.joint = options.tests.front();
   options.recordings.assign(options.tests.begin() + 1, options.tests.end());
+  const KnownKind* const known = known_kind(kind_of_description(options.joint));
+  if (known != nullptr && known->kind != kJointKind) {
+    throw InputError(options.joint, known->words,
+                     "must be a joint.json behind a rig.toml, and its records behind that",
+                     "A model.toml in place of the rig.toml takes sweeps and ring-downs.");
+  }
   if (!options.recordings.empty()) return;
   if (options.rig != "-") (void)read_kind_head(options.rig);  // it may be no rig, but missing
   throw InputError("recordings", InputState{"missing"},
@@ -140,20 +157,36 @@ void refuse_options(const CLI::App& command, const std::array<const char*, N>& n
   }
 }
 
-/// What comes through a pipe can be read only once: it is a rig. So is what cannot be read, which
-/// who reads the rig says, behind what is wrong with the outputs.
-std::string kind_of_description(const std::string& path) {
-  try {
-    return path == "-" ? "" : file_kind(read_kind_head(path));
-  } catch (const FileError&) {
-    return "";
-  }
+void check_cycles(const VerifyOptions& options, const CLI::App& command) {
+  const bool shown = !options.tables.histories.empty() || !options.picture.empty();
+  if (shown || command.get_option("--cycles")->count() == 0) return;
+  throw InputError("--cycles", options.verification.history_cycles,
+                   "changes nothing: it is the length of what --histories and --picture show",
+                   "Leave it out, or ask for one of them.");
+}
+
+bool predicts(std::string_view kind) {
+  return kind == kRigKind || kind == kModelKind || kind == kJointKind;
+}
+
+/// What is known to be another file is said, before what lacks behind it.
+void check_description(const VerifyOptions& options, std::string_view kind) {
+  const KnownKind* const known = known_kind(kind);
+  if (known == nullptr || predicts(kind)) return;
+  const auto first = std::ranges::find_if(
+      options.tests, [](const std::string& test) { return predicts(kind_of_description(test)); });
+  throw InputError(options.rig, known->words, "must be a rig.toml, model.toml or joint.json",
+                   first == options.tests.end()
+                       ? std::string("What predicts comes first, tests behind it.")
+                       : fmt::format("What predicts comes first: name {} before it.", *first));
 }
 
 int run(const VerifyOptions& options, const CLI::App& command, const Call& call) {
   const std::string kind = kind_of_description(options.rig);
+  check_description(options, kind);
   if (kind != kModelKind && kind != kJointKind) {
     refuse_options(command, kOfTests, "with a rig.toml, whose records are steady");
+    check_cycles(options, command);
     return run_of_rig(options, call);
   }
   refuse_options(command, kOfRig, "with a model.toml or joint.json: it is of records of a rig");
@@ -165,7 +198,7 @@ int run(const VerifyOptions& options, const CLI::App& command, const Call& call)
                        .arguments = options.of_tests,
                        .reading = options.arguments,
                        .drawn = options.drawn},
-                      kind == kJointKind, call);
+                      call);
 }
 
 void add_output_options(CLI::App& command, VerifyOptions& options) {

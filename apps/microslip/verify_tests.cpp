@@ -28,35 +28,6 @@ std::optional<TestKind> test_kind(const std::string& name) {
   return std::nullopt;
 }
 
-void refuse_given(std::string_view option, const std::string& value, std::string_view why) {
-  if (value.empty()) return;
-  throw InputError(option, in_quotes(value), fmt::format("must not be given {}", why));
-}
-
-/// Options that a model says itself, or that a joint by itself has no use for.
-void check_test_use(const TestsCall& options, bool is_joint) {
-  if (!is_joint) {
-    constexpr std::string_view kSaid = "with a model.toml, which says what is uncertain of it";
-    refuse_given("--samples", options.drawn.samples, kSaid);
-    if (options.drawn.normal_load_std != "0") {
-      refuse_given("--normal-load-std", options.drawn.normal_load_std, kSaid);
-    }
-    return;
-  }
-  constexpr std::string_view kAlone = "with a joint.json, which is a joint by itself";
-  refuse_given("--joint", options.arguments.joint, kAlone);
-  if (!options.arguments.sensors.empty()) {
-    refuse_given("--sensor", options.arguments.sensors.front(), kAlone);
-  }
-  if (!options.arguments.modes.empty()) {
-    refuse_given("--mode", std::to_string(options.arguments.modes.front()), kAlone);
-  }
-  if (options.harmonics) refuse_given("--harmonics", std::to_string(*options.harmonics), kAlone);
-  if (options.drawn.correlation != "auto") {
-    refuse_given("--correlation", options.drawn.correlation, kAlone);
-  }
-}
-
 TestsVerification verification_of(const TestsCall& options, bool quiet) {
   const TestArguments& arguments = options.arguments;
   TestsVerification all{.model = options.model, .tests = options.tests, .joint = arguments.joint};
@@ -65,7 +36,7 @@ TestsVerification verification_of(const TestsCall& options, bool quiet) {
                  .modes = arguments.modes,
                  .channels = {.force = arguments.force, .displacement = arguments.displacement},
                  .reading = read_options(options.reading)};
-  if (options.harmonics) all.balance.harmonics = *options.harmonics;
+  all.harmonics = options.harmonics;
   if (options.drawn.any()) {
     all.draws = draw_options(options.drawn);
     all.uncertain = uncertainty_of(options.drawn);
@@ -113,8 +84,7 @@ void add_test_arguments(CLI::App& command, TestArguments& arguments) {
                      "Joint of the model that loops are of; else the only one");
 }
 
-int run_of_tests(const TestsCall& options, bool is_joint, const Call& call) {
-  check_test_use(options, is_joint);
+int run_of_tests(const TestsCall& options, const Call& call) {
   std::vector<PlannedOutput> planned{{options.out, kComparisonKind}};
   if (!options.picture.empty()) {
     planned.push_back({options.picture, kind_of(picture_format("--picture", options.picture))});

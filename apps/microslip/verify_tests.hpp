@@ -41,8 +41,7 @@ struct TestsCall {
   JointDrawArguments drawn;
 };
 
-/// @param is_joint  the model is a joint by itself. @return the exit status. @throws Error  as
-/// verify_tests(); for an option that has no use there.
-[[nodiscard]] int run_of_tests(const TestsCall& options, bool is_joint, const Call& call);
+/// @return the exit status. @throws Error  as verify_tests().
+[[nodiscard]] int run_of_tests(const TestsCall& options, const Call& call);
 
 }  // namespace microslip::app

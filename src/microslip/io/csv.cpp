@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "microslip/io/csv_cells.hpp"
+#include "microslip/io/file_kind.hpp"
 #include "microslip/io/signature.hpp"
 #include "microslip/io/text.hpp"
 
@@ -232,9 +233,12 @@ RawCell find_cell(std::string_view text, std::string_view file, char separator,
 }  // namespace
 
 CsvTable::CsvTable(std::string text, std::string_view file) : text_(std::move(text)), file_(file) {
-  const std::string_view other = signature(text_);
+  const KnownKind* const known = known_kind_of(text_);
+  const bool is_other = known != nullptr && known->format != KindFormat::kTable;
+  const std::string_view other = is_other ? known->words : signature(text_);
   if (!other.empty()) {
-    throw FormatError({file_, 0, 0}, "a table of comma-separated values", other);
+    throw FormatError({file_, 0, 0}, "a table of comma-separated values", other,
+                      "Is it the right file?");
   }
   Parser parser(*this);
   parser.parse_header();
@@ -255,9 +259,12 @@ std::size_t CsvTable::require(std::string_view name, std::string_view header) co
   for (const CsvColumn& c : columns_) {
     names += fmt::format("{}{}", names.empty() ? "" : ", ", c.name);
   }
-  throw FormatError(place_at(text_, header_start_, file_), fmt::format("a column '{}'", header),
-                    fmt::format("the columns {}", in_quotes(names, 120)),
-                    "Names are case-sensitive; a unit stands in square brackets.");
+  const KnownKind* const known = known_kind_of(text_);
+  throw FormatError(
+      place_at(text_, header_start_, file_), fmt::format("a column '{}'", header),
+      fmt::format("the columns {}", in_quotes(names, 120)),
+      fmt::format("{}Names are case-sensitive; a unit stands in square brackets.",
+                  known == nullptr ? "" : fmt::format("This looks like {}. ", known->words)));
 }
 
 std::string CsvTable::label(std::size_t column) const {

@@ -47,10 +47,63 @@ constexpr std::array kTableKinds{
     TableKind{kPeaksKind, {"frequency", "frequency_lower", "draws"}},
     TableKind{kMarchPeaksKind, {"statistic", "displacement_lower", "draws"}},
     TableKind{kResponseKind, {"frequency", "displacement", "phase"}},
+    TableKind{kSteppedSineKind, {"force", "acceleration", "phase"}},
     TableKind{kSpectrumKind, {"frequency", "maximax", "relative_displacement"}},
     TableKind{kBackboneKind, {"frequency", "displacement", "damping_ratio"}},
     TableKind{kLoopKind, {"displacement", "force"}},
     TableKind{kPathKind, {"displacement"}},
+};
+
+/// Tables of a displacement path, and of forces on one, have names that any table may have.
+constexpr std::array kKnownKinds{
+    KnownKind{kJointKind, "a joint (joint.json)", KindFormat::kJson},
+    KnownKind{kCalibrationFileKind, "the record of a calibration (calibration.json)",
+              KindFormat::kJson},
+    KnownKind{kRigKind, "the description of a frictional-support test (rig.toml)",
+              KindFormat::kToml},
+    KnownKind{kModelKind, "a structure with joints (model.toml)", KindFormat::kToml},
+    KnownKind{kStructureKind, "a structure to find modes of (structure.toml)", KindFormat::kToml},
+    KnownKind{kCampaignKind, "a campaign (campaign.toml)", KindFormat::kToml},
+    KnownKind{kEnsemblePlanKind, "the plan of an ensemble (plan.toml)", KindFormat::kToml},
+    KnownKind{kSamplesKind, "draws of a joint (joint_samples.h5)", KindFormat::kOther},
+    KnownKind{kEnsembleKind, "the result of an ensemble (result.h5)", KindFormat::kOther},
+    KnownKind{kJournalKind, "the journal of an ensemble", KindFormat::kOther},
+    KnownKind{kReportKind, "a report of microslip (report.html)", KindFormat::kOther},
+    KnownKind{kLevelsKind, "a table of levels (levels.csv)", KindFormat::kTable},
+    KnownKind{kModalLevelsKind, "a table of modal levels (modal_levels.csv)", KindFormat::kTable},
+    KnownKind{kDampingLevelsKind, "a table of damping ratios, of ringdown without modal mass",
+              KindFormat::kTable},
+    KnownKind{kCalibrationKind, "a table of a calibration (calibration.csv)", KindFormat::kTable},
+    KnownKind{kIdentifiabilityKind,
+              "a table of densities and what is told of them (identifiability.csv)",
+              KindFormat::kTable},
+    KnownKind{kAssembliesKind, "a table of assemblies (assemblies.csv)", KindFormat::kTable},
+    KnownKind{kDensitiesKind, "a table of densities of assemblies (densities.csv)",
+              KindFormat::kTable},
+    KnownKind{kDensityKind, "a table of a density (density.csv)", KindFormat::kTable},
+    KnownKind{kPlanKind, "a table of planned levels, of plan", KindFormat::kTable},
+    KnownKind{kDissipationKind, "a table of a dissipation curve, of dissipation",
+              KindFormat::kTable},
+    KnownKind{kPeaksKind, "a table of peaks of draws, of frf --peaks-csv", KindFormat::kTable},
+    KnownKind{kMarchPeaksKind, "a table of peaks of draws, of march", KindFormat::kTable},
+    KnownKind{kBackboneKind, "a table of a backbone (backbone.csv)", KindFormat::kTable},
+    KnownKind{kVerificationKind, "a table of a verification (verification.csv)",
+              KindFormat::kTable},
+    KnownKind{kComparisonKind, "a table of compared tests (comparison.csv)", KindFormat::kTable},
+    KnownKind{kCampaignTableKind, "a table of a campaign (campaign.csv)", KindFormat::kTable},
+    KnownKind{kSessionsKind, "a table of sessions of a campaign (sessions.csv)",
+              KindFormat::kTable},
+    KnownKind{kLeftOutKind, "a table of what a campaign left out (leave_one_out.csv)",
+              KindFormat::kTable},
+    KnownKind{kHarmonicsKind, "a table of predicted harmonics, of verify", KindFormat::kTable},
+    KnownKind{kForceControlKind, "a table of a force control (force_control.csv)",
+              KindFormat::kTable},
+    KnownKind{kEnsembleTableKind, "a table of an ensemble", KindFormat::kTable},
+    KnownKind{kHistoriesKind, "a table of predicted histories, of verify", KindFormat::kTable},
+    KnownKind{kResponseKind, "a table of a frequency response (frf.csv)", KindFormat::kTable, true},
+    KnownKind{kSteppedSineKind, "a stepped-sine table", KindFormat::kTable, true},
+    KnownKind{kSpectrumKind, "a shock response spectrum", KindFormat::kTable, true},
+    KnownKind{kMarchKind, "a table of a march (march.csv)", KindFormat::kTable, true},
 };
 
 /// source, time, NAME_recorded, NAME_predicted, …
@@ -170,6 +223,15 @@ std::string file_kind(std::string_view head) {
     return std::string(schema);
   const std::vector<std::string> names = csv_column_names(head);
   return names.empty() ? std::string{} : table_kind(names);
+}
+
+const KnownKind* known_kind(std::string_view kind) {
+  const auto* found = std::ranges::find(kKnownKinds, kind, &KnownKind::kind);
+  return found == kKnownKinds.end() ? nullptr : found;
+}
+
+const KnownKind* known_kind_of(std::string_view head) {
+  return known_kind(file_kind(head.substr(0, kKindHeadSize)));
 }
 
 }  // namespace microslip

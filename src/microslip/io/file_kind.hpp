@@ -52,6 +52,8 @@ inline constexpr std::string_view kResponseKind = "a table of a frequency respon
 inline constexpr std::string_view kPeaksKind = "a table of peaks of draws";
 /// of march_peaks_table()
 inline constexpr std::string_view kMarchPeaksKind = "a table of peaks of draws of a march";
+/// of is_stepped_sine()
+inline constexpr std::string_view kSteppedSineKind = "a stepped-sine table";
 inline constexpr std::string_view kBackboneKind = "a table of a backbone";  ///< of backbone_table()
 /// of verification_table()
 inline constexpr std::string_view kVerificationKind = "a table of a verification";
@@ -89,5 +91,23 @@ inline constexpr std::size_t kKindHeadSize = 65536;
 /// the columns of a table, or its signature. Other tables are told apart by the names of their
 /// columns. Empty where it is none of these. Two files of one kind may replace each other.
 [[nodiscard]] std::string file_kind(std::string_view head);
+
+/// How a file of this program is written.
+enum class KindFormat { kJson, kToml, kTable, kOther };
+
+/// A file of this program as messages tell of one that is given in place of another.
+struct KnownKind {
+  std::string_view kind;      ///< of file_kind()
+  std::string_view words;     ///< "a table of levels (levels.csv)"
+  KindFormat format;          ///< that it is written in
+  bool is_recording = false;  ///< a table that can be read as a recording, too
+};
+
+/// What is known of a kind; null where it is none of this program, or a table that has too few
+/// columns of its own to be told by them.
+[[nodiscard]] const KnownKind* known_kind(std::string_view kind);
+
+/// The same of a file by its first bytes. @param head  may be the whole file.
+[[nodiscard]] const KnownKind* known_kind_of(std::string_view head);
 
 }  // namespace microslip

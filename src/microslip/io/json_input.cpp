@@ -87,7 +87,7 @@ std::string_view first_overflow(std::string_view text) {
 }  // namespace
 
 Json parse_json(std::string_view text, std::string_view file) {
-  require_content(text, "JSON", file);
+  require_content(text, KindFormat::kJson, file);
   try {
     return Json::parse(text.begin(), text.end(), StructureCheck(file));
   } catch (const Json::parse_error& error) {

@@ -66,6 +66,11 @@ bool has_binary_dataset(std::string_view head) {
 }
 
 RecordingFormat format_of(std::string_view head, const std::string& name) {
+  constexpr std::string_view kExpected = "a recording in CSV, a universal file, MATLAB or HDF5";
+  const KnownKind* const known = known_kind_of(head);
+  if (known != nullptr && !known->is_recording) {
+    throw FormatError({name, 0, 0}, kExpected, known->words, "Is it the right file?");
+  }
   const std::string_view found = signature(head);
   if (found == "a universal file") {
     return has_binary_dataset(head) ? RecordingFormat::kUffBinary : RecordingFormat::kUff;
@@ -75,7 +80,7 @@ RecordingFormat format_of(std::string_view head, const std::string& name) {
     return RecordingFormat::kHdf5;
   }
   if (found.empty()) return RecordingFormat::kCsv;
-  throw FormatError({name, 0, 0}, "a recording in CSV, a universal file, MATLAB or HDF5", found,
+  throw FormatError({name, 0, 0}, kExpected, found,
                     found == "UTF-16 text" ? "Save it as UTF-8." : "Is it the right file?");
 }
 

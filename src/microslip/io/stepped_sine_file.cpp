@@ -9,9 +9,11 @@
 #include <initializer_list>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/units.hpp"
+#include "microslip/io/column_rules.hpp"
 #include "microslip/io/csv.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/input_file.hpp"
@@ -31,11 +33,53 @@ bool has_all(const std::vector<std::string>& names,
       wanted, [&](std::string_view name) { return std::ranges::find(names, name) != names.end(); });
 }
 
-/// The name of the field with the acceleration; empty where the struct is no sweep.
+/// The name of the field with the acceleration; empty where there is none.
 std::string_view acceleration_field(const std::vector<std::string>& fields) {
-  if (!has_all(fields, {"frequency", "force", "phase"})) return {};
   if (has_all(fields, {"acceleration"})) return "acceleration";
   return has_all(fields, {"amplitude"}) ? "amplitude" : "";
+}
+
+/// Whether names are those of a sweep, or of one that lacks a part: steps of frequency and force with
+/// a motion or a phase, and not over time.
+bool are_of_sweep(const std::vector<std::string>& names) {
+  const auto has_any = [&](std::initializer_list<std::string_view> wanted) {
+    return std::ranges::any_of(wanted,
+                               [&](std::string_view name) { return has_all(names, {name}); });
+  };
+  return has_all(names, {"frequency", "force"}) && !has_any({"time"}) &&
+         has_any({"acceleration", "amplitude", "velocity", "displacement", "phase"});
+}
+
+/// What becomes of a motion that is none of acceleration.
+std::string motion_remedy(const std::vector<std::string>& names) {
+  for (const auto& [name, factor] :
+       {std::pair{"displacement", "(2 pi frequency)^2"}, std::pair{"velocity", "2 pi frequency"}}) {
+    if (has_all(names, {name})) {
+      return fmt::format("It has the {}: multiplied by {} that is the acceleration.", name, factor);
+    }
+  }
+  return {};
+}
+
+/// @param place  of the names. @param source  of them: "columns". @throws FormatError  where a part of
+/// the sweep is missing.
+void require_parts(const std::vector<std::string>& names, const TextPlace& place,
+                   std::string_view source) {
+  const bool moves = !acceleration_field(names).empty();
+  const bool lags = has_all(names, {"phase"});
+  if (moves && lags) return;
+  const std::string missing = moves  ? "phase [rad]"
+                              : lags ? "acceleration [m/s^2]"
+                                     : "acceleration [m/s^2] and phase [rad]";
+  std::string remedy = moves ? std::string() : motion_remedy(names);
+  if (!lags) {
+    remedy += fmt::format(
+        "{}The phase is that of the acceleration against the force; the resonance "
+        "is where it passes a quarter turn.",
+        remedy.empty() ? "" : " ");
+  }
+  throw FormatError(place, fmt::format("{} of a stepped sine with {}", source, missing),
+                    in_quotes(fmt::format("{}", fmt::join(names, ", ")), 120), remedy);
 }
 
 /// The units of frequency, force, acceleration and phase.
@@ -79,6 +123,7 @@ SteppedSine read_element(const PartOfFile& part, const std::string& variable,
 
 std::vector<SteppedSine> read_mat_sweeps(const PartOfFile& part) {
   const std::vector<std::string> fields = mat_fields(part.file, part.variable);
+  require_parts(fields, {.file = fmt::format("{}: {}", part.file, part.variable)}, "fields");
   const std::size_t count = mat_count(part.file, part.variable);
   if (count == 0) {
     throw InputError(fmt::format("{}: {}", part.file, part.variable), "an empty array",
@@ -95,10 +140,18 @@ std::vector<SteppedSine> read_mat_sweeps(const PartOfFile& part) {
 
 SteppedSine read_csv_sweep(const std::string& path) {
   const CsvTable table(read_file(path), input_name(path));
+  std::vector<std::string> names;
+  for (const CsvColumn& column : table.columns()) names.push_back(column.name);
+  require_parts(names, {.file = input_name(path)}, "columns");
+  const auto positive = [&](std::string_view name, const Dimension& dimension) {
+    std::vector<double> values = table.numbers(name, dimension);
+    require_positive(table, name, values);
+    return values;
+  };
   return {.source = input_name(path),
-          .frequency = table.numbers("frequency", kFrequency),
-          .force = table.numbers("force", kForce),
-          .acceleration = table.numbers("acceleration", kAcceleration),
+          .frequency = positive("frequency", kFrequency),
+          .force = positive("force", kForce),
+          .acceleration = positive("acceleration", kAcceleration),
           .phase = table.numbers("phase", kAngle)};
 }
 
@@ -119,10 +172,12 @@ bool is_stepped_sine(const std::string& path) {
   try {
     const PartOfFile part = part_of_file(path);
     if (!part.variable.empty()) {
-      return !acceleration_field(mat_fields(part.file, part.variable)).empty();
+      return are_of_sweep(mat_fields(part.file, part.variable));
     }
-    const std::vector<std::string> columns = csv_column_names(head_of(path));
-    return has_all(columns, {"frequency", "force", "acceleration", "phase"});
+    const std::string head = head_of(path);
+    const std::vector<std::string> names = csv_column_names(head);
+    const KnownKind* const known = known_kind_of(head);
+    return are_of_sweep(names) && (known == nullptr || known->is_recording);
   } catch (const Error&) {
     return false;
   }

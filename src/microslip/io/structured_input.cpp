@@ -15,10 +15,15 @@ std::string where(std::string_view path) {
 
 }  // namespace
 
-void require_content(std::string_view text, std::string_view format, std::string_view file) {
+void require_content(std::string_view text, KindFormat format, std::string_view file) {
+  const std::string_view name = format == KindFormat::kJson ? "JSON" : "TOML";
+  const KnownKind* const known = known_kind_of(text);
+  if (known != nullptr && known->format != format) {
+    throw FormatError({std::string(file), 0, 0}, name, known->words, "Is it the right file?");
+  }
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   if (text.find_first_not_of(" \t\r\n") != std::string_view::npos) return;
-  throw FormatError({std::string(file), 0, 0}, format, "an empty file");
+  throw FormatError({std::string(file), 0, 0}, name, "an empty file");
 }
 
 std::string key_path(std::string_view path, std::string_view key) {
@@ -51,10 +56,11 @@ void check_schema(const TextPlace& place, std::string_view found, std::string_vi
                   std::string_view content) {
   if (found == schema) return;
   const bool rig_as_model = found.starts_with("microslip.rig/") && content == "a model";
-  throw FormatError(place, fmt::format("the schema '{}'", schema), in_quotes(found),
-                    rig_as_model
-                        ? std::string("Make a model of it: microslip model RIG.toml JOINT.json.")
-                        : fmt::format("Is it {}, and of this version of the program?", content));
+  const KnownKind* const known = known_kind(found);
+  std::string remedy = fmt::format("Is it {}, and of this version of the program?", content);
+  if (known != nullptr) remedy = fmt::format("This is {}, not {}.", known->words, content);
+  if (rig_as_model) remedy += " Make a model of it: microslip model RIG.toml JOINT.json.";
+  throw FormatError(place, fmt::format("the schema '{}'", schema), in_quotes(found), remedy);
 }
 
 }  // namespace microslip

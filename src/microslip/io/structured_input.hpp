@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
+#include "microslip/io/file_kind.hpp"
 
 /// @file
 /// What the readers of JSON and TOML have in common: limits, the names of keys and the words of
@@ -18,8 +19,9 @@ namespace microslip {
 /// cause.
 inline constexpr int kDeepestNesting = 64;
 
-/// @param format  "JSON" or "TOML". @throws FormatError  where there is nothing but blanks.
-void require_content(std::string_view text, std::string_view format, std::string_view file);
+/// @param format  JSON or TOML. @throws FormatError  where there is nothing but blanks, or a file of
+///     this program that is written in another one.
+void require_content(std::string_view text, KindFormat format, std::string_view file);
 
 /// "density[2].from_N"; the key alone at the top.
 [[nodiscard]] std::string key_path(std::string_view path, std::string_view key);

@@ -98,16 +98,19 @@ std::vector<double> read_above_zero(const TomlTable& test, std::string_view key,
   return values;
 }
 
-/// Of the keys for the other kind of file.
-void refuse_idle(const TomlTable& test, std::string_view key, std::string_view wanted) {
+/// Of the keys for the other kind of file. @param wanted  what the key is for. @param here  what this
+/// test has in its place.
+void refuse_idle(const TomlTable& test, std::string_view key, std::string_view wanted,
+                 std::string_view here) {
   if (!test.has(key)) return;
-  throw FormatError(test.place(key), fmt::format("{} beside {}", key, wanted), "a test without it",
-                    "Leave it out.");
+  throw InputError(test.name(key), InputState{"given"},
+                   fmt::format("changes nothing with {}: it is for {}", here, wanted),
+                   "Leave it out.");
 }
 
 void read_shapes(const TomlTable& test, std::string_view file, TestedStructure& read) {
   for (const std::string_view key : {kDriveKey, kBandKey, kStartKey, kDampingKey, kResponseKey}) {
-    refuse_idle(test, key, kResponsesKey);
+    refuse_idle(test, key, "frequency responses, frfs", "mode shapes");
   }
   if (test.has(kModalMassKey)) {
     read.modal_mass = read_above_zero(test, kModalMassKey, kLargestModalMass);
@@ -131,11 +134,12 @@ bool is_universal(const std::string& path) {
 FrequencyResponses responses_of(const TomlTable& test, const std::string& path,
                                 TestedStructure& read) {
   if (is_universal(path)) {
-    refuse_idle(test, kResponseKey, "a file that is not universal");
+    refuse_idle(test, kResponseKey, "CSV, MATLAB and HDF5, whose channels have no nodes",
+                "a universal file, which has its nodes");
     return read_responses_uff(path, read.units);
   }
   for (const std::string_view key : {kLengthUnitKey, kForceUnitKey}) {
-    refuse_idle(test, key, "a universal file");
+    refuse_idle(test, key, "universal files", "a file whose channels have their units");
   }
   read.kept_as = "channels";
   std::vector<ResponseChannel> channels;
@@ -148,7 +152,7 @@ FrequencyResponses responses_of(const TomlTable& test, const std::string& path,
 }
 
 void read_frequency_responses(const TomlTable& test, std::string_view file, TestedStructure& read) {
-  refuse_idle(test, kModalMassKey, kShapesKey);
+  refuse_idle(test, kModalMassKey, "mode shapes, shapes", "frequency responses");
   read.drive = read_drive(test);
   if (test.has(kBandKey)) read.band = read_band(test);
   if (test.has(kStartKey)) {

@@ -50,7 +50,7 @@ bool begins_as_csv(std::string_view text) {
 }
 
 void require_toml(std::string_view text, std::string_view file) {
-  require_content(text, "TOML", file);
+  require_content(text, KindFormat::kToml, file);
   std::string_view other = signature(text);
   if (other.empty() && begins_as_csv(text)) other = "a table of comma-separated values";
   if (!other.empty()) {

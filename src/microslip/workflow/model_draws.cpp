@@ -58,13 +58,17 @@ void DrawOptions::check() const {
     throw InputError("confidence", confidence, "must be above 0 and below 1",
                      "0.95 leaves 2.5 % of the draws on either side.");
   }
-  // 2/(1 − 0.95) is 40 but for rounding.
-  const auto least = static_cast<std::size_t>(std::ceil(2.0 / (1.0 - confidence) - 1e-6));
+  const std::size_t least = fewest(confidence);
   if (count >= least && count <= kMostDraws) return;
   throw InputError("draws", static_cast<double>(count),
                    fmt::format("must be from {}, so that one lies beyond each quantile, to {}",
                                least, kMostDraws),
                    "1000 tell the edges of a band of 95 % to some 5 % of its width.");
+}
+
+std::size_t DrawOptions::fewest(double confidence) {
+  // 2/(1 − 0.95) is 40 but for rounding.
+  return static_cast<std::size_t>(std::ceil(2.0 / (1.0 - confidence) - 1e-6));
 }
 
 void DrawOptions::check_size(std::size_t values, const std::string& remedy) const {

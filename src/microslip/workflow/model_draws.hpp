@@ -44,6 +44,9 @@ struct DrawOptions {
   ///                     N < 2/(1 − P); for more than kMostDraws.
   void check() const;
 
+  /// ⌈2/(1 − P)⌉. @param confidence  P, in (0, 1).
+  [[nodiscard]] static std::size_t fewest(double confidence);
+
   /// That all draws together, kept for their quantiles, are not too many numbers.
   /// @param values  of one draw.
   /// @param remedy  what the user can do beside fewer draws, a sentence.

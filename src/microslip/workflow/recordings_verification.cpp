@@ -116,7 +116,12 @@ VerifiedRecordings verify_recordings(const RecordingsVerification& options) {
   VerifiedRecordings verified{std::move(inputs), count, std::move(verifier), {}, {}};
   verified.warnings.resize(count);
   const auto read = [&](std::size_t i) {
-    return read_named_recordings(options.recordings[i], options.reading, verified.warnings[i]);
+    const std::string& path = options.recordings[i];
+    if (is_stepped_sine(path)) {
+      throw InputError(path, "a stepped-sine table", "must be a steady record in time",
+                       "By a model.toml verify takes such tables; reduce makes levels of them.");
+    }
+    return read_named_recordings(path, options.reading, verified.warnings[i]);
   };
   // Read before the records, which take longer.
   JointDraws draws;

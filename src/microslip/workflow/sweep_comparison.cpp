@@ -194,6 +194,37 @@ std::vector<ComparedCurve> measured_curves(const SweepQuestion& question, const 
   return curves;
 }
 
+/// Whether the lag of the predicted steps passes a quarter turn, as at each resonance.
+bool has_resonance(const SweptVibrations& nominal) {
+  bool below = false;
+  bool above = false;
+  for (const auto& step : nominal.steps) {
+    if (!step) continue;
+    const bool behind = SweepQuestion::folded(step->phase_lag) >= 0.5 * std::numbers::pi;
+    (behind ? above : below) = true;
+  }
+  return below && above;
+}
+
+/// Far from all modes of the model a sweep says little of its joints.
+std::optional<Warning> mode_warning(const SweepQuestion& question, const SweptVibrations& nominal,
+                                    const JointedStructure& structure) {
+  if (has_resonance(nominal)) return std::nullopt;
+  const auto [first, last] =
+      std::ranges::minmax(question.steps(), {}, &MeasuredStep::angular_frequency);
+  const double middle = std::sqrt(first.angular_frequency * last.angular_frequency);
+  const double nearest =
+      structure.stuck_frequencies().at(nearest_mode(structure, middle)) / kRadPerCycle;
+  return Warning{
+      "no_mode_in_sweep",
+      fmt::format("the model has no resonance at the steps of the sweep, {:.6g} to {:.6g} Hz; its "
+                  "nearest mode has {:.6g} Hz with stuck joints. Away from resonances a sweep "
+                  "tells stiffness and mass, and hardly anything of joints. Is it a sweep of this "
+                  "structure, and are its modes all in the model?",
+                  first.angular_frequency / kRadPerCycle, last.angular_frequency / kRadPerCycle,
+                  nearest)};
+}
+
 /// What the model says of such motions, and what the sweep lacks.
 std::vector<Warning> warnings_of(const SweepQuestion& question, const SweptVibrations& nominal,
                                  const HarmonicBalance& balance, const ModelFile& model) {
@@ -206,6 +237,9 @@ std::vector<Warning> warnings_of(const SweepQuestion& question, const SweptVibra
   }
   const Quantity kept = question.of_force() ? Quantity::kForceAmplitude : Quantity::kResponse;
   std::vector<Warning> warnings = motion_warnings(balance, model, kept, std::move(curve));
+  if (auto far = mode_warning(question, nominal, model.structure)) {
+    warnings.push_back(*std::move(far));
+  }
   if (!question.resonance()) {
     warnings.push_back({"no_resonance",
                         "the phase does not pass a quarter turn: the sweep is compared step by "

@@ -45,7 +45,8 @@ namespace microslip {
 /// By a draw what would be read: a force reading F drives with F/g, of a response g times what is
 /// there is read. Warnings: those of the model for such motions (`beyond_identification`,
 /// `truncated`, …), `no_resonance` where the phase of the sweep does not pass a quarter turn,
-/// `several_resonances` as reduce_stepped_sine().
+/// `several_resonances` as reduce_stepped_sine(), `no_mode_in_sweep` where the predicted lag does not
+/// either: the model has no resonance at the steps.
 /// @param sweep    measured at the response point of the model.
 /// @param kind     kSweep or kConstantResponse: see kind_of().
 /// @param model    driven by a force.

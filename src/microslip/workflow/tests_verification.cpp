@@ -28,6 +28,7 @@
 #include "microslip/workflow/record_entries.hpp"
 #include "microslip/workflow/recordings_provenance.hpp"
 #include "microslip/workflow/sweep_comparison.hpp"
+#include "microslip/workflow/test_options.hpp"
 
 namespace microslip {
 namespace {
@@ -43,8 +44,10 @@ Content content_of(const std::string& path, const std::string& model_path) {
   const PartOfFile part = part_of_file(path);
   const std::string kind = part.variable.empty() ? file_kind(read_kind_head(part.file)) : "";
   if (kind == kModalLevelsKind) return Content::kModalLevels;
-  if (kind == kRigKind || kind == kModelKind || kind == kJointKind) {
-    throw InputError(path, in_quotes(kind), "must be a test",
+  const KnownKind* const known = known_kind(kind);
+  if (known != nullptr && !known->is_recording) {
+    throw InputError(path, known->words,
+                     "must be a test: a stepped-sine table, modal levels, or a recording",
                      fmt::format("What predicts comes first, and that is {} here.", model_path));
   }
   return Content::kRecording;
@@ -165,6 +168,7 @@ ReadTest read_test(const std::string& path, const ModelFile* model, const std::s
     test.content = levels_of_table(path, *model, options);
     return test;
   }
+  test.is_recording = true;
   std::vector<Recording> recordings = read_named_recordings(path, options.reading, test.warnings);
   const bool loops =
       options.kind ? options.kind == TestKind::kLoops : model == nullptr || has_loops(recordings);
@@ -241,6 +245,7 @@ class ModelPrediction {
  public:
   ModelPrediction(const TestsVerification& options, const NamedInput& input)
       : options_(options), model_(parse_model(input.text, input_name(input.path))) {
+    if (options.harmonics) balance_.harmonics = *options.harmonics;
     if (options.draws) draws_ = draws_of(model_, options.model, *options.draws);
     for (const std::string& path : model_.joint_files) {
       if (!path.empty()) add_joint_warnings(path, read_joint(path), warnings_);
@@ -259,7 +264,7 @@ class ModelPrediction {
     if (std::holds_alternative<std::vector<SteppedSine>>(test.content)) {
       require_driven_by_forces(model_, options_.model, "verify");
     }
-    return compare_test(test, model_, options_.balance, draws_, draws);
+    return compare_test(test, model_, balance_, draws_, draws);
   }
 
  private:
@@ -297,6 +302,7 @@ class ModelPrediction {
   }
 
   const TestsVerification& options_;
+  HarmonicBalanceOptions balance_;
   ModelFile model_;
   std::optional<StructureDraws> draws_;
   std::vector<Warning> warnings_;
@@ -359,6 +365,21 @@ std::optional<TestDraws> draws_of_test(const TestsVerification& options, std::si
   return draws;
 }
 
+/// Copies of one file, which distinct names do not show.
+void add_same_content(const std::vector<ReadTest>& read, std::vector<Warning>& warnings) {
+  for (std::size_t i = 1; i < read.size(); ++i) {
+    const auto before = read.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto same = std::find_if(read.begin(), before, [&](const ReadTest& other) {
+      return other.digest == read[i].digest && part_of_file(other.path).variable.empty() &&
+             part_of_file(read[i].path).variable.empty();
+    });
+    if (same == before) continue;
+    warnings.push_back(
+        {"same_content", fmt::format("{} has the same content as {}: the test counts twice.",
+                                     input_name(read[i].path), input_name(same->path))});
+  }
+}
+
 template <typename Prediction>
 void compare_all(const Prediction& prediction, const std::vector<ReadTest>& read,
                  const TestsVerification& options, VerifiedTests& verified) {
@@ -389,6 +410,8 @@ VerifiedTests verify_tests(const TestsVerification& options, const std::string& 
     for (const std::string& path : options.tests) {
       read.push_back(read_test(path, model, options.model, options.reading));
     }
+    check_test_options(options, read, model == nullptr);
+    add_same_content(read, verified.warnings);
   };
   if (file_kind(input.text) == kJointKind) {
     const JointPrediction prediction(options, input);

@@ -46,6 +46,7 @@ struct ReadTest {
   std::string digest = {};  ///< SHA-256 of the file
   /// Sweeps, with the kind that is asked for; levels of modes; records of a joint.
   std::variant<std::vector<SteppedSine>, ModalLevels, std::vector<NamedForceRecord>> content;
+  bool is_recording = false;           ///< over time, rather than a table
   std::optional<TestKind> kind = {};   ///< of sweeps, where it was asked for
   std::vector<Warning> warnings = {};  ///< of the readers and of the analysis of a ring-down
   bool converged = true;               ///< of a ring-down, to the end of the record or to the noise
@@ -81,11 +82,12 @@ void add_joint_warnings(const std::string& path, const JointFile& file,
 
 /// What is to be compared, and how.
 struct TestsVerification {
-  std::string model;                      ///< path of model.toml, or of joint.json for loops
-  std::vector<std::string> tests = {};    ///< paths
-  TestReading reading = {};               ///< of them
-  std::string joint = {};                 ///< of the model, for loops; empty: the only one
-  HarmonicBalanceOptions balance = {};    ///< of the predictions
+  std::string model;                    ///< path of model.toml, or of joint.json for loops
+  std::vector<std::string> tests = {};  ///< paths
+  TestReading reading = {};             ///< of them
+  std::string joint = {};               ///< of the model, for loops; empty: the only one
+  /// Of the predictions of structures; nothing: those of HarmonicBalanceOptions.
+  std::optional<std::size_t> harmonics = {};
   std::optional<DrawOptions> draws = {};  ///< nothing: no bands
   /// Of a joint by itself; a model says in its file what is uncertain.
   JointUncertainty uncertain = {};
@@ -107,11 +109,12 @@ struct VerifiedTests {
 
 /// Reads the model and the tests, predicts, and compares. Warnings of a joint that was identified
 /// with a verdict against it (`joint_not_of_this_kind`), or without convergence
-/// (`joint_not_converged`), are among the others.
+/// (`joint_not_converged`), are among the others; `same_content` where two files hold the same.
 /// @param options  see TestsVerification.
 /// @param command  that is told in the heading.
 /// @throws FileError, FormatError, InputError  as read_test(), read_model(), read_joint(),
-///     compare_sweep(), compare_modal_levels(), compare_loops(), draws_of().
+///     compare_sweep(), compare_modal_levels(), compare_loops(), draws_of(); where a file is given
+///     twice, or a part of it beside the whole; naming an option that no test uses.
 /// @throws Cancelled  as the progress says.
 [[nodiscard]] VerifiedTests verify_tests(const TestsVerification& options,
                                          const std::string& command);

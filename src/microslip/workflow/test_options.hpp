@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "microslip/workflow/tests_verification.hpp"
+
+/// @file
+/// Options of a verification that no test of it uses are refused, not ignored. Internal to workflow.
+
+namespace microslip {
+
+/// Which options tests use:
+///
+///     sensors                              recordings of ring-downs
+///     modes                                ring-downs, and one test at least each of them
+///     channels, joint                      records of force and displacement; joint by a model
+///     reading (assumed units, truncated)   recordings
+///     harmonics, correlation               tests of the structure: sweeps and ring-downs
+///     uncertain                            a joint by itself: a model says in its file what is so
+///
+/// @param options  of the call.
+/// @param read     its tests.
+/// @param alone    whether a joint by itself predicts.
+/// @throws InputError  naming the first that no test uses, what it is for, and what the tests are.
+void check_test_options(const TestsVerification& options, std::span<const ReadTest> read,
+                        bool alone);
+
+}  // namespace microslip
