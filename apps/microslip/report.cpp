@@ -51,7 +51,8 @@ int run(const ReportOptions& options, const Call& call) {
   if (results.is_empty()) {
     throw InputError("DIR", "'" + options.folder + "'",
                      "must hold levels.csv, joint.json, recordings level_*, verification.csv, "
-                     "force_control.csv or what microslip calibrate writes",
+                     "comparison.csv, force_control.csv or what microslip calibrate or campaign "
+                     "writes",
                      remedy_for(options.folder, results));
   }
   if (!call.quiet) {
@@ -85,7 +86,9 @@ void add_report(CLI::App& program, Call& call) {
           "force and displacement that joint.json was identified from; recordings "
           "level_* and before_control_*, also in recordings/; force_control.csv, truth.csv, "
           "truth_joint.json; verification.csv, verification_histories.csv, "
-          "verification_harmonics.csv; or calibration.json, calibration.csv, identifiability.csv")
+          "verification_harmonics.csv; comparison.csv of verify by a model; what campaign wrote, "
+          "campaign.csv, sessions.csv, leave_one_out.csv; frf.csv, backbone.csv, curve.csv, "
+          "march.csv, ensemble.csv; or calibration.json, calibration.csv, identifiability.csv")
       ->required()
       ->type_name(kFolderValue);
   command->add_option("--out", options->out, "The report: one HTML file; - is standard output")

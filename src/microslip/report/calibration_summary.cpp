@@ -198,6 +198,9 @@ void add_calibration(const ExperimentResults& results, ReportSection& section) {
   const CalibrationSummary& found = *results.calibration;
   ReportWarnings warnings{.warnings = results.warnings, .beside = true};
   std::ranges::copy(found.warnings, std::back_inserter(warnings.warnings));
+  if (results.comparison) {
+    std::ranges::copy(results.comparison->warnings, std::back_inserter(warnings.warnings));
+  }
   add(verdict_on_joints(results, warnings.warnings));
   if (results.densities.empty()) {
     add(ReportMissing{"No densities: no identifiability.csv in this folder.", kCalibrate});

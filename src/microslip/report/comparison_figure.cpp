@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/report/comparison_figure.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -86,10 +88,15 @@ void add_peak(const ComparedTest& test, const ComparedCurve& curve, Figure& pane
                                        .size = 1.6});
 }
 
-void show_quantity(const ComparedCurve& curve, Figure& panel) {
+FigureAxis& y_axis(Figure& panel) { return panel.y; }
+FigureAxis& y_axis(ReportFigure& figure) { return figure.figure.y; }
+
+/// @param panel  a Figure, or a ReportFigure.
+template <typename Panel>
+void show_quantity(const ComparedCurve& curve, Panel& panel) {
   if (curve.dimension == kAngle) {
     show_y(panel, axis_words(curve.quantity), "°");
-    panel.y.degrees = true;
+    y_axis(panel).degrees = true;
   } else if (curve.quantity == "damping_ratio") {
     show_y(panel, "damping ratio ζ", "%");
   } else {
@@ -111,8 +118,9 @@ std::string title_of(const ComparedTest& test) {
          test.source.substr(file);
 }
 
-Figure curve_panel(const ComparedTest& test, const ComparedCurve& curve,
-                   const std::vector<std::size_t>& order) {
+/// In SI.
+Figure curve_layers(const ComparedTest& test, const ComparedCurve& curve,
+                    const std::vector<std::size_t>& order) {
   Figure panel{.title = title_of(test)};
   const std::vector<double> at = picked(curve.at, order);
   if (curve.has_band()) {
@@ -127,8 +135,64 @@ Figure curve_panel(const ComparedTest& test, const ComparedCurve& curve,
   }
   add_peak(test, curve, panel);
   panel.x.log = suits_log(at);
+  return panel;
+}
+
+Figure curve_panel(const ComparedTest& test, const ComparedCurve& curve,
+                   const std::vector<std::size_t>& order) {
+  Figure panel = curve_layers(test, curve, order);
   show_quantity(curve, panel);
   return panel;
+}
+
+/// Curves of one quantity over one axis, of all tests that have it.
+struct CurveGroup {
+  const ComparedCurve* first;
+  ReportFigure figure;
+};
+
+bool is_of_group(const CurveGroup& group, const ComparedCurve& curve) {
+  return group.first->quantity == curve.quantity && group.first->axis == curve.axis &&
+         group.first->dimension == curve.dimension &&
+         group.first->axis_dimension == curve.axis_dimension;
+}
+
+/// A name that no other choice has.
+std::string choice_name(const std::string& title, const std::vector<FigureChoice>& choices) {
+  std::string name = title;
+  for (int n = 2; std::ranges::count(choices, name, &FigureChoice::name) > 0; ++n) {
+    name = fmt::format("{} ({})", title, n);
+  }
+  return name;
+}
+
+void add_to_group(const ComparedTest& test, const ComparedCurve& curve,
+                  std::vector<CurveGroup>& groups) {
+  const std::vector<std::size_t> order = drawn_order(curve);
+  if (order.empty()) return;
+  auto group = std::ranges::find_if(
+      groups, [&](const CurveGroup& other) { return is_of_group(other, curve); });
+  const bool is_first = group == groups.end();
+  if (is_first) group = groups.insert(groups.end(), CurveGroup{&curve, {.choose = "Test"}});
+  Figure panel = curve_layers(test, curve, order);
+  FigureAxis& axis = group->figure.figure.x;
+  axis.log = panel.x.log && (is_first || axis.log);
+  std::vector<FigureChoice>& choices = group->figure.choices;
+  choices.push_back({choice_name(panel.title, choices), std::move(panel.layers)});
+}
+
+/// Of one test there is nothing to choose.
+ReportFigure finished(CurveGroup group) {
+  ReportFigure figure = std::move(group.figure);
+  const std::string name = axis_words(group.first->quantity);
+  figure.figure.title = fmt::format("Measured and predicted {}", name);
+  if (figure.choices.size() == 1) {
+    figure.figure.layers = std::move(figure.choices.front().layers);
+    figure.choices.clear();
+    figure.choose.clear();
+  }
+  show_quantity(*group.first, figure);
+  return figure;
 }
 
 /// Every so manieth sample, so that there are not too many.
@@ -171,6 +235,18 @@ std::vector<Figure> panels_of(const ComparedTest& test) {
 }
 
 }  // namespace
+
+std::vector<ReportFigure> comparison_figures(std::span<const ComparedTest> tests) {
+  std::vector<CurveGroup> groups;
+  for (const ComparedTest& test : tests) {
+    for (const ComparedCurve& curve : test.curves) {
+      if (curve.part == TestPart::kCurve) add_to_group(test, curve, groups);
+    }
+  }
+  std::vector<ReportFigure> figures;
+  for (CurveGroup& group : groups) figures.push_back(finished(std::move(group)));
+  return figures;
+}
 
 FigureGrid comparison_figure(std::span<const ComparedTest> tests) {
   FigureGrid grid{.title = "", .columns = 0, .panels = {}};

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "microslip/report/figure.hpp"
 #include "microslip/report/gnuplot.hpp"
+#include "microslip/report/report_document.hpp"
 #include "microslip/workflow/test_comparison.hpp"
 
 namespace microslip {
@@ -14,6 +16,11 @@ namespace microslip {
 /// colour, with the peak where it has one; before them the loop of a record.
 /// @param tests  compared. @throws InputError  where no value was predicted.
 [[nodiscard]] FigureGrid comparison_figure(std::span<const ComparedTest> tests);
+
+/// The same for a page: a figure for each quantity over each axis, in which the reader chooses the test
+/// where several have it.
+/// @param tests  compared, any number; those without a predicted value are left out.
+[[nodiscard]] std::vector<ReportFigure> comparison_figures(std::span<const ComparedTest> tests);
 
 /// The size of its picture.
 [[nodiscard]] PictureSize comparison_size(const FigureGrid& figure);

@@ -50,12 +50,18 @@ std::vector<ReportSection> sections_of(const ExperimentResults& results,
     add(joints_at_levels_section(results));
     add(told_section(results));
     if (!has_test(results)) {
+      add(comparison_section(results));
+      add(campaign_section(results));
       add(curves_section(results));
       add(provenance_section(results));
       return all;
     }
   }
-  if (of_records) {
+  const bool by_comparison =
+      results.comparison && !results.joint && !results.campaign && !has_test(results);
+  if (by_comparison) {
+    add(comparison_summary_section(results));
+  } else if (of_records) {
     add(record_summary_section(results));
     add(record_force_section(results));
     add(record_loops_section(results));
@@ -64,7 +70,7 @@ std::vector<ReportSection> sections_of(const ExperimentResults& results,
   } else {
     add(summary_section(results, methods));
   }
-  if (!of_records || has_test(results)) {
+  if (has_test(results) || !(of_records || by_comparison)) {
     add(levels_section(results));
     add(signals_section(results));
     add(energies_section(results));
@@ -75,6 +81,8 @@ std::vector<ReportSection> sections_of(const ExperimentResults& results,
     add(predictions_section(results));
     add(rig_section(results));
   }
+  add(comparison_section(results));
+  add(campaign_section(results));
   add(curves_section(results));
   add(provenance_section(results));
   return all;

@@ -26,6 +26,7 @@ constexpr const char* kReachTitle = "What predictions are good for";
 constexpr const char* kSmaller = "smaller motions";
 constexpr const char* kLarger = "larger motions";
 constexpr const char* kError = "error of predictions";
+constexpr const char* kAgainstTests = "predictions against tests";
 
 /// "2.13 to 300 µm", or "156 nm to 1.03 mm" where one unit suits one end alone.
 std::string range_text(double from, double to, std::string_view si_unit) {
@@ -59,9 +60,8 @@ std::string beyond_text(const IdentifiedJoint& joint) {
 }
 
 /// The noise of a weak signal alone can be a quarter of it.
-std::string error_of_predictions(const ExperimentResults& results) {
+std::string error_of_records(const ExperimentResults& results) {
   const std::vector<ChannelMisfit>& comparisons = results.comparisons;
-  if (comparisons.empty()) return "not verified: held against no record (microslip verify)";
   if (!results.predictions_are_of_this_joint) {
     return "not told: the predictions are of another joint or rig";
   }
@@ -73,6 +73,18 @@ std::string error_of_predictions(const ExperimentResults& results) {
       "at most {} beyond the noise ({}, {}); NRMSE with the noise at most {}; records of {}",
       percent_text(beyond_noise(*worst)), worst->channel, file_name(worst->source),
       percent_text(noisiest->nrmse), range_text(responses, "m/s^2"));
+}
+
+/// Of records of the rig, and of tests against a model. @param unverified  where there is neither.
+void add_errors(const ExperimentResults& results, const std::string& unverified,
+                ReportFacts& facts) {
+  if (!results.comparisons.empty()) facts.facts.emplace_back(kError, error_of_records(results));
+  if (results.comparison) {
+    facts.facts.emplace_back(kAgainstTests, comparison_verdict(*results.comparison));
+  }
+  if (results.comparisons.empty() && !results.comparison) {
+    facts.facts.emplace_back(kError, unverified);
+  }
 }
 
 void add_measured(const MeasuredLevels& levels, ReportFacts& facts) {
@@ -106,11 +118,12 @@ ReportFacts reach_of_levels(const ExperimentResults& results) {
         kSmaller, "extrapolated: the levels tell two moments of the density there, not its shape");
     facts.facts.emplace_back(kLarger, beyond_text(joint));
   }
-  facts.facts.emplace_back(kError, error_of_predictions(results));
+  add_errors(results, "not verified: held against no record (microslip verify)", facts);
   return facts;
 }
 
-ReportFacts reach_of_records(const IdentifiedJoint& joint) {
+ReportFacts reach_of_records(const ExperimentResults& results) {
+  const IdentifiedJoint& joint = *results.joint;
   ReportFacts facts{.title = kReachTitle, .facts = {}, .beside = true};
   if (joint.covered_from && joint.covered_to) {
     const double k = joint.joint.stiffness();
@@ -123,10 +136,15 @@ ReportFacts reach_of_records(const IdentifiedJoint& joint) {
   }
   const auto worst =
       std::ranges::max_element(joint.by_records->records, {}, &RecordFound::unexplained);
-  facts.facts.emplace_back(kError,
-                           fmt::format("{} of the force of its own records, at most; not verified "
-                                       "on a record that was not used",
-                                       percent_text(worst->unexplained)));
+  facts.facts.emplace_back(
+      kError,
+      fmt::format("{} of the force of its own records, at most{}", percent_text(worst->unexplained),
+                  results.comparison ? ""
+                                     : "; not verified on a record that was "
+                                       "not used"));
+  if (results.comparison) {
+    facts.facts.emplace_back(kAgainstTests, comparison_verdict(*results.comparison));
+  }
   return facts;
 }
 
@@ -152,10 +170,21 @@ ReportFacts reach_of_calibration(const ExperimentResults& results) {
   facts.facts.emplace_back(kLarger,
                            "not known: what has not slipped at these amplitudes is not told");
   facts.facts.emplace_back(
-      kError, fmt::format("losses of its own levels scatter by {}; not verified on a level or a "
-                          "mode that was not used",
+      kError, fmt::format("losses of its own levels scatter by {}{}",
                           found.scatter_is_relative ? percent_text(found.scatter)
-                                                    : fmt::format("{:.2f} σ", found.scatter)));
+                                                    : fmt::format("{:.2f} σ", found.scatter),
+                          results.comparison ? ""
+                                             : "; not verified on a level or a mode that was not "
+                                               "used"));
+  if (results.comparison) {
+    facts.facts.emplace_back(kAgainstTests, comparison_verdict(*results.comparison));
+  }
+  return facts;
+}
+
+ReportFacts reach_of_comparison(const ComparisonFound& found) {
+  ReportFacts facts{.title = kReachTitle, .facts = {}, .beside = true};
+  facts.facts.emplace_back(kAgainstTests, comparison_verdict(found));
   return facts;
 }
 

@@ -15,10 +15,13 @@ namespace microslip {
 [[nodiscard]] ReportFacts reach_of_levels(const ExperimentResults& results);
 
 /// Of a joint that was identified from records of force and displacement.
-[[nodiscard]] ReportFacts reach_of_records(const IdentifiedJoint& joint);
+[[nodiscard]] ReportFacts reach_of_records(const ExperimentResults& results);
 
 /// Of joints that were found from levels of modes.
 /// @param results  with a calibration.
 [[nodiscard]] ReportFacts reach_of_calibration(const ExperimentResults& results);
+
+/// Of tests against a model without a joint beside them.
+[[nodiscard]] ReportFacts reach_of_comparison(const ComparisonFound& found);
 
 }  // namespace microslip

@@ -113,6 +113,7 @@ ReportFigure phase_figure(const std::vector<ChannelMisfit>& comparisons) {
 ReportSection predictions_section(const ExperimentResults& results) {
   ReportSection section{.title = "Prediction", .blocks = {}};
   if (results.comparisons.empty() && results.predictions.empty()) {
+    if (results.comparison) return section;  // which has a section of its own
     section.blocks.emplace_back(
         ReportMissing{"No prediction held against recordings: no verification.csv in this folder.",
                       "microslip verify rig.toml joint.json recordings/level_* --out "

@@ -189,7 +189,7 @@ ReportSection record_summary_section(const ExperimentResults& results) {
   }
   add(key_facts_of_records(joint));
   add(verdict_table(*joint.by_records));
-  add(reach_of_records(joint));
+  add(reach_of_records(results));
   add(warnings);
   add(ReportText{lead_of_records(results)});
   add(certainty_of_records(joint));

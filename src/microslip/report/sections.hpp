@@ -26,6 +26,10 @@ namespace microslip {
 [[nodiscard]] ReportSection responses_section(const ExperimentResults& results);
 [[nodiscard]] ReportSection curves_section(const ExperimentResults& results);
 [[nodiscard]] ReportSection predictions_section(const ExperimentResults& results);
+[[nodiscard]] ReportSection comparison_section(const ExperimentResults& results);
+[[nodiscard]] ReportSection campaign_section(const ExperimentResults& results);
+/// Where nothing but a comparison is there. @param results  with one.
+[[nodiscard]] ReportSection comparison_summary_section(const ExperimentResults& results);
 [[nodiscard]] ReportSection rig_section(const ExperimentResults& results);
 [[nodiscard]] ReportSection provenance_section(const ExperimentResults& results);
 

@@ -13,6 +13,7 @@
 #include "microslip/base/units.hpp"
 #include "microslip/io/csv.hpp"
 #include "microslip/io/csv_writer.hpp"
+#include "microslip/workflow/comparison_text.hpp"
 #include "microslip/workflow/model_text.hpp"
 #include "microslip/workflow/provenance.hpp"
 #include "microslip/workflow/summary_text.hpp"
@@ -38,13 +39,6 @@ std::string cell_of(const std::vector<double>& values, std::size_t i) {
 std::string axis_of(const ComparedCurve& curve) {
   if (curve.axis.empty()) return "";
   return fmt::format("{} [{}]", curve.axis, si_unit(curve.axis_dimension));
-}
-
-/// "damping ratio".
-std::string shown_name(const ComparedCurve& curve) {
-  std::string words = curve.quantity;
-  std::ranges::replace(words, '_', ' ');
-  return words;
 }
 
 /// "39 of 41 inside, 39.0 expected"; empty without a band.
@@ -93,22 +87,6 @@ std::string comment_of(const VerifiedTests& verified) {
   return with_warnings(std::move(text), all_warnings(verified));
 }
 
-/// "0.0837 mm" by the prefix that suits; a number alone of what has no unit.
-std::string value_text(double value, const Dimension& dimension) {
-  if (dimension == kLength) return length_text(value);
-  if (dimension == kDimensionless) return fmt::format("{:.4g}", value);
-  return fmt::format("{:.6g} {}", value, si_unit(dimension));
-}
-
-/// "-2.4 %", "-0.12 Hz", "+0.013 rad": predicted less measured.
-std::string difference_text(const ComparedCurve& curve, std::size_t i) {
-  const double difference = curve.predicted[i] - curve.measured[i];
-  if (curve.dimension == kFrequency || curve.dimension == kAngle) {
-    return fmt::format("{:+.3g} {}", difference, si_unit(curve.dimension));
-  }
-  return fmt::format("{:+.1f} %", 100.0 * difference / curve.measured[i]);
-}
-
 /// A value by itself.
 std::string single_text(const ComparedCurve& curve) {
   if (!std::isfinite(curve.predicted[0])) return "not found";
@@ -129,10 +107,7 @@ std::string single_text(const ComparedCurve& curve) {
 std::string whole_text(const ComparedCurve& curve) {
   if (curve.compared() == 0) return "not found";
   std::string text =
-      curve.dimension == kAngle
-          ? fmt::format("{} values, rms difference {:.3g} rad", curve.compared(), curve.deviation())
-          : fmt::format("{} values, rms difference {:.3g} %", curve.compared(),
-                        100.0 * curve.deviation());
+      fmt::format("{} values, rms difference {}", curve.compared(), deviation_text(curve));
   const double normalised = curve.normalised_deviation();
   if (std::isfinite(normalised)) {
     text += fmt::format(", or {:.2g} of its standard deviations", normalised);

@@ -24,6 +24,7 @@
 #include "microslip/io/rig_file.hpp"
 #include "microslip/io/sha256.hpp"
 #include "microslip/workflow/calibration_input.hpp"
+#include "microslip/workflow/comparison_input.hpp"
 #include "microslip/workflow/experiment_recordings.hpp"
 #include "microslip/workflow/force_paths.hpp"
 #include "microslip/workflow/level_records.hpp"
@@ -73,6 +74,8 @@ class FolderReader {
     read_verification();
     read_force_control();
     read_curves();
+    read_comparison();
+    read_campaign();
     return std::move(results_);
   }
 
@@ -323,6 +326,57 @@ class FolderReader {
     if (const auto input = find("ensemble.csv", kEnsembleTableKind)) {
       curves.ensemble = ensemble_curves({input->text, input->path});
     }
+  }
+
+  /// Tests against a model, or a joint.
+  void read_comparison() {
+    const auto input = find("comparison.csv", kComparisonKind);
+    if (!input) return;
+    results_.comparison = comparison_of({input->path, input->text});
+    for (const std::string name : {"joint.json", "model.toml"}) {
+      const std::optional<std::string> hash = told_hash_of(*input, name);
+      const std::optional<std::string> beside = hash_beside(name);
+      if (!hash || !beside || *hash == *beside) continue;
+      results_.comparison->of_this_model = false;
+      results_.warnings.push_back(
+          {"comparison_of_other_model",
+           fmt::format("comparison.csv was not made with the {} beside it. Verify again, or it "
+                       "does not belong to the rest.",
+                       name)});
+    }
+  }
+
+  /// Of a file beside the tables that need not be shown itself.
+  [[nodiscard]] std::optional<std::string> hash_beside(const std::string& name) const {
+    const std::string path = folder_ + "/" + name;
+    std::error_code none;
+    if (!fs::is_regular_file(path, none)) return std::nullopt;
+    return sha256(read_file(path));
+  }
+
+  /// What a campaign wrote beside its levels, joint and comparison.
+  void read_campaign() {
+    CampaignFound found;
+    const auto campaign = find("campaign.csv", kCampaignTableKind);
+    if (!campaign) return;
+    add_campaign_table(*campaign, found);
+    const std::vector<std::string> hashes = hashes_in(*campaign);
+    const auto read = [&](const std::string& name, std::string_view kind, const auto& add) {
+      const auto input = find(name, kind);
+      if (!input) return;
+      if (hashes_in(*input) != hashes) {
+        results_.warnings.push_back(
+            {"files_of_other_campaign",
+             fmt::format("{} is not of the campaign that campaign.csv is of: it is not shown. Run "
+                         "the campaign again.",
+                         name)});
+        return;
+      }
+      add(*input, found);
+    };
+    read("sessions.csv", kSessionsKind, add_sessions);
+    read("leave_one_out.csv", kLeftOutKind, add_left_out);
+    results_.campaign = std::move(found);
   }
 
   void read_force_control() {

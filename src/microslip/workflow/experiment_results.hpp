@@ -14,6 +14,7 @@
 #include "microslip/observe/levels.hpp"
 #include "microslip/rig/rig.hpp"
 #include "microslip/workflow/calibration_results.hpp"
+#include "microslip/workflow/comparison_results.hpp"
 #include "microslip/workflow/predicted_curves.hpp"
 
 /// @file
@@ -218,6 +219,8 @@ struct ExperimentResults {
   std::vector<ChannelMisfit> comparisons = {};         ///< one a channel and record
   std::vector<LevelRecord> predictions = {};           ///< recorded, and predicted as the other
   PredictedCurves curves = {};                         ///< of a model, by frf and others
+  std::optional<ComparisonFound> comparison = {};      ///< tests against a model
+  std::optional<CampaignFound> campaign = {};          ///< several tests of one structure
   std::optional<LevelsOfModes> modal_levels = {};      ///< of several joints, or as measured alone
   std::vector<DensityFound> densities = {};            ///< of several joints
   std::optional<CalibrationSummary> calibration = {};  ///< of several joints
@@ -232,7 +235,8 @@ struct ExperimentResults {
   /// Whether a report has nothing to show beside what was given of the rig or the truth.
   [[nodiscard]] bool is_empty() const {
     return !levels && !joint && !calibration && !modal_levels && densities.empty() &&
-           records.empty() && comparisons.empty() && predictions.empty() && force_control.empty();
+           records.empty() && comparisons.empty() && predictions.empty() && force_control.empty() &&
+           !comparison && !campaign;
   }
 };
 

@@ -22,6 +22,8 @@
 namespace microslip {
 namespace {
 
+constexpr std::string_view kHashMark = ": sha256 ";
+
 /// How λ was chosen, as far as the file tells.
 std::string smoothing_of(const JointFile& file) {
   const std::optional<std::string> asked =
@@ -171,13 +173,24 @@ std::vector<ForceControlLevel> force_control_of(const NamedInput& input) {
   return rows;
 }
 
+std::optional<std::string> told_hash_of(const NamedInput& input, std::string_view name) {
+  const CsvTable table(input.text, input.path);
+  for (const std::string& line : table.comments()) {
+    const std::size_t mark = line.rfind(kHashMark);
+    if (mark == std::string::npos) continue;
+    if (file_name(std::string_view(line).substr(0, mark)) == name) {
+      return line.substr(mark + kHashMark.size());
+    }
+  }
+  return std::nullopt;
+}
+
 std::vector<std::string> hashes_in(const NamedInput& input) {
-  constexpr std::string_view kMark = ": sha256 ";
   std::vector<std::string> hashes;
   const CsvTable table(input.text, input.path);
   for (const std::string& line : table.comments()) {
-    const std::size_t mark = line.rfind(kMark);
-    if (mark != std::string::npos) hashes.push_back(line.substr(mark + kMark.size()));
+    const std::size_t mark = line.rfind(kHashMark);
+    if (mark != std::string::npos) hashes.push_back(line.substr(mark + kHashMark.size()));
   }
   return hashes;
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "microslip/io/density_file.hpp"
@@ -30,6 +32,10 @@ namespace microslip {
 
 /// The hashes in lines `# FILE: sha256 HEX` at the head of a table. Empty where it has none.
 [[nodiscard]] std::vector<std::string> hashes_in(const NamedInput& input);
+
+/// That of the file of a name, in whatever folder it was; nothing where the table does not tell it.
+[[nodiscard]] std::optional<std::string> told_hash_of(const NamedInput& input,
+                                                      std::string_view name);
 
 /// Whether a table of a density is of that joint, by what it says at its points but those at steps.
 [[nodiscard]] bool is_density_of(const DensityTable& table, const Joint& joint);

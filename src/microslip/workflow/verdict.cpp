@@ -163,6 +163,12 @@ std::vector<Warning> warnings_of(const ExperimentResults& results,
     }
   }
   for (const auto& [code, text] : flags_of_predictions(results.comparisons)) add(code, text);
+  if (results.comparison) {
+    for (const Warning& warning : results.comparison->warnings) add(warning.code, warning.text);
+  }
+  if (results.campaign) {
+    for (const Warning& warning : results.campaign->warnings) add(warning.code, warning.text);
+  }
   if (results.levels) {
     const auto flagged = std::ranges::count_if(results.levels->flags,
                                                [](const std::string& f) { return !f.empty(); });

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "microslip/report/scales.hpp"
+#include "microslip/report/sections.hpp"
+#include "microslip/report/shown_unit.hpp"
+#include "microslip/workflow/summary_text.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
+
+/// The rows of a test.
+struct TestRows {
+  const CampaignEntry* first;
+  std::vector<const CampaignEntry*> levels;  ///< that the joint was identified from
+  std::size_t inside = 0;                    ///< of predicted values
+  std::size_t outside = 0;
+};
+
+std::vector<TestRows> rows_by_test(const std::vector<CampaignEntry>& entries) {
+  std::vector<TestRows> tests;
+  for (const CampaignEntry& entry : entries) {
+    auto found = std::ranges::find_if(
+        tests, [&](const TestRows& test) { return test.first->test == entry.test; });
+    if (found == tests.end()) found = tests.insert(tests.end(), TestRows{&entry, {}});
+    if (entry.part == "level") found->levels.push_back(&entry);
+    found->inside += entry.inside;
+    found->outside += entry.outside;
+  }
+  return tests;
+}
+
+/// Mean of ln(D/D̂) over levels, 1.
+double mean_loss_offset(const std::vector<const CampaignEntry*>& levels) {
+  double sum = 0.0;
+  for (const CampaignEntry* level : levels) {
+    sum += std::log(level->dissipation / level->dissipation_predicted);
+  }
+  return levels.empty() ? kNotKnown : sum / static_cast<double>(levels.size());
+}
+
+double end_of(const std::vector<const CampaignEntry*>& levels, bool largest) {
+  double end = kNotKnown;
+  for (const CampaignEntry* level : levels) {
+    end = largest ? std::fmax(end, level->amplitude) : std::fmin(end, level->amplitude);
+  }
+  return end;
+}
+
+ReportTable campaign_tests_table(const std::vector<TestRows>& tests) {
+  ReportTable table{.title = "Tests of the campaign",
+                    .caption =
+                        "From campaign.csv. Levels are those that the joint was identified "
+                        "from, D off it: the mean of ln of measured over the joint's. "
+                        "Inside: predicted values in their bands.",
+                    .columns = {{"test"},
+                                {"use"},
+                                {"session"},
+                                {"conditions"},
+                                {"levels", "1", 0},
+                                {"from", "µm", 3},
+                                {"to", "µm", 3},
+                                {"D off the joint", "%", 3},
+                                {"inside"}}};
+  for (const TestRows& test : tests) {
+    const std::size_t banded = test.inside + test.outside;
+    table.rows.push_back(
+        {test.first->test, test.first->use, test.first->session, test.first->conditions,
+         static_cast<double>(test.levels.size()), end_of(test.levels, false) / kMicrometre,
+         end_of(test.levels, true) / kMicrometre, mean_loss_offset(test.levels) / kPercent,
+         banded == 0 ? "" : fmt::format("{} of {}", test.inside, banded)});
+  }
+  return table;
+}
+
+/// A layer a session: value(level) in % over the amplitude.
+template <typename Value>
+ReportFigure over_amplitude(const std::vector<CampaignEntry>& entries, std::string title,
+                            std::string caption, const char* label, const Value& value) {
+  std::vector<PointLayer> layers;
+  for (const CampaignEntry& entry : entries) {
+    const double shown = entry.part == "level" ? value(entry) : kNotKnown;
+    if (!std::isfinite(shown) || !std::isfinite(entry.amplitude)) continue;
+    const std::string legend = "session " + entry.session;
+    auto layer = std::ranges::find(layers, legend, &PointLayer::legend);
+    if (layer == layers.end()) {
+      const auto colour = static_cast<int>(layers.size());
+      layer = layers.insert(layers.end(), PointLayer{.legend = legend, .colour = colour});
+    }
+    layer->x.push_back(entry.amplitude);
+    layer->y.push_back(shown);
+  }
+  Figure figure{.title = std::move(title), .caption = std::move(caption)};
+  for (PointLayer& layer : layers) figure.layers.emplace_back(std::move(layer));
+  show_x(figure, "joint amplitude A", "m");
+  show_y(figure, label, ShownUnit{"%", kPercent});
+  figure.x.log_switch = true;
+  return {.figure = std::move(figure)};
+}
+
+void add_if_drawn(ReportSection& section, ReportFigure figure) {
+  if (!figure.figure.layers.empty()) section.blocks.emplace_back(std::move(figure));
+}
+
+ReportTable sessions_table(const CampaignFound& found) {
+  ReportTable table{.title = "Sessions",
+                    .caption =
+                        "Frequencies against the first session, and how they scatter about "
+                        "their mean; D against that of the joint.",
+                    .columns = {{"session"},
+                                {"tests", "1", 0},
+                                {"levels", "1", 0},
+                                {"frequency difference", "%", 3},
+                                {"± (σ)", "%", 2},
+                                {"taken off", "%", 3},
+                                {"scatter of frequencies", "%", 2},
+                                {"D off the joint", "%", 3},
+                                {"scatter of D", "%", 3}}};
+  if (!found.repeatability.empty()) {
+    table.caption += fmt::format(" The means of D repeat within {}.", found.repeatability);
+  }
+  for (const SessionEffect& session : found.sessions) {
+    table.rows.push_back(
+        {session.name, static_cast<double>(session.tests), static_cast<double>(session.levels),
+         session.frequency_difference / kPercent, session.frequency_difference_std / kPercent,
+         session.frequency_offset / kPercent, session.frequency_scatter / kPercent,
+         session.dissipation_offset / kPercent, session.dissipation_scatter / kPercent});
+  }
+  return table;
+}
+
+ReportTable left_out_table_of(const CampaignFound& found) {
+  ReportTable table{.title = "Left out",
+                    .caption =
+                        "Each left out in turn and predicted from the others. Marked: it "
+                        "contradicts them; one of twenty does by chance.",
+                    .columns = {{"left out"},
+                                {"levels", "1", 0},
+                                {"D off the others", "%", 3},
+                                {"inside", "1", 0},
+                                {"chance", "%", 2},
+                                {"contradicts"}}};
+  for (std::size_t i = 0; i < found.left_out.size();) {
+    const LeftOutEntry& first = found.left_out[i];
+    std::size_t count = 0;
+    std::size_t inside = 0;
+    for (; i < found.left_out.size() && found.left_out[i].left_out == first.left_out; ++i) {
+      ++count;
+      inside += found.left_out[i].verdict == "inside" ? 1 : 0;
+    }
+    if (first.contradicts) table.marked.push_back(table.rows.size());
+    table.rows.push_back({first.left_out, static_cast<double>(count),
+                          first.mean_deviation / kPercent, static_cast<double>(inside),
+                          first.chance / kPercent, std::string(first.contradicts ? "yes" : "no")});
+  }
+  return table;
+}
+
+/// D of what was left out over what the others predict, with the band of that.
+ReportFigure left_out_figure(const CampaignFound& found) {
+  std::vector<const LeftOutEntry*> rows;
+  for (const LeftOutEntry& entry : found.left_out) {
+    if (std::isfinite(entry.measured) && entry.predicted > 0.0) rows.push_back(&entry);
+  }
+  std::ranges::stable_sort(rows, {}, &LeftOutEntry::amplitude);
+  PointLayer measured{.legend = "measured, inside", .colour = kBlack};
+  PointLayer outside{.legend = "measured, outside", .colour = kVermillion};
+  PointLayer band{.legend = "middle of the band, with its edges", .colour = kSkyBlue};
+  for (const LeftOutEntry* row : rows) {
+    PointLayer& layer = row->verdict == "outside" ? outside : measured;
+    layer.x.push_back(row->amplitude);
+    layer.y.push_back(row->measured / row->predicted - 1.0);
+    if (!std::isfinite(row->lower) || !std::isfinite(row->upper)) continue;
+    band.x.push_back(row->amplitude);
+    band.y.push_back(0.5 * (row->lower + row->upper) / row->predicted - 1.0);
+    band.y_error.push_back(0.5 * (row->upper - row->lower) / row->predicted);
+  }
+  Figure figure{.title = "Dissipation left out",
+                .caption =
+                    "Measured over what the others predict, less 1, and the band of what "
+                    "would be read."};
+  for (PointLayer* layer : {&band, &measured, &outside}) {
+    if (!layer->x.empty()) figure.layers.emplace_back(std::move(*layer));
+  }
+  show_x(figure, "joint amplitude A", "m");
+  show_y(figure, "D over that of the others, less 1", ShownUnit{"%", kPercent});
+  figure.x.log_switch = true;
+  return {.figure = std::move(figure)};
+}
+
+std::string lead_of_campaign(const std::vector<TestRows>& tests, const CampaignFound& found) {
+  std::size_t levels = 0;
+  std::size_t identify = 0;
+  for (const TestRows& test : tests) {
+    levels += test.levels.size();
+    identify += test.levels.empty() ? 0 : 1;
+  }
+  return fmt::format(
+      "Several tests of one structure: {} of {} identify the joint, in {}; the "
+      "others, and those used for both, are predicted.",
+      counted(levels, "level"), counted(identify, "test"),
+      counted(found.sessions.size(), "session"));
+}
+
+}  // namespace
+
+ReportSection campaign_section(const ExperimentResults& results) {
+  ReportSection section{.title = "Campaign", .blocks = {}};
+  if (!results.campaign) return section;
+  const CampaignFound& found = *results.campaign;
+  const std::vector<TestRows> tests = rows_by_test(found.entries);
+  section.blocks.emplace_back(ReportText{lead_of_campaign(tests, found)});
+  if (!found.warnings.empty()) section.blocks.emplace_back(ReportWarnings{found.warnings});
+  add_if_drawn(section,
+               over_amplitude(found.entries, "Dissipation against the joint",
+                              "Of each level, over that of the joint that was "
+                              "identified from all, less 1.",
+                              "D over that of the joint, less 1", [](const CampaignEntry& level) {
+                                return level.dissipation / level.dissipation_predicted - 1.0;
+                              }));
+  add_if_drawn(section,
+               over_amplitude(found.entries, "Frequency against the model",
+                              "Of each level, over that of the model with the joint, less 1.",
+                              "f over that of the model, less 1", [](const CampaignEntry& level) {
+                                return level.frequency / level.frequency_predicted - 1.0;
+                              }));
+  section.blocks.emplace_back(campaign_tests_table(tests));
+  if (!found.sessions.empty()) section.blocks.emplace_back(sessions_table(found));
+  if (!found.left_out.empty()) {
+    add_if_drawn(section, left_out_figure(found));
+    section.blocks.emplace_back(left_out_table_of(found));
+  }
+  return section;
+}
+
+}  // namespace microslip

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/workflow/comparison_input.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+#include <utility>
+
+#include "microslip/base/units.hpp"
+#include "microslip/io/csv.hpp"
+#include "microslip/io/warning_comment.hpp"
+#include "microslip/workflow/comparison_table.hpp"
+#include "microslip/workflow/table_cells.hpp"
+
+namespace microslip {
+namespace {
+
+std::vector<Warning> warnings_in(const CsvTable& table) {
+  std::vector<Warning> warnings;
+  for (const std::string& comment : table.comments()) {
+    if (auto warning = parse_warning_comment(comment)) warnings.push_back(*std::move(warning));
+  }
+  return warnings;
+}
+
+/// P of a line "draws: N of seed S, P % between lower and upper; …".
+std::optional<double> confidence_in(std::string_view comment) {
+  constexpr std::string_view kEnd = " % between lower and upper";
+  const std::size_t end = comment.find(kEnd);
+  if (!comment.starts_with("draws: ") || end == std::string_view::npos) return std::nullopt;
+  const std::string_view before = comment.substr(0, end);
+  const std::string_view number = before.substr(before.rfind(' ') + 1);
+  double percent = 0.0;
+  const auto [stop, error] = std::from_chars(number.data(), number.data() + number.size(), percent);
+  if (error != std::errc() || stop != number.data() + number.size()) return std::nullopt;
+  return percent / 100.0;
+}
+
+/// How the program says what it did, and from which files: not of the tests.
+bool is_of_provenance(std::string_view comment) {
+  return comment.starts_with("microslip ") || comment.find("sha256") != std::string_view::npos;
+}
+
+struct CampaignColumns {
+  std::vector<std::string> verdicts;    ///< names of the columns of verdicts
+  std::vector<std::string> conditions;  ///< names of those of conditions
+};
+
+CampaignColumns campaign_columns(const CsvTable& table) {
+  CampaignColumns columns;
+  for (const CsvColumn& column : table.columns()) {
+    if (column.name.ends_with("_verdict")) columns.verdicts.push_back(column.name);
+    if (column.name.starts_with("condition_")) columns.conditions.push_back(column.name);
+  }
+  return columns;
+}
+
+/// Calls put(entry, cell) for each row of a column of texts.
+template <typename Entry, typename Put>
+void put_text(const CsvTable& table, const std::string& name, std::vector<Entry>& entries,
+              const Put& put) {
+  const std::vector<std::string> cells = table.text(name);
+  for (std::size_t row = 0; row < entries.size(); ++row) put(entries[row], cells[row]);
+}
+
+template <typename Entry>
+void put_numbers(const CsvTable& table, const std::string& name, std::vector<Entry>& entries,
+                 double Entry::*member) {
+  const std::vector<double> values = numbers_or_empty(table, name);
+  for (std::size_t row = 0; row < entries.size(); ++row) entries[row].*member = values[row];
+}
+
+void put_counts(const CsvTable& table, const std::string& name,
+                std::vector<SessionEffect>& sessions, std::size_t SessionEffect::*member) {
+  constexpr double kMost = 1e9;
+  const std::vector<double> values = table.numbers(name, kDimensionless);
+  for (std::size_t row = 0; row < sessions.size(); ++row) {
+    if (!(values[row] >= 0.0 && values[row] <= kMost)) table.reject(row, name, "a count");
+    sessions[row].*member = static_cast<std::size_t>(values[row]);
+  }
+}
+
+}  // namespace
+
+ComparisonFound comparison_of(const NamedInput& input) {
+  const CsvTable table(input.text, input.path);
+  ComparisonFound found{.tests = compared_tests(table), .warnings = warnings_in(table)};
+  for (const std::string& comment : table.comments()) {
+    if (const auto confidence = confidence_in(comment)) found.confidence = confidence;
+    if (is_of_provenance(comment) || parse_warning_comment(comment)) continue;
+    found.notes.push_back(comment);
+  }
+  return found;
+}
+
+void add_campaign_table(const NamedInput& input, CampaignFound& found) {
+  const CsvTable table(input.text, input.path);
+  const CampaignColumns columns = campaign_columns(table);
+  std::vector<CampaignEntry> entries(table.rows());
+  for (const auto& [name, member] :
+       {std::pair{"test", &CampaignEntry::test}, std::pair{"use", &CampaignEntry::use},
+        std::pair{"session", &CampaignEntry::session}, std::pair{"part", &CampaignEntry::part},
+        std::pair{"source", &CampaignEntry::source}}) {
+    put_text(
+        table, name, entries,
+        [member = member](CampaignEntry& entry, const std::string& cell) { entry.*member = cell; });
+  }
+  for (const std::string& name : columns.conditions) {
+    const std::string shown = name.substr(name.find('_') + 1);
+    put_text(table, name, entries, [&](CampaignEntry& entry, const std::string& cell) {
+      if (cell.empty()) return;
+      entry.conditions += fmt::format("{}{} {}", entry.conditions.empty() ? "" : ", ", shown, cell);
+    });
+  }
+  for (const std::string& name : columns.verdicts) {
+    put_text(table, name, entries, [](CampaignEntry& entry, const std::string& cell) {
+      entry.inside += cell == "inside" ? 1 : 0;
+      entry.outside += cell == "outside" ? 1 : 0;
+    });
+  }
+  put_numbers(table, "amplitude", entries, &CampaignEntry::amplitude);
+  put_numbers(table, "frequency", entries, &CampaignEntry::frequency);
+  put_numbers(table, "frequency_predicted", entries, &CampaignEntry::frequency_predicted);
+  put_numbers(table, "dissipation", entries, &CampaignEntry::dissipation);
+  put_numbers(table, "dissipation_predicted", entries, &CampaignEntry::dissipation_predicted);
+  found.entries = std::move(entries);
+  found.warnings = warnings_in(table);
+}
+
+void add_sessions(const NamedInput& input, CampaignFound& found) {
+  const CsvTable table(input.text, input.path);
+  std::vector<SessionEffect> sessions(table.rows());
+  put_text(table, "session", sessions,
+           [](SessionEffect& session, const std::string& cell) { session.name = cell; });
+  put_counts(table, "tests", sessions, &SessionEffect::tests);
+  put_counts(table, "levels", sessions, &SessionEffect::levels);
+  put_numbers(table, "frequency_difference", sessions, &SessionEffect::frequency_difference);
+  put_numbers(table, "frequency_difference_std", sessions,
+              &SessionEffect::frequency_difference_std);
+  put_numbers(table, "frequency_offset", sessions, &SessionEffect::frequency_offset);
+  put_numbers(table, "frequency_offset_std", sessions, &SessionEffect::frequency_offset_std);
+  put_numbers(table, "frequency_scatter", sessions, &SessionEffect::frequency_scatter);
+  put_numbers(table, "dissipation_offset", sessions, &SessionEffect::dissipation_offset);
+  put_numbers(table, "dissipation_scatter", sessions, &SessionEffect::dissipation_scatter);
+  found.sessions = std::move(sessions);
+  constexpr std::string_view kRepeats = "dissipation against that of the joint, std of the means: ";
+  for (const std::string& comment : table.comments()) {
+    if (comment.starts_with(kRepeats)) found.repeatability = comment.substr(kRepeats.size());
+  }
+}
+
+void add_left_out(const NamedInput& input, CampaignFound& found) {
+  const CsvTable table(input.text, input.path);
+  std::vector<LeftOutEntry> entries(table.rows());
+  put_text(table, "left_out", entries,
+           [](LeftOutEntry& entry, const std::string& cell) { entry.left_out = cell; });
+  put_text(table, "verdict", entries,
+           [](LeftOutEntry& entry, const std::string& cell) { entry.verdict = cell; });
+  put_text(table, "contradicts", entries,
+           [](LeftOutEntry& entry, const std::string& cell) { entry.contradicts = cell == "yes"; });
+  put_numbers(table, "amplitude", entries, &LeftOutEntry::amplitude);
+  put_numbers(table, "measured", entries, &LeftOutEntry::measured);
+  put_numbers(table, "predicted", entries, &LeftOutEntry::predicted);
+  put_numbers(table, "lower", entries, &LeftOutEntry::lower);
+  put_numbers(table, "upper", entries, &LeftOutEntry::upper);
+  put_numbers(table, "mean_deviation", entries, &LeftOutEntry::mean_deviation);
+  put_numbers(table, "chance", entries, &LeftOutEntry::chance);
+  found.left_out = std::move(entries);
+}
+
+}  // namespace microslip
