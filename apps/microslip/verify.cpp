@@ -86,21 +86,16 @@ void write_outputs(const VerifyOptions& options, const VerifiedRecordings& verif
   outputs.commit();
 }
 
-/// What comes through a pipe can be read only once: it is a rig. So is what cannot be read, which
-/// who reads the rig says, behind what is wrong with the outputs.
-std::string kind_of_description(const std::string& path) {
-  try {
-    return path == "-" ? "" : file_kind(read_kind_head(path));
-  } catch (const FileError&) {
-    return "";
-  }
-}
-
 /// The joint and the recordings of a rig.
 void name_inputs(VerifyOptions& options) {
   options.joint = options.tests.front();
   options.recordings.assign(options.tests.begin() + 1, options.tests.end());
-  const KnownKind* const known = known_kind(kind_of_description(options.joint));
+  const auto joint = std::ranges::find(options.recordings, kJointKind, kind_of_file);
+  if (joint != options.recordings.end()) {
+    throw InputError(*joint, known_kind(kJointKind)->words, "must be named right behind rig.toml",
+                     fmt::format("Name {} behind it.", options.joint));
+  }
+  const KnownKind* const known = known_kind(kind_of_file(options.joint));
   if (known != nullptr && known->kind != kJointKind) {
     throw InputError(options.joint, known->words,
                      "must be a joint.json behind a rig.toml, and its records behind that",
@@ -174,7 +169,7 @@ void check_description(const VerifyOptions& options, std::string_view kind) {
   const KnownKind* const known = known_kind(kind);
   if (known == nullptr || predicts(kind)) return;
   const auto first = std::ranges::find_if(
-      options.tests, [](const std::string& test) { return predicts(kind_of_description(test)); });
+      options.tests, [](const std::string& test) { return predicts(kind_of_file(test)); });
   throw InputError(options.rig, known->words, "must be a rig.toml, model.toml or joint.json",
                    first == options.tests.end()
                        ? std::string("What predicts comes first, tests behind it.")
@@ -182,7 +177,9 @@ void check_description(const VerifyOptions& options, std::string_view kind) {
 }
 
 int run(const VerifyOptions& options, const CLI::App& command, const Call& call) {
-  const std::string kind = kind_of_description(options.rig);
+  // What comes through a pipe can be read only once: it is a rig. So is what cannot be read, which
+  // who reads the rig says, behind what is wrong with the outputs.
+  const std::string kind = kind_of_file(options.rig);
   check_description(options, kind);
   if (kind != kModelKind && kind != kJointKind) {
     refuse_options(command, kOfTests, "with a rig.toml, whose records are steady");

@@ -452,6 +452,13 @@ const Files& inputs() {
       all[std::string("folder/") + name] = all.at(name);
     }
     all["folder/rig.toml"] = made.at("test/rig.toml");
+    all["compared/comparison.csv"] =
+        run(all, words("verify drawn_model.toml frf.csv --draws 40 --out comparison.csv --quiet"))
+            .files.at("comparison.csv");
+    written = run(all, words("campaign campaign.toml --out campaigned --quiet")).files;
+    for (const auto& [name, content] : written) {
+      if (name.starts_with("campaigned/")) all[name] = content;
+    }
     return all;
   }();
   return files;

@@ -225,5 +225,96 @@ TEST(verifyTests, RefusesWhatDoesNotBelong) {
   refuse({"verify", "missing.toml", "sweep.csv"}, "missing.toml: cannot be read");
 }
 
+// Each option is for some kind of test: where no test of the call is of that kind, it would change
+// nothing.
+TEST(verifyTests, RefusesOptionsThatNoTestUses) {
+  const Sandbox box = laboratory();
+  box.put("sweep.csv",
+          "frequency [Hz],force [N],acceleration [m/s^2],phase [rad]\n"
+          "79.5,1,10,0.3\n79.9,1,50,1.5\n80.3,1,12,2.8\n");
+  box.put("modes.csv",
+          "mode [1],displacement [m],frequency [Hz],damping_ratio [1]\n1,1e-4,79.8,0.002\n"
+          "1,2e-4,79.6,0.003\n");
+  box.put("record.csv", record_text(sample_record()));
+  const auto refuse = [&](const std::string& test, const Arguments& option,
+                          const std::string& part) {
+    const Outcome run = box.run(with({"verify", "true.toml", test, "--out", "c.csv"}, option));
+    EXPECT_EQ(run.status, 2) << run.out;
+    for (const std::string& all : {option.front(), std::string("changes nothing"), part}) {
+      EXPECT_NE(run.err.find(all), std::string::npos) << run.err << " has no " << all;
+    }
+    EXPECT_FALSE(box.has("c.csv"));
+  };
+  refuse("sweep.csv", {"--joint", "contact"}, "for records of force and displacement");
+  refuse("sweep.csv", {"--force", "f"}, "the tests are stepped-sine tables");
+  refuse("modes.csv", {"--displacement", "x"}, "the tests are tables of modal levels");
+  refuse("sweep.csv", {"--sensor", "acceleration=drive"}, "recordings of ring-downs");
+  refuse("modes.csv", {"--sensor", "acceleration=drive"}, "recordings of ring-downs");
+  refuse("sweep.csv", {"--mode", "1"}, "ring-downs");
+  refuse("modes.csv", {"--mode", "1", "--mode", "2"}, "no test has this mode");
+  refuse("sweep.csv", {"--assume-units", "SI"}, "recordings over time");
+  refuse("modes.csv", {"--allow-truncated"}, "recordings over time");
+  refuse("record.csv", {"--harmonics", "3"}, "tests of a structure");
+  refuse("record.csv", {"--mode", "1"}, "the tests are records of force and displacement");
+  // One test that uses it is enough.
+  expect_done(box, {"verify", "true.toml", "sweep.csv", "modes.csv", "--mode", "1", "--harmonics",
+                    "3", "--out", "c.csv"});
+}
+
+// A file of this program in the place of another is told as what it is.
+TEST(verifyTests, TellsWhichFileStandsInThePlaceOfAnother) {
+  const Sandbox box = laboratory();
+  box.put("rig.toml", kRig);
+  box.put("sweep.csv",
+          "frequency [Hz],force [N],acceleration [m/s^2],phase [rad]\n"
+          "79.5,1,10,0.3\n79.9,1,50,1.5\n80.3,1,12,2.8\n");
+  box.put("levels.csv",
+          "amplitude [m],dissipation [J],frequency [Hz]\n1e-5,1e-6,80\n2e-5,4e-6,79\n");
+  const auto refuse = [&](const Arguments& call, const std::vector<std::string>& parts) {
+    const Outcome run = box.run(with(call, {"--out", "c.csv"}));
+    EXPECT_EQ(run.status, 2) << run.out;
+    for (const std::string& part : parts) {
+      EXPECT_NE(run.err.find(part), std::string::npos) << run.err << " has no " << part;
+    }
+  };
+  refuse({"verify", "sweep.csv", "true.toml"},
+         {"a stepped-sine table", "name true.toml before it"});
+  refuse({"verify", "true.toml", "levels.csv"},
+         {"a table of levels (levels.csv)", "must be a test"});
+  refuse({"verify", "true.toml", "joint.json"}, {"a joint (joint.json)", "must be a test"});
+  refuse({"verify", "rig.toml", "sweep.csv"}, {"a stepped-sine table", "must be a joint.json"});
+  refuse({"verify", "rig.toml", "sweep.csv", "joint.json"},
+         {"must be named right behind rig.toml", "Name sweep.csv behind it"});
+  refuse({"reduce", "rig.toml", "levels.csv"}, {"expected a recording", "a table of levels"});
+  refuse({"reduce", "levels.csv", "sweep.csv"}, {"expected TOML", "a table of levels"});
+  refuse({"identify", "true.toml", "--stiffness", "1e5"}, {"a structure with joints (model.toml)"});
+  refuse({"loop", "true.toml", "--amplitude", "1e-5"}, {"expected JSON", "model.toml"});
+  refuse({"frf", "joint.json", "--force", "1", "--frequency", "1:2"},
+         {"expected TOML", "joint.json"});
+  refuse({"modes", "true.toml"}, {"This is a structure with joints (model.toml), not a structure"});
+}
+
+TEST(verifyTests, SaysHowManyDrawsThereMustBe) {
+  const Sandbox box = laboratory();
+  box.put("record.csv", record_text(sample_record()));
+  for (const char* draws : {"0", "1", "39", "x"}) {
+    const Outcome run = box.run({"verify", "joint.json", "record.csv", "--normal-load-std", "5%",
+                                 "--draws", draws, "--out", "c.csv"});
+    EXPECT_EQ(run.status, 2);
+    EXPECT_NE(run.err.find("from 40 to 1000000"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("Leave it out for a prediction without bands"), std::string::npos);
+  }
+}
+
+TEST(verifyTests, SaysThatACopyCountsTwice) {
+  const Sandbox box = laboratory();
+  const std::string record = record_text(sample_record());
+  box.put("record.csv", record);
+  box.put("copy.csv", record);
+  expect_done(box, {"verify", "joint.json", "record.csv", "copy.csv", "--out", "c.csv", "--quiet"});
+  EXPECT_NE(box.get("c.csv").find("# warning: same_content: copy.csv has the same content"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace microslip::cli_test::verify_tests_test

@@ -36,6 +36,31 @@ TEST(FileKind, KnowsTheFilesOfTheProgram) {
             kBackboneKind);
 }
 
+TEST(FileKind, HasWordsForTheFilesOfTheProgram) {
+  const auto words = [](const std::string& head) {
+    const KnownKind* const known = known_kind_of(head);
+    return known == nullptr ? std::string() : std::string(known->words);
+  };
+  EXPECT_EQ(words("amplitude [m],dissipation [J]\n"), "a table of levels (levels.csv)");
+  EXPECT_EQ(words("schema = \"microslip.model/1\"\n"), "a structure with joints (model.toml)");
+  EXPECT_EQ(words("{\"schema\": \"microslip.joint/1\"}"), "a joint (joint.json)");
+  EXPECT_EQ(words("frequency [Hz],force [N],acceleration [g],phase [rad]\n"),
+            "a stepped-sine table");
+  // A version that this program does not have, a recording, and tables that any may be.
+  EXPECT_EQ(words("schema = \"microslip.model/9\"\n"), "");
+  EXPECT_EQ(words("time [s],force [N],acceleration [g],phase [rad]\n"), "");
+  EXPECT_EQ(words("displacement [m],force [N]\n"), "");
+  EXPECT_EQ(words(""), "");
+}
+
+TEST(FileKind, OfAFileIsEmptyWhereItCannotBeRead) {
+  const test::TemporaryFolder folder;
+  test::put(folder.file("rig.toml"), "schema = \"microslip.rig/1\"\n");
+  EXPECT_EQ(kind_of_file(folder.file("rig.toml")), kRigKind);
+  EXPECT_EQ(kind_of_file(folder.file("none.toml")), "");
+  EXPECT_EQ(kind_of_file("-"), "");
+}
+
 TEST(FileKind, KnowsTablesOfATestAndOfAMarch) {
   EXPECT_EQ(
       file_kind("# c\nlevel [1],frequency [Hz],force_before [N],force_after [N],after_2 [1]\n"),

@@ -27,6 +27,13 @@ using Numbers = std::vector<double>;
 
 const std::string kExamples = MICROSLIP_EXAMPLES;
 
+void expect_parts(const std::string& message, const std::vector<std::string>& parts) {
+  for (const std::string& part : parts) {
+    EXPECT_NE(message.find(part), std::string::npos)
+        << "'" << message << "' has no '" << part << "'";
+  }
+}
+
 // ---- Text. ----
 
 constexpr const char* kTable =
@@ -56,13 +63,38 @@ TEST(SteppedSineFile, IsToldFromOtherFiles) {
   };
   EXPECT_TRUE(is_one(kTable));
   EXPECT_FALSE(is_one("time [s],force [N],acceleration [m/s^2],phase [rad]\n0,1,1,1\n"));
-  EXPECT_FALSE(is_one("frequency [Hz],force [N],acceleration [m/s^2]\n1,1,1\n"));
+  EXPECT_FALSE(is_one("frequency [Hz],force [N],acc1 [m/s^2]\n1,1,1\n"));
+  EXPECT_FALSE(is_one("displacement [m],force [N],frequency [Hz],damping_ratio [1]\n1,1,1,1\n"));
   EXPECT_FALSE(is_one(""));
   EXPECT_FALSE(is_one(std::string("\x89HDF\r\n\x1A\n\0\0", 10)));
   EXPECT_FALSE(is_stepped_sine(folder.file("none.csv")));
   EXPECT_FALSE(is_stepped_sine(folder.file(".")));
   EXPECT_FALSE(is_stepped_sine(folder.file("x.csv") + ":frequency"));
   EXPECT_FALSE(is_stepped_sine(""));
+}
+
+// What is meant to be a sweep and lacks a part is told as such, not as a record without accelerometers.
+TEST(SteppedSineFile, NamesThePartThatASweepLacks) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("x.csv");
+  const auto refused = [&](const std::string& content) {
+    test::put(path, content);
+    EXPECT_TRUE(is_stepped_sine(path)) << content;
+    return message_of<FormatError>([&] { return read_stepped_sines(path); });
+  };
+  expect_parts(refused("frequency [Hz],force [N],acceleration [g]\n1,1,1\n2,1,1\n"),
+               {"with phase [rad]", "against the force"});
+  expect_parts(refused("frequency [Hz],force [N],displacement [m],phase [rad]\n1,1,1,1\n"),
+               {"with acceleration [m/s^2]", "displacement: multiplied by (2 pi frequency)^2"});
+  expect_parts(refused("frequency [Hz],force [N],velocity [m/s],phase [rad]\n1,1,1,1\n"),
+               {"with acceleration [m/s^2]", "velocity: multiplied by 2 pi frequency"});
+  expect_parts(refused("frequency [Hz],force [N],displacement [m]\n1,1,1\n"),
+               {"acceleration [m/s^2] and phase [rad]"});
+  expect_parts(refused("frequency [Hz],force [N],acceleration [mm],phase [rad]\n1,1,1,1\n"),
+               {":1:26:", "a unit of acceleration", "a unit of length"});
+  expect_parts(
+      refused("frequency [Hz],force [N],acceleration [g],phase [rad]\n1,1,1,1\n2,-3,1,1\n"),
+      {":3:3:", "a number above 0", "'-3'"});
 }
 
 TEST(SteppedSineFile, NamesThePlaceOfAFault) {

@@ -217,5 +217,19 @@ TEST(StructureFileFault, NamesThePlace) {
       "be 'tip'?");
 }
 
+// A key of [test] that is for the other kind of file says so, and what for.
+TEST(StructureFile, KeysOfATestThatChangeNothingAreRefused) {
+  const auto refused = [](const std::string& keys) {
+    const std::string text = "schema = \"microslip.structure/1\"\n[test]\n" + keys;
+    return message_of<InputError>([&] { return parse_structure(text, "s.toml"); });
+  };
+  EXPECT_EQ(refused("shapes = \"s.unv\"\nband_Hz = [1.0, 2.0]\n"),
+            "s.toml:4:11: test.band_Hz is given; changes nothing with mode shapes: it is for "
+            "frequency responses, frfs. Leave it out.");
+  EXPECT_EQ(refused("frfs = \"f.unv\"\nmodal_mass_kg = [1.0]\n"),
+            "s.toml:4:17: test.modal_mass_kg is given; changes nothing with frequency responses: "
+            "it is for mode shapes, shapes. Leave it out.");
+}
+
 }  // namespace
 }  // namespace microslip::structure_file_test

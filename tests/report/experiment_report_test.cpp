@@ -537,6 +537,94 @@ TEST(ExperimentReport, PredictionsOfAnotherJointAreNotItsError) {
   EXPECT_TRUE(contains(first.text, "another joint or rig")) << first.text;
 }
 
+/// A sweep whose peak lies outside of its band.
+ComparisonFound compared_sweep() {
+  ComparedCurve force{.quantity = "force", .dimension = kForce};
+  force.axis = "frequency";
+  force.axis_dimension = kFrequency;
+  force.at = {50.0, 51.0};
+  force.measured = {1.0, 2.0};
+  force.predicted = {1.0, 1.5};
+  force.lower = {0.9, 1.4};
+  force.upper = {1.1, 1.6};
+  ComparedCurve peak = force;
+  peak.part = TestPart::kPeak;
+  for (auto* values : {&peak.at, &peak.measured, &peak.predicted, &peak.lower, &peak.upper}) {
+    values->erase(values->begin());
+  }
+  return {
+      .tests = {{.source = "a.csv", .kind = TestKind::kConstantResponse, .curves = {force, peak}}},
+      .warnings = {{"few_inside", "a.csv: 1 of 2 values of force lie inside."}},
+      .confidence = 0.95};
+}
+
+TEST(ExperimentReport, TestsAgainstAModelAreTheErrorOfPredictions) {
+  ExperimentResults results = exact_results();
+  results.comparison = compared_sweep();
+  const ReportDocument document = experiment_report(results);
+  const std::string text = summary_text(document);
+  EXPECT_TRUE(contains(text, "predictions against tests = 1 of 3 values of 1 test inside")) << text;
+  EXPECT_TRUE(contains(text, "few_inside")) << text;
+  EXPECT_FALSE(contains(text, "held against no record")) << text;
+  const ReportSection& shown = section(document, "Tests against the model");
+  std::vector<const ReportTable*> tables;
+  for (const ReportBlock& block : shown.blocks) {
+    if (const auto* table = std::get_if<ReportTable>(&block)) tables.push_back(table);
+  }
+  ASSERT_EQ(tables.size(), 2U);
+  EXPECT_EQ(tables[0]->marked, std::vector<std::size_t>{0});  // few_inside of its force
+  ASSERT_EQ(tables[1]->rows.size(), 1U);                      // the peak; steps are in the figure
+  EXPECT_EQ(std::get<std::string>(tables[1]->rows[0].back()), "outside");
+  EXPECT_EQ(std::get<std::string>(tables[1]->rows[0][6]), "1.4 N to 1.6 N");
+}
+
+TEST(ExperimentReport, AComparisonMayBeAllThereIs) {
+  ExperimentResults results;
+  results.comparison = compared_sweep();
+  const ReportDocument document = experiment_report(results);
+  const auto& verdict = std::get<ReportVerdict>(document.sections.front().blocks.front());
+  EXPECT_TRUE(verdict.doubtful);
+  EXPECT_TRUE(contains(verdict.text, "1 of 3 values of 1 test inside")) << verdict.text;
+  results.comparison->of_this_model = false;
+  const ReportDocument foreign = experiment_report(results);
+  EXPECT_TRUE(contains(std::get<ReportVerdict>(foreign.sections.front().blocks.front()).text,
+                       "another joint or model"));
+}
+
+TEST(ExperimentReport, ACampaignShowsTestsSessionsAndWhatWasLeftOut) {
+  ExperimentResults results = exact_results();
+  CampaignFound campaign;
+  campaign.entries = {{.test = "a", .use = "identify", .session = "1", .part = "level"},
+                      {.test = "b", .use = "predict", .session = "1", .part = "peak", .inside = 2}};
+  campaign.entries[0].amplitude = 1e-5;
+  campaign.entries[0].dissipation = 1.1e-6;
+  campaign.entries[0].dissipation_predicted = 1e-6;
+  campaign.sessions = {{.name = "1", .tests = 1, .levels = 1}};
+  campaign.left_out = {{.left_out = "a",
+                        .amplitude = 1e-5,
+                        .measured = 1.1e-6,
+                        .predicted = 1e-6,
+                        .lower = 0.9e-6,
+                        .upper = 1.05e-6,
+                        .verdict = "outside",
+                        .mean_deviation = 0.0953,
+                        .chance = 0.01,
+                        .contradicts = true}};
+  results.campaign = campaign;
+  const ReportDocument document = experiment_report(results);
+  std::vector<std::string> titles;
+  for (const ReportBlock& block : section(document, "Campaign").blocks) {
+    if (const auto* table = std::get_if<ReportTable>(&block)) titles.push_back(table->title);
+    if (const auto* figure = std::get_if<ReportFigure>(&block)) {
+      titles.push_back(figure->figure.title);
+    }
+  }
+  EXPECT_EQ(titles,
+            (std::vector<std::string>{"Dissipation against the joint", "Tests of the campaign",
+                                      "Sessions", "Dissipation left out", "Left out"}));
+  check_report(document);
+}
+
 // σ = √(σ_D² + (D′σ_A)²): with D′σ_A = σ_D the residuals are √2 times smaller.
 TEST(ExperimentReport, ScatterOfTheAmplitudeCountsThroughTheSlope) {
   ExperimentResults results = exact_results();

@@ -159,8 +159,10 @@ TEST(SweepComparison, AGainOfTheResponseIsInWhatIsPredicted) {
 
 TEST(SweepComparison, SaysWhatASweepLacks) {
   const ComparedTest beside = compared(sweep_of(Held::kForce, 11, 40.0, 45.0));
-  ASSERT_EQ(beside.warnings.size(), 1U);
-  EXPECT_EQ(beside.warnings[0].code, "no_resonance");
+  ASSERT_EQ(beside.warnings.size(), 2U);
+  EXPECT_EQ(beside.warnings[0].code, "no_mode_in_sweep");
+  test::expect_message(beside.warnings[0].text, "40 to 45 Hz; its nearest mode has 50 Hz");
+  EXPECT_EQ(beside.warnings[1].code, "no_resonance");
   EXPECT_EQ(beside.curves.size(), 2U);
   EXPECT_LT(beside.curves[0].deviation(), 1e-9);
 
@@ -168,6 +170,18 @@ TEST(SweepComparison, SaysWhatASweepLacks) {
   twice.phase.front() = 1.5;
   twice.phase[1] = 1.6;
   EXPECT_EQ(std::ranges::count(compared(twice).warnings, "several_resonances", &Warning::code), 1);
+}
+
+// The test has a resonance, and the model none of its frequency: the phase of a mode 10 % higher.
+TEST(SweepComparison, SaysThatNoModeOfTheModelIsInTheSweep) {
+  SteppedSine elsewhere = sweep_of(Held::kForce, 11);
+  for (double& frequency : elsewhere.frequency) frequency *= 1.1;
+  const ComparedTest far = compared(elsewhere);
+  EXPECT_EQ(std::ranges::count(far.warnings, "no_mode_in_sweep", &Warning::code), 1);
+  EXPECT_EQ(std::ranges::count(far.warnings, "no_resonance", &Warning::code), 0);
+  EXPECT_EQ(std::ranges::count(compared(sweep_of(Held::kForce, 11)).warnings, "no_mode_in_sweep",
+                               &Warning::code),
+            0);
 }
 
 TEST(SweepComparison, RefusesWhatItCannotCompare) {

@@ -19,6 +19,14 @@
 namespace microslip {
 namespace {
 
+/// An array as a message shows it: a long one by its size.
+template <typename Value>
+std::string array_text(const std::vector<Value>& values) {
+  constexpr std::size_t kLongest = 120;
+  const std::string text = printable(fmt::format("[{}]", fmt::join(values, ", ")));
+  return text.size() <= kLongest ? text : fmt::format("an array of {}", values.size());
+}
+
 constexpr std::size_t kLargestPlan = std::size_t{16} << 20U;
 constexpr std::size_t kMostValues = 1'000'000;  // of a list
 constexpr double kLargestForce = 1e12;          // N
@@ -205,8 +213,7 @@ std::vector<std::vector<std::string>> read_sensors(const toml::table& raw, const
     sensors.push_back(texts_in(*choice, table.name("sensors", i)));
     if (std::ranges::find(sensors.begin(), sensors.end() - 1, sensors.back()) !=
         sensors.end() - 1) {
-      throw InputError(table.name("sensors", i),
-                       fmt::format("[{}]", fmt::join(sensors.back(), ", ")),
+      throw InputError(table.name("sensors", i), array_text(sensors.back()),
                        "must differ from the others");
     }
   }
@@ -244,7 +251,7 @@ void read_joint_design(const toml::table& raw, const TomlTable& table, std::stri
   const std::vector<double> ends = table.numbers("amplitude_m");
   if (ends.size() != 2 || !(ends[0] >= kSmallestAmount && ends[1] > ends[0]) ||
       ends[1] > kLargestLength) {
-    throw InputError(table.name("amplitude_m"), fmt::format("[{}]", fmt::join(ends, ", ")),
+    throw InputError(table.name("amplitude_m"), array_text(ends),
                      "must be the lowest and the highest amplitude, in m, rising from above 0");
   }
   plan.lowest = ends[0];
@@ -328,7 +335,7 @@ void read_frf(const TomlTable& table, PlannedCase& planned) {
   }
   const std::vector<double> ends = table.numbers("frequency_Hz");
   if (ends.size() != 2 || ends[0] == ends[1]) {
-    throw InputError(table.name("frequency_Hz"), fmt::format("[{}]", fmt::join(ends, ", ")),
+    throw InputError(table.name("frequency_Hz"), array_text(ends),
                      "must be two frequencies, from and to");
   }
   planned.from = checked(ends[0], table.name("frequency_Hz", 0), {1e-9, kHighestFrequencyOfCase});

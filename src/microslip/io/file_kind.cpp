@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <initializer_list>
+#include <system_error>
 #include <vector>
 
+#include "microslip/base/error.hpp"
 #include "microslip/io/csv.hpp"
 #include "microslip/io/input_stream.hpp"
 #include "microslip/io/signature.hpp"
@@ -223,6 +226,16 @@ std::string file_kind(std::string_view head) {
     return std::string(schema);
   const std::vector<std::string> names = csv_column_names(head);
   return names.empty() ? std::string{} : table_kind(names);
+}
+
+std::string kind_of_file(const std::string& path) {
+  std::error_code unknown;
+  if (path == "-" || std::filesystem::is_fifo(path, unknown)) return {};
+  try {
+    return file_kind(read_kind_head(path));
+  } catch (const FileError&) {
+    return {};
+  }
 }
 
 const KnownKind* known_kind(std::string_view kind) {

@@ -93,25 +93,28 @@ ReportTable curves_table(const ComparisonFound& found) {
   ReportTable table{
       .title = "Tests as a whole",
       .caption =
-          "rms of predicted less measured, relative but of phases. Marked: so few values "
-          "inside that the draws do not foresee the test (few_inside).",
+          "rms of predicted less measured, relative but of phases. Chance: of draws with so few "
+          "values inside, or fewer. Marked: it is so small that the draws do not foresee the test "
+          "(few_inside).",
       .columns = {{"test"},
                   {"kind"},
                   {"quantity"},
                   {"values", "1", 0},
                   {"rms difference"},
                   {"inside", "1", 0},
-                  {"expected", "1", 3}}};
+                  {"expected", "1", 3},
+                  {"chance", "%", 3}}};
   for (const ComparedTest& test : found.tests) {
     for (const ComparedCurve& curve : test.curves) {
       if (curve.part != TestPart::kCurve) continue;
       if (has_few_inside(found, test, curve)) table.marked.push_back(table.rows.size());
       const auto count = static_cast<double>(curve.compared());
       const double none = std::nan("");
-      table.rows.push_back(
-          {test.source, std::string(to_string(test.kind)), shown_name(curve), count,
-           deviation_text(curve), curve.has_band() ? static_cast<double>(curve.inside()) : none,
-           curve.has_band() && found.confidence ? *found.confidence * count : none});
+      table.rows.push_back({test.source, std::string(to_string(test.kind)), shown_name(curve),
+                            count, deviation_text(curve),
+                            curve.has_band() ? static_cast<double>(curve.inside()) : none,
+                            curve.has_band() && found.confidence ? *found.confidence * count : none,
+                            100.0 * curve.chance});
     }
   }
   return table;
@@ -163,8 +166,13 @@ ReportSection comparison_summary_section(const ExperimentResults& results) {
   std::vector<Warning> warnings = results.warnings;
   std::ranges::copy(found.warnings, std::back_inserter(warnings));
   ReportVerdict verdict{.text = comparison_verdict(found), .codes = codes_of(warnings)};
-  verdict.doubtful = !found.of_this_model || std::ranges::any_of(found.warnings, speaks_against);
+  verdict.doubtful =
+      !found.of_this_model || std::ranges::any_of(found.warnings, [&](const Warning& warning) {
+        return speaks_against(found, warning);
+      });
   section.blocks.emplace_back(std::move(verdict));
+  std::vector<ReportFigure> figures = comparison_figures(found.tests);
+  if (!figures.empty()) section.blocks.emplace_back(std::move(figures.front()));
   section.blocks.emplace_back(reach_of_comparison(found));
   section.blocks.emplace_back(ReportWarnings{.warnings = std::move(warnings), .beside = true});
   return section;

@@ -12,6 +12,7 @@
 #include "microslip/io/csv.hpp"
 #include "microslip/io/warning_comment.hpp"
 #include "microslip/workflow/comparison_table.hpp"
+#include "microslip/workflow/comparison_text.hpp"
 #include "microslip/workflow/table_cells.hpp"
 
 namespace microslip {
@@ -25,17 +26,39 @@ std::vector<Warning> warnings_in(const CsvTable& table) {
   return warnings;
 }
 
+/// The number before a text in it; nothing where the text is not there.
+std::optional<double> number_before(std::string_view text, std::string_view end) {
+  const std::size_t at = text.find(end);
+  if (at == std::string_view::npos) return std::nullopt;
+  const std::string_view before = text.substr(0, at);
+  const std::string_view number = before.substr(before.rfind(' ') + 1);
+  double value = 0.0;
+  const auto [stop, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+  if (error != std::errc() || stop != number.data() + number.size()) return std::nullopt;
+  return value;
+}
+
 /// P of a line "draws: N of seed S, P % between lower and upper; …".
 std::optional<double> confidence_in(std::string_view comment) {
-  constexpr std::string_view kEnd = " % between lower and upper";
-  const std::size_t end = comment.find(kEnd);
-  if (!comment.starts_with("draws: ") || end == std::string_view::npos) return std::nullopt;
-  const std::string_view before = comment.substr(0, end);
-  const std::string_view number = before.substr(before.rfind(' ') + 1);
-  double percent = 0.0;
-  const auto [stop, error] = std::from_chars(number.data(), number.data() + number.size(), percent);
-  if (error != std::errc() || stop != number.data() + number.size()) return std::nullopt;
-  return percent / 100.0;
+  if (!comment.starts_with("draws: ")) return std::nullopt;
+  const std::optional<double> percent = number_before(comment, " % between lower and upper");
+  return percent ? std::optional(*percent / 100.0) : std::nullopt;
+}
+
+/// Of a line "SOURCE: QUANTITY: N of M inside, E expected; C % of the draws have so few or fewer", C
+/// for its curve. @return whether it is one.
+bool take_chance(const std::string& comment, std::vector<ComparedTest>& tests) {
+  const std::optional<double> percent = number_before(comment, " % of the draws have so few or");
+  if (!percent) return false;
+  for (ComparedTest& test : tests) {
+    for (ComparedCurve& curve : test.curves) {
+      const bool whole = curve.part == TestPart::kCurve;
+      if (whole && comment.starts_with(fmt::format("{}: {}: ", test.source, shown_name(curve)))) {
+        curve.chance = *percent / 100.0;
+      }
+    }
+  }
+  return true;
 }
 
 /// How the program says what it did, and from which files: not of the tests.
@@ -90,6 +113,7 @@ ComparisonFound comparison_of(const NamedInput& input) {
   for (const std::string& comment : table.comments()) {
     if (const auto confidence = confidence_in(comment)) found.confidence = confidence;
     if (is_of_provenance(comment) || parse_warning_comment(comment)) continue;
+    if (take_chance(comment, found.tests)) continue;
     found.notes.push_back(comment);
   }
   return found;

@@ -37,10 +37,10 @@ std::string largest_differences(const std::vector<ComparedTest>& tests) {
 }
 
 /// "few_inside, no_mode_in_sweep" of those that speak against it, each once.
-std::string codes_against(const std::vector<Warning>& warnings) {
+std::string codes_against(const ComparisonFound& found) {
   std::vector<std::string> codes;
-  for (const Warning& warning : warnings) {
-    if (speaks_against(warning) && std::ranges::count(codes, warning.code) == 0) {
+  for (const Warning& warning : found.warnings) {
+    if (speaks_against(found, warning) && std::ranges::count(codes, warning.code) == 0) {
       codes.push_back(warning.code);
     }
   }
@@ -61,10 +61,14 @@ InsideCount count_inside(const std::vector<ComparedTest>& tests) {
   return count;
 }
 
-bool speaks_against(const Warning& warning) {
+bool speaks_against(const ComparisonFound& found, const Warning& warning) {
   constexpr std::array<std::string_view, 5> kNot = {
       "draws_few", "no_resonance", "several_resonances", "truncated", "viscous_not_drawn"};
-  return std::ranges::count(kNot, warning.code) == 0;
+  if (std::ranges::count(kNot, warning.code) > 0) return false;
+  if (warning.code.starts_with("joint_")) return true;
+  return std::ranges::any_of(found.tests, [&](const ComparedTest& test) {
+    return warning.text.starts_with(test.source + ": ");
+  });
 }
 
 std::string comparison_verdict(const ComparisonFound& found) {
@@ -78,13 +82,13 @@ std::string comparison_verdict(const ComparisonFound& found) {
                        tests);
     if (found.confidence) {
       text +=
-          fmt::format(", {:.1f} expected", *found.confidence * static_cast<double>(count.banded));
+          fmt::format(", {:.0f} expected", *found.confidence * static_cast<double>(count.banded));
     }
   } else {
     text = fmt::format("{}, without bands to judge them by (verify --draws)", tests);
   }
   text += fmt::format("; largest rms differences: {}", largest_differences(found.tests));
-  const std::string against = codes_against(found.warnings);
+  const std::string against = codes_against(found);
   return against.empty() ? text : fmt::format("{}. Against it: {}", text, against);
 }
 

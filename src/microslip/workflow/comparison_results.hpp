@@ -19,7 +19,7 @@ namespace microslip {
 /// comparison.csv.
 struct ComparisonFound {
   std::vector<ComparedTest> tests = {};   ///< without their loops, and what became of draws
-  std::vector<std::string> notes = {};    ///< how columns were taken, draws, values inside
+  std::vector<std::string> notes = {};    ///< how columns were taken, and draws
   std::vector<Warning> warnings = {};     ///< each names its test
   std::optional<double> confidence = {};  ///< P of the bands; nothing without draws
   /// Whether it was made with the joint.json, or the model.toml, that lies beside it.
@@ -81,7 +81,7 @@ struct InsideCount {
 /// warnings that speak against it, by their codes.
 [[nodiscard]] std::string comparison_verdict(const ComparisonFound& found);
 
-/// Whether a warning of a comparison speaks against model, joint or test.
-[[nodiscard]] bool speaks_against(const Warning& warning);
+/// Whether a warning of a comparison speaks against model, joint or one of its tests.
+[[nodiscard]] bool speaks_against(const ComparisonFound& found, const Warning& warning);
 
 }  // namespace microslip

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+
+// node comparison_test.mjs MICROSLIP FOLDER: the report of a campaign, and of tests against a model alone, in a
+// browser: what the first screen says of the predictions, the tables and figures of both sections, on a desk and on
+// a phone. Pictures are left in FOLDER.
+
+import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
+import {readFileSync, rmSync, writeFileSync} from 'node:fs';
+import * as tools from './browser.mjs';
+
+const [program, path] = process.argv.slice(2);
+const browser = await tools.launch();
+rmSync(path, {recursive: true, force: true});
+const artefacts = tools.folder(path);
+const run = (...args) => execFileSync(program, [...args, '--quiet'], {cwd: artefacts, stdio: 'inherit'});
+const put = (name, text) => writeFileSync(`${artefacts}/${name}`, text);
+
+put('joint.json', `{"schema": "microslip.joint/1", "stiffness_N_per_m": 4e5, "density": [{"type": "power_law",
+  "coefficient": 0.0002, "exponent": 0.2, "from_N": 0, "to_N": 150}]}\n`);
+put('rig.toml', `schema = "microslip.rig/1"
+[modes]
+frequency_Hz = [80.0]
+excitation = [0.7]
+joint = [0.7]
+[damping]
+loss_factor = [0.002]
+[excitation]
+channel = "force"
+[[accelerometer]]
+channel = "acceleration"
+shape = [0.7]
+`);
+run('model', 'rig.toml', 'joint.json', '--out', 'true.toml');
+
+let seed = 5;
+/** Even, of standard deviation 1. */
+const noise = () => { seed = (seed * 48271) % 2147483647; return Math.sqrt(12) * (seed / 2147483647 - 0.5); };
+
+/** A sweep at a response, µm, whose force is read with a gain. */
+function sweep(name, response, gain = 1) {
+  run('frf', 'true.toml', '--response', `${response}um`, '--frequency', '78.5:80.8', '--at', '78.5:80.8:41', '--out', 'f.csv');
+  const rows = readFileSync(`${artefacts}/f.csv`, 'utf8').split('\n').filter((line) => line && !line.startsWith('#'));
+  const names = rows.shift().split(',').map((column) => column.split(' ')[0]);
+  const cell = (row, column) => Number(row[names.indexOf(column)]);
+  const lines = rows.map((line) => line.split(',')).map((row) => [cell(row, 'frequency'),
+    gain * cell(row, 'force') * (1 + 0.004 * noise()), cell(row, 'acceleration') * (1 + 0.002 * noise()),
+    Math.PI - cell(row, 'phase')].join(','));
+  put(name, `frequency [Hz],force [N],acceleration [m/s^2],phase [rad]\n${lines.join('\n')}\n`);
+}
+
+/** A test of the campaign. */
+const test = (name, use, session) => `[[test]]\nname = "${name}"\nfile = "${name}.csv"\nuse = "${use}"\nsession = "${session}"\n`;
+let campaign = `schema = "microslip.campaign/1"
+structure = "rig.toml"
+[identification]
+stiffness_N_per_m = 4e5
+draws = 200
+leave_one_out = "tests"
+[prediction]
+force_gain_std = 0.02
+`;
+for (const session of ['monday', 'friday']) {
+  const names = [20, 40, 60, 90, 130, 180, 250].map((response) => `${session}_${response}.csv`);
+  for (const name of names) sweep(name, Number(name.match(/\d+/)[0]));
+  run('reduce', 'rig.toml', ...names, '--out', `${session}.csv`);
+  campaign += `${test(session, 'identify', session)}conditions = {torque_Nm = 12}\n`;
+}
+sweep('middle.csv', 100);
+sweep('strange.csv', 150, 1.15);  // its force is read 15 % too high
+put('campaign.toml', campaign + test('middle', 'predict', 'monday') + test('strange', 'predict', 'monday'));
+run('campaign', 'campaign.toml', '--out', 'found');
+run('report', 'found', '--out', 'found.html');
+
+const found = `${artefacts}/found.html`;
+const bytes = tools.checkSize(found);
+const {page, faults} = await tools.open(browser, found, {viewport: {width: 1300, height: 900}});
+await tools.checkEveryFigure(page);
+const reach = await page.locator('dt:text-is("predictions against tests") + dd').textContent();
+assert.match(reach, /^\d+ of \d+ values of 2 tests inside of their bands/);
+assert.match(reach, /Against it: .*few_inside/);
+assert.doesNotMatch(await page.locator('body').textContent(), /held against no record|no verification\.csv/);
+const row = (table, text) => page.locator('.table-block', {hasText: table}).locator('tbody tr', {hasText: text});
+for (const [quantity, verdict] of [['force', 'outside'], ['frequency', 'inside'], ['damping ratio', 'outside']]) {
+  const shown = row('Measured and predicted values', 'strange.csv').filter({hasText: quantity});
+  assert.match(await shown.textContent(), new RegExp(`${verdict}$`), quantity);
+  assert.equal(await shown.evaluate((node) => node.classList.contains('marked')), verdict === 'outside', quantity);
+}
+assert.equal(await page.locator('.table-block', {hasText: 'Tests as a whole'}).locator('tr.marked').count(), 1);
+assert.match(await row('Tests of the campaign', 'monday').first().textContent(), /^mondayidentifymondaytorque_Nm 127/);
+assert.equal(await row('Sessions', 'friday').count() > 0, true);
+assert.equal(await page.locator('.table-block', {hasText: 'Left out'}).first().locator('tbody tr').count(), 2);
+const force = tools.figure(page, 'Measured and predicted force');
+assert.deepEqual(await force.locator('option').allTextContents(), ['middle.csv', 'strange.csv']);
+await force.locator('select').selectOption('strange.csv');
+assert.match(await force.locator('.legend').textContent(), /measured, outside/);
+assert.deepEqual(faults, []);
+await tools.takePictures(browser, found, artefacts);
+await tools.checkFirstScreen(browser, found, ['few_inside'], artefacts);
+
+// A comparison by itself, without draws: no bands, and that is said.
+tools.folder(`${artefacts}/compared`);
+run('verify', 'true.toml', 'middle.csv', '--out', 'compared/comparison.csv');
+run('report', 'compared', '--out', 'compared.html');
+const alone = await tools.open(browser, `${artefacts}/compared.html`);
+await tools.checkEveryFigure(alone.page);
+assert.match(await alone.page.locator('.verdict').textContent(), /1 test, without bands to judge them by/);
+assert.doesNotMatch(await alone.page.locator('body').textContent(), /No joint\.json/);
+assert.deepEqual(alone.faults, []);
+const pictures = tools.folder(`${artefacts}/alone`);
+await tools.takePictures(browser, `${artefacts}/compared.html`, pictures);
+await tools.checkFirstScreen(browser, `${artefacts}/compared.html`, [], pictures);
+await browser.close();
+console.log(`measured: ${JSON.stringify({bytes})}`);
+console.log('ok');

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/workflow/comparison_results.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "microslip/base/error.hpp"
+#include "microslip/workflow/comparison_input.hpp"
+#include "microslip/workflow/comparison_table.hpp"
+#include "support/messages.hpp"
+
+namespace microslip::comparison_results_test {
+namespace {
+
+/// Two of three values of force in a band of 95 %, and a warning of the test.
+VerifiedTests verified(bool drawn) {
+  ComparedCurve force{.quantity = "force",
+                      .dimension = kForce,
+                      .axis = "frequency",
+                      .axis_dimension = kFrequency,
+                      .at = {10.0, 11.0, 12.0},
+                      .measured = {1.0, 2.0, 3.0},
+                      .predicted = {1.0, 2.0, 3.3},
+                      .chance = 0.25};
+  if (drawn) {
+    force.lower = {0.9, 1.9, 3.1};
+    force.upper = {1.1, 2.1, 3.5};
+  }
+  ComparedTest test{.source = "a.csv", .curves = {force}, .note = "phase: as it is"};
+  if (drawn) test.taken = DrawsTaken{.options = {.count = 40}, .failures = {}};
+  test.warnings = {{"draws_few", "take more."}};
+  if (drawn) test.warnings.push_back({"few_inside", "2 of 3 values of force lie inside."});
+  return {.heading = "microslip 0.1.0: microslip verify\nm.toml: sha256 ab", .tests = {test}};
+}
+
+ComparisonFound read_back(bool drawn) {
+  return comparison_of({"comparison.csv", comparison_table(verified(drawn))});
+}
+
+TEST(ComparisonResults, HoldWhatTheCommentsOfTheTableTell) {
+  const ComparisonFound found = read_back(true);
+  EXPECT_EQ(found.confidence, 0.95);
+  ASSERT_EQ(found.warnings.size(), 2U);
+  EXPECT_EQ(found.warnings[1].code, "few_inside");
+  EXPECT_EQ(found.warnings[1].text, "a.csv: 2 of 3 values of force lie inside.");
+  ASSERT_EQ(found.notes.size(), 2U);  // draws, and how the phase was taken: not call, nor hashes
+  EXPECT_EQ(found.notes[1], "a.csv: phase: as it is");
+  EXPECT_EQ(found.tests.at(0).curves.at(0).chance, 0.25);
+}
+
+TEST(ComparisonResults, VerdictCountsTheValuesInside) {
+  const std::string verdict = comparison_verdict(read_back(true));
+  test::expect_message(verdict, "2 of 3 values of 1 test inside of their bands, 3 expected");
+  // rms of (3.3/3 − 1) and two zeros: 0.1/√3.
+  test::expect_message(verdict, "force 5.8 %");
+  test::expect_message(verdict, "Against it: few_inside");
+  EXPECT_EQ(verdict.find("draws_few"), std::string::npos) << verdict;
+}
+
+TEST(ComparisonResults, VerdictWithoutDrawsSaysThatThereAreNoBands) {
+  test::expect_message(comparison_verdict(read_back(false)),
+                       "1 test, without bands to judge them by (verify --draws)");
+  ComparisonFound other = read_back(true);
+  other.of_this_model = false;
+  EXPECT_EQ(comparison_verdict(other), "not told: the comparison is of another joint or model");
+}
+
+TEST(ComparisonResults, CampaignsAreReadByTheirColumns) {
+  CampaignFound found;
+  add_campaign_table(
+      {"campaign.csv",
+       "# warning: code: what.\n"
+       "test,use,session,condition_torque,part,source,amplitude [m],frequency [Hz],"
+       "frequency_predicted [Hz],dissipation [J],dissipation_predicted [J],force_verdict,"
+       "frequency_verdict\n"
+       "a,identify,1,12,level,a.csv:1,1e-5,50,50.1,1e-6,2e-6,,\n"
+       "b,predict,1,,peak,b.csv,,50,51,,,inside,outside\n"},
+      found);
+  ASSERT_EQ(found.entries.size(), 2U);
+  EXPECT_EQ(found.entries[0].conditions, "torque 12");
+  EXPECT_EQ(found.entries[0].dissipation_predicted, 2e-6);
+  EXPECT_EQ(found.entries[1].inside, 1U);
+  EXPECT_EQ(found.entries[1].outside, 1U);
+  ASSERT_EQ(found.warnings.size(), 1U);
+  EXPECT_EQ(found.warnings[0].text, "what.");
+  test::expect_message(test::message_or<FormatError>(
+                           "none",
+                           [&] {
+                             add_sessions({"sessions.csv", "session,tests [1]\na,-1\n"}, found);
+                             return 0;
+                           }),
+                       "sessions.csv:2:3: expected a count");
+}
+
+}  // namespace
+}  // namespace microslip::comparison_results_test
