@@ -63,17 +63,17 @@ template <class Parcel, class Plain>
 requires std::is_trivially_copyable_v<Plain>
 void pass(Parcel& parcel, Plain& value) { parcel.bytes(&value, sizeof value); }
 
-/// Texts and vectors of plain values. Memory is taken as the bytes come: the sender may be out of
-/// its mind.
+/// Texts and vectors of plain values. Memory is taken as the bytes come, as much again as came
+/// before: the sender may be out of its mind.
 template <class Parcel, class Block>
 void pass_block(Parcel& parcel, Block& block) {
-  constexpr std::size_t kStep = std::size_t{1} << 22U;
+  constexpr std::size_t kFirst = std::size_t{1} << 12U;
   std::size_t size = block.size();
   pass(parcel, size);
   for (std::size_t done = 0; done < size;) {
-    const std::size_t count = std::min(kStep, size - done);
+    const std::size_t count = std::min(std::max(kFirst, done), size - done);
     if constexpr (!Parcel::kWrites) {
-      block.reserve(std::min(size, std::max(2 * block.capacity(), done + count)));
+      block.reserve(done + count);
       block.resize(done + count);
     }
     parcel.bytes(block.data() + done, count * sizeof block[0]);
