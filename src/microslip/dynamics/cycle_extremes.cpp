@@ -11,18 +11,34 @@
 namespace microslip {
 namespace {
 
-/// The extreme between two angles: a maximum for sign = 1, a minimum for −1.
-double turning_angle(std::span<const double> coefficients, double low, double high, double sign) {
+struct TurningPoint {
+  double tau;
+  bool later;  // than the sample
+  Motion motion;
+};
+
+/// The extreme next to a sample: a maximum for sign = 1, a minimum for −1. What Newton's method
+/// evaluated last is the motion there, as the velocity is 0.
+TurningPoint turning_point(std::span<const double> coefficients, Wave wave, double here,
+                           double step, double sign) {
+  Motion motion = motion_at(coefficients, here, wave);
+  const bool later = sign * motion.velocity > 0.0;
+  const double low = later ? here : here - step;
+  const double high = low + step;
+  const double near = here - motion.velocity / motion.acceleration;
+  const double start = near >= low && near <= high ? near : 0.5 * (low + high);
   const auto descent = [&](double tau) {
-    const Motion motion = motion_at(coefficients, tau);
+    motion = motion_at(coefficients, tau, wave);
     return Growing{-sign * motion.velocity, -sign * motion.acceleration};
   };
-  return growing_zero(descent, low, high);
+  const double tau = growing_zero_from(start, descent, low, high);
+  return {tau, later, motion};
 }
 
 }  // namespace
 
-void CycleExtremes::find(std::span<const double> x, std::span<const double> coefficients) {
+void CycleExtremes::find(std::span<const double> x, std::span<const double> coefficients,
+                         Wave wave) {
   extremes_.clear();
   const std::size_t n = x.size();
   const double step = 2.0 * std::numbers::pi / static_cast<double>(n);
@@ -30,7 +46,8 @@ void CycleExtremes::find(std::span<const double> x, std::span<const double> coef
   double direction = 0.0;
   for (std::size_t k = n; k-- > 0 && direction == 0.0;) direction = x[(k + 1) % n] - x[k];
   if (direction == 0.0) return;
-  for (std::size_t k = 0; k < n; ++k) {
+  const std::size_t looked_at = wave == Wave::kOdd ? n / 2 : n;
+  for (std::size_t k = 0; k < looked_at; ++k) {
     const double ahead = x[k + 1 < n ? k + 1 : 0] - x[k];
     if (!(ahead * direction < 0.0)) {
       if (ahead != 0.0) direction = ahead;
@@ -38,13 +55,23 @@ void CycleExtremes::find(std::span<const double> x, std::span<const double> coef
     }
     const double sign = direction > 0.0 ? 1.0 : -1.0;
     direction = ahead;
-    const double here = step * static_cast<double>(k);
-    const bool later = sign * motion_at(coefficients, here).velocity > 0.0;
-    const double tau = later ? turning_angle(coefficients, here, here + step, sign)
-                             : turning_angle(coefficients, here - step, here, sign);
-    const double value = motion_at(coefficients, tau).value;
-    extremes_.push_back({tau, sign * std::max(sign * value, sign * x[k]),
-                         static_cast<Eigen::Index>(later ? (k + 1) % n : k)});
+    const TurningPoint turn =
+        turning_point(coefficients, wave, step * static_cast<double>(k), step, sign);
+    extremes_.push_back({turn.tau, sign * std::max(sign * turn.motion.value, sign * x[k]),
+                         turn.motion.acceleration,
+                         static_cast<Eigen::Index>(turn.later ? (k + 1) % n : k)});
+  }
+  if (wave == Wave::kOdd) add_opposite(n);
+}
+
+/// Half a period later.
+void CycleExtremes::add_opposite(std::size_t samples) {
+  const auto count = static_cast<Eigen::Index>(samples);
+  const std::size_t half = extremes_.size();
+  for (std::size_t i = 0; i < half; ++i) {
+    const Extreme& e = extremes_[i];
+    extremes_.push_back(
+        {e.tau + std::numbers::pi, -e.displacement, -e.acceleration, (e.next + count / 2) % count});
   }
 }
 

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "microslip/dynamics/trigonometric_basis.hpp"
+
 namespace microslip {
 
 /// The extremes of a trigonometric polynomial over its period, in the order of time: where a joint
@@ -15,15 +17,18 @@ class CycleExtremes {
   struct Extreme {
     double tau;           ///< angle in the period, rad
     double displacement;  ///< x there, m
+    double acceleration;  ///< d²x/dτ² there, m
     Eigen::Index next;    ///< the first sample behind it
   };
 
   /// An extreme lies beside each sample that is above (below) both of its neighbours, and the sign
   /// of the velocity at the sample tells on which side; Newton's method, kept in the interval,
   /// finds it.
-  /// @param x             the samples, equally spaced over the period.
+  /// @param x             the samples, equally spaced over the period; of an odd wave an even
+  ///                      number, the second half the first turned round.
   /// @param coefficients  as in trigonometric_basis.hpp.
-  void find(std::span<const double> x, std::span<const double> coefficients);
+  /// @param wave          of an odd wave the second half of the extremes is the first turned round.
+  void find(std::span<const double> x, std::span<const double> coefficients, Wave wave);
 
   /// 0 where all samples are equal; otherwise even, a maximum after each minimum.
   [[nodiscard]] std::size_t size() const { return extremes_.size(); }
@@ -35,6 +40,8 @@ class CycleExtremes {
   [[nodiscard]] double highest() const;
 
  private:
+  void add_opposite(std::size_t samples);
+
   std::vector<Extreme> extremes_;
 };
 

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <span>
 
+#include "microslip/dynamics/trigonometric_basis.hpp"
+
 namespace microslip {
 
 /// What the sums over samples of a force with kinks miss of its harmonics. Internal to dynamics.
@@ -21,17 +23,18 @@ namespace microslip {
 /// terms to the order of h in h Σ g are kept.
 class KinkCorrection {
  public:
-  KinkCorrection(std::size_t harmonics, std::size_t samples);
+  explicit KinkCorrection(std::size_t samples);
 
-  /// Starts anew. @param coefficients  of x, kept by reference.
-  void reset(std::span<const double> coefficients);
+  /// Starts anew. @param coefficients  of x, kept by reference. @param wave  which those are.
+  void reset(std::span<const double> coefficients, Wave wave);
 
   /// A reversal: the tangent jumps while the velocity is 0.
-  /// @param tau   in the interval of samples that ends with `next`.
-  /// @param row   T(τ).
-  /// @param jump  of the tangent, N/m.
-  void add_turn(double tau, Eigen::Index next, const Eigen::Ref<const Eigen::VectorXd>& row,
-                double jump);
+  /// @param tau           in the interval of samples that ends with `next`.
+  /// @param acceleration  d²x/dτ² there.
+  /// @param row           T(τ).
+  /// @param jump          of the tangent, N/m.
+  void add_turn(double tau, Eigen::Index next, double acceleration,
+                const Eigen::Ref<const Eigen::VectorXd>& row, double jump);
 
   /// A jump of the tangent on the way, where x passes x_ref + constant.
   /// @param reference  T where x is x_ref.
@@ -46,6 +49,7 @@ class KinkCorrection {
  private:
   double step_;  // h, rad
   std::span<const double> coefficients_;
+  Wave wave_ = Wave::kAny;
   Eigen::VectorXd row_;
   Eigen::VectorXd slope_;  // dT/dτ
   Eigen::VectorXd sums_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <utility>
 
 #include "microslip/dynamics/bracketed_newton.hpp"
 
@@ -14,8 +15,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
 /// Whether x(τ + π) = −x(τ): no even harmonics.
 bool is_odd_wave(std::span<const double> coefficients) {
   for (Index i = 0; i < static_cast<Index>(coefficients.size()); ++i) {
@@ -24,96 +23,95 @@ bool is_odd_wave(std::span<const double> coefficients) {
   return true;
 }
 
-/// Then f(τ + π) = −f(τ), and even and odd harmonics do not know of each other: what rounding
-/// leaves of that goes, so that those who solve equations with it see it.
-void keep_odd_wave(Eigen::Map<VectorXd>& force, Eigen::Map<RowMajorMatrix>& jacobian) {
-  for (Index i = 0; i < force.size(); ++i) {
-    if (is_even_coefficient(i)) force[i] = 0.0;
-    for (Index j = 0; j < force.size(); ++j) {
-      if (is_even_coefficient(i) != is_even_coefficient(j)) jacobian(i, j) = 0.0;
-    }
-  }
+std::span<const double> to_span(const VectorXd& x, Index first, Index count) {
+  return {x.data() + first, static_cast<std::size_t>(count)};
+}
+
+std::span<double> to_span(VectorXd& x, Index first, Index count) {
+  return {x.data() + first, static_cast<std::size_t>(count)};
 }
 
 }  // namespace
 
+SteadyCycle::Columns::Columns(Wave which, std::size_t harmonics)
+    : wave(which), motion(coefficients_of(which, harmonics)), sums(motion), first_moment(0) {
+  const bool odd = which == Wave::kOdd;
+  if (odd) first_moment = sums.size();
+  const Index first = odd ? 0 : coefficient_count(harmonics);
+  for (Index i = first; i < coefficient_count(2 * harmonics); ++i) {
+    if (!odd || is_even_coefficient(i)) sums.push_back(i);
+  }
+}
+
 SteadyCycle::SteadyCycle(std::size_t harmonics, std::size_t samples)
     : basis_(harmonics, samples),
       step_(2.0 * std::numbers::pi / static_cast<double>(samples)),
+      any_(Wave::kAny, harmonics),
+      odd_(Wave::kOdd, harmonics),
       x_(basis_.samples()),
       force_(basis_.samples()),
-      tangent_(basis_.samples()),
-      kinks_(harmonics, samples),
-      jump_gradient_(coefficient_count(harmonics)),
-      part_(coefficient_count(2 * harmonics)),
-      moments_(coefficient_count(2 * harmonics)),
-      through_reversals_(coefficient_count(harmonics), coefficient_count(harmonics)) {}
+      slope_(basis_.samples()),
+      kinks_(samples),
+      moments_(coefficient_count(2 * harmonics)) {}
 
 HarmonicForce::Cycle SteadyCycle::evaluate(const Joint& joint, std::span<const double> displacement,
                                            std::span<double> force, std::span<double> jacobian) {
-  const Index n = coefficient_count(basis_.harmonics());
-  const Eigen::Map<const VectorXd> coefficients(displacement.data(), n);
-  x_.noalias() = basis_.rows().leftCols(n) * coefficients;
-  extremes_.find({x_.data(), static_cast<std::size_t>(x_.size())}, displacement);
-  coefficients_of_x_ = displacement;
-  moments_.setZero();
-  kinks_.reset(displacement);
-  through_reversals_.setZero();
-  reaches_.clear();
-  const bool odd = basis_.samples() % 2 == 0 && is_odd_wave(displacement);
-  const bool half = odd && extremes_turn_round();
+  begin(displacement);
   if (extremes_.size() == 0) {
     at_rest(joint);
   } else {
-    march(joint, half);
+    march(joint);
   }
-  const double times = half ? 2.0 : 1.0;
-  Eigen::Map<VectorXd> f(force.data(), n);
-  f.noalias() = basis_.rows().leftCols(n).transpose() * force_;
-  f += times * kinks_.sums();
-  f.array() *= basis_.weights().array();
-  moments_[0] *= times * basis_.weights()[0];
-  moments_.tail(moments_.size() - 1) *= times * basis_.weights()[1];
-  Eigen::Map<RowMajorMatrix> j(jacobian.data(), n, n);
-  through_reversals_ += kinks_.derivatives();
-  j = times * basis_.weights().asDiagonal() * through_reversals_;
-  j += multiplication_matrix(moments_, basis_.harmonics());
-  if (odd) keep_odd_wave(f, j);
+  hand_over(force, jacobian);
   if (extremes_.size() == 0) return {x_[0], x_[0], 0};
   return {extremes_.lowest(), extremes_.highest(), extremes_.size()};
+}
+
+/// The samples of the motion and its extremes.
+void SteadyCycle::begin(std::span<const double> displacement) {
+  const bool odd = basis_.samples() % 2 == 0 && is_odd_wave(displacement);
+  columns_ = odd ? &odd_ : &any_;
+  motion_.clear();
+  for (const Index i : columns_->motion) {
+    motion_.push_back(displacement[static_cast<std::size_t>(i)]);
+  }
+  const Index half = basis_.samples() / 2;
+  basis_.evaluate(columns_->motion, motion_, to_span(x_, 0, odd ? half : basis_.samples()));
+  if (odd) x_.tail(half) = -x_.head(half);
+  extremes_.find(to_span(std::as_const(x_), 0, x_.size()), motion_, columns_->wave);
+  half_ = odd && extremes_.size() > 0;
+
+  const auto n = static_cast<Index>(motion_.size());
+  moments_.setZero();
+  kinks_.reset(motion_, columns_->wave);
+  jump_gradient_.resize(n);
+  through_reversals_.setZero(n, n);
+  part_.resize(static_cast<Index>(columns_->sums.size()));
+  sums_.resize(motion_.size());
+  reaches_.clear();
 }
 
 // On the virgin curve at x_0; motion that starts there is at first elastic.
 void SteadyCycle::at_rest(const Joint& joint) {
   force_.setConstant(joint.virgin_force(x_[0]));
-  tangent_.setConstant(joint.stiffness());
-  moments_.noalias() = basis_.rows().transpose() * tangent_;
-}
-
-/// Whether each extreme has its counterpart half a period later, as an odd wave has but for what
-/// rounding makes of extremes that hardly are.
-bool SteadyCycle::extremes_turn_round() const {
-  constexpr double kSame = 1e-9;
-  const std::size_t count = extremes_.size();
-  if (count == 0 || count % 2 == 1) return false;
-  const double limit = kSame * std::abs(extremes_[extremes_.largest()].displacement);
-  for (std::size_t i = 0; i < count / 2; ++i) {
-    const double sum = extremes_[i].displacement + extremes_[i + count / 2].displacement;
-    if (std::abs(sum) > limit) return false;
-  }
-  return true;
+  moments_[0] = static_cast<double>(basis_.samples()) * joint.stiffness();
 }
 
 /// Through the whole cycle, or, where the second half is the first turned round, through that: its
 /// sums are half of those in odd harmonics of the force, and in derivatives of odd harmonics by odd
-/// and even by even ones. What else they hold vanishes over the whole.
-void SteadyCycle::march(const Joint& joint, bool half) {
+/// ones.
+void SteadyCycle::march(const Joint& joint) {
   const std::size_t count = extremes_.size();
-  const Index n = coefficient_count(basis_.harmonics());
+  const auto n = static_cast<Index>(motion_.size());
   rows_.resize(n, static_cast<Index>(count));
   gradients_.resize(n, static_cast<Index>(count));
-  for (std::size_t i = 0; i < count; ++i) {
-    basis_at(extremes_[i].tau, rows_.col(static_cast<Index>(i)));
+  const auto apart = static_cast<Index>(count / 2);
+  for (Index i = 0; i < static_cast<Index>(count); ++i) {
+    if (half_ && i >= apart) {
+      rows_.col(i) = -rows_.col(i - apart);
+    } else {
+      basis_at(extremes_[static_cast<std::size_t>(i)].tau, columns_->wave, rows_.col(i));
+    }
   }
   const std::size_t start = extremes_.largest();
   const auto column = static_cast<Index>(start);
@@ -122,9 +120,8 @@ void SteadyCycle::march(const Joint& joint, bool half) {
   stack_.assign(1, {start, joint.virgin_force(x)});
   reaches_.push_back({std::abs(x), start, start});
 
-  const std::size_t steps = half ? count / 2 : count;
-  const Index all = half ? basis_.samples() / 2 : basis_.samples();
-  Index left = all;
+  const std::size_t steps = half_ ? count / 2 : count;
+  Index left = half_ ? basis_.samples() / 2 : basis_.samples();
   for (std::size_t step = 0; step < steps; ++step) {
     const std::size_t from = (start + step) % count;
     const std::size_t to = (from + 1) % count;
@@ -134,21 +131,51 @@ void SteadyCycle::march(const Joint& joint, bool half) {
     left -= samples;
     segment(joint, from, to, samples);
   }
-  if (half) turn_round(extremes_[start].next, all);
+  if (half_) turn_round(extremes_[start].next);
   std::ranges::sort(reaches_, std::greater{}, &Reach::half);
 }
 
-/// The forces at the samples of the other half, and its branches.
-void SteadyCycle::turn_round(Index first, Index samples) {
-  const Index count = basis_.samples();
-  for (Index k = first; k < first + samples; ++k) {
-    force_[(k + samples) % count] = -force_[k % count];
-  }
+/// The forces at the first half of the samples from those at half a cycle that starts somewhere,
+/// and the branches of the other half.
+void SteadyCycle::turn_round(Index first) {
+  const Index apart = basis_.samples() / 2;
+  const Index low = first < apart ? 0 : first - apart;  // the samples that were not gone through
+  const Index high = first < apart ? first : apart;
+  force_.segment(low, high - low) = -force_.segment(low + apart, high - low);
   const std::size_t extremes = extremes_.size();
   const std::size_t branches = reaches_.size();
   const auto opposite = [&](std::size_t i) { return (i + extremes / 2) % extremes; };
   for (std::size_t i = 1; i < branches; ++i) {  // the way from virgin rest is one
     reaches_.push_back({reaches_[i].half, opposite(reaches_[i].at), opposite(reaches_[i].from)});
+  }
+}
+
+/// From sums to harmonics. Even and odd ones of an odd wave do not know of each other, exactly, so
+/// that those who solve equations with it see it.
+void SteadyCycle::hand_over(std::span<double> force, std::span<double> jacobian) {
+  const double times = half_ ? 2.0 : 1.0;
+  const std::vector<Index>& motion = columns_->motion;
+  basis_.sum(motion, 0, to_span(force_, 0, half_ ? basis_.samples() / 2 : basis_.samples()), sums_);
+  const VectorXd& weights = basis_.weights();
+  moments_[0] *= times * weights[0];
+  moments_.tail(moments_.size() - 1) *= times * weights[1];
+  const Eigen::MatrixXd by_tangent =
+      multiplication_matrix(moments_, basis_.harmonics(), columns_->wave);
+  const bool odd = columns_->wave == Wave::kOdd;
+  if (odd) std::ranges::fill(force, 0.0);
+  if (odd) std::ranges::fill(jacobian, 0.0);
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    const auto row = static_cast<Index>(i);
+    const auto place = static_cast<std::size_t>(motion[i]);
+    const double weight = times * weights[motion[i]];
+    force[place] = weight * (sums_[i] + kinks_.sums()[row]);
+    double* line = jacobian.data() + place * force.size();
+    for (std::size_t j = 0; j < motion.size(); ++j) {
+      const auto column = static_cast<Index>(j);
+      line[motion[j]] =
+          weight * (through_reversals_(row, column) + kinks_.derivatives()(row, column)) +
+          by_tangent(row, column);
+    }
   }
 }
 
@@ -245,7 +272,7 @@ double SteadyCycle::angle_at(const Stretch& stretch, double x) const {
   if (is_next(stretch.from)) low = std::clamp(turn(stretch.from), low, end);
   if (is_next(stretch.to)) high = std::clamp(turn(stretch.to), low, end);
   const auto excess = [&](double tau) {
-    const Motion motion = motion_at(coefficients_of_x_, tau);
+    const Motion motion = motion_at(motion_, tau, columns_->wave);
     return Growing{stretch.sign * (motion.value - x), stretch.sign * motion.velocity};
   };
   return growing_zero(excess, low, high);
@@ -260,7 +287,7 @@ SteadyCycle::Reversal SteadyCycle::reversal_on(const Joint& joint, const Reversa
   const double tangent = joint.tangent_stiffness(half);
   gradients_.col(here) = gradients_.col(there) + tangent * (rows_.col(here) - rows_.col(there));
   const CycleExtremes::Extreme& turn = extremes_[at];
-  kinks_.add_turn(in_interval(turn.tau, turn.next), turn.next, rows_.col(here),
+  kinks_.add_turn(in_interval(turn.tau, turn.next), turn.next, turn.acceleration, rows_.col(here),
                   joint.stiffness() - tangent);
   reaches_.push_back({half, at, origin.at});
   return {at, origin.force + 2.0 * sign * joint.virgin_force(half)};
@@ -269,20 +296,26 @@ SteadyCycle::Reversal SteadyCycle::reversal_on(const Joint& joint, const Reversa
 /// The extremes themselves stay where they are to first order, as the velocity is 0 there.
 void SteadyCycle::reach_gradient(std::size_t rank, std::span<double> gradient) const {
   const Reach& reach = reaches_[rank];
-  Eigen::Map<VectorXd> result(gradient.data(), static_cast<Index>(gradient.size()));
   const auto at = static_cast<Index>(reach.at);
   if (reach.at == reach.from) {
-    result = rows_.col(at) * (extremes_[reach.at].displacement > 0.0 ? 1.0 : -1.0);
+    spread(rows_.col(at) * (extremes_[reach.at].displacement > 0.0 ? 1.0 : -1.0), gradient);
     return;
   }
   const auto from = static_cast<Index>(reach.from);
   const bool up = extremes_[reach.at].displacement > extremes_[reach.from].displacement;
-  result = (up ? 0.5 : -0.5) * (rows_.col(at) - rows_.col(from));
+  spread((up ? 0.5 : -0.5) * (rows_.col(at) - rows_.col(from)), gradient);
 }
 
 void SteadyCycle::turn_gradient(std::size_t i, std::span<double> gradient) const {
-  Eigen::Map<VectorXd>(gradient.data(), static_cast<Index>(gradient.size())) =
-      rows_.col(static_cast<Index>(i));
+  spread(rows_.col(static_cast<Index>(i)), gradient);
+}
+
+/// By all coefficients.
+void SteadyCycle::spread(const VectorXd& gradient, std::span<double> all) const {
+  std::ranges::fill(all, 0.0);
+  for (std::size_t i = 0; i < columns_->motion.size(); ++i) {
+    all[static_cast<std::size_t>(columns_->motion[i])] = gradient[static_cast<Index>(i)];
+  }
 }
 
 /// Samples that may run over the end of the cycle.
@@ -297,23 +330,27 @@ void SteadyCycle::branch(const Joint& joint, const Reversal& origin, double sign
 void SteadyCycle::block(const Joint& joint, const Reversal& origin, double sign, Index first,
                         Index samples) {
   if (samples == 0) return;
-  const double turned_at = extremes_[origin.at].displacement;
   const double k = joint.stiffness();
-  const VirginCurve& curve = joint.virgin_curve();
-  for (Index i = first; i < first + samples; ++i) {
-    const auto [force, slope] = curve.response(0.5 * k * std::abs(x_[i] - turned_at));
-    force_[i] = origin.force + 2.0 * sign * force;
-    tangent_[i] = k * slope;
+  const VirginCurve::Branch branch{extremes_[origin.at].displacement, origin.force, 0.5 * k,
+                                   2.0 * sign};
+  const std::span<double> slope = to_span(slope_, first, samples);
+  joint.virgin_curve().branch_responses(branch, to_span(std::as_const(x_), first, samples),
+                                        to_span(force_, first, samples), slope);
+  basis_.sum(columns_->sums, first, slope, to_span(part_, 0, part_.size()));
+  part_ *= k;
+  for (std::size_t i = columns_->first_moment; i < columns_->sums.size(); ++i) {
+    moments_[columns_->sums[i]] += part_[static_cast<Index>(i)];
   }
-  part_.noalias() =
-      basis_.rows().middleRows(first, samples).transpose() * tangent_.segment(first, samples);
-  moments_ += part_;
   // Σ T_a (f_r′ − F′ T_r), over the samples of the block.
-  const Index n = through_reversals_.rows();
   const auto column = static_cast<Index>(origin.at);
-  const auto sum = basis_.sums().row(first + samples) - basis_.sums().row(first);
-  through_reversals_.noalias() += sum.transpose() * gradients_.col(column).transpose();
-  through_reversals_.noalias() -= part_.head(n) * rows_.col(column).transpose();
+  const auto n = static_cast<Index>(motion_.size());
+  for (Index i = 0; i < n; ++i) {
+    const Index place = columns_->motion[static_cast<std::size_t>(i)];
+    const double sum = basis_.sums()(first + samples, place) - basis_.sums()(first, place);
+    for (Index j = 0; j < n; ++j) {
+      through_reversals_(i, j) += sum * gradients_(j, column) - part_[i] * rows_(j, column);
+    }
+  }
 }
 
 }  // namespace microslip

@@ -19,11 +19,14 @@ namespace microslip {
 /// With F′ the tangent and T the row of a sample, that of a branch adds to the Jacobian
 /// Σ T F′ Tᵀ + Σ T (f_r′ − F′ T_r)ᵀ: the first sum over all branches is a matrix of multiplication
 /// by F′(τ), and the second is of rank 1 on each branch.
+///
+/// Where no even harmonic moves, x(τ + π) = −x(τ), the second half of the cycle is the first turned
+/// round: half of it is gone through, and vectors hold odd harmonics alone.
 class SteadyCycle {
  public:
   SteadyCycle(std::size_t harmonics, std::size_t samples);
 
-  [[nodiscard]] Eigen::Index coefficients() const { return through_reversals_.rows(); }
+  [[nodiscard]] Eigen::Index coefficients() const { return coefficient_count(basis_.harmonics()); }
 
   HarmonicForce::Cycle evaluate(const Joint& joint, std::span<const double> displacement,
                                 std::span<double> force, std::span<double> jacobian);
@@ -62,10 +65,21 @@ class SteadyCycle {
     Eigen::Index samples;
   };
 
+  /// What is needed of a wave of one kind.
+  struct Columns {
+    Columns(Wave which, std::size_t harmonics);
+
+    Wave wave;
+    std::vector<Eigen::Index> motion;  ///< of the basis: the coefficients of x and of the force
+    std::vector<Eigen::Index> sums;    ///< those, then the others that moments have
+    std::size_t first_moment;  ///< of the sums; of an odd wave F′ has even harmonics alone
+  };
+
+  void begin(std::span<const double> displacement);
   void at_rest(const Joint& joint);
-  [[nodiscard]] bool extremes_turn_round() const;
-  void march(const Joint& joint, bool half);
-  void turn_round(Eigen::Index first, Eigen::Index samples);
+  void march(const Joint& joint);
+  void turn_round(Eigen::Index first);
+  void hand_over(std::span<double> force, std::span<double> jacobian);
   void segment(const Joint& joint, std::size_t from, std::size_t to, Eigen::Index samples);
   void branch(const Joint& joint, const Reversal& origin, double sign, Eigen::Index first,
               Eigen::Index samples);
@@ -75,6 +89,7 @@ class SteadyCycle {
   void kinks_of_atoms(const Joint& joint, const Stretch& stretch, const Reversal& origin,
                       double from, double to);
   void kink_of_closing(const Joint& joint, const Stretch& stretch, double end);
+  void spread(const Eigen::VectorXd& gradient, std::span<double> all) const;
   [[nodiscard]] double angle_at(const Stretch& stretch, double x) const;
   [[nodiscard]] double in_interval(double tau, Eigen::Index next) const;
   [[nodiscard]] Reversal reversal_on(const Joint& joint, const Reversal& origin, double sign,
@@ -82,20 +97,25 @@ class SteadyCycle {
 
   TrigonometricBasis basis_;
   double step_;  // h, between two samples, rad
+  Columns any_;
+  Columns odd_;
+  const Columns* columns_ = &any_;  // of the motion at hand; vectors below hold these coefficients
+  bool half_ = false;               // an odd wave that moves
   CycleExtremes extremes_;
+  std::vector<double> motion_;
   Eigen::VectorXd x_;
   Eigen::VectorXd force_;
-  Eigen::VectorXd tangent_;
+  Eigen::VectorXd slope_;        // F′/k
   Eigen::MatrixXd rows_;         // T at each extreme, a column an extreme
   Eigen::MatrixXd gradients_;    // of the force there
   std::vector<Reversal> stack_;  // as in Memory
   std::vector<Reach> reaches_;   // the farthest first
-  std::span<const double> coefficients_of_x_;
   KinkCorrection kinks_;
   Eigen::VectorXd jump_gradient_;      // of the jump of the tangent at a kink
-  Eigen::VectorXd part_;               // rowsᵀ tangent of one block of samples
-  Eigen::VectorXd moments_;            // of all samples
+  Eigen::VectorXd part_;               // sums of F′ over one block of samples
+  Eigen::VectorXd moments_;            // of F′ over all samples, all coefficients
   Eigen::MatrixXd through_reversals_;  // the part of the Jacobian that reversals hand on
+  std::vector<double> sums_;           // of the force
 };
 
 }  // namespace microslip

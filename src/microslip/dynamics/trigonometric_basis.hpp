@@ -4,7 +4,9 @@
 #include <Eigen/Core>
 #include <complex>
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <vector>
 
 /// @file
 /// Periodic functions by their harmonics, in real numbers. Internal to dynamics.
@@ -29,6 +31,25 @@ namespace microslip {
   return i == 0 || (i - 1) / 2 % 2 == 1;
 }
 
+/// Which coefficients of a function a vector holds: all, or, where x(τ + π) = −x(τ), those of odd
+/// harmonics, (Re x_1, Im x_1, Re x_3, …). A row T(τ) goes with it.
+enum class Wave : std::uint8_t { kAny, kOdd };
+
+/// Where in such a vector the pair of harmonic 1 begins.
+[[nodiscard]] constexpr Eigen::Index first_pair(Wave wave) { return wave == Wave::kOdd ? 0 : 1; }
+
+/// From the harmonic of one pair to that of the next.
+[[nodiscard]] constexpr std::size_t harmonic_step(Wave wave) { return wave == Wave::kOdd ? 2 : 1; }
+
+/// How many coefficients it holds, harmonics up to H.
+[[nodiscard]] constexpr Eigen::Index coefficient_count(Wave wave, std::size_t harmonics) {
+  return wave == Wave::kOdd ? static_cast<Eigen::Index>((harmonics + 1) / 2 * 2)
+                            : coefficient_count(harmonics);
+}
+
+/// Where its coefficients are in the vector of all, harmonics up to H.
+[[nodiscard]] std::vector<Eigen::Index> coefficients_of(Wave wave, std::size_t harmonics);
+
 /// x_n. @param x  the coefficients of one function.
 [[nodiscard]] std::complex<double> harmonic_of(const Eigen::Ref<const Eigen::VectorXd>& x,
                                                std::size_t n);
@@ -39,19 +60,21 @@ struct Motion {
   double velocity;
   double acceleration;
 };
-[[nodiscard]] Motion motion_at(std::span<const double> coefficients, double tau);
+[[nodiscard]] Motion motion_at(std::span<const double> coefficients, double tau,
+                               Wave wave = Wave::kAny);
 
 /// The row T(τ).
-void basis_at(double tau, Eigen::Ref<Eigen::VectorXd> row);
+void basis_at(double tau, Wave wave, Eigen::Ref<Eigen::VectorXd> row);
 
 /// dT/dτ where the row is T.
-void derivative_of_basis(const Eigen::Ref<const Eigen::VectorXd>& row,
+void derivative_of_basis(const Eigen::Ref<const Eigen::VectorXd>& row, Wave wave,
                          Eigen::Ref<Eigen::VectorXd> slope);
 
 /// The matrix C with C y = the coefficients up to H of the product t(τ) y(τ).
-/// @param t  the coefficients of t up to 2H, or fewer: the rest is zero.
+/// @param t     all coefficients of t up to 2H, or fewer: the rest is zero.
+/// @param wave  of y, and of what is taken of the product.
 [[nodiscard]] Eigen::MatrixXd multiplication_matrix(const Eigen::Ref<const Eigen::VectorXd>& t,
-                                                    std::size_t harmonics);
+                                                    std::size_t harmonics, Wave wave = Wave::kAny);
 
 /// T at N equal samples of a period.
 class TrigonometricBasis {
@@ -66,6 +89,14 @@ class TrigonometricBasis {
 
   /// (N + 1) × (2H + 1): row k is the sum of the rows before k.
   [[nodiscard]] const Eigen::MatrixXd& sums() const { return sums_; }
+
+  /// x at the first samples: the columns that are named times their coefficients.
+  void evaluate(std::span<const Eigen::Index> columns, std::span<const double> coefficients,
+                std::span<double> x) const;
+
+  /// Σ_k rows()(first + k, c) f_k for each column c that is named.
+  void sum(std::span<const Eigen::Index> columns, Eigen::Index first, std::span<const double> f,
+           std::span<double> sums) const;
 
   /// 1/N, then 2/N: the coefficients of sampled x are these times rows()ᵀ x.
   [[nodiscard]] const Eigen::VectorXd& weights() const { return weights_; }
