@@ -12,27 +12,39 @@ namespace {
 
 /// Changes nearer to an end of the step than this share of it are at that end.
 constexpr double kAtEnd = 1e-9;
-constexpr double kWithin = 1e-12;
+/// Shares are found to about the square of this: the last step of Newton's method is below it.
+constexpr double kWithin = 1e-7;
 
-/// The shares of a step at which a cubic has its extremes, by rising share; 1 where it has none.
-std::pair<double, double> extremes(const StepCubic& y) {
-  const double a = 3.0 * y.c;
-  // Of one sign at both ends, and monotone between them: the slope that most steps have.
-  if (y.v0 * y.v1 > 0.0 && (y.b * a >= 0.0 || std::abs(y.b) >= std::abs(a))) return {1.0, 1.0};
-  const double discriminant = y.b * y.b - a * y.v0;
-  if (!(discriminant > 0.0)) return {1.0, 1.0};
-  const double q = -(y.b + std::copysign(std::sqrt(discriminant), y.b));
-  const auto inside = [](double share) {
-    return share > kAtEnd && share < 1.0 - kAtEnd ? share : 1.0;
-  };
-  const double first = inside(q / a);
-  const double second = inside(y.v0 / q);
-  return {std::min(first, second), std::max(first, second)};
+/// Where a motion with a slope of this sign at `from` turns, and has turned at `to`; 1 next to an
+/// end of the step.
+double extreme_between(const StepQuartic& y, double sign, double from, double to) {
+  const double share = growing_zero(
+      [&](double x) {
+        return Growing{-sign * y.slope(x), -sign * y.bend(x)};
+      },
+      from, to, kWithin);
+  return share > kAtEnd && share < 1.0 - kAtEnd ? share : 1.0;
+}
+
+/// The shares of a step at which a quartic has its extremes, two at most, by rising share; 1 where
+/// it has none.
+std::pair<double, double> extremes(const StepQuartic& y) {
+  const double sign = std::copysign(1.0, y.v0 == 0.0 ? y.v1 : y.v0);
+  if (sign * y.v1 < 0.0) return {extreme_between(y, sign, 0.0, 1.0), 1.0};
+  // It turns and turns back where its slope falls at first, below 0, and rises at last.
+  if (!(sign * y.bend(0.0) < 0.0 && sign * y.bend(1.0) > 0.0)) return {1.0, 1.0};
+  const double lowest = growing_zero(
+      [&](double x) {
+        return Growing{sign * y.bend(x), sign * y.bend_slope(x)};
+      },
+      0.0, 1.0, kWithin);
+  if (sign * y.slope(lowest) >= 0.0) return {1.0, 1.0};
+  return {extreme_between(y, sign, 0.0, lowest), extreme_between(y, -sign, lowest, 1.0)};
 }
 
 }  // namespace
 
-bool JointWay::follow(const Start& start, const StepCubic& y) {
+bool JointWay::follow(const Start& start, const StepQuartic& y) {
   size_ = 0;
   if (start.direction == 0) return true;
   if (std::max(std::abs(y.v0), std::abs(y.v1)) <= start.quiet) return start.direction * y.v1 >= 0.0;
@@ -59,7 +71,7 @@ bool JointWay::add(const Knot& knot) {
 }
 
 /// Those between two shares, where y does not turn.
-bool JointWay::pass_kinks(const StepCubic& y, double from, double to) {
+bool JointWay::pass_kinks(const StepQuartic& y, double from, double to) {
   const double end = y.value(to);
   const auto stiffness = [&](double tangent) { return in_series(tangent, compliance_); };
   for (;;) {
@@ -83,7 +95,7 @@ bool JointWay::pass_kinks(const StepCubic& y, double from, double to) {
 }
 
 /// @param force  near the one there.
-bool JointWay::turn(const StepCubic& y, double share, double force) {
+bool JointWay::turn(const StepQuartic& y, double share, double force) {
   const double extreme = y.value(share);
   double u = extreme - compliance_ * force;
   for (int i = 0; i < 50 && compliance_ > 0.0; ++i) {  // u + cF(u) = y

@@ -10,7 +10,7 @@
 
 namespace microslip {
 
-/// The way of a joint over one step of a march, by the cubic of y = u + cF over it: where on it the
+/// The way of a joint over one step of a march, by the quartic of y = u + cF over it: where on it the
 /// joint turns and where its tangent jumps, and what its force is there. Internal to dynamics.
 ///
 /// With these knots the force over a step is a piecewise cubic, so that the step need not be cut.
@@ -39,7 +39,7 @@ class JointWay {
   /// Follows y over the step.
   /// @return false where it starts against its direction, or there are too many knots: that is left
   ///         to shorter steps.
-  [[nodiscard]] bool follow(const Start& start, const StepCubic& y);
+  [[nodiscard]] bool follow(const Start& start, const StepQuartic& y);
   void forget() { size_ = 0; }
 
   [[nodiscard]] std::span<const Knot> knots() const { return {knots_.data(), size_}; }
@@ -47,8 +47,8 @@ class JointWay {
   [[nodiscard]] const CurveFollower& follower() const { return follower_; }
 
  private:
-  [[nodiscard]] bool pass_kinks(const StepCubic& y, double from, double to);
-  [[nodiscard]] bool turn(const StepCubic& y, double share, double force);
+  [[nodiscard]] bool pass_kinks(const StepQuartic& y, double from, double to);
+  [[nodiscard]] bool turn(const StepQuartic& y, double share, double force);
   [[nodiscard]] bool add(const Knot& knot);
 
   static constexpr std::size_t kMostKnots = 6;

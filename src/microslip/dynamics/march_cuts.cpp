@@ -121,6 +121,7 @@ void MarchState::accept(double length) {
     joint.largest_gap = std::max(joint.largest_gap, std::abs(k.gap));
     if (joint.direction == 0) set_off(joint);
   }
+  begin_accelerations();
   ++steps_;
 }
 

@@ -42,11 +42,12 @@ void predict(std::size_t groups, const double* weights, double length, const Sta
 
 MICROSLIP_VECTOR_CLONES
 void add_loads(std::size_t groups, double kept, const double* shape, double r, double r_dot,
-               double* load, double* slope) {
+               double r_middle, double* load, double* slope, double* middle) {
 #pragma omp simd
   for (std::size_t i = 0; i < groups * kLanes; ++i) {
     load[i] = kept * load[i] - r * shape[i];
     slope[i] = kept * slope[i] - r_dot * shape[i];
+    middle[i] = kept * middle[i] - r_middle * shape[i];
   }
 }
 
@@ -63,18 +64,42 @@ void add_shortening_loads(std::size_t groups, double kept, const double* shape, 
 
 MICROSLIP_VECTOR_CLONES
 void correct(std::size_t groups, const double* weights, const double* predicted_q,
-             const double* predicted_v, const double* load, const double* slope, double* q,
-             double* v) {
+             const double* predicted_v, const double* load, const double* slope,
+             const double* middle, double* q, double* v) {
   using W = StepWeights;
   for (std::size_t group = 0; group < groups; ++group) {
     const double* w = weights + group * kGroup;
 #pragma omp simd
     for (std::size_t j = 0; j < kLanes; ++j) {
       const std::size_t i = group * kLanes + j;
-      q[i] = predicted_q[i] + w[W::kA1 * kLanes + j] * load[i] + w[W::kB1 * kLanes + j] * slope[i];
-      v[i] = predicted_v[i] + w[W::kC1 * kLanes + j] * load[i] + w[W::kD1 * kLanes + j] * slope[i];
+      q[i] = predicted_q[i] + w[W::kA1 * kLanes + j] * load[i] + w[W::kB1 * kLanes + j] * slope[i] +
+             w[W::kAM * kLanes + j] * middle[i];
+      v[i] = predicted_v[i] + w[W::kC1 * kLanes + j] * load[i] + w[W::kD1 * kLanes + j] * slope[i] +
+             w[W::kCM * kLanes + j] * middle[i];
     }
   }
+}
+
+MICROSLIP_VECTOR_CLONES
+void accelerate(std::size_t groups, const double* stiffness, const double* damping,
+                const double* load, const double* force, const double* q, const double* v,
+                double* a) {
+#pragma omp simd
+  for (std::size_t i = 0; i < groups * kLanes; ++i) {
+    a[i] = load[i] + force[i] - damping[i] * v[i] - stiffness[i] * q[i];
+  }
+}
+
+MICROSLIP_VECTOR_CLONES
+double dot(std::size_t groups, const double* shape, const double* a) {
+  double lanes[kLanes] = {};
+  for (std::size_t group = 0; group < groups; ++group) {
+#pragma omp simd
+    for (std::size_t j = 0; j < kLanes; ++j) {
+      lanes[j] += shape[group * kLanes + j] * a[group * kLanes + j];
+    }
+  }
+  return sum_of(lanes);
 }
 
 MICROSLIP_VECTOR_CLONES
@@ -127,8 +152,10 @@ Coupling couple(std::size_t groups, const double* weights, const double* shape,
   using W = StepWeights;
   double a[kLanes] = {};
   double b[kLanes] = {};
+  double a_middle[kLanes] = {};
   double c[kLanes] = {};
   double d[kLanes] = {};
+  double c_middle[kLanes] = {};
   for (std::size_t group = 0; group < groups; ++group) {
     const double* w = weights + group * kGroup;
 #pragma omp simd
@@ -139,9 +166,49 @@ Coupling couple(std::size_t groups, const double* weights, const double* shape,
       b[j] += w[W::kB1 * kLanes + j] * product;
       c[j] += w[W::kC1 * kLanes + j] * product;
       d[j] += w[W::kD1 * kLanes + j] * product;
+      a_middle[j] += w[W::kAM * kLanes + j] * product;
+      c_middle[j] += w[W::kCM * kLanes + j] * product;
     }
   }
-  return {sum_of(a), sum_of(b), sum_of(c), sum_of(d)};
+  return {sum_of(a), sum_of(b), sum_of(a_middle), sum_of(c), sum_of(d), sum_of(c_middle)};
+}
+
+MICROSLIP_VECTOR_CLONES
+void move_slides(std::size_t groups, const double* coupling, double r, double r_dot,
+                 double r_middle, double* slide, double* slide_dot) {
+  const std::size_t lanes = groups * kLanes;
+#pragma omp simd
+  for (std::size_t j = 0; j < lanes; ++j) {
+    slide[j] -= coupling[kCoupledA1 * lanes + j] * r + coupling[kCoupledB1 * lanes + j] * r_dot +
+                coupling[kCoupledAM * lanes + j] * r_middle;
+    slide_dot[j] -= coupling[kCoupledC1 * lanes + j] * r +
+                    coupling[kCoupledD1 * lanes + j] * r_dot +
+                    coupling[kCoupledCM * lanes + j] * r_middle;
+  }
+}
+
+MICROSLIP_VECTOR_CLONES
+void move_slides_by_knots(std::size_t groups, const double* coupling, const double* moments,
+                          double* slide, double* slide_dot) {
+  const std::size_t lanes = groups * kLanes;
+  for (std::size_t group = 0; group < groups; ++group) {
+    double sum[kLanes] = {};
+    double sum_dot[kLanes] = {};
+    for (std::size_t m = 0; m < kKnotTerms; ++m) {
+      const double* by = coupling + m * KnotWeights::kKinds * lanes + group * kLanes;
+      const double moment = moments[m];
+#pragma omp simd
+      for (std::size_t j = 0; j < kLanes; ++j) {
+        sum[j] += moment * by[KnotWeights::kOfDisplacement * lanes + j];
+        sum_dot[j] += moment * by[KnotWeights::kOfVelocity * lanes + j];
+      }
+    }
+#pragma omp simd
+    for (std::size_t j = 0; j < kLanes; ++j) {
+      slide[group * kLanes + j] -= sum[j];
+      slide_dot[group * kLanes + j] -= sum_dot[j];
+    }
+  }
 }
 
 MICROSLIP_VECTOR_CLONES

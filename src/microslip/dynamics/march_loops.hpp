@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 /// @file
@@ -24,20 +25,28 @@ struct State {
 void predict(std::size_t groups, const double* weights, double length, const State& from,
              const double* slope, double* q, double* v);
 
-/// The loads of one joint on the modes, −ψ_i R, and their slopes, −ψ_i Ṙ, on top of `kept` (0 or 1)
-/// times what is there.
+/// The loads of one joint on the modes, −ψ_i R, their slopes, −ψ_i Ṙ, and what they are more in the
+/// middle of the step, −ψ_i R_m, on top of `kept` (0 or 1) times what is there.
 void add_loads(std::size_t groups, double kept, const double* shape, double r, double r_dot,
-               double* load, double* slope);
+               double r_middle, double* load, double* slope, double* middle);
 
 /// The same with those of a joint that shortens, gF and gḞ + ġF.
 void add_shortening_loads(std::size_t groups, double kept, const double* shape, double r,
                           double r_dot, const double* g, const double* g_dot, double force,
                           double force_dot, double* load, double* slope);
 
-/// q = q_predicted + a₁ load + b₁ slope, and so q̇.
+/// q = q_predicted + a₁ load + b₁ slope + a_m middle, and so q̇.
 void correct(std::size_t groups, const double* weights, const double* predicted_q,
-             const double* predicted_v, const double* load, const double* slope, double* q,
-             double* v);
+             const double* predicted_v, const double* load, const double* slope,
+             const double* middle, double* q, double* v);
+
+/// q̈ = load + force − ηω q̇ − ω² q.
+void accelerate(std::size_t groups, const double* stiffness, const double* damping,
+                const double* load, const double* force, const double* q, const double* v,
+                double* a);
+
+/// shape·a.
+[[nodiscard]] double dot(std::size_t groups, const double* shape, const double* a);
 
 struct Pair {
   double q;
@@ -52,15 +61,22 @@ struct Pair {
 Pair shorten(std::size_t groups, const double* gamma, const double* q, const double* v, double* g,
              double* g_dot);
 
-/// Σ_i ψ_i w_i χ_i of two shapes for the four weights w of the loads at the end.
-struct Coupling {
-  double a;  ///< by a₁
-  double b;  ///< by b₁
-  double c;  ///< by c₁
-  double d;  ///< by d₁
-};
+/// Σ_i ψ_i w_i χ_i of two shapes for the weights w of the loads at the end and in the middle, in the
+/// order of CouplingKind.
+enum CouplingKind { kCoupledA1, kCoupledB1, kCoupledAM, kCoupledC1, kCoupledD1, kCoupledCM };
+inline constexpr std::size_t kCouplings = 6;
+using Coupling = std::array<double, kCouplings>;
 [[nodiscard]] Coupling couple(std::size_t groups, const double* weights, const double* shape,
                               const double* other);
+
+/// What one joint at the end of a step, and in its middle, takes off the slides of all.
+/// @param groups   of joints. @param coupling  of the joint with each, [kind][joint].
+void move_slides(std::size_t groups, const double* coupling, double r, double r_dot,
+                 double r_middle, double* slide, double* slide_dot);
+
+/// The same of its knots. @param coupling  [term][kind][joint].
+void move_slides_by_knots(std::size_t groups, const double* coupling, const double* moments,
+                          double* slide, double* slide_dot);
 
 /// What knots of one joint add to q and q̇: −ψ_i Σ_m w_im M_m.
 /// @param weights  of KnotWeights. @param moments  kKnotTerms.

@@ -2,6 +2,7 @@
 #include "microslip/dynamics/march_state.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -20,8 +21,6 @@ constexpr int kSettled = 8;
 /// A joint vibrates against all modes by no more than this in a step that goes over knots, rad: in
 /// longer ones its way is too far from a cubic, and cuts are more accurate.
 constexpr double kLargestJointAngle = 0.5;
-/// Of the longest step for which the weights of knots suffice: twice the step must, too.
-constexpr double kOfLongest = 0.5;
 /// Of more joints than these it takes longer to couple each with each than to place them by the
 /// modes in the two rounds that a piece of a step takes.
 constexpr std::size_t kMostCoupled = 4;
@@ -33,13 +32,14 @@ MarchState::MarchState(const JointedStructure& structure, std::vector<MarchedJoi
     : tolerance_(options.tolerance),
       max_iterations_(options.max_iterations),
       groups_(padded(structure.linear().size()) / kLanes),
+      joint_groups_(padded(hysteresis.size()) / kLanes),
       shortens_(structure.shortens()),
       cut_(structure.linear().modes()),
       knot_weights_({}, {}) {
   const std::size_t lanes = groups_ * kLanes;
   for (auto* vector : {&stiffness_, &damping_, &q_, &v_, &load_, &load_slope_, &end_q_, &end_v_,
-                       &end_load_, &end_load_slope_, &end_force_, &end_a_, &predicted_q_,
-                       &predicted_v_, &loads_.force, &loads_.slope}) {
+                       &end_load_, &end_load_slope_, &end_load_middle_, &end_force_, &end_a_,
+                       &predicted_q_, &predicted_v_, &loads_.force, &loads_.slope}) {
     vector->assign(lanes, 0.0);
   }
   for (std::size_t i = 0; i < structure.linear().size(); ++i) {
@@ -50,9 +50,11 @@ MarchState::MarchState(const JointedStructure& structure, std::vector<MarchedJoi
   for (std::size_t j = 0; j < hysteresis.size(); ++j) {
     add_joint(structure.joints()[j], damper_of_joint(structure, j), std::move(hysteresis[j]));
   }
-  predicted_slide_.resize(joints_.size());
+  for (auto* vector : {&predicted_slide_, &predicted_slide_dot_, &slide_, &slide_dot_}) {
+    vector->assign(joint_groups_ * kLanes, 0.0);
+  }
   knot_weights_ = KnotWeights(stiffness_, damping_);
-  longest_over_knots_ = coarseness * longest_step_over_knots();
+  longest_over_knots_ = coarseness * longest_step_over_knots(options.estimate_error);
   couplings_.of_others = cut_couplings_.of_others = !shortens_ && !damped_;
   if (joints_.size() > kMostCoupled) cut_couplings_.of_others = false;
   loads_.normal.assign(joints_.size(), 1.0);
@@ -84,10 +86,11 @@ void MarchState::add_joint(const StructuralJoint& joint, double damper, MarchedJ
   joints_.push_back(std::move(added));
 }
 
-/// 0 where no step goes over knots, s.
-double MarchState::longest_step_over_knots() const {
+/// s; 0 where no step goes over knots.
+/// @param beside_longer  twice the step must, too.
+double MarchState::longest_step_over_knots(bool beside_longer) const {
   if (shortens_ || damped_) return 0.0;
-  double longest = kOfLongest * knot_weights_.longest();
+  double longest = (beside_longer ? 0.5 : 1.0) * knot_weights_.longest();
   for (const Joint& joint : joints_) {
     if (joint.hysteresis.is_network()) return 0.0;
     double square = 0.0;  // 1/kg
@@ -129,6 +132,16 @@ void MarchState::begin(std::size_t j) {
   joint.largest_gap = std::abs(k.gap);
 }
 
+/// ÿ where a step begins, by the modes.
+void MarchState::begin_accelerations() {
+  if (longest_over_knots_ == 0.0) return;
+  march_loops::accelerate(groups_, stiffness_.data(), damping_.data(), load_.data(),
+                          loads_.force.data(), q_.data(), v_.data(), end_a_.data());
+  for (Joint& joint : joints_) {
+    joint.begin.gap_ddot = march_loops::dot(groups_, joint.shape.data(), end_a_.data());
+  }
+}
+
 /// The slopes of the forces of dampers take the accelerations.
 void MarchState::begin_dampers() {
   accelerate(0.0);
@@ -155,6 +168,7 @@ void MarchState::start(const InitialState& start) {
   load_slope_ = end_load_slope_;
   q_ = end_q_;
   v_ = end_v_;
+  begin_accelerations();
   const MarchEnergy energy = this->energy();
   initial_energy_ = energy.kinetic + energy.elastic + energy.joint_stored();
 }
@@ -164,19 +178,15 @@ void MarchState::start(const InitialState& start) {
 void MarchState::couple(const StepWeights& weights, Couplings& couplings) const {
   if (couplings.length == weights.length()) return;
   couplings.length = weights.length();
-  const std::size_t n = joints_.size();
-  for (auto* matrix : {&couplings.a, &couplings.b, &couplings.c, &couplings.d}) {
-    matrix->resize(n * n);
-  }
-  for (std::size_t j = 0; j < n; ++j) {
+  const std::size_t lanes = joint_groups_ * kLanes;
+  couplings.ends.resize(joints_.size() * march_loops::kCouplings * lanes);
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
     for (std::size_t l = couplings.of_others ? 0 : j; l <= j; ++l) {
-      const auto [a, b, c, d] = march_loops::couple(
+      const march_loops::Coupling both = march_loops::couple(
           groups_, weights.data(), joints_[j].shape.data(), joints_[l].shape.data());
-      for (const std::size_t at : {j * n + l, l * n + j}) {
-        couplings.a[at] = a;
-        couplings.b[at] = b;
-        couplings.c[at] = c;
-        couplings.d[at] = d;
+      for (std::size_t kind = 0; kind < march_loops::kCouplings; ++kind) {
+        couplings.ends[(j * march_loops::kCouplings + kind) * lanes + l] = both[kind];
+        couplings.ends[(l * march_loops::kCouplings + kind) * lanes + j] = both[kind];
       }
     }
   }
@@ -220,13 +230,18 @@ bool MarchState::solve(const StepWeights& weights, Couplings& couplings, Knots k
       loads_.slope.data(), predicted_q_.data(), predicted_v_.data());
   couple(weights, couplings);
   for (std::size_t j = 0; j < joints_.size(); ++j) {
-    predicted_slide_[j] = march_loops::project(groups_, joints_[j].shape.data(),
-                                               predicted_q_.data(), predicted_v_.data());
+    const auto slide = march_loops::project(groups_, joints_[j].shape.data(), predicted_q_.data(),
+                                            predicted_v_.data());
+    predicted_slide_[j] = slide.q;
+    predicted_slide_dot_[j] = slide.v;
   }
   // Changes fall by about one factor: what is left after one is their geometric series. The factor
   // is that of steps before, mistrusted more from step to step until it is measured again.
   double before = 0.0;
-  for (Joint& joint : joints_) joint.way.forget();
+  for (Joint& joint : joints_) {
+    joint.way.forget();
+    joint.middle = 0.0;
+  }
   for (int i = 0; i < max_iterations_ && !joints_.empty(); ++i) {
     place(weights, couplings);
     const Ways ways = knots == Knots::kAllowed ? find_ways(h, couplings) : Ways::kSame;
@@ -237,7 +252,10 @@ bool MarchState::solve(const StepWeights& weights, Couplings& couplings, Knots k
     }
     last_change_ = change;
     if (!std::isfinite(change)) return false;
-    if (knots == Knots::kAllowed) add_moments(h);
+    // The middle is far from its place in the first round.
+    if (knots == Knots::kAllowed) {
+      last_change_ = change = std::max(change, add_inner_forces(h, i > 0, couplings));
+    }
     if (ways == Ways::kOthers && i < kSettled) {  // what new knots add is not in this change
       before = change;
       contraction_ = 1.0;
@@ -262,26 +280,23 @@ void MarchState::place(const StepWeights& weights, const Couplings& couplings) {
     if (damped_) accelerate(weights.length());
     return;
   }
-  const std::size_t n = joints_.size();
-  for (std::size_t j = 0; j < n; ++j) {
+  const std::size_t lanes = joint_groups_ * kLanes;
+  std::ranges::copy(predicted_slide_, slide_.begin());
+  std::ranges::copy(predicted_slide_dot_, slide_dot_.begin());
+  for (std::size_t l = 0; l < joints_.size(); ++l) {
+    const Joint& joint = joints_[l];
+    march_loops::move_slides(
+        joint_groups_, couplings.ends.data() + l * march_loops::kCouplings * lanes, joint.end.r,
+        joint.end.r_dot, joint.middle, slide_.data(), slide_dot_.data());
+    if (joint.way.knots().empty()) continue;
+    march_loops::move_slides_by_knots(
+        joint_groups_, couplings.knots.data() + l * kKnotTerms * KnotWeights::kKinds * lanes,
+        joint.moments.data(), slide_.data(), slide_dot_.data());
+  }
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
     Kinematics& k = joints_[j].end;
-    k.slide = predicted_slide_[j].q;
-    k.slide_dot = predicted_slide_[j].v;
-    for (std::size_t l = 0; l < n; ++l) {
-      const Kinematics& other = joints_[l].end;
-      k.slide -= couplings.a[j * n + l] * other.r + couplings.b[j * n + l] * other.r_dot;
-      k.slide_dot -= couplings.c[j * n + l] * other.r + couplings.d[j * n + l] * other.r_dot;
-      if (joints_[l].way.knots().empty()) continue;
-      const double* by = couplings.knots.data() + (j * n + l) * kKnotTerms * KnotWeights::kKinds;
-      for (std::size_t m = 0; m < kKnotTerms; ++m) {
-        k.slide -=
-            by[m * KnotWeights::kKinds + KnotWeights::kOfDisplacement] * joints_[l].moments[m];
-        k.slide_dot -=
-            by[m * KnotWeights::kKinds + KnotWeights::kOfVelocity] * joints_[l].moments[m];
-      }
-    }
-    k.gap = k.slide;
-    k.gap_dot = k.slide_dot;
+    k.slide = k.gap = slide_[j];
+    k.slide_dot = k.gap_dot = slide_dot_[j];
   }
 }
 
@@ -309,10 +324,9 @@ MarchState::Ways MarchState::find_ways(double length, Couplings& couplings) {
   for (Joint& joint : joints_) {
     const Kinematics& b = joint.begin;
     const std::size_t knots = joint.way.knots().size();
-    const StepCubic y(b.gap, b.gap_dot, joint.end.gap, joint.end.gap_dot, length);
     if (!joint.way.follow({joint.hysteresis.follower(), joint.direction, b.force, joint.kink,
                            joint.compliance, kQuiet * joint.largest_gap},
-                          y)) {
+                          path(joint, length))) {
       return Ways::kUnclear;
     }
     if (joint.way.knots().size() == knots) continue;
@@ -327,38 +341,71 @@ void MarchState::couple_knots(double length, Couplings& couplings) {
   if (!couplings.of_others || couplings.knot_length == length) return;
   couplings.knot_length = length;
   constexpr std::size_t kEach = kKnotTerms * KnotWeights::kKinds;
-  const std::size_t n = joints_.size();
-  couplings.knots.resize(n * n * kEach);
-  for (std::size_t j = 0; j < n; ++j) {
+  const std::size_t lanes = joint_groups_ * kLanes;
+  couplings.knots.resize(joints_.size() * kEach * lanes);
+  std::array<double, kEach> both;
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
     for (std::size_t l = 0; l <= j; ++l) {
-      double* one = couplings.knots.data() + (j * n + l) * kEach;
       march_loops::couple_knots(groups_, knot_weights_.data(), joints_[j].shape.data(),
-                                joints_[l].shape.data(), one);
-      std::copy_n(one, kEach, couplings.knots.data() + (l * n + j) * kEach);
+                                joints_[l].shape.data(), both.data());
+      for (std::size_t w = 0; w < kEach; ++w) {
+        couplings.knots[(j * kEach + w) * lanes + l] = both[w];
+        couplings.knots[(l * kEach + w) * lanes + j] = both[w];
+      }
     }
   }
 }
 
-/// By the forces that were found.
-void MarchState::add_moments(double length) {
-  for (Joint& joint : joints_) {
-    if (joint.way.knots().empty()) continue;
+/// y over the step, up to where the joint was placed.
+StepQuartic MarchState::path(const Joint& joint, double length) {
+  const Kinematics& b = joint.begin;
+  const Kinematics& k = joint.end;
+  return {{b.gap, b.gap_dot, k.gap, k.gap_dot, length}, length * length * b.gap_ddot};
+}
+
+/// What the forces inside of the step are more than the cubics through those found at its ends.
+/// @return what it changes in the force of a joint by its own motion, relative.
+double MarchState::add_inner_forces(double length, bool middles, const Couplings& couplings) {
+  const std::size_t lanes = joint_groups_ * kLanes;
+  double change = 0.0;
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    Joint& joint = joints_[j];
     const Kinematics& b = joint.begin;
     const Kinematics& k = joint.end;
-    joint.moments =
-        knot_moments(joint.way.knots(), {b.force, b.force_dot, k.force, k.force_dot, length});
+    const StepCubic force(b.force, b.force_dot, k.force, k.force_dot, length);
+    if (!joint.way.knots().empty()) {
+      joint.moments = knot_moments(joint.way.knots(), force);
+      joint.middle = 0.0;
+    } else if (middles && joint.direction != 0) {
+      const double before = joint.middle;
+      joint.middle = middle_force(joint, force, length);
+      const double moved =
+          couplings.ends[(j * march_loops::kCouplings + march_loops::kCoupledAM) * lanes + j] *
+          (joint.middle - before);
+      change = std::max(change, std::abs(joint.tangent * moved) / joint.largest_force);
+    }
   }
+  return change;
+}
+
+/// Of a step without knots: F(u) with u + cF = y, by one step of Newton's method from the cubic,
+/// less the cubic.
+double MarchState::middle_force(const Joint& joint, const StepCubic& force, double length) {
+  const double cubic = force.value(0.5);
+  const auto [found, tangent] = joint.hysteresis.follower().response(
+      path(joint, length).value(0.5) - joint.compliance * cubic);
+  return (found - cubic) / (1.0 + tangent * joint.compliance);
 }
 
 /// ÿ of the joints at the end of a step, after this length, from what acts on the modes there.
 void MarchState::accelerate(double length) {
   for (std::size_t i = 0; i < end_a_.size(); ++i) {
-    end_a_[i] = end_load_[i] + loads_.force[i] + length * loads_.slope[i] -
-                damping_[i] * end_v_[i] - stiffness_[i] * end_q_[i];
+    end_force_[i] = loads_.force[i] + length * loads_.slope[i];
   }
+  march_loops::accelerate(groups_, stiffness_.data(), damping_.data(), end_load_.data(),
+                          end_force_.data(), end_q_.data(), end_v_.data(), end_a_.data());
   for (Joint& joint : joints_) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < end_a_.size(); ++i) sum += joint.shape[i] * end_a_[i];
+    double sum = march_loops::dot(groups_, joint.shape.data(), end_a_.data());
     if (!joint.gamma.empty()) {
       for (std::size_t i = 0; i < end_a_.size(); ++i) {
         sum -= joint.g[i] * end_a_[i] + joint.g_dot[i] * end_v_[i];
@@ -383,7 +430,12 @@ double MarchState::update(std::size_t j, const Couplings& couplings, double leng
   ++evaluations_;
   Joint& joint = joints_[j];
   Kinematics& k = joint.end;
-  const std::size_t own = j * joints_.size() + j;
+  const double* own =
+      couplings.ends.data() + j * march_loops::kCouplings * joint_groups_ * kLanes + j;
+  const auto coupled = [&](march_loops::CouplingKind kind) {
+    return own[kind * joint_groups_ * kLanes];
+  };
+  const double a = coupled(march_loops::kCoupledA1);
   const double c = joint.compliance;
   const double load = normal_load(j, length);
   if (!std::isfinite(k.gap - c * k.force)) return HUGE_VAL;
@@ -399,13 +451,14 @@ double MarchState::update(std::size_t j, const Couplings& couplings, double leng
   const double damped_dot = joint.damper * k.u_ddot;
   const double in_series = (force + damped + tangent * c * k.force) * soft;
   const double beyond = stiffness - joint.spring;
-  const double dr = (in_series - joint.spring * k.slide - k.r) / (1.0 + beyond * couplings.a[own]);
-  const double dslide = -couplings.a[own] * dr;
-  const double kept_velocity = -couplings.c[own] * dr;
+  const double dr = (in_series - joint.spring * k.slide - k.r) / (1.0 + beyond * a);
+  const double dslide = -a * dr;
+  const double d = coupled(march_loops::kCoupledD1);
+  const double kept_velocity = -coupled(march_loops::kCoupledC1) * dr;
   const double dr_dot = (stiffness * k.gap_dot + damped_dot - joint.spring * k.slide_dot - k.r_dot +
                          beyond * kept_velocity) /
-                        (1.0 + beyond * couplings.d[own]);
-  const double dvelocity = kept_velocity - couplings.d[own] * dr_dot;
+                        (1.0 + beyond * d);
+  const double dvelocity = kept_velocity - d * dr_dot;
   k.r += dr;
   k.r_dot += dr_dot;
   k.slide += dslide;
@@ -425,8 +478,8 @@ void MarchState::load_modes() {
   for (const Joint& joint : joints_) {
     const Kinematics& k = joint.end;
     if (joint.gamma.empty()) {
-      march_loops::add_loads(groups_, kept, joint.shape.data(), k.r, k.r_dot, end_load_.data(),
-                             end_load_slope_.data());
+      march_loops::add_loads(groups_, kept, joint.shape.data(), k.r, k.r_dot, joint.middle,
+                             end_load_.data(), end_load_slope_.data(), end_load_middle_.data());
     } else {
       march_loops::add_shortening_loads(groups_, kept, joint.shape.data(), k.r, k.r_dot,
                                         joint.g.data(), joint.g_dot.data(), k.force, k.force_dot,
@@ -439,7 +492,8 @@ void MarchState::load_modes() {
 void MarchState::correct(const StepWeights& weights) {
   load_modes();
   march_loops::correct(groups_, weights.data(), predicted_q_.data(), predicted_v_.data(),
-                       end_load_.data(), end_load_slope_.data(), end_q_.data(), end_v_.data());
+                       end_load_.data(), end_load_slope_.data(), end_load_middle_.data(),
+                       end_q_.data(), end_v_.data());
   for (const Joint& joint : joints_) {
     if (joint.way.knots().empty()) continue;
     march_loops::add_knots(groups_, knot_weights_.data(), joint.shape.data(), joint.moments.data(),

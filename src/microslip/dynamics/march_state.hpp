@@ -69,7 +69,7 @@ class MarchState {
     double slide_dot = 0.0;  ///< m/s
     double gap = 0.0;        ///< y = s − ½ q·Γq = u + cF, m
     double gap_dot = 0.0;    ///< m/s
-    double gap_ddot = 0.0;   ///< m/s²; known where something is damped
+    double gap_ddot = 0.0;   ///< m/s²; at the end of a step known where something is damped
     double force = 0.0;      ///< F and that of the damper, N
     double force_dot = 0.0;  ///< N/s
     double u_dot = 0.0;      ///< u̇ at the damper, m/s
@@ -91,6 +91,7 @@ class MarchState {
     MarchedJoint hysteresis;
     JointWay way;              ///< over the step that is tried
     KnotMoments moments = {};  ///< of its knots, if it has any
+    double middle = 0.0;       ///< F in the middle of a step without knots, less the cubic there, N
     Kinematics begin = {};
     Kinematics end = {};
     Curvature curvature = {};
@@ -104,13 +105,14 @@ class MarchState {
     double largest_force = 0.0;      ///< |F| so far, N
     double largest_gap = 0.0;        ///< |y| so far, m
   };
-  /// Σ_i ψ_ij w_i ψ_il for the weights w of the loads at the end: how far they move the slides.
+  /// Σ_i ψ_ij w_i ψ_il for the weights w of the loads at the end, in the middle and of knots: how
+  /// far they move the slides. Joints are padded as modes are.
   struct Couplings {
     double length = 0.0;
-    bool of_others = true;  ///< those off the diagonal, too
-    std::vector<double> a, b, c, d;
+    bool of_others = true;     ///< those off the diagonal, too
+    std::vector<double> ends;  ///< [joint][march_loops::CouplingKind][joint]
     double knot_length = 0.0;
-    std::vector<double> knots;  ///< of knots: kKnotTerms pairs for q and q̇ for each pair of joints
+    std::vector<double> knots;  ///< [joint][kKnotTerms][KnotWeights::Kind][joint]
   };
   /// Motion over a step below this share of the largest is rounding.
   static constexpr double kQuiet = 1e-13;
@@ -125,7 +127,7 @@ class MarchState {
     return std::max(0.0, loads_.normal[j] + length * loads_.normal_slope[j]);
   }
   void add_joint(const StructuralJoint& joint, double damper, MarchedJoint hysteresis);
-  [[nodiscard]] double longest_step_over_knots() const;
+  [[nodiscard]] double longest_step_over_knots(bool beside_longer) const;
   void begin(std::size_t j);
   void begin_dampers();
   void couple(const StepWeights& weights, Couplings& couplings) const;
@@ -140,12 +142,16 @@ class MarchState {
   enum class Ways { kSame, kOthers, kUnclear };
   [[nodiscard]] Ways find_ways(double length, Couplings& couplings);
   void couple_knots(double length, Couplings& couplings);
-  void add_moments(double length);
+  [[nodiscard]] static StepQuartic path(const Joint& joint, double length);
+  [[nodiscard]] double add_inner_forces(double length, bool middles, const Couplings& couplings);
+  [[nodiscard]] static double middle_force(const Joint& joint, const StepCubic& force,
+                                           double length);
   void pass_knots(Joint& joint);
   [[nodiscard]] static Curvature curvature(const Joint& joint, double length);
   void place(const StepWeights& weights, const Couplings& couplings);
   void place_by_modes(const StepWeights& weights);
   void accelerate(double length);
+  void begin_accelerations();
   static void drive_damper(const Joint& joint, double tangent, Kinematics& k);
   [[nodiscard]] double update(std::size_t j, const Couplings& couplings, double length,
                               bool settled);
@@ -165,14 +171,15 @@ class MarchState {
 
   double tolerance_;
   int max_iterations_;
-  std::size_t groups_;
+  std::size_t groups_;        // of modes
+  std::size_t joint_groups_;  // of joints
   bool shortens_;
   bool damped_ = false;
   std::vector<double> stiffness_, damping_;        // ω², ηω
   std::vector<double> q_, v_, load_, load_slope_;  // at the beginning of a step
   std::vector<double> end_q_, end_v_, end_load_, end_load_slope_, end_force_, end_a_;
-  std::vector<double> predicted_q_, predicted_v_;
-  std::vector<march_loops::Pair> predicted_slide_;
+  std::vector<double> end_load_middle_, predicted_q_, predicted_v_;
+  std::vector<double> predicted_slide_, predicted_slide_dot_, slide_, slide_dot_;  // of the joints
   std::vector<Joint> joints_;
   Loads loads_;
   StepWeights cut_;  // of parts of a step

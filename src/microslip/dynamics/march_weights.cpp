@@ -40,10 +40,12 @@ ImpulseResponse impulse_response(double delta, double theta_squared) {
 
 namespace {
 
-/// Of q″ + 2δq′ + θ²q = τᵐ over τ from 0 to 1, from rest: q(1) for m = 0 … 3, and the impulse
+constexpr std::size_t kPowers = 5;
+
+/// Of q″ + 2δq′ + θ²q = τᵐ over τ from 0 to 1, from rest: q(1) for m = 0 … 4, and the impulse
 /// response g(1), its slope g′(1) and g′ + 2δg, the response to q(0) = 1. δ = ½ηωh, θ = ωh.
 struct Responses {
-  std::array<double, 4> power;
+  std::array<double, kPowers> power;
   double impulse;
   double slope;
   double rest;
@@ -66,7 +68,7 @@ constexpr std::array<double, kMostTerms + 8> kInverseProducts = [] {
 struct GroupResponses {
   double delta[kLanes];
   double theta_squared[kLanes];
-  double power[4][kLanes];
+  double power[kPowers][kLanes];
   double impulse[kLanes];
   double slope[kLanes];
   double rest[kLanes];
@@ -86,7 +88,7 @@ inline void add_term(const GroupResponses& r, std::size_t n, double* before, dou
   }
 }
 
-// By the series for m = 2 and 3, both at once, as each waits for its own last term. The terms fall
+// By the series for m = 3 and 4, both at once, as each waits for its own last term. The terms fall
 // from (θ, 2δ)ᵏ/k! on.
 // Here and in closed form τᵐ goes from one to the next by θ²q_m = 1 − 2δ q_m′ − q_m″, with q_m′ =
 // m q_{m−1}: stable down for a small θ, where the other way divides by it, and up for a large one.
@@ -96,10 +98,10 @@ void by_series(GroupResponses& r) {
   double term[2][kLanes];
   double sum[2][kLanes];
   for (std::size_t i = 0; i < 2; ++i) {
-    for (std::size_t j = 0; j < kLanes; ++j) term[i][j] = sum[i][j] = kInverseProducts[3 + i];
+    for (std::size_t j = 0; j < kLanes; ++j) term[i][j] = sum[i][j] = kInverseProducts[4 + i];
   }
   for (std::size_t k = 1; k < kMostTerms; k += kTermsAtOnce) {
-    for (std::size_t n = 3 + k; n < 3 + k + kTermsAtOnce; ++n) {
+    for (std::size_t n = 4 + k; n < 4 + k + kTermsAtOnce; ++n) {
       add_term(r, n, before[0], term[0], sum[0]);
       add_term(r, n + 1, before[1], term[1], sum[1]);
     }
@@ -116,10 +118,12 @@ void by_series(GroupResponses& r) {
   for (std::size_t j = 0; j < kLanes; ++j) {
     const double delta = r.delta[j];
     const double theta_squared = r.theta_squared[j];
-    const double first = (1.0 - theta_squared * sum[1][j] - 6.0 * delta * sum[0][j]) / 6.0;
-    const double zeroth = (1.0 - theta_squared * sum[0][j] - 4.0 * delta * first) / 2.0;
-    r.power[3][j] = sum[1][j];
-    r.power[2][j] = sum[0][j];
+    const double second = (1.0 - theta_squared * sum[1][j] - 8.0 * delta * sum[0][j]) / 12.0;
+    const double first = (1.0 - theta_squared * sum[0][j] - 6.0 * delta * second) / 6.0;
+    const double zeroth = (1.0 - theta_squared * second - 4.0 * delta * first) / 2.0;
+    r.power[4][j] = sum[1][j];
+    r.power[3][j] = sum[0][j];
+    r.power[2][j] = second;
     r.power[1][j] = first;
     r.power[0][j] = zeroth;
     r.impulse[j] = 1.0 - theta_squared * first - 2.0 * delta * zeroth;
@@ -139,23 +143,24 @@ Responses in_closed_form(double delta, double theta_squared) {
   r.power[1] = (1.0 - 2.0 * delta * r.power[0] - impulse) * inverse;
   r.power[2] = (1.0 - 4.0 * delta * r.power[1] - 2.0 * r.power[0]) * inverse;
   r.power[3] = (1.0 - 6.0 * delta * r.power[2] - 6.0 * r.power[1]) * inverse;
+  r.power[4] = (1.0 - 8.0 * delta * r.power[3] - 12.0 * r.power[2]) * inverse;
   return r;
 }
 
-/// ∫₀¹ e^{(1−τ)z} τᵐ dτ for m = 0 … 3, z ≤ 0. For moderate z by Kummer's transformation of the
+/// ∫₀¹ e^{(1−τ)z} τᵐ dτ for m = 0 … 4, z ≤ 0. For moderate z by Kummer's transformation of the
 /// power series, all terms positive [DLMF 13.2.39]; where z is large by parts, which divides by it.
-std::array<double, 4> decayed_powers(double z) {
+std::array<double, kPowers> decayed_powers(double z) {
   constexpr double kLarge = 30.0;
-  std::array<double, 4> result{};
+  std::array<double, kPowers> result{};
   if (z < -kLarge) {
     result[0] = std::expm1(z) / z;
-    for (std::size_t m = 1; m < 4; ++m) {
+    for (std::size_t m = 1; m < kPowers; ++m) {
       result[m] = (static_cast<double>(m) * result[m - 1] - 1.0) / z;
     }
     return result;
   }
   const double decay = std::exp(z);
-  for (std::size_t m = 0; m < 4; ++m) {
+  for (std::size_t m = 0; m < kPowers; ++m) {
     double term = 1.0;  // (−z)ᵏ/k!
     double sum = 0.0;
     for (double k = 0.0; k < 200.0; ++k) {
@@ -179,7 +184,7 @@ Responses by_real_roots(double delta, double theta_squared) {
   const auto of_slow = decayed_powers(slow);
   const auto of_fast = decayed_powers(fast);
   Responses r;
-  for (std::size_t m = 0; m < 4; ++m) r.power[m] = (of_slow[m] - of_fast[m]) / apart;
+  for (std::size_t m = 0; m < kPowers; ++m) r.power[m] = (of_slow[m] - of_fast[m]) / apart;
   const double e_slow = std::exp(slow);
   const double e_fast = std::exp(fast);
   r.impulse = (e_slow - e_fast) / apart;
@@ -208,14 +213,14 @@ void respond(GroupResponses& r) {
   by_series(r);
   for (std::size_t j = 0; j < kLanes; ++j) {
     if (!is_fast[j]) continue;
-    for (std::size_t m = 0; m < 4; ++m) r.power[m][j] = fast[j].power[m];
+    for (std::size_t m = 0; m < kPowers; ++m) r.power[m][j] = fast[j].power[m];
     r.impulse[j] = fast[j].impulse;
     r.slope[j] = fast[j].slope;
     r.rest[j] = fast[j].rest;
   }
 }
 
-/// Values and slopes at both ends from the responses to 1, τ, τ², τ³.
+/// Values and slopes at both ends, and more in the middle, from the responses to 1, τ, τ², τ³, τ⁴.
 MICROSLIP_VECTOR_CLONES
 void fill(const GroupResponses& r, double h, const double* frequency, double* weights) {
   using W = StepWeights;
@@ -226,6 +231,7 @@ void fill(const GroupResponses& r, double h, const double* frequency, double* we
     const double p1 = r.power[1][j];
     const double p2 = r.power[2][j];
     const double p3 = r.power[3][j];
+    const double p4 = r.power[4][j];
     const double g = r.impulse[j];
     weights[W::kE11 * kLanes + j] = r.rest[j];
     weights[W::kE12 * kLanes + j] = h * g;
@@ -239,6 +245,8 @@ void fill(const GroupResponses& r, double h, const double* frequency, double* we
     weights[W::kD0 * kLanes + j] = h * h * (p0 - 4.0 * p1 + 3.0 * p2);
     weights[W::kC1 * kLanes + j] = h * (6.0 * p1 - 6.0 * p2);
     weights[W::kD1 * kLanes + j] = h * h * (3.0 * p2 - 2.0 * p1);
+    weights[W::kAM * kLanes + j] = 16.0 * h * h * (p2 - 2.0 * p3 + p4);
+    weights[W::kCM * kLanes + j] = 16.0 * h * (2.0 * p1 - 6.0 * p2 + 4.0 * p3);
   }
 }
 

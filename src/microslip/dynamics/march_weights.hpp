@@ -25,18 +25,19 @@ struct ImpulseResponse {
 };
 [[nodiscard]] ImpulseResponse impulse_response(double delta, double theta_squared);
 
-/// What a step of length h makes of the state (q, q̇) and the load p of a mode, p cubic over the
-/// step with the values and slopes at its ends given (Hermite): with τ = t/h
+/// What a step of length h makes of the state (q, q̇) and the load p of a mode, p over the step the
+/// cubic with the values and slopes at its ends (Hermite) and what it is more than that in the
+/// middle, p_m·16τ²(1 − τ)²: with τ = t/h
 ///
-///     q₁ = e₁₁q₀ + e₁₂q̇₀ + a₀p₀ + b₀ṗ₀ + a₁p₁ + b₁ṗ₁
-///     q̇₁ = e₂₁q₀ + e₂₂q̇₀ + c₀p₀ + d₀ṗ₀ + c₁p₁ + d₁ṗ₁
+///     q₁ = e₁₁q₀ + e₁₂q̇₀ + a₀p₀ + b₀ṗ₀ + a₁p₁ + b₁ṗ₁ + a_m p_m
+///     q̇₁ = e₂₁q₀ + e₂₂q̇₀ + c₀p₀ + d₀ṗ₀ + c₁p₁ + d₁ṗ₁ + c_m p_m
 ///
 /// The Duhamel integrals ∫₀ʰ g(h − t) τᵐ dt of the impulse response g, in closed form: exact for
 /// any ω_i, η_i and h.
 class StepWeights {
  public:
   /// The order in which weights of a group stand, kLanes each.
-  enum Kind { kE11, kE12, kE21, kE22, kA0, kB0, kA1, kB1, kC0, kD0, kC1, kD1, kKinds };
+  enum Kind { kE11, kE12, kE21, kE22, kA0, kB0, kA1, kB1, kC0, kD0, kC1, kD1, kAM, kCM, kKinds };
 
   explicit StepWeights(std::span<const Mode> modes);
 

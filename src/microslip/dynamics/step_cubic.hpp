@@ -19,4 +19,28 @@ struct StepCubic {
   double start, v0, v1, c, b;
 };
 
+/// The same with the second derivative at the beginning, too: the cubic and what x²(1 − x)² adds to
+/// it, which leaves the values and slopes at the ends.
+class StepQuartic {
+ public:
+  /// @param bend  at the beginning, over the share squared.
+  StepQuartic(const StepCubic& cubic, double bend)
+      : start(cubic.start),
+        v0(cubic.v0),
+        v1(cubic.v1),
+        b(0.5 * bend),
+        d(b - cubic.b),
+        c(cubic.c - 2.0 * d) {}
+  [[nodiscard]] double value(double x) const {
+    return start + x * (v0 + x * (b + x * (c + x * d)));
+  }
+  [[nodiscard]] double slope(double x) const {
+    return v0 + x * (2.0 * b + x * (3.0 * c + 4.0 * x * d));
+  }
+  [[nodiscard]] double bend(double x) const { return 2.0 * b + x * (6.0 * c + 12.0 * x * d); }
+  /// Of the bend.
+  [[nodiscard]] double bend_slope(double x) const { return 6.0 * c + 24.0 * x * d; }
+  double start, v0, v1, b, d, c;
+};
+
 }  // namespace microslip
