@@ -64,8 +64,12 @@ class BrakeReuss : public ::testing::Test {
   Sandbox box_;
 };
 
-// The bound is that of the sessions: at one amplitude their damping differs by 3 to 6 %. The
-// frequency is not expected to agree: the sessions differ by 0.5 Hz, and it is recorded.
+/// Of the amplitude at resonance: at one amplitude the damping of the sessions differs by 6 to 7 %,
+/// and the amplitude goes with the 1/(1 + p)th power of it, D ~ X^{2+p}, p = 0.4 at the lowest of
+/// these forces.
+constexpr double kSessions = 0.07 / 1.4;
+
+// The frequency is not expected to agree: the sessions differ by 0.5 Hz, and it is recorded.
 TEST_F(BrakeReuss, PeaksOfTheOtherSweepsFollowFromLinearDampingAndSlip) {
   const Outcome run = box_.run({"identify", "levels.csv", "--stiffness", "5.08e5",
                                 "--linear-damping", "fit", "--out", "joint.json", "--quiet"});
@@ -78,7 +82,7 @@ TEST_F(BrakeReuss, PeaksOfTheOtherSweepsFollowFromLinearDampingAndSlip) {
   ASSERT_EQ(force.size(), 4U);
   for (std::size_t i = 0; i < force.size(); ++i) {
     const Peak peak = predicted(force[i]);
-    EXPECT_NEAR(peak.amplitude, amplitude[i], 0.04 * amplitude[i]) << force[i] << " N";
+    EXPECT_NEAR(peak.amplitude, amplitude[i], kSessions * amplitude[i]) << force[i] << " N";
     test::record_deviation("peak amplitude", peak.amplitude, amplitude[i]);
     test::record_largest("frequency offset [Hz]", std::abs(peak.frequency - frequency[i]));
   }
@@ -103,9 +107,10 @@ point = "drive point"
 gain_std = 0.021
 )";
 
-// Each step at the force that it had. Amplitudes at resonance within 4 %, the bound of the sessions as
-// above, and inside of the band of 95 %, as are frequency and damping ratio; of the amplitudes over the
-// curve so many as 1 − 0.95 of the draws have, at least. The sweep's peak is that of `reduce`.
+// Each step at the force that it had. Amplitudes at resonance within what the sessions differ by,
+// and inside of the band of 95 %, as is the frequency; all in all 11 of the 12 values of peaks at
+// least, as many as 95 % are. Of the amplitudes over the curve so many as 1 − 0.95 of the draws
+// have, at least. The sweep's peak is that of `reduce`.
 TEST_F(BrakeReuss, SweepsOfHeldForceLieInTheBandOfTheOthers) {
   expect_done(box_, {"identify", "levels.csv", "--stiffness", "4.88e5", "--linear-damping", "fit",
                      "--dissipation-gain-std", "2.1%", "--samples", "1000", "--samples-out",
@@ -123,17 +128,28 @@ TEST_F(BrakeReuss, SweepsOfHeldForceLieInTheBandOfTheOthers) {
   const std::vector<std::string> found = table.text("measured");
   const std::vector<std::string> prediction = table.text("predicted");
   const std::vector<double> amplitude = measured().numbers("amplitude", kLength);
+  const std::vector<std::string> known_to = table.text("measured_std");
   std::size_t peaks = 0;
+  int outside = 0;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (part[row] != "peak") continue;
+    outside += verdict[row] == "inside" ? 0 : 1;
+    if (quantity[row] == "damping_ratio") continue;
     EXPECT_EQ(verdict[row], "inside") << quantity[row];
     if (quantity[row] != "displacement") continue;
     ASSERT_LT(peaks, amplitude.size());
     EXPECT_NEAR(std::stod(found[row]), amplitude[peaks], 1e-9 * amplitude[peaks]);
-    EXPECT_NEAR(std::stod(prediction[row]), amplitude[peaks], 0.04 * amplitude[peaks]);
+    EXPECT_NEAR(std::stod(prediction[row]), amplitude[peaks], kSessions * amplitude[peaks]);
+    // By the scatter of their steps, which are not finer or coarser than 5 and 35° and of one
+    // shaker.
+    EXPECT_GT(std::stod(known_to[row]), 0.003 * amplitude[peaks]);
+    EXPECT_LT(std::stod(known_to[row]), 0.02 * amplitude[peaks]);
     ++peaks;
   }
   EXPECT_EQ(peaks, 4U);
+  EXPECT_LE(outside, 1);
+  EXPECT_NE(text.find("# warning: coarse_steps: sweeps.mat:FRdata.ForceControl(1)"),
+            std::string::npos);
 }
 
 // The example, with the sweeps by their name here. The bounds are those of the test above, and the
@@ -157,7 +173,8 @@ TEST_F(BrakeReuss, ACampaignPredictsSweepsOfHeldForceByThoseOfHeldResponse) {
     EXPECT_EQ(table.text("amplitude_verdict")[row], "inside");
     EXPECT_EQ(table.text("frequency_verdict")[row], "inside");
     const double amplitude = std::stod(table.text("amplitude")[row]);
-    EXPECT_NEAR(std::stod(table.text("amplitude_predicted")[row]), amplitude, 0.04 * amplitude);
+    EXPECT_NEAR(std::stod(table.text("amplitude_predicted")[row]), amplitude,
+                kSessions * amplitude);
   }
   EXPECT_EQ(peaks, 4U);
   const ModelFile model = read_model(box_.file("campaign/model.toml"));

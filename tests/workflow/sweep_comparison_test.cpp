@@ -42,7 +42,8 @@ std::complex<double> receptance(double frequency) {
 /// What is held, though badly.
 enum class Held { kForce, kResponse };
 
-/// A sweep of it in closed form, with a force that dips to half about the resonance, as a shaker's does.
+/// A sweep of it in closed form, with a force that dips to half about the resonance, as a shaker's
+/// does.
 SteppedSine sweep_of(Held held, std::size_t steps = 81, double from = 49.0, double to = 51.0) {
   SteppedSine sweep;
   sweep.source = "sweep";
@@ -71,29 +72,33 @@ ComparedTest compared(const SteppedSine& sweep, const ModelFile& model = linear(
   return compare_sweep(sweep, kind_of(sweep), model, {});
 }
 
-// The closed form, at a force that is not the same at two steps: within the tolerance of the balance,
-// 1e-12, over the distance to the pole, 1/(2ζ). The peak is interpolated between steps of a fortieth
-// of a half-power width: of the second order, 1e-3.
+// The closed form, at a force that is not the same at two steps: within the tolerance of the
+// balance, 1e-12, over the distance to the pole, 1/(2ζ). The peak is interpolated between steps of
+// a quarter of the half-power width, of which the rule is exact but for the 1/ω of a viscous
+// damper: 1e-6. What it says of its error is that of a joint, which it cannot rule out.
 TEST(SweepComparison, PredictsALinearModeAtTheForceOfEachStep) {
-  const ComparedTest test = compared(sweep_of(Held::kForce, 401));
+  const ComparedTest test = compared(sweep_of(Held::kForce, 20));
   EXPECT_EQ(test.kind, TestKind::kSweep);
   EXPECT_TRUE(test.converged());
   EXPECT_LT(curve(test, "displacement").deviation(), 1e-9);
   EXPECT_LT(curve(test, "phase_lag").deviation(), 1e-9);
   for (const char* quantity : {"displacement", "frequency", "damping_ratio"}) {
-    EXPECT_LT(curve(test, quantity, TestPart::kPeak).deviation(), 1e-3) << quantity;
+    const ComparedCurve& peak = curve(test, quantity, TestPart::kPeak);
+    EXPECT_LT(peak.deviation(), 2e-6) << quantity;
+    EXPECT_GT(peak.measured_std.at(0), 0.0) << quantity;
+    EXPECT_LT(peak.measured_std.at(0), 2e-3 * peak.measured[0]) << quantity;
   }
-  EXPECT_NEAR(curve(test, "damping_ratio", TestPart::kPeak).measured[0], kZeta, 1e-3 * kZeta);
+  EXPECT_NEAR(curve(test, "damping_ratio", TestPart::kPeak).measured[0], kZeta, 2e-6 * kZeta);
   EXPECT_NEAR(curve(test, "frequency", TestPart::kPeak).predicted[0], kFrequency0, 1e-9);
 }
 
 TEST(SweepComparison, PredictsTheForceAtTheResponseOfEachStep) {
-  const ComparedTest test = compared(sweep_of(Held::kResponse, 401));
+  const ComparedTest test = compared(sweep_of(Held::kResponse, 20));
   EXPECT_EQ(test.kind, TestKind::kConstantResponse);
   EXPECT_LT(curve(test, "force").deviation(), 1e-9);
   EXPECT_LT(curve(test, "phase_lag").deviation(), 1e-9);
-  EXPECT_LT(curve(test, "force", TestPart::kPeak).deviation(), 1e-3);
-  EXPECT_NEAR(curve(test, "damping_ratio", TestPart::kPeak).measured[0], kZeta, 1e-3 * kZeta);
+  EXPECT_LT(curve(test, "force", TestPart::kPeak).deviation(), 2e-6);
+  EXPECT_NEAR(curve(test, "damping_ratio", TestPart::kPeak).measured[0], kZeta, 2e-6 * kZeta);
 }
 
 // The same phase in the four conventions that laboratories have.
@@ -170,6 +175,10 @@ TEST(SweepComparison, SaysWhatASweepLacks) {
   twice.phase.front() = 1.5;
   twice.phase[1] = 1.6;
   EXPECT_EQ(std::ranges::count(compared(twice).warnings, "several_resonances", &Warning::code), 1);
+
+  const std::vector<Warning> coarse = compared(sweep_of(Held::kForce, 8)).warnings;
+  ASSERT_EQ(coarse.size(), 1U);
+  EXPECT_EQ(coarse[0].code, "coarse_steps");
 }
 
 // The test has a resonance, and the model none of its frequency: the phase of a mode 10 % higher.

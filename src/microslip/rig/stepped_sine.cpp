@@ -13,11 +13,10 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/rig/cycle_reduction.hpp"
+#include "microslip/rig/sweep_resonance.hpp"
 
 namespace microslip {
 namespace {
-
-constexpr double kQuarterTurn = 0.5 * std::numbers::pi;
 
 void check_column(const SteppedSine& sweep, std::string_view name,
                   const std::vector<double>& values, bool positive) {
@@ -33,43 +32,6 @@ void check_column(const SteppedSine& sweep, std::string_view name,
   }
 }
 
-/// One step: those of the sweep, or one between two of them.
-struct Step {
-  double frequency;
-  double force;
-  double acceleration;
-  double phase;  // without sign
-};
-
-/// The steps by rising frequency. The phase is taken without its sign: its sign is one of
-/// convention, and a passive structure takes energy.
-std::vector<Step> sorted_steps(const SteppedSine& sweep) {
-  std::vector<Step> steps;
-  for (std::size_t i = 0; i < sweep.frequency.size(); ++i) {
-    steps.push_back({sweep.frequency[i], sweep.force[i], sweep.acceleration[i],
-                     std::abs(std::remainder(sweep.phase[i], 2.0 * std::numbers::pi))});
-  }
-  std::ranges::stable_sort(steps, {}, &Step::frequency);
-  return steps;
-}
-
-Step between(const Step& a, const Step& b) {
-  const double share = (kQuarterTurn - a.phase) / (b.phase - a.phase);
-  const auto geometric = [&](double x, double y) { return x * std::pow(y / x, share); };
-  return {std::lerp(a.frequency, b.frequency, share), geometric(a.force, b.force),
-          geometric(a.acceleration, b.acceleration), kQuarterTurn};
-}
-
-std::vector<Step> resonances(const std::vector<Step>& steps) {
-  std::vector<Step> found;
-  for (std::size_t i = 1; i < steps.size(); ++i) {
-    const double before = steps[i - 1].phase - kQuarterTurn;
-    const double after = steps[i].phase - kQuarterTurn;
-    if ((before < 0.0) != (after < 0.0)) found.push_back(between(steps[i - 1], steps[i]));
-  }
-  return found;
-}
-
 FourierSeries harmonic(double omega, std::complex<double> first) {
   FourierSeries series;
   series.omega = omega;
@@ -78,10 +40,12 @@ FourierSeries harmonic(double omega, std::complex<double> first) {
 }
 
 [[noreturn]] void throw_no_resonance(const SteppedSine& sweep) {
-  const std::vector<Step> steps = sorted_steps(sweep);
-  const auto [least, most] = std::ranges::minmax(steps, {}, &Step::phase);
-  throw InputError(sweep.source + ": phase",
-                   fmt::format("{:.3g} to {:.3g} rad", least.phase, most.phase),
+  std::vector<double> lags;
+  for (const double phase : sweep.phase) {
+    lags.push_back(std::abs(std::remainder(phase, 2.0 * std::numbers::pi)));
+  }
+  const auto [least, most] = std::ranges::minmax(lags);
+  throw InputError(sweep.source + ": phase", fmt::format("{:.3g} to {:.3g} rad", least, most),
                    "must pass a quarter turn, 1.571 rad, at the resonance",
                    "Sweep over the resonance. Is it the phase of the acceleration, in rad?");
 }
@@ -99,14 +63,6 @@ void check_stepped_sine(const SteppedSine& sweep) {
   check_column(sweep, "phase", sweep.phase, false);
 }
 
-std::optional<SweepResonance> resonance_of(const SteppedSine& sweep) {
-  check_stepped_sine(sweep);
-  const std::vector<Step> found = resonances(sorted_steps(sweep));
-  if (found.empty()) return std::nullopt;
-  const Step& step = *std::ranges::max_element(found, {}, &Step::acceleration);
-  return SweepResonance{step.frequency, step.force, step.acceleration, found.size()};
-}
-
 ReducedLevel reduce_stepped_sine(const Reducer& reducer, const SteppedSine& sweep) {
   const std::optional<SweepResonance> found = resonance_of(sweep);
   const SignalLayout layout = signal_layout(reducer.rig(), false);
@@ -118,9 +74,8 @@ ReducedLevel reduce_stepped_sine(const Reducer& reducer, const SteppedSine& swee
   if (!found) throw_no_resonance(sweep);
 
   const double omega = 2.0 * std::numbers::pi * found->frequency;
-  const std::array<FourierSeries, 2> series{
-      harmonic(omega, found->force),
-      harmonic(omega, std::polar(found->acceleration, kQuarterTurn))};
+  const std::array<FourierSeries, 2> series{harmonic(omega, found->force),
+                                            harmonic(omega, {0.0, found->acceleration})};
   const CycleResult cycle = CycleReduction(reducer.state(), layout, omega, 1).reduce(series);
   ReducedLevel level;
   level.source = sweep.source;
@@ -136,11 +91,7 @@ ReducedLevel reduce_stepped_sine(const Reducer& reducer, const SteppedSine& swee
   if (reducer.state().stiffness > 0.0) {
     level.secant_stiffness = Measured{cycle.secant_stiffness, 0.0};
   }
-  if (found->passages > 1) {
-    level.flags.push_back(
-        {"several_resonances",
-         fmt::format("The phase passes a quarter turn {} times.", found->passages)});
-  }
+  level.flags = warnings_of(*found);
   return level;
 }
 

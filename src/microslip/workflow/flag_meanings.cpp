@@ -8,12 +8,14 @@
 namespace microslip {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 52> kMeanings = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 53> kMeanings = {{
     {"amplitude_drift", "no steady state: the amplitude wanders"},
     {"amplitude_rises", "the decay was left where its amplitude rises"},
     {"beats", "a second oscillation near the mode moves the damping by more than 2 %"},
     {"beyond_identification", "the joint moves more than in the levels it was identified by"},
     {"clipped", "a channel is cut off at its extremes"},
+    {"coarse_steps",
+     "the phase goes on by more than 30° between the two steps of the sweep beside the resonance"},
     {"decay_within_window", "the decay is too fast for the frequency resolution of its windows"},
     {"dissipation_above_bound",
      "D > kA², more than a joint of stiffness k can take: a unit is wrong"},

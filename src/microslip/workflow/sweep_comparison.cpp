@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
+#include "microslip/rig/sweep_resonance.hpp"
 #include "microslip/workflow/model_comparison.hpp"
 
 namespace microslip {
@@ -181,16 +182,18 @@ std::vector<ComparedCurve> measured_curves(const SweepQuestion& question, const 
       curve_of(name, dimension, TestPart::kCurve, sweep.frequency, std::move(heights)),
       curve_of("phase_lag", kAngle, TestPart::kCurve, sweep.frequency, std::move(lag))};
   if (!question.resonance()) return curves;
-  const double frequency = question.resonance()->frequency;
+  const SweepResonance& resonance = *question.resonance();
   const MeasuredStep& peak = question.peak();
   const double damping =
       damping_scale * peak.force / (peak.angular_frequency * peak.angular_frequency);
-  const auto add = [&](const std::string& quantity, const Dimension& unit, double value) {
-    curves.push_back(curve_of(quantity, unit, TestPart::kPeak, {frequency}, {value}));
+  const auto add = [&](const std::string& quantity, const Dimension& unit, double value,
+                       double deviation) {
+    curves.push_back(curve_of(quantity, unit, TestPart::kPeak, {resonance.frequency}, {value}));
+    curves.back().measured_std = {deviation};
   };
-  add(name, dimension, height(peak));
-  add("frequency", kFrequency, frequency);
-  add("damping_ratio", kDimensionless, damping);
+  add(name, dimension, height(peak), height(peak) * resonance.damping_std);
+  add("frequency", kFrequency, resonance.frequency, resonance.frequency_std);
+  add("damping_ratio", kDimensionless, damping, damping * resonance.damping_std);
   return curves;
 }
 
@@ -244,11 +247,8 @@ std::vector<Warning> warnings_of(const SweepQuestion& question, const SweptVibra
     warnings.push_back({"no_resonance",
                         "the phase does not pass a quarter turn: the sweep is compared step by "
                         "step, without its peak."});
-  } else if (question.resonance()->passages > 1) {
-    warnings.push_back({"several_resonances",
-                        fmt::format("the phase passes a quarter turn {} times: the peak is the "
-                                    "passage of the largest acceleration.",
-                                    question.resonance()->passages)});
+  } else {
+    std::ranges::move(warnings_of(*question.resonance()), std::back_inserter(warnings));
   }
   return warnings;
 }

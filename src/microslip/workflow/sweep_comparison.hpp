@@ -29,6 +29,10 @@ namespace microslip {
 ///                                        measured by resonance_of(), predicted at its force or
 ///                                        response
 ///
+/// Those at the peak have the standard deviations of resonance_of(): that of |F_1|/|A_1| is also
+/// that of the displacement at a force, for which it is the most that it can be: 1/(1 + p) of it
+/// where D grows with X^{2+p}.
+///
 /// The damping ratio that is measured is that of the force F that feeds X in phase resonance, by the
 /// shape φ of the motion that the model has at X,
 ///
@@ -44,16 +48,16 @@ namespace microslip {
 ///
 /// By a draw what would be read: a force reading F drives with F/g, of a response g times what is
 /// there is read. Warnings: those of the model for such motions (`beyond_identification`,
-/// `truncated`, …), `no_resonance` where the phase of the sweep does not pass a quarter turn,
-/// `several_resonances` as reduce_stepped_sine(), `no_mode_in_sweep` where the predicted lag does not
-/// either: the model has no resonance at the steps.
+/// `truncated`, …), `no_resonance` where the phase of the sweep does not pass a quarter turn, those
+/// of the resonance, warnings_of(), `no_mode_in_sweep` where the predicted lag does not pass it: the
+/// model has no resonance at the steps.
 /// @param sweep    measured at the response point of the model.
 /// @param kind     kSweep or kConstantResponse: see kind_of().
 /// @param model    driven by a force.
 /// @param options  of the harmonic balance; forcing is that of the model.
 /// @param spread   of the model; nothing without draws.
 /// @param draws    which of them; nothing without.
-/// @throws InputError  as check_stepped_sine(), HarmonicBalance and compare(); for a model whose base
+/// @throws InputError  as resonance_of(), HarmonicBalance and compare(); for a model whose base
 ///                     is driven. @throws Cancelled  as the progress of the draws says.
 [[nodiscard]] ComparedTest compare_sweep(const SteppedSine& sweep, TestKind kind,
                                          const ModelFile& model,

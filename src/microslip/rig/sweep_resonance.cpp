@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/rig/sweep_resonance.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+#include "microslip/base/error.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr double kQuarterTurn = 0.5 * std::numbers::pi;
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kCoarseStep = 30.0 * kDegree;
+constexpr double kLeastLag = 30.0 * kDegree;  // of steps whose scatter counts, and of π less it
+constexpr Eigen::Index kUnknowns = 3;         // of a fit to them
+
+/// A step of a sweep, by its dynamic stiffness Z = K + iC.
+struct StiffnessStep {
+  double square = 0.0;        // ω², rad²/s²
+  double displacement = 0.0;  // X, m
+  double phase = 0.0;         // without its sign, rad
+  double elastic = 0.0;       // K, N/m; of either sign as that of the phase is a convention
+  double lossy = 0.0;         // C, N/m
+};
+
+/// Two neighbours, and where K is 0 between them.
+struct Passage {
+  StiffnessStep before;
+  StiffnessStep behind;
+  double share = 0.0;  // of the distance in ω²
+
+  /// Of two values on a straight line.
+  [[nodiscard]] double between(double a, double b) const { return std::lerp(a, b, share); }
+  /// Of two logarithms on a straight line.
+  [[nodiscard]] double geometric(double a, double b) const { return a * std::pow(b / a, share); }
+
+  [[nodiscard]] double square() const { return between(before.square, behind.square); }
+  [[nodiscard]] double displacement() const {
+    return geometric(before.displacement, behind.displacement);
+  }
+  [[nodiscard]] double lossy() const { return geometric(before.lossy, behind.lossy); }
+  /// ω² that |K| takes to grow from 0 to C.
+  [[nodiscard]] double half_width() const {
+    return (behind.square - before.square) * lossy() / std::abs(before.elastic - behind.elastic);
+  }
+};
+
+/// By rising frequency. The sign of the phase is one of convention, and a passive structure takes
+/// energy.
+std::vector<StiffnessStep> stiffness_steps(const SteppedSine& sweep) {
+  std::vector<StiffnessStep> steps;
+  for (std::size_t i = 0; i < sweep.frequency.size(); ++i) {
+    const double square = std::pow(2.0 * std::numbers::pi * sweep.frequency[i], 2);
+    const double displacement = sweep.acceleration[i] / square;
+    const double stiffness = sweep.force[i] / displacement;
+    const double phase = std::abs(std::remainder(sweep.phase[i], 2.0 * std::numbers::pi));
+    steps.push_back({square, displacement, phase, stiffness * std::sin(kQuarterTurn - phase),
+                     stiffness * std::sin(phase)});  // the cosine, 0 at a quarter turn
+  }
+  std::ranges::stable_sort(steps, {}, &StiffnessStep::square);
+  return steps;
+}
+
+std::vector<Passage> passages(const std::vector<StiffnessStep>& steps) {
+  std::vector<Passage> found;
+  for (std::size_t i = 1; i < steps.size(); ++i) {
+    const StiffnessStep& before = steps[i - 1];
+    const StiffnessStep& behind = steps[i];
+    if ((before.phase < kQuarterTurn) == (behind.phase < kQuarterTurn)) continue;
+    found.push_back({before, behind, before.elastic / (before.elastic - behind.elastic)});
+  }
+  return found;
+}
+
+/// A phase of exactly half a turn has the sine of rounding.
+void check_damping_told(const SteppedSine& sweep, const StiffnessStep& step) {
+  constexpr double kLeast = 1e-12;
+  if (step.phase > kLeast && step.phase < std::numbers::pi - kLeast) return;
+  throw InputError(sweep.source + ": phase",
+                   fmt::format("{:.3g} rad beside the resonance, at {:.6g} Hz", step.phase,
+                               std::sqrt(step.square) / (2.0 * std::numbers::pi)),
+                   "must be between 0 and half a turn there: its sine tells of the damping",
+                   "Sweep in finer steps.");
+}
+
+/// How much Z of the steps scatters, relative to |Z|.
+struct Scatter {
+  double lossy = 0.0;
+  double elastic = 0.0;
+};
+
+double deviation(const Eigen::MatrixXd& regressors, const Eigen::VectorXd& values) {
+  // What a response that was held does not tell is left out.
+  constexpr double kThreshold = 1e-3;
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> fit(regressors);
+  fit.setThreshold(kThreshold);
+  const Eigen::VectorXd rest = values - regressors * fit.solve(values);
+  return rest.norm() / std::sqrt(static_cast<double>(values.size() - kUnknowns));
+}
+
+Scatter scatter_of(const std::vector<StiffnessStep>& steps, const Passage& passage) {
+  std::vector<StiffnessStep> near;
+  std::ranges::copy_if(steps, std::back_inserter(near), [](const StiffnessStep& step) {
+    return step.phase >= kLeastLag && step.phase <= std::numbers::pi - kLeastLag;
+  });
+  const auto count = static_cast<Eigen::Index>(near.size());
+  const bool at_one_frequency = !(passage.half_width() > 0.0);
+  if (count <= kUnknowns || at_one_frequency) return {};
+  Eigen::MatrixXd regressors(count, kUnknowns);
+  Eigen::VectorXd lossy(count);
+  Eigen::VectorXd elastic(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const StiffnessStep& step = near[static_cast<std::size_t>(i)];
+    const double weight = std::sin(step.phase);  // C/|Z|
+    regressors.row(i) << 1.0, (step.square - passage.square()) / passage.half_width(),
+        std::log(step.displacement / passage.displacement());
+    regressors.row(i) *= weight;
+    lossy(i) = weight * std::log(step.lossy / passage.lossy());
+    elastic(i) = weight * step.elastic / passage.lossy();
+  }
+  return {deviation(regressors, lossy), deviation(regressors, elastic)};
+}
+
+SweepResonance resonance_at(const Passage& passage, const Scatter& scatter) {
+  const double omega = std::sqrt(passage.square());
+  const double share = passage.share;
+  const double weight = std::hypot((1.0 - share) / std::sin(passage.before.phase),
+                                   share / std::sin(passage.behind.phase));
+  const double growth = std::log(passage.behind.displacement / passage.before.displacement);
+  const double chord = share * (1.0 - share) * growth * growth;
+  const double half_width = passage.half_width() / (4.0 * std::numbers::pi * omega);  // Hz
+  return {.frequency = omega / (2.0 * std::numbers::pi),
+          .force = passage.lossy() * passage.displacement(),
+          .acceleration = passage.square() * passage.displacement(),
+          .phase_step = std::abs(passage.behind.phase - passage.before.phase),
+          .damping_std = std::hypot(0.25 * chord, weight * scatter.lossy),
+          .frequency_std = half_width * std::hypot(1.9 * chord, weight * scatter.elastic)};
+}
+
+}  // namespace
+
+std::optional<SweepResonance> resonance_of(const SteppedSine& sweep) {
+  check_stepped_sine(sweep);
+  const std::vector<StiffnessStep> steps = stiffness_steps(sweep);
+  const std::vector<Passage> found = passages(steps);
+  if (found.empty()) return std::nullopt;
+  for (const Passage& passage : found) {
+    check_damping_told(sweep, passage.before);
+    check_damping_told(sweep, passage.behind);
+  }
+  const Passage& passage = *std::ranges::max_element(
+      found, {}, [](const Passage& one) { return one.square() * one.displacement(); });
+  SweepResonance resonance = resonance_at(passage, scatter_of(steps, passage));
+  resonance.passages = found.size();
+  return resonance;
+}
+
+std::vector<Warning> warnings_of(const SweepResonance& resonance) {
+  std::vector<Warning> warnings;
+  if (resonance.passages > 1) {
+    warnings.push_back({"several_resonances",
+                        fmt::format("The phase passes a quarter turn {} times: the resonance is "
+                                    "the passage of the largest acceleration.",
+                                    resonance.passages)});
+  }
+  if (resonance.phase_step > kCoarseStep) {
+    warnings.push_back(
+        {"coarse_steps",
+         fmt::format("The phase goes on by {:.0f}° between the two steps beside the resonance, "
+                     "more than {:.0f}°: force over amplitude there is known to {:.2g} % and no "
+                     "better than the phases of these two are. Sweep in finer steps.",
+                     resonance.phase_step / kDegree, kCoarseStep / kDegree,
+                     100.0 * resonance.damping_std)});
+  }
+  return warnings;
+}
+
+}  // namespace microslip
