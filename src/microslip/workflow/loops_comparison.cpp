@@ -128,30 +128,6 @@ std::vector<ComparedCurve> curves_of(const RecordCycles& cycles) {
   return curves;
 }
 
-/// What of the record no joint of the kind has, whatever its density.
-std::optional<Warning> departures_of(const RecordEvidence& evidence) {
-  constexpr std::size_t kFewDraws = 100;  // the verdicts use none
-  RecordInversionResult nearest;
-  try {
-    nearest = invert_records({&evidence, 1}, {}, {.draws = kFewDraws});
-  } catch (const InputError& error) {
-    return Warning{"departures_unknown",
-                   fmt::format("whether the record is of a joint of this kind was not seen: {}",
-                               error.what())};
-  }
-  std::string text;
-  for (const RecordVerdict& verdict : nearest.records.front().verdicts) {
-    if (!verdict.broken) continue;
-    text += fmt::format("{}{} ({:.2g} % of the force, {:.2g} % by noise)", text.empty() ? "" : ", ",
-                        to_string(verdict.departure), 100.0 * verdict.share, 100.0 * verdict.noise);
-  }
-  if (text.empty()) return std::nullopt;
-  return Warning{"test_not_of_this_kind",
-                 fmt::format("the record is NOT OF A JOINT OF THIS KIND, whatever its density: {}. "
-                             "No such joint predicts it.",
-                             text)};
-}
-
 std::vector<Warning> warnings_of(const LoopQuestion& question, const LoopJoint& joint) {
   std::vector<Warning> warnings;
   const auto [least, most] = std::ranges::minmax(question.record().displacement);
@@ -178,6 +154,29 @@ std::vector<Warning> warnings_of(const LoopQuestion& question, const LoopJoint& 
 }
 
 }  // namespace
+
+std::optional<Warning> departures_of(const RecordEvidence& evidence) {
+  constexpr std::size_t kFewDraws = 100;  // the verdicts use none
+  RecordInversionResult nearest;
+  try {
+    nearest = invert_records({&evidence, 1}, {}, {.draws = kFewDraws});
+  } catch (const InputError& error) {
+    return Warning{"departures_unknown",
+                   fmt::format("whether the record is of a joint of this kind was not seen: {}",
+                               error.what())};
+  }
+  std::string text;
+  for (const RecordVerdict& verdict : nearest.records.front().verdicts) {
+    if (!verdict.broken) continue;
+    text += fmt::format("{}{} ({:.2g} % of the force, {:.2g} % by noise)", text.empty() ? "" : ", ",
+                        to_string(verdict.departure), 100.0 * verdict.share, 100.0 * verdict.noise);
+  }
+  if (text.empty()) return std::nullopt;
+  return Warning{kTestNotOfThisKind,
+                 fmt::format("the record is NOT OF A JOINT OF THIS KIND, whatever its density: {}. "
+                             "No such joint predicts it.",
+                             text)};
+}
 
 ComparedTest compare_loops(const NamedForceRecord& record, const LoopJoint& joint,
                            const std::function<LoopJoint(std::size_t i)>& draw,

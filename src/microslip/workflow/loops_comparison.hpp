@@ -5,7 +5,9 @@
 #include <functional>
 #include <optional>
 
+#include "microslip/base/summary.hpp"
 #include "microslip/joint/joint.hpp"
+#include "microslip/observe/record_evidence.hpp"
 #include "microslip/workflow/force_records.hpp"
 #include "microslip/workflow/test_comparison.hpp"
 
@@ -13,6 +15,9 @@
 /// Records of force and displacement of a joint against what the joint predicts.
 
 namespace microslip {
+
+/// The code of a warning: see departures_of().
+inline constexpr const char* kTestNotOfThisKind = "test_not_of_this_kind";
 
 /// A joint by itself, with what it loses beside slip.
 struct LoopJoint {
@@ -22,6 +27,11 @@ struct LoopJoint {
   std::optional<double> covered_to =
       {};  ///< kA of the largest cycle that it was identified from, N
 };
+
+/// What of a record no joint of the kind has, whatever its density: `test_not_of_this_kind` with the
+/// departures that invert_records() finds in it by itself, `departures_unknown` where it cannot be
+/// inverted; nothing where there is none.
+[[nodiscard]] std::optional<Warning> departures_of(const RecordEvidence& evidence);
 
 /// Predicts the force of the joint on the path of a record, and the losses of its closed cycles
 /// (record_cycles()): with A the amplitude of a cycle and T how long it takes
@@ -36,9 +46,8 @@ struct LoopJoint {
 ///
 /// over the samples of which the state of the joint is known; F_joint as found_force(), with the
 /// mean of what is measured, without βA², which has no force along a path (warning
-/// `linear_damping_left_out`). Warnings also: `beyond_identification`, `no_closed_cycles`,
-/// `test_not_of_this_kind` with the departures that invert_records() finds in the record by itself,
-/// `departures_unknown` where it cannot be inverted.
+/// `linear_damping_left_out`). Warnings also: `beyond_identification`, `no_closed_cycles`, and those of
+/// departures_of().
 /// @param record  of the joint.
 /// @param joint   as it is thought to be.
 /// @param draw    draw i of it; empty without draws.

@@ -26,9 +26,6 @@
 namespace microslip {
 namespace {
 
-constexpr std::string_view kModulated = "modes_modulate";
-constexpr std::string_view kShapeAssumed = "shape_assumed";
-
 /// Of the motion of the joints in a mode, that in all others, above which these count.
 constexpr double kMostOthers = 0.1;
 /// Of the displacement at the sensor that a mode moves most: sensors below do not tell of it.
@@ -72,7 +69,10 @@ SoughtMode sought_mode(const ModelFile& model, const std::vector<PointSensor>& s
   double most = 0.0;
   for (const PointSensor& sensor : sensors) {
     const double moved = moved_by(shape, linear.shape(sensor.point));
-    seen.push_back({moved, sensor.point == model.response, sensor.channel});
+    // A point of another name may be the same place.
+    const bool at_response =
+        std::ranges::equal(linear.shape(sensor.point), linear.shape(model.response));
+    seen.push_back({moved, at_response, sensor.channel});
     most = std::max(most, moved);
   }
   std::erase_if(seen, [&](const Seen& sensor) { return !(sensor.moved > kLeastMoved * most); });
@@ -165,11 +165,11 @@ void flag_modulation(FollowedMode& mode, const std::vector<FollowedMode>& all,
     if (!(share > kMostOthers)) continue;
     ++count;
     most = std::max(most, share);
-    add_code(levels.flags[i], kModulated);
+    add_code(levels.flags[i], kModesModulate);
   }
   if (count == 0) return;
   warnings.push_back(
-      {std::string(kModulated),
+      {std::string(kModesModulate),
        fmt::format("mode {}: during {} of {} levels other modes move the joints by up to {:.2g} of "
                    "what it does: the damping is that of both together. Use the others, or excite "
                    "the mode alone.",
@@ -241,8 +241,8 @@ std::vector<FollowedMode> follow_modes(const ModalDecayReduction& options,
   return followed;
 }
 
-ReducedModalDecay reduce_by_model(const ModalDecayReduction& options, const Recordings& file) {
-  const ModelFile model = read_model(options.model, JointsToFind::kAllowed);
+ReducedModalDecay reduce_by_model(const ModalDecayReduction& options, const ModelFile& model,
+                                  const Recordings& file) {
   const std::vector<PointSensor> sensors = point_sensors(options.sensors, model, options.model);
   const Recording& recording = recording_with(file, sensors, options.recording);
   for (const PointSensor& sensor : sensors) (void)recording.channel(sensor.channel);
@@ -310,8 +310,14 @@ bool ReducedModalDecay::converged() const {
 }
 
 ReducedModalDecay reduce_modal_decay(const ModalDecayReduction& options) {
-  const Recordings file = read_recordings(options.recording, options.reading);
-  return options.model.empty() ? reduce_by_number(options, file) : reduce_by_model(options, file);
+  if (!options.model.empty()) {
+    return reduce_modal_decay(options, read_model(options.model, JointsToFind::kAllowed));
+  }
+  return reduce_by_number(options, read_recordings(options.recording, options.reading));
+}
+
+ReducedModalDecay reduce_modal_decay(const ModalDecayReduction& options, const ModelFile& model) {
+  return reduce_by_model(options, model, read_recordings(options.recording, options.reading));
 }
 
 std::string modal_levels_text(const ReducedModalDecay& reduced, std::string_view command) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "microslip/base/summary.hpp"
+#include "microslip/io/model_file.hpp"
 #include "microslip/io/recordings.hpp"
 #include "microslip/signal/ring_down.hpp"
 #include "microslip/signal/ring_down_levels.hpp"
@@ -15,6 +16,10 @@
 /// The recording of a free decay to levels of the modes of a structure with joints.
 
 namespace microslip {
+
+// Codes of flags and warnings.
+inline constexpr std::string_view kModesModulate = "modes_modulate";
+inline constexpr std::string_view kShapeAssumed = "shape_assumed";
 
 /// What is to be reduced, and how.
 struct ModalDecayReduction {
@@ -62,6 +67,10 @@ struct ReducedModalDecay {
 /// @throws FileError, FormatError, InputError  as the readers and ring_down(); for a mode that the
 ///         model does not have or that cannot be followed; where no mode can be.
 [[nodiscard]] ReducedModalDecay reduce_modal_decay(const ModalDecayReduction& options);
+
+/// The same with a model that need not be a file; `options.model` is its name in messages.
+[[nodiscard]] ReducedModalDecay reduce_modal_decay(const ModalDecayReduction& options,
+                                                   const ModelFile& model);
 
 /// The text of modal_levels.csv: `mode [1], displacement [m], frequency [Hz], damping_ratio [1]`,
 /// of the three with `_std` each, `decay_time [s], source, flags`.

@@ -5,6 +5,7 @@
 
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "microslip/base/error.hpp"
 #include "microslip/dynamics/damping_twice.hpp"
@@ -36,6 +37,13 @@ void check_readable(const std::string& text, const std::string& rig, const std::
   }
 }
 
+/// rig_modes() has points of the names of the channels.
+std::vector<PointSensor> sensors_of(const Rig& rig) {
+  std::vector<PointSensor> sensors;
+  for (const RigSensor& one : rig.accelerometers) sensors.push_back({one.channel, one.channel});
+  return sensors;
+}
+
 }  // namespace
 
 RigModel model_of_rig(const NamedInput& input, const JointFile& joint,
@@ -49,6 +57,7 @@ RigModel model_of_rig(const NamedInput& input, const JointFile& joint,
       {std::move(structure), rig.excitation.channel, {joint_path}, {covered_to(joint)}, {damping}},
       {},
       {}};
+  model.file.accelerometers = sensors_of(rig);
   model.warnings = damping_twice(model.file.structure);
   if (const auto warning = stiffness_warning(state, joint.joint)) {
     model.warnings.push_back(*warning);

@@ -107,13 +107,15 @@ ModalLevels levels_of_table(const std::string& path, const ModelFile& model,
                    fmt::format("must be one of those of {}", path));
 }
 
-void read_decay(const std::string& model_path, const TestReading& options, ReadTest& test) {
+void read_decay(const ModelFile& model, const std::string& model_path, const TestReading& options,
+                ReadTest& test) {
   const ReducedModalDecay reduced = reduce_modal_decay({.recording = test.path,
                                                         .model = model_path,
                                                         .sensors = options.sensors,
                                                         .modes = options.modes,
                                                         .analysis = options.decay,
-                                                        .reading = options.reading});
+                                                        .reading = options.reading},
+                                                       model);
   test.content = levels_of(reduced);
   test.warnings = reduced.warnings;
   test.converged = reduced.converged();
@@ -176,7 +178,7 @@ ReadTest read_test(const std::string& path, const ModelFile* model, const std::s
     read_loops(std::move(recordings), options, test);
   } else {
     require_model(model, model_path, path);
-    read_decay(model_path, options, test);
+    read_decay(*model, model_path, options, test);
   }
   return test;
 }
@@ -198,20 +200,53 @@ std::vector<ComparedTest> compare_each(const std::vector<SteppedSine>& sweeps,
   return tests;
 }
 
+LoopJoint loop_joint(const StructuralJoint& joint) { return {joint.joint, joint.linear_damping}; }
+
+std::vector<ComparedTest> compare_records(const std::vector<NamedForceRecord>& records,
+                                          const ModelFile& model, std::size_t j,
+                                          const std::optional<StructureDraws>& spread,
+                                          const std::optional<TestDraws>& draws) {
+  LoopJoint joint = loop_joint(model.structure.joints()[j]);
+  if (j < model.covered_to.size()) joint.covered_to = model.covered_to[j];
+  std::function<LoopJoint(std::size_t)> draw;
+  if (spread) {
+    draw = [&, j](std::size_t i) { return loop_joint(spread->draw(i).structure.joints()[j]); };
+  }
+  std::vector<ComparedTest> tests;
+  for (const NamedForceRecord& record : records) {
+    tests.push_back(compare_loops(record, joint, draw, draws));
+  }
+  return tests;
+}
+
+std::size_t joint_of_records(const ModelFile& model, const std::string& name) {
+  const auto joints = model.structure.joints();
+  if (name.empty() && joints.size() == 1) return 0;
+  const auto found = std::ranges::find(joints, name, &StructuralJoint::name);
+  if (found != joints.end()) return static_cast<std::size_t>(found - joints.begin());
+  std::vector<std::string> names;
+  for (const StructuralJoint& joint : joints) names.push_back(joint.name);
+  throw InputError(
+      "`joint`", in_quotes(name),
+      fmt::format("must be one of the joints of the model: {}", fmt::join(names, ", ")),
+      "Records of force and displacement are of one joint.");
+}
+
 }  // namespace
 
 std::vector<ComparedTest> compare_test(const ReadTest& test, const ModelFile& model,
                                        const HarmonicBalanceOptions& balance,
                                        const std::optional<StructureDraws>& spread,
-                                       const std::optional<TestDraws>& draws) {
+                                       const std::optional<TestDraws>& draws,
+                                       const std::string& joint) {
   if (const auto* sweeps = std::get_if<std::vector<SteppedSine>>(&test.content)) {
     return compare_each(*sweeps, test.kind, model, balance, spread, draws);
   }
   if (const auto* levels = std::get_if<ModalLevels>(&test.content)) {
     return compare_modal_levels(input_name(test.path), *levels, model, balance, spread, draws);
   }
-  throw InputError(test.path, "a record of force and displacement",
-                   "must be a test of the structure: sweeps or a ring-down");
+  return compare_records(std::get<std::vector<NamedForceRecord>>(test.content), model,
+                         joint_of_records(model, joint), spread, draws);
 }
 
 void add_joint_warnings(const std::string& path, const JointFile& file,
@@ -258,49 +293,13 @@ class ModelPrediction {
 
   [[nodiscard]] std::vector<ComparedTest> compare(const ReadTest& test,
                                                   const std::optional<TestDraws>& draws) const {
-    if (const auto* records = std::get_if<std::vector<NamedForceRecord>>(&test.content)) {
-      return compare_records(*records, draws);
-    }
     if (std::holds_alternative<std::vector<SteppedSine>>(test.content)) {
       require_driven_by_forces(model_, options_.model, "verify");
     }
-    return compare_test(test, model_, balance_, draws_, draws);
+    return compare_test(test, model_, balance_, draws_, draws, options_.joint);
   }
 
  private:
-  [[nodiscard]] std::vector<ComparedTest> compare_records(
-      const std::vector<NamedForceRecord>& records, const std::optional<TestDraws>& draws) const {
-    const std::size_t j = joint_of_records();
-    LoopJoint joint = loop_joint(model_.structure.joints()[j]);
-    if (j < model_.covered_to.size()) joint.covered_to = model_.covered_to[j];
-    std::function<LoopJoint(std::size_t)> draw;
-    if (draws_) {
-      draw = [&, j](std::size_t i) { return loop_joint(draws_->draw(i).structure.joints()[j]); };
-    }
-    std::vector<ComparedTest> tests;
-    for (const NamedForceRecord& record : records) {
-      tests.push_back(compare_loops(record, joint, draw, draws));
-    }
-    return tests;
-  }
-
-  [[nodiscard]] static LoopJoint loop_joint(const StructuralJoint& joint) {
-    return {joint.joint, joint.linear_damping};
-  }
-
-  [[nodiscard]] std::size_t joint_of_records() const {
-    const auto joints = model_.structure.joints();
-    if (options_.joint.empty() && joints.size() == 1) return 0;
-    const auto found = std::ranges::find(joints, options_.joint, &StructuralJoint::name);
-    if (found != joints.end()) return static_cast<std::size_t>(found - joints.begin());
-    std::vector<std::string> names;
-    for (const StructuralJoint& joint : joints) names.push_back(joint.name);
-    throw InputError(
-        "`joint`", in_quotes(options_.joint),
-        fmt::format("must be one of the joints of the model: {}", fmt::join(names, ", ")),
-        "Records of force and displacement are of one joint.");
-  }
-
   const TestsVerification& options_;
   HarmonicBalanceOptions balance_;
   ModelFile model_;

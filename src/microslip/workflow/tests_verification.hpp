@@ -62,17 +62,20 @@ struct ReadTest {
                                  const std::string& model_path, const TestReading& options);
 
 /// Compares a test by a model that need not be a file.
-/// @param test     sweeps or a ring-down.
+/// @param test     as read.
 /// @param model    that it is a test of.
 /// @param balance  of the predictions.
 /// @param spread   of the model; nothing without draws.
 /// @param draws    which of them; nothing without.
-/// @throws InputError  as compare_sweep(), compare_modal_levels(); for loops.
+/// @param joint    of the model, that loops are of; empty: the only one.
+/// @throws InputError  as compare_sweep(), compare_modal_levels(), compare_loops(); for a joint that
+///     the model does not have.
 /// @throws Cancelled   as the progress of the draws says.
 [[nodiscard]] std::vector<ComparedTest> compare_test(const ReadTest& test, const ModelFile& model,
                                                      const HarmonicBalanceOptions& balance,
                                                      const std::optional<StructureDraws>& spread,
-                                                     const std::optional<TestDraws>& draws);
+                                                     const std::optional<TestDraws>& draws,
+                                                     const std::string& joint = {});
 
 /// What the identification of a joint said against it: `joint_not_of_this_kind` for a verdict,
 /// `joint_not_converged`.
