@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <complex>
-#include <numbers>
 #include <string>
 #include <vector>
 
+#include "io/mode_shapes.hpp"
 #include "io/uff_support.hpp"
 #include "microslip/io/uff55.hpp"
 #include "support/messages.hpp"
@@ -18,12 +17,7 @@ namespace microslip::uff2414_test {
 namespace {
 
 using test::marker;
-
-UffModeShapes read_shapes(const std::string& content) {
-  const test::TemporaryFolder folder;
-  test::put(folder.file("t.uff"), content);
-  return read_mode_shapes_uff(folder.file("t.uff"));
-}
+using test::read_shapes;
 
 /// A normal mode of two nodes with rotations, load set 5, mode 7.
 const std::string kNormal =
@@ -35,11 +29,8 @@ const std::string kNormal =
     "         0         0         3         2         5         7         0         0\n"
     "         0         0\n"
     "  0.00000E+00  5.58000E+01  1.22921E+05  2.50000E+00  1.00000E-02  2.00000E-02\n"
-    "  0.00000E+00  0.00000E+00  0.00000E+00  0.00000E+00  0.00000E+00  0.00000E+00\n"
-    "        10\n"
-    "  1.00000E+00  2.00000E+00  3.00000E+00  4.00000E+00  5.00000E+00  6.00000E+00\n"
-    "        20\n"
-    " -1.00000E+00  0.00000E+00  0.00000E+00  0.00000E+00  0.00000E+00  7.00000E+00\n";
+    "  0.00000E+00  0.00000E+00  0.00000E+00  0.00000E+00  0.00000E+00  0.00000E+00\n" +
+    test::kTwoNodes;
 
 /// λ = −3 + 4i rad/s, modal A = 1 − 2i.
 const std::string kComplex =
@@ -60,21 +51,9 @@ TEST(Uff2414, NormalModeWithRotations) {
   ASSERT_EQ(read.shapes.size(), 1U);
   const UffModeShape& shape = read.shapes[0];
   EXPECT_EQ(shape.dataset, 2414);
-  EXPECT_EQ(shape.analysis, UffAnalysis::kNormalMode);
   EXPECT_EQ(shape.id_lines[0], "first");
-  EXPECT_EQ(shape.id_lines[1], "");
   EXPECT_EQ(shape.id_lines[4], "last");
-  EXPECT_EQ(shape.load_case, 5);
-  EXPECT_EQ(shape.number, 7);
-  EXPECT_EQ(shape.specific_type, 8);
-  EXPECT_EQ(shape.frequency, 55.8);
-  EXPECT_EQ(shape.modal_mass, 2.5);
-  EXPECT_EQ(shape.damping_ratio, 0.01);
-  EXPECT_EQ(shape.loss_factor, 0.02);
-  EXPECT_EQ(shape.nodes, (std::vector<std::int64_t>{10, 20}));
-  EXPECT_EQ(shape.at(0, 2), 3.0);
-  EXPECT_EQ(shape.at(1, 0), -1.0);
-  EXPECT_EQ(shape.at(1, 5), 7.0);
+  test::expect_mode_7(shape);
 }
 
 TEST(Uff2414, ComplexModeHasItsEigenvalueAndModalA) {
@@ -82,11 +61,7 @@ TEST(Uff2414, ComplexModeHasItsEigenvalueAndModalA) {
     const std::string body = test::replaced(kComplex, "         3         2         8",
                                             analysis + "         2         8");
     const UffModeShape shape = read_shapes(dataset(body)).shapes.at(0);
-    EXPECT_EQ(shape.analysis, UffAnalysis::kComplexMode);
-    EXPECT_EQ(shape.eigenvalue, std::complex(-3.0, 4.0));
-    EXPECT_DOUBLE_EQ(shape.frequency, 5.0 / (2.0 * std::numbers::pi));
-    EXPECT_DOUBLE_EQ(shape.damping_ratio.value(), 0.6);
-    EXPECT_EQ(shape.modal_a, std::complex(1.0, -2.0));
+    test::expect_complex_mode(shape, {1.0, -2.0});
     EXPECT_EQ(shape.values, (std::vector<double>{1, 3, 5}));
     EXPECT_EQ(shape.imaginary, (std::vector<double>{2, 4, 6}));
   }

@@ -3,24 +3,18 @@
 
 #include <gtest/gtest.h>
 
-#include <complex>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "io/mode_shapes.hpp"
 #include "io/uff_support.hpp"
 
 namespace microslip::uff55_test {
 namespace {
 
 using test::marker;
-
-UffModeShapes read_shapes(const std::string& content) {
-  const test::TemporaryFolder folder;
-  test::put(folder.file("t.uff"), content);
-  return read_mode_shapes_uff(folder.file("t.uff"));
-}
+using test::read_shapes;
 
 std::string shape_text(const std::string& form, const std::string& body) {
   return marker() + "    55\nmode\nNONE\nNONE\nNONE\nNONE\n" + form + body + marker();
@@ -32,28 +26,13 @@ const std::string kNormalForm =
     "  5.58000E+01  2.50000E+00  1.00000E-02  2.00000E-02\n";
 
 TEST(Uff55, NormalModeOfSixDegreesOfFreedom) {
-  const UffModeShapes read = read_shapes(
-      shape_text(kNormalForm,
-                 "        10\n  1.00000E+00  2.00000E+00  3.00000E+00  4.00000E+00  5.00000E+00"
-                 "  6.00000E+00\n        20\n -1.00000E+00  0.00000E+00  0.00000E+00  0.00000E+00"
-                 "  0.00000E+00  7.00000E+00\n"));
+  const UffModeShapes read = read_shapes(shape_text(kNormalForm, test::kTwoNodes));
   ASSERT_EQ(read.shapes.size(), 1U);
-  const UffModeShape& shape = read.shapes[0];
-  EXPECT_EQ(shape.id_lines[0], "mode");
-  EXPECT_EQ(shape.id_lines[1], "");
-  EXPECT_EQ(shape.load_case, 5);
-  EXPECT_EQ(shape.number, 7);
-  EXPECT_EQ(shape.frequency, 55.8);
-  EXPECT_EQ(shape.modal_mass, 2.5);
-  EXPECT_EQ(shape.damping_ratio, 0.01);
-  EXPECT_EQ(shape.loss_factor, 0.02);
-  EXPECT_EQ(shape.nodes, (std::vector<std::int64_t>{10, 20}));
-  EXPECT_EQ(shape.at(1, 0), -1.0);
-  EXPECT_EQ(shape.at(1, 5), 7.0);
+  EXPECT_EQ(read.shapes[0].id_lines[0], "mode");
+  test::expect_mode_7(read.shapes[0]);
 }
 
 TEST(Uff55, ComplexModeOverTwoLines) {
-  // λ = -3 + 4i rad/s: |λ| = 5 rad/s, ζ = 3/5.
   const UffModeShapes read = read_shapes(
       shape_text("         1         3         3         8         5         4\n"
                  "         2         6         1         1\n"
@@ -61,11 +40,7 @@ TEST(Uff55, ComplexModeOverTwoLines) {
                  "         1\n  1.00000E+00  2.00000E+00  3.00000E+00  4.00000E+00  5.00000E+00"
                  "  6.00000E+00\n  7.00000E+00  8.00000E+00\n"));
   const UffModeShape& shape = read.shapes.at(0);
-  EXPECT_EQ(shape.analysis, UffAnalysis::kComplexMode);
-  EXPECT_DOUBLE_EQ(shape.frequency, 5.0 / (2.0 * std::numbers::pi));
-  EXPECT_DOUBLE_EQ(shape.damping_ratio.value(), 0.6);
-  EXPECT_EQ(shape.modal_a, std::complex(0.0, 0.0));
-  EXPECT_EQ(shape.eigenvalue, std::complex(-3.0, 4.0));
+  test::expect_complex_mode(shape, {0.0, 0.0});
   EXPECT_EQ(shape.modal_mass, std::nullopt);
   EXPECT_EQ(shape.values, (std::vector<double>{1, 3, 5, 7}));
   EXPECT_EQ(shape.imaginary, (std::vector<double>{2, 4, 6, 8}));
