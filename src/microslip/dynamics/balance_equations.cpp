@@ -298,8 +298,11 @@ void BalanceEquations::differentiate() {
   gradient_.head(count_) = change_.response_by_displacement;
   for (std::size_t j = 0; j < cycles_.size(); ++j) {
     const Index first = static_cast<Index>(j) * block;
-    const auto tangent = tangents_[j].transpose();
-    gradient_.segment(first, block) -= change_.response_by_tension.segment(first, block) * tangent;
+    for (Index i = 0; i < block; ++i) {  // by harmonic 1 of the tension alone, as a rule
+      const Complex by_tension = change_.response_by_tension[first + i];
+      if (by_tension == 0.0) continue;
+      gradient_.segment(first, block) -= by_tension * tangents_[j].col(i).transpose();
+    }
   }
   gradient_[count_] = change_.response_by_frequency;
   gradient_[count_ + 1] = change_.response_by_force;

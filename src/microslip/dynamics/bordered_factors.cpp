@@ -15,8 +15,11 @@ void BorderedFactors::compute(BalanceEquations& equations, const VectorXd& scale
   const auto size = static_cast<Index>(moving_.size());
   scale_ = scale(moving_);
   matrix_.resize(size, size);
-  matrix_.topRows(size - 2) = scale_.head(size - 2).cwiseInverse().asDiagonal() *
-                              equations.jacobian() * scale_.asDiagonal();
+  const Eigen::MatrixXd& jacobian = equations.jacobian();
+  const VectorXd inverse = scale_.head(size - 2).cwiseInverse();
+  for (Index j = 0; j < size; ++j) {
+    matrix_.col(j).head(size - 2) = scale_[j] * inverse.cwiseProduct(jacobian.col(j));
+  }
   matrix_.row(size - 2) = first(moving_);
   last_ = last(moving_);
   matrix_.row(size - 1) = last_;
@@ -24,7 +27,13 @@ void BorderedFactors::compute(BalanceEquations& equations, const VectorXd& scale
 }
 
 VectorXd BorderedFactors::solve(const VectorXd& right) const {
-  const VectorXd found = factors_.solve(right(moving_));
+  VectorXd found(scale_.size());
+  const auto& order = factors_.permutationP().indices();
+  for (Index i = 0; i < found.size(); ++i) {
+    found[order[i]] = right[moving_[static_cast<std::size_t>(i)]];
+  }
+  factors_.matrixLU().triangularView<Eigen::UnitLower>().solveInPlace(found);
+  factors_.matrixLU().triangularView<Eigen::Upper>().solveInPlace(found);
   VectorXd solution = VectorXd::Zero(right.size());
   solution(moving_) = found;
   return solution;

@@ -12,6 +12,7 @@
 
 #include "microslip/base/progress.hpp"
 #include "microslip/dynamics/balance_equations.hpp"
+#include "microslip/dynamics/hermite.hpp"
 #include "microslip/dynamics/newton.hpp"
 
 namespace microslip {
@@ -85,14 +86,23 @@ class Continuation {
     double strayed = 0.0;  ///< a harmonic from where the tangents had it expected, relative
   };
 
+  /// Points beside two neighbours, on the same smooth piece of the curve; null where there is none.
+  struct Around {
+    const Point* before = nullptr;
+    const Point* after = nullptr;
+  };
+
   // Points and steps.
+  [[nodiscard]] static bool is_corner(const Point& point);
+  [[nodiscard]] static HermiteKnot knot(const Point& point, const Ray& ray, const Point& origin,
+                                        const Eigen::VectorXd& normal);
   [[nodiscard]] Eigen::RowVectorXd along_row(const Eigen::VectorXd& scale) const;
   [[nodiscard]] Point place_at(const Eigen::VectorXd& z) const;
   [[nodiscard]] Ray directed(const Eigen::VectorXd& scale, const Eigen::RowVectorXd& towards) const;
   [[nodiscard]] Ray ray_at(const Eigen::VectorXd& scale, const Eigen::RowVectorXd& towards) const;
   [[nodiscard]] Point point_at(const Eigen::VectorXd& z, const Eigen::VectorXd* direction) const;
   static void add_curvature(const Point& before, double length, Point& point);
-  [[nodiscard]] static Eigen::VectorXd predicted(const Point& from, double length);
+  [[nodiscard]] Eigen::VectorXd predicted(const Point& from, double length) const;
   NewtonResult correct(const Point& from, double length, Eigen::VectorXd& z);
   [[nodiscard]] double change(const Point& from, const Eigen::VectorXd& z) const;
   [[nodiscard]] double wanted_length(const Point& point) const;
@@ -136,14 +146,18 @@ class Continuation {
   [[nodiscard]] std::vector<Row> walk(const Row& from, const Row& to);
   [[nodiscard]] std::array<double, 2> mark(const Point& point) const;
   [[nodiscard]] bool strays(const Row& from, const Row& to, const Row& row, double allowed) const;
-  [[nodiscard]] bool is_coarse(const Row& from, const Row& to, double allowed);
-  void refine(const Row& from, const Row& to, double allowed, int depth, std::vector<Row>& rows);
+  [[nodiscard]] bool is_coarse(const Row& from, const Row& to, const Around& around,
+                               double allowed);
+  void refine(const Row& from, const Row& to, const Around& around, double allowed, int depth,
+              std::vector<Row>& rows);
   void refine_steps(const Row& from, const Row& to, double allowed, int depth,
                     std::vector<Row>& rows);
   void add_frequencies();
   [[nodiscard]] double strayed(const Bridge& bridge, const Eigen::VectorXd& z,
                                const Eigen::VectorXd& expected) const;
-  [[nodiscard]] std::optional<Row> between(const Row& from, const Row& to, double share);
+  [[nodiscard]] Around around(std::size_t i) const;
+  [[nodiscard]] std::optional<Row> between(const Row& from, const Row& to, const Around& around,
+                                           double share);
   [[nodiscard]] std::optional<Row> at_frequency(const Row& from, const Row& to, double frequency);
   [[nodiscard]] std::optional<Row> row_between(const Bridge& bridge, const Eigen::VectorXd& z,
                                                const NewtonResult& result);

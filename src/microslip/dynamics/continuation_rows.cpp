@@ -64,6 +64,28 @@ struct Continuation::Bridge {
     return h[0] * from.z + h[1] * tangent_a + h[2] * to.z + h[3] * tangent_b;
   }
 
+  /// A point of the bridge, moved across a normal onto the polynomial through the points around as
+  /// well, where that is not far: over the distance along the normal.
+  [[nodiscard]] VectorXd refined(const VectorXd& z, const VectorXd& normal,
+                                 const Around& around) const {
+    constexpr double kMostOff = 0.1;  // of its length
+    std::vector<HermiteKnot> knots{knot(from, from.onward, from, normal),
+                                   knot(to, to.arrival, from, normal)};
+    const double along = knots.back().t;
+    const double t = normal.cwiseQuotient(from.scale).dot(z - from.z);
+    if (!(along > 0.5 * length)) return z;
+    const auto add = [&](const Point* point, const Ray& ray) {
+      HermiteKnot more = knot(*point, ray, from, normal);
+      const double beside = more.t < 0.0 ? -more.t : more.t - along;
+      if (beside > 0.2 * along && beside < 5.0 * along) knots.push_back(std::move(more));
+    };
+    if (around.before != nullptr) add(around.before, around.before->onward);
+    if (around.after != nullptr) add(around.after, around.after->arrival);
+    VectorXd closer = hermite_value(knots, t);
+    const double off = (closer - z).cwiseQuotient(from.scale).norm();
+    return off <= kMostOff * length ? closer : z;
+  }
+
   /// Frequency and height, whose slopes follow from those of the rays.
   [[nodiscard]] std::array<double, 2> at(double u, Index frequency, double growth) const {
     const std::array<double, 4> h = hermite(u);
@@ -130,22 +152,34 @@ double Continuation::strayed(const Bridge& bridge, const VectorXd& z,
   return most;
 }
 
-/// At a share of the bridge, on the plane across it; where that leads nowhere, from the chord.
+/// Of two neighbours, the i-th point and the next.
+Continuation::Around Continuation::around(std::size_t i) const {
+  Around around;
+  if (i > 0 && !is_corner(rows_[i].point)) around.before = &rows_[i - 1].point;
+  const bool smooth = i + 2 < rows_.size() && !is_corner(rows_[i + 1].point);
+  if (smooth) around.after = &rows_[i + 2].point;
+  return around;
+}
+
+/// At a share of the bridge, on the plane across it; where that leads nowhere, from the chord. The
+/// start is on the polynomial that passes through the points around, too, if that is near.
 std::optional<Continuation::Row> Continuation::between(const Row& from, const Row& to,
-                                                       double share) {
+                                                       const Around& around, double share) {
   const Bridge bridge(from.point, to.point);
   const VectorXd on_chord = from.point.z + share * (to.point.z - from.point.z);
   const VectorXd slope =
       bridge.mix(hermite_slope(share)).cwiseQuotient(from.point.scale).normalized();
+  const VectorXd on_bridge = bridge.mix(hermite(share));
   for (const bool curved : {true, false}) {
-    VectorXd z = curved ? bridge.mix(hermite(share)) : on_chord;
-    const VectorXd& normal = curved ? slope : bridge.chord;
-    const Place place{z, normal.transpose() * from.point.scale.cwiseInverse().asDiagonal()};
+    const Place place{
+        curved ? on_bridge : on_chord,
+        (curved ? slope : bridge.chord).transpose() * from.point.scale.cwiseInverse().asDiagonal()};
+    VectorXd z = curved ? bridge.refined(on_bridge, slope, around) : on_chord;
     const NewtonResult result = newton(equations_, kept_, place, options_.newton, z, near_);
     summary_.iterations += result.iterations;
     auto row = row_between(bridge, z, result);
     if (!row) continue;
-    row->strayed = strayed(bridge, z, bridge.mix(hermite(share)));
+    row->strayed = strayed(bridge, z, on_bridge);
     return row;
   }
   return std::nullopt;
@@ -213,7 +247,7 @@ void Continuation::draw_closely() {
     rows.push_back(rows_[i]);
     if (i + 1 == rows_.size()) break;
     if (static_cast<int>(rows.size() + rows_.size() - i) < options_.max_points) {
-      refine(rows_[i], rows_[i + 1], allowed[i], kMostHalvings, rows);
+      refine(rows_[i], rows_[i + 1], around(i), allowed[i], kMostHalvings, rows);
       continue;
     }
     warnings_.push_back(
@@ -291,7 +325,7 @@ bool Continuation::strays(const Row& from, const Row& to, const Row& row, double
 /// Whether more points are needed between two neighbours: the curve by their tangents lies too far
 /// beside the chord, or, where they are far apart, points at the thirds stray. On a narrow
 /// superharmonic resonance that lies between, all else may agree by chance.
-bool Continuation::is_coarse(const Row& from, const Row& to, double allowed) {
+bool Continuation::is_coarse(const Row& from, const Row& to, const Around& around, double allowed) {
   const Index n = equations_.balance_count();
   const Bridge bridge(from.point, to.point);
   const double growth = kept_.quantity == Quantity::kResponse ? -1.0 : 1.0;
@@ -301,31 +335,33 @@ bool Continuation::is_coarse(const Row& from, const Row& to, double allowed) {
   }
   if (std::abs(to.point.z[n] - from.point.z[n]) <= kFarApart * to.point.z[n]) return false;
   return std::ranges::any_of(std::array{1.0 / 3.0, 2.0 / 3.0}, [&](double share) {
-    const std::optional<Row> row = between(from, to, share);
+    const std::optional<Row> row = between(from, to, around, share);
     return !row || strays(from, to, *row, allowed);
   });
 }
 
 /// The point in the middle is solved, and kept; where it strays, once more in each half, and in
 /// that which is too coarse.
-void Continuation::refine(const Row& from, const Row& to, double allowed, int depth,
-                          std::vector<Row>& rows) {
+void Continuation::refine(const Row& from, const Row& to, const Around& around, double allowed,
+                          int depth, std::vector<Row>& rows) {
   const Index n = equations_.balance_count();
   if (std::abs(to.point.z[n] - from.point.z[n]) <= kSameFrequency * to.point.z[n]) return;
-  const std::optional<Row> middle = between(from, to, 0.5);
+  const std::optional<Row> middle = between(from, to, around, 0.5);
   if (!middle) {
     refine_steps(from, to, allowed, depth, rows);
     return;
   }
   const bool deeper = depth > 1;
   const bool far = deeper && strays(from, to, *middle, allowed);
-  if (far || (deeper && is_coarse(from, *middle, allowed))) {
-    refine(from, *middle, allowed, depth - 1, rows);
+  const Around first{around.before, &to.point};
+  const Around second{&from.point, around.after};
+  if (far || (deeper && is_coarse(from, *middle, first, allowed))) {
+    refine(from, *middle, first, allowed, depth - 1, rows);
   }
   rows.push_back(*middle);
   tell(middle->point.along);
-  if (far || (deeper && is_coarse(*middle, to, allowed))) {
-    refine(*middle, to, allowed, depth - 1, rows);
+  if (far || (deeper && is_coarse(*middle, to, second, allowed))) {
+    refine(*middle, to, second, allowed, depth - 1, rows);
   }
 }
 
@@ -341,7 +377,7 @@ void Continuation::refine_steps(const Row& from, const Row& to, double allowed, 
     return;
   }
   for (std::size_t i = 0; i <= steps.size(); ++i) {
-    refine(i == 0 ? from : steps[i - 1], i < steps.size() ? steps[i] : to, allowed,
+    refine(i == 0 ? from : steps[i - 1], i < steps.size() ? steps[i] : to, {}, allowed,
            std::max(depth - 3, 1), rows);
     if (i == steps.size()) break;
     rows.push_back(steps[i]);

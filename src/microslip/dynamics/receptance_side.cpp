@@ -16,6 +16,14 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
+/// a b, without a look at what is not finite.
+Complex times(Complex a, Complex b) {
+  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+
+/// 1/a of what is far from the smallest and the largest number.
+Complex reciprocal(Complex a) { return std::conj(a) / std::norm(a); }
+
 void put(VectorXd& vector, Index at, Complex z) {
   vector[at] = z.real();
   vector[at + 1] = z.imag();
@@ -37,7 +45,10 @@ class ReceptanceSide final : public StructureSide {
                  std::size_t harmonics, Forcing forcing)
       : m_(structure, response_point, harmonics, forcing),
         stuck_(m_.joints),
-        motion_(m_.modes, static_cast<Index>(harmonics) + 1) {
+        motion_(m_.modes, static_cast<Index>(harmonics) + 1),
+        load_(m_.joints),
+        held_load_(m_.modes),
+        passages_(harmonics + 1) {
     for (Index j = 0; j < m_.joints; ++j) {
       stuck_[j] = structure.joints()[static_cast<std::size_t>(j)].joint.stiffness();
     }
@@ -54,28 +65,18 @@ class ReceptanceSide final : public StructureSide {
 
   void evaluate(const Input& input, Values& values) override {
     values.residual.resize(m_.joints * coefficient_count(m_.harmonics));
-    motion_.col(0) = static_modal_ * load(0, input, static_spring_) + resting_modal_;
-    for (Index j = 0; j < m_.joints; ++j) {
-      values.residual[at(j, 0)] =
-          own(input, j, 0).real() - resting_joints_[j] -
-          (static_receptance_.row(j) * load(0, input, static_spring_)).value().real();
-    }
+    for (Passage& passage : passages_) passage.ready = false;
+    evaluate_mean(input, values);
     for (std::size_t h = 1; h <= m_.harmonics; ++h) {
-      const auto column = static_cast<Index>(h);
       if (input.odd_wave && h % 2 == 0) {
-        motion_.col(column).setZero();
+        motion_.col(static_cast<Index>(h)).setZero();
         for (Index j = 0; j < m_.joints; ++j) put(values.residual, at(j, h), 0.0);
-        continue;
-      }
-      prepare(h, input);
-      motion_.col(column) =
-          solve(m_.shapes * load(h, input, spring_) + input.force * m_.load.col(column));
-      const VectorXcd made = m_.shapes.transpose() * motion_.col(column);
-      for (Index j = 0; j < m_.joints; ++j) {
-        put(values.residual, at(j, h), own(input, j, h) - made[j]);
+      } else {
+        evaluate_harmonic(h, input, values);
       }
     }
-    values.response = (m_.response_shape.array() * motion_.col(1).array()).sum();
+    values.response = 0.0;
+    for (Index i = 0; i < m_.modes; ++i) values.response += m_.response_shape[i] * motion_(i, 1);
   }
 
   void differentiate(const Input& input, Derivatives& output) override {
@@ -85,34 +86,24 @@ class ReceptanceSide final : public StructureSide {
     output.response_by_displacement.setZero(n);
     output.response_by_tension.setZero(n);
     odd_wave_ = input.odd_wave;
-    by_displacement_.resize(m_.harmonics + 1);
-    by_tension_.resize(m_.harmonics + 1);
-    mean();
+    couple(passages_[0], static_receptance_, MatrixXd::Zero(m_.joints, m_.joints),
+           static_spring_.cast<Complex>());
     for (std::size_t h = 1; h <= m_.harmonics; h += odd_wave_ ? 2 : 1) harmonic(h, input, output);
   }
 
   // The structure couples joints and not harmonics, a joint couples harmonics and not joints: a
   // column is that of a tangent, its harmonics each through the receptances of the joint.
   [[nodiscard]] MatrixXd by_motion(const std::vector<MatrixXd>& tangents) const override {
-    std::vector<Index> kept;
-    for (Index i = 0; i < coefficient_count(m_.harmonics); ++i) {
-      if (!odd_wave_ || !is_even_coefficient(i)) kept.push_back(i);
-    }
+    const std::vector<Index> kept =
+        coefficients_of(odd_wave_ ? Wave::kOdd : Wave::kAny, m_.harmonics);
     const auto block = static_cast<Index>(kept.size());
     MatrixXd result(m_.joints * block, m_.joints * block);
-    MatrixXd of_real(block, m_.joints);
-    MatrixXd of_imaginary(block, m_.joints);
-    VectorXd real(block);
-    VectorXd imaginary(block);
     for (Index l = 0; l < m_.joints; ++l) {
-      const MatrixXd& tangent = tangents[static_cast<std::size_t>(l)];
-      spread(l, kept, of_real, of_imaginary);
       for (Index c = 0; c < block; ++c) {
-        split(tangent.row(kept[static_cast<std::size_t>(c)]), kept, real, imaginary);
-        Eigen::Map<MatrixXd> column(result.col(l * block + c).data(), block, m_.joints);
-        column = -(of_real.array().colwise() * real.array() +
-                   of_imaginary.array().colwise() * imaginary.array());
-        add_own(l, kept[static_cast<std::size_t>(c)], c, column);
+        const Index i = kept[static_cast<std::size_t>(c)];
+        double* column = result.col(l * block + c).data();
+        pass(l, tangents[static_cast<std::size_t>(l)].row(i), kept, column);
+        for (Index j = 0; j < m_.joints; ++j) add_own(j, l, i, column + j * block + c);
       }
     }
     return result;
@@ -143,15 +134,23 @@ class ReceptanceSide final : public StructureSide {
     return h == 0 ? Complex(x[i]) : Complex(x[i], x[i + 1]);
   }
 
+  /// The structure in one harmonic.
+  struct Passage {
+    bool ready = false;      ///< impedance and spring are those of the input
+    bool near_pole = false;  ///< then K holds κ, and is factored
+    VectorXcd inverse;       ///< 1/Z of each mode
+    VectorXcd spring;        ///< κ
+    Eigen::PartialPivLU<MatrixXcd> held_solver;
+    MatrixXcd by_displacement;  ///< joints × joints, of the residual
+    MatrixXcd by_tension;
+  };
+
   /// s_l = N_l + κ_l (u_l − c_l N_l) in harmonic h.
-  [[nodiscard]] VectorXcd load(std::size_t h, const Input& input, const VectorXcd& spring) const {
-    VectorXcd s(m_.joints);
+  template <typename Springs>
+  void take_load(std::size_t h, const Input& input, const Springs& spring) {
     for (Index l = 0; l < m_.joints; ++l) {
-      const Complex tension = coefficient(input.tension, l, h);
-      const Complex displacement = coefficient(input.displacement, l, h);
-      s[l] = tension + spring[l] * (displacement - m_.compliance[l] * tension);
+      load_[l] = coefficient(input.tension, l, h) + times(Complex(spring[l]), own(input, l, h));
     }
-    return s;
   }
 
   /// u_j − c_j N_j in harmonic h: what the modes are to make.
@@ -160,54 +159,79 @@ class ReceptanceSide final : public StructureSide {
            m_.compliance[j] * coefficient(input.tension, j, h);
   }
 
-  void mean() { couple(0, static_receptance_.cast<Complex>(), static_spring_.cast<Complex>()); }
-
-  /// How the joints feel each other in a harmonic.
-  void couple(std::size_t h, const MatrixXcd& receptance, const VectorXcd& spring) {
-    by_displacement_[h] = -receptance * spring.asDiagonal();
-    by_displacement_[h].diagonal().array() += 1.0;
-    const VectorXcd compliance = m_.compliance.cast<Complex>();
-    const VectorXcd passed = VectorXcd::Ones(m_.joints) - spring.cwiseProduct(compliance);
-    by_tension_[h] = -receptance * passed.asDiagonal();
-    by_tension_[h].diagonal() -= compliance;
+  void evaluate_mean(const Input& input, Values& values) {
+    take_load(0, input, static_spring_);
+    const VectorXd load = load_.real();
+    motion_.col(0) = (static_modal_ * load + resting_modal_).cast<Complex>();
+    for (Index j = 0; j < m_.joints; ++j) {
+      values.residual[at(j, 0)] =
+          own(input, j, 0).real() - resting_joints_[j] - static_receptance_.row(j).dot(load);
+    }
   }
 
-  /// What real and imaginary tensions in joint l do to the kept coefficients of all joints.
-  void spread(Index l, const std::vector<Index>& kept, MatrixXd& of_real,
-              MatrixXd& of_imaginary) const {
+  void evaluate_harmonic(std::size_t h, const Input& input, Values& values) {
+    const auto column = static_cast<Index>(h);
+    prepare(h, input);
+    const Passage& passage = passages_[h];
+    take_load(h, input, passage.spring);
+    for (Index i = 0; i < m_.modes; ++i) {
+      Complex sum = input.force * m_.load(i, column);
+      for (Index l = 0; l < m_.joints; ++l) sum += m_.shapes(i, l) * load_[l];
+      held_load_[i] = sum;
+      motion_(i, column) = times(passage.inverse[i], sum);
+    }
+    if (passage.near_pole) motion_.col(column) = passage.held_solver.solve(held_load_);
     for (Index j = 0; j < m_.joints; ++j) {
-      for (Index r = 0; r < of_real.rows(); ++r) {
-        const Index i = kept[static_cast<std::size_t>(r)];
-        const Complex g = by_tension_[harmonic_at(i)](j, l);
-        of_real(r, j) = is_real_part(i) ? g.real() : g.imag();
-        of_imaginary(r, j) = is_real_part(i) ? -g.imag() : g.real();
+      Complex made = 0.0;
+      for (Index i = 0; i < m_.modes; ++i) made += m_.shapes(i, j) * motion_(i, column);
+      put(values.residual, at(j, h), own(input, j, h) - made);
+    }
+  }
+
+  /// How the joints feel each other in a harmonic, by real and imaginary receptances.
+  void couple(Passage& passage, const MatrixXd& real, const MatrixXd& imaginary,
+              const VectorXcd& spring) const {
+    passage.by_displacement.resize(m_.joints, m_.joints);
+    passage.by_tension.resize(m_.joints, m_.joints);
+    for (Index l = 0; l < m_.joints; ++l) {
+      const Complex passed = 1.0 - spring[l] * m_.compliance[l];
+      for (Index j = 0; j < m_.joints; ++j) {
+        const Complex receptance(real(j, l), imaginary(j, l));
+        passage.by_displacement(j, l) = (j == l ? 1.0 : 0.0) - times(receptance, spring[l]);
+        passage.by_tension(j, l) = -times(receptance, passed) - (j == l ? m_.compliance[l] : 0.0);
       }
     }
   }
 
-  /// The real and the imaginary part in the harmonic of each kept coefficient.
+  /// What a tension of joint l with these harmonics does to the kept coefficients of all joints.
   template <typename Row>
-  static void split(const Row& tangent, const std::vector<Index>& kept, VectorXd& real,
-                    VectorXd& imaginary) {
-    for (Index r = 0; r < real.size(); ++r) {
-      const Index i = kept[static_cast<std::size_t>(r)];
-      const Index first = coefficient_index(harmonic_at(i));
-      real[r] = tangent[first];
-      imaginary[r] = i == 0 ? 0.0 : tangent[first + 1];
+  void pass(Index l, const Row& tangent, const std::vector<Index>& kept, double* column) const {
+    for (Index j = 0; j < m_.joints; ++j) {
+      for (std::size_t r = 0; r < kept.size();) {
+        const Index i = kept[r];
+        const Complex g = passages_[harmonic_at(i)].by_tension(j, l);
+        if (i == 0) {
+          *column++ = -g.real() * tangent[0];
+          ++r;
+          continue;
+        }
+        const Complex made = times(g, {tangent[i], tangent[i + 1]});
+        *column++ = -made.real();
+        *column++ = -made.imag();
+        r += 2;
+      }
     }
   }
 
-  /// By the displacement itself, coefficient i of joint l, which is the c-th that is kept.
-  void add_own(Index l, Index i, Index c, Eigen::Map<MatrixXd>& column) const {
-    const MatrixXcd& matrix = by_displacement_[harmonic_at(i)];
-    if (i == 0) {
-      column.row(c) += matrix.col(l).real().transpose();
-    } else if (is_real_part(i)) {
-      column.row(c) += matrix.col(l).real().transpose();
-      column.row(c + 1) += matrix.col(l).imag().transpose();
+  /// By the displacement itself, coefficient i of joint l, in the rows of joint j.
+  void add_own(Index j, Index l, Index i, double* row) const {
+    const Complex made = passages_[harmonic_at(i)].by_displacement(j, l);
+    *row += made.real();
+    if (i == 0) return;
+    if (is_real_part(i)) {
+      row[1] += made.imag();
     } else {
-      column.row(c - 1) -= matrix.col(l).imag().transpose();
-      column.row(c) += matrix.col(l).real().transpose();
+      row[-1] -= made.imag();
     }
   }
 
@@ -216,63 +240,95 @@ class ReceptanceSide final : public StructureSide {
   }
   [[nodiscard]] static bool is_real_part(Index i) { return i == 0 || i % 2 == 1; }
 
-  /// Takes K and κ of harmonic h.
+  /// Takes K and κ of harmonic h, once for an input.
   void prepare(std::size_t h, const Input& input) {
     constexpr double kNearPole = 1e-6;
-    impedance_.resize(m_.modes);
+    Passage& passage = passages_[h];
+    if (passage.ready) return;
+    passage.ready = true;
+    passage.inverse.resize(m_.modes);
     // Modal forcing makes a free vibration, at a pole of the modes where the joints hardly hold.
-    near_pole_ = m_.forcing == Forcing::kModal;
+    passage.near_pole = m_.forcing == Forcing::kModal;
     for (Index i = 0; i < m_.modes; ++i) {
-      impedance_[i] = m_.stiffness(i, h, input.angular_frequency, input.force);
-      near_pole_ = near_pole_ || std::abs(impedance_[i]) < kNearPole * held_[i];
+      const Complex impedance = m_.stiffness(i, h, input.angular_frequency, input.force);
+      passage.near_pole = passage.near_pole || std::abs(impedance) < kNearPole * held_[i];
+      passage.inverse[i] = reciprocal(impedance);
     }
-    spring_ = m_.spring_in_modes;
-    if (!near_pole_) return;
-    const VectorXcd added = Complex(1.0, 1.0) * stuck_;
-    spring_ += added;
-    MatrixXcd stiffness = m_.shapes * added.asDiagonal() * m_.shapes.transpose();
-    stiffness.diagonal() += impedance_;
-    held_solver_.compute(stiffness);
+    passage.spring = m_.spring_in_modes.cast<Complex>();
+    if (passage.near_pole) hold(h, input);
   }
 
-  /// K⁻¹ of these loads.
-  template <typename Loads>
-  [[nodiscard]] MatrixXcd solve(const Loads& loads) const {
-    if (near_pole_) return held_solver_.solve(loads.template cast<Complex>());
-    return impedance_.cwiseInverse().asDiagonal() * loads;
+  /// With a complex spring in place of each joint.
+  void hold(std::size_t h, const Input& input) {
+    Passage& passage = passages_[h];
+    const VectorXcd added = Complex(1.0, 1.0) * stuck_;
+    passage.spring += added;
+    MatrixXcd stiffness = m_.shapes * added.asDiagonal() * m_.shapes.transpose();
+    for (Index i = 0; i < m_.modes; ++i) {
+      stiffness(i, i) += m_.stiffness(i, h, input.angular_frequency, input.force);
+    }
+    passage.held_solver.compute(stiffness);
+  }
+
+  /// K⁻¹ψ, real and imaginary.
+  void weigh(const Passage& passage) {
+    if (passage.near_pole) {
+      const MatrixXcd weighted = passage.held_solver.solve(m_.shapes.cast<Complex>());
+      real_ = weighted.real();
+      imaginary_ = weighted.imag();
+      return;
+    }
+    real_.resize(m_.modes, m_.joints);
+    imaginary_.resize(m_.modes, m_.joints);
+    for (Index j = 0; j < m_.joints; ++j) {
+      for (Index i = 0; i < m_.modes; ++i) {
+        real_(i, j) = passage.inverse[i].real() * m_.shapes(i, j);
+        imaginary_(i, j) = passage.inverse[i].imag() * m_.shapes(i, j);
+      }
+    }
   }
 
   void harmonic(std::size_t h, const Input& input, Derivatives& output) {
     const auto column = static_cast<Index>(h);
     prepare(h, input);
-    VectorXcd shift = motion_.col(column);  // −Z_i′q_i, the load that acts as dω does
-    VectorXcd unit(m_.modes);               // the load of a unit of force
+    Passage& passage = passages_[h];
+    shift_.resize(m_.modes);
+    unit_.resize(m_.modes);
     for (Index i = 0; i < m_.modes; ++i) {
-      shift[i] *= -m_.stiffness_slope(i, h, input.angular_frequency, input.force);
-      unit[i] = m_.load_by_force(i, h, input.angular_frequency, motion_(i, column));
+      const Complex slope = m_.stiffness_slope(i, h, input.angular_frequency, input.force);
+      shift_[i] = -times(slope, motion_(i, column));
+      unit_[i] = m_.load_by_force(i, h, input.angular_frequency, motion_(i, column));
     }
-    const MatrixXcd weighted = solve(m_.shapes);  // K⁻¹ψ
-    const MatrixXcd receptance = m_.shapes.transpose() * weighted;
-    const VectorXcd driven = weighted.transpose() * unit;
-    const VectorXcd shifted = weighted.transpose() * shift;
+    weigh(passage);
     for (Index j = 0; j < m_.joints; ++j) {
+      Complex driven = 0.0;
+      Complex shifted = 0.0;
+      for (Index i = 0; i < m_.modes; ++i) {
+        const Complex weighted(real_(i, j), imaginary_(i, j));
+        driven += times(weighted, unit_[i]);
+        shifted += times(weighted, shift_[i]);
+      }
       const Index row = at(j, h);
-      put(output.by_frequency, row, -shifted[j]);
-      put(output.by_force, row, -driven[j]);
+      put(output.by_frequency, row, -shifted);
+      put(output.by_force, row, -driven);
     }
-    couple(h, receptance, spring_);
-    if (h == 1) respond(weighted, unit, shift, output);
+    receptance_.noalias() = m_.shapes.transpose() * real_;
+    receptance_loss_.noalias() = m_.shapes.transpose() * imaginary_;
+    couple(passage, receptance_, receptance_loss_, passage.spring);
+    if (h == 1) respond(output);
   }
 
-  void respond(const MatrixXcd& weighted, const VectorXcd& unit, const VectorXcd& shift,
-               Derivatives& output) const {
-    const VectorXcd transfer = weighted.transpose() * m_.response_shape;
-    const VectorXcd point = solve(m_.response_shape);
-    output.response_by_force = (point.array() * unit.array()).sum();
-    output.response_by_frequency = (point.array() * shift.array()).sum();
+  void respond(Derivatives& output) {
+    const Passage& passage = passages_[1];
+    VectorXcd point = passage.inverse.cwiseProduct(m_.response_shape);
+    if (passage.near_pole) point = passage.held_solver.solve(m_.response_shape.cast<Complex>());
+    output.response_by_force = (point.array() * unit_.array()).sum();
+    output.response_by_frequency = (point.array() * shift_.array()).sum();
     for (Index l = 0; l < m_.joints; ++l) {
-      const Complex by_displacement = transfer[l] * spring_[l];
-      const Complex by_tension = transfer[l] * (1.0 - spring_[l] * m_.compliance[l]);
+      const Complex transfer(real_.col(l).dot(m_.response_shape),
+                             imaginary_.col(l).dot(m_.response_shape));
+      const Complex by_displacement = transfer * passage.spring[l];
+      const Complex by_tension = transfer * (1.0 - passage.spring[l] * m_.compliance[l]);
       const Index column = at(l, 1);
       const Complex i(0.0, 1.0);
       output.response_by_displacement[column] = by_displacement;
@@ -291,13 +347,16 @@ class ReceptanceSide final : public StructureSide {
   VectorXd resting_modal_;      // K⁻¹p of the static loads
   VectorXd resting_joints_;     // ψᵀK⁻¹p
   MatrixXcd motion_;            // q
-  bool odd_wave_ = false;       // where the derivatives were taken
-  std::vector<MatrixXcd> by_displacement_;  // of each harmonic, joints × joints
-  std::vector<MatrixXcd> by_tension_;
-  VectorXcd impedance_;     // Z of the harmonic at hand
-  VectorXcd spring_;        // κ
-  bool near_pole_ = false;  // then K holds κ, and is factored
-  Eigen::PartialPivLU<MatrixXcd> held_solver_;
+  VectorXcd load_;              // of the joints in the harmonic at hand, s
+  VectorXcd held_load_;         // of the modes
+  std::vector<Passage> passages_;
+  bool odd_wave_ = false;  // where the derivatives were taken
+  VectorXcd shift_;        // −Z_i′q_i, the load that acts as dω does
+  VectorXcd unit_;         // the load of a unit of force
+  MatrixXd real_;          // K⁻¹ψ, modes × joints
+  MatrixXd imaginary_;
+  MatrixXd receptance_;  // H, real
+  MatrixXd receptance_loss_;
 };
 
 }  // namespace

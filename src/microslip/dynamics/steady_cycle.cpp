@@ -23,11 +23,11 @@ bool is_odd_wave(std::span<const double> coefficients) {
   return true;
 }
 
-std::span<const double> to_span(const VectorXd& x, Index first, Index count) {
+std::span<const double> stretch_of(const VectorXd& x, Index first, Index count) {
   return {x.data() + first, static_cast<std::size_t>(count)};
 }
 
-std::span<double> to_span(VectorXd& x, Index first, Index count) {
+std::span<double> stretch_of(VectorXd& x, Index first, Index count) {
   return {x.data() + first, static_cast<std::size_t>(count)};
 }
 
@@ -76,9 +76,9 @@ void SteadyCycle::begin(std::span<const double> displacement) {
     motion_.push_back(displacement[static_cast<std::size_t>(i)]);
   }
   const Index half = basis_.samples() / 2;
-  basis_.evaluate(columns_->motion, motion_, to_span(x_, 0, odd ? half : basis_.samples()));
+  basis_.evaluate(columns_->motion, motion_, stretch_of(x_, 0, odd ? half : basis_.samples()));
   if (odd) x_.tail(half) = -x_.head(half);
-  extremes_.find(to_span(std::as_const(x_), 0, x_.size()), motion_, columns_->wave);
+  extremes_.find(stretch_of(std::as_const(x_), 0, x_.size()), motion_, columns_->wave);
   half_ = odd && extremes_.size() > 0;
 
   const auto n = static_cast<Index>(motion_.size());
@@ -155,7 +155,8 @@ void SteadyCycle::turn_round(Index first) {
 void SteadyCycle::hand_over(std::span<double> force, std::span<double> jacobian) {
   const double times = half_ ? 2.0 : 1.0;
   const std::vector<Index>& motion = columns_->motion;
-  basis_.sum(motion, 0, to_span(force_, 0, half_ ? basis_.samples() / 2 : basis_.samples()), sums_);
+  basis_.sum(motion, 0, stretch_of(force_, 0, half_ ? basis_.samples() / 2 : basis_.samples()),
+             sums_);
   const VectorXd& weights = basis_.weights();
   moments_[0] *= times * weights[0];
   moments_.tail(moments_.size() - 1) *= times * weights[1];
@@ -331,12 +332,15 @@ void SteadyCycle::block(const Joint& joint, const Reversal& origin, double sign,
                         Index samples) {
   if (samples == 0) return;
   const double k = joint.stiffness();
-  const VirginCurve::Branch branch{extremes_[origin.at].displacement, origin.force, 0.5 * k,
-                                   2.0 * sign};
-  const std::span<double> slope = to_span(slope_, first, samples);
-  joint.virgin_curve().branch_responses(branch, to_span(std::as_const(x_), first, samples),
-                                        to_span(force_, first, samples), slope);
-  basis_.sum(columns_->sums, first, slope, to_span(part_, 0, part_.size()));
+  const double turned_at = extremes_[origin.at].displacement;
+  const VirginCurve& curve = joint.virgin_curve();
+  for (Index i = first; i < first + samples; ++i) {
+    const auto [virgin, slope] = curve.response(0.5 * k * std::abs(x_[i] - turned_at));
+    force_[i] = origin.force + 2.0 * sign * virgin;
+    slope_[i] = slope;
+  }
+  basis_.sum(columns_->sums, first, stretch_of(std::as_const(slope_), first, samples),
+             stretch_of(part_, 0, part_.size()));
   part_ *= k;
   for (std::size_t i = columns_->first_moment; i < columns_->sums.size(); ++i) {
     moments_[columns_->sums[i]] += part_[static_cast<Index>(i)];

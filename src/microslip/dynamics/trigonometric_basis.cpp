@@ -14,7 +14,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr Index kLanes = 8;  // sums that run side by side: a vector of them or more
+constexpr Index kSumLanes = 8;  // sums that run side by side: a vector of them or more
 
 /// x_k = Σ_i coefficients_i matrix(k, columns_i), k < n.
 MICROSLIP_VECTOR_CLONES
@@ -34,10 +34,10 @@ void sum_columns(const double* matrix, Index stride, const Index* columns, Index
                  const double* f, Index n, double* sums) {
   for (Index i = 0; i < count; ++i) {
     const double* column = matrix + columns[i] * stride;
-    std::array<double, kLanes> lanes{};
+    std::array<double, kSumLanes> lanes{};
     Index k = 0;
-    for (; k + kLanes <= n; k += kLanes) {
-      for (Index l = 0; l < kLanes; ++l) {
+    for (; k + kSumLanes <= n; k += kSumLanes) {
+      for (Index l = 0; l < kSumLanes; ++l) {
         lanes[static_cast<std::size_t>(l)] += f[k + l] * column[k + l];
       }
     }

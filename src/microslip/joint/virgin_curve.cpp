@@ -11,6 +11,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/vector_clones.hpp"
+#include "microslip/joint/power_law.hpp"
 
 namespace microslip {
 namespace {
@@ -109,30 +110,9 @@ void VirginCurve::find_buckets(std::size_t n, const double* s, const Lookup& fin
   }
 }
 
-void VirginCurve::branch_responses(const Branch& branch, std::span<const double> x,
-                                   std::span<double> force, std::span<double> slope) const {
-  if (force.size() != x.size() || slope.size() != x.size()) {
-    throw InputError("length of force and slope", static_cast<double>(force.size()),
-                     fmt::format("must be that of the displacements, {}", x.size()));
-  }
-  const Lookup find = lookup();
-  std::array<double, kBlock> s;
-  std::array<std::int32_t, kBlock> bucket;
-  for (std::size_t begin = 0; begin < x.size(); begin += kBlock) {
-    const std::size_t n = std::min(kBlock, x.size() - begin);
-    elastic_forces(n, x.data() + begin, branch, s.data());
-    find_buckets(n, s.data(), find, bucket.data());
-    for (std::size_t i = 0; i < n; ++i) {
-      const Response at = response(find.cubic(s[i], bucket[i]), s[i]);
-      force[begin + i] = branch.force + branch.scale * at.force;
-      slope[begin + i] = at.slope;
-    }
-  }
-}
-
 double VirginCurve::power_law_deficit(double s) const {
   double sum = 0.0;
-  for (const PowerLawCurve& part : power_laws_) sum += part.slip(s).force_deficit;
+  for (const PowerLawPart& part : power_laws_) sum += power_law_force_deficit(part, s);
   return sum;
 }
 
@@ -140,26 +120,22 @@ double VirginCurve::slope(double s) const {
   const Lookup find = lookup();
   s = std::max(s, 0.0);
   double slope = linear_slope(find.cubic(s, find.bucket(s)), s);
-  for (const PowerLawCurve& part : power_laws_) slope -= part.slip(s).weight;
+  for (const PowerLawPart& part : power_laws_) slope -= power_law_weight(part, s);
   return std::clamp(slope, 0.0, 1.0);
 }
 
 VirginCurve::Response VirginCurve::response(double s) const {
   const Lookup find = lookup();
   s = std::max(s, 0.0);
-  return response(find.cubic(s, find.bucket(s)), s);
-}
-
-/// By the cubic that holds s.
-inline VirginCurve::Response VirginCurve::response(const Cubic& cubic, double s) const {
-  double slope = linear_slope(cubic, s);
+  const Cubic& c = find.cubic(s, find.bucket(s));
+  double slope = linear_slope(c, s);
   double deficit = 0.0;
-  for (const PowerLawCurve& part : power_laws_) {
-    const PowerLawSlip slip = part.slip(s);
+  for (const PowerLawPart& part : power_laws_) {
+    const PowerLawSlip slip = power_law_slip(part, s);
     slope -= slip.weight;
     deficit += slip.force_deficit;
   }
-  return {linear_force(cubic, s) - deficit, std::clamp(slope, 0.0, 1.0)};
+  return {linear_force(c, s) - deficit, std::clamp(slope, 0.0, 1.0)};
 }
 
 }  // namespace microslip

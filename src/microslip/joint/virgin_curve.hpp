@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "microslip/joint/density.hpp"
-#include "microslip/joint/power_law_curve.hpp"
 
 namespace microslip {
 
@@ -48,10 +47,6 @@ class VirginCurve {
   /// @throws InputError  for another length.
   void branch_forces(const Branch& branch, std::span<const double> x,
                      std::span<double> force) const;
-
-  /// The same with dF/ds, 1. @param slope  of the length of x.
-  void branch_responses(const Branch& branch, std::span<const double> x, std::span<double> force,
-                        std::span<double> slope) const;
 
   /// dF/ds = 1 − Φ0(s), 1, in [0, 1]. At an atom the value beyond it; s as in force().
   [[nodiscard]] double slope(double s) const;
@@ -120,7 +115,6 @@ class VirginCurve {
                            std::int32_t* bucket);
   void fill_buckets();
   [[nodiscard]] double power_law_deficit(double s) const;
-  [[nodiscard]] Response response(const Cubic& cubic, double s) const;
 
   std::vector<Cubic> cubics_;  // by rising start; a sentinel that starts nowhere ends it
   std::vector<std::uint32_t>
@@ -128,7 +122,7 @@ class VirginCurve {
   double buckets_per_newton_ = 0.0;
   double last_bucket_ = 0.0;
   bool crowded_ = false;  // some bucket holds more than one knot
-  std::vector<PowerLawCurve> power_laws_;
+  std::vector<PowerLawPart> power_laws_;
 };
 
 }  // namespace microslip
