@@ -68,16 +68,21 @@ struct Continuation::Bridge {
   /// well, where that is not far: over the distance along the normal.
   [[nodiscard]] VectorXd refined(const VectorXd& z, const VectorXd& normal,
                                  const Around& around) const {
-    constexpr double kMostOff = 0.1;  // of its length
+    constexpr double kMostOff = 0.1;      // of its length
+    constexpr double kLeastAlong = 0.5;   // likewise: else it is steep against the normal
+    constexpr double kLeastBeside = 0.2;  // of that: nearer points tell little more
+    constexpr double kMostBeside = 5.0;   // likewise: farther ones lead away
     std::vector<HermiteKnot> knots{knot(from, from.onward, from, normal),
                                    knot(to, to.arrival, from, normal)};
     const double along = knots.back().t;
     const double t = normal.cwiseQuotient(from.scale).dot(z - from.z);
-    if (!(along > 0.5 * length)) return z;
+    if (!(along > kLeastAlong * length)) return z;
     const auto add = [&](const Point* point, const Ray& ray) {
       HermiteKnot more = knot(*point, ray, from, normal);
       const double beside = more.t < 0.0 ? -more.t : more.t - along;
-      if (beside > 0.2 * along && beside < 5.0 * along) knots.push_back(std::move(more));
+      if (beside > kLeastBeside * along && beside < kMostBeside * along) {
+        knots.push_back(std::move(more));
+      }
     };
     if (around.before != nullptr) add(around.before, around.before->onward);
     if (around.after != nullptr) add(around.after, around.after->arrival);

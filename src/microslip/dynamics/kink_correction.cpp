@@ -19,23 +19,24 @@ double bernoulli3(double t) { return t * (t - 0.5) * (t - 1.0); }
 
 }  // namespace
 
-KinkCorrection::KinkCorrection(std::size_t samples)
-    : step_(2.0 * std::numbers::pi / static_cast<double>(samples)) {}
+KinkCorrection::KinkCorrection(std::size_t harmonics, std::size_t samples)
+    : step_(2.0 * std::numbers::pi / static_cast<double>(samples)),
+      row_(coefficient_count(harmonics)),
+      slope_(coefficient_count(harmonics)),
+      sums_(coefficient_count(harmonics)),
+      derivatives_(coefficient_count(harmonics), coefficient_count(harmonics)) {}
 
 void KinkCorrection::reset(std::span<const double> coefficients, Wave wave) {
-  const auto size = static_cast<Eigen::Index>(coefficients.size());
   coefficients_ = coefficients;
   wave_ = wave;
-  row_.resize(size);
-  slope_.resize(size);
-  sums_.setZero(size);
-  derivatives_.setZero(size, size);
+  sums_.setZero();
+  derivatives_.setZero();
 }
 
 void KinkCorrection::add_turn(double tau, Eigen::Index next, double acceleration,
                               const Ref<const VectorXd>& row, double jump) {
   const double theta = tau / step_ - static_cast<double>(next - 1);
-  derivative_of_basis(row, wave_, slope_);
+  derivative_of_basis(row, slope_);
   const double third = step_ * step_ / 6.0 * jump * acceleration * bernoulli3(theta);
   const double second = 0.5 * step_ * jump * bernoulli2(theta);
   for (Eigen::Index j = 0; j < row.size(); ++j) {
@@ -49,8 +50,8 @@ void KinkCorrection::add_kink(double tau, double jump, const Ref<const VectorXd>
                               const Ref<const VectorXd>& gradient) {
   const double theta = tau / step_ - std::floor(tau / step_);
   const Motion motion = motion_at(coefficients_, tau, wave_);
-  basis_at(tau, wave_, row_);
-  derivative_of_basis(row_, wave_, slope_);
+  basis_at(tau, row_);
+  derivative_of_basis(row_, slope_);
   const double second = 0.5 * step_ * bernoulli2(theta);
   const double third = step_ * step_ / 6.0 * bernoulli3(theta);
   sums_ += jump * ((second * motion.velocity - third * motion.acceleration) * row_ -

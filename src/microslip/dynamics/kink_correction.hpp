@@ -23,9 +23,10 @@ namespace microslip {
 /// terms to the order of h in h Σ g are kept.
 class KinkCorrection {
  public:
-  explicit KinkCorrection(std::size_t samples);
+  KinkCorrection(std::size_t harmonics, std::size_t samples);
 
-  /// Starts anew. @param coefficients  of x, kept by reference. @param wave  which those are.
+  /// Starts anew. @param coefficients  of x, kept by reference. @param wave  which those are; rows
+  /// and what is found have all.
   void reset(std::span<const double> coefficients, Wave wave);
 
   /// A reversal: the tangent jumps while the velocity is 0.

@@ -174,11 +174,12 @@ class ReceptanceSide final : public StructureSide {
     prepare(h, input);
     const Passage& passage = passages_[h];
     take_load(h, input, passage.spring);
+    held_load_ = input.force * m_.load.col(column);
+    for (Index l = 0; l < m_.joints; ++l) {
+      for (Index i = 0; i < m_.modes; ++i) held_load_[i] += m_.shapes(i, l) * load_[l];
+    }
     for (Index i = 0; i < m_.modes; ++i) {
-      Complex sum = input.force * m_.load(i, column);
-      for (Index l = 0; l < m_.joints; ++l) sum += m_.shapes(i, l) * load_[l];
-      held_load_[i] = sum;
-      motion_(i, column) = times(passage.inverse[i], sum);
+      motion_(i, column) = times(passage.inverse[i], held_load_[i]);
     }
     if (passage.near_pole) motion_.col(column) = passage.held_solver.solve(held_load_);
     for (Index j = 0; j < m_.joints; ++j) {

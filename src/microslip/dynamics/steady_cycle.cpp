@@ -34,12 +34,10 @@ std::span<double> stretch_of(VectorXd& x, Index first, Index count) {
 }  // namespace
 
 SteadyCycle::Columns::Columns(Wave which, std::size_t harmonics)
-    : wave(which), motion(coefficients_of(which, harmonics)), sums(motion), first_moment(0) {
-  const bool odd = which == Wave::kOdd;
-  if (odd) first_moment = sums.size();
-  const Index first = odd ? 0 : coefficient_count(harmonics);
-  for (Index i = first; i < coefficient_count(2 * harmonics); ++i) {
-    if (!odd || is_even_coefficient(i)) sums.push_back(i);
+    : wave(which), motion(coefficients_of(which, harmonics)) {
+  for (Index i = 0; i < coefficient_count(2 * harmonics); ++i) {
+    const bool moment = which == Wave::kAny || is_even_coefficient(i);
+    if (moment || i < coefficient_count(harmonics)) sums.push_back(i);
   }
 }
 
@@ -51,8 +49,10 @@ SteadyCycle::SteadyCycle(std::size_t harmonics, std::size_t samples)
       x_(basis_.samples()),
       force_(basis_.samples()),
       slope_(basis_.samples()),
-      kinks_(samples),
-      moments_(coefficient_count(2 * harmonics)) {}
+      kinks_(harmonics, samples),
+      jump_gradient_(coefficient_count(harmonics)),
+      moments_(coefficient_count(2 * harmonics)),
+      through_reversals_(coefficient_count(harmonics), coefficient_count(harmonics)) {}
 
 HarmonicForce::Cycle SteadyCycle::evaluate(const Joint& joint, std::span<const double> displacement,
                                            std::span<double> force, std::span<double> jacobian) {
@@ -81,11 +81,9 @@ void SteadyCycle::begin(std::span<const double> displacement) {
   extremes_.find(stretch_of(std::as_const(x_), 0, x_.size()), motion_, columns_->wave);
   half_ = odd && extremes_.size() > 0;
 
-  const auto n = static_cast<Index>(motion_.size());
   moments_.setZero();
   kinks_.reset(motion_, columns_->wave);
-  jump_gradient_.resize(n);
-  through_reversals_.setZero(n, n);
+  through_reversals_.setZero();
   part_.resize(static_cast<Index>(columns_->sums.size()));
   sums_.resize(motion_.size());
   reaches_.clear();
@@ -97,20 +95,18 @@ void SteadyCycle::at_rest(const Joint& joint) {
   moments_[0] = static_cast<double>(basis_.samples()) * joint.stiffness();
 }
 
-/// Through the whole cycle, or, where the second half is the first turned round, through that: its
-/// sums are half of those in odd harmonics of the force, and in derivatives of odd harmonics by odd
-/// ones.
 void SteadyCycle::march(const Joint& joint) {
   const std::size_t count = extremes_.size();
-  const auto n = static_cast<Index>(motion_.size());
-  rows_.resize(n, static_cast<Index>(count));
-  gradients_.resize(n, static_cast<Index>(count));
+  rows_.resize(coefficients(), static_cast<Index>(count));
+  gradients_.resize(coefficients(), static_cast<Index>(count));
   const auto apart = static_cast<Index>(count / 2);
   for (Index i = 0; i < static_cast<Index>(count); ++i) {
-    if (half_ && i >= apart) {
-      rows_.col(i) = -rows_.col(i - apart);
-    } else {
-      basis_at(extremes_[static_cast<std::size_t>(i)].tau, columns_->wave, rows_.col(i));
+    if (!half_ || i < apart) {
+      basis_at(extremes_[static_cast<std::size_t>(i)].tau, rows_.col(i));
+      continue;
+    }
+    for (Index k = 0; k < coefficients(); ++k) {
+      rows_(k, i) = is_even_coefficient(k) ? rows_(k, i - apart) : -rows_(k, i - apart);
     }
   }
   const std::size_t start = extremes_.largest();
@@ -153,29 +149,29 @@ void SteadyCycle::turn_round(Index first) {
 /// From sums to harmonics. Even and odd ones of an odd wave do not know of each other, exactly, so
 /// that those who solve equations with it see it.
 void SteadyCycle::hand_over(std::span<double> force, std::span<double> jacobian) {
+  const bool odd = columns_->wave == Wave::kOdd;
   const double times = half_ ? 2.0 : 1.0;
-  const std::vector<Index>& motion = columns_->motion;
-  basis_.sum(motion, 0, stretch_of(force_, 0, half_ ? basis_.samples() / 2 : basis_.samples()),
-             sums_);
   const VectorXd& weights = basis_.weights();
+  basis_.sum(columns_->motion, 0,
+             stretch_of(force_, 0, half_ ? basis_.samples() / 2 : basis_.samples()), sums_);
+  std::ranges::fill(force, 0.0);
+  for (std::size_t i = 0; i < sums_.size(); ++i) {
+    const Index place = columns_->motion[i];
+    force[static_cast<std::size_t>(place)] =
+        times * weights[place] * (sums_[i] + kinks_.sums()[place]);
+  }
   moments_[0] *= times * weights[0];
   moments_.tail(moments_.size() - 1) *= times * weights[1];
   const Eigen::MatrixXd by_tangent =
       multiplication_matrix(moments_, basis_.harmonics(), columns_->wave);
-  const bool odd = columns_->wave == Wave::kOdd;
-  if (odd) std::ranges::fill(force, 0.0);
-  if (odd) std::ranges::fill(jacobian, 0.0);
-  for (std::size_t i = 0; i < motion.size(); ++i) {
-    const auto row = static_cast<Index>(i);
-    const auto place = static_cast<std::size_t>(motion[i]);
-    const double weight = times * weights[motion[i]];
-    force[place] = weight * (sums_[i] + kinks_.sums()[row]);
-    double* line = jacobian.data() + place * force.size();
-    for (std::size_t j = 0; j < motion.size(); ++j) {
-      const auto column = static_cast<Index>(j);
-      line[motion[j]] =
-          weight * (through_reversals_(row, column) + kinks_.derivatives()(row, column)) +
-          by_tangent(row, column);
+  double* entry = jacobian.data();
+  for (Index i = 0; i < coefficients(); ++i) {
+    const double weight = times * weights[i];
+    for (Index j = 0; j < coefficients(); ++j, ++entry) {
+      const bool apart = odd && is_even_coefficient(i) != is_even_coefficient(j);
+      *entry = apart ? 0.0
+                     : weight * (through_reversals_(i, j) + kinks_.derivatives()(i, j)) +
+                           by_tangent(i, j);
     }
   }
 }
@@ -297,26 +293,20 @@ SteadyCycle::Reversal SteadyCycle::reversal_on(const Joint& joint, const Reversa
 /// The extremes themselves stay where they are to first order, as the velocity is 0 there.
 void SteadyCycle::reach_gradient(std::size_t rank, std::span<double> gradient) const {
   const Reach& reach = reaches_[rank];
+  Eigen::Map<VectorXd> result(gradient.data(), static_cast<Index>(gradient.size()));
   const auto at = static_cast<Index>(reach.at);
   if (reach.at == reach.from) {
-    spread(rows_.col(at) * (extremes_[reach.at].displacement > 0.0 ? 1.0 : -1.0), gradient);
+    result = rows_.col(at) * (extremes_[reach.at].displacement > 0.0 ? 1.0 : -1.0);
     return;
   }
   const auto from = static_cast<Index>(reach.from);
   const bool up = extremes_[reach.at].displacement > extremes_[reach.from].displacement;
-  spread((up ? 0.5 : -0.5) * (rows_.col(at) - rows_.col(from)), gradient);
+  result = (up ? 0.5 : -0.5) * (rows_.col(at) - rows_.col(from));
 }
 
 void SteadyCycle::turn_gradient(std::size_t i, std::span<double> gradient) const {
-  spread(rows_.col(static_cast<Index>(i)), gradient);
-}
-
-/// By all coefficients.
-void SteadyCycle::spread(const VectorXd& gradient, std::span<double> all) const {
-  std::ranges::fill(all, 0.0);
-  for (std::size_t i = 0; i < columns_->motion.size(); ++i) {
-    all[static_cast<std::size_t>(columns_->motion[i])] = gradient[static_cast<Index>(i)];
-  }
+  Eigen::Map<VectorXd>(gradient.data(), static_cast<Index>(gradient.size())) =
+      rows_.col(static_cast<Index>(i));
 }
 
 /// Samples that may run over the end of the cycle.
@@ -342,18 +332,16 @@ void SteadyCycle::block(const Joint& joint, const Reversal& origin, double sign,
   basis_.sum(columns_->sums, first, stretch_of(std::as_const(slope_), first, samples),
              stretch_of(part_, 0, part_.size()));
   part_ *= k;
-  for (std::size_t i = columns_->first_moment; i < columns_->sums.size(); ++i) {
-    moments_[columns_->sums[i]] += part_[static_cast<Index>(i)];
+  for (std::size_t i = 0; i < columns_->sums.size(); ++i) {
+    const Index place = columns_->sums[i];
+    if (!half_ || is_even_coefficient(place)) moments_[place] += part_[static_cast<Index>(i)];
   }
   // Σ T_a (f_r′ − F′ T_r), over the samples of the block.
   const auto column = static_cast<Index>(origin.at);
-  const auto n = static_cast<Index>(motion_.size());
-  for (Index i = 0; i < n; ++i) {
-    const Index place = columns_->motion[static_cast<std::size_t>(i)];
-    const double sum = basis_.sums()(first + samples, place) - basis_.sums()(first, place);
-    for (Index j = 0; j < n; ++j) {
-      through_reversals_(i, j) += sum * gradients_(j, column) - part_[i] * rows_(j, column);
-    }
+  const Index n = coefficients();
+  const VectorXd sum = basis_.sums().row(first + samples) - basis_.sums().row(first);
+  for (Index j = 0; j < n; ++j) {
+    through_reversals_.col(j) += gradients_(j, column) * sum - rows_(j, column) * part_.head(n);
   }
 }
 

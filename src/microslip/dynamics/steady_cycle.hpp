@@ -21,7 +21,9 @@ namespace microslip {
 /// by F′(τ), and the second is of rank 1 on each branch.
 ///
 /// Where no even harmonic moves, x(τ + π) = −x(τ), the second half of the cycle is the first turned
-/// round: half of it is gone through, and vectors hold odd harmonics alone.
+/// round, and half of it is gone through: its sums are half of those in odd harmonics of the force,
+/// and in derivatives of odd harmonics by odd and even by even ones. What else they hold vanishes
+/// over the whole.
 class SteadyCycle {
  public:
   SteadyCycle(std::size_t harmonics, std::size_t samples);
@@ -71,8 +73,9 @@ class SteadyCycle {
 
     Wave wave;
     std::vector<Eigen::Index> motion;  ///< of the basis: the coefficients of x and of the force
-    std::vector<Eigen::Index> sums;    ///< those, then the others that moments have
-    std::size_t first_moment;  ///< of the sums; of an odd wave F′ has even harmonics alone
+    /// Those of the sums over F′: all up to H, then the others that its moments have; of an odd
+    /// wave F′ has even harmonics alone.
+    std::vector<Eigen::Index> sums;
   };
 
   void begin(std::span<const double> displacement);
@@ -89,7 +92,6 @@ class SteadyCycle {
   void kinks_of_atoms(const Joint& joint, const Stretch& stretch, const Reversal& origin,
                       double from, double to);
   void kink_of_closing(const Joint& joint, const Stretch& stretch, double end);
-  void spread(const Eigen::VectorXd& gradient, std::span<double> all) const;
   [[nodiscard]] double angle_at(const Stretch& stretch, double x) const;
   [[nodiscard]] double in_interval(double tau, Eigen::Index next) const;
   [[nodiscard]] Reversal reversal_on(const Joint& joint, const Reversal& origin, double sign,
@@ -99,10 +101,10 @@ class SteadyCycle {
   double step_;  // h, between two samples, rad
   Columns any_;
   Columns odd_;
-  const Columns* columns_ = &any_;  // of the motion at hand; vectors below hold these coefficients
+  const Columns* columns_ = &any_;  // of the motion at hand
   bool half_ = false;               // an odd wave that moves
   CycleExtremes extremes_;
-  std::vector<double> motion_;
+  std::vector<double> motion_;  // the coefficients of these columns
   Eigen::VectorXd x_;
   Eigen::VectorXd force_;
   Eigen::VectorXd slope_;        // F′/k
@@ -113,7 +115,7 @@ class SteadyCycle {
   KinkCorrection kinks_;
   Eigen::VectorXd jump_gradient_;      // of the jump of the tangent at a kink
   Eigen::VectorXd part_;               // sums of F′ over one block of samples
-  Eigen::VectorXd moments_;            // of F′ over all samples, all coefficients
+  Eigen::VectorXd moments_;            // of F′ over all samples
   Eigen::MatrixXd through_reversals_;  // the part of the Jacobian that reversals hand on
   std::vector<double> sums_;           // of the force
 };

@@ -101,24 +101,22 @@ Motion motion_at(std::span<const double> coefficients, double tau, Wave wave) {
   return motion;
 }
 
-void basis_at(double tau, Wave wave, Eigen::Ref<VectorXd> row) {
-  if (wave == Wave::kAny) row[0] = 1.0;
-  Turning turning(tau, wave);
-  for (Index i = first_pair(wave); i + 1 < row.size(); i += 2) {
+void basis_at(double tau, Eigen::Ref<VectorXd> row) {
+  row[0] = 1.0;
+  Turning turning(tau, Wave::kAny);
+  for (Index i = 1; i + 1 < row.size(); i += 2) {
     row[i] = turning.cosine;
     row[i + 1] = -turning.sine;
     turning.advance();
   }
 }
 
-void derivative_of_basis(const Eigen::Ref<const VectorXd>& row, Wave wave,
-                         Eigen::Ref<VectorXd> slope) {
-  if (wave == Wave::kAny) slope[0] = 0.0;
-  auto n = 1.0;
-  for (Index i = first_pair(wave); i + 1 < row.size(); i += 2) {
+void derivative_of_basis(const Eigen::Ref<const VectorXd>& row, Eigen::Ref<VectorXd> slope) {
+  slope[0] = 0.0;
+  for (Index i = 1; i + 1 < row.size(); i += 2) {
+    const auto n = static_cast<double>((i + 1) / 2);
     slope[i] = n * row[i + 1];
     slope[i + 1] = -n * row[i];
-    n += static_cast<double>(harmonic_step(wave));
   }
 }
 
@@ -128,18 +126,19 @@ void derivative_of_basis(const Eigen::Ref<const VectorXd>& row, Wave wave,
 Eigen::MatrixXd multiplication_matrix(const Eigen::Ref<const VectorXd>& t, std::size_t harmonics,
                                       Wave wave) {
   const auto order = static_cast<Index>(harmonics);
-  const auto step = static_cast<Index>(harmonic_step(wave));
-  const Index size = coefficient_count(wave, harmonics);
   const auto moment = [&](Index m) {  // of |m|; the sine part is odd in m
     const Index at = coefficient_index(static_cast<std::size_t>(std::abs(m)));
     if (at >= t.size()) return std::array{0.0, 0.0};
     if (m == 0) return std::array{2.0 * t[0], 0.0};
     return std::array{t[at], m < 0 ? -t[at + 1] : t[at + 1]};
   };
-  Eigen::MatrixXd c(size, size);
-  const Index first = wave == Wave::kOdd ? 1 : 0;
-  for (Index b = first, j = 0; b <= order; b += step) {
-    for (Index a = first, i = 0; a <= order; a += step) {
+  const bool odd = wave == Wave::kOdd;
+  const Index size = coefficient_count(harmonics);
+  Eigen::MatrixXd c = Eigen::MatrixXd::Zero(size, size);
+  for (Index b = 0; b <= order; ++b) {
+    const Index j = coefficient_index(static_cast<std::size_t>(b));
+    for (Index a = odd ? b % 2 : 0; a <= order; a += odd ? 2 : 1) {
+      const Index i = coefficient_index(static_cast<std::size_t>(a));
       const double weight = a == 0 ? 0.25 : 0.5;
       const auto [sum, sum_sine] = moment(a + b);
       const auto [difference, difference_sine] = moment(a - b);
@@ -147,9 +146,7 @@ Eigen::MatrixXd multiplication_matrix(const Eigen::Ref<const VectorXd>& t, std::
       if (b > 0) c(i, j + 1) = weight * (sum_sine - difference_sine);
       if (a > 0) c(i + 1, j) = weight * (sum_sine + difference_sine);
       if (a > 0 && b > 0) c(i + 1, j + 1) = weight * (difference - sum);
-      i += a > 0 ? 2 : 1;
     }
-    j += b > 0 ? 2 : 1;
   }
   return c;
 }

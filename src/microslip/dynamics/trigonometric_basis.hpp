@@ -32,7 +32,7 @@ namespace microslip {
 }
 
 /// Which coefficients of a function a vector holds: all, or, where x(τ + π) = −x(τ), those of odd
-/// harmonics, (Re x_1, Im x_1, Re x_3, …). A row T(τ) goes with it.
+/// harmonics, (Re x_1, Im x_1, Re x_3, …).
 enum class Wave : std::uint8_t { kAny, kOdd };
 
 /// Where in such a vector the pair of harmonic 1 begins.
@@ -40,12 +40,6 @@ enum class Wave : std::uint8_t { kAny, kOdd };
 
 /// From the harmonic of one pair to that of the next.
 [[nodiscard]] constexpr std::size_t harmonic_step(Wave wave) { return wave == Wave::kOdd ? 2 : 1; }
-
-/// How many coefficients it holds, harmonics up to H.
-[[nodiscard]] constexpr Eigen::Index coefficient_count(Wave wave, std::size_t harmonics) {
-  return wave == Wave::kOdd ? static_cast<Eigen::Index>((harmonics + 1) / 2 * 2)
-                            : coefficient_count(harmonics);
-}
 
 /// Where its coefficients are in the vector of all, harmonics up to H.
 [[nodiscard]] std::vector<Eigen::Index> coefficients_of(Wave wave, std::size_t harmonics);
@@ -64,15 +58,15 @@ struct Motion {
                                Wave wave = Wave::kAny);
 
 /// The row T(τ).
-void basis_at(double tau, Wave wave, Eigen::Ref<Eigen::VectorXd> row);
+void basis_at(double tau, Eigen::Ref<Eigen::VectorXd> row);
 
 /// dT/dτ where the row is T.
-void derivative_of_basis(const Eigen::Ref<const Eigen::VectorXd>& row, Wave wave,
+void derivative_of_basis(const Eigen::Ref<const Eigen::VectorXd>& row,
                          Eigen::Ref<Eigen::VectorXd> slope);
 
 /// The matrix C with C y = the coefficients up to H of the product t(τ) y(τ).
-/// @param t     all coefficients of t up to 2H, or fewer: the rest is zero.
-/// @param wave  of y, and of what is taken of the product.
+/// @param t     the coefficients of t up to 2H, or fewer: the rest is zero.
+/// @param wave  of y; odd: t has even harmonics alone, and what couples even and odd ones is 0.
 [[nodiscard]] Eigen::MatrixXd multiplication_matrix(const Eigen::Ref<const Eigen::VectorXd>& t,
                                                     std::size_t harmonics, Wave wave = Wave::kAny);
 
