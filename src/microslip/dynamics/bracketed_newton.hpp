@@ -13,13 +13,12 @@ struct Growing {
 
 /// Where a function that grows from below 0 at `low` to above 0 at `high` is 0: Newton's method,
 /// with a bisection wherever it would leave the interval left. Internal to dynamics.
-/// @param function  place → Growing. @param start  where it begins, in the interval.
-/// @param within    how near to it.
+/// @param function  place → Growing. @param first  tried first. @param within  how near to it.
 template <typename Function>
-[[nodiscard]] double growing_zero_from(double start, const Function& function, double low,
+[[nodiscard]] double growing_zero_near(const Function& function, double first, double low,
                                        double high, double within = 1e-10) {
   constexpr int kMostSteps = 60;
-  double tau = start;
+  double tau = first > low && first < high ? first : 0.5 * (low + high);
   for (int step = 0; step < kMostSteps && high - low > within; ++step) {
     const Growing at = function(tau);
     (at.value < 0.0 ? low : high) = tau;
@@ -32,11 +31,11 @@ template <typename Function>
   return tau;
 }
 
-/// The same from the middle.
+/// The same from the middle on.
 template <typename Function>
 [[nodiscard]] double growing_zero(const Function& function, double low, double high,
                                   double within = 1e-10) {
-  return growing_zero_from(0.5 * (low + high), function, low, high, within);
+  return growing_zero_near(function, 0.5 * (low + high), low, high, within);
 }
 
 }  // namespace microslip

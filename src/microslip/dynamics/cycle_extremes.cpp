@@ -31,7 +31,7 @@ TurningPoint turning_point(std::span<const double> coefficients, Wave wave, doub
     motion = motion_at(coefficients, tau, wave);
     return Growing{-sign * motion.velocity, -sign * motion.acceleration};
   };
-  const double tau = growing_zero_from(start, descent, low, high);
+  const double tau = growing_zero_near(descent, start, low, high);
   return {tau, later, motion};
 }
 

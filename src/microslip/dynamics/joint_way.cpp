@@ -17,20 +17,25 @@ constexpr double kWithin = 1e-7;
 
 /// Where a motion with a slope of this sign at `from` turns, and has turned at `to`; 1 next to an
 /// end of the step.
-double extreme_between(const StepQuartic& y, double sign, double from, double to) {
-  const double share = growing_zero(
+/// @param first  is tried first.
+double extreme_between(const StepQuartic& y, double sign, double first, double from, double to) {
+  const double share = growing_zero_near(
       [&](double x) {
         return Growing{-sign * y.slope(x), -sign * y.bend(x)};
       },
-      from, to, kWithin);
+      first, from, to, kWithin);
   return share > kAtEnd && share < 1.0 - kAtEnd ? share : 1.0;
 }
 
 /// The shares of a step at which a quartic has its extremes, two at most, by rising share; 1 where
 /// it has none.
-std::pair<double, double> extremes(const StepQuartic& y) {
+/// @param near  where the first may be; 0 where that is not known.
+std::pair<double, double> extremes(const StepQuartic& y, double near) {
   const double sign = std::copysign(1.0, y.v0 == 0.0 ? y.v1 : y.v0);
-  if (sign * y.v1 < 0.0) return {extreme_between(y, sign, 0.0, 1.0), 1.0};
+  if (sign * y.v1 < 0.0) {
+    const double first = near > 0.0 ? near : y.v0 / (y.v0 - y.v1);
+    return {extreme_between(y, sign, first, 0.0, 1.0), 1.0};
+  }
   // It turns and turns back where its slope falls at first, below 0, and rises at last.
   if (!(sign * y.bend(0.0) < 0.0 && sign * y.bend(1.0) > 0.0)) return {1.0, 1.0};
   const double lowest = growing_zero(
@@ -39,16 +44,18 @@ std::pair<double, double> extremes(const StepQuartic& y) {
       },
       0.0, 1.0, kWithin);
   if (sign * y.slope(lowest) >= 0.0) return {1.0, 1.0};
-  return {extreme_between(y, sign, 0.0, lowest), extreme_between(y, -sign, lowest, 1.0)};
+  return {extreme_between(y, sign, 0.5 * lowest, 0.0, lowest),
+          extreme_between(y, -sign, 0.5 * (1.0 + lowest), lowest, 1.0)};
 }
 
 }  // namespace
 
 bool JointWay::follow(const Start& start, const StepQuartic& y) {
-  size_ = 0;
+  const double near = first_turn();
+  before_ = std::exchange(size_, 0);
   if (start.direction == 0) return true;
   if (std::max(std::abs(y.v0), std::abs(y.v1)) <= start.quiet) return start.direction * y.v1 >= 0.0;
-  const auto [first, second] = extremes(y);
+  const auto [first, second] = extremes(y, near);
   if (!(start.direction * y.slope(0.5 * first) > 0.0)) return false;
   direction_ = start.direction;
   compliance_ = start.compliance;
@@ -64,6 +71,12 @@ bool JointWay::follow(const Start& start, const StepQuartic& y) {
   return pass_kinks(y, from, 1.0);
 }
 
+/// 0 where there is none.
+double JointWay::first_turn() const {
+  const auto turn = std::ranges::find(knots(), true, &Knot::turns);
+  return turn == knots().end() ? 0.0 : turn->share;
+}
+
 bool JointWay::add(const Knot& knot) {
   if (size_ == kMostKnots) return false;
   knots_[size_++] = knot;
@@ -77,11 +90,14 @@ bool JointWay::pass_kinks(const StepQuartic& y, double from, double to) {
   for (;;) {
     const double at = follower_.next_kink_behind(compliance_);
     if (direction_ * (at - end) >= 0.0) return true;
-    const double share = growing_zero(
+    const double begin = y.value(from);
+    const double near =
+        size_ < before_ ? knots_[size_].share : from + (to - from) * (at - begin) / (end - begin);
+    const double share = growing_zero_near(
         [&](double x) {
           return Growing{direction_ * (y.value(x) - at), direction_ * y.slope(x)};
         },
-        from, to, kWithin);
+        near, from, to, kWithin);
     const double u = follower_.next_kink();
     const double slope = y.slope(share);
     const auto [force, before] = follower_.response(u);

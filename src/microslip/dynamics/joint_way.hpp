@@ -40,13 +40,15 @@ class JointWay {
   /// @return false where it starts against its direction, or there are too many knots: that is left
   ///         to shorter steps.
   [[nodiscard]] bool follow(const Start& start, const StepQuartic& y);
-  void forget() { size_ = 0; }
+  /// The next way has nothing to do with this one.
+  void forget() { size_ = before_ = 0; }
 
   [[nodiscard]] std::span<const Knot> knots() const { return {knots_.data(), size_}; }
   /// On the curve behind the last knot, where there is one.
   [[nodiscard]] const CurveFollower& follower() const { return follower_; }
 
  private:
+  [[nodiscard]] double first_turn() const;
   [[nodiscard]] bool pass_kinks(const StepQuartic& y, double from, double to);
   [[nodiscard]] bool turn(const StepQuartic& y, double share, double force);
   [[nodiscard]] bool add(const Knot& knot);
@@ -58,6 +60,7 @@ class JointWay {
   double compliance_ = 0.0;
   std::array<Knot, kMostKnots> knots_{};
   std::size_t size_ = 0;
+  std::size_t before_ = 0;  ///< knots of the way before, from which new ones are looked for
 };
 
 }  // namespace microslip

@@ -422,6 +422,16 @@ MarchResult march(const JointedStructure& structure, const LoadHistory& loads,
   for (const StructuralJoint& joint : structure.joints()) {
     rows.joints.push_back({joint.name, {}, {}});
   }
+  const std::size_t most = loads.time.size() / std::max<std::size_t>(options.every, 1) + 2;
+  rows.time.reserve(most);
+  for (PointMotion& point : rows.points) {
+    for (auto* values : {&point.displacement, &point.velocity, &point.acceleration}) {
+      values->reserve(most);
+    }
+  }
+  for (JointMotion& joint : rows.joints) {
+    for (auto* values : {&joint.displacement, &joint.force}) values->reserve(most);
+  }
   const auto keep = [&](const MarchRow& row) {
     rows.time.push_back(row.time);
     for (std::size_t p = 0; p < rows.points.size(); ++p) {

@@ -366,7 +366,6 @@ StepQuartic MarchState::path(const Joint& joint, double length) {
 /// What the forces inside of the step are more than the cubics through those found at its ends.
 /// @return what it changes in the force of a joint by its own motion, relative.
 double MarchState::add_inner_forces(double length, bool middles, const Couplings& couplings) {
-  const std::size_t lanes = joint_groups_ * kLanes;
   double change = 0.0;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     Joint& joint = joints_[j];
@@ -380,21 +379,24 @@ double MarchState::add_inner_forces(double length, bool middles, const Couplings
       const double before = joint.middle;
       joint.middle = middle_force(joint, force, length);
       const double moved =
-          couplings.ends[(j * march_loops::kCouplings + march_loops::kCoupledAM) * lanes + j] *
-          (joint.middle - before);
-      change = std::max(change, std::abs(joint.tangent * moved) / joint.largest_force);
+          own_coupling(couplings, march_loops::kCoupledAM, j) * (joint.middle - before);
+      const double scale = std::max(joint.largest_force, std::abs(k.force));
+      if (moved != 0.0) change = std::max(change, std::abs(joint.tangent * moved) / scale);
     }
   }
   return change;
 }
 
-/// Of a step without knots: F(u) with u + cF = y, by one step of Newton's method from the cubic,
-/// less the cubic.
+/// Of a step without knots: F(y) in the middle less the cubic there. Over y, too, F is near to a
+/// cubic, in whatever time it goes along.
 double MarchState::middle_force(const Joint& joint, const StepCubic& force, double length) {
-  const double cubic = force.value(0.5);
-  const auto [found, tangent] = joint.hysteresis.follower().response(
-      path(joint, length).value(0.5) - joint.compliance * cubic);
-  return (found - cubic) / (1.0 + tangent * joint.compliance);
+  const Kinematics& b = joint.begin;
+  const Kinematics& k = joint.end;
+  const double way = k.gap - b.gap;
+  const double share = (path(joint, length).value(0.5) - b.gap) / way;
+  if (!(share > 0.0 && share < 1.0) || b.gap_dot == 0.0 || k.gap_dot == 0.0) return 0.0;
+  const StepCubic over_way(b.force, b.force_dot / b.gap_dot, k.force, k.force_dot / k.gap_dot, way);
+  return over_way.value(share) - force.value(0.5);
 }
 
 /// ÿ of the joints at the end of a step, after this length, from what acts on the modes there.
@@ -430,12 +432,6 @@ double MarchState::update(std::size_t j, const Couplings& couplings, double leng
   ++evaluations_;
   Joint& joint = joints_[j];
   Kinematics& k = joint.end;
-  const double* own =
-      couplings.ends.data() + j * march_loops::kCouplings * joint_groups_ * kLanes + j;
-  const auto coupled = [&](march_loops::CouplingKind kind) {
-    return own[kind * joint_groups_ * kLanes];
-  };
-  const double a = coupled(march_loops::kCoupledA1);
   const double c = joint.compliance;
   const double load = normal_load(j, length);
   if (!std::isfinite(k.gap - c * k.force)) return HUGE_VAL;
@@ -451,13 +447,16 @@ double MarchState::update(std::size_t j, const Couplings& couplings, double leng
   const double damped_dot = joint.damper * k.u_ddot;
   const double in_series = (force + damped + tangent * c * k.force) * soft;
   const double beyond = stiffness - joint.spring;
-  const double dr = (in_series - joint.spring * k.slide - k.r) / (1.0 + beyond * a);
+  const double a = own_coupling(couplings, march_loops::kCoupledA1, j);
+  const double d = own_coupling(couplings, march_loops::kCoupledD1, j);
+  const double by_force = 1.0 / (1.0 + beyond * a);
+  const double by_slope = 1.0 / (1.0 + beyond * d);
+  const double dr = (in_series - joint.spring * k.slide - k.r) * by_force;
   const double dslide = -a * dr;
-  const double d = coupled(march_loops::kCoupledD1);
-  const double kept_velocity = -coupled(march_loops::kCoupledC1) * dr;
+  const double kept_velocity = -own_coupling(couplings, march_loops::kCoupledC1, j) * dr;
   const double dr_dot = (stiffness * k.gap_dot + damped_dot - joint.spring * k.slide_dot - k.r_dot +
-                         beyond * kept_velocity) /
-                        (1.0 + beyond * d);
+                         beyond * kept_velocity) *
+                        by_slope;
   const double dvelocity = kept_velocity - d * dr_dot;
   k.r += dr;
   k.r_dot += dr_dot;

@@ -126,6 +126,12 @@ class MarchState {
   [[nodiscard]] double normal_load(std::size_t j, double length) const {
     return std::max(0.0, loads_.normal[j] + length * loads_.normal_slope[j]);
   }
+  /// By which a joint moves itself.
+  [[nodiscard]] double own_coupling(const Couplings& couplings, march_loops::CouplingKind kind,
+                                    std::size_t j) const {
+    const std::size_t lanes = joint_groups_ * kLanes;
+    return couplings.ends[(j * march_loops::kCouplings + kind) * lanes + j];
+  }
   void add_joint(const StructuralJoint& joint, double damper, MarchedJoint hysteresis);
   [[nodiscard]] double longest_step_over_knots(bool beside_longer) const;
   void begin(std::size_t j);
