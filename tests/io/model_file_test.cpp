@@ -343,9 +343,10 @@ TEST(ModelFileFault, AnotherFile) {
   const ModelFolder folder;
   EXPECT_EQ(folder.message(""), "model.toml: expected TOML, found an empty file");
   EXPECT_EQ(folder.message(joint_text(1.0)),
-            "model.toml: expected TOML, found JSON. Is it the right file?");
+            "model.toml: expected TOML, found a joint (joint.json). Is it the right file?");
   EXPECT_EQ(folder.message("schema = \"microslip.rig/1\"\nsurprise = 1\n"),
             "model.toml:1:10: expected the schema 'microslip.model/1', found 'microslip.rig/1'. "
+            "This is the description of a frictional-support test (rig.toml), not a model. "
             "Make a model of it: microslip model RIG.toml JOINT.json.");
   EXPECT_EQ(
       folder.message("schema = \"microslip.plan/1\"\n"),

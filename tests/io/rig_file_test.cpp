@@ -270,11 +270,10 @@ TEST(RigFileFault, NoFile) {
 TEST(RigFileFault, AnotherFile) {
   EXPECT_EQ(message(""), "rig.toml: expected TOML, found an empty file");
   EXPECT_EQ(message(test::get(kFolder + "joint.json")),
-            "rig.toml: expected TOML, found JSON. Is it the right file?");
-  EXPECT_EQ(
-      message("schema = \"microslip.model/1\"\nsurprise = 1\n"),
-      "rig.toml:1:10: expected the schema 'microslip.rig/1', found 'microslip.model/1'. Is it "
-      "a rig, and of this version of the program?");
+            "rig.toml: expected TOML, found a joint (joint.json). Is it the right file?");
+  EXPECT_EQ(message("schema = \"microslip.model/1\"\nsurprise = 1\n"),
+            "rig.toml:1:10: expected the schema 'microslip.rig/1', found 'microslip.model/1'. "
+            "This is a structure with joints (model.toml), not a rig.");
   EXPECT_EQ(message("[package]\n"),
             "rig.toml:1:1: expected the key 'schema' at the top, found the keys 'package'");
 }
