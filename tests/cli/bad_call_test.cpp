@@ -183,7 +183,7 @@ TEST(BadCall, Loop) {
                      {{{"none.csv"}, {"none.csv", "No such file"}},
                       {{"levels.csv"}, {"levels.csv:1:1", "'displacement [m]'"}}});
   expect_all_refused({"loop", "levels.csv", "--out", "new.csv", "--amplitude", "1um"},
-                     {{{}, {"levels.csv:1:1", "JSON"}}});
+                     {{{}, {"levels.csv: expected JSON", "a table of levels (levels.csv)"}}});
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ TEST(BadLevels, ThatAreNoTable) {
       "ELF\x02\x01",
       {"levels.csv:1:1", "0x7F"});
   expect_levels_refused(std::string("a [m],b [J]\n1,\x00\n", 16), {"levels.csv:2:3", "0x00"});
-  expect_levels_refused(kJointText, {"levels.csv", "JSON"});
+  expect_levels_refused(kJointText, {"levels.csv", "a joint (joint.json)"});
   expect_levels_refused("\x89PNG\r\n\x1A\n", {"levels.csv", "PNG"});
   expect_levels_refused("PK\x03\x04xlsx", {"levels.csv"});
 }
@@ -189,7 +189,7 @@ TEST(BadPath, IsRefused) {
       {"load without unit",
        "displacement [m],normal_load\n0,1\n",
        {"path.csv:1:18", "Write 'normal_load [1]'"}},
-      {"a joint", kJointText, {"path.csv", "JSON"}}};
+      {"a joint", kJointText, {"path.csv", "a joint (joint.json)"}}};
   for (const BadFile& file : files) {
     SCOPED_TRACE(file.name);
     const Sandbox box{{"joint.json", kJointText}, {"path.csv", file.content}};
@@ -203,7 +203,7 @@ TEST(BadJoint, OfAWrongForm) {
   expect_joint_refused("{", {"joint.json:1:2", "the end of the file", "brackets"});
   expect_joint_refused("{\n  \"schema\": }", {"joint.json:2:13", "'}'"});
   expect_joint_refused("[]", {"joint.json", "an object", "an array"});
-  expect_joint_refused(sample_levels_text(), {"joint.json:1:1", "JSON"});
+  expect_joint_refused(sample_levels_text(), {"expected JSON", "a table of levels (levels.csv)"});
   expect_joint_refused(std::string("\x00\x01\x02", 3), {"joint.json:1:1"});
   expect_joint_refused("{\"schema\": \"\xFF\xFE\"}", {"joint.json:1"});
   expect_joint_refused(R"({"stiffness_N_per_m": 1})", {"joint.json", "'schema'"});
