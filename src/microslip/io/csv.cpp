@@ -238,7 +238,7 @@ CsvTable::CsvTable(std::string text, std::string_view file) : text_(std::move(te
   const std::string_view other = is_other ? known->words : signature(text_);
   if (!other.empty()) {
     throw FormatError({file_, 0, 0}, "a table of comma-separated values", other,
-                      "Is it the right file?");
+                      is_other ? "Is it the right file?" : "");
   }
   Parser parser(*this);
   parser.parse_header();

@@ -65,12 +65,9 @@ bool has_binary_dataset(std::string_view head) {
   return head.find("\n    58b") != std::string_view::npos;
 }
 
+constexpr std::string_view kExpected = "a recording in CSV, a universal file, MATLAB or HDF5";
+
 RecordingFormat format_of(std::string_view head, const std::string& name) {
-  constexpr std::string_view kExpected = "a recording in CSV, a universal file, MATLAB or HDF5";
-  const KnownKind* const known = known_kind_of(head);
-  if (known != nullptr && !known->is_recording) {
-    throw FormatError({name, 0, 0}, kExpected, known->words, "Is it the right file?");
-  }
   const std::string_view found = signature(head);
   if (found == "a universal file") {
     return has_binary_dataset(head) ? RecordingFormat::kUffBinary : RecordingFormat::kUff;
@@ -80,7 +77,8 @@ RecordingFormat format_of(std::string_view head, const std::string& name) {
     return RecordingFormat::kHdf5;
   }
   if (found.empty()) return RecordingFormat::kCsv;
-  throw FormatError({name, 0, 0}, kExpected, found,
+  const KnownKind* const known = known_kind_of(head);
+  throw FormatError({name, 0, 0}, kExpected, known == nullptr ? found : known->words,
                     found == "UTF-16 text" ? "Save it as UTF-8." : "Is it the right file?");
 }
 
@@ -92,7 +90,12 @@ void require_rewind(InputStream& file) {
 
 Recordings read_format(InputStream& file, const PartOfFile& part,
                        const RecordingReadOptions& options) {
-  const RecordingFormat format = format_of(file.peek(kKindHeadSize), file.name());
+  const std::string_view head = file.peek(kKindHeadSize);
+  const RecordingFormat format = format_of(head, file.name());
+  const KnownKind* const known = known_kind_of(head);
+  if (known != nullptr && !known->is_recording) {
+    throw FormatError({file.name(), 0, 0}, kExpected, known->words, "Is it the right file?");
+  }
   if (!part.variable.empty() && format != RecordingFormat::kMat) {
     throw InputError(part.file, in_quotes(":" + part.variable),
                      "must follow a MATLAB file, to name a variable in it",
