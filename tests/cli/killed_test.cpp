@@ -6,6 +6,8 @@
 #include <array>
 #include <cctype>
 #include <chrono>
+#include <cmath>
+#include <complex>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -16,6 +18,7 @@
 #include <vector>
 
 #include "cli/run_program.hpp"
+#include "cli/samples.hpp"
 #include "cli/writings.hpp"
 #include "io/support.hpp"
 #include "microslip/base/random.hpp"
@@ -32,7 +35,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 using Contents = std::map<std::string, std::string>;
 
-/// Random kills: one of each call, or as many as MICROSLIP_KILLS says.
+/// Random kills: one of each short call, or as many as MICROSLIP_KILLS says.
 int kills(std::size_t calls) {
   const char* const given = std::getenv("MICROSLIP_KILLS");
   return given == nullptr ? static_cast<int>(calls) : std::atoi(given);
@@ -52,7 +55,40 @@ const std::string kPlan =
     "schema = \"microslip.ensemble/1\"\nkind = \"bootstrap\"\n"
     "[bootstrap]\nlevels = \"levels.csv\"\nstiffness_N_per_m = 1.7e5\ncount = 20\n";
 
-/// Beside every format, each subcommand that writes.
+/// A mass on a table that is shaken, without a joint.
+const std::string kShaken =
+    "schema = \"microslip.model/1\"\n"
+    "[structure]\nfrequency_Hz = [12.0]\ndamping_ratio = [0.03]\n"
+    "[[structure.point]]\nname = \"mass\"\nshape = [0.5]\n"
+    "[[structure.base]]\nname = \"table\"\nparticipation = [2.0]\npoint_motion = [1.0]\n"
+    "[excitation]\nbase = \"table\"\n[response]\npoint = \"mass\"\n";
+
+const std::string kRequired = "frequency [Hz],maximax [g]\n10,4\n60,40\n400,40\n";
+
+const std::string kBoltedRig =
+    "schema = \"microslip.rig/1\"\n"
+    "[modes]\nfrequency_Hz = [80.0]\nexcitation = [0.7]\njoint = [0.7]\n"
+    "[damping]\nloss_factor = [0.002]\n[excitation]\nchannel = \"force\"\n"
+    "[[accelerometer]]\nchannel = \"acceleration\"\nshape = [0.7]\n";
+
+const std::string kCampaign =
+    "schema = \"microslip.campaign/1\"\nstructure = \"bolted.toml\"\n"
+    "[identification]\nstiffness_N_per_m = 1.7e5\ndraws = 100\n"
+    "[[test]]\nname = \"first\"\nfile = \"levels.csv\"\nuse = \"identify\"\n"
+    "[[test]]\nname = \"swept\"\nfile = \"swept.csv\"\nuse = \"predict\"\n";
+
+/// A sweep of one mode, 0.7 kg^-1/2, at 10 N: a = Fω²φ²/(ω₀² − ω² + iηω₀²).
+std::string swept_text(double resonance) {
+  std::string text = "frequency [Hz],force [N],acceleration [m/s^2],phase [rad]\n";
+  for (int i = 0; i <= 40; ++i) {
+    const double r = 0.875 + 0.00625 * i;
+    const std::complex<double> a = 4.9 * r * r / std::complex<double>(1.0 - r * r, 0.01);
+    text += fmt::format("{:.9g},10,{:.9g},{:.9g}\n", resonance * r, std::abs(a), std::arg(-a));
+  }
+  return text;
+}
+
+/// Beside every format, each subcommand that writes; all but demo().
 std::vector<Writing> all_calls() {
   std::vector<Writing> all = all_writings();
   all.push_back({"next.csv", {"plan", "levels.csv", "--stiffness", "1.7e5", "--out", "next.csv"}});
@@ -67,8 +103,32 @@ std::vector<Writing> all_calls() {
   all.push_back({"found/joint1.json",
                  {"calibrate", "two.toml", "modal.csv", "--samples", "100", "--keep-samples",
                   "--out", "found"}});
+  all.push_back({"cycles.csv", {"levels", "record.csv", "--out", "cycles.csv"}});
+  all.push_back({"watched/next_levels.csv",
+                 {"watch", "watched", "--once", "--stiffness", "1.7e5", "--no-report"}});
+  all.push_back({"watched/watch.html", {"watch", "watched", "--once", "--stiffness", "1.7e5"}});
+  const Arguments compare{"verify", "joint.json", "record.csv", "--out", "compared.csv"};
+  all.push_back({"compared.csv", compare});
+  all.push_back({"compared.svg", with(compare, {"--picture", "compared.svg"})});
+  all.push_back(
+      {"swept_compared.csv", {"verify", "model.toml", "slow.csv", "--out", "swept_compared.csv"}});
+  all.push_back({"shock.csv",
+                 {"load", "shock", "shaken.toml", "--spectrum", "required.csv", "--duration",
+                  "0.5s", "--out", "shock.csv"}});
+  all.push_back({"results/campaign.csv",
+                 {"campaign", "campaign.toml", "--out", "results", "--picture", "results.svg"}});
+  all.push_back({"draws.h5",
+                 {"identify", "levels.csv", "--stiffness", "1.7e5", "--samples", "100", "--out",
+                  "drawn.json", "--samples-out", "draws.h5"}});
+  all.push_back({"assemblies/joint.json",
+                 {"identify", "levels.csv", "again.csv", "third.csv", "--stiffness", "1.7e5",
+                  "--assemblies", "files", "--samples", "100", "--out", "assemblies"}});
   return all;
 }
+
+/// As long as all others together: one kill in a hundred is of it.
+constexpr int kKillsADemo = 100;
+Writing demo() { return {"demo/reference_rig/report.html", {"demo", "--out", "demo"}}; }
 
 void put_all_inputs(const Sandbox& box) {
   put_inputs(box);
@@ -77,6 +137,17 @@ void put_all_inputs(const Sandbox& box) {
   for (const char* name : {"stiffness.mtx", "mass.mtx", "truth_joint2.json"}) {
     box.put(name, test::get(kTwoJoints + name));
   }
+  box.put("shaken.toml", kShaken);
+  box.put("required.csv", kRequired);
+  box.put("record.csv", record_text(sample_record()));
+  box.put("again.csv", sample_levels_text());
+  box.put("third.csv", sample_levels_text());
+  box.put("bolted.toml", kBoltedRig);
+  box.put("campaign.toml", kCampaign);
+  box.put("swept.csv", swept_text(80.0));
+  box.put("slow.csv", swept_text(0.15));
+  fs::create_directory(box.file("watched"));
+  box.put("watched/levels.csv", sample_levels_text());
   box.put("two.toml", test::get(kTwoJoints + "model.toml"));
   box.put("modal.csv", testing::every_third_row(test::get(kTwoJoints + "modal_levels.csv")));
 }
@@ -164,8 +235,10 @@ TEST(Killed, AtRandomMoments) {
   int hit = 0;
   std::map<std::size_t, Killed> cases;
   for (int i = 0; i < draws && !HasFailure(); ++i) {
-    const std::size_t chosen = static_cast<std::size_t>(i) % writings.size();
-    const Killed& one = cases.try_emplace(chosen, writings[chosen]).first->second;
+    const bool all = i % kKillsADemo == kKillsADemo - 1;
+    const std::size_t chosen =
+        all ? writings.size() : static_cast<std::size_t>(i) % writings.size();
+    const Killed& one = cases.try_emplace(chosen, all ? demo() : writings[chosen]).first->second;
     const int signal = kSignals.at(static_cast<std::size_t>(3.0 * random.uniform()));
     const bool replaced = random.uniform() < 0.5;
     if (!replaced) one.clear();
@@ -221,10 +294,10 @@ TEST_P(KilledBefore, EachCallOfTheSystem) {
 }
 
 // One of each way of writing: a text, two files, one by another library, a folder, a picture,
-// blocks.
+// blocks, rows.
 INSTANTIATE_TEST_SUITE_P(Of, KilledBefore,
                          ::testing::Values("loop.csv", "density.csv", "rec.h5", "made/level_01.csv",
-                                           "levels.svg", "result.h5"),
+                                           "levels.svg", "result.h5", "march.csv"),
                          [](const auto& each) {
                            std::string name = each.param;
                            std::ranges::replace_if(

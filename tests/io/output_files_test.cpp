@@ -16,6 +16,7 @@
 
 #include "io/support.hpp"
 #include "microslip/io/file_kind.hpp"
+#include "microslip/io/table_stream.hpp"
 #include "microslip/io/temporaries.hpp"
 
 namespace microslip::output_files_test {
@@ -60,6 +61,21 @@ TEST(OutputFiles, RemovesWhatAKilledProcessLeft) {
   EXPECT_EQ(folder.names().size(), 1U) << "that of this process";
   living.commit();
   EXPECT_EQ(folder.names(), Names{"first.csv"});
+}
+
+// A march keeps its rows in a file of their own until it ends.
+TEST(OutputFiles, RemovesTheRowsOfAKilledTable) {
+  const test::TemporaryFolder folder;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    TableStream table(folder.file("march.csv"), "", "time [s]\n");
+    ::kill(::getpid(), SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_EQ(folder.names().size(), 2U) << "its temporary file and the rows";
+  write_file(folder.file("levels.csv"), kLevelsText);
+  EXPECT_EQ(folder.names(), Names{"levels.csv"});
 }
 
 TEST(OutputFiles, GivesTheUsualPermissions) {

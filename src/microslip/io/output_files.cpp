@@ -36,6 +36,8 @@ namespace fs = std::filesystem;
 
 /// Of the name that the old file has while it is replaced.
 constexpr const char* kOldSuffix = ".old";
+/// Of the name of a file until it has its own.
+constexpr std::string_view kStagedEnding = ".tmp";
 
 [[noreturn]] void fail_twice(std::string_view path) {
   throw FileError(path, "would be written twice", "Choose different names.");
@@ -146,10 +148,10 @@ const std::string& place_of_processes() {
 /// The number of the process that left a file of this name, where it is one of ours from this place.
 std::optional<pid_t> process_of(std::string_view name) {
   const std::string prefix = ".microslip-" + place_of_processes() + "-";
-  if (!name.starts_with(prefix) ||
-      !(name.ends_with(".tmp") || name.ends_with(std::string(".tmp") + kOldSuffix))) {
-    return std::nullopt;
-  }
+  const std::size_t end_of_staged = name.rfind(kStagedEnding);
+  if (!name.starts_with(prefix) || end_of_staged == name.npos) return std::nullopt;
+  const std::string_view suffix = name.substr(end_of_staged + kStagedEnding.size());
+  if (!suffix.empty() && suffix != kOldSuffix && suffix != kRowsSuffix) return std::nullopt;
   name.remove_prefix(prefix.size());
   pid_t process = 0;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), process);
@@ -180,8 +182,8 @@ std::pair<Temporary, FileDescriptor> create_beside(const std::string& path,
   const std::string folder = folder_of(target.file);
   remove_litter(folder);
   for (;;) {
-    Temporary temporary(fmt::format("{}/.microslip-{}-{}-{}.tmp", folder, place_of_processes(),
-                                    ::getpid(), counter++));
+    Temporary temporary(fmt::format("{}/.microslip-{}-{}-{}{}", folder, place_of_processes(),
+                                    ::getpid(), counter++, kStagedEnding));
     FileDescriptor file(
         ::open(temporary.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (file.is_open()) {

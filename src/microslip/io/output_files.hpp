@@ -33,6 +33,9 @@ struct PlannedOutput {
 ///                    output.
 void check_outputs(std::span<const PlannedOutput> outputs);
 
+/// Behind the name of a staged file: what goes into it at the end, as the rows of a TableStream.
+inline constexpr std::string_view kRowsSuffix = ".rows";
+
 /// Files that are written all or none. Each is written under a temporary name in its folder first;
 /// commit() gives them their names. Without commit(), on an exception for instance, nothing is left
 /// behind and existing files stay as they were. A file replaces only one of its kind (file_kind()),

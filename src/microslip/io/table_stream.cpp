@@ -30,7 +30,7 @@ TableStream::TableStream(std::string path, std::string head, std::string header)
     return;
   }
   staged_ = output_.stage(path_);
-  temporary_.emplace(staged_ + ".rows");
+  temporary_.emplace(staged_ + std::string(kRowsSuffix));
   rows_.emplace(opened(path_, temporary_->path(), O_RDWR | O_CREAT | O_EXCL));
 }
 
