@@ -115,6 +115,14 @@ TEST(JointFile, WritesItsKeysInAFixedOrder) {
   EXPECT_EQ(format_joint(back), format_joint(file));
 }
 
+// Of -0.0 came -0, which is read as 0.
+TEST(JointFile, ANegativeZeroIsReadAsItIsWritten) {
+  const std::string text = with_density(
+      R"([{"type": "four_parameter", "macroslip_force_N": 1.2, "chi": -0.0, "beta": -0.0}])");
+  const std::string written = format_joint(read(text));
+  EXPECT_EQ(format_joint(read(written)), written);
+}
+
 TEST(JointFile, KeepsWhatOthersSayInProvenanceAndIdentification) {
   const JointFile file = read(R"({"schema": "microslip.joint/1", "stiffness_N_per_m": 1,
     "density": [], "provenance": {"created": "today", "nested": {"a": [1, {"b": null}]}, "seed": -1,
@@ -235,7 +243,8 @@ TEST(JointFileFault, Schema) {
             "joint.json: expected the schema 'microslip.joint/1', found 'microslip.rig/1'. Is it a "
             "joint, and of this version of the program?");
   EXPECT_EQ(fault(R"({"stiffness": 1})"),
-            "joint.json: expected the key 'schema' at the top, found the keys 'stiffness'");
+            "joint.json: expected the key 'schema' at the top, found the keys 'stiffness'. It "
+            "says what the file is: docs/file_formats.md has it for each.");
 }
 
 TEST(JointFileFault, UnknownKey) {

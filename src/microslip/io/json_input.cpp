@@ -124,10 +124,20 @@ const Json& JsonObject::at(std::string_view key) const {
   throw missing_key({file_, 0, 0}, path_, key, keys);
 }
 
+namespace {
+
+/// -0.0 is 0, as -0 is: a whole number of JSON.
+double number_in_json(const Json& value) {
+  const auto number = value.get<double>();
+  return number == 0.0 ? 0.0 : number;
+}
+
+}  // namespace
+
 double JsonObject::number(std::string_view key) const {
   const Json& value = at(key);
   if (!value.is_number()) throw wrong_type(name(key), described(value), kNumber);
-  return value.get<double>();
+  return number_in_json(value);
 }
 
 std::string JsonObject::text(std::string_view key) const {
@@ -148,7 +158,7 @@ std::vector<double> JsonObject::numbers(std::string_view key) const {
     if (!value.is_number()) {
       throw wrong_type(fmt::format("{}[{}]", name(key), result.size()), described(value), kNumber);
     }
-    result.push_back(value.get<double>());
+    result.push_back(number_in_json(value));
   }
   return result;
 }
