@@ -11,6 +11,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/stopwatch.hpp"
+#include "microslip/base/work_size.hpp"
 #include "microslip/dynamics/continuation.hpp"
 #include "microslip/dynamics/level_walk.hpp"
 #include "microslip/dynamics/resonance_curve.hpp"
@@ -44,6 +45,19 @@ void check_options(const HarmonicBalanceOptions& o, const JointedStructure& stru
   require(o.max_points >= 2, "max_points", o.max_points, "must be at least 2");
   require(o.accuracy == 0.0 || (o.accuracy >= 1e-6 && o.accuracy <= 1.0), "accuracy", o.accuracy,
           "must be 0 or from 1e-6 to 1");
+}
+
+/// Points of a curve that are asked for. Each is a vibration, and about twice as much again as a
+/// step of the continuation and as a line of a table: measured with one and two modes and joints.
+void check_points(const char* what, std::size_t count, const JointedStructure& structure,
+                  const HarmonicBalanceOptions& options) {
+  constexpr double kTimesKept = 3.0;
+  const std::size_t series =
+      sizeof(std::vector<double>) + (options.harmonics + 1) * sizeof(std::complex<double>);
+  const std::size_t bytes = sizeof(SteadyVibration) + structure.linear().modes().size() * series +
+                            structure.joints().size() * (sizeof(JointCycle) + 2 * series);
+  check_memory(what, static_cast<double>(count), kTimesKept * static_cast<double>(bytes),
+               "Take fewer.");
 }
 
 /// A response that no excited mode takes part in cannot be a target, and has no phase.
@@ -284,6 +298,7 @@ ResponseCurve HarmonicBalance::follow(const Target& kept, Quantity along, double
   check_targets(kept, {along, from}, options_.forcing);
   check_target({along, to});
   require(from != to, "end of the range", to, "must be another than its start");
+  check_points("frequencies of `at`", options_.frequencies.size(), structure_, options_);
   Run run(structure_, response_, options_);
   const Run::Outcome first = solve_from_stuck(run, kept, {along, from}, mode);
   ResponseCurve curve;
@@ -322,6 +337,7 @@ ResponseCurve HarmonicBalance::backbone(std::span<const double> responses, std::
                                         const Progress& progress) const {
   const Stopwatch watch;
   require(!responses.empty(), "number of responses", 0.0, "must be at least 1");
+  check_points("number of responses", responses.size(), structure_, options_);
   for (const double response : responses) check_target({Quantity::kResponse, response});
   Run run(structure_, response_, options_);
   ResponseCurve curve;
@@ -368,6 +384,7 @@ ResponseCurve HarmonicBalance::resonances(std::span<const double> responses, std
                                           const Progress& progress) const {
   const Stopwatch watch;
   require(!responses.empty(), "number of responses", 0.0, "must be at least 1");
+  check_points("number of responses", responses.size(), structure_, options_);
   for (std::size_t i = 0; i < responses.size(); ++i) {
     check_target({Quantity::kResponse, responses[i]});
     if (i == 0 || responses[i] > responses[i - 1]) continue;

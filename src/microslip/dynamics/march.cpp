@@ -15,6 +15,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/stopwatch.hpp"
+#include "microslip/base/work_size.hpp"
 #include "microslip/dynamics/base_motion.hpp"
 #include "microslip/dynamics/coarse_march.hpp"
 #include "microslip/dynamics/density_corners.hpp"
@@ -32,8 +33,6 @@ constexpr double kStepsWithManyAtoms = 80.0;
 constexpr double kStepsWithNormalLoad = 400.0;
 /// Steps between two words to the progress, and what is left of the interval.
 constexpr std::size_t kStepsAWord = 4096;
-/// More steps than this, an hour or so of one joint, are a mistake of units.
-constexpr double kMostSteps = 1e10;
 
 double steps_per_period(const JointedStructure& structure, const LoadHistory& loads) {
   if (!loads.normal_loads.empty()) return kStepsWithNormalLoad;
@@ -50,11 +49,9 @@ double chosen_step(const JointedStructure& structure, const LoadHistory& loads,
 
 void check_step(double step, const std::vector<double>& time) {
   const double length = time.back() - time.front();
-  if (length / step <= kMostSteps) return;
-  throw InputError("step", step,
-                   fmt::format("must be at least {:.9g} s, {:.0e} of the time axis",
-                               length / kMostSteps, 1.0 / kMostSteps),
-                   "Take longer steps, or march over less time.");
+  check_steps("steps of the march", length / step,
+              fmt::format("{:.4g} s in steps of {:.4g} s", length, step),
+              "Is the time in its unit? March over less of it, or take longer steps by `step`.");
 }
 
 /// Peak and ∫ x² dt of signals, by the trapezium rule over times that need not be equally far apart.

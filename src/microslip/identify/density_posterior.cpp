@@ -14,6 +14,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/interpolation.hpp"
 #include "microslip/base/random.hpp"
+#include "microslip/base/work_size.hpp"
 #include "microslip/identify/eigen_view.hpp"
 #include "microslip/identify/posterior_chain.hpp"
 
@@ -28,6 +29,11 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 Eigen::Map<const RowMajor> matrix_of(const PlainMatrix& m) {
   return {m.values.data(), static_cast<Eigen::Index>(m.rows()),
           static_cast<Eigen::Index>(m.columns)};
+}
+
+/// As a draw, and once more where it is handed on.
+double bytes_of_draw(std::size_t knots) {
+  return 2.0 * static_cast<double>(sizeof(DensitySample) + knots * sizeof(double));
 }
 
 constexpr std::string_view kUnchanged = "Take a posterior as invert() found it, unchanged.";
@@ -177,6 +183,8 @@ std::vector<DensitySample> DensityPosterior::samples(std::uint64_t seed, std::si
                                                      const Execution& execution,
                                                      const Progress& progress) const {
   check();
+  check_memory("draws of the density", static_cast<double>(count), bytes_of_draw(slip_force.size()),
+               "Take fewer.");
   std::vector<const DensityPosterior*> places{this};
   for (const DensityPosterior& other : elsewhere) places.push_back(&other);
   std::vector<ChainTarget> targets;

@@ -8,11 +8,10 @@
 #include <string_view>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/work_size.hpp"
 
 namespace microslip {
 namespace {
-
-constexpr double kMostSamples = 1e8;  // of a channel: 0.8 GB
 
 void require_positive(std::string_view field, double value, std::string_view remedy = {}) {
   if (value > 0.0 && std::isfinite(value)) return;
@@ -24,12 +23,21 @@ void require_non_negative(std::string_view field, double value) {
   throw InputError(field, value, "must be 0 or more and finite");
 }
 
+/// No beam is of anything softer, or lighter: a wrong unit.
+void require_solid(std::string_view field, double value, double least, std::string_view remedy) {
+  if (value >= least) return;
+  throw InputError(field, value, fmt::format("must be {:g} or more, as of all solids", least),
+                   remedy);
+}
+
 void check_beam(const RigBeam& beam) {
   require_positive("beam.length", beam.length);
   require_positive("beam.width", beam.width);
   require_positive("beam.thickness", beam.thickness);
   require_positive("beam.youngs_modulus", beam.youngs_modulus);
   require_positive("beam.mass_density", beam.mass_density);
+  require_solid("beam.youngs_modulus", beam.youngs_modulus, 1e6, "Steel has 2.1e11: no GPa.");
+  require_solid("beam.mass_density", beam.mass_density, 25.0, "Steel has 7850: no g/cm^3.");
   if (beam.thickness > 0.2 * beam.length) {
     throw InputError("beam.thickness", beam.thickness,
                      fmt::format("must be below a fifth of beam.length = {} m", beam.length),
@@ -161,7 +169,12 @@ void check_count(std::string_view field, std::size_t value, std::size_t from, st
                    fmt::format("must be from {} to {}", from, to));
 }
 
-void check_test(const RigTest& test) {
+/// Time, force and what the sensors read.
+std::size_t columns_of(const Rig& rig) {
+  return 2 + rig.accelerometers.size() + (rig.vibrometer ? 1 : 0);
+}
+
+void check_test(const RigTest& test, std::size_t columns) {
   require_positive("test.response_from", test.response_from);
   require_positive("test.response_to", test.response_to);
   if (test.response_to < test.response_from) {
@@ -172,14 +185,13 @@ void check_test(const RigTest& test) {
   check_count("test.count", test.count, 1, 100000);
   require_positive("test.sampling_rate", test.sampling_rate);
   require_positive("test.duration", test.duration);
-  const double samples = test.duration * test.sampling_rate;
-  if (!(samples <= kMostSamples)) {
-    throw InputError(
-        "test.duration", test.duration,
-        fmt::format("must be at most {:.6g}: {:.0e} samples a channel at "
-                    "test.sampling_rate = {:.6g} Hz",
-                    kMostSamples / test.sampling_rate, kMostSamples, test.sampling_rate),
-        "Record less, or sample more slowly.");
+  const auto most = static_cast<double>(most_kept(static_cast<double>(sizeof(double) * columns)));
+  if (!(test.duration * test.sampling_rate <= most)) {
+    throw InputError("test.duration", test.duration,
+                     fmt::format("must be at most {:.6g}: {} samples of {} columns, 1 GiB, at "
+                                 "test.sampling_rate = {:.6g} Hz",
+                                 most / test.sampling_rate, most, columns, test.sampling_rate),
+                     "Record less, or sample more slowly.");
   }
   require_non_negative("test.frequency_resolution", test.frequency_resolution);
   check_count("test.modes", test.modes, 1, 100);
@@ -206,7 +218,7 @@ void check_rig(const Rig& rig) {
   check_masses(rig);
   check_sensors(rig);
   check_channels(rig);
-  if (rig.test) check_test(*rig.test);
+  if (rig.test) check_test(*rig.test, columns_of(rig));
   if (rig.noise) {
     require_non_negative("noise.force", rig.noise->force);
     require_non_negative("noise.acceleration", rig.noise->acceleration);

@@ -73,8 +73,9 @@ void check_test(const RigTest& test, double frequency, std::size_t harmonics) {
   if (test.duration * frequency < kCycles) {
     throw InputError("test.duration", test.duration,
                      fmt::format("must be at least {:.3g}: {:.0f} cycles of the stuck resonance, "
-                                 "{:.1f} Hz",
-                                 kCycles / frequency, kCycles, frequency));
+                                 "{:.3g} Hz",
+                                 kCycles / frequency, kCycles, frequency),
+                     "Record longer, or check the units of the beam.");
   }
   if (test.frequency_resolution > kCoarsest * frequency) {
     throw InputError("test.frequency_resolution", test.frequency_resolution,

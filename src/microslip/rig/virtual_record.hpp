@@ -22,7 +22,7 @@ namespace microslip {
 /// @param driven  of a structure with these modes.
 /// @param seed    of all records of a test.
 /// @param record  r, see record_number().
-/// @throws InputError  as check_rig(), for more than 1e8 samples a channel too, and where the rig
+/// @throws InputError  as check_rig(), for longer records than it lets keep too, and where the rig
 ///                     has no test.
 [[nodiscard]] Recording virtual_record(const Rig& rig, const StickState& state,
                                        const DrivenVibration& driven, std::uint64_t seed,

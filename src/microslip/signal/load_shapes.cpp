@@ -11,6 +11,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
+#include "microslip/base/work_size.hpp"
 #include "microslip/signal/log_log_line.hpp"
 
 namespace microslip {
@@ -18,7 +19,8 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kMostTimes = 2e7;
+/// Of a time with what acts then, and of its line in a table.
+constexpr double kBytesOfTime = 85.0;
 /// Of noise within its density: the variance of one signal is then known to some √(2/64).
 constexpr double kLeastLines = 64.0;
 constexpr std::size_t kLargestTransform = std::size_t{1} << 26U;
@@ -54,10 +56,12 @@ std::vector<double> even_times(double duration, double sampling_rate) {
   require_above_zero("duration", duration);
   require_above_zero("sampling rate", sampling_rate);
   const double steps = std::floor(duration * sampling_rate * (1.0 + kWholeSteps));
-  if (!(steps >= 1.0 && steps < kMostTimes)) {
-    throw InputError("number of times", steps + 1.0, "must be from 2 to 2e7",
+  if (!(steps >= 1.0)) {
+    throw InputError("number of times", steps + 1.0, "must be 2 or more",
                      "Change the duration or the sampling rate.");
   }
+  check_memory("number of times", steps + 1.0, kBytesOfTime,
+               "Change the duration or the sampling rate.");
   std::vector<double> time(static_cast<std::size_t>(steps) + 1);
   for (std::size_t i = 0; i < time.size(); ++i) time[i] = static_cast<double>(i) / sampling_rate;
   return time;

@@ -15,7 +15,7 @@ namespace microslip {
 /// Times 0, h, 2h, … up to a duration, the last at or just before it.
 /// @param duration       s; > 0.
 /// @param sampling_rate  1/h, Hz; > 0.
-/// @throws InputError  for those out of their range, or more than 2e7 times.
+/// @throws InputError  for those out of their range, or more times than check_memory() lets keep.
 [[nodiscard]] std::vector<double> even_times(double duration, double sampling_rate);
 
 /// Re Σ_n s_n e^{inωt} until `end`, 0 from there on.

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/work_size.hpp"
 
 namespace microslip {
 namespace {
@@ -18,7 +19,6 @@ using std::numbers::pi;
 using Complex = std::complex<double>;
 
 constexpr double kStepsPerPeriod = 40.0;
-constexpr double kMostSteps = 5e9;  // some minutes
 
 /// The extremes of a signal at equal or unequal times, those between them by a parabola.
 class SignalExtremes {
@@ -154,10 +154,10 @@ void check_shaken(std::span<const double> time, std::span<const double> accelera
   for (const double f : frequencies) {
     steps += static_cast<double>(time.size()) + kStepsPerPeriod * f * (time.back() - time.front());
   }
-  if (steps <= kMostSteps) return;
-  throw InputError("steps of a response spectrum", steps,
-                   fmt::format("must be {:g} at most", kMostSteps),
-                   "Take fewer or lower natural frequencies, or a shorter record.");
+  check_steps(
+      "steps of a response spectrum", steps,
+      fmt::format("{} natural frequencies over {} samples", frequencies.size(), time.size()),
+      "Take fewer or lower natural frequencies, or a shorter record.");
 }
 
 }  // namespace

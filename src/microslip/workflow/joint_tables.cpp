@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/work_size.hpp"
 #include "microslip/io/csv_writer.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/memory.hpp"
@@ -23,6 +24,9 @@
 
 namespace microslip {
 namespace {
+
+/// Of a row of dissipation_of(): its numbers, and its line in a table that is built up.
+constexpr double kBytesOfCurveRow = 280.0;
 
 /// Constant normal load has an exact memory; a varying one needs elements that are marched.
 std::vector<double> forces_along(const DisplacementPath& path, const Joint& joint,
@@ -207,6 +211,8 @@ JointTable loop_of(const JointFile& file, const DisplacementPath& path, NormalLo
 
 JointTable dissipation_of(const JointFile& file, const std::vector<double>& amplitude,
                           const std::optional<LoneJointDraws>& draws) {
+  check_memory("values of `amplitude`", static_cast<double>(amplitude.size()), kBytesOfCurveRow,
+               "Take fewer.");
   const double beta = identified_damping(file).value_or(0.0);
   DrawnValues drawn = drawn_values(
       file, draws, kCurveColumns * amplitude.size(),

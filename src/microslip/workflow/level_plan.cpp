@@ -10,6 +10,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/units.hpp"
+#include "microslip/base/work_size.hpp"
 #include "microslip/identify/diagnostics.hpp"
 #include "microslip/identify/further_levels.hpp"
 #include "microslip/identify/inverted_joint.hpp"
@@ -49,6 +50,9 @@ std::vector<double> amplitudes_between(double from, double to) {
   grid.erase(std::unique(grid.begin(), grid.end(), alike), grid.end());
   return grid;
 }
+
+/// Of a draw: density, joint with its curves, and what it makes of the levels, some.
+constexpr double kBytesOfKnot = 500.0;
 
 void check_interval(std::string_view name, std::pair<double, double> range) {
   if (range.first >= 0.0 && range.second > range.first && std::isfinite(range.second)) return;
@@ -117,6 +121,8 @@ Known known_up_to(double amplitude, LevelEvidence evidence, double stiffness) {
 
 std::vector<DensitySample> planning_draws(const InversionResult& result,
                                           const LevelPlanning& options) {
+  check_memory("`draws`", static_cast<double>(options.draws),
+               kBytesOfKnot * static_cast<double>(result.slip_force.size()), "Take fewer.");
   const std::vector<DensitySample> all =
       result.posterior.samples(options.seed, options.draws, Execution::threads(), options.progress);
   std::vector<DensitySample> taken;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/work_size.hpp"
 #include "microslip/identify/quantiles.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/text.hpp"
@@ -72,12 +73,9 @@ std::size_t DrawOptions::fewest(double confidence) {
 }
 
 void DrawOptions::check_size(std::size_t values, const std::string& remedy) const {
-  if (values == 0 || count <= kMostValues / values) return;
-  throw InputError("`draws`", static_cast<double>(count),
-                   fmt::format("must be {} at most: each is {} numbers here, of which 2^27, 1 GiB, "
-                               "are kept",
-                               kMostValues / values, values),
-                   remedy);
+  if (values == 0) return;
+  check_memory("`draws`", static_cast<double>(count), static_cast<double>(sizeof(double) * values),
+               remedy);
 }
 
 JointDraws joint_draws_of(JointSamples samples, bool damping_said) {

@@ -50,13 +50,11 @@ struct DrawOptions {
   /// That all draws together, kept for their quantiles, are not too many numbers.
   /// @param values  of one draw.
   /// @param remedy  what the user can do beside fewer draws, a sentence.
-  /// @throws InputError  for N times these above kMostValues.
+  /// @throws InputError  as check_memory().
   void check_size(std::size_t values, const std::string& remedy) const;
 
   /// More are a mistake.
   static constexpr std::size_t kMostDraws = 1'000'000;
-  /// 1 GiB.
-  static constexpr std::size_t kMostValues = std::size_t{1} << 27U;
 };
 
 /// Draws of a model file: the samples of its joints, which are read, and its spread.
