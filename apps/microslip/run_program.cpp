@@ -21,6 +21,7 @@
 
 #include "command.hpp"
 #include "microslip/base/error.hpp"
+#include "microslip/base/units.hpp"
 #include "microslip/io/closest_name.hpp"
 #include "microslip/io/temporaries.hpp"
 #include "microslip/io/write_error.hpp"
@@ -107,11 +108,32 @@ std::string unknown_option(const CLI::App& command, const std::string& argument)
   return fmt::format("There is no option {}{}", name, near_text(name, known));
 }
 
+/// An option that CLI11 took for the value of the one before it: "--stiffness --out x.json".
+std::string swallowed_option(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& value : option->results()) {
+      if (!value.starts_with("--") || command.get_option_no_throw(value) == nullptr) continue;
+      return fmt::format("{} has no value: the option {} stands behind it", option->get_name(),
+                         value);
+    }
+  }
+  return "";
+}
+
+/// "--amplitude 9 um": the shell hands it on as two.
+std::string split_unit(const std::vector<std::string>& rest) {
+  if (rest.size() != 1 || !find_unit(rest.front())) return "";
+  return fmt::format("'{}' stands by itself; a number and its unit stand together, without a blank",
+                     rest.front());
+}
+
 /// What CLI11 found, but for options and subcommands that do not exist: it says that there are
 /// none.
 std::string fault_of(const CLI::App& program, const CLI::ParseError& error) {
   const std::vector<CLI::App*> chosen = program.get_subcommands();
   if (!chosen.empty()) {
+    if (std::string text = swallowed_option(*chosen.front()); !text.empty()) return text;
+    if (std::string text = split_unit(chosen.front()->remaining()); !text.empty()) return text;
     for (const std::string& argument : chosen.front()->remaining()) {
       if (argument == "--")
         return "After -- all arguments are names of files: give options before it";

@@ -133,11 +133,14 @@ TEST(CsvFault, NoHeader) {
 }
 
 TEST(CsvFault, Binary) {
-  EXPECT_EQ(fault("\x89HDF\r\n\x1A\n\0\0\0"s),
-            "t.csv: expected a table of comma-separated values, found an HDF5 file");
+  EXPECT_EQ(
+      fault("\x89HDF\r\n\x1A\n\0\0\0"s),
+      "t.csv: expected a table of comma-separated values, found an HDF5 file. Is it the right "
+      "file?");
   EXPECT_EQ(fault("\xFF\xFE"
                   "a\0 \0"s),
-            "t.csv: expected a table of comma-separated values, found UTF-16 text");
+            "t.csv: expected a table of comma-separated values, found UTF-16 text. Save it as "
+            "UTF-8.");
   EXPECT_EQ(fault("a [m],b\n1,x\0y\n"s),
             "t.csv:2:4: expected text, found the byte 0x00. Is this a text table?");
   EXPECT_EQ(fault("\x01\x02\x03"),
@@ -157,7 +160,7 @@ TEST(CsvFault, Ragged) {
       "between the columns.");
   EXPECT_EQ(fault("a [m]\n1,5\n"),
             "t.csv:2:1: expected 1 cell as in the header, found 2. Decimal commas need ';' or tabs "
-            "between the columns.");
+            "between the columns; lines above the header begin with '#'.");
 }
 
 TEST(CsvFault, HugeCellIsShownInShort) {

@@ -275,7 +275,8 @@ TEST(RigFileFault, AnotherFile) {
             "rig.toml:1:10: expected the schema 'microslip.rig/1', found 'microslip.model/1'. "
             "This is a structure with joints (model.toml), not a rig.");
   EXPECT_EQ(message("[package]\n"),
-            "rig.toml:1:1: expected the key 'schema' at the top, found the keys 'package'");
+            "rig.toml:1:1: expected the key 'schema' at the top, found the keys 'package'. It says "
+            "what the file is: docs/file_formats.md has it for each.");
 }
 
 TEST(RigFileFault, ValuesThatBreakARule) {

@@ -143,21 +143,35 @@ TEST(TomlInput, RefusesWhatIsNoTomlAtAll) {
   }
   EXPECT_EQ(syntax_fault("\x89HDF\r\n\x1A\n"),
             "a.toml: expected TOML, found an HDF5 file. Is it the right file?");
+  EXPECT_EQ(syntax_fault("\xFF\xFE"
+                         "a\0=\0"s),
+            "a.toml: expected TOML, found UTF-16 text. Save it as UTF-8.");
   EXPECT_EQ(syntax_fault("\1\2\0\xFF"s),
             "a.toml:1:4: expected UTF-8, found '\\xFF'. Save the file as UTF-8.");
 }
 
 // What the parser says, of toml++ 3.3 here, is passed on and not relied on.
 TEST(TomlInput, NamesThePlaceOfASyntaxError) {
-  const auto expect = [](const std::string& text, const std::string& start) {
+  const std::string general =
+      "A text stands in quotes, a number has a decimal point and no unit, a key stands once in its "
+      "table; each of several tables is a [[table]].";
+  const auto expect = [&](const std::string& text, const std::string& start,
+                          const std::string& remedy = "") {
     const std::string fault = syntax_fault(text);
     expect_starts(fault, start + ". The parser says 'Error while parsing ");
-    EXPECT_TRUE(fault.ends_with(
-        "'. A text stands in quotes, a number has a decimal point and no unit, a key stands once "
-        "in its table; each of several tables is a [[table]]."))
-        << fault;
+    EXPECT_TRUE(fault.ends_with("'. " + (remedy.empty() ? general : remedy))) << fault;
   };
-  expect("a = 1\nb = 0,583\n", "a.toml:2:6: expected TOML, found ',583'");
+  expect("a = 1\nb = 0,583\n", "a.toml:2:6: expected TOML, found ',583'",
+         "A number has a decimal point, no comma.");
+  expect("a: 1\n", "a.toml:1:2: expected TOML, found ': 1'",
+         "A key and its value stand on either side of '='.");
+  expect("a = 1;\n", "a.toml:1:6: expected TOML, found ';'",
+         "Nothing stands behind a value but a comment: leave out ';'.");
+  expect("a = “b”\n", "a.toml:1:5: expected TOML, found '“b”'", "Quotes are straight: \"text\".");
+  expect("a = \"C:\\data\\b.csv\"\n", "a.toml:1:9: expected TOML, found 'data\\b.csv\"'",
+         "In \"...\" a backslash begins an escape: write paths with '/', or in '...'.");
+  expect("a = \"b\nc = 1\n", "a.toml:1:7: expected TOML, found the end of the line",
+         "A text ends with its quote in the same line.");
   expect("a = 5 mm\n", "a.toml:1:7: expected TOML, found 'mm'");
   expect("a = 5.\n", "a.toml:1:7: expected TOML, found the end of the line");
   expect("a = joint.json\n", "a.toml:1:5: expected TOML, found 'joint.json'");

@@ -63,7 +63,7 @@ constexpr std::array kQuantities{
     Quantity{kMass, "mass", "kg, t, lb"},
     Quantity{kTime, "time", "s, ms, us"},
     Quantity{kAngle, "angle", "rad, deg"},
-    Quantity{kFrequency, "frequency", "Hz, kHz"},
+    Quantity{kFrequency, "frequency", "Hz, kHz; 1 Hz is 2 pi rad/s"},
     Quantity{kAngularFrequency, "angular frequency", "rad/s"},
     Quantity{kVelocity, "velocity", "m/s, mm/s, um/s, in/s"},
     Quantity{kAcceleration, "acceleration", "m/s^2, mm/s^2, g, mg, in/s^2, ft/s^2"},

@@ -26,12 +26,11 @@ TurningPoint turning_point(std::span<const double> coefficients, Wave wave, doub
   const double low = later ? here : here - step;
   const double high = low + step;
   const double near = here - motion.velocity / motion.acceleration;
-  const double start = near >= low && near <= high ? near : 0.5 * (low + high);
   const auto descent = [&](double tau) {
     motion = motion_at(coefficients, tau, wave);
     return Growing{-sign * motion.velocity, -sign * motion.acceleration};
   };
-  const double tau = growing_zero_near(descent, start, low, high);
+  const double tau = growing_zero_near(descent, near, low, high);
   return {tau, later, motion};
 }
 

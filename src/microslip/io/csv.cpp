@@ -238,7 +238,7 @@ CsvTable::CsvTable(std::string text, std::string_view file) : text_(std::move(te
   const std::string_view other = is_other ? known->words : signature(text_);
   if (!other.empty()) {
     throw FormatError({file_, 0, 0}, "a table of comma-separated values", other,
-                      is_other ? "Is it the right file?" : "");
+                      is_other ? std::string_view("Is it the right file?") : remedy_for_signature(other));
   }
   Parser parser(*this);
   parser.parse_header();
@@ -260,11 +260,14 @@ std::size_t CsvTable::require(std::string_view name, std::string_view header) co
     names += fmt::format("{}{}", names.empty() ? "" : ", ", c.name);
   }
   const KnownKind* const known = known_kind_of(text_);
+  const std::string_view rule = columns_.size() == 1
+                                    ? "Is this line the header? Lines above it begin with '#'."
+                                    : "Names are case-sensitive; a unit stands in square brackets.";
   throw FormatError(
       place_at(text_, header_start_, file_), fmt::format("a column '{}'", header),
       fmt::format("the columns {}", in_quotes(names, 120)),
-      fmt::format("{}Names are case-sensitive; a unit stands in square brackets.",
-                  known == nullptr ? "" : fmt::format("This looks like {}. ", known->words)));
+      fmt::format("{}{}",
+                  known == nullptr ? "" : fmt::format("This looks like {}. ", known->words), rule));
 }
 
 std::string CsvTable::label(std::size_t column) const {
@@ -286,7 +289,9 @@ Unit CsvTable::unit_of(std::size_t column, const Dimension& expected) const {
                       fmt::format("Write '{} [{}]'.", c.name, si_unit(expected)));
   }
   const std::optional<Unit> unit = find_unit(*c.unit);
-  const std::string remedy = fmt::format("Units that fit: {}.", usual_units(expected));
+  const std::string remedy = c.unit->find('[') != std::string::npos
+                                 ? "Columns stand between commas, semicolons or tabs."
+                                 : fmt::format("Units that fit: {}.", usual_units(expected));
   if (!unit) {
     throw FormatError(
         place(), rule,
@@ -357,24 +362,28 @@ void CsvTable::reject(std::size_t row, std::string_view name, std::string_view e
 void CsvTable::reject_number(std::size_t row, std::size_t column) const {
   const RawCell cell = find_cell(text_, file_, separator_, row_start_[row], column);
   const std::string_view text = cell.view();
-  std::string_view remedy = "Correct the cell or remove the row.";
+  std::string_view remedy = remedy_for_cell(text);
   if (decimal_comma_ && text.find('.') != std::string_view::npos) {
     remedy = "This table has decimal commas elsewhere: write all numbers one way.";
   }
   reject(row, columns_[column].name, "a finite number", remedy);
 }
 
-std::vector<std::string> csv_column_names(std::string_view head) {
-  std::vector<std::string> names;
-  if (!signature(head).empty()) return names;
+std::vector<CsvColumn> csv_columns(std::string_view head) {
+  if (!signature(head).empty()) return {};
   CsvTable table;
   table.text_ = head;
   try {
     CsvTable::Parser(table).parse_header(false);
   } catch (const FormatError&) {
-    return names;
+    return {};
   }
-  for (const CsvColumn& column : table.columns_) names.push_back(column.name);
+  return std::move(table.columns_);
+}
+
+std::vector<std::string> csv_column_names(std::string_view head) {
+  std::vector<std::string> names;
+  for (CsvColumn& column : csv_columns(head)) names.push_back(std::move(column.name));
   return names;
 }
 

@@ -78,7 +78,7 @@ class CsvTable {
   class Parser;
 
   CsvTable() = default;
-  friend std::vector<std::string> csv_column_names(std::string_view head);
+  friend std::vector<CsvColumn> csv_columns(std::string_view head);
 
   [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
   [[nodiscard]] std::size_t require(std::string_view name, std::string_view header) const;
@@ -98,8 +98,11 @@ class CsvTable {
   std::vector<std::size_t> text_cells_;  ///< indices into values_ of those cells, rising
 };
 
-/// The names of the columns of a table of which only the beginning is given, one that stands twice
-/// too: what kind of table it is to be tells who will refuse it. Empty where it is none.
+/// The columns of a table of which only the beginning is given, one that stands twice too: what kind
+/// of table it is to be tells who will refuse it. Empty where it is none.
+[[nodiscard]] std::vector<CsvColumn> csv_columns(std::string_view head);
+
+/// Their names.
 [[nodiscard]] std::vector<std::string> csv_column_names(std::string_view head);
 
 }  // namespace microslip

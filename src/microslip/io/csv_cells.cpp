@@ -48,11 +48,44 @@ std::string separator_name(char separator) {
 
 FormatError ragged_row(const TextPlace& row, std::size_t columns, std::size_t cells,
                        char separator) {
+  std::string remedy = "Decimal commas need ';' or tabs between the columns.";
+  if (columns == 1) {
+    remedy =
+        "Decimal commas need ';' or tabs between the columns; lines above the header begin with "
+        "'#'.";
+  } else if (cells == 1 || separator != ',') {
+    remedy = fmt::format("The separator of this table is {}.", separator_name(separator));
+  }
   return {row, fmt::format("{} cell{} as in the header", columns, columns == 1 ? "" : "s"),
-          fmt::format("{}", cells),
-          cells == 1 || separator != ','
-              ? fmt::format("The separator of this table is {}.", separator_name(separator))
-              : "Decimal commas need ';' or tabs between the columns."};
+          fmt::format("{}", cells), remedy};
+}
+
+namespace {
+
+/// 12/03/2024, 2024-03-12, 12.Mar, Mar-12; also of German spreadsheets.
+bool looks_like_date(std::string_view cell) {
+  constexpr std::size_t kLongest = 20;
+  constexpr std::string_view kOfDates = "0123456789./-";
+  if (cell.size() > kLongest || cell.find_first_of("0123456789") == cell.npos) return false;
+  if (cell.find_first_not_of(kOfDates) == cell.npos) return true;
+  std::string month;
+  for (const char c : cell) {
+    if (kOfDates.find(c) == kOfDates.npos) month += static_cast<char>(c | 0x20);
+  }
+  constexpr std::string_view kMonths =
+      " jan feb mar apr may jun jul aug sep oct nov dec mrz mai okt dez ";
+  return month.size() == 3 && kMonths.find(month) != kMonths.npos;
+}
+
+}  // namespace
+
+std::string_view remedy_for_cell(std::string_view cell) {
+  if (cell.find_first_of("0123456789") < cell.find(':') && cell.find(':') != cell.npos) {
+    return "Write times in seconds, from the start.";
+  }
+  return looks_like_date(cell) ? "It looks like a date, as spreadsheets make of numbers: format "
+                                 "the column as numbers."
+                               : "Correct the cell or remove the row.";
 }
 
 std::string unescaped(const RawCell& cell) {

@@ -65,6 +65,9 @@ void check_column_name(std::string_view name);
 /// Quoted where it would not read back as it is; empty cells too, which could make a blank line.
 void append_text_cell(std::string& text, std::string_view cell);
 
+/// What to do about a cell that should be a number and is none: dates, times of the day, others.
+[[nodiscard]] std::string_view remedy_for_cell(std::string_view cell);
+
 /// Finds where cells end.
 class CellScanner {
  public:

@@ -78,8 +78,7 @@ LevelsFile parse_levels(std::string text, std::string_view file, const LevelsRea
       require_non_negative(table, column.name, levels.*column.values);
     }
   }
-  require_positive(table, "amplitude", levels.amplitude,
-                   "A level without motion tells nothing: remove the row.");
+  require_positive(table, "amplitude", levels.amplitude, kRemedyForNoMotion);
   require_non_negative(table, "dissipation", levels.dissipation,
                        "A contact cannot give energy: remove the row, or check the phase.");
   require_positive(table, "secant_stiffness", levels.secant_stiffness);

@@ -101,10 +101,16 @@ class Loads {
                       bases_.empty() ? "a column 'force [N]' or 'force at POINT [N]'"
                                      : "a column 'force [N]', 'force at POINT [N]' or "
                                        "'acceleration of BASE [m/s^2]'",
-                      "none");
+                      fmt::format("the columns {}", names_of_columns()));
   }
 
  private:
+  [[nodiscard]] std::string names_of_columns() const {
+    std::vector<std::string_view> names;
+    for (const CsvColumn& column : table_.columns()) names.push_back(column.name);
+    return listed(names);
+  }
+
   void add_force(std::string_view column, std::string point, const Dimension& unit = kForce) {
     refuse_twice(column, point, loads_.forces, &PointForce::point);
     loads_.forces.push_back({std::move(point), table_.numbers(column, unit)});

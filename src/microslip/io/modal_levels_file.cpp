@@ -119,8 +119,7 @@ ModalLevels parse_modal_levels(std::string text, std::string_view file,
   ModalLevels levels;
   levels.mode = read_modes(table, modes);
   levels.displacement = table.numbers("displacement", kLength);
-  require_positive(table, "displacement", levels.displacement,
-                   "A level without motion tells nothing: remove the row.");
+  require_positive(table, "displacement", levels.displacement, kRemedyForNoMotion);
   levels.displacement_std = non_negative_column(table, "displacement_std", kLength);
   levels.frequency = table.numbers_if_present("frequency", kFrequency);
   require_positive(table, "frequency", levels.frequency,

@@ -17,10 +17,18 @@
 namespace microslip {
 namespace {
 
-std::string_view remedy_for_reading(int error) {
+std::string_view remedy_for_missing(const std::string& name) {
+  if (name.find_first_of("*?") != std::string::npos) {
+    return "No file fits this pattern: check the folder.";
+  }
+  if (name.starts_with('\'') || name.starts_with('"')) return "Its quotes are part of the name.";
+  return "Check the path.";
+}
+
+std::string_view remedy_for_reading(const std::string& name, int error) {
   switch (error) {
     case ENOENT:
-      return "Check the path.";
+      return remedy_for_missing(name);
     case ENOTDIR:
       return "A part of the path is a file, not a folder.";
     case EACCES:
@@ -34,7 +42,7 @@ std::string_view remedy_for_reading(int error) {
 
 void fail_reading(const std::string& name, int error) {
   throw FileError(name, fmt::format("cannot be read: {}", std::generic_category().message(error)),
-                  remedy_for_reading(error));
+                  remedy_for_reading(name, error));
 }
 
 FileDescriptor open_input(const std::string& path) {

@@ -55,7 +55,8 @@ class CsvRecordingReader {
   void check_signature() const {
     const std::string_view other = signature(blocks_.text());
     if (other.empty()) return;
-    throw FormatError({file_.name(), 0, 0}, "a table of comma-separated values", other);
+    throw FormatError({file_.name(), 0, 0}, "a table of comma-separated values", other,
+                      remedy_for_signature(other));
   }
 
   [[noreturn]] void throw_no_header() const {
@@ -255,7 +256,7 @@ class CsvRecordingReader {
   [[noreturn]] void throw_no_number(const char* p, std::size_t column) const {
     const RawCell cell = scanner_->scan(p);
     const std::string_view text = cell.view();
-    std::string_view remedy = "Correct the cell or remove the row.";
+    std::string_view remedy = remedy_for_cell(text);
     if (decimal_ == Decimal::kComma && text.find('.') != std::string_view::npos) {
       remedy = "This table has decimal commas elsewhere: write all numbers one way.";
     } else if (decimal_ == Decimal::kPoint && parse_comma_number(text)) {

@@ -245,8 +245,10 @@ void RecordingCsvHeader::throw_no_axis() const {
   for (const Cell& cell : cells_) names += (names.empty() ? "" : ", ") + cell.column.name;
   throw FormatError(cells_.front().place, "a column of time such as 'time [s]'",
                     fmt::format("the columns {}", in_quotes(names, 120)),
-                    "Name it with its unit, or give the rate in a comment line such as "
-                    "'# sampling_rate: 8192 Hz'.");
+                    cells_.size() == 1
+                        ? "Is this line the header? Lines above it begin with '#'."
+                        : "Name it with its unit, or give the rate in a comment line such as "
+                          "'# sampling_rate: 8192 Hz'.");
 }
 
 std::string RecordingCsvHeader::label(std::size_t i) const {

@@ -78,8 +78,10 @@ RecordingFormat format_of(std::string_view head, const std::string& name) {
   }
   if (found.empty()) return RecordingFormat::kCsv;
   const KnownKind* const known = known_kind_of(head);
-  throw FormatError({name, 0, 0}, kExpected, known == nullptr ? found : known->words,
-                    found == "UTF-16 text" ? "Save it as UTF-8." : "Is it the right file?");
+  if (known != nullptr) {
+    throw FormatError({name, 0, 0}, kExpected, known->words, "Is it the right file?");
+  }
+  throw FormatError({name, 0, 0}, kExpected, found, remedy_for_signature(found));
 }
 
 void require_rewind(InputStream& file) {

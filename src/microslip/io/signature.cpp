@@ -10,6 +10,8 @@ namespace {
 
 using std::literals::operator""sv;
 
+constexpr std::string_view kUtf16Text = "UTF-16 text";
+
 struct Signature {
   std::string_view start;
   std::string_view name;
@@ -23,8 +25,8 @@ constexpr std::array kBinary{
     Signature{"%PDF-"sv, "a PDF document"},
     Signature{"PK\x03\x04"sv, "a ZIP archive or a spreadsheet"},
     Signature{"\x1F\x8B"sv, "a gzip archive"},
-    Signature{"\xFF\xFE"sv, "UTF-16 text"},
-    Signature{"\xFE\xFF"sv, "UTF-16 text"},
+    Signature{"\xFF\xFE"sv, kUtf16Text},
+    Signature{"\xFE\xFF"sv, kUtf16Text},
 };
 
 /// After blanks and line breaks.
@@ -62,6 +64,10 @@ std::string_view signature(std::string_view head) {
     return "an SVG picture";
   }
   return {};
+}
+
+std::string_view remedy_for_signature(std::string_view signature) {
+  return signature == kUtf16Text ? "Save it as UTF-8." : "Is it the right file?";
 }
 
 }  // namespace microslip

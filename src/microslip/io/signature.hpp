@@ -9,4 +9,7 @@ namespace microslip {
 /// empty where they are those of no format known here, as with tables.
 [[nodiscard]] std::string_view signature(std::string_view head);
 
+/// What to do about a file of this signature in place of a text.
+[[nodiscard]] std::string_view remedy_for_signature(std::string_view signature);
+
 }  // namespace microslip

@@ -42,7 +42,8 @@ FormatError missing_key(const TextPlace& place, std::string_view path, std::stri
                         const std::vector<std::string_view>& present) {
   const std::string keys = fmt::format("{}", fmt::join(present, ", "));
   return {place, fmt::format("the key '{}' {}", key, where(path)),
-          keys.empty() ? "no key" : fmt::format("the keys {}", in_quotes(keys, 120))};
+          keys.empty() ? "no key" : fmt::format("the keys {}", in_quotes(keys, 120)),
+          key == "schema" ? "It says what the file is: docs/file_formats.md has it for each." : ""};
 }
 
 InputError wrong_type(std::string_view name, std::string_view found, std::string_view type,

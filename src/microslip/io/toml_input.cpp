@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "microslip/io/signature.hpp"
 #include "microslip/io/structured_input.hpp"
@@ -22,16 +23,42 @@ std::string name_of(const toml::node& node, std::string_view file, std::string_v
   return fmt::format("{}: {}", place_text(place_of(node.source().begin, file)), path);
 }
 
+/// 12.0
+bool is_whole(const toml::node& node) {
+  const toml::value<double>* number = node.as_floating_point();
+  return number != nullptr && number->get() == std::round(number->get());
+}
+
+/// For what users of other formats, of word processors and of Windows write.
+std::string_view remedy_for_syntax(std::string_view found, std::string_view said) {
+  constexpr std::string_view kDigits = "0123456789";
+  if (found.starts_with(',') && found.size() > 1 && kDigits.find(found[1]) != kDigits.npos) {
+    return "A number has a decimal point, no comma.";
+  }
+  if (found.starts_with(':')) return "A key and its value stand on either side of '='.";
+  if (found.starts_with(';')) return "Nothing stands behind a value but a comment: leave out ';'.";
+  for (const std::string_view quote : {"\u201C", "\u201D", "\u201E", "\u2018", "\u2019"}) {
+    if (found.starts_with(quote)) return "Quotes are straight: \"text\".";
+  }
+  if (said.find("escape sequence") != said.npos) {
+    return "In \"...\" a backslash begins an escape: write paths with '/', or in '...'.";
+  }
+  if (said.find("control characters") != said.npos) {
+    return "A text ends with its quote in the same line.";
+  }
+  return "A text stands in quotes, a number has a decimal point and no unit, a key stands once in "
+         "its table; each of several tables is a [[table]].";
+}
+
 /// What the parser says is passed on as it stands.
 [[noreturn]] void fail_syntax(std::string_view text, std::string_view file,
                               const toml::parse_error& error) {
   constexpr std::size_t kLongest = 120;  // it may hold a whole key
   const TextPlace place = place_of(error.source().begin, file);
-  throw FormatError(
-      place, "TOML", found_at(text, offset_of(text, place)),
-      fmt::format("The parser says {}. A text stands in quotes, a number has a decimal point and "
-                  "no unit, a key stands once in its table; each of several tables is a [[table]].",
-                  in_quotes(error.description(), kLongest)));
+  const std::size_t offset = offset_of(text, place);
+  throw FormatError(place, "TOML", found_at(text, offset),
+                    fmt::format("The parser says {}. {}", in_quotes(error.description(), kLongest),
+                                remedy_for_syntax(text.substr(offset), error.description())));
 }
 
 /// Whether the first line that is no comment is the header of a table: commas, and neither a value
@@ -54,7 +81,7 @@ void require_toml(std::string_view text, std::string_view file) {
   std::string_view other = signature(text);
   if (other.empty() && begins_as_csv(text)) other = "a table of comma-separated values";
   if (!other.empty()) {
-    throw FormatError({std::string(file), 0, 0}, "TOML", other, "Is it the right file?");
+    throw FormatError({std::string(file), 0, 0}, "TOML", other, remedy_for_signature(other));
   }
   const std::size_t valid = valid_utf8(text);
   if (valid == text.size()) return;
@@ -126,7 +153,8 @@ std::size_t TomlTable::whole(std::string_view key) const {
   const toml::node& node = at(key);
   const toml::value<std::int64_t>* integer = node.as_integer();
   if (!integer || integer->get() < 0) {
-    throw wrong(node, key_path(path_, key), "a whole number, 0 or more");
+    throw wrong(node, key_path(path_, key), "a whole number, 0 or more",
+                is_whole(node) ? "Write it without a decimal point." : "");
   }
   return static_cast<std::size_t>(integer->get());
 }

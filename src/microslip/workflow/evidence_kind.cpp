@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "microslip/base/units.hpp"
 #include "microslip/io/csv.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/recording_file.hpp"
@@ -15,11 +18,16 @@
 namespace microslip {
 namespace {
 
-bool is_of_levels(const std::string& name) { return name == "amplitude" || name == "dissipation"; }
+bool is_of_levels(const CsvColumn& column) {
+  return column.name == "amplitude" || column.name == "dissipation";
+}
 
-bool is_of_record(const std::string& name) {
-  const auto quantity = quantity_of_name(name);
-  return quantity == kTime || quantity == kLength || quantity == kForce;
+/// By its name, or as a force by its unit.
+bool is_of_record(const CsvColumn& column) {
+  const auto quantity = quantity_of_name(column.name);
+  if (quantity == kTime || quantity == kLength || quantity == kForce) return true;
+  const auto unit = column.unit ? find_unit(*column.unit) : std::nullopt;
+  return unit && unit->dimension == kForce;
 }
 
 }  // namespace
@@ -31,9 +39,9 @@ EvidenceKind evidence_kind(const std::string& path) {
       std::filesystem::exists(file, unknown) && !std::filesystem::is_regular_file(file, unknown);
   if (path == "-" || once) return EvidenceKind::kLevels;
   if (recording_format(file) != RecordingFormat::kCsv) return EvidenceKind::kRecord;
-  const std::vector<std::string> names = csv_column_names(read_kind_head(file));
-  if (std::ranges::any_of(names, is_of_levels)) return EvidenceKind::kLevels;
-  return std::ranges::any_of(names, is_of_record) ? EvidenceKind::kRecord : EvidenceKind::kLevels;
+  const std::vector<CsvColumn> columns = csv_columns(read_kind_head(file));
+  if (std::ranges::any_of(columns, is_of_levels)) return EvidenceKind::kLevels;
+  return std::ranges::any_of(columns, is_of_record) ? EvidenceKind::kRecord : EvidenceKind::kLevels;
 }
 
 }  // namespace microslip

@@ -12,6 +12,7 @@
 #include <span>
 #include <utility>
 
+#include "microslip/base/plausibility.hpp"
 #include "microslip/dynamics/damping_twice.hpp"
 #include "microslip/dynamics/missing_modes.hpp"
 #include "microslip/dynamics/truncation.hpp"
@@ -91,6 +92,19 @@ std::string describe_damping(const ModelFile& model) {
 
 namespace {
 
+/// Of a joint that moves by this amplitude, m, and was identified up to kA, N.
+std::vector<Warning> reach_warnings(const Joint& joint, double amplitude,
+                                    std::optional<double> covered_to) {
+  std::vector<Warning> warnings;
+  if (auto far = beyond_identification(joint, amplitude, covered_to)) {
+    warnings.push_back(*std::move(far));
+  }
+  if (auto large = implausible_value("the joint", kLength, amplitude)) {
+    warnings.push_back(*std::move(large));
+  }
+  return warnings;
+}
+
 std::vector<Warning> residual_warnings(const ModelFile& model) {
   const auto warning = large_residual_warning(model.structure);
   return warning ? std::vector<Warning>{*warning} : std::vector<Warning>{};
@@ -102,10 +116,10 @@ std::vector<Warning> reach_warnings(const ModelFile& model, const std::vector<do
   std::vector<Warning> warnings;
   for (std::size_t j = 0; j < std::min(amplitude.size(), model.covered_to.size()); ++j) {
     const StructuralJoint& joint = model.structure.joints()[j];
-    auto warning = beyond_identification(joint.joint, amplitude[j], model.covered_to[j]);
-    if (!warning) continue;
-    warning->text = fmt::format("'{}': {}", joint.name, warning->text);
-    warnings.push_back(std::move(*warning));
+    for (Warning& warning : reach_warnings(joint.joint, amplitude[j], model.covered_to[j])) {
+      warning.text = fmt::format("'{}': {}", joint.name, warning.text);
+      warnings.push_back(std::move(warning));
+    }
   }
   return warnings;
 }
@@ -186,8 +200,7 @@ std::string describe_warnings(const std::vector<Warning>& warnings) {
 }
 
 std::vector<Warning> reach_warnings(const JointFile& file, double amplitude) {
-  const auto warning = beyond_identification(file.joint, amplitude, covered_to(file));
-  return warning ? std::vector<Warning>{*warning} : std::vector<Warning>{};
+  return reach_warnings(file.joint, amplitude, covered_to(file));
 }
 
 std::string describe_ending(const Summary& summary) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -26,6 +27,11 @@ struct GivenQuantity {
   }
 };
 
+/// Behind the whole part of a number.
+bool has_decimal_comma(std::string_view rest) {
+  return rest.size() > 1 && rest[0] == ',' && rest[1] >= '0' && rest[1] <= '9';
+}
+
 GivenQuantity read_quantity(std::string_view option, std::string_view text,
                             const Dimension& dimension) {
   std::string_view rest = trimmed(text);
@@ -40,6 +46,12 @@ GivenQuantity read_quantity(std::string_view option, std::string_view text,
                                        si_unit(dimension)));
   }
   rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+  if (has_decimal_comma(rest)) {
+    std::string point(text);
+    std::ranges::replace(point, ',', '.');
+    throw InputError(option, in_quotes(text), "must have a decimal point",
+                     fmt::format("Write {}.", point));
+  }
   rest = trimmed(rest);
   if (rest.empty()) return {value, {.dimension = dimension}};
   return {value, parse_option_unit(option, rest, dimension)};
@@ -48,7 +60,10 @@ GivenQuantity read_quantity(std::string_view option, std::string_view text,
 std::pair<double, double> read_ends(std::string_view option, std::string_view text,
                                     const Dimension& dimension) {
   const std::vector<std::string_view> parts = split(text, ':');
-  if (parts.size() != 2) throw InputError(option, in_quotes(text), "must read FROM:TO");
+  if (parts.size() != 2) {
+    throw InputError(option, in_quotes(text), "must read FROM:TO",
+                     "The two numbers stand on either side of a colon.");
+  }
   return {parse_quantity(fmt::format("FROM of {}", option), parts[0], dimension),
           parse_quantity(fmt::format("TO of {}", option), parts[1], dimension)};
 }
