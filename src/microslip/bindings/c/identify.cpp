@@ -11,6 +11,7 @@
 #include "microslip/bindings/c/handles.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/workflow/identification_text.hpp"
+#include "microslip/workflow/level_table.hpp"
 #include "microslip/workflow/smoothing_text.hpp"
 
 namespace c = microslip::c;
@@ -115,9 +116,19 @@ void check_options(const LevelsIdentification& all) {
   check_member([&] { bands.check(); });
 }
 
+/// As the program takes it: beyond, products leave the range of doubles.
+double stiffness_of(const microslip_identify_options& options) {
+  const double k = positive(options.stiffness, "options->stiffness");
+  if (k >= kSmallestStiffness && k <= kLargestStiffness) return k;
+  throw InputError(
+      "options->stiffness", k,
+      fmt::format("must be from {:g} to {:g} N/m", kSmallestStiffness, kLargestStiffness),
+      "Check its unit.");
+}
+
 LevelsIdentification levels_identification(const microslip_identify_options& options) {
   LevelsIdentification all;
-  all.stiffness = positive(options.stiffness, "options->stiffness");
+  all.stiffness = stiffness_of(options);
   all.texts.smoothing = text_or(options.smoothing, "gcv");
   if (options.smoothing_unit != nullptr) all.texts.smoothing_unit = options.smoothing_unit;
   all.texts.common_errors = {options.dissipation_gain_std, options.amplitude_gain_std,

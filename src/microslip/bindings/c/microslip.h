@@ -305,7 +305,7 @@ MICROSLIP_API void microslip_levels_destroy(microslip_levels *levels);
 /** How a joint is identified; see `microslip identify --help`. Text is not kept after the call. */
 typedef struct microslip_identify_options {
   size_t struct_size;           /**< of the caller's struct */
-  double stiffness;             /**< k of the stuck joint, N/m; > 0; has no default */
+  double stiffness;             /**< k of the stuck joint, N/m; 1e-6 to 1e15; has no default */
   const char *method;           /**< "inversion" (default), "spline", "differences" */
   const char *smoothing;        /**< "gcv" (default), "lambda=X", "p=X" */
   const char *smoothing_unit;   /**< of the amplitude with "p=X" of the spline: "mm"; NULL without */
