@@ -323,7 +323,8 @@ class Caller {
                                     draws_.pointer(loss.data()), draws_.any<microslip_damping>(2),
                                     draws_.pointer(made));
     });
-    for (int i = 0; i < 3; ++i) add_to_model();
+    added_ = 0;
+    for (std::size_t i = draws_.below(3); i < 3; ++i) add_to_model();
   }
 
   void add_to_model() {
@@ -333,11 +334,12 @@ class Caller {
     options.series_compliance = draws_.chance(0.7) ? 0.0 : draws_.number(1e-9, 1e-7);
     const std::size_t modes = draws_.chance(0.95) ? modes_ : draws_.count();
     microslip_model* const model = some<microslip_model>(model_);
+    const char* const name = kNames.at(added_++ % kNames.size());
     check_status(
-        microslip_model_add_point(model, draws_.text("mass"), modes, draws_.pointer(shape.data())));
-    check_status(microslip_model_add_joint(model, draws_.text("joint"),
-                                           some<microslip_joint>(joint_), modes,
-                                           draws_.pointer(shape.data()), draws_.pointer(&options)));
+        microslip_model_add_point(model, draws_.text(name), modes, draws_.pointer(shape.data())));
+    check_status(microslip_model_add_joint(model, draws_.text(name), some<microslip_joint>(joint_),
+                                           modes, draws_.pointer(shape.data()),
+                                           draws_.pointer(&options)));
     check_status(microslip_model_add_excitation(
         model, draws_.text("mass"), draws_.chance(0.9) ? 1 : draws_.count(),
         draws_.chance(0.7) ? nullptr : shape.data(), nullptr));
@@ -448,7 +450,9 @@ class Caller {
 
   Draws draws_;
   Made& made_;
+  static constexpr std::array kNames{"mass", "tip", "end", "base", "left", "right"};
   std::size_t modes_ = 1;
+  std::size_t added_ = 0;
   CJoint joint_;
   CMemory memory_;
   CLevels levels_;
