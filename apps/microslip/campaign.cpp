@@ -86,11 +86,13 @@ void add_campaign(CLI::App& program, Call& call) {
       ->required()
       ->type_name(kTomlValue);
   command
-      ->add_option("--out", options->run.out,
-                   "Folder to write to, made where it is missing: joint.json, model.toml, "
-                   "levels.csv and NAME_levels.csv of tests that are reduced, campaign.csv, "
-                   "sessions.csv; with draws joint_samples.h5; of predicted tests comparison.csv; "
-                   "leave_one_out.csv where the campaign asks for it")
+      ->add_option(
+          "--out", options->run.out,
+          "Folder to write to, made where it is missing: joint.json, model.toml, "
+          "levels.csv and NAME_levels.csv of tests that are reduced, campaign.csv, "
+          "sessions.csv; with draws joint_samples.h5; of predicted tests comparison.csv; "
+          "conditions.csv of tests that say some; leave_one_out.csv where the campaign asks "
+          "for it")
       ->required()
       ->type_name(kFolderValue);
   command

@@ -18,32 +18,13 @@
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 #include "support/replaced.hpp"
+#include "support/virtual_lap_joint.hpp"
 
 namespace microslip::cli_test::campaign_test {
 namespace {
 
 constexpr double kFrequency0 = 80.0;  // Hz
 constexpr double kShape = 0.7;        // kg^-1/2
-
-const std::string kRig = R"(schema = "microslip.rig/1"
-[modes]
-frequency_Hz = [80.0]
-excitation = [0.7]
-joint = [0.7]
-[damping]
-loss_factor = [0.002]
-[excitation]
-channel = "force"
-[[accelerometer]]
-channel = "acceleration"
-shape = [0.7]
-)";
-
-const std::string kTrueJoint = R"({
-  "schema": "microslip.joint/1", "stiffness_N_per_m": 4e5,
-  "density": [{"type": "power_law", "coefficient": 0.0002, "exponent": 0.2, "from_N": 0, "to_N": 150}]
-}
-)";
 
 const std::string kCampaign = R"(schema = "microslip.campaign/1"
 title = "Virtual beam"
@@ -80,7 +61,7 @@ session = "2"
 /// Levels of the true joint with noise of 0.5 % in D, 0.01 % in the frequency.
 /// @param offset  of the frequency, relative. @param gain  of D. @param shift  of the amplitudes, m.
 std::string measured(double offset, double gain, double shift, std::uint64_t stream) {
-  const Joint joint = parse_joint(kTrueJoint, "true.json").joint;
+  const Joint joint = parse_joint(test::kLapJoint, "true.json").joint;
   RandomStream random(1, stream);
   std::string text = "amplitude [m],dissipation [J],frequency [Hz]\n";
   for (int i = 1; i <= 12; ++i) {
@@ -104,14 +85,14 @@ class Laboratory : public Sandbox {
  public:
   /// @param gain_of_again  of D of the third test.
   explicit Laboratory(double gain_of_again = 1.0)
-      : Sandbox{{"rig.toml", kRig},
-                {"true.json", kTrueJoint},
+      : Sandbox{{"rig.toml", test::kLapRig},
+                {"true.json", test::kLapJoint},
                 {"campaign.toml", kCampaign},
                 {"monday.csv", measured(0.0, 1.0, 0.0, 1)},
                 {"tuesday.csv", measured(kOffset, 1.0, 4e-6, 2)},
                 {"again.csv", measured(kOffset, gain_of_again, -4e-6, 3)}} {
-    put("stiffer.toml",
-        test::replaced(kRig, "[80.0]", fmt::format("[{}]", kFrequency0 * (1.0 + kOffset))));
+    put("stiffer.toml", test::replaced(test::kLapRig, "[80.0]",
+                                       fmt::format("[{}]", kFrequency0 * (1.0 + kOffset))));
     expect_done(*this, {"model", "stiffer.toml", "true.json", "--out", "truth.toml", "--quiet"});
     expect_done(*this, {"frf", "truth.toml", "--force", "2", "--frequency", "78:81", "--at",
                         "78:81:121", "--out", "swept.csv", "--quiet"});
@@ -210,6 +191,33 @@ TEST(campaign, WarnsOfFrequenciesThatAreNotMonotone) {
   EXPECT_NE(text.find("# warning: sessions_differ"), std::string::npos);
   EXPECT_NE(text.find("# warning: frequency_rises"), std::string::npos);
   EXPECT_FALSE(box.has("found/model_2.toml"));
+}
+
+// The amplitudes of the second session begin where those of the first end: the joint alone parts its
+// offset from the softening in between. Where they overlap, levels of both hold the two apart.
+TEST(campaign, WarnsOfAnOffsetThatLeansOnTheJoint) {
+  const Laboratory box;
+  expect_done(box, with(kCall, {"--quiet"}));
+  const std::string warning =
+      "# warning: offset_leans_on_joint: the amplitudes of session 2 do not";
+  EXPECT_EQ(box.get("found/sessions.csv").find(warning), std::string::npos);
+  std::string low = measured(0.0, 1.0, 0.0, 1);
+  std::size_t end = 0;
+  for (int row = 0; row < 7; ++row) end = low.find('\n', end) + 1;  // up to 150 µm
+  low.resize(end);
+  box.put("monday.csv", low);
+  const auto above = [](const std::string& text) {
+    std::size_t at = 0;
+    for (int row = 0; row < 7; ++row) at = text.find('\n', at) + 1;
+    return text.substr(0, text.find('\n') + 1) + text.substr(at);
+  };
+  box.put("tuesday.csv", above(measured(kOffset, 1.0, 4e-6, 2)));
+  box.put("again.csv", above(measured(kOffset, 1.0, -4e-6, 3)));
+  expect_done(box, with(kCall, {"--quiet"}));
+  for (const char* name : {"sessions.csv", "campaign.csv", "comparison.csv", "model_2.toml"}) {
+    EXPECT_NE(box.get(std::string("found/") + name).find(warning), std::string::npos) << name;
+  }
+  EXPECT_NE(box.get("found/joint.json").find("offset_leans_on_joint"), std::string::npos);
 }
 
 TEST(campaign, IsQuietAndTheSameEachTime) {

@@ -13,74 +13,20 @@
 #include "cli/samples.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/io/csv.hpp"
+#include "support/virtual_lap_joint.hpp"
 
 namespace microslip::cli_test::verify_tests_test {
 namespace {
 
-const std::string kStructure = R"(schema = "microslip.model/1"
-[structure]
-frequency_Hz = [80.0]
-loss_factor = [0.002]
-static_attachments = 0
-[[structure.point]]
-name = "drive"
-shape = [0.7071]
-[[joint]]
-file = "joint.json"
-shape = [0.7071]
-spring_in_modes_N_per_m = 4e5
-[excitation]
-point = "drive"
-[[accelerometer]]
-channel = "acceleration"
-point = "drive"
-)";
-
-const std::string kTrueJoint = R"({
-  "schema": "microslip.joint/1", "stiffness_N_per_m": 4e5,
-  "density": [{"type": "power_law", "coefficient": 0.0002, "exponent": 0.2, "from_N": 0, "to_N": 150}]
-}
-)";
-
-const std::string kRig = R"(schema = "microslip.rig/1"
-[modes]
-frequency_Hz = [80.0]
-excitation = [0.7071]
-joint = [0.7071]
-[damping]
-loss_factor = [0.002]
-[excitation]
-channel = "force"
-[[accelerometer]]
-channel = "acceleration"
-shape = [0.7071]
-)";
-
 /// A structure with the true joint, as the virtual tests have it.
-Sandbox laboratory() { return {{"true.toml", kStructure}, {"joint.json", kTrueJoint}}; }
-
-/// A value with noise of a relative standard deviation.
-double noisy(double value, double sigma, RandomStream& random) {
-  return value * (1.0 + sigma * random.normal());
-}
+Sandbox laboratory() { return {{"true.toml", test::kLapModel}, {"joint.json", test::kLapJoint}}; }
 
 /// A stepped sine at a constant response, of frf, of which force and acceleration are read with noise
 /// and the phase is that of the acceleration.
 std::string swept(const Sandbox& box, double micrometres, RandomStream& random) {
   expect_done(box, {"frf", "true.toml", "--response", fmt::format("{}um", micrometres),
                     "--frequency", "79:80.5", "--at", "79:80.5:61", "--out", "frf.csv", "--quiet"});
-  const CsvTable table(box.get("frf.csv"), "frf.csv");
-  const std::vector<double> frequency = table.numbers("frequency", kFrequency);
-  const std::vector<double> force = table.numbers("force", kForce);
-  const std::vector<double> acceleration = table.numbers("acceleration", kAcceleration);
-  const std::vector<double> lag = table.numbers("phase", kAngle);
-  std::string text = "frequency [Hz],force [N],acceleration [m/s^2],phase [rad]\n";
-  for (std::size_t i = 0; i < frequency.size(); ++i) {
-    text += fmt::format("{:.12g},{:.12g},{:.12g},{:.12g}\n", frequency[i],
-                        noisy(force[i], 0.003, random), noisy(acceleration[i], 0.001, random),
-                        3.14159265358979 - lag[i]);
-  }
-  return text;
+  return test::noisy_sweep(box.get("frf.csv"), random);
 }
 
 /// The free decay of the structure from 320 µm as its accelerometer sees it, noise 20 mm/s².
@@ -88,15 +34,8 @@ std::string decayed(const Sandbox& box) {
   expect_done(box,
               {"march", "true.toml", "--release", "1:320um", "--duration", "4", "--sampling-rate",
                "4096", "--no-error-estimate", "--out", "march.csv", "--quiet"});
-  const CsvTable table(box.get("march.csv"), "march.csv");
-  const std::vector<double> time = table.numbers("time", kTime);
   RandomStream random(11, 1);
-  std::string text = "time [s],acceleration [m/s^2]\n";
-  const std::vector<double> acceleration = table.numbers("acceleration", kAcceleration);
-  for (std::size_t i = 0; i + 1 < time.size(); ++i) {  // the last row is off the raster
-    text += fmt::format("{:.12g},{:.9g}\n", time[i], acceleration[i] + 0.02 * random.normal());
-  }
-  return text;
+  return test::noisy_record(box.get("march.csv"), 0.02, random);
 }
 
 /// One column of the rows of a quantity.
@@ -118,7 +57,7 @@ std::vector<std::string> cells(const CsvTable& table, const std::string& quantit
 // and at least 90 % of all values in a band of 95 % by the identified one.
 TEST(verifyTests, AHammerBlowFollowsFromSweeps) {
   const Sandbox box = laboratory();
-  box.put("rig.toml", kRig);
+  box.put("rig.toml", test::kLapRig);
   Arguments reduce{"reduce", "rig.toml"};
   RandomStream random(5, 1);
   for (const int x : {20, 40, 60, 80, 100, 130, 160, 200, 240, 280, 320}) {
@@ -147,8 +86,8 @@ TEST(verifyTests, AHammerBlowFollowsFromSweeps) {
   expect_done(box, with(reduce, {"--out", "levels.csv", "--quiet"}));
   expect_done(box, {"identify", "levels.csv", "--stiffness", "4e5", "--samples", "1000",
                     "--samples-out", "s.h5", "--out", "joint.json", "--quiet"});
-  std::string model = kStructure;
-  model.insert(model.find("shape = [0.7071]\nspring"), "samples = \"s.h5\"\n");
+  std::string model = test::kLapModel;
+  model.insert(model.find("shape = [0.7]\nspring"), "samples = \"s.h5\"\n");
   box.put("model.toml", model);
   const Outcome run = expect_done(box, {"verify", "model.toml", "decay.csv", "--draws", "400",
                                         "--out", "c.csv", "--picture", "c.svg"});

@@ -79,10 +79,10 @@ TEST(CampaignFile, TakesEachKey) {
 
 /// That the message of the changed file has these parts.
 void expect_refused_text(const std::string& before, const std::string& after,
-                         const std::vector<std::string>& parts) {
+                         const std::vector<std::string>& parts, const std::string& text = kText) {
   SCOPED_TRACE(before + " -> " + after);
   try {
-    (void)parse_campaign(test::replaced(kText, before, after), "campaign.toml");
+    (void)parse_campaign(test::replaced(text, before, after), "campaign.toml");
     FAIL() << "was taken";
   } catch (const Error& error) {
     for (const std::string& part : parts) {
@@ -112,6 +112,72 @@ TEST(CampaignFile, NamesWhatIsWrong) {
   expect_refused_text("use = \"both\"\n", "", {"use"});
   expect_refused_text("torque_Nm =", "\"torque [Nm]\" =", {"torque [Nm]", "letters"});
   expect_refused_text("torque_Nm = 20.5", "torque_Nm = [1, 2]", {"torque_Nm", "a number"});
+}
+
+const std::string kKinds = R"(schema = "microslip.campaign/1"
+structure = "rig.toml"
+[identification]
+stiffness_N_per_m = 4e5
+[[test]]
+name = "blow"
+file = "blow.mat"
+use = "both"
+kind = "ringdown"
+sensors = { acc2 = "tip", acc1 = "drive" }
+mode = 1
+assume_units = ["SI", "acc2=g"]
+allow_truncated = true
+conditions = { torque_Nm = 20.5, order = "rising" }
+[[test]]
+name = "record"
+file = "record.csv"
+use = "predict"
+kind = "loops"
+force = "f"
+displacement = "u"
+[[test]]
+name = "swept"
+file = "swept.csv"
+use = "predict"
+kind = "constant-response"
+)";
+
+TEST(CampaignFile, TakesEachKeyOfAKind) {
+  const CampaignFile campaign = parse_campaign(kKinds, "campaign.toml");
+  ASSERT_EQ(campaign.tests.size(), 3U);
+  const CampaignTest& blow = campaign.tests[0];
+  EXPECT_EQ(blow.kind, CampaignKind::kRingDown);
+  EXPECT_EQ(blow.sensors, (std::vector<std::string>{"acc1=drive", "acc2=tip"}));
+  EXPECT_EQ(blow.mode, 1U);
+  EXPECT_EQ(blow.assumed_units, (std::vector<std::string>{"SI", "acc2=g"}));
+  EXPECT_TRUE(blow.allow_truncated);
+  ASSERT_NE(blow.condition("torque_Nm"), nullptr);
+  EXPECT_EQ(blow.condition("torque_Nm")->number, 20.5);
+  EXPECT_FALSE(blow.condition("order")->number);
+  EXPECT_EQ(blow.condition("temperature_K"), nullptr);
+  EXPECT_EQ(campaign.conditions(), (std::vector<std::string>{"order", "torque_Nm"}));
+  EXPECT_EQ(campaign.tests[1].kind, CampaignKind::kLoops);
+  EXPECT_EQ(campaign.tests[1].force, "f");
+  EXPECT_EQ(campaign.tests[1].displacement, "u");
+  EXPECT_EQ(campaign.tests[2].kind, CampaignKind::kConstantResponse);
+}
+
+TEST(CampaignFile, RefusesKeysOfAnotherKind) {
+  const auto refused = [](const std::string& before, const std::string& after,
+                          const std::vector<std::string>& parts) {
+    expect_refused_text(before, after, parts, kKinds);
+  };
+  refused("\"ringdown\"", "\"hammer\"", {"test[0].kind", "'hammer'", "ringdown, loops"});
+  refused("\"ringdown\"", "\"loops\"", {"sensors", "belongs to kind = \"ringdown\"", "\"loops\""});
+  refused("kind = \"loops\"\n", "", {"force", "belongs to kind = \"loops\"", "not given"});
+  refused("kind = \"constant-response\"", "kind = \"sweep\"\nmode = 1", {"mode", "ringdown"});
+  refused("mode = 1", "mode = 2", {"mode", "must be 1 to identify from"});
+  refused("mode = 1", "mode = 0", {"mode", "1 or more"});
+  refused("use = \"predict\"\nkind = \"constant-response\"",
+          "use = \"identify\"\nkind = \"constant-response\"", {"kind", "does nothing"});
+  refused("{ acc2 = \"tip\", acc1 = \"drive\" }", "{}", {"sensors", "a channel at least"});
+  refused("acc2=g", "acc2=furlong", {"assume_units", "furlong"});
+  refused("20.5", "nan", {"torque_Nm", "finite"});
 }
 
 TEST(CampaignFile, NeedsATestToIdentifyFrom) {

@@ -14,6 +14,7 @@
 #include "microslip/base/random.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
+#include "microslip/workflow/campaign_conditions.hpp"
 #include "microslip/workflow/campaign_leave_out.hpp"
 #include "microslip/workflow/campaign_sessions.hpp"
 
@@ -147,6 +148,31 @@ TEST(CampaignSessions, TellsHowTestsRepeat) {
   EXPECT_EQ(effects.sessions[1].levels, 10U);
 }
 
+// The second session lies above the first: what their frequencies differ by, from −3·σ of the mean to
+// the softening between the two in closed form, is told apart by the joint alone.
+TEST(CampaignSessions, TellsOfAmplitudesThatDoNotOverlap) {
+  VirtualCampaign campaign = campaign_of(
+      {{.session = "a"}, {.session = "b", .offset = 0.003}, {.session = "c", .offset = 0.001}}, 1);
+  campaign.file.session_offsets = true;
+  std::vector<double>& amplitude = campaign.levels.levels.amplitude;
+  std::vector<double>& frequency = campaign.levels.levels.frequency;
+  double above = 0.0;
+  double below = 0.0;
+  for (std::size_t i = 0; i < 10; ++i) {
+    below += std::log(softened(amplitude[i])) / 10.0;
+    amplitude[10 + i] += 2e-4;  // 2.2e-4 to 4e-4 m beside 2e-5 to 2e-4 m
+    frequency[10 + i] = softened(amplitude[10 + i]) * std::exp(0.003);
+    above += std::log(softened(amplitude[10 + i])) / 10.0;
+  }
+  const SessionEffects effects =
+      session_effects(campaign.file, campaign.levels, state(), true_joint(), kBeta);
+  EXPECT_FALSE(effects.sessions[0].apart);
+  EXPECT_TRUE(effects.sessions[1].apart);
+  EXPECT_FALSE(effects.sessions[2].apart);
+  EXPECT_NEAR(effects.sessions[1].softening, above - below, 1e-9);  // rounding of an eigenvalue
+  EXPECT_NEAR(effects.sessions[1].frequency_offset, 0.003, 3.0 * kFrequencyNoise / std::sqrt(10.0));
+}
+
 TEST(CampaignSessions, RefusesOffsetsThatNothingTells) {
   VirtualCampaign campaign =
       campaign_of({{.session = "a", .levels = 1}, {.session = "b", .levels = 1}}, 1);
@@ -161,6 +187,89 @@ TEST(CampaignSessions, RefusesOffsetsThatNothingTells) {
   EXPECT_THROW(effects(), InputError);
   campaign.levels.levels.frequency.clear();
   EXPECT_THROW(effects(), InputError);
+}
+
+/// The conditions of a campaign whose joint is the true one.
+std::vector<ConditionEffect> conditions_of(const VirtualCampaign& campaign) {
+  const SessionEffects effects =
+      session_effects(campaign.file, campaign.levels, state(), true_joint(), kBeta);
+  return condition_effects(campaign.file, campaign.levels, effects);
+}
+
+void set_torque(CampaignTest& test, double torque) {
+  test.conditions = {{"torque_Nm", fmt::format("{}", torque), torque}};
+}
+
+// Three torques at which D is 0, 2 and 4 % more: a trend of ln(1.04)/10 a Nm to 0.5 %·√(1/200) a Nm.
+// A test that does not say its torque is in none of the groups.
+TEST(CampaignConditions, StateATrend) {
+  VirtualCampaign campaign = campaign_of({{.session = "a"},
+                                          {.session = "a", .gain = 1.02},
+                                          {.session = "a", .gain = 1.04},
+                                          {.session = "a", .gain = 2.0}},
+                                         4);
+  for (std::size_t t = 0; t < 3; ++t) {
+    set_torque(campaign.file.tests[t], 20.0 - 5.0 * static_cast<double>(t));
+  }
+  const std::vector<ConditionEffect> all = conditions_of(campaign);
+  ASSERT_EQ(all.size(), 1U);
+  const ConditionEffect& torque = all.front();
+  ASSERT_EQ(torque.groups.size(), 3U);
+  EXPECT_EQ(torque.groups.front().value, "10");  // by rising number
+  EXPECT_EQ(torque.groups.front().levels, 10U);
+  const double sigma = kNoise / std::sqrt(10.0) / std::sqrt(50.0);  // Σ(x − x̄)² = 50 Nm²
+  EXPECT_NEAR(torque.dissipation_trend.sigma, sigma, 0.4 * sigma);
+  EXPECT_NEAR(torque.dissipation_trend.mean, -std::log(1.04) / 10.0, 4.0 * sigma);
+  EXPECT_NEAR(torque.frequency_trend.mean, 0.0, 4.0 * torque.frequency_trend.sigma);
+  EXPECT_TRUE(torque.overlap);
+  const std::vector<Warning> warnings = condition_warnings(campaign.file, all);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0].code, "conditions_pooled");
+  EXPECT_NE(warnings[0].text.find("torque_Nm = 10, 15, 20"), std::string::npos);
+  const std::string beyond = "more than three standard deviations";
+  EXPECT_LT(warnings[0].text.find("D of 20 is -3."), warnings[0].text.find(beyond));
+  EXPECT_LT(warnings[0].text.find(beyond), warnings[0].text.find("the frequency of 20"));
+  EXPECT_EQ(warnings[0].text.find(beyond), warnings[0].text.rfind(beyond));
+}
+
+// Two tests of each of two torques whose D scatters by 2 % from test to test, four times the noise of
+// a level and 13 times that of a mean of ten: that scatter, not the noise, says what a difference is.
+TEST(CampaignConditions, KnowHowTestsRepeat) {
+  VirtualCampaign campaign = campaign_of({{.session = "a", .gain = 0.98},
+                                          {.session = "a", .gain = 1.02},
+                                          {.session = "a", .gain = 0.99},
+                                          {.session = "a", .gain = 1.03}},
+                                         5);
+  for (std::size_t t = 0; t < 4; ++t) set_torque(campaign.file.tests[t], t < 2 ? 10.0 : 20.0);
+  const ConditionEffect torque = conditions_of(campaign).front();
+  // By hand: √(2·(0.02² + 0.02²)/2)/√2 = 0.02 of a mean of two tests.
+  EXPECT_NEAR(torque.groups[0].dissipation.sigma, 0.02, 0.003);
+  EXPECT_EQ(condition_warnings(campaign.file, {torque}).front().text.find("apart"),
+            std::string::npos);
+}
+
+// Offsets of sessions take up what a torque does that changes with them.
+TEST(CampaignConditions, SayNothingOfFrequenciesThatOffsetsTakeUp) {
+  VirtualCampaign campaign = campaign_of({{.session = "a"}, {.session = "b"}}, 6);
+  campaign.file.session_offsets = true;
+  for (std::size_t t = 0; t < 2; ++t) {
+    set_torque(campaign.file.tests[t], 10.0 * static_cast<double>(t + 1));
+  }
+  EXPECT_TRUE(std::isnan(conditions_of(campaign).front().frequency_trend.mean));
+  campaign.file.session_offsets = false;
+  EXPECT_FALSE(std::isnan(conditions_of(campaign).front().frequency_trend.mean));
+}
+
+TEST(CampaignConditions, TellOfAmplitudesThatDoNotOverlap) {
+  VirtualCampaign campaign = campaign_of({{.session = "a"}, {.session = "a"}}, 7);
+  campaign.file.tests[0].conditions = {{"order", "rising"}};
+  campaign.file.tests[1].conditions = {{"order", "falling"}};
+  for (std::size_t i = 10; i < 20; ++i) campaign.levels.levels.amplitude[i] += 3e-4;
+  const std::vector<ConditionEffect> all = conditions_of(campaign);
+  EXPECT_FALSE(all.front().overlap);
+  EXPECT_TRUE(std::isnan(all.front().dissipation_trend.mean));  // texts have none
+  EXPECT_NE(condition_warnings(campaign.file, all).front().text.find("cannot be told apart"),
+            std::string::npos);
 }
 
 std::vector<LeftOut> left_out_of(VirtualCampaign campaign, LeaveOut what, double gain_std = 0.0) {

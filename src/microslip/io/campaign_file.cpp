@@ -8,8 +8,10 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "microslip/base/error.hpp"
+#include "microslip/io/assumed_units.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/structured_input.hpp"
 #include "microslip/io/text.hpp"
@@ -31,6 +33,12 @@ std::size_t word_in(const TomlTable& table, std::string_view key,
 
 bool flag_in(const TomlTable& table, std::string_view key) {
   return table.has(key) && table.boolean(key);
+}
+
+double finite_in(const TomlTable& table, std::string_view key) {
+  const double value = table.number(key);
+  if (std::isfinite(value)) return value;
+  throw InputError(table.name(key), value, "must be finite");
 }
 
 /// A standard deviation as a share.
@@ -130,20 +138,106 @@ std::vector<CampaignCondition> read_conditions(const TomlTable& test) {
       throw InputError(table.name(key), in_quotes(key),
                        "must be named by letters, digits and underscores", "Rename it.");
     }
-    conditions.push_back(
-        {key, table.is_text(key) ? table.text(key) : fmt::format("{}", table.number(key))});
+    if (table.is_text(key)) {
+      conditions.push_back({key, table.text(key)});
+    } else {
+      const double number = finite_in(table, key);
+      conditions.push_back({key, fmt::format("{}", number), number});
+    }
   }
   return conditions;
 }
 
+constexpr std::array kCampaignKinds{CampaignKind::kSweep, CampaignKind::kConstantResponse,
+                                    CampaignKind::kRingDown, CampaignKind::kLoops};
+
+CampaignKind kind_in(const TomlTable& table) {
+  if (!table.has("kind")) return CampaignKind::kTold;
+  std::vector<std::string_view> words;
+  for (const CampaignKind kind : kCampaignKinds) words.push_back(to_string(kind));
+  return kCampaignKinds.at(word_in(table, "kind", words));
+}
+
+/// Keys that one kind alone has.
+void check_of_kind(const TomlTable& table, const CampaignTest& test, CampaignKind kind,
+                   const std::vector<std::string_view>& keys) {
+  if (test.kind == kind) return;
+  for (const std::string_view key : keys) {
+    if (!table.has(key)) continue;
+    throw InputError(
+        table.name(key), InputState{"given"},
+        fmt::format("belongs to kind = \"{}\", and that is {} here", to_string(kind),
+                    test.kind == CampaignKind::kTold ? "not given"
+                                                     : fmt::format("\"{}\"", to_string(test.kind))),
+        fmt::format("Leave it out, or give kind = \"{}\".", to_string(kind)));
+  }
+}
+
+/// What is predicted of stepped sines means nothing to the levels that they are reduced to.
+void check_kind_used(const TomlTable& table, const CampaignTest& test) {
+  const bool of_sweeps =
+      test.kind == CampaignKind::kSweep || test.kind == CampaignKind::kConstantResponse;
+  if (!of_sweeps || test.predicted()) return;
+  throw InputError(table.name("kind"), in_quotes(to_string(test.kind)),
+                   "does nothing: it is what of a sweep is predicted, and this is not",
+                   "Leave it out.");
+}
+
+std::vector<std::string> sensors_in(const TomlTable& test) {
+  std::vector<std::string> sensors;
+  if (!test.has("sensors")) return sensors;
+  const TomlTable table = test.table("sensors");
+  for (const std::string& channel : table.keys()) {
+    sensors.push_back(fmt::format("{}={}", channel, table.text(channel)));
+  }
+  if (!sensors.empty()) return sensors;
+  throw InputError(test.name("sensors"), "empty", "must have a channel at least",
+                   "For instance { acc1 = \"drive\" }.");
+}
+
+std::size_t mode_in(const TomlTable& table, const CampaignTest& test) {
+  if (!table.has("mode")) return 1;
+  const std::size_t mode = table.whole("mode");
+  if (mode == 0) throw InputError(table.name("mode"), 0.0, "must be 1 or more");
+  if (mode == 1 || !test.identifies()) return mode;
+  throw InputError(table.name("mode"), static_cast<double>(mode),
+                   "must be 1 to identify from: frequencies of levels are those of the first mode",
+                   "Give use = \"predict\".");
+}
+
+void read_kind(const TomlTable& table, CampaignTest& test) {
+  test.kind = kind_in(table);
+  check_kind_used(table, test);
+  check_of_kind(table, test, CampaignKind::kRingDown, {"sensors", "mode"});
+  check_of_kind(table, test, CampaignKind::kLoops, {"force", "displacement"});
+  test.sensors = sensors_in(table);
+  test.mode = mode_in(table, test);
+  if (table.has("force")) test.force = table.text("force");
+  if (table.has("displacement")) test.displacement = table.text("displacement");
+}
+
+void read_recording_keys(const TomlTable& table, CampaignTest& test) {
+  test.allow_truncated = flag_in(table, "allow_truncated");
+  if (!table.has("assume_units")) return;
+  test.assumed_units = table.texts("assume_units");
+  try {
+    (void)parse_assumed_units(test.assumed_units);
+  } catch (const InputError& error) {
+    throw error.renamed(fmt::format("{}: {}", table.name("assume_units"), error.name()));
+  }
+}
+
 CampaignTest read_campaign_test(const TomlTable& table, std::string_view file) {
-  table.allow_only({"name", "file", "use", "session", "conditions"});
+  table.allow_only({"name", "file", "use", "session", "conditions", "kind", "sensors", "mode",
+                    "force", "displacement", "assume_units", "allow_truncated"});
   constexpr std::array kUses{CampaignUse::kIdentify, CampaignUse::kPredict, CampaignUse::kBoth};
   CampaignTest test{.name = file_name_in(table, "name"), .file = path_in(table, "file", file)};
   if (!table.has("use")) (void)table.text("use");  // throws: it is missing
   test.use = kUses.at(word_in(table, "use", {"identify", "predict", "both"}));
   if (table.has("session")) test.session = file_name_in(table, "session");
   test.conditions = read_conditions(table);
+  read_kind(table, test);
+  read_recording_keys(table, test);
   return test;
 }
 
@@ -192,6 +286,35 @@ std::string_view to_string(CampaignUse use) {
       break;
   }
   return "both";
+}
+
+std::string_view to_string(CampaignKind kind) {
+  switch (kind) {
+    case CampaignKind::kSweep:
+      return "sweep";
+    case CampaignKind::kConstantResponse:
+      return "constant-response";
+    case CampaignKind::kRingDown:
+      return "ringdown";
+    case CampaignKind::kLoops:
+      return "loops";
+    case CampaignKind::kTold:
+      break;
+  }
+  return "told by the file";
+}
+
+const CampaignCondition* CampaignTest::condition(std::string_view name) const {
+  const auto found = std::ranges::find(conditions, name, &CampaignCondition::name);
+  return found == conditions.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> CampaignFile::conditions() const {
+  std::set<std::string> names;
+  for (const CampaignTest& test : tests) {
+    for (const CampaignCondition& one : test.conditions) names.insert(one.name);
+  }
+  return {names.begin(), names.end()};
 }
 
 std::vector<std::string> CampaignFile::sessions() const {

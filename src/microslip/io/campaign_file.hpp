@@ -22,7 +22,11 @@
 ///                            leave_one_out = "none", "tests" or "levels"
 ///     [prediction]           frequency_std, force_gain_std, each optional; optional
 ///     [[test]]               name, file, use = "identify", "predict" or "both"; optional: session,
-///                            conditions = { … }, numbers and texts; one at least
+///                            conditions = { … }, numbers and texts; kind = "sweep",
+///                            "constant-response", "ringdown" or "loops"; of ring-downs sensors = {
+///                            CHANNEL = "POINT" } and mode; of loops force and displacement, names
+///                            of channels; of recordings assume_units = [ … ], as "acc1=m/s^2" or
+///                            "SI", and allow_truncated; one at least
 
 namespace microslip {
 
@@ -44,15 +48,28 @@ enum class LeaveOut {
   kLevels,  ///< each level
 };
 
+/// What a test is, where its file does not tell or is to be taken otherwise.
+enum class CampaignKind {
+  kTold,              ///< by the file: levels, modal levels, steady records, stepped sines
+  kSweep,             ///< stepped sines, of which the response is predicted
+  kConstantResponse,  ///< stepped sines, of which the force is predicted
+  kRingDown,          ///< a recording of a free decay
+  kLoops,             ///< recordings of force and displacement of the joint
+};
+
 #pragma GCC diagnostic pop
+
+/// "sweep", "constant-response", "ringdown", "loops"; "told by the file".
+[[nodiscard]] std::string_view to_string(CampaignKind kind);
 
 /// "identify", "predict", "both".
 [[nodiscard]] std::string_view to_string(CampaignUse use);
 
 /// Something that was the case in a test: "torque_Nm", "20".
 struct CampaignCondition {
-  std::string name;   ///< letters, digits and underscores
-  std::string value;  ///< as text; a number as the shortest that reads back
+  std::string name;                   ///< letters, digits and underscores
+  std::string value;                  ///< as text; a number as the shortest that reads back
+  std::optional<double> number = {};  ///< nothing of a text
 };
 
 /// A test of a campaign.
@@ -62,11 +79,20 @@ struct CampaignTest {
   CampaignUse use = CampaignUse::kIdentify;        ///< what it is for
   std::string session = "1";                       ///< in which it was measured
   std::vector<CampaignCondition> conditions = {};  ///< in alphabetical order
+  CampaignKind kind = CampaignKind::kTold;         ///< what it is
+  std::vector<std::string> sensors = {};           ///< CHANNEL=POINT; of ring-downs
+  std::size_t mode = 1;                            ///< from 1; of ring-downs
+  std::string force = {};         ///< channel; of loops. Empty for the only force there is
+  std::string displacement = {};  ///< likewise
+  std::vector<std::string> assumed_units = {};  ///< CHANNEL=UNIT or SI; of recordings
+  bool allow_truncated = false;                 ///< of recordings
 
   /// Whether the joint is identified from it.
   [[nodiscard]] bool identifies() const { return use != CampaignUse::kPredict; }
   /// Whether it is predicted.
   [[nodiscard]] bool predicted() const { return use != CampaignUse::kIdentify; }
+  /// The condition of that name; null where it has none.
+  [[nodiscard]] const CampaignCondition* condition(std::string_view name) const;
 };
 
 /// What a campaign.toml holds.
@@ -92,6 +118,8 @@ struct CampaignFile {
 
   /// The sessions of the tests to identify from, in the order in which these first name them.
   [[nodiscard]] std::vector<std::string> sessions() const;
+  /// The names of all conditions, in alphabetical order.
+  [[nodiscard]] std::vector<std::string> conditions() const;
 };
 
 /// @param text  the file's whole text.

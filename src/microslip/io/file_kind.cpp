@@ -36,6 +36,7 @@ constexpr std::array kTableKinds{
     TableKind{kComparisonKind, {"quantity", "measured", "verdict"}},
     TableKind{kCampaignTableKind, {"test", "use", "amplitude_verdict"}},
     TableKind{kSessionsKind, {"session", "frequency_offset", "dissipation_offset"}},
+    TableKind{kConditionsKind, {"condition", "value", "dissipation_offset"}},
     TableKind{kLeftOutKind, {"left_out", "predicted", "deviation"}},
     TableKind{kHarmonicsKind, {"source", "harmonic", "frequency"}},
     TableKind{kForceControlKind, {"level", "force_before", "force_after"}},

@@ -63,6 +63,8 @@ inline constexpr std::string_view kComparisonKind = "a table of compared tests";
 inline constexpr std::string_view kCampaignTableKind = "a table of a campaign";
 /// sessions.csv of a campaign
 inline constexpr std::string_view kSessionsKind = "a table of sessions";
+/// conditions.csv of a campaign
+inline constexpr std::string_view kConditionsKind = "a table of conditions";
 /// leave_one_out.csv of a campaign
 inline constexpr std::string_view kLeftOutKind = "a table of what was left out";
 /// of harmonics_table()

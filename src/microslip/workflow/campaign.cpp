@@ -22,14 +22,17 @@
 #include "microslip/io/text.hpp"
 #include "microslip/rig/stick_state.hpp"
 #include "microslip/workflow/campaign_tables.hpp"
+#include "microslip/workflow/campaign_test_kinds.hpp"
 #include "microslip/workflow/comparison_table.hpp"
 #include "microslip/workflow/distinct_files.hpp"
 #include "microslip/workflow/identification_text.hpp"
 #include "microslip/workflow/joint_draws.hpp"
 #include "microslip/workflow/level_table.hpp"
+#include "microslip/workflow/loops_comparison.hpp"
 #include "microslip/workflow/model_draws.hpp"
 #include "microslip/workflow/model_text.hpp"
 #include "microslip/workflow/named_rig.hpp"
+#include "microslip/workflow/record_entries.hpp"
 #include "microslip/workflow/recordings_provenance.hpp"
 #include "microslip/workflow/rig_model.hpp"
 #include "microslip/workflow/smoothing_text.hpp"
@@ -40,7 +43,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kModesOfBeam = 7;  // in the model, as of the subcommand `model`
 constexpr const char* kJointName = "joint.json";
 constexpr const char* kSamplesName = "joint_samples.h5";
 
@@ -68,28 +70,19 @@ void check_structure(const CampaignFile& plan) {
           : "A structure known by its modes has [modes] there.");
 }
 
-/// What a predicted test may be.
-void check_predictable(const CampaignTest& test) {
-  if (is_stepped_sine(test.file)) return;
-  const PartOfFile part = part_of_file(test.file);
-  const std::string kind = file_kind(read_kind_head(part.file));  // throws where there is no file
-  if (part.variable.empty() && kind == kModalLevelsKind) return;
-  throw InputError(
-      fmt::format("test '{}'", test.name), in_quotes(test.file),
-      "must be stepped sines or modal levels to be predicted",
-      "The subcommand verify predicts steady records of a rig, and ringdown makes modal "
-      "levels of a decay.");
-}
-
 void check_campaign(const CampaignFile& plan) {
   check_structure(plan);
   std::vector<std::string> files;
   for (const CampaignTest& test : plan.tests) files.push_back(test.file);
   check_distinct_files(files);
-  for (const CampaignTest& test : plan.tests) {
-    if (test.predicted()) check_predictable(test);
-    if (test.identifies()) (void)is_levels_table(test.file);  // throws where there is none
-  }
+  for (const CampaignTest& test : plan.tests) check_campaign_test(test);
+}
+
+/// Conditions of tests that are predicted alone are columns, no more.
+bool has_conditions(const CampaignFile& plan) {
+  return std::ranges::any_of(plan.tests, [](const CampaignTest& test) {
+    return test.identifies() && !test.conditions.empty();
+  });
 }
 
 /// The sessions, but for the first with levels, whose predicted tests have a model of their own.
@@ -126,6 +119,7 @@ std::vector<ResultFile> files_of(const CampaignRun& run, const CampaignFile& pla
   }
   add("campaign.csv", kCampaignTableKind);
   add("sessions.csv", kSessionsKind);
+  if (has_conditions(plan)) add("conditions.csv", kConditionsKind);
   if (plan.leave_out != LeaveOut::kNothing) add("leave_one_out.csv", kLeftOutKind);
   return files;
 }
@@ -186,8 +180,8 @@ class CampaignWork {
         inputs_{{run.campaign, read_file(run.campaign)},
                 {plan_.structure, read_file(plan_.structure)}},
         identification_(identification_of(run, plan_)),
-        state_(
-            of_rig(inputs_[1], [&] { return stick_state(parse_rig(inputs_[1]), kModesOfBeam); })) {
+        state_(of_rig(inputs_[1],
+                      [&] { return stick_state(parse_rig(inputs_[1]), kModesOfCampaign); })) {
     stages_ =
         1 + static_cast<std::size_t>(plan_.leave_out != LeaveOut::kNothing) +
         static_cast<std::size_t>(std::ranges::count_if(plan_.tests, &CampaignTest::predicted));
@@ -208,12 +202,14 @@ class CampaignWork {
                      .sessions = std::move(effects)};
     joint_ = identified_joint(all.identified.found, identification_.options, {all.identified.input},
                               run_.command, identification_.texts);
+    all.conditions = condition_effects(plan_, all.levels, all.sessions);
     collect_warnings(all);
     leave_out(all);
-    const RigModel model = model_of_rig(inputs_[1], joint_, kJointName, kModesOfBeam);
+    const RigModel model = model_of_rig(inputs_[1], joint_, kJointName, kModesOfCampaign);
     std::ranges::copy(model.warnings, std::back_inserter(all.warnings));
     warn_of_sessions(all);
     predict(model.file, all);
+    tell_joint(all.warnings);
     compose(model.file, all);
     return all;
   }
@@ -256,6 +252,15 @@ class CampaignWork {
     add_joint_warnings(kJointName, joint_, all.warnings);
   }
 
+  /// What is known of the tests together belongs to the joint, beside what its levels tell.
+  void tell_joint(const std::vector<Warning>& warnings) {
+    NamedValues& record = joint_.identification;
+    std::erase_if(record, [](const auto& entry) {
+      return entry.first == "warnings" || entry.first == "warning_texts";
+    });
+    add_warnings(warnings, record);
+  }
+
   void leave_out(DoneCampaign& all) const {
     if (plan_.leave_out == LeaveOut::kNothing) return;
     all.left_out = leave_one_out(plan_, all.levels,
@@ -294,6 +299,8 @@ class CampaignWork {
                        session.name, 100.0 * session.frequency_difference,
                        all.sessions.sessions.front().name)});
     }
+    std::ranges::copy(condition_warnings(plan_, all.conditions), std::back_inserter(all.warnings));
+    warn_of_leaning(all);
     for (const std::string& session : sessions_with_model(plan_)) {
       if (all.sessions.find(session) != nullptr) continue;
       all.warnings.push_back(
@@ -301,6 +308,24 @@ class CampaignWork {
            fmt::format("no test to identify from is of session {}: its offset of the frequency is "
                        "not known, and that of the others counts as uncertainty.",
                        session)});
+    }
+  }
+
+  /// Offsets of sessions whose amplitudes no level compares.
+  void warn_of_leaning(DoneCampaign& all) const {
+    if (!plan_.session_offsets) return;
+    for (const SessionEffect& session : all.sessions.sessions) {
+      if (!session.apart) continue;
+      all.warnings.push_back(
+          {"offset_leans_on_joint",
+           fmt::format(
+               "the amplitudes of session {} do not overlap those of session {}: its offset "
+               "of the frequency, {:+.2g} %, is what is left of the {:+.2g} % that they "
+               "differ by when the joint is given {:+.2g} %, by its dissipation alone. What "
+               "the joint is wrong by there is in the offset, and not in its standard "
+               "deviation.",
+               session.name, all.sessions.sessions.front().name, 100.0 * session.frequency_offset,
+               100.0 * (session.frequency_offset + session.softening), 100.0 * session.softening)});
     }
   }
 
@@ -362,7 +387,13 @@ class CampaignWork {
     for (std::size_t t = 0; t < plan_.tests.size(); ++t) {
       if (!plan_.tests[t].predicted()) continue;
       const ModelFile model = model_of(nominal, all.sessions, plan_.tests[t].session);
-      const ReadTest read = read_test(plan_.tests[t].file, &model, "model.toml", {});
+      const ReadTest read =
+          read_test(plan_.tests[t].file, &model, "model.toml", campaign_reading(plan_.tests[t]));
+      for (const Warning& warning : read.warnings) {
+        all.warnings.push_back(
+            {warning.code, fmt::format("{}: {}", plan_.tests[t].name, warning.text)});
+      }
+      all.verified.followed = all.verified.followed && read.converged;
       std::optional<TestDraws> draws;
       if (plan_.draws > 0) {
         draws = TestDraws{draw_options(), run_.execution, stage(run_, n, stages_)};
@@ -406,6 +437,7 @@ class CampaignWork {
     put("comparison.csv", [&] { return comparison_table(all.verified); });
     put("campaign.csv", [&] { return campaign_table(all, comment); });
     put("sessions.csv", [&] { return sessions_table(all, comment); });
+    put("conditions.csv", [&] { return conditions_table(all, comment); });
     put("leave_one_out.csv", [&] { return left_out_table(all, comment); });
   }
 
@@ -444,6 +476,24 @@ std::string describe_sessions(const SessionEffects& effects) {
   return repeats.empty() ? text : text + line("repeatability", "of D: " + repeats);
 }
 
+/// Before the density, which is of no use then.
+std::string describe_departures(const std::vector<Warning>& warnings) {
+  std::string text;
+  for (const Warning& warning : warnings) {
+    if (warning.code == kTestNotOfThisKind) text += line("NOT A JOINT", warning.text);
+  }
+  return text;
+}
+
+std::string describe_conditions(const std::vector<ConditionEffect>& conditions) {
+  std::string text;
+  for (const ConditionEffect& condition : conditions) {
+    const std::string trend = trend_text(condition);
+    if (!trend.empty()) text += line("trend", trend);
+  }
+  return text;
+}
+
 std::string describe_left_out(const std::vector<LeftOut>& parts) {
   std::string text;
   std::size_t compared = 0;
@@ -468,7 +518,7 @@ std::string describe_left_out(const std::vector<LeftOut>& parts) {
 }  // namespace
 
 bool DoneCampaign::converged() const {
-  return identified.found.summary.converged() && verified.converged() &&
+  return identified.found.summary.converged() && levels.converged && verified.converged() &&
          std::ranges::all_of(left_out, &LeftOut::converged);
 }
 
@@ -492,8 +542,9 @@ std::string describe_campaign(const DoneCampaign& done) {
   Identification found = done.identified.found;  // whose warnings are among those of all
   found.warnings.clear();
   std::string text = done.plan.title.empty() ? "" : done.plan.title + "\n";
+  text += describe_departures(done.levels.warnings);
   text += describe_identification(found, done.identified.count) + describe_sessions(done.sessions) +
-          describe_left_out(done.left_out);
+          describe_conditions(done.conditions) + describe_left_out(done.left_out);
   VerifiedTests verified = done.verified;
   verified.warnings = done.warnings;
   return text +

@@ -10,6 +10,7 @@
 #include "microslip/base/summary.hpp"
 #include "microslip/io/campaign_file.hpp"
 #include "microslip/workflow/calibration.hpp"
+#include "microslip/workflow/campaign_conditions.hpp"
 #include "microslip/workflow/campaign_leave_out.hpp"
 #include "microslip/workflow/campaign_levels.hpp"
 #include "microslip/workflow/campaign_sessions.hpp"
@@ -33,15 +34,16 @@ struct CampaignRun {
 
 /// What came of it.
 struct DoneCampaign {
-  CampaignFile plan;                      ///< as read
-  CampaignLevels levels;                  ///< of the tests that the joint was identified from
-  IdentifiedLevels identified;            ///< the joint
-  SessionEffects sessions;                ///< what sessions differ by
-  std::vector<LeftOut> left_out = {};     ///< empty where that was not asked for
-  VerifiedTests verified = {};            ///< sweeps and modes of the predicted tests
-  std::vector<std::size_t> test_of = {};  ///< number in the plan of each of these, from 0
-  std::vector<Warning> warnings = {};     ///< of all of it but the verified tests
-  std::vector<ResultFile> files = {};     ///< to be written
+  CampaignFile plan;            ///< as read
+  CampaignLevels levels;        ///< of the tests that the joint was identified from
+  IdentifiedLevels identified;  ///< the joint
+  SessionEffects sessions;      ///< what sessions differ by
+  std::vector<ConditionEffect> conditions = {};  ///< what tests of different conditions do
+  std::vector<LeftOut> left_out = {};            ///< empty where that was not asked for
+  VerifiedTests verified = {};                   ///< sweeps and modes of the predicted tests
+  std::vector<std::size_t> test_of = {};         ///< number in the plan of each of these, from 0
+  std::vector<Warning> warnings = {};            ///< of all of it but the verified tests
+  std::vector<ResultFile> files = {};            ///< to be written
 
   /// Whether all was found.
   [[nodiscard]] bool converged() const;
@@ -50,8 +52,8 @@ struct DoneCampaign {
 /// The paths and kinds of the files that will be written, before anything is computed:
 /// NAME_levels.csv of each test that is reduced, levels.csv, joint.json, model.toml, campaign.csv,
 /// sessions.csv; with draws joint_samples.h5; with predicted tests comparison.csv, and
-/// model_SESSION.toml of each other session of theirs where offsets are fitted; leave_one_out.csv
-/// where it is asked for.
+/// model_SESSION.toml of each other session of theirs where offsets are fitted; conditions.csv where
+/// tests to identify from say some; leave_one_out.csv where it is asked for.
 /// @throws FileError, FormatError, InputError  as parse_campaign(); where the folder is that of an
 ///                                             input, or a test or the structure is no file of its kind.
 [[nodiscard]] std::vector<ResultFile> planned_files(const CampaignRun& run);

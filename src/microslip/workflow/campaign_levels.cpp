@@ -16,8 +16,8 @@
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/levels_file.hpp"
 #include "microslip/io/recording_file.hpp"
+#include "microslip/workflow/campaign_test_kinds.hpp"
 #include "microslip/workflow/level_table.hpp"
-#include "microslip/workflow/recordings_reduction.hpp"
 
 namespace microslip {
 namespace {
@@ -84,14 +84,12 @@ NamedInput levels_of_test(const CampaignFile& campaign, std::size_t number, cons
                           CampaignLevels& all) {
   const CampaignTest& test = campaign.tests[number];
   if (is_levels_table(test.file)) return {test.file, read_file(test.file)};
-  const ReducedRecordings reduced = reduce_recordings(
-      {.rig = campaign.structure, .recordings = {test.file}, .progress = progress});
+  ReducedCampaignTest reduced = reduce_campaign_test(campaign, test, command, progress);
   const std::string path = levels_path(out, test);
-  all.tables.push_back({path, kLevelsKind, levels_text(reduced, command)});
-  for (const std::vector<Warning>& warnings : reduced.warnings) {
-    for (const Warning& warning : warnings) {
-      all.warnings.push_back({warning.code, fmt::format("{}: {}", test.name, warning.text)});
-    }
+  all.tables.push_back({path, kLevelsKind, std::move(reduced.text)});
+  all.converged = all.converged && reduced.converged;
+  for (const Warning& warning : reduced.warnings) {
+    all.warnings.push_back({warning.code, fmt::format("{}: {}", test.name, warning.text)});
   }
   return {path, all.tables.back().content};
 }

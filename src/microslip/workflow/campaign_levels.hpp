@@ -28,6 +28,7 @@ struct CampaignLevels {
 
   std::vector<ResultFile> tables = {};  ///< NAME_levels.csv of each test that was reduced
   std::vector<Warning> warnings = {};   ///< of the readers and of what is not used
+  bool converged = true;                ///< of ring-downs, to the end or to the noise
 
   /// The number of levels.
   [[nodiscard]] std::size_t size() const { return test.size(); }
@@ -40,10 +41,11 @@ struct CampaignLevels {
 /// @throws FileError  where it cannot be read.
 [[nodiscard]] bool is_levels_table(const std::string& path);
 
-/// Reads levels.csv, or reduces records and stepped sines by the rig.
+/// Reads levels.csv, or reduces what is none by its kind.
 /// @param campaign  whose tests. @param out  folder of the tables. @param command  of their comment.
 /// @param progress  told of the records; may cancel.
-/// @throws FileError, FormatError, InputError, Cancelled  as reduce_recordings(), level_table_of().
+/// @throws FileError, FormatError, InputError, Cancelled  as reduce_campaign_test(),
+///     level_table_of().
 [[nodiscard]] CampaignLevels campaign_levels(const CampaignFile& campaign, const std::string& out,
                                              const std::string& command, const Progress& progress);
 

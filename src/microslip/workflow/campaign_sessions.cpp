@@ -54,17 +54,6 @@ void count_levels(const CampaignFile& campaign, const CampaignLevels& levels,
   }
 }
 
-/// r of each level; D is above 0 but where nothing was lost, which tells nothing here.
-std::vector<double> loss_residuals(const CampaignLevels& levels, const SessionEffects& effects) {
-  std::vector<double> residuals;
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    const double measured = levels.levels.dissipation[i];
-    const double found = effects.dissipation[i];
-    residuals.push_back(measured > 0.0 && found > 0.0 ? std::log(measured / found) : 0.0);
-  }
-  return residuals;
-}
-
 void add_repeatability(const CampaignFile& campaign, const CampaignLevels& levels,
                        const std::vector<double>& residuals, SessionEffects& effects) {
   std::map<std::string, std::map<std::size_t, std::vector<double>>> tests;  // of each session
@@ -191,7 +180,35 @@ void add_frequencies(const CampaignFile& campaign, const CampaignLevels& levels,
   effects.frequency_std = std::sqrt(squares / static_cast<double>(residuals.size()));
 }
 
+/// What is said of sessions whose amplitudes do not overlap those of the first.
+void add_ranges(const CampaignFile& campaign, const CampaignLevels& levels,
+                SessionEffects& effects) {
+  const auto amplitude = by_session(effects, campaign, levels, levels.levels.amplitude);
+  const auto [least, most] = std::ranges::minmax(amplitude.front());
+  for (std::size_t s = 0; s < amplitude.size(); ++s) {
+    const auto [low, high] = std::ranges::minmax(amplitude[s]);
+    effects.sessions[s].apart = low > most || high < least;
+  }
+  if (effects.frequency.empty()) return;
+  std::vector<double> logarithms;
+  for (const double f : effects.frequency) logarithms.push_back(std::log(f));
+  const auto frequency = by_session(effects, campaign, levels, logarithms);
+  for (std::size_t s = 0; s < frequency.size(); ++s) {
+    effects.sessions[s].softening = mean_of(frequency[s]) - mean_of(frequency.front());
+  }
+}
+
 }  // namespace
+
+std::vector<double> loss_residuals(const CampaignLevels& levels, const SessionEffects& effects) {
+  std::vector<double> residuals;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const double measured = levels.levels.dissipation[i];
+    const double found = effects.dissipation[i];
+    residuals.push_back(measured > 0.0 && found > 0.0 ? std::log(measured / found) : 0.0);
+  }
+  return residuals;
+}
 
 const SessionEffect* SessionEffects::find(const std::string& name) const {
   const auto found = std::ranges::find(sessions, name, &SessionEffect::name);
@@ -204,6 +221,7 @@ SessionEffects session_effects(const CampaignFile& campaign, const CampaignLevel
   count_levels(campaign, levels, effects);
   add_losses(campaign, levels, joint, linear_damping, effects);
   add_frequencies(campaign, levels, state, joint, effects);
+  add_ranges(campaign, levels, effects);
   return effects;
 }
 

@@ -32,6 +32,11 @@ struct SessionEffect {
   double frequency_scatter = std::numeric_limits<double>::quiet_NaN();
   double dissipation_offset = std::numeric_limits<double>::quiet_NaN();   ///< mean of r, 1
   double dissipation_scatter = std::numeric_limits<double>::quiet_NaN();  ///< of r about it, rms, 1
+  /// Whether its amplitudes lie all below or all above those of the first session, and by how much
+  /// the mean of ln f̂ over it is off that of the first, 1: what the joint softens by in between is
+  /// then part of the offset, with no level that holds the two apart.
+  bool apart = false;
+  double softening = 0.0;  ///< 0 without frequencies
 };
 
 /// With y = ln(f/f̂) of each level, f̂ the natural frequency with the secant stiffness that the joint
@@ -67,6 +72,10 @@ struct SessionEffects {
 [[nodiscard]] SessionEffects session_effects(const CampaignFile& campaign,
                                              const CampaignLevels& levels, const StickState& state,
                                              const Joint& joint, double linear_damping);
+
+/// r of each level, 1: 0 where nothing was lost, which tells nothing.
+[[nodiscard]] std::vector<double> loss_residuals(const CampaignLevels& levels,
+                                                 const SessionEffects& effects);
 
 /// δ of the session of each level, 1.
 [[nodiscard]] std::vector<double> offsets_of_levels(const SessionEffects& effects,

@@ -7,10 +7,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <string_view>
 
 #include "microslip/io/csv_writer.hpp"
+#include "microslip/joint/secant.hpp"
 
 namespace microslip {
 namespace {
@@ -32,7 +32,7 @@ struct CampaignQuantity {
   Dimension dimension;
 };
 
-constexpr std::size_t kQuantities = 5;
+constexpr std::size_t kQuantities = 6;
 
 const std::array<CampaignQuantity, kQuantities>& campaign_quantities() {
   static const std::array<CampaignQuantity, kQuantities> all{{
@@ -41,6 +41,7 @@ const std::array<CampaignQuantity, kQuantities>& campaign_quantities() {
       {"frequency", "frequency", kFrequency},
       {"damping_ratio", "damping_ratio", kDimensionless},
       {"dissipation", "dissipation", kEnergy},
+      {"secant_stiffness", "secant_stiffness", kStiffness},
   }};
   return all;
 }
@@ -50,6 +51,7 @@ struct CampaignRow {
   std::string_view part;
   std::string source;
   std::array<CampaignCell, kQuantities> cells;
+  double force_nrmse = kEmptyCell;  ///< of a record of loops
 };
 
 CampaignCell cell_at(const ComparedCurve& curve, std::size_t i) {
@@ -77,6 +79,10 @@ CampaignRow level_row(const DoneCampaign& done, std::size_t i) {
   row.cells[4].measured = levels.dissipation[i];
   row.cells[4].predicted = done.sessions.dissipation[i];
   if (!levels.frequency.empty()) row.cells[2].measured = levels.frequency[i];
+  if (!levels.secant_stiffness.empty()) {
+    row.cells[5].measured = levels.secant_stiffness[i];
+    row.cells[5].predicted = secant_stiffness(done.identified.found.joint, levels.amplitude[i]);
+  }
   if (!done.sessions.frequency.empty()) {
     const std::string& session = done.plan.tests[row.test].session;
     row.cells[2].predicted =
@@ -97,7 +103,16 @@ CampaignRow peak_row(const ComparedTest& test, std::size_t number) {
   return row;
 }
 
-/// The values of a mode, a row each: not each amplitude need have all quantities.
+/// What the joint misses the force of a record by, relative to its rms.
+void add_record_row(const ComparedTest& test, std::size_t number, std::vector<CampaignRow>& rows) {
+  const auto found = std::ranges::find(test.curves, "force_nrmse", &ComparedCurve::quantity);
+  if (found == test.curves.end()) return;
+  CampaignRow row{.test = number, .part = "record", .source = test.source, .cells = {}};
+  row.force_nrmse = found->predicted[0];
+  rows.push_back(std::move(row));
+}
+
+/// The values of a mode or of cycles, a row each: not each amplitude need have all quantities.
 void add_curve_rows(const ComparedTest& test, std::size_t number, std::vector<CampaignRow>& rows) {
   for (const ComparedCurve& curve : test.curves) {
     const std::size_t column = column_of(curve);
@@ -116,8 +131,9 @@ std::vector<CampaignRow> rows_of(const DoneCampaign& done) {
   for (std::size_t i = 0; i < done.levels.size(); ++i) rows.push_back(level_row(done, i));
   for (std::size_t n = 0; n < done.verified.tests.size(); ++n) {
     const ComparedTest& test = done.verified.tests[n];
-    if (test.kind == TestKind::kRingDown) {
+    if (test.kind == TestKind::kRingDown || test.kind == TestKind::kLoops) {
       add_curve_rows(test, done.test_of[n], rows);
+      add_record_row(test, done.test_of[n], rows);
     } else {
       rows.push_back(peak_row(test, done.test_of[n]));
     }
@@ -136,14 +152,10 @@ void add_test_columns(const CampaignFile& plan, const std::vector<std::size_t>& 
   add("test", [](const CampaignTest& test) { return test.name; });
   add("use", [](const CampaignTest& test) { return to_string(test.use); });
   add("session", [](const CampaignTest& test) { return test.session; });
-  std::set<std::string> conditions;
-  for (const CampaignTest& test : plan.tests) {
-    for (const CampaignCondition& one : test.conditions) conditions.insert(one.name);
-  }
-  for (const std::string& name : conditions) {
+  for (const std::string& name : plan.conditions()) {
     add("condition_" + name, [&](const CampaignTest& test) {
-      const auto found = std::ranges::find(test.conditions, name, &CampaignCondition::name);
-      return found == test.conditions.end() ? std::string() : found->value;
+      const CampaignCondition* one = test.condition(name);
+      return one == nullptr ? std::string() : one->value;
     });
   }
 }
@@ -200,6 +212,8 @@ std::string campaign_table(const DoneCampaign& done, const std::string& comment)
   table.add_text("part", parts);
   table.add_text("source", sources);
   for (std::size_t q = 0; q < kQuantities; ++q) add_quantity(rows, q, table);
+  table.add_numbers_or_empty("force_nrmse", kDimensionless,
+                             column(rows, [](const CampaignRow& row) { return row.force_nrmse; }));
   return table.str();
 }
 
@@ -241,6 +255,44 @@ std::string sessions_table(const DoneCampaign& done, const std::string& comment)
   add("frequency_scatter", &SessionEffect::frequency_scatter);
   add("dissipation_offset", &SessionEffect::dissipation_offset);
   add("dissipation_scatter", &SessionEffect::dissipation_scatter);
+  return table.str();
+}
+
+std::string conditions_table(const DoneCampaign& done, const std::string& comment) {
+  struct Row {
+    std::string name;
+    const ConditionGroup* group;
+  };
+  std::vector<Row> rows;
+  CsvWriter table;
+  table.add_comment(comment);
+  for (const ConditionEffect& effect : done.conditions) {
+    const std::string trend = trend_text(effect);
+    if (!trend.empty()) table.add_comment("trend: " + trend);
+    for (const ConditionGroup& group : effect.groups) rows.push_back({effect.name, &group});
+  }
+  std::vector<std::string> names;
+  std::vector<std::string> values;
+  for (const Row& row : rows) {
+    names.push_back(row.name);
+    values.push_back(row.group->value);
+  }
+  table.add_text("condition", names);
+  table.add_text("value", values);
+  const auto add = [&](const char* name, const Dimension& dimension, const auto& value) {
+    table.add_numbers_or_empty(name, dimension, column(rows, value));
+  };
+  add("tests", kDimensionless, [](const Row& row) { return double(row.group->tests); });
+  add("levels", kDimensionless, [](const Row& row) { return double(row.group->levels); });
+  add("least_amplitude", kLength, [](const Row& row) { return row.group->least; });
+  add("largest_amplitude", kLength, [](const Row& row) { return row.group->largest; });
+  add("dissipation_offset", kDimensionless,
+      [](const Row& row) { return row.group->dissipation.mean; });
+  add("dissipation_offset_std", kDimensionless,
+      [](const Row& row) { return row.group->dissipation.sigma; });
+  add("frequency_offset", kDimensionless, [](const Row& row) { return row.group->frequency.mean; });
+  add("frequency_offset_std", kDimensionless,
+      [](const Row& row) { return row.group->frequency.sigma; });
   return table.str();
 }
 

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/workflow/campaign_conditions.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <numeric>
+#include <set>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+namespace microslip {
+namespace {
+
+constexpr double kSignificant = 3.0;       // standard deviations
+constexpr double kLeastDifference = 1e-4;  // that a resonance is read to
+
+using Residuals = std::vector<double>;
+
+double mean_over(const Residuals& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// The residuals of the tests of a group, a list a test.
+using TestsOfGroup = std::map<std::size_t, Residuals>;
+
+/// Of σ of the means of groups: s²/n of values that scatter by s within theirs.
+class PooledScatter {
+ public:
+  void add(const Residuals& values) {
+    const double mean = mean_over(values);
+    for (const double value : values) squares_ += (value - mean) * (value - mean);
+    freedom_ += values.size() - 1;
+  }
+
+  /// NaN where no group has two values.
+  [[nodiscard]] double sigma_of_mean(std::size_t count) const {
+    return std::sqrt(squares_ / static_cast<double>(freedom_) / static_cast<double>(count));
+  }
+
+ private:
+  double squares_ = 0.0;
+  std::size_t freedom_ = 0;
+};
+
+Residuals all_of(const TestsOfGroup& group) {
+  Residuals all;
+  for (const auto& [test, values] : group) std::ranges::copy(values, std::back_inserter(all));
+  return all;
+}
+
+Residuals means_of(const TestsOfGroup& group) {
+  Residuals means;
+  for (const auto& [test, values] : group) means.push_back(mean_over(values));
+  return means;
+}
+
+/// Mean and σ of each group, see condition_effects().
+std::vector<ConditionMean> means_with_sigma(const std::vector<TestsOfGroup>& groups) {
+  PooledScatter of_levels;
+  PooledScatter of_tests;
+  for (const TestsOfGroup& group : groups) {
+    of_levels.add(all_of(group));
+    of_tests.add(means_of(group));
+  }
+  std::vector<ConditionMean> means;
+  for (const TestsOfGroup& group : groups) {
+    const Residuals levels = all_of(group);
+    // std::fmax takes the one that is known.
+    means.push_back({mean_over(levels), std::fmax(of_levels.sigma_of_mean(levels.size()),
+                                                  of_tests.sigma_of_mean(group.size()))});
+  }
+  return means;
+}
+
+/// The levels whose test says the condition, by its value; groups are those of the effect.
+std::vector<TestsOfGroup> by_value(const CampaignFile& campaign, const CampaignLevels& levels,
+                                   const ConditionEffect& effect, const Residuals& residuals) {
+  std::vector<TestsOfGroup> groups(effect.groups.size());
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const CampaignCondition* one = campaign.tests[levels.test[i]].condition(effect.name);
+    if (one == nullptr) continue;
+    const auto at = std::ranges::find(effect.groups, one->value, &ConditionGroup::value);
+    groups[static_cast<std::size_t>(at - effect.groups.begin())][levels.test[i]].push_back(
+        residuals[i]);
+  }
+  return groups;
+}
+
+/// Its groups, with what is counted.
+ConditionEffect groups_of(const CampaignFile& campaign, const CampaignLevels& levels,
+                          const std::string& name) {
+  ConditionEffect effect{.name = name};
+  std::set<std::size_t> tests;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const CampaignCondition* one = campaign.tests[levels.test[i]].condition(name);
+    if (one == nullptr) continue;
+    const double a = levels.levels.amplitude[i];
+    auto group = std::ranges::find(effect.groups, one->value, &ConditionGroup::value);
+    if (group == effect.groups.end()) {
+      effect.groups.push_back(
+          {.value = one->value, .number = one->number, .least = a, .largest = a});
+      group = std::prev(effect.groups.end());
+    }
+    ++group->levels;
+    if (tests.insert(levels.test[i]).second) ++group->tests;
+    group->least = std::min(group->least, a);
+    group->largest = std::max(group->largest, a);
+  }
+  std::ranges::sort(effect.groups, {}, [](const ConditionGroup& group) {
+    return std::tuple(!group.number.has_value(), group.number.value_or(0.0), group.value);
+  });
+  return effect;
+}
+
+bool all_overlap(const std::vector<ConditionGroup>& groups) {
+  for (const ConditionGroup& a : groups) {
+    for (const ConditionGroup& b : groups) {
+      if (a.largest < b.least) return false;
+    }
+  }
+  return true;
+}
+
+/// Whether some session has two values of it.
+bool varies_within_sessions(const CampaignFile& campaign, const std::string& name) {
+  std::map<std::string, std::set<std::string>> values;
+  for (const CampaignTest& test : campaign.tests) {
+    const CampaignCondition* one = test.condition(name);
+    if (test.identifies() && one != nullptr) values[test.session].insert(one->value);
+  }
+  return std::ranges::any_of(values, [](const auto& one) { return one.second.size() > 1; });
+}
+
+/// Slope of means over numbers, weights 1/σ².
+ConditionMean slope_of(const std::vector<ConditionGroup>& groups,
+                       ConditionMean ConditionGroup::*of) {
+  double weights = 0.0;
+  double x = 0.0;
+  double m = 0.0;
+  for (const ConditionGroup& group : groups) {
+    if (!group.number) return {};
+    const double weight = std::pow((group.*of).sigma, -2);
+    weights += weight;
+    x += weight * *group.number;
+    m += weight * (group.*of).mean;
+  }
+  double xx = 0.0;
+  double xm = 0.0;
+  for (const ConditionGroup& group : groups) {
+    const double weight = std::pow((group.*of).sigma, -2);
+    const double apart = *group.number - x / weights;
+    xx += weight * apart * apart;
+    xm += weight * apart * ((group.*of).mean - m / weights);
+  }
+  if (!(xx > 0.0 && std::isfinite(xx))) return {};
+  return {xm / xx, 1.0 / std::sqrt(xx)};
+}
+
+void put_means(const std::vector<ConditionMean>& means, ConditionMean ConditionGroup::*of,
+               ConditionEffect& effect) {
+  for (std::size_t i = 0; i < means.size(); ++i) effect.groups[i].*of = means[i];
+}
+
+Residuals offset_residuals(const CampaignFile& campaign, const CampaignLevels& levels,
+                           const SessionEffects& effects) {
+  const std::vector<double> offsets = offsets_of_levels(effects, campaign, levels);
+  Residuals residuals;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    residuals.push_back(std::log(levels.levels.frequency[i] / effects.frequency[i]) - offsets[i]);
+  }
+  return residuals;
+}
+
+// ---- Texts. ----
+
+std::string percent_of(const ConditionMean& mean) {
+  if (!std::isfinite(mean.sigma)) return fmt::format("{:+.2g} %", 100.0 * mean.mean);
+  return fmt::format("{:+.2g} ± {:.2g} %", 100.0 * mean.mean, 100.0 * mean.sigma);
+}
+
+/// What two groups differ by.
+struct GroupDifference {
+  const ConditionGroup* of = nullptr;
+  const ConditionGroup* against = nullptr;
+  ConditionMean by = {};
+
+  [[nodiscard]] double significance() const { return std::abs(by.mean) / by.sigma; }
+  [[nodiscard]] bool significant() const {
+    return significance() > kSignificant && std::abs(by.mean) > kLeastDifference;
+  }
+};
+
+/// The pair that differs most against its σ; nothing where no mean is known.
+std::optional<GroupDifference> largest_difference(const ConditionEffect& effect,
+                                                  ConditionMean ConditionGroup::*of) {
+  std::optional<GroupDifference> most;
+  for (const ConditionGroup& against : effect.groups) {
+    for (const ConditionGroup& group : effect.groups) {
+      if (&group <= &against || !std::isfinite((group.*of).mean)) continue;
+      const GroupDifference one{&group,
+                                &against,
+                                {(group.*of).mean - (against.*of).mean,
+                                 std::hypot((group.*of).sigma, (against.*of).sigma)}};
+      if (!most || one.significance() > most->significance()) most = one;
+    }
+  }
+  return most;
+}
+
+std::string difference_text(std::string_view quantity, const GroupDifference& one) {
+  return fmt::format("{} of {} is {} off that of {}{}", quantity, one.of->value, percent_of(one.by),
+                     one.against->value,
+                     one.significant() ? ", more than three standard deviations" : "");
+}
+
+std::string values_text(const ConditionEffect& effect) {
+  std::vector<std::string> values;
+  for (const ConditionGroup& group : effect.groups) values.push_back(group.value);
+  return fmt::format("{}", fmt::join(values, ", "));
+}
+
+std::string pooled_text(const ConditionEffect& effect) {
+  std::string text =
+      fmt::format("tests of {} = {} are identified as one joint", effect.name, values_text(effect));
+  bool significant = false;
+  const char* separator = ": ";
+  const auto tell = [&](std::string_view quantity, ConditionMean ConditionGroup::*of) {
+    const auto most = largest_difference(effect, of);
+    if (!most) return;
+    text += separator + difference_text(quantity, *most);
+    separator = "; ";
+    significant = significant || most->significant();
+  };
+  tell("D", &ConditionGroup::dissipation);
+  tell("the frequency", &ConditionGroup::frequency);
+  text += significant ? ". No one joint is both: identify them apart." : ".";
+  if (!effect.overlap) {
+    text +=
+        " Their amplitudes do not overlap: what the condition does and what the amplitude does "
+        "cannot be told apart.";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<ConditionEffect> condition_effects(const CampaignFile& campaign,
+                                               const CampaignLevels& levels,
+                                               const SessionEffects& effects) {
+  std::vector<ConditionEffect> all;
+  for (const std::string& name : campaign.conditions()) {
+    ConditionEffect effect = groups_of(campaign, levels, name);
+    if (effect.groups.empty()) continue;
+    effect.overlap = all_overlap(effect.groups);
+    put_means(means_with_sigma(by_value(campaign, levels, effect, loss_residuals(levels, effects))),
+              &ConditionGroup::dissipation, effect);
+    const bool told = !campaign.session_offsets || varies_within_sessions(campaign, name);
+    if (told && !effects.frequency.empty()) {
+      put_means(means_with_sigma(by_value(campaign, levels, effect,
+                                          offset_residuals(campaign, levels, effects))),
+                &ConditionGroup::frequency, effect);
+    }
+    effect.dissipation_trend = slope_of(effect.groups, &ConditionGroup::dissipation);
+    effect.frequency_trend = slope_of(effect.groups, &ConditionGroup::frequency);
+    all.push_back(std::move(effect));
+  }
+  return all;
+}
+
+std::vector<Warning> condition_warnings(const CampaignFile& campaign,
+                                        const std::vector<ConditionEffect>& effects) {
+  std::vector<Warning> warnings;
+  for (const ConditionEffect& effect : effects) {
+    if (effect.pooled()) warnings.push_back({"conditions_pooled", pooled_text(effect)});
+    for (const CampaignTest& test : campaign.tests) {
+      const CampaignCondition* one = test.condition(effect.name);
+      if (!test.predicted() || one == nullptr) continue;
+      if (std::ranges::find(effect.groups, one->value, &ConditionGroup::value) !=
+          effect.groups.end()) {
+        continue;
+      }
+      warnings.push_back(
+          {"condition_not_identified",
+           fmt::format("{} is predicted at {} = {}, and the joint was identified at {}: what that "
+                       "changes is not known.",
+                       test.name, effect.name, one->value, values_text(effect))});
+    }
+  }
+  return warnings;
+}
+
+std::string trend_text(const ConditionEffect& effect) {
+  std::string text;
+  const auto add = [&](std::string_view quantity, const ConditionMean& trend) {
+    if (!std::isfinite(trend.mean)) return;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", quantity, percent_of(trend));
+  };
+  add("D", effect.dissipation_trend);
+  add("frequency", effect.frequency_trend);
+  return text.empty() ? text : fmt::format("{} per unit of {}", text, effect.name);
+}
+
+}  // namespace microslip

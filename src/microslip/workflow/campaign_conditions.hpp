@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "microslip/base/summary.hpp"
+#include "microslip/io/campaign_file.hpp"
+#include "microslip/workflow/campaign_levels.hpp"
+#include "microslip/workflow/campaign_sessions.hpp"
+
+/// @file
+/// What the conditions of tests, a torque or an order of amplitudes, differ by.
+
+namespace microslip {
+
+/// A mean with its standard deviation. NaN where it is not known.
+struct ConditionMean {
+  double mean = std::numeric_limits<double>::quiet_NaN();   ///< 1
+  double sigma = std::numeric_limits<double>::quiet_NaN();  ///< 1
+};
+
+/// The levels of tests in which a condition has one value, against the joint identified from all.
+struct ConditionGroup {
+  std::string value = {};             ///< as text
+  std::optional<double> number = {};  ///< nothing of a text
+  std::size_t tests = 0;              ///< with levels
+  std::size_t levels = 0;             ///< of these
+  double least = 0.0;                 ///< amplitude, m
+  double largest = 0.0;               ///< likewise
+  ConditionMean dissipation = {};     ///< of r = ln(D/D̂)
+  ConditionMean frequency = {};       ///< of y = ln(f/f̂) less the offset of the session
+};
+
+/// One condition of the tests to identify from.
+struct ConditionEffect {
+  std::string name = {};  ///< torque_Nm
+  std::vector<ConditionGroup> groups =
+      {};  ///< by rising number, texts in alphabetical order behind
+  /// Slope of r over the condition by weighted least squares of the means, 1 a unit of the
+  /// condition; NaN where a value is no number, there is one, or a σ is not known.
+  ConditionMean dissipation_trend = {};
+  ConditionMean frequency_trend = {};  ///< the same of y
+  bool overlap = true;                 ///< whether the amplitudes of any two groups do
+
+  /// Whether tests of different values are of one joint here.
+  [[nodiscard]] bool pooled() const { return groups.size() > 1; }
+};
+
+/// Of each condition of tests with levels, those that do not say it left out.
+///
+/// σ of a mean is the larger of √(s²/n), s² = Σ(r − r̄)²/(N − G) over the N levels of all G groups, n
+/// of them in the group, and √(s_t²/t), s_t² likewise of the means of the tests, t of them in the
+/// group, where a group has two tests: tests repeat worse than levels within them. Frequencies say
+/// nothing where offsets of sessions are fitted and no session has two values: what the condition
+/// does is then part of these.
+[[nodiscard]] std::vector<ConditionEffect> condition_effects(const CampaignFile& campaign,
+                                                             const CampaignLevels& levels,
+                                                             const SessionEffects& effects);
+
+/// Warnings: `conditions_pooled` for tests of different values that are identified together, with
+/// what they differ by; `condition_not_identified` for a predicted test of a value that none of the
+/// tests to identify from has.
+[[nodiscard]] std::vector<Warning> condition_warnings(const CampaignFile& campaign,
+                                                      const std::vector<ConditionEffect>& effects);
+
+/// "D +0.62 ± 0.03 %, frequency -0.01 ± 0.002 % per unit of torque_Nm"; empty without a trend.
+[[nodiscard]] std::string trend_text(const ConditionEffect& effect);
+
+}  // namespace microslip
