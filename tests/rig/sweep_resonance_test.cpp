@@ -230,6 +230,18 @@ TEST(SweepResonance, WarnsOfCoarseSteps) {
   test::expect_message(warnings_of(found(60.0)).front().text, "goes on by 60°");
 }
 
+// Steps of a resonance further up, behind one that is near none.
+TEST(SweepResonance, TakesTheScatterOfItsOwnSteps) {
+  SteppedSine sweep = swept(jointed(0.0), Held::kForce, 2e-4, lags(20.0, 0.4));
+  const SweepResonance alone = resonance_of(sweep).value();
+  append(2.0 * kPi * 90.0, 0.1, 1e-7, 170.0 * kDegree, sweep);
+  for (const double lag : {120.0, 100.0, 110.0}) {
+    append(2.0 * kPi * (100.0 + 0.01 * lag), 0.1, 1e-7 * lag, lag * kDegree, sweep);
+  }
+  EXPECT_EQ(resonance_of(sweep)->damping_std, alone.damping_std);
+  EXPECT_EQ(resonance_of(sweep)->frequency_std, alone.frequency_std);
+}
+
 TEST(SweepResonance, TellsNothingOfScatterByThreeSteps) {
   const HarmonicBalance balance = jointed(0.0);
   const SweepResonance found =

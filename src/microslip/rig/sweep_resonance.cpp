@@ -6,8 +6,8 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
+#include <span>
 
 #include "microslip/base/error.hpp"
 
@@ -33,7 +33,8 @@ struct StiffnessStep {
 struct Passage {
   StiffnessStep before;
   StiffnessStep behind;
-  double share = 0.0;  // of the distance in ω²
+  double share = 0.0;     // of the distance in ω²
+  std::size_t place = 0;  // of the second in the sweep
 
   /// Of two values on a straight line.
   [[nodiscard]] double between(double a, double b) const { return std::lerp(a, b, share); }
@@ -73,7 +74,7 @@ std::vector<Passage> passages(const std::vector<StiffnessStep>& steps) {
     const StiffnessStep& before = steps[i - 1];
     const StiffnessStep& behind = steps[i];
     if ((before.phase < kQuarterTurn) == (behind.phase < kQuarterTurn)) continue;
-    found.push_back({before, behind, before.elastic / (before.elastic - behind.elastic)});
+    found.push_back({before, behind, before.elastic / (before.elastic - behind.elastic), i});
   }
   return found;
 }
@@ -104,11 +105,21 @@ double deviation(const Eigen::MatrixXd& regressors, const Eigen::VectorXd& value
   return rest.norm() / std::sqrt(static_cast<double>(values.size() - kUnknowns));
 }
 
+/// The steps about a passage, one after the other: of no other resonance.
+std::span<const StiffnessStep> steps_near(const std::vector<StiffnessStep>& steps,
+                                          const Passage& passage) {
+  const auto near = [&](std::size_t i) {
+    return steps[i].phase >= kLeastLag && steps[i].phase <= std::numbers::pi - kLeastLag;
+  };
+  std::size_t first = passage.place;
+  while (first > 0 && near(first - 1)) --first;
+  std::size_t last = passage.place;
+  while (last < steps.size() && near(last)) ++last;
+  return std::span(steps).subspan(first, last - first);
+}
+
 Scatter scatter_of(const std::vector<StiffnessStep>& steps, const Passage& passage) {
-  std::vector<StiffnessStep> near;
-  std::ranges::copy_if(steps, std::back_inserter(near), [](const StiffnessStep& step) {
-    return step.phase >= kLeastLag && step.phase <= std::numbers::pi - kLeastLag;
-  });
+  const std::span<const StiffnessStep> near = steps_near(steps, passage);
   const auto count = static_cast<Eigen::Index>(near.size());
   const bool at_one_frequency = !(passage.half_width() > 0.0);
   if (count <= kUnknowns || at_one_frequency) return {};

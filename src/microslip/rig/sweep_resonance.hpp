@@ -41,11 +41,11 @@ struct SweepResonance {
 /// by that of k, p²βX^p ≤ π p(p + 2)/4 C, of a slip of virgin curve kX − βX^{p+1} [Masing: D =
 /// 4βX^{p+2} p/(p + 2)].
 ///
-/// Standard deviations hold these, and by how much the steps scatter: ln C and K/C of those with
-/// 30° ≤ θ ≤ 150° about a least-squares fit by 1, ω² and ln X. Errors of a reading of Z are of the
-/// size ε|Z| = εC/sin θ, so that steps have the weight sin θ, and ε is in the mean of two with the
-/// shares s and 1 − s by √((1 − s)²/sin²θ_1 + s²/sin²θ_2). From 4 such steps on; of 3 and fewer no
-/// scatter is known. An error of the phase that all steps share is not in them.
+/// Standard deviations hold these, and by how much the steps scatter: ln C and K/C of those about
+/// it with 30° ≤ θ ≤ 150° about a least-squares fit by 1, ω² and ln X. Errors of a reading of Z are
+/// of the size ε|Z| = εC/sin θ, so that steps have the weight sin θ, and ε is in the mean of two
+/// with the shares s and 1 − s by √((1 − s)²/sin²θ_1 + s²/sin²θ_2). From 4 such steps on; of 3 and
+/// fewer no scatter is known. An error of the phase that all steps share is not in them.
 ///
 /// Of several passages that of the largest acceleration.
 /// @return nothing where the phase does not pass a quarter turn.
