@@ -110,14 +110,14 @@ gain_std = 0.021
 // Each step at the force that it had. Amplitudes at resonance within what the sessions differ by.
 // Their band knows nothing of that: three of four are inside, all values of the peaks no more than
 // 0.5 % beyond, and what an edge of 1000 draws is known to, 2.67σ/√1000, σ = 2.2 %; frequencies are
-// inside. Of the amplitudes over the curve so many are as 1 − 0.95
-// of the draws have, at least. The sweep's peak is that of `reduce`.
+// inside. Of the amplitudes over the curve so many are as 1 − 0.95 of the draws have, at least. The
+// sweep's peak is that of `reduce`.
 TEST_F(BrakeReuss, SweepsOfHeldForceLieAtTheEdgeOfTheBandOfTheOthers) {
   expect_done(box_, {"identify", "levels.csv", "--stiffness", "4.88e5", "--linear-damping", "fit",
                      "--dissipation-gain-std", "2.1%", "--seed", "2", "--samples", "1000",
                      "--samples-out", "joint_samples.h5", "--out", "joint.json", "--quiet"});
   box_.put("drawn.toml", kDrawn);
-  expect_done(box_, {"verify", "drawn.toml", "sweeps.mat:FRdata.ForceControl", "--draws", "400",
+  expect_done(box_, {"verify", "drawn.toml", "sweeps.mat:FRdata.ForceControl", "--draws", "1000",
                      "--seed", "2", "--out", "comparison.csv", "--quiet"});
   const std::string text = box_.get("comparison.csv");
   EXPECT_EQ(text.find("# warning: few_inside"), std::string::npos);
