@@ -239,9 +239,10 @@ TEST(JointFileFault, NoObject) {
 }
 
 TEST(JointFileFault, Schema) {
-  EXPECT_EQ(fault(R"({"schema": "microslip.rig/1", "surprise": 1})"),
-            "joint.json: expected the schema 'microslip.joint/1', found 'microslip.rig/1'. Is it a "
-            "joint, and of this version of the program?");
+  EXPECT_EQ(
+      fault(R"({"schema": "microslip.joint/9", "surprise": 1})"),
+      "joint.json: expected the schema 'microslip.joint/1', found 'microslip.joint/9'. Is it a "
+      "joint, and of this version of the program?");
   EXPECT_EQ(fault(R"({"stiffness": 1})"),
             "joint.json: expected the key 'schema' at the top, found the keys 'stiffness'. It "
             "says what the file is: docs/file_formats.md has it for each.");
