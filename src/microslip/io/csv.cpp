@@ -237,8 +237,9 @@ CsvTable::CsvTable(std::string text, std::string_view file) : text_(std::move(te
   const bool is_other = known != nullptr && known->format != KindFormat::kTable;
   const std::string_view other = is_other ? known->words : signature(text_);
   if (!other.empty()) {
-    throw FormatError({file_, 0, 0}, "a table of comma-separated values", other,
-                      is_other ? std::string_view("Is it the right file?") : remedy_for_signature(other));
+    throw FormatError(
+        {file_, 0, 0}, "a table of comma-separated values", other,
+        is_other ? std::string_view("Is it the right file?") : remedy_for_signature(other));
   }
   Parser parser(*this);
   parser.parse_header();
@@ -266,8 +267,8 @@ std::size_t CsvTable::require(std::string_view name, std::string_view header) co
   throw FormatError(
       place_at(text_, header_start_, file_), fmt::format("a column '{}'", header),
       fmt::format("the columns {}", in_quotes(names, 120)),
-      fmt::format("{}{}",
-                  known == nullptr ? "" : fmt::format("This looks like {}. ", known->words), rule));
+      fmt::format("{}{}", known == nullptr ? "" : fmt::format("This looks like {}. ", known->words),
+                  rule));
 }
 
 std::string CsvTable::label(std::size_t column) const {

@@ -97,6 +97,8 @@ constexpr std::array kKnownKinds{
     KnownKind{kCampaignTableKind, "a table of a campaign (campaign.csv)", KindFormat::kTable},
     KnownKind{kSessionsKind, "a table of sessions of a campaign (sessions.csv)",
               KindFormat::kTable},
+    KnownKind{kConditionsKind, "a table of conditions of a campaign (conditions.csv)",
+              KindFormat::kTable},
     KnownKind{kLeftOutKind, "a table of what a campaign left out (leave_one_out.csv)",
               KindFormat::kTable},
     KnownKind{kHarmonicsKind, "a table of predicted harmonics, of verify", KindFormat::kTable},

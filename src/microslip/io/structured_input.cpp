@@ -18,10 +18,12 @@ std::string where(std::string_view path) {
 void require_content(std::string_view text, KindFormat format, std::string_view file) {
   const std::string_view name = format == KindFormat::kJson ? "JSON" : "TOML";
   const KnownKind* const known = known_kind_of(text);
-  if (known != nullptr && known->format != format) {
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  // Of JSON with a foreign schema check_schema() says more.
+  const bool is_json = trimmed(text).starts_with('{');
+  if (known != nullptr && known->format != format && !(is_json && format == KindFormat::kJson)) {
     throw FormatError({std::string(file), 0, 0}, name, known->words, "Is it the right file?");
   }
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   if (text.find_first_not_of(" \t\r\n") != std::string_view::npos) return;
   throw FormatError({std::string(file), 0, 0}, name, "an empty file");
 }

@@ -166,10 +166,10 @@ ReportSection comparison_summary_section(const ExperimentResults& results) {
   std::vector<Warning> warnings = results.warnings;
   std::ranges::copy(found.warnings, std::back_inserter(warnings));
   ReportVerdict verdict{.text = comparison_verdict(found), .codes = codes_of(warnings)};
-  verdict.doubtful =
-      !found.of_this_model || std::ranges::any_of(found.warnings, [&](const Warning& warning) {
-        return speaks_against(found, warning);
-      });
+  const bool is_judged = found.of_this_model && found.confidence;
+  verdict.doubtful = !is_judged || std::ranges::any_of(found.warnings, [&](const Warning& warning) {
+    return speaks_against(found, warning);
+  });
   section.blocks.emplace_back(std::move(verdict));
   std::vector<ReportFigure> figures = comparison_figures(found.tests);
   if (!figures.empty()) section.blocks.emplace_back(std::move(figures.front()));
