@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "microslip/base/random.hpp"
+#include "microslip/dynamics/joint_way.hpp"
 #include "microslip/dynamics/march.hpp"
 #include "microslip/dynamics/march_loops.hpp"
+#include "microslip/dynamics/step_cubic.hpp"
 #include "microslip/dynamics/step_knots.hpp"
 #include "support/largest_difference.hpp"
 #include "support/quadrature.hpp"
@@ -73,6 +75,42 @@ TEST(StepKnots, AddWhatTheCubicLeavesOut) {
     EXPECT_NEAR(v[2], static_cast<double>(-of_v), 1e-5 * h) << angle;
     EXPECT_EQ(q[1], 0.0);
   }
+}
+
+/// The shares at which a joint that sets off by y₁x + y₂x² + y₃x³ + y₄x⁴ turns.
+std::vector<double> turns(double y1, double y2, double y3, double y4) {
+  const Joint joint(1500.0, SlipDensity({PiecewiseLinearPart{{0.0, 8.0}, {0.12, 0.08}}}));
+  CurveFollower follower(joint);
+  follower.turn(1);
+  const double end = y1 + 2.0 * y2 + 3.0 * y3 + 4.0 * y4;
+  const StepQuartic y({0.0, y1, y1 + y2 + y3 + y4, end, 1.0}, 2.0 * y2);
+  JointWay way(joint);
+  EXPECT_TRUE(way.follow({follower, 1, 0.0, follower.next_kink(), 0.0, 0.0}, y));
+  std::vector<double> shares;
+  for (const JointWay::Knot& knot : way.knots()) {
+    if (knot.turns) shares.push_back(knot.share);
+  }
+  return shares;
+}
+
+// Of slopes that are products of known zeros: (1 − x/a)(1 + x²), which no parabola is, and
+// (1 − x/a)(1 − x/b)(1 + x), in mm. 1e-12 is what Newton's method leaves of a step of 1e-7.
+TEST(JointWay, TurnsWhereTheQuarticHasItsExtremes) {
+  constexpr double kSize = 1e-3;
+  for (const double a : {1e-4, 0.2, 0.5, 0.97}) {
+    const auto once = turns(kSize, -kSize / (2.0 * a), kSize / 3.0, -kSize / (4.0 * a));
+    ASSERT_EQ(once.size(), 1U) << a;
+    EXPECT_NEAR(once[0], a, 1e-12);
+  }
+  const double a = 0.3;
+  const double b = 0.6;
+  const double scale = kSize / (a * b);
+  const auto twice =
+      turns(kSize, scale * (a * b - a - b) / 2.0, scale * (1.0 - a - b) / 3.0, scale / 4.0);
+  ASSERT_EQ(twice.size(), 2U);
+  EXPECT_NEAR(twice[0], a, 1e-12);
+  EXPECT_NEAR(twice[1], b, 1e-12);
+  EXPECT_TRUE(turns(kSize, -0.1 * kSize, 0.0, 0.0).empty());
 }
 
 /// A rod of ten joints under noise: loops close and turn in every other step.
@@ -148,7 +186,7 @@ TEST(StepKnots, KeepTheOrderOfStepsThatAreNotCut) {
     EXPECT_EQ(coarse.kinks, exact.kinks);
     const double error = difference(coarse, exact);
     const double of_half = difference(fine, exact);
-    EXPECT_LT(error, 2e-4);
+    EXPECT_LT(error, 4e-5);
     EXPECT_GT(error / of_half, 10.0) << error << ' ' << of_half;  // 16; 4 for order 2
     EXPECT_LT(exact.energy.imbalance(), 1e-6);
   }

@@ -30,11 +30,12 @@ std::array<Exact, StepWeights::kKinds> exact_weights(double omega, double eta, d
   const Exact cosine = under < 0 ? Exact(cos(root)) : Exact((up + 1 / up) / 2);
   const Exact g = exp(-delta) * sine / root;
   const Exact slope = exp(-delta) * cosine - delta * g;
-  std::array<Exact, 4> p;
+  std::array<Exact, 5> p;
   p[0] = (1 - 2 * delta * g - slope) / square;
   p[1] = (1 - 2 * delta * p[0] - g) / square;
   p[2] = (1 - 4 * delta * p[1] - 2 * p[0]) / square;
   p[3] = (1 - 6 * delta * p[2] - 6 * p[1]) / square;
+  p[4] = (1 - 8 * delta * p[3] - 12 * p[2]) / square;
   const auto hermite = [](const Exact& a, const Exact& b, const Exact& c, const Exact& d) {
     return std::array<Exact, 4>{a - 3 * c + 2 * d, b - 2 * c + d, 3 * c - 2 * d, d - c};
   };
@@ -51,7 +52,9 @@ std::array<Exact, StepWeights::kKinds> exact_weights(double omega, double eta, d
           h * v[0],
           h * h * v[1],
           h * v[2],
-          h * h * v[3]};
+          h * h * v[3],
+          16 * h * h * (p[2] - 2 * p[3] + p[4]),
+          16 * h * (2 * p[1] - 6 * p[2] + 4 * p[3])};
 }
 
 /// Largest error of the weights of the loads, over the larger of those at both ends; of those of
@@ -77,7 +80,9 @@ double largest_error(double eta, double theta) {
                                     {Kind::kC0, Kind::kC1},
                                     {Kind::kD0, Kind::kC1},
                                     {Kind::kC1, Kind::kC0},
-                                    {Kind::kD1, Kind::kC1}}) {
+                                    {Kind::kD1, Kind::kC1},
+                                    {Kind::kAM, Kind::kA1},
+                                    {Kind::kCM, Kind::kC1}}) {
     largest = std::max(largest, error(kind, scale));
   }
   return largest;

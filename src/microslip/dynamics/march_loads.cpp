@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "microslip/dynamics/march_loops.hpp"
+#include "microslip/dynamics/march_weights.hpp"
 #include "microslip/dynamics/static_equilibrium.hpp"
 
 namespace microslip {
@@ -35,19 +37,16 @@ InitialState MarchLoads::start(InitialState asked) const {
 
 void MarchLoads::set(std::size_t interval, MarchState::Loads& loads) const {
   const double length = history_.time[interval + 1] - history_.time[interval];
-  if (static_load_.empty()) {
-    std::ranges::fill(loads.force, 0.0);
-  } else {
-    std::ranges::copy(static_load_, loads.force.begin());
-  }
-  std::ranges::fill(loads.slope, 0.0);
+  double kept = 0.0;
+  const auto add = [&](const std::vector<double>& shape, double value, double slope) {
+    march_loops::add_force(shape.size() / kLanes, kept, shape.data(), value, slope,
+                           loads.force.data(), loads.slope.data());
+    kept = 1.0;
+  };
+  if (!static_load_.empty()) add(static_load_, 1.0, 0.0);
   for (std::size_t p = 0; p < shapes_.size(); ++p) {
     const double* values = history_.forces[p].force.data() + interval;
-    const double slope = (values[1] - values[0]) / length;
-    for (std::size_t i = 0; i < shapes_[p].size(); ++i) {
-      loads.force[i] += shapes_[p][i] * values[0];
-      loads.slope[i] += shapes_[p][i] * slope;
-    }
+    add(shapes_[p], values[0], (values[1] - values[0]) / length);
   }
   for (std::size_t n = 0; n < joints_.size(); ++n) {
     const double* values = history_.normal_loads[n].load.data() + interval;

@@ -41,6 +41,16 @@ void predict(std::size_t groups, const double* weights, double length, const Sta
 }
 
 MICROSLIP_VECTOR_CLONES
+void add_force(std::size_t groups, double kept, const double* shape, double value, double slope,
+               double* force, double* force_slope) {
+#pragma omp simd
+  for (std::size_t i = 0; i < groups * kLanes; ++i) {
+    force[i] = kept * force[i] + value * shape[i];
+    force_slope[i] = kept * force_slope[i] + slope * shape[i];
+  }
+}
+
+MICROSLIP_VECTOR_CLONES
 void add_loads(std::size_t groups, double kept, const double* shape, double r, double r_dot,
                double r_middle, double* load, double* slope, double* middle) {
 #pragma omp simd

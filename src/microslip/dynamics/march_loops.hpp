@@ -25,6 +25,10 @@ struct State {
 void predict(std::size_t groups, const double* weights, double length, const State& from,
              const double* slope, double* q, double* v);
 
+/// A force on the modes and its slope, on top of `kept` (0 or 1) times what is there.
+void add_force(std::size_t groups, double kept, const double* shape, double value, double slope,
+               double* force, double* force_slope);
+
 /// The loads of one joint on the modes, −ψ_i R, their slopes, −ψ_i Ṙ, and what they are more in the
 /// middle of the step, −ψ_i R_m, on top of `kept` (0 or 1) times what is there.
 void add_loads(std::size_t groups, double kept, const double* shape, double r, double r_dot,

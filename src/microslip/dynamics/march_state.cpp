@@ -387,16 +387,13 @@ double MarchState::add_inner_forces(double length, bool middles, const Couplings
   return change;
 }
 
-/// Of a step without knots: F(y) in the middle less the cubic there. Over y, too, F is near to a
-/// cubic, in whatever time it goes along.
+/// Of a step without knots: F(u) in the middle, with u + cF = y by one step of Newton's method from
+/// the cubic, less the cubic.
 double MarchState::middle_force(const Joint& joint, const StepCubic& force, double length) {
-  const Kinematics& b = joint.begin;
-  const Kinematics& k = joint.end;
-  const double way = k.gap - b.gap;
-  const double share = (path(joint, length).value(0.5) - b.gap) / way;
-  if (!(share > 0.0 && share < 1.0) || b.gap_dot == 0.0 || k.gap_dot == 0.0) return 0.0;
-  const StepCubic over_way(b.force, b.force_dot / b.gap_dot, k.force, k.force_dot / k.gap_dot, way);
-  return over_way.value(share) - force.value(0.5);
+  const double cubic = force.value(0.5);
+  const auto [found, tangent] = joint.hysteresis.follower().response(
+      path(joint, length).value(0.5) - joint.compliance * cubic);
+  return (found - cubic) / (1.0 + tangent * joint.compliance);
 }
 
 /// ÿ of the joints at the end of a step, after this length, from what acts on the modes there.
