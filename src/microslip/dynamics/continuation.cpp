@@ -180,31 +180,14 @@ HermiteKnot Continuation::knot(const Point& point, const Ray& ray, const Point& 
   return {over.dot(point.z - origin.z), point.z, slope / over.dot(slope)};
 }
 
-/// By tangent and curvature; where the points before lead close to that, by them and their
-/// tangents.
-VectorXd Continuation::predicted(const Point& from, double length) const {
-  constexpr std::size_t kMostKnots = 3;
-  constexpr double kLeastApart = 0.2;  // of the step: nearer ones tell little more
-  constexpr double kMostApart = 5.0;   // likewise: farther ones lead away
-  constexpr double kMostOff = 0.1;     // of the step: what is farther off is not to be trusted
+/// By tangent and curvature.
+VectorXd Continuation::predicted(const Point& from, double length) {
   const Ray& ray = from.onward;
   VectorXd z = from.z + length * from.scale.cwiseProduct(ray.tangent);
   if (ray.curvature.size() > 0) {
     z += 0.5 * length * length * from.scale.cwiseProduct(ray.curvature);
   }
-  if (is_corner(from) || rows_.empty() || rows_.back().point.z != from.z) return z;
-  std::vector<HermiteKnot> knots{knot(from, ray, from, ray.tangent)};
-  for (std::size_t i = rows_.size() - 1; i-- > 0 && knots.size() < kMostKnots;) {
-    const Point& point = rows_[i].point;
-    HermiteKnot next = knot(point, point.onward, from, ray.tangent);
-    if (!(next.t > -kMostApart * length && next.t < knots.back().t)) break;
-    if (knots.back().t - next.t >= kLeastApart * length) knots.push_back(std::move(next));
-    if (is_corner(point)) break;
-  }
-  if (knots.size() < 2) return z;
-  VectorXd further = hermite_value(knots, length);
-  const double off = (further - z).cwiseQuotient(from.scale).norm();
-  return off <= kMostOff * length ? further : z;
+  return z;
 }
 
 NewtonResult Continuation::correct(const Point& from, double length, VectorXd& z) {

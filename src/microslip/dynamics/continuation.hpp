@@ -102,7 +102,7 @@ class Continuation {
   [[nodiscard]] Ray ray_at(const Eigen::VectorXd& scale, const Eigen::RowVectorXd& towards) const;
   [[nodiscard]] Point point_at(const Eigen::VectorXd& z, const Eigen::VectorXd* direction) const;
   static void add_curvature(const Point& before, double length, Point& point);
-  [[nodiscard]] Eigen::VectorXd predicted(const Point& from, double length) const;
+  [[nodiscard]] static Eigen::VectorXd predicted(const Point& from, double length);
   NewtonResult correct(const Point& from, double length, Eigen::VectorXd& z);
   [[nodiscard]] double change(const Point& from, const Eigen::VectorXd& z) const;
   [[nodiscard]] double wanted_length(const Point& point) const;
