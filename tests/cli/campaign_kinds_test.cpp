@@ -130,7 +130,7 @@ TEST(campaignKinds, ABlowFollowsFromSweeps) {
   for (const char* quantity : {"frequency", "damping_ratio"}) {
     const double sigmas = deviations(truth, quantity);
     EXPECT_LT(sigmas, 1.5) << quantity;
-    test::record_largest(fmt::format("{} [sigma]", quantity), sigmas);
+    test::record_largest(fmt::format("{} over sigma [1]", quantity), sigmas);
   }
   box.put("campaign.toml",
           campaign("draws = 400\n", held + one_test("blow", "predict", "kind = \"ringdown\"\n")));
@@ -245,11 +245,11 @@ TEST(campaignKinds, ABlowOfABeamKnowsHowItsShapeMoves) {
   }
   const double sigmas = std::sqrt(sum / static_cast<double>(amplitude.size()));
   EXPECT_LT(sigmas, 1.5);
-  test::record_largest("dissipation [sigma]", sigmas);
+  test::record_largest("dissipation over sigma [1]", sigmas);
 }
 
-/// A record of the true joint in three cycles of each of ten amplitudes up to the largest, with the
-/// noise of simulated_record().
+/// A record of the true joint in three cycles of each of ten amplitudes up to the largest, with noise
+/// of 20 millionths of the path and 0.04 % of the force.
 void record_loops(const Sandbox& box, const std::string& name, double largest, std::uint64_t seed) {
   constexpr int kAmplitudes = 10;
   constexpr int kCycles = 3;
@@ -260,11 +260,12 @@ void record_loops(const Sandbox& box, const std::string& name, double largest, s
       path.push_back(largest * n / kAmplitudes * std::sin(2.0 * std::numbers::pi * i / kSamples));
     }
   }
-  box.put(name, record_text(testing::simulated_record(true_joint(), path, seed, {})));
+  box.put(name, record_text(testing::simulated_record(true_joint(), path, seed,
+                                                      {.displacement = 2e-5, .force = 4e-4})));
 }
 
 // Records of the joint by itself identify it as levels of their closed cycles, and are predicted: D
-// of the cycles in the band, what is missed of the force no more than twice its noise.
+// and k_eq of the cycles in the band, what is missed of the force no more than twice its noise.
 TEST(campaignKinds, LoopsIdentifyAndArePredicted) {
   const Sandbox box = laboratory();
   record_loops(box, "first.csv", 3e-4, 3);
@@ -282,11 +283,9 @@ TEST(campaignKinds, LoopsIdentifyAndArePredicted) {
   const std::vector<std::string> quantities = found.text("quantity");
   const auto noise = std::ranges::find(quantities, "force_noise") - quantities.begin();
   EXPECT_LT(missed, 2.0 * std::stod(found.text("predicted")[static_cast<std::size_t>(noise)]));
-  const std::vector<std::string> verdicts = all.text("dissipation_verdict");
-  const auto inside = std::ranges::count(verdicts, "inside");
-  const auto outside = std::ranges::count(verdicts, "outside");
-  EXPECT_GE(static_cast<double>(inside), 0.9 * static_cast<double>(inside + outside)) << run.out;
-  EXPECT_GE(inside, 3);
+  // As many in the band as all but 5 % of the draws have there.
+  EXPECT_EQ(box.get("found/comparison.csv").find("# warning: few_inside"), std::string::npos);
+  EXPECT_GE(std::ranges::count(all.text("dissipation_verdict"), "inside"), 10) << run.out;
 }
 
 /// Levels of the true joint whose D is `gain` times it, with noise of 0.5 %, and frequencies with
@@ -384,7 +383,7 @@ TEST(campaignKinds, NamesWhatIsWrong) {
           {"test 'sweep': allow_truncated", "a stepped-sine table"});
   refused(one_test("loops", "predict", "kind = \"loops\"\nforce = \"g\"\n"), {"loops.csv", "'g'"});
   refused(one_test("loops", "predict", "kind = \"ringdown\"\nsensors = { u = \"tip\" }\n"),
-          {"u=tip", "'tip'", "acceleration"});
+          {"test 'loops': sensor u=tip", "'tip'", "acceleration"});
   box.put("campaign.toml", campaign("", one_test("loops", "identify", "kind = \"ringdown\"\n")));
   expect_refused(box, kCall, {"loops.csv", "acceleration"});
 }

@@ -341,24 +341,25 @@ use = "identify"
 /// The decay and the loops that kinds.toml names, as its document makes them: by the model of the
 /// campaign; and that campaign with other files and kinds.
 void add_kinds(Files& all) {
-  Files made = all;
-  made.merge(run(all, words("campaign campaign.toml --out campaign --quiet")).files);
+  const Files found = run(all, words("campaign campaign.toml --out campaign --quiet")).files;
+  const Files model = {{"campaign/model.toml", found.at("campaign/model.toml")},
+                       {"campaign/joint.json", found.at("campaign/joint.json")}};
   const std::string marched =
-      run(made, words("march campaign/model.toml --release 1:250um --duration 2s --sampling-rate "
-                      "2048Hz --no-error-estimate --out march.csv --quiet"))
+      run(model, words("march campaign/model.toml --release 1:250um --duration 2s --sampling-rate "
+                       "2048Hz --no-error-estimate --out march.csv --quiet"))
           .files.at("march.csv");
   // The last row is off the raster.
-  all["released.csv"] = marched.substr(0, marched.rfind('\n', marched.size() - 2) + 1);
+  all["decaying.csv"] = marched.substr(0, marched.rfind('\n', marched.size() - 2) + 1);
   all["loops.csv"] =
-      edited(edited(all["released.csv"], "contact displacement -> u"), "contact force -> f");
-  all["bare_released.csv"] =
-      std::regex_replace(all["released.csv"], std::regex(" \\[[^\\]]*\\]"), "");
-  all["cut_released.uff"] =
-      run(all, words("convert released.csv cut.uff --quiet")).files.at("cut.uff");
-  all["cut_released.uff"].resize(all["cut_released.uff"].size() * 7 / 8);
+      edited(edited(all["decaying.csv"], "contact displacement -> u"), "contact force -> f");
+  all["bare_decaying.csv"] =
+      std::regex_replace(all["decaying.csv"], std::regex(" \\[[^\\]]*\\]"), "");
+  all["cut_decaying.uff"] =
+      run(all, words("convert decaying.csv cut.uff --quiet")).files.at("cut.uff");
+  all["cut_decaying.uff"].resize(all["cut_decaying.uff"].size() * 7 / 8);
   const std::string kinds = all.at("kinds.toml");
-  all["bare_kinds.toml"] = edited(kinds, "released.csv -> bare_released.csv");
-  all["cut_kinds.toml"] = edited(kinds, "released.csv -> cut_released.uff");
+  all["bare_kinds.toml"] = edited(kinds, "decaying.csv -> bare_decaying.csv");
+  all["cut_kinds.toml"] = edited(kinds, "decaying.csv -> cut_decaying.uff");
   all["second_mode.toml"] = edited(kinds, "use = \"both\" -> use = \"predict\"");
   all["swept_kind.toml"] =
       edited(all.at("campaign.toml"), "use = \"predict\" -> use = \"predict\"\nkind = \"sweep\"");

@@ -387,8 +387,10 @@ class CampaignWork {
     for (std::size_t t = 0; t < plan_.tests.size(); ++t) {
       if (!plan_.tests[t].predicted()) continue;
       const ModelFile model = model_of(nominal, all.sessions, plan_.tests[t].session);
-      const ReadTest read =
-          read_test(plan_.tests[t].file, &model, "model.toml", campaign_reading(plan_.tests[t]));
+      const ReadTest read = of_campaign_test(plan_.tests[t], [&] {
+        return read_test(plan_.tests[t].file, &model, "model.toml",
+                         campaign_reading(plan_.tests[t]));
+      });
       for (const Warning& warning : read.warnings) {
         all.warnings.push_back(
             {warning.code, fmt::format("{}: {}", plan_.tests[t].name, warning.text)});

@@ -84,7 +84,8 @@ NamedInput levels_of_test(const CampaignFile& campaign, std::size_t number, cons
                           CampaignLevels& all) {
   const CampaignTest& test = campaign.tests[number];
   if (is_levels_table(test.file)) return {test.file, read_file(test.file)};
-  ReducedCampaignTest reduced = reduce_campaign_test(campaign, test, command, progress);
+  ReducedCampaignTest reduced = of_campaign_test(
+      test, [&] { return reduce_campaign_test(campaign, test, command, progress); });
   const std::string path = levels_path(out, test);
   all.tables.push_back({path, kLevelsKind, std::move(reduced.text)});
   all.converged = all.converged && reduced.converged;

@@ -215,13 +215,12 @@ void flag_modulated(const RingDownLevels& modal, RingDownLevels& levels) {
   }
 }
 
-RingDownLevels joint_levels(const CampaignFile& campaign, const CampaignTest& test,
-                            const ModalDecay& mode, const StickState& state,
-                            std::span<const double> sensor) {
+RingDownLevels joint_levels(const CampaignFile& campaign, const ModalDecay& mode,
+                            const StickState& state, std::span<const double> sensor) {
   RingDownLevels levels = levels_of(mode.decay, {.modal_mass = 1.0});
   bring_to_joint(state, sensor, campaign.stiffness, levels);
   if (levels.amplitude.empty()) {
-    throw InputError(title_of(test), fmt::format("a loss factor of {:.3g}", state.loss_factor[0]),
+    throw InputError("levels", fmt::format("a loss factor of {:.3g}", state.loss_factor[0]),
                      "must leave some loss to the joint, and exceeds all that was measured",
                      fmt::format("Check [damping] of {}.", campaign.structure));
   }
@@ -245,7 +244,7 @@ ReducedCampaignTest reduce_decay_of(const CampaignFile& campaign, const Campaign
   const std::vector<PointSensor> sensors = point_sensors(test.sensors, model, campaign.structure);
   const std::span<const double> sensor =
       model.structure.linear().shape(point_of(mode.decay.sensors.front().name, sensors));
-  RingDownLevels levels = joint_levels(campaign, test, mode, state, sensor);
+  RingDownLevels levels = joint_levels(campaign, mode, state, sensor);
   ReducedCampaignTest reduced{.warnings = std::move(found.warnings),
                               .converged = found.converged()};
   // Levels are those of the joint, in the shape that the mode has at its frequency.

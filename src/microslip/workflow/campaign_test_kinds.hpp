@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "microslip/base/error.hpp"
 #include "microslip/base/progress.hpp"
 #include "microslip/base/summary.hpp"
 #include "microslip/io/campaign_file.hpp"
@@ -47,6 +48,18 @@ struct ReducedCampaignTest {
                                                        const CampaignTest& test,
                                                        const std::string& command,
                                                        const Progress& progress);
+
+/// What is wrong with a test names it: "test 'blow': sensor acc1=tip", without the marks of an option.
+template <typename Call>
+auto of_campaign_test(const CampaignTest& test, const Call& call) {
+  try {
+    return call();
+  } catch (const InputError& error) {
+    std::string name(error.name());
+    std::erase(name, '`');
+    throw error.renamed("test '" + test.name + "': " + name);
+  }
+}
 
 /// How a test is read to be predicted.
 [[nodiscard]] TestReading campaign_reading(const CampaignTest& test);
