@@ -39,8 +39,8 @@ void check_options(const HarmonicBalanceOptions& o, const JointedStructure& stru
   require(o.tolerance >= 1e-14 && o.tolerance <= 1e-4, "tolerance", o.tolerance,
           "must be from 1e-14 to 1e-4");
   require(o.max_iterations >= 2, "max_iterations", o.max_iterations, "must be at least 2");
-  require(o.largest_change > 0.0 && o.largest_change <= 1.0, "largest_change", o.largest_change,
-          "must be above 0 and at most 1");
+  require(o.largest_change >= 1e-6 && o.largest_change <= 1.0, "largest_change", o.largest_change,
+          "must be from 1e-6 to 1");
   require(o.least_points >= 1, "least_points", o.least_points, "must be at least 1");
   require(o.max_points >= 2, "max_points", o.max_points, "must be at least 2");
   require(o.accuracy == 0.0 || (o.accuracy >= 1e-6 && o.accuracy <= 1.0), "accuracy", o.accuracy,

@@ -511,7 +511,7 @@ typedef struct microslip_frf_options {
   size_t samples;              /**< of a cycle for the forces of joints; from 2H + 2; 256 */
   double tolerance;            /**< largest residual, relative, 1; 1e-14 to 1e-4; 1e-12 */
   int max_iterations;          /**< evaluations that one solution may take; ≥ 2; 40 */
-  double largest_change;       /**< from a point to the next, relative, 1; in (0, 1]; 0.2 */
+  double largest_change;       /**< from a point to the next, relative, 1; 1e-6 to 1; 0.2 */
   int least_points;            /**< of a curve; ≥ 1; 20 */
   int max_points;              /**< of a curve; ≥ 2; 5000 */
   double accuracy;             /**< how far the polygon may lie beside the curve, 1; 0 or more; 0.002 */
