@@ -203,7 +203,7 @@ TEST(verifyTests, RefusesOptionsThatNoTestUses) {
 // A file of this program in the place of another is told as what it is.
 TEST(verifyTests, TellsWhichFileStandsInThePlaceOfAnother) {
   const Sandbox box = laboratory();
-  box.put("rig.toml", kRig);
+  box.put("rig.toml", test::kLapRig);
   box.put("sweep.csv",
           "frequency [Hz],force [N],acceleration [m/s^2],phase [rad]\n"
           "79.5,1,10,0.3\n79.9,1,50,1.5\n80.3,1,12,2.8\n");
