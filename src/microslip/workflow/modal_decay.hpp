@@ -18,8 +18,8 @@
 namespace microslip {
 
 // Codes of flags and warnings.
-inline constexpr std::string_view kModesModulate = "modes_modulate";
-inline constexpr std::string_view kShapeAssumed = "shape_assumed";
+inline constexpr std::string_view kModesModulate = "modes_modulate";  ///< modes modulate each other
+inline constexpr std::string_view kShapeAssumed = "shape_assumed";  ///< not seen by enough sensors
 
 /// What is to be reduced, and how.
 struct ModalDecayReduction {
