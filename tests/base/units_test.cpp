@@ -166,7 +166,7 @@ TEST(Units, MessagesNameTheUnitTheRuleAndTheRemedy) {
             "m, mm, um (µm), nm, cm, in, ft, mil.");
   EXPECT_EQ(message("rad/s", kFrequency),
             "unit = 'rad/s'; must be a unit of frequency and is one of angular frequency. "
-            "Units that fit: Hz, kHz; 1 Hz is 2 pi rad/s.");
+            "Units that fit: Hz, kHz. 1 Hz is 2 pi rad/s.");
   EXPECT_EQ(message("m", kLength), "no error");
 }
 

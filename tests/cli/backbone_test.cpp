@@ -233,7 +233,7 @@ TEST(backbone, ShowsProgressOnANarrowTerminalToo) {
 
 TEST(backbone, EndsOnInterrupt) {
   const Sandbox box = one_mass();
-  expect_interruptible(box, backbone({"--response", "10mm:2:1000000:log"}));
+  expect_interruptible(box, backbone({"--response", "10mm:2:300000:log"}));
 }
 
 }  // namespace

@@ -302,14 +302,14 @@ TEST(tested_modes, OfChannelsRefuseByName) {
   refused(all_channels("unit = \"m/N\"\n"), csv, "must have no unit where one is assumed");
   refused(all_channels("unit = \"parsec\"\n"), csv, "must be the unit of a motion over a force");
   refused(all_channels("weight = 1\n"), csv, "unknown key 'weight'");
-  refused("length_unit = \"mm\"\n", csv, "length_unit beside a universal file");
+  refused("length_unit = \"mm\"\n", csv, "test.length_unit is given");
   refused(channel_table(2, "z"), "time [s],H1 [m]\n0,1\n1,2\n", "'H2'");
   refused(channel_table(1, "z"), "time [s],H1 [m/N]\n0,1\n1,2\n", "must be complex");
   refused(channel_table(1, "z"), "time [s],H1.real [m/N],H1.imag [m/N]\n0,1,1\n1,2,1\n",
           "must be over frequency");
   refused(channel_table(1, "q"), csv, "direction");
   expect_refused(sandbox(naming("frf.uff", channel_table(1, "z")), responses()), kModes,
-                 {"response beside a file that is not universal"});
+                 {"test.response is given"});
   expect_refused(sandbox(naming("none.csv"), responses()), kModes, {"none.csv"});
 }
 
@@ -335,7 +335,7 @@ TEST(tested_modes, RefuseByName) {
   refused("\"frf.uff\"", "\"no.uff\"", "test.frfs: no.uff: cannot be read");
   refused("\"frf.uff\"\n", "\"frf.uff\"\nband_Hz = [60.0, 5.0]\n", "test.band_Hz");
   refused("\"frf.uff\"\n", "\"frf.uff\"\nband_Hz = [200.0, 300.0]\n", "lines in the band");
-  refused("\"frf.uff\"\n", "\"frf.uff\"\nmodal_mass_kg = [1.0]\n", "modal_mass_kg beside shapes");
+  refused("\"frf.uff\"\n", "\"frf.uff\"\nmodal_mass_kg = [1.0]\n", "test.modal_mass_kg is given");
   refused("\"frf.uff\"\n", "\"frf.uff\"\ndamping = \"none\"\n", "must be viscous or hysteretic");
   refused("\"frf.uff\"\n", "\"frf.uff\"\nstart_frequency_Hz = [0.0]\n", "must be above 0");
   refused("\"frf.uff\"\n", "\"frf.uff\"\nstart_frequency_Hz = [300.0]\n", "must be within");
@@ -357,7 +357,7 @@ TEST(tested_modes, OfShapesRefuseByName) {
   refused(test::replaced(kShapes, "\"frf.uff\"\n", "\"frf.uff\"\nmodal_mass_kg = [1.0]\n"),
           shapes(si), "modal_mass_kg = 1 values; must be 3");
   refused(test::replaced(kShapes, "\"frf.uff\"\n", "\"frf.uff\"\nband_Hz = [1.0, 2.0]\n"),
-          shapes(si), "band_Hz beside frfs");
+          shapes(si), "test.band_Hz is given");
 }
 
 }  // namespace

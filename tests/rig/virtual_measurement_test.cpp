@@ -292,7 +292,7 @@ TEST(VirtualMeasurement, RefusesATestThatCannotBe) {
   rig.test->duration = 0.05;
   EXPECT_EQ(message(rig),
             "test.duration = 0.05; must be at least 0.0538: 3 cycles of the stuck resonance, 55.8 "
-            "Hz");
+            "Hz. Record longer, or check the units of the beam.");
   rig = reference_rig();
   rig.test->frequency_resolution = 1000.0;
   EXPECT_EQ(message(rig),

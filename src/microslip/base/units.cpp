@@ -63,7 +63,7 @@ constexpr std::array kQuantities{
     Quantity{kMass, "mass", "kg, t, lb"},
     Quantity{kTime, "time", "s, ms, us"},
     Quantity{kAngle, "angle", "rad, deg"},
-    Quantity{kFrequency, "frequency", "Hz, kHz; 1 Hz is 2 pi rad/s"},
+    Quantity{kFrequency, "frequency", "Hz, kHz"},
     Quantity{kAngularFrequency, "angular frequency", "rad/s"},
     Quantity{kVelocity, "velocity", "m/s, mm/s, um/s, in/s"},
     Quantity{kAcceleration, "acceleration", "m/s^2, mm/s^2, g, mg, in/s^2, ft/s^2"},
@@ -279,9 +279,10 @@ Unit parse_unit(std::string_view text, const Dimension& expected) {
   const std::optional<Unit> unit = find_unit(text);
   if (!unit) throw InputError("unit", shown, rule + " and is not known", remedy);
   if (unit->dimension != expected) {
+    const bool is_angular = expected == kFrequency && unit->dimension == kAngularFrequency;
     throw InputError("unit", shown,
                      fmt::format("{} and is one of {}", rule, dimension_name(unit->dimension)),
-                     remedy);
+                     remedy + (is_angular ? " 1 Hz is 2 pi rad/s." : ""));
   }
   return *unit;
 }

@@ -87,6 +87,9 @@ struct Continuation::Bridge {
     if (around.before != nullptr) add(around.before, around.before->onward);
     if (around.after != nullptr) add(around.after, around.after->arrival);
     VectorXd closer = hermite_value(knots, t);
+    // A force that is kept is kept to its last digit.
+    const Index force = z.size() - 1;
+    if (from.z[force] == to.z[force]) closer[force] = z[force];
     const double off = (closer - z).cwiseQuotient(from.scale).norm();
     return off <= kMostOff * length ? closer : z;
   }

@@ -49,9 +49,13 @@ double chosen_step(const JointedStructure& structure, const LoadHistory& loads,
 
 void check_step(double step, const std::vector<double>& time) {
   const double length = time.back() - time.front();
-  check_steps("steps of the march", length / step,
-              fmt::format("{:.4g} s in steps of {:.4g} s", length, step),
-              "Is the time in its unit? March over less of it, or take longer steps by `step`.");
+  if (length / step <= kMostTimeSteps) return;
+  throw InputError(
+      "step", step,
+      fmt::format("must be at least {:.9g} s: the time axis is {:.4g} s long, and {:.0e} "
+                  "steps take an hour or more",
+                  length / kMostTimeSteps, length, kMostTimeSteps),
+      "Is the time in its unit? March over less of it, or take longer steps.");
 }
 
 /// Peak and ∫ x² dt of signals, by the trapezium rule over times that need not be equally far apart.

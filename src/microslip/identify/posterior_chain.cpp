@@ -123,8 +123,22 @@ bool PosteriorChain::moves_along(double log_ratio, RandomStream& random) {
 }
 
 Eigen::MatrixXd PosteriorChain::whole_hessian() const {
+  const Smoothing& first = smoothing_.front();
+  return hessian_with(first, first.lambda, first.roughness);
+}
+
+// A sum, not the present one less what goes: of a λ many decades above the new one rounding would
+// be left, which is not definite.
+Eigen::MatrixXd PosteriorChain::hessian_with(const Smoothing& own, double lambda,
+                                             const Eigen::MatrixXd& roughness) const {
   Eigen::MatrixXd sum = hessian_;
-  for (const Smoothing& smoothing : smoothing_) sum += smoothing.lambda * smoothing.roughness;
+  for (const Smoothing& smoothing : smoothing_) {
+    if (&smoothing == &own) {
+      sum += lambda * roughness;
+    } else {
+      sum += smoothing.lambda * smoothing.roughness;
+    }
+  }
   return sum;
 }
 
@@ -133,7 +147,7 @@ void PosteriorChain::move_with_lambda(Smoothing& smoothing, RandomStream& random
   const double step = 0.5 * std::tan(std::numbers::pi * (random.uniform() - 0.5));
   const double lambda = smoothing.lambda * std::exp(step);
   if (!(lambda >= smoothing.block.least_lambda && lambda <= smoothing.block.most_lambda)) return;
-  moved_.set(whole_hessian() + (lambda - smoothing.lambda) * smoothing.roughness, linear_);
+  moved_.set(hessian_with(smoothing, lambda, smoothing.roughness), linear_);
   const double rank = static_cast<double>(smoothing.block.rows);
   if (moves_along(0.5 * rank * std::log(lambda / smoothing.lambda), random)) {
     smoothing.lambda = lambda;
@@ -143,7 +157,7 @@ void PosteriorChain::move_with_lambda(Smoothing& smoothing, RandomStream& random
 void PosteriorChain::move_with_local(Smoothing& smoothing, RandomStream& random) {
   LocalSmoothing local = smoothing.local.proposed(random);
   Eigen::MatrixXd rough = roughness(smoothing, local);
-  moved_.set(whole_hessian() + smoothing.lambda * (rough - smoothing.roughness), linear_);
+  moved_.set(hessian_with(smoothing, smoothing.lambda, rough), linear_);
   if (!moves_along(0.0, random)) return;  // the mean of ln l is 0
   smoothing.local = std::move(local);
   smoothing.roughness = std::move(rough);

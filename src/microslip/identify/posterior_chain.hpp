@@ -129,6 +129,8 @@ class PosteriorChain {
                                           const LocalSmoothing& local) const;
   [[nodiscard]] Eigen::VectorXd bends(const Smoothing& smoothing) const;
   [[nodiscard]] Eigen::MatrixXd whole_hessian() const;
+  [[nodiscard]] Eigen::MatrixXd hessian_with(const Smoothing& own, double lambda,
+                                             const Eigen::MatrixXd& roughness) const;
   void draw_lambda(Smoothing& smoothing, RandomStream& random);
   void draw_scales(RandomStream& random);
   void draw_local(Smoothing& smoothing, RandomStream& random);

@@ -92,6 +92,13 @@ std::string describe_damping(const ModelFile& model) {
 
 namespace {
 
+/// Whether a joint that nobody measured may be one without units, as of a textbook, which moves by
+/// metres: none is moved by a thousand times the displacement at which all of it has slipped.
+bool may_lack_units(const Joint& joint, double amplitude) {
+  constexpr double kFar = 1e3;
+  return amplitude < kFar * joint.density().largest_slip_force() / joint.stiffness();
+}
+
 /// Of a joint that moves by this amplitude, m, and was identified up to kA, N.
 std::vector<Warning> reach_warnings(const Joint& joint, double amplitude,
                                     std::optional<double> covered_to) {
@@ -99,6 +106,7 @@ std::vector<Warning> reach_warnings(const Joint& joint, double amplitude,
   if (auto far = beyond_identification(joint, amplitude, covered_to)) {
     warnings.push_back(*std::move(far));
   }
+  if (!covered_to && may_lack_units(joint, amplitude)) return warnings;
   if (auto large = implausible_value("the joint", kLength, amplitude)) {
     warnings.push_back(*std::move(large));
   }
