@@ -88,6 +88,7 @@ void write_outputs(const VerifyOptions& options, const VerifiedRecordings& verif
 
 /// The joint and the recordings of a rig.
 void name_inputs(VerifyOptions& options) {
+  if (options.rig != "-") (void)read_kind_head(options.rig);  // it may be no rig, but missing
   options.joint = options.tests.front();
   options.recordings.assign(options.tests.begin() + 1, options.tests.end());
   const auto joint = std::ranges::find(options.recordings, kJointKind, kind_of_file);
@@ -102,7 +103,6 @@ void name_inputs(VerifyOptions& options) {
                      "A model.toml in place of the rig.toml takes sweeps and ring-downs.");
   }
   if (!options.recordings.empty()) return;
-  if (options.rig != "-") (void)read_kind_head(options.rig);  // it may be no rig, but missing
   throw InputError("recordings", InputState{"missing"},
                    "must be named behind rig.toml and joint.json",
                    "For instance: microslip verify rig.toml joint.json level_01.csv --out "

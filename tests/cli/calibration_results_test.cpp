@@ -68,7 +68,7 @@ TEST_F(calibration_results, TellWhatHalfOfAFolderLacks) {
   expect_texts(report("found"), {"no calibration.csv in this folder", "Slip-force densities"});
   std::filesystem::remove(box.file("found/identifiability.csv"));
   expect_refused(box, {"report", "found", "--out", "q.html"},
-                 {"what microslip calibrate writes", "microslip calibrate"});
+                 {"what microslip calibrate or campaign writes", "microslip calibrate"});
   // Levels of modes alone, under the name of levels of one joint.
   expect_texts(report("."), {"no joint was found from them yet", "Frequency"});
 }

@@ -32,6 +32,7 @@ struct Cells {
 
   explicit Cells(const std::string& text) {
     for (const std::string& line : lines_of(text)) {
+      if (line.starts_with('#')) comments += line + '\n';
       if (trimmed(line).empty() || line.starts_with('#')) continue;
       if (names.empty()) {
         header = parts(line, ",");
@@ -45,11 +46,12 @@ struct Cells {
     return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
   }
   [[nodiscard]] std::string text() const {
-    std::string result = fmt::format("{}\n", fmt::join(header, ","));
+    std::string result = fmt::format("{}{}\n", comments, fmt::join(header, ","));
     for (const auto& row : rows) result += fmt::format("{}\n", fmt::join(row, ","));
     return result;
   }
 
+  std::string comments;  // they come first
   std::vector<std::string> header;
 };
 

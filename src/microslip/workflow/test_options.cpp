@@ -119,7 +119,8 @@ void check_prediction_options(const TestsVerification& options, std::span<const 
   }
 }
 
-/// What a joint by itself has no use for, or a model, which says it itself.
+}  // namespace
+
 void check_predictor_options(const TestsVerification& options, bool alone) {
   constexpr std::string_view kLeave = "Leave it out.";
   if (alone && !options.joint.empty()) {
@@ -139,11 +140,7 @@ void check_predictor_options(const TestsVerification& options, bool alone) {
   }
 }
 
-}  // namespace
-
-void check_test_options(const TestsVerification& options, std::span<const ReadTest> read,
-                        bool alone) {
-  check_predictor_options(options, alone);
+void check_test_options(const TestsVerification& options, std::span<const ReadTest> read) {
   check_reading(options.reading, read);
   check_ring_down_options(options.reading, read);
   check_prediction_options(options, read);

@@ -17,13 +17,15 @@ namespace microslip {
 ///     channels, joint                      records of force and displacement; joint by a model
 ///     reading (assumed units, truncated)   recordings
 ///     harmonics, correlation               tests of the structure: sweeps and ring-downs
-///     uncertain                            a joint by itself: a model says in its file what is so
 ///
 /// @param options  of the call.
 /// @param read     its tests.
-/// @param alone    whether a joint by itself predicts.
 /// @throws InputError  naming the first that no test uses, what it is for, and what the tests are.
-void check_test_options(const TestsVerification& options, std::span<const ReadTest> read,
-                        bool alone);
+void check_test_options(const TestsVerification& options, std::span<const ReadTest> read);
+
+/// Whatever the tests are: a joint by itself has no use for the name of one, nor a model for what is
+/// uncertain, which it says in its file.
+/// @param alone  whether a joint by itself predicts. @throws InputError  naming the option.
+void check_predictor_options(const TestsVerification& options, bool alone);
 
 }  // namespace microslip

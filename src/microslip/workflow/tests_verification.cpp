@@ -409,10 +409,12 @@ VerifiedTests verify_tests(const TestsVerification& options, const std::string& 
     for (const std::string& path : options.tests) {
       read.push_back(read_test(path, model, options.model, options.reading));
     }
-    check_test_options(options, read, model == nullptr);
+    check_test_options(options, read);
     add_same_content(read, verified.warnings);
   };
-  if (file_kind(input.text) == kJointKind) {
+  const bool alone = file_kind(input.text) == kJointKind;
+  check_predictor_options(options, alone);
+  if (alone) {
     const JointPrediction prediction(options, input);
     read_all(nullptr);
     compare_all(prediction, read, options, verified);
