@@ -138,7 +138,9 @@ TEST_F(BrakeReuss, SweepsOfHeldForceLieAtTheEdgeOfTheBandOfTheOthers) {
     if (part[row] != "peak") continue;
     EXPECT_GE(std::stod(found[row]), 0.993 * std::stod(lower[row])) << quantity[row];
     EXPECT_LE(std::stod(found[row]), 1.007 * std::stod(upper[row])) << quantity[row];
-    if (quantity[row] == "frequency") EXPECT_EQ(verdict[row], "inside");
+    if (quantity[row] == "frequency") {
+      EXPECT_EQ(verdict[row], "inside");
+    }
     if (quantity[row] != "displacement") continue;
     outside += verdict[row] == "inside" ? 0 : 1;
     ASSERT_LT(peaks, amplitude.size());
