@@ -88,7 +88,9 @@ void write_outputs(const VerifyOptions& options, const VerifiedRecordings& verif
 
 /// The joint and the recordings of a rig.
 void name_inputs(VerifyOptions& options) {
-  if (options.rig != "-") (void)read_kind_head(options.rig);  // it may be no rig, but missing
+  const auto require_rig = [&] {  // it may be no rig, but missing
+    if (options.rig != "-") (void)read_kind_head(options.rig);
+  };
   options.joint = options.tests.front();
   options.recordings.assign(options.tests.begin() + 1, options.tests.end());
   const auto joint = std::ranges::find(options.recordings, kJointKind, kind_of_file);
@@ -98,11 +100,13 @@ void name_inputs(VerifyOptions& options) {
   }
   const KnownKind* const known = known_kind(kind_of_file(options.joint));
   if (known != nullptr && known->kind != kJointKind) {
+    require_rig();
     throw InputError(options.joint, known->words,
                      "must be a joint.json behind a rig.toml, and its records behind that",
                      "A model.toml in place of the rig.toml takes sweeps and ring-downs.");
   }
   if (!options.recordings.empty()) return;
+  require_rig();
   throw InputError("recordings", InputState{"missing"},
                    "must be named behind rig.toml and joint.json",
                    "For instance: microslip verify rig.toml joint.json level_01.csv --out "
