@@ -254,5 +254,14 @@ TEST(TomlInput, DotsAndBracketsInTextsAndCommentsAreFree) {
   EXPECT_EQ(TomlTable(content, "").numbers("d").size(), 1000U);
 }
 
+// Found by fuzzing: toml++ gives no double of them.
+TEST(TomlInput, RoundsWholeNumbersThatADoubleDoesNotHold) {
+  const toml::table table =
+      parse_toml("x = 8868759961067043\ny = [9007199254740993, -3]\n", "a.toml");
+  const TomlTable file(table, "a.toml");
+  EXPECT_EQ(file.number("x"), 8868759961067043.0);
+  EXPECT_EQ(file.numbers("y"), (std::vector<double>{9007199254740992.0, -3.0}));
+}
+
 }  // namespace
 }  // namespace microslip::toml_input_test

@@ -132,7 +132,9 @@ double TomlTable::number(std::string_view key) const {
 
 double TomlTable::number_of(const toml::node& node, std::string_view path) const {
   if (!node.is_number()) throw wrong(node, path, kNumber);
-  return *node.value<double>();
+  // value<double>() has none for whole numbers that a double rounds, above 2^53.
+  if (const auto* whole = node.as_integer()) return static_cast<double>(whole->get());
+  return node.as_floating_point()->get();
 }
 
 std::vector<double> TomlTable::numbers(std::string_view key) const {
