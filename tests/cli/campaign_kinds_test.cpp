@@ -117,6 +117,18 @@ double share_inside(const CsvTable& table) {
   return static_cast<double>(std::ranges::count(verdicts, "inside")) / static_cast<double>(said);
 }
 
+/// rms of what levels miss the dissipation of a joint by, over the sigma that they state, 1.
+double loss_over_sigma(const CsvTable& levels, const Joint& truth) {
+  const std::vector<double> amplitude = levels.numbers("amplitude", kLength);
+  const std::vector<double> loss = levels.numbers("dissipation", kEnergy);
+  const std::vector<double> sigma = levels.numbers("dissipation_std", kEnergy);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < amplitude.size(); ++i) {
+    sum += std::pow((loss[i] - dissipation(truth, amplitude[i])) / sigma[i], 2);
+  }
+  return std::sqrt(sum / static_cast<double>(amplitude.size()));
+}
+
 // The blow against the sweeps of the same structure: frequency and damping ratio over amplitude. By
 // the true joint they lie within the σ that the analysis of the decay states, rms below 1.5 of it; by
 // the joint that the campaign finds from eleven sweeps, at least 90 % in a band of 95 % that has the
@@ -177,15 +189,8 @@ TEST(campaignKinds, ABlowIdentifiesTheJoint) {
                                         one_test("swept", "predict")));
   const Outcome run = expect_done(box, kCall);
   const CsvTable levels = table(box, "found/blow_levels.csv");
-  const std::vector<double> amplitude = levels.numbers("amplitude", kLength);
-  const std::vector<double> loss = levels.numbers("dissipation", kEnergy);
-  const std::vector<double> sigma = levels.numbers("dissipation_std", kEnergy);
-  ASSERT_GE(amplitude.size(), 8U);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < amplitude.size(); ++i) {
-    sum += std::pow((loss[i] - dissipation(true_joint(), amplitude[i])) / sigma[i], 2);
-  }
-  EXPECT_LT(std::sqrt(sum / static_cast<double>(amplitude.size())), 1.5);
+  ASSERT_GE(levels.rows(), 8U);
+  EXPECT_LT(loss_over_sigma(levels, true_joint()), 1.5);
   const CsvTable all = table(box, "found/campaign.csv");
   const std::vector<std::string> parts = all.text("part");
   const auto peak = static_cast<std::size_t>(std::ranges::find(parts, "peak") - parts.begin());
@@ -235,15 +240,8 @@ TEST(campaignKinds, ABlowOfABeamKnowsHowItsShapeMoves) {
                          "1.7e5"));
   expect_done(box, kCall);
   const CsvTable levels = table(box, "found/blow_levels.csv");
-  const std::vector<double> amplitude = levels.numbers("amplitude", kLength);
-  const std::vector<double> loss = levels.numbers("dissipation", kEnergy);
-  const std::vector<double> sigma = levels.numbers("dissipation_std", kEnergy);
-  ASSERT_GE(amplitude.size(), 8U);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < amplitude.size(); ++i) {
-    sum += std::pow((loss[i] - dissipation(sample_joint(), amplitude[i])) / sigma[i], 2);
-  }
-  const double sigmas = std::sqrt(sum / static_cast<double>(amplitude.size()));
+  ASSERT_GE(levels.rows(), 8U);
+  const double sigmas = loss_over_sigma(levels, sample_joint());
   EXPECT_LT(sigmas, 1.5);
   test::record_largest("dissipation over sigma [1]", sigmas);
 }
