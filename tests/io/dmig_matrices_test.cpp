@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/io/dmig_matrices.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -195,6 +196,18 @@ TEST(DmigMatrices, NamesOfAnySortLeaveTheMessageALine) {
   EXPECT_EQ(message_of<InputError>([&] { return parse(text); }),
             "m.pch = 0 matrices M…; must have one whose name begins so, or be named behind a "
             "colon. It has KAAX, X??.");
+}
+
+// Found by scripts/fuzz: names of any length and number made messages of many lines' length.
+TEST(DmigMatrices, NamesLeaveTheMessageShort) {
+  EXPECT_EQ(message_of<FormatError>([] { parse("DMIG,ABCDEFGHIJKLMNOPQ,7,1,,7,1,4.,,\n"); }),
+            "m.pch:1:6: expected the name of a matrix, at most 16 bytes, found "
+            "'ABCDEFGHIJKLMNOPQ'");
+  std::string many;
+  for (int i = 0; i < 12; ++i) many += fmt::format("DMIG,X{:02},7,1,,7,1,2.,,\n", i);
+  EXPECT_EQ(message_of<InputError>([&] { parse(many); }),
+            "m.pch = 0 matrices K…; must have one whose name begins so, or be named behind a "
+            "colon. It has X00, X01, X02, X03, X04, X05, X06, X07, X08, X09 and 2 more.");
 }
 
 }  // namespace

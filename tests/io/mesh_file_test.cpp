@@ -54,6 +54,14 @@ TEST(MeshFile, FollowsFilesThatAreIncluded) {
             std::string::npos);
 }
 
+// Found by scripts/fuzz: the message held all of a name of thousands of bytes.
+TEST(MeshFile, NamesOfFilesLeaveTheMessageShort) {
+  const std::string name(257, 'x');
+  EXPECT_EQ(message_of<FormatError>([&] { mesh_of("*INCLUDE, INPUT=" + name + "\n"); }),
+            "mesh:1: expected a name of at most 256 bytes, found '" + name.substr(0, 40) +
+                "…' (257 bytes)");
+}
+
 TEST(MeshFile, ReadsUniversalFiles) {
   const std::string label = "        12         0         0        11";
   const MeshFile short_form =

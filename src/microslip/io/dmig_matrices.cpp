@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <ranges>
 #include <set>
 #include <utility>
 #include <vector>
@@ -27,6 +28,9 @@ constexpr std::int64_t kSquare = 1;
 constexpr std::int64_t kSymmetric = 6;
 constexpr std::size_t kColumnsField = 7;  // NCOL of a header
 constexpr std::size_t kHeadFields = 3;    // of a column: name, point and component come before
+constexpr std::size_t kLongestName =
+    16;  // the wide field's; that of eight columns has shorter ones
+constexpr std::size_t kNamesShown = 10;
 
 /// An entry as the file has it.
 struct DmigEntry {
@@ -98,7 +102,13 @@ class DmigFile {
 
  private:
   void take(const BulkData& data) {
-    const std::string name = in_capitals(data.field(0).text);
+    const BulkData::Field field = data.field(0);
+    if (field.text.size() > kLongestName) {
+      throw FormatError(data.place(field),
+                        fmt::format("the name of a matrix, at most {} bytes", kLongestName),
+                        in_quotes(field.text));
+    }
+    const std::string name = in_capitals(field.text);
     if (!wanted(name)) {
       others_.insert(name);
       return;
@@ -159,7 +169,11 @@ class DmigFile {
       names.insert(is_square(matrix) ? name : fmt::format("{} ({})", name, form_text(matrix)));
     }
     std::string there;
-    for (const std::string& name : names) there += (there.empty() ? "" : ", ") + name;
+    for (const std::string& name : names | std::views::take(kNamesShown)) {
+      there += (there.empty() ? "" : ", ") + name;
+    }
+    if (names.size() > kNamesShown)
+      there += fmt::format(" and {} more", names.size() - kNamesShown);
     throw InputError(source_.file,
                      source_.name.empty() ? fmt::format("{} matrices {}…", found, source_.initial)
                                           : fmt::format("no matrix {}", source_.name),

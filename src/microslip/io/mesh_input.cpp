@@ -21,6 +21,8 @@ namespace microslip {
 namespace {
 
 constexpr int kDeepestInclude = 16;
+/// Longer lines are none of the format; the name goes into messages.
+constexpr std::size_t kLongestInclude = 256;
 /// Of GENERATE: no mesh that is taken has more nodes.
 constexpr std::int64_t kMostGenerated = static_cast<std::int64_t>(kMostDegreesOfFreedom);
 
@@ -121,6 +123,10 @@ class InputReader {
 
   void include_file(const std::string& include, const TextPlace& place, int depth) {
     if (include.empty()) throw FormatError(place, "*INCLUDE, INPUT=FILE", "no file");
+    if (include.size() > kLongestInclude) {
+      throw FormatError(place, fmt::format("a name of at most {} bytes", kLongestInclude),
+                        in_quotes(include));
+    }
     if (depth == kDeepestInclude) {
       throw InputError(fmt::format("{}: INPUT", place_text(place)), in_quotes(include),
                        fmt::format("must not be the {}th file within another", depth + 1),
