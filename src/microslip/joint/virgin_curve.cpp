@@ -11,7 +11,6 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/vector_clones.hpp"
-#include "microslip/joint/power_law.hpp"
 
 namespace microslip {
 namespace {
@@ -112,7 +111,7 @@ void VirginCurve::find_buckets(std::size_t n, const double* s, const Lookup& fin
 
 double VirginCurve::power_law_deficit(double s) const {
   double sum = 0.0;
-  for (const PowerLawPart& part : power_laws_) sum += power_law_force_deficit(part, s);
+  for (const PowerLawCurve& part : power_laws_) sum += part.slip(s).force_deficit;
   return sum;
 }
 
@@ -120,22 +119,22 @@ double VirginCurve::slope(double s) const {
   const Lookup find = lookup();
   s = std::max(s, 0.0);
   double slope = linear_slope(find.cubic(s, find.bucket(s)), s);
-  for (const PowerLawPart& part : power_laws_) slope -= power_law_weight(part, s);
+  for (const PowerLawCurve& part : power_laws_) slope -= part.slip(s).weight;
   return std::clamp(slope, 0.0, 1.0);
 }
 
 VirginCurve::Response VirginCurve::response(double s) const {
   const Lookup find = lookup();
   s = std::max(s, 0.0);
-  const Cubic& c = find.cubic(s, find.bucket(s));
-  double slope = linear_slope(c, s);
+  const Cubic& cubic = find.cubic(s, find.bucket(s));
+  double slope = linear_slope(cubic, s);
   double deficit = 0.0;
-  for (const PowerLawPart& part : power_laws_) {
-    const PowerLawSlip slip = power_law_slip(part, s);
+  for (const PowerLawCurve& part : power_laws_) {
+    const PowerLawSlip slip = part.slip(s);
     slope -= slip.weight;
     deficit += slip.force_deficit;
   }
-  return {linear_force(c, s) - deficit, std::clamp(slope, 0.0, 1.0)};
+  return {linear_force(cubic, s) - deficit, std::clamp(slope, 0.0, 1.0)};
 }
 
 }  // namespace microslip

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "microslip/joint/density.hpp"
+#include "microslip/joint/power_law_curve.hpp"
 
 namespace microslip {
 
@@ -122,7 +123,7 @@ class VirginCurve {
   double buckets_per_newton_ = 0.0;
   double last_bucket_ = 0.0;
   bool crowded_ = false;  // some bucket holds more than one knot
-  std::vector<PowerLawPart> power_laws_;
+  std::vector<PowerLawCurve> power_laws_;
 };
 
 }  // namespace microslip
