@@ -137,7 +137,7 @@ Fewest faster_steps(const Marching& march, Fewest fewest) {
 
 /// Counters: the time of rk4 over that of march(), compiled plainly and for this processor; steps
 /// from sample to sample and errors of both, each against itself with steps kFiner times shorter;
-/// what 100 sliders leave of the density; time of a step.
+/// the energy balance of march(); what 100 sliders leave of the density; time of a step.
 /// @param state  modes, joints and samples of the force a second.
 void march_against_rk4(benchmark::State& state) {
   const JointedStructure structure = friction_rod(static_cast<std::size_t>(state.range(0)),
@@ -184,6 +184,7 @@ void march_against_rk4(benchmark::State& state) {
   counted("rk4_error", of_rk4.error);
   counted("march_steps", static_cast<double>(of_march.steps));
   counted("march_error", of_march.error);
+  counted("march_imbalance", march(structure, loads, options(of_march.steps)).energy.imbalance());
   counted("sliders_error", largest_error(of_rk4.exact, of_march.exact));
   const double all = kSeconds * rate * static_cast<double>(state.iterations());
   counted("rk4_ns_a_step", 1e9 * rk4_seconds / (all * static_cast<double>(of_rk4.steps)));

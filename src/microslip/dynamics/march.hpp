@@ -108,8 +108,9 @@ struct JointEnergy {
 ///                       + Σ_joints (stored + dissipation + its own linear dissipation)
 ///
 /// Each by itself, never as the rest of the others: the work of the forces ∫ f ẇ dt and Σ η_i ω_i ∫
-/// q̇_i² dt by quadrature of fourth order over the states at the ends of the steps; the joints from
-/// the displacements at which they turned. So the imbalance measures the error of the integration.
+/// q̇_i² dt by quadrature, with velocities inside of the steps or, where steps are cut, of fourth
+/// order over the states at the ends of the pieces; the joints from the displacements at which they
+/// turned. So the imbalance measures the error of the integration.
 ///
 /// For a joint whose normal load varies stored and lost energy cannot be told apart from the work
 /// of the load; its `dissipation` then holds ∫ F du, `stored` ½cF² alone.

@@ -57,11 +57,11 @@ bool MarchState::step(const StepWeights& weights) {
       interpolate(next.share, piece);
       piece *= next.share;
       if (!solve_piece(piece, weights)) continue;
-      accept(piece);
+      accept(piece, Quadrature::kEnds);
       change(next);
       ++changes;
     } else {
-      accept(piece);
+      accept(piece, Quadrature::kEnds);
     }
     pass_kinks();
     left -= piece;
@@ -75,7 +75,7 @@ bool MarchState::step_over_knots(const StepWeights& weights) {
   if (weights.length() > longest_over_knots_) return false;
   extrapolate(weights.length());
   if (!solve(weights, couplings_, Knots::kAllowed)) return false;
-  accept(weights.length());
+  accept(weights.length(), Quadrature::kInner);
   pass_kinks();
   return true;
 }
@@ -86,17 +86,30 @@ bool MarchState::solve_piece(double length, const StepWeights& whole) {
   return solve(cut_, cut_couplings_, Knots::kNone);
 }
 
-void MarchState::accept(double length) {
+/// Over a step that was solved. Inner points of a piece of a step would take weights of its own.
+void MarchState::add_energies(double length, Quadrature quadrature) {
+  const march_loops::State from{q_.data(), v_.data(), load_.data(), load_slope_.data(),
+                                loads_.force.data()};
+  const march_loops::State to{end_q_.data(), end_v_.data(), end_load_.data(),
+                              end_load_slope_.data(), end_force_.data()};
+  march_loops::Energies added{};
+  if (quadrature == Quadrature::kInner) {
+    quadrature_.set_length(length);
+    added = march_loops::inner_energies(groups_, length, quadrature_.data(), damping_.data(), from,
+                                        to, loads_.slope.data(), end_load_middle_.data());
+  } else {
+    added = march_loops::step_energies(groups_, length, stiffness_.data(), damping_.data(), from,
+                                       to, loads_.slope.data());
+  }
+  input_ += added.input;
+  loss_ += added.loss;
+}
+
+void MarchState::accept(double length, Quadrature quadrature) {
   for (std::size_t i = 0; i < end_force_.size(); ++i) {
     end_force_[i] = loads_.force[i] + length * loads_.slope[i];
   }
-  const auto [input, loss] = march_loops::step_energies(
-      groups_, length, stiffness_.data(), damping_.data(),
-      {q_.data(), v_.data(), load_.data(), load_slope_.data(), loads_.force.data()},
-      {end_q_.data(), end_v_.data(), end_load_.data(), end_load_slope_.data(), end_force_.data()},
-      loads_.slope.data());
-  input_ += input;
-  loss_ += loss;
+  add_energies(length, quadrature);
   std::swap(q_, end_q_);
   std::swap(v_, end_v_);
   std::swap(load_, end_load_);

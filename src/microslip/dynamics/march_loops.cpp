@@ -4,6 +4,7 @@
 #include "microslip/base/vector_clones.hpp"
 #include "microslip/dynamics/march_weights.hpp"
 #include "microslip/dynamics/step_knots.hpp"
+#include "microslip/dynamics/step_quadrature.hpp"
 
 namespace microslip::march_loops {
 namespace {
@@ -30,12 +31,15 @@ void predict(std::size_t groups, const double* weights, double length, const Sta
       const double load = s.joint_load[i] + s.force[i];
       const double load_slope = s.joint_slope[i] + slope[i];
       const double end = s.force[i] + length * slope[i];
-      q[i] = w[W::kE11 * kLanes + j] * s.displacement[i] + w[W::kE12 * kLanes + j] * s.velocity[i] +
-             w[W::kA0 * kLanes + j] * load + w[W::kB0 * kLanes + j] * load_slope +
-             w[W::kA1 * kLanes + j] * end + w[W::kB1 * kLanes + j] * slope[i];
-      v[i] = w[W::kE21 * kLanes + j] * s.displacement[i] + w[W::kE22 * kLanes + j] * s.velocity[i] +
-             w[W::kC0 * kLanes + j] * load + w[W::kD0 * kLanes + j] * load_slope +
-             w[W::kC1 * kLanes + j] * end + w[W::kD1 * kLanes + j] * slope[i];
+      // Pairs, which do not wait for each other.
+      q[i] =
+          ((w[W::kE11 * kLanes + j] * s.displacement[i] + w[W::kE12 * kLanes + j] * s.velocity[i]) +
+           (w[W::kA0 * kLanes + j] * load + w[W::kB0 * kLanes + j] * load_slope)) +
+          (w[W::kA1 * kLanes + j] * end + w[W::kB1 * kLanes + j] * slope[i]);
+      v[i] =
+          ((w[W::kE21 * kLanes + j] * s.displacement[i] + w[W::kE22 * kLanes + j] * s.velocity[i]) +
+           (w[W::kC0 * kLanes + j] * load + w[W::kD0 * kLanes + j] * load_slope)) +
+          (w[W::kC1 * kLanes + j] * end + w[W::kD1 * kLanes + j] * slope[i]);
     }
   }
 }
@@ -198,13 +202,13 @@ void move_slides(std::size_t groups, const double* coupling, double r, double r_
 }
 
 MICROSLIP_VECTOR_CLONES
-void move_slides_by_knots(std::size_t groups, const double* coupling, const double* moments,
-                          double* slide, double* slide_dot) {
+void move_slides_by_knots(std::size_t groups, const double* coupling,
+                          std::span<const double> moments, double* slide, double* slide_dot) {
   const std::size_t lanes = groups * kLanes;
   for (std::size_t group = 0; group < groups; ++group) {
     double sum[kLanes] = {};
     double sum_dot[kLanes] = {};
-    for (std::size_t m = 0; m < kKnotTerms; ++m) {
+    for (std::size_t m = 0; m < moments.size(); ++m) {
       const double* by = coupling + m * KnotWeights::kKinds * lanes + group * kLanes;
       const double moment = moments[m];
 #pragma omp simd
@@ -223,11 +227,11 @@ void move_slides_by_knots(std::size_t groups, const double* coupling, const doub
 
 MICROSLIP_VECTOR_CLONES
 void add_knots(std::size_t groups, const double* weights, const double* shape,
-               const double* moments, double* q, double* v) {
+               std::span<const double> moments, double* q, double* v) {
   for (std::size_t group = 0; group < groups; ++group) {
     double q_sum[kLanes] = {};
     double v_sum[kLanes] = {};
-    for (std::size_t m = 0; m < kKnotTerms; ++m) {
+    for (std::size_t m = 0; m < moments.size(); ++m) {
       const double* w = weights + (group * kKnotTerms + m) * KnotWeights::kKinds * kLanes;
       const double moment = moments[m];
 #pragma omp simd
@@ -260,6 +264,54 @@ void couple_knots(std::size_t groups, const double* weights, const double* shape
     }
     coupling[w] = sum_of(lanes);
   }
+}
+
+MICROSLIP_VECTOR_CLONES
+Energies inner_energies(std::size_t groups, double length, const double* weights,
+                        const double* damping, const State& from, const State& to,
+                        const double* slope, const double* middle) {
+  using Q = StepQuadrature;
+  const State a = from;
+  const State b = to;
+  double input[kLanes] = {};
+  double loss[kLanes] = {};
+  for (std::size_t group = 0; group < groups; ++group) {
+    const double* w = weights + group * kInnerPoints * Q::kKinds * kLanes;
+    double work[kLanes];
+    double square[kLanes];
+#pragma omp simd
+    for (std::size_t j = 0; j < kLanes; ++j) {
+      const std::size_t i = group * kLanes + j;
+      const double v0 = a.velocity[i];
+      const double v1 = b.velocity[i];
+      work[j] = kEndWeight * (a.force[i] * v0 + b.force[i] * v1);
+      square[j] = kEndWeight * (v0 * v0 + v1 * v1);
+    }
+    for (std::size_t point = 0; point < kInnerPoints; ++point, w += Q::kKinds * kLanes) {
+      const double time = length * kInnerPoint[point];
+      const double weight = kInnerWeight[point];
+#pragma omp simd
+      for (std::size_t j = 0; j < kLanes; ++j) {
+        const std::size_t i = group * kLanes + j;
+        // Pairs, which do not wait for each other.
+        const double v = ((w[Q::kE21 * kLanes + j] * a.displacement[i] +
+                           w[Q::kE22 * kLanes + j] * a.velocity[i]) +
+                          (w[Q::kC0 * kLanes + j] * (a.joint_load[i] + a.force[i]) +
+                           w[Q::kD0 * kLanes + j] * (a.joint_slope[i] + slope[i]))) +
+                         ((w[Q::kC1 * kLanes + j] * (b.joint_load[i] + b.force[i]) +
+                           w[Q::kD1 * kLanes + j] * (b.joint_slope[i] + slope[i])) +
+                          w[Q::kCM * kLanes + j] * middle[i]);
+        work[j] += weight * v * (a.force[i] + time * slope[i]);
+        square[j] += weight * v * v;
+      }
+    }
+#pragma omp simd
+    for (std::size_t j = 0; j < kLanes; ++j) {
+      input[j] += length * work[j];
+      loss[j] += length * damping[group * kLanes + j] * square[j];
+    }
+  }
+  return {sum_of(input), sum_of(loss)};
 }
 
 MICROSLIP_VECTOR_CLONES

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 /// @file
 /// The loops over the modes of a march, in groups of kLanes (march_weights.hpp). Each lane has sums
@@ -79,13 +80,14 @@ void move_slides(std::size_t groups, const double* coupling, double r, double r_
                  double r_middle, double* slide, double* slide_dot);
 
 /// The same of its knots. @param coupling  [term][kind][joint].
-void move_slides_by_knots(std::size_t groups, const double* coupling, const double* moments,
-                          double* slide, double* slide_dot);
+/// @param moments  the first that count.
+void move_slides_by_knots(std::size_t groups, const double* coupling,
+                          std::span<const double> moments, double* slide, double* slide_dot);
 
 /// What knots of one joint add to q and q̇: −ψ_i Σ_m w_im M_m.
-/// @param weights  of KnotWeights. @param moments  kKnotTerms.
+/// @param weights  of KnotWeights. @param moments  the first that count, at most kKnotTerms.
 void add_knots(std::size_t groups, const double* weights, const double* shape,
-               const double* moments, double* q, double* v);
+               std::span<const double> moments, double* q, double* v);
 
 /// Σ_i ψ_i w_im χ_i of two shapes, [term][kind], as KnotWeights has them.
 void couple_knots(std::size_t groups, const double* weights, const double* shape,
@@ -96,7 +98,14 @@ struct Energies {
   double loss;   ///< Σ ηω ∫ q̇² dt, J
 };
 
-/// Over one step by q and q̇ and their derivatives at its ends, both of fourth order:
+/// Over one step by StepQuadrature.
+/// @param weights  of it. @param slope  of the external forces. @param middle  what the loads of the
+///     joints are more in the middle of the step.
+[[nodiscard]] Energies inner_energies(std::size_t groups, double length, const double* weights,
+                                      const double* damping, const State& from, const State& to,
+                                      const double* slope, const double* middle);
+
+/// Over a piece of a step by q and q̇ and their derivatives at its ends, both of fourth order:
 /// ∫q dt = ½h(q₀ + q₁) + h²/12 (q̇₀ − q̇₁), and so of q̇².
 [[nodiscard]] Energies step_energies(std::size_t groups, double length, const double* stiffness,
                                      const double* damping, const State& from, const State& to,

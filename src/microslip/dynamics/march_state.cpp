@@ -35,7 +35,8 @@ MarchState::MarchState(const JointedStructure& structure, std::vector<MarchedJoi
       joint_groups_(padded(hysteresis.size()) / kLanes),
       shortens_(structure.shortens()),
       cut_(structure.linear().modes()),
-      knot_weights_({}, {}) {
+      knot_weights_({}, {}),
+      quadrature_(structure.linear().modes()) {
   const std::size_t lanes = groups_ * kLanes;
   for (auto* vector : {&stiffness_, &damping_, &q_, &v_, &load_, &load_slope_, &end_q_, &end_v_,
                        &end_load_, &end_load_slope_, &end_load_middle_, &end_force_, &end_a_,
@@ -291,7 +292,7 @@ void MarchState::place(const StepWeights& weights, const Couplings& couplings) {
     if (joint.way.knots().empty()) continue;
     march_loops::move_slides_by_knots(
         joint_groups_, couplings.knots.data() + l * kKnotTerms * KnotWeights::kKinds * lanes,
-        joint.moments.data(), slide_.data(), slide_dot_.data());
+        moments_of(joint), slide_.data(), slide_dot_.data());
   }
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     Kinematics& k = joints_[j].end;
@@ -373,7 +374,7 @@ double MarchState::add_inner_forces(double length, bool middles, const Couplings
     const Kinematics& k = joint.end;
     const StepCubic force(b.force, b.force_dot, k.force, k.force_dot, length);
     if (!joint.way.knots().empty()) {
-      joint.moments = knot_moments(joint.way.knots(), force);
+      joint.moments = knot_moments(joint.way.knots(), force, knot_weights_.terms());
       joint.middle = 0.0;
     } else if (middles && joint.direction != 0) {
       const double before = joint.middle;
@@ -437,7 +438,8 @@ double MarchState::update(std::size_t j, const Couplings& couplings, double leng
                                                               : joint.way.follower().response(u);
   if (!settled) joint.tangent = new_tangent;
   const double tangent = joint.tangent;
-  const double soft = 1.0 / (1.0 + tangent * c);
+  // A division on the way of everything else, where most joints have nothing in series.
+  const double soft = c == 0.0 ? 1.0 : 1.0 / (1.0 + tangent * c);
   const double stiffness = tangent * soft;  // with what is in series
   drive_damper(joint, tangent, k);
   const double damped = joint.damper * k.u_dot;
@@ -492,7 +494,7 @@ void MarchState::correct(const StepWeights& weights) {
                        end_q_.data(), end_v_.data());
   for (const Joint& joint : joints_) {
     if (joint.way.knots().empty()) continue;
-    march_loops::add_knots(groups_, knot_weights_.data(), joint.shape.data(), joint.moments.data(),
+    march_loops::add_knots(groups_, knot_weights_.data(), joint.shape.data(), moments_of(joint),
                            end_q_.data(), end_v_.data());
   }
 }

@@ -14,6 +14,7 @@
 #include "microslip/dynamics/marched_joint.hpp"
 #include "microslip/dynamics/step_cubic.hpp"
 #include "microslip/dynamics/step_knots.hpp"
+#include "microslip/dynamics/step_quadrature.hpp"
 
 namespace microslip {
 
@@ -132,6 +133,9 @@ class MarchState {
     const std::size_t lanes = joint_groups_ * kLanes;
     return couplings.ends[(j * march_loops::kCouplings + kind) * lanes + j];
   }
+  [[nodiscard]] std::span<const double> moments_of(const Joint& joint) const {
+    return std::span(joint.moments).first(knot_weights_.terms());
+  }
   void add_joint(const StructuralJoint& joint, double damper, MarchedJoint hysteresis);
   [[nodiscard]] double longest_step_over_knots(bool beside_longer) const;
   void begin(std::size_t j);
@@ -163,7 +167,9 @@ class MarchState {
                               bool settled);
   void load_modes();
   void correct(const StepWeights& weights);
-  void accept(double length);
+  enum class Quadrature { kInner, kEnds };
+  void accept(double length, Quadrature quadrature);
+  void add_energies(double length, Quadrature quadrature);
   [[nodiscard]] bool solve_piece(double length, const StepWeights& whole);
   [[nodiscard]] Change first_change(double length);
   [[nodiscard]] static double turning_share(const Joint& joint, const StepCubic& y, double length);
@@ -190,6 +196,7 @@ class MarchState {
   Loads loads_;
   StepWeights cut_;  // of parts of a step
   KnotWeights knot_weights_;
+  StepQuadrature quadrature_;
   double longest_over_knots_ = 0.0;  // step, s
   Couplings couplings_, cut_couplings_;
   double contraction_ = 1.0;  // from one change of the joint forces to the next

@@ -17,8 +17,20 @@ constexpr std::array<double, kNodes> kNode{0.06943184420297371, 0.33000947820757
 constexpr std::array<double, kNodes> kNodeWeight{0.17392742256872693, 0.32607257743127307,
                                                  0.32607257743127307, 0.17392742256872693};
 
-/// The coefficients of T_m in J_m(½θ) of a vibration: 2e-6 of the tenth at θ = 5 [DLMF 10.12.2].
+/// The coefficients of T_m of a vibration are J_m(½θ) [DLMF 10.12.2], which is below (¼θ)ᵐ/m! [DLMF
+/// 10.14.4]: 3e-6 of the tenth at θ = 5.
 constexpr double kLargestAngle = 5.0;
+constexpr double kSmallTerm = 3e-6;
+
+/// Up to the first that is small.
+std::size_t terms_needed(double angle) {
+  double term = 1.0;
+  for (std::size_t m = 1; m < kKnotTerms; ++m) {
+    term *= 0.25 * angle / static_cast<double>(m);
+    if (term <= kSmallTerm) return m;
+  }
+  return kKnotTerms;
+}
 
 /// x = cos(π(k + ½)/n), the zeros of T_n, and T_m there.
 struct ChebyshevTable {
@@ -41,7 +53,7 @@ ChebyshevTable chebyshev_table() {
 
 /// ∫ T_m e over the piece of a step between two shares, added; e over the piece.
 MICROSLIP_VECTOR_CLONES
-void add_piece(double left, double right, const StepCubic& e, double* moments) {
+void add_piece(double left, double right, const StepCubic& e, std::size_t terms, double* moments) {
   const double length = right - left;
   double x[kNodes];
   double before[kNodes];
@@ -52,7 +64,7 @@ void add_piece(double left, double right, const StepCubic& e, double* moments) {
     before[i] = length * kNodeWeight[i] * e.value(kNode[i]);
     now[i] = x[i] * before[i];
   }
-  for (std::size_t m = 0; m < kKnotTerms; ++m) {
+  for (std::size_t m = 0; m < terms; ++m) {
     moments[m] += (before[0] + before[2]) + (before[1] + before[3]);
 #pragma omp simd
     for (std::size_t i = 0; i < kNodes; ++i) {
@@ -65,7 +77,8 @@ void add_piece(double left, double right, const StepCubic& e, double* moments) {
 
 }  // namespace
 
-KnotMoments knot_moments(std::span<const JointWay::Knot> knots, const StepCubic& force) {
+KnotMoments knot_moments(std::span<const JointWay::Knot> knots, const StepCubic& force,
+                         std::size_t terms) {
   KnotMoments moments{};
   double share = 0.0;
   double e = 0.0;
@@ -74,12 +87,12 @@ KnotMoments knot_moments(std::span<const JointWay::Knot> knots, const StepCubic&
     const double e_there = knot.force - force.value(knot.share);
     const double slope_there = force.slope(knot.share);
     add_piece(share, knot.share, {e, slope, e_there, knot.before - slope_there, knot.share - share},
-              moments.data());
+              terms, moments.data());
     share = knot.share;
     e = e_there;
     slope = knot.after - slope_there;
   }
-  add_piece(share, 1.0, {e, slope, 0.0, 0.0, 1.0 - share}, moments.data());
+  add_piece(share, 1.0, {e, slope, 0.0, 0.0, 1.0 - share}, terms, moments.data());
   return moments;
 }
 
@@ -94,6 +107,7 @@ KnotWeights::KnotWeights(std::span<const double> stiffness, std::span<const doub
 void KnotWeights::set_length(double length) {
   if (length == length_) return;
   length_ = length;
+  terms_ = terms_needed(kLargestAngle * length / longest_);
   static const ChebyshevTable table = chebyshev_table();
   for (std::size_t i = 0; i < stiffness_.size(); ++i) {
     std::array<double, kKnotTerms> impulse;

@@ -28,9 +28,10 @@ inline constexpr std::size_t kKnotTerms = 10;
 using KnotMoments = std::array<double, kKnotTerms>;
 
 /// The moments of e, N.
-/// @param knots  by rising share. @param force  H.
+/// @param knots  by rising share. @param force  H. @param terms  how many of them, at most
+///     kKnotTerms; the others are 0.
 [[nodiscard]] KnotMoments knot_moments(std::span<const JointWay::Knot> knots,
-                                       const StepCubic& force);
+                                       const StepCubic& force, std::size_t terms = kKnotTerms);
 
 /// The series of h g and of ġ, times h.
 class KnotWeights {
@@ -45,6 +46,8 @@ class KnotWeights {
   /// Does nothing where that is its length already.
   void set_length(double length);
   [[nodiscard]] double length() const { return length_; }
+  /// How many terms the series need at this length, where modes move less than in the longest step.
+  [[nodiscard]] std::size_t terms() const { return terms_; }
 
   enum Kind { kOfDisplacement, kOfVelocity, kKinds };
   /// [group][term][kind][lane].
@@ -54,6 +57,7 @@ class KnotWeights {
   std::vector<double> stiffness_, damping_, weights_;
   double longest_ = std::numeric_limits<double>::infinity();
   double length_ = 0.0;
+  std::size_t terms_ = kKnotTerms;
 };
 
 }  // namespace microslip
