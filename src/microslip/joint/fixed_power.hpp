@@ -14,8 +14,8 @@ namespace microslip {
 ///     s^p = 2^(ep) c^p (1 + r)^p,   r = (m − c)/c,   |r| ≤ 1/128
 ///
 /// The first two factors are tabulated, the third is its binomial series up to r^7: what follows is
-/// below 2^−56 for p ≤ 8. The relative error is below 5e-16: two roundings of tables and two of
-/// products, 2^−53 each. Internal to joint.
+/// below 2^−56 for p ≤ 8. The relative error is below 5e-16: four times 2^−53, of the tables
+/// and of products. Internal to joint.
 class FixedPower {
  public:
   /// @param exponent  p; a table is made for p in (0, 8].
