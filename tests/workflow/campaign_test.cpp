@@ -248,6 +248,34 @@ TEST(CampaignConditions, KnowHowTestsRepeat) {
             std::string::npos);
 }
 
+// Gains of D known to 2 % and of A to 1 % are errors that levels of a test share: one test a value,
+// their scatter of 0.5 % does not show them. By hand for D ∝ A^p, p the mean of D′A/D: 2 % and p·1 %.
+TEST(CampaignConditions, HoldTheGainsThatTestsMayHave) {
+  VirtualCampaign campaign = campaign_of({{.session = "a"}, {.session = "a", .gain = 1.04}}, 5);
+  for (std::size_t t = 0; t < 2; ++t) {
+    set_torque(campaign.file.tests[t], 10.0 + 10.0 * static_cast<double>(t));
+  }
+  const auto warns = [&] {
+    return condition_warnings(campaign.file, conditions_of(campaign)).front().text.find("apart") !=
+           std::string::npos;
+  };
+  EXPECT_TRUE(warns());
+  campaign.file.dissipation_gain_std = 0.02;
+  campaign.file.amplitude_gain_std = 0.01;
+  EXPECT_FALSE(warns());
+  double exponent = 0.0;
+  for (std::size_t i = 10; i < 20; ++i) {
+    const double a = campaign.levels.levels.amplitude[i];
+    const double d = dissipation(true_joint(), a) + kBeta * a * a;
+    exponent += 0.1 * (dissipation_slope(true_joint(), a) * a + 2.0 * kBeta * a * a) / d;
+  }
+  const double gain = std::hypot(0.02, exponent * 0.01);
+  // And the scatter of ten levels, of whose 18 degrees of freedom σ is known to a sixth.
+  const double scatter = kNoise / std::sqrt(10.0);
+  EXPECT_NEAR(conditions_of(campaign).front().groups[1].dissipation.sigma,
+              std::hypot(gain, scatter), 0.6 * scatter * scatter / gain);
+}
+
 // Offsets of sessions take up what a torque does that changes with them.
 TEST(CampaignConditions, SayNothingOfFrequenciesThatOffsetsTakeUp) {
   VirtualCampaign campaign = campaign_of({{.session = "a"}, {.session = "b"}}, 6);
