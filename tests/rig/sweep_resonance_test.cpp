@@ -193,13 +193,18 @@ TEST(SweepResonance, BetweenCoarseStepsIsThatOfTheJoint) {
 
 // Readings with noise of 1 % in the force and as much across it, 0.01 rad: F/A and frequency of 200
 // sweeps miss by as much as each says, within what the rms of 200 is known to, four times 1/√400.
+// What is said of each reading is 1 % and 0.01 rad, likewise, with what the clean course is off a
+// straight line.
 TEST(SweepResonance, KnowsHowMuchItsStepsScatter) {
   constexpr std::size_t kSweeps = 200;
   const HarmonicBalance balance = jointed(0.0);
   const SteppedSine clean = swept(balance, Held::kForce, 2e-4, lags(11.0, 0.4));
+  const SweepResonance smooth = resonance_of(clean).value();
   RandomStream random(1, 1);
   double of_force = 0.0;
   double of_frequency = 0.0;
+  double of_amplitude = 0.0;
+  double of_phase = 0.0;
   for (std::size_t i = 0; i < kSweeps; ++i) {
     SteppedSine sweep = clean;
     for (double& force : sweep.force) force *= 1.0 + 0.01 * random.normal();
@@ -208,9 +213,72 @@ TEST(SweepResonance, KnowsHowMuchItsStepsScatter) {
     const Miss miss = miss_of(balance, found);
     of_force += std::pow(miss.force / found.damping_std, 2) / kSweeps;
     of_frequency += std::pow(miss.frequency / found.frequency_std, 2) / kSweeps;
+    of_amplitude += std::pow(found.amplitude_std, 2) / kSweeps;
+    of_phase += std::pow(found.phase_std, 2) / kSweeps;
+    EXPECT_NEAR(static_cast<double>(found.scatter_freedom), 7.5, 1.0);  // 10 or 11 such steps
   }
   EXPECT_NEAR(std::sqrt(of_force), 1.0, 0.2);
   EXPECT_NEAR(std::sqrt(of_frequency), 1.0, 0.2);
+  EXPECT_NEAR(std::sqrt(of_amplitude) / std::hypot(0.01, smooth.amplitude_std), 1.0, 0.2);
+  EXPECT_NEAR(std::sqrt(of_phase) / std::hypot(0.01, smooth.phase_std), 1.0, 0.2);
+}
+
+// Noise of one of the two is told from that of the other, by the half that the steps' 30° to 150°
+// and three unknowns leave of it in the other.
+TEST(SweepResonance, TellsNoiseOfAmplitudesFromThatOfPhases) {
+  constexpr std::size_t kSweeps = 50;
+  const HarmonicBalance balance = jointed(0.0);
+  const SteppedSine clean = swept(balance, Held::kForce, 2e-4, lags(5.0, 0.4));
+  RandomStream random(1, 2);
+  double along = 0.0;
+  double across = 0.0;
+  for (std::size_t i = 0; i < kSweeps; ++i) {
+    SteppedSine sweep = clean;
+    for (double& phase : sweep.phase) phase += 0.02 * random.normal();
+    const SweepResonance found = resonance_of(sweep).value();
+    along += std::pow(found.amplitude_std, 2) / kSweeps;
+    across += std::pow(found.phase_std, 2) / kSweeps;
+  }
+  EXPECT_NEAR(std::sqrt(across), 0.02, 0.2 * 0.02);
+  EXPECT_LT(std::sqrt(along), 0.5 * 0.02);
+}
+
+// Noise of the response is one of ln X, too, by which K and C are fitted: of a joint that softens it
+// would be told twice as large. By neighbours it is not, and steps without noise have next to none.
+TEST(SweepResonance, TellsNoiseOfResponsesByNeighbours) {
+  constexpr std::size_t kSweeps = 50;
+  const HarmonicBalance balance = jointed(0.0);
+  const SteppedSine clean = swept(balance, Held::kForce, 2e-4, lags(5.0, 0.4));
+  EXPECT_LT(resonance_of(clean)->amplitude_std, 1e-4);
+  EXPECT_LT(resonance_of(clean)->phase_std, 1e-4);
+  RandomStream random(1, 3);
+  double along = 0.0;
+  double across = 0.0;
+  for (std::size_t i = 0; i < kSweeps; ++i) {
+    SteppedSine sweep = clean;
+    for (double& a : sweep.acceleration) a *= 1.0 + 0.02 * random.normal();
+    for (double& phase : sweep.phase) phase += 0.01 * random.normal();
+    const SweepResonance found = resonance_of(sweep).value();
+    along += std::pow(found.amplitude_std, 2) / kSweeps;
+    across += std::pow(found.phase_std, 2) / kSweeps;
+  }
+  EXPECT_NEAR(std::sqrt(along), 0.02, 0.2 * 0.02);
+  EXPECT_NEAR(std::sqrt(across), 0.01, 0.2 * 0.01);
+}
+
+// Up and down in one table: no cubic goes through two steps of one frequency.
+TEST(SweepResonance, TellsScatterOfRepeatedSteps) {
+  SteppedSine sweep = swept(jointed(0.0), Held::kForce, 2e-4, lags(5.0, 0.4));
+  const std::size_t steps = sweep.frequency.size();
+  for (std::vector<double> SteppedSine::*const values :
+       {&SteppedSine::frequency, &SteppedSine::force, &SteppedSine::acceleration,
+        &SteppedSine::phase}) {
+    const std::vector<double> once = sweep.*values;
+    (sweep.*values).insert((sweep.*values).end(), once.rbegin(), once.rend());
+  }
+  ASSERT_EQ(sweep.frequency.size(), 2 * steps);
+  EXPECT_GT(resonance_of(sweep)->amplitude_std, 0.0);
+  EXPECT_LT(resonance_of(sweep)->amplitude_std, 0.01);
 }
 
 std::vector<std::string> codes(const SweepResonance& found) {
@@ -247,6 +315,9 @@ TEST(SweepResonance, TellsNothingOfScatterByThreeSteps) {
   const SweepResonance found =
       resonance_of(swept(balance, Held::kResponse, 1e-4, lags(60.0, 0.5))).value();
   EXPECT_LT(found.damping_std, 1e-12);  // the response was held
+  EXPECT_EQ(found.amplitude_std, 0.0);
+  EXPECT_EQ(found.phase_std, 0.0);
+  EXPECT_EQ(found.scatter_freedom, 0U);
 }
 
 // At exactly half a turn the force feeds nothing, and at one frequency nothing is between.

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/random.hpp"
 #include "support/messages.hpp"
 
 namespace microslip::sweep_comparison_test {
@@ -118,8 +119,9 @@ TEST(SweepComparison, TakesPhasesOfEitherSignAndSense) {
 }
 
 // A reading of the force drives with it over its gain: the response is as uncertain, by e^{±1.96σ},
-// its frequency and lag are not; ζ by force and response as read is uncertain by the same. Edges
-// within four standard deviations of a quantile of N draws, 2.67σ/√N.
+// its frequency and lag are not, but for 1e-6 of the damping that a viscous damper's growth with ω is
+// off the fit that the scatter of the steps is by; ζ by force and response as read is uncertain by the
+// same. Edges within four standard deviations of a quantile of N draws, 2.67σ/√N.
 TEST(SweepComparison, AGainOfTheForceIsInResponseAndDamping) {
   constexpr double kGain = 0.05;
   constexpr std::size_t kDraws = 400;
@@ -141,7 +143,7 @@ TEST(SweepComparison, AGainOfTheForceIsInResponseAndDamping) {
   for (const auto& [quantity, part] :
        {std::pair{"phase_lag", TestPart::kCurve}, std::pair{"frequency", TestPart::kPeak}}) {
     const ComparedCurve& found = curve(test, quantity, part);
-    EXPECT_NEAR(found.lower[0], found.upper[0], 1e-6 * found.upper[0]) << quantity;
+    EXPECT_NEAR(found.lower[0], found.upper[0], 4e-6) << quantity;
   }
   EXPECT_EQ(curve(test, "displacement").inside(), 21U);
 }
@@ -160,6 +162,32 @@ TEST(SweepComparison, AGainOfTheResponseIsInWhatIsPredicted) {
     const ComparedCurve& found = test.curves.front();
     EXPECT_NEAR(std::log(found.upper[0] / found.lower[0]), 2.0 * 1.96 * kGain, 0.02);
   }
+}
+
+// Readings with 1 % and 0.02 rad of noise, of a structure that is known: 95 % of the steps lie in the
+// band, known to 2 % by σ of some 18 degrees of freedom in each of 30 sweeps. Of their 60 curves 5 %
+// have too few inside, 3; more than 9 have a chance of 0.1 %.
+TEST(SweepComparison, ABandHoldsTheScatterOfTheSteps) {
+  constexpr std::size_t kSweeps = 30;
+  const ModelFile model = linear();
+  const StructureDraws spread(model.structure, {.force_gain = {1e-6}}, {},
+                              JointPairing::kIndependent, 1);
+  RandomStream random(1, 1);
+  double inside = 0.0;
+  std::ptrdiff_t warned = 0;
+  for (std::size_t n = 0; n < kSweeps; ++n) {
+    SteppedSine sweep = sweep_of(Held::kForce, 61);
+    for (double& a : sweep.acceleration) a *= 1.0 + 0.01 * random.normal();
+    for (double& phase : sweep.phase) phase += 0.02 * random.normal();
+    const ComparedTest test = compare_sweep(sweep, TestKind::kSweep, model, {}, spread,
+                                            TestDraws{.options = {.count = 200}});
+    for (const char* quantity : {"displacement", "phase_lag"}) {
+      inside += static_cast<double>(curve(test, quantity).inside()) / (2.0 * 61.0 * kSweeps);
+    }
+    warned += std::ranges::count(test.warnings, "few_inside", &Warning::code);
+  }
+  EXPECT_NEAR(inside, 0.95, 0.02);
+  EXPECT_LE(warned, 9);
 }
 
 TEST(SweepComparison, SaysWhatASweepLacks) {

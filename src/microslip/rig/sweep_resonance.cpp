@@ -5,6 +5,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -90,19 +91,31 @@ void check_damping_told(const SteppedSine& sweep, const StiffnessStep& step) {
                    "Sweep in finer steps.");
 }
 
-/// How much Z of the steps scatters, relative to |Z|.
-struct Scatter {
-  double lossy = 0.0;
-  double elastic = 0.0;
+/// How much readings scatter.
+struct ReadingScatter {
+  double amplitude = 0.0;  // of |Z|, relative
+  double phase = 0.0;      // of θ, rad
+  std::size_t freedom = 0;
 };
 
-double deviation(const Eigen::MatrixXd& regressors, const Eigen::VectorXd& values) {
+/// How much Z of the steps scatters, relative to |Z|.
+struct Scatter {
+  double lossy = 0.0;    // of C
+  double elastic = 0.0;  // of K
+  ReadingScatter readings = {};
+};
+
+/// What a least-squares fit leaves.
+Eigen::ArrayXd rest_of(const Eigen::MatrixXd& regressors, const Eigen::VectorXd& values) {
   // What a response that was held does not tell is left out.
   constexpr double kThreshold = 1e-3;
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> fit(regressors);
   fit.setThreshold(kThreshold);
-  const Eigen::VectorXd rest = values - regressors * fit.solve(values);
-  return rest.norm() / std::sqrt(static_cast<double>(values.size() - kUnknowns));
+  return (values - regressors * fit.solve(values)).array();
+}
+
+double deviation(const Eigen::ArrayXd& rest) {
+  return rest.matrix().norm() / std::sqrt(static_cast<double>(rest.size() - kUnknowns));
 }
 
 /// The steps about a passage, one after the other: of no other resonance.
@@ -118,24 +131,106 @@ std::span<const StiffnessStep> steps_near(const std::vector<StiffnessStep>& step
   return std::span(steps).subspan(first, last - first);
 }
 
+/// Of a step against the cubic through two steps at either side: δ/√(1 + Σw²), w the weights of these.
+class CubicDeparture {
+ public:
+  /// @param near  at least 5. @param i  of the step, with two at either side.
+  CubicDeparture(std::span<const StiffnessStep> near, std::size_t i) : near_(near), i_(i) {
+    for (std::size_t a = 0; a < kPlaces.size(); ++a) {
+      for (std::size_t b = 0; b < kPlaces.size(); ++b) {
+        if (a != b)
+          weights_[a] *=
+              (square(0) - square(kPlaces[b])) / (square(kPlaces[a]) - square(kPlaces[b]));
+      }
+    }
+  }
+
+  template <typename Value>
+  [[nodiscard]] double of(const Value& value) const {
+    double departure = value(near_[i_]);
+    double variance = 1.0;
+    for (std::size_t a = 0; a < kPlaces.size(); ++a) {
+      departure -= weights_[a] * value(at(kPlaces[a]));
+      variance += weights_[a] * weights_[a];
+    }
+    return departure / std::sqrt(variance);
+  }
+
+ private:
+  static constexpr std::array kPlaces{-2, -1, 1, 2};
+
+  [[nodiscard]] const StiffnessStep& at(int place) const {
+    return near_[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i_) + place)];
+  }
+  [[nodiscard]] double square(int place) const { return at(place).square; }
+
+  std::span<const StiffnessStep> near_;
+  std::size_t i_;
+  std::array<double, kPlaces.size()> weights_{1.0, 1.0, 1.0, 1.0};
+};
+
+/// Of steps so close that they are smooth from one to the next, whatever the joint. NaN where two are
+/// at one frequency. Departures of neighbours are of the same readings: at equal distances these are
+/// fourth differences, whose correlations 4/5, 2/5, 4/35 and 1/70 leave n/(1 + 2Σρ²) = n/2.63 of n
+/// degrees of freedom.
+ReadingScatter scatter_among_neighbours(std::span<const StiffnessStep> near) {
+  constexpr double kShareOfFreedom = 1.0 / 2.63;
+  constexpr std::size_t kSides = 4;
+  if (near.size() <= kSides) return {};
+  double amplitude = 0.0;
+  double phase = 0.0;
+  for (std::size_t i = kSides / 2; i + kSides / 2 < near.size(); ++i) {
+    const CubicDeparture departure(near, i);
+    amplitude += std::pow(departure.of([](const StiffnessStep& step) {
+      return std::log(std::hypot(step.elastic, step.lossy));
+    }),
+                          2);
+    phase += std::pow(departure.of([](const StiffnessStep& step) { return step.phase; }), 2);
+  }
+  const auto count = static_cast<double>(near.size() - kSides);
+  return {std::sqrt(amplitude / count), std::sqrt(phase / count),
+          static_cast<std::size_t>(kShareOfFreedom * count)};
+}
+
+/// The smaller of two estimates, as what the course of the steps is not like is in both.
+ReadingScatter smaller(const ReadingScatter& smooth, const ReadingScatter& local) {
+  constexpr std::size_t kLeastFreedom = 3;  // of one that tells more than it may be off
+  const bool less = std::hypot(local.amplitude, local.phase) <
+                    std::hypot(smooth.amplitude, smooth.phase);  // false of NaN
+  return less && local.freedom >= kLeastFreedom ? local : smooth;
+}
+
 Scatter scatter_of(const std::vector<StiffnessStep>& steps, const Passage& passage) {
   const std::span<const StiffnessStep> near = steps_near(steps, passage);
   const auto count = static_cast<Eigen::Index>(near.size());
   const bool at_one_frequency = !(passage.half_width() > 0.0);
   if (count <= kUnknowns || at_one_frequency) return {};
-  Eigen::MatrixXd regressors(count, kUnknowns);
+  Eigen::MatrixXd of_lossy(count, kUnknowns);  // regressors of ln C
+  Eigen::MatrixXd of_elastic(count, kUnknowns);
   Eigen::VectorXd lossy(count);
   Eigen::VectorXd elastic(count);
+  Eigen::ArrayXd phase(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const StiffnessStep& step = near[static_cast<std::size_t>(i)];
     const double weight = std::sin(step.phase);  // C/|Z|
-    regressors.row(i) << 1.0, (step.square - passage.square()) / passage.half_width(),
+    const double elastic_weight =
+        weight * passage.lossy() / step.lossy;  // that of the peak over |Z|
+    of_lossy.row(i) << 1.0, (step.square - passage.square()) / passage.half_width(),
         std::log(step.displacement / passage.displacement());
-    regressors.row(i) *= weight;
+    of_elastic.row(i) = elastic_weight * of_lossy.row(i);
+    of_lossy.row(i) *= weight;
     lossy(i) = weight * std::log(step.lossy / passage.lossy());
-    elastic(i) = weight * step.elastic / passage.lossy();
+    elastic(i) = elastic_weight * step.elastic / passage.lossy();
+    phase(i) = step.phase;
   }
-  return {deviation(regressors, lossy), deviation(regressors, elastic)};
+  const Eigen::ArrayXd imaginary = rest_of(of_lossy, lossy);  // of δZ/|Z|
+  const Eigen::ArrayXd real = rest_of(of_elastic, elastic);
+  return {.lossy = deviation(imaginary),
+          .elastic = deviation(real),
+          .readings = smaller({deviation(real * phase.cos() + imaginary * phase.sin()),
+                               deviation(imaginary * phase.cos() - real * phase.sin()),
+                               static_cast<std::size_t>(count - kUnknowns)},
+                              scatter_among_neighbours(near))};
 }
 
 SweepResonance resonance_at(const Passage& passage, const Scatter& scatter) {
@@ -151,7 +246,10 @@ SweepResonance resonance_at(const Passage& passage, const Scatter& scatter) {
           .acceleration = passage.square() * passage.displacement(),
           .phase_step = std::abs(passage.behind.phase - passage.before.phase),
           .damping_std = std::hypot(0.25 * chord, weight * scatter.lossy),
-          .frequency_std = half_width * std::hypot(1.9 * chord, weight * scatter.elastic)};
+          .frequency_std = half_width * std::hypot(1.9 * chord, weight * scatter.elastic),
+          .amplitude_std = scatter.readings.amplitude,
+          .phase_std = scatter.readings.phase,
+          .scatter_freedom = scatter.readings.freedom};
 }
 
 }  // namespace

@@ -22,6 +22,10 @@ struct SweepResonance {
   double phase_step = 0.0;     ///< from the step before it to the one behind, rad, in (0, π)
   double damping_std = 0.0;    ///< of |F_1|/|A_1| at this |A_1|, relative, 1
   double frequency_std = 0.0;  ///< at this |A_1|, Hz
+  /// Of the readings of a step, by the scatter of those about the resonance; 0 where they do not tell.
+  double amplitude_std = 0.0;       ///< of |F_1|/|A_1|, relative, 1
+  double phase_std = 0.0;           ///< rad
+  std::size_t scatter_freedom = 0;  ///< degrees of freedom that these two are known by
 };
 
 /// Of force F e^{iθ} and displacement X = |A_1|/ω² each step gives the dynamic stiffness
@@ -44,8 +48,10 @@ struct SweepResonance {
 /// Standard deviations hold these, and by how much the steps scatter: ln C and K/C of those about
 /// it with 30° ≤ θ ≤ 150° about a least-squares fit by 1, ω² and ln X. Errors of a reading of Z are
 /// of the size ε|Z| = εC/sin θ, so that steps have the weight sin θ, and ε is in the mean of two
-/// with the shares s and 1 − s by √((1 − s)²/sin²θ_1 + s²/sin²θ_2). From 4 such steps on; of 3 and
-/// fewer no scatter is known. An error of the phase that all steps share is not in them.
+/// with the shares s and 1 − s by √((1 − s)²/sin²θ_1 + s²/sin²θ_2). What is left of ln C and K is δZ,
+/// and δZ/Z = δln|Z| + iδθ the errors of the readings. These are told also by how far ln|Z| and θ of
+/// each step are off a cubic over ω² through two at either side; the smaller of the two counts where
+/// twelve such steps tell it. From 4 such steps on; of 3 and fewer no scatter is known. An error of the phase that all steps share is not in them.
 ///
 /// Of several passages that of the largest acceleration.
 /// @return nothing where the phase does not pass a quarter turn.

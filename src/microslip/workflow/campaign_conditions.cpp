@@ -60,8 +60,18 @@ Residuals means_of(const TestsOfGroup& group) {
   return means;
 }
 
+/// σ of what gains of their own make of the means of some tests.
+/// @param exponents  of the levels of each.
+double gain_of_mean(const CampaignFile& campaign, const TestsOfGroup& exponents) {
+  return std::hypot(campaign.dissipation_gain_std,
+                    campaign.amplitude_gain_std * mean_over(all_of(exponents))) /
+         std::sqrt(static_cast<double>(exponents.size()));
+}
+
 /// Mean and σ of each group, see condition_effects().
-std::vector<ConditionMean> means_with_sigma(const std::vector<TestsOfGroup>& groups) {
+/// @param gains  σ by those of the tests of each; empty where they do not matter.
+std::vector<ConditionMean> means_with_sigma(const std::vector<TestsOfGroup>& groups,
+                                            const Residuals& gains = {}) {
   PooledScatter of_levels;
   PooledScatter of_tests;
   for (const TestsOfGroup& group : groups) {
@@ -69,11 +79,13 @@ std::vector<ConditionMean> means_with_sigma(const std::vector<TestsOfGroup>& gro
     of_tests.add(means_of(group));
   }
   std::vector<ConditionMean> means;
-  for (const TestsOfGroup& group : groups) {
-    const Residuals levels = all_of(group);
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const Residuals levels = all_of(groups[i]);
+    const double known =
+        std::hypot(of_levels.sigma_of_mean(levels.size()), gains.empty() ? 0.0 : gains[i]);
     // std::fmax takes the one that is known.
-    means.push_back({mean_over(levels), std::fmax(of_levels.sigma_of_mean(levels.size()),
-                                                  of_tests.sigma_of_mean(group.size()))});
+    means.push_back(
+        {mean_over(levels), std::fmax(known, of_tests.sigma_of_mean(groups[i].size()))});
   }
   return means;
 }
@@ -258,7 +270,12 @@ std::vector<ConditionEffect> condition_effects(const CampaignFile& campaign,
     ConditionEffect effect = groups_of(campaign, levels, name);
     if (effect.groups.empty()) continue;
     effect.overlap = all_overlap(effect.groups);
-    put_means(means_with_sigma(by_value(campaign, levels, effect, loss_residuals(levels, effects))),
+    Residuals gains;
+    for (const TestsOfGroup& group : by_value(campaign, levels, effect, effects.exponent)) {
+      gains.push_back(gain_of_mean(campaign, group));
+    }
+    put_means(means_with_sigma(by_value(campaign, levels, effect, loss_residuals(levels, effects)),
+                               gains),
               &ConditionGroup::dissipation, effect);
     const bool told = !campaign.session_offsets || varies_within_sessions(campaign, name);
     if (told && !effects.frequency.empty()) {

@@ -67,21 +67,39 @@ std::vector<double> losses(const Joint& joint, double linear_damping,
   return all;
 }
 
+/// σ of D of each level that was left out, as a reading of what the others predict. Standard
+/// deviations that were given say nothing of a test that is wrong: where the others scatter by more,
+/// it is they that count.
+std::vector<double> noise_of(const LeftOut& part, const CampaignLevels& all,
+                             const Identification& found) {
+  const LevelEvidence levels(all.levels);
+  const double damping = found.linear_damping.value_or(0.0);
+  const InversionResult& inversion = *found.inversion();
+  const double scatter = inversion.scatter_is_relative
+                             ? inversion.dissipation_scatter
+                             : std::max(1.0, inversion.dissipation_scatter);
+  const LevelRows noise = levels.measured_deviations(
+      {levels.predict(found.joint, damping), levels.amplitude_change(found.joint, damping)},
+      {.dissipation = scatter});
+  std::vector<double> of_part;
+  for (const std::size_t i : part.levels) of_part.push_back(noise.dissipation[i]);
+  return of_part;
+}
+
 /// The levels that were left out as a test.
 ComparedTest question_of(const LeftOut& part, const CampaignLevels& all, double highest,
-                         double scatter, const std::vector<double>& predicted) {
+                         std::vector<double> noise) {
   const Levels left = some_levels(all.levels, part.levels);
   ComparedCurve curve{.quantity = "dissipation",
                       .dimension = kEnergy,
                       .axis = "amplitude",
                       .axis_dimension = kLength,
-                      .at = left.amplitude};
+                      .at = left.amplitude,
+                      .measured_std = std::move(noise)};
   for (std::size_t i = 0; i < left.size(); ++i) {
     const bool beyond = left.amplitude[i] > highest;
     curve.measured.push_back(beyond ? std::numeric_limits<double>::quiet_NaN()
                                     : left.dissipation[i]);
-    curve.measured_std.push_back(left.dissipation_std.empty() ? scatter * predicted[i]
-                                                              : left.dissipation_std[i]);
   }
   return {.source = part.name, .kind = TestKind::kRingDown, .curves = {std::move(curve)}};
 }
@@ -106,11 +124,8 @@ void predict(const CampaignLevels& all, const LeaveOutOptions& options, LeftOut&
                                  samples.linear_damping.empty() ? 0.0 : samples.linear_damping[i],
                                  amplitude, amplitude_gain, loss_gain)};
   };
-  const InversionResult* inversion = found.inversion();
   ComparedTest test =
-      question_of(part, all, std::ranges::max(others.amplitude),
-                  inversion->scatter_is_relative ? inversion->dissipation_scatter : 0.0,
-                  predictor.nominal.values);
+      question_of(part, all, std::ranges::max(others.amplitude), noise_of(part, all, found));
   compare(predictor,
           TestDraws{.options = {.count = samples.size(), .seed = bands.seed},
                     .execution = options.execution},

@@ -81,7 +81,11 @@ void add_repeatability(const CampaignFile& campaign, const CampaignLevels& level
 void add_losses(const CampaignFile& campaign, const CampaignLevels& levels, const Joint& joint,
                 double linear_damping, SessionEffects& effects) {
   for (const double a : levels.levels.amplitude) {
-    effects.dissipation.push_back(dissipation(joint, a) + linear_damping * a * a);
+    const double linear = linear_damping * a * a;
+    const double loss = dissipation(joint, a) + linear;
+    const double growth = dissipation_slope(joint, a) * a + 2.0 * linear;
+    effects.dissipation.push_back(loss);
+    effects.exponent.push_back(loss > 0.0 ? growth / loss : 0.0);
   }
   const std::vector<double> residuals = loss_residuals(levels, effects);
   const auto sorted = by_session(effects, campaign, levels, residuals);

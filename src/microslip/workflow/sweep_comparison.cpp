@@ -183,6 +183,13 @@ std::vector<ComparedCurve> measured_curves(const SweepQuestion& question, const 
       curve_of("phase_lag", kAngle, TestPart::kCurve, sweep.frequency, std::move(lag))};
   if (!question.resonance()) return curves;
   const SweepResonance& resonance = *question.resonance();
+  if (resonance.amplitude_std > 0.0) {
+    for (const double height : curves[0].measured) {
+      curves[0].measured_std.push_back(height * resonance.amplitude_std);
+    }
+    curves[1].measured_std.assign(sweep.frequency.size(), resonance.phase_std);
+    for (std::size_t i : {0U, 1U}) curves[i].std_freedom = resonance.scatter_freedom;
+  }
   const MeasuredStep& peak = question.peak();
   const double damping =
       damping_scale * peak.force / (peak.angular_frequency * peak.angular_frequency);

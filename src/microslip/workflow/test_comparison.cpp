@@ -16,6 +16,8 @@ namespace {
 
 /// Of the noise of readings, apart from those of structures and joints, which are lower.
 constexpr std::uint64_t kNoiseStreams = std::uint64_t{0x100} << 48U;
+/// Of what an estimate of it may be off by.
+constexpr std::uint64_t kNoiseScaleStreams = std::uint64_t{0x101} << 48U;
 
 /// Calls work(curve, i, n) for each value, n its number in the test.
 template <typename Curves, typename Work>
@@ -31,13 +33,24 @@ double noise_at(const ComparedCurve& curve, std::size_t i) {
   return curve.measured_std[i];
 }
 
+/// Possible standard deviations over an estimate of ν degrees of freedom, √(ν/χ²_ν).
+double noise_scale(std::size_t freedom, RandomStream& random) {
+  if (freedom == 0) return 1.0;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < freedom; ++i) squares += std::pow(random.normal(), 2);
+  return std::sqrt(static_cast<double>(freedom) / squares);
+}
+
 /// What would be read of a draw.
 std::vector<double> with_noise(std::vector<double> values, const ComparedTest& test,
                                std::uint64_t seed, std::size_t draw) {
   RandomStream random(seed, kNoiseStreams + draw);
+  RandomStream of_scale(seed, kNoiseScaleStreams + draw);
+  double scale = 1.0;  // of the curve
   for_each_value(test.curves, [&](const ComparedCurve& curve, std::size_t i, std::size_t n) {
+    if (i == 0) scale = noise_scale(curve.std_freedom, of_scale);
     const double z = random.normal();  // used up also where there is no noise
-    values[n] += noise_at(curve, i) * z;
+    values[n] += scale * noise_at(curve, i) * z;
   });
   return values;
 }

@@ -58,9 +58,12 @@ struct ComparedCurve {
   std::vector<double> at = {};            ///< place of each value
   std::vector<double> measured = {};      ///< NaN where it is a prediction alone
   std::vector<double> measured_std = {};  ///< of it; empty where that is not known
-  std::vector<double> predicted = {};     ///< by the model as it is; NaN where it was not found
-  std::vector<double> lower = {};         ///< of the draws; empty without
-  std::vector<double> upper = {};         ///< likewise
+  /// Degrees of freedom of an estimate that measured_std is, by the same factor of all; 0 where it is
+  /// known.
+  std::size_t std_freedom = 0;
+  std::vector<double> predicted = {};  ///< by the model as it is; NaN where it was not found
+  std::vector<double> lower = {};      ///< of the draws; empty without
+  std::vector<double> upper = {};      ///< likewise
   /// Share of the draws of which so few values, or fewer, lie in the band as of what was measured,
   /// 1: small where the test is none of those that the draws foresee. NaN without a band.
   double chance = std::numeric_limits<double>::quiet_NaN();
