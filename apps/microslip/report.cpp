@@ -87,8 +87,9 @@ void add_report(CLI::App& program, Call& call) {
           "level_* and before_control_*, also in recordings/; force_control.csv, truth.csv, "
           "truth_joint.json; verification.csv, verification_histories.csv, "
           "verification_harmonics.csv; comparison.csv of verify by a model; what campaign wrote, "
-          "campaign.csv, sessions.csv, leave_one_out.csv; frf.csv, backbone.csv, curve.csv, "
-          "march.csv, ensemble.csv; or calibration.json, calibration.csv, identifiability.csv")
+          "campaign.csv, sessions.csv, conditions.csv, leave_one_out.csv; frf.csv, backbone.csv, "
+          "curve.csv, march.csv, ensemble.csv; or calibration.json, calibration.csv, "
+          "identifiability.csv")
       ->required()
       ->type_name(kFolderValue);
   command->add_option("--out", options->out, "The report: one HTML file; - is standard output")

@@ -64,7 +64,7 @@ for (const session of ['monday', 'friday']) {
   const names = [20, 40, 60, 90, 130, 180, 250].map((response) => `${session}_${response}.csv`);
   for (const name of names) sweep(name, Number(name.match(/\d+/)[0]));
   run('reduce', 'rig.toml', ...names, '--out', `${session}.csv`);
-  campaign += `${test(session, 'identify', session)}conditions = {torque_Nm = 12}\n`;
+  campaign += `${test(session, 'identify', session)}conditions = {torque_Nm = ${session === 'monday' ? 12 : 20}}\n`;
 }
 sweep('middle.csv', 100);
 sweep('strange.csv', 150, 1.15);  // its force is read 15 % too high
@@ -89,6 +89,10 @@ for (const [quantity, verdict] of [['force', 'outside'], ['frequency', 'inside']
 assert.equal(await page.locator('.table-block', {hasText: 'Tests as a whole'}).locator('tr.marked').count(), 1);
 assert.match(await row('Tests of the campaign', 'monday').first().textContent(), /^mondayidentifymondaytorque_Nm 127/);
 assert.equal(await row('Sessions', 'friday').count() > 0, true);
+// Both days are of one joint: D of 20 Nm is that of 12 Nm within its noise.
+assert.match(await row('Levels by what the tests say', 'torque_Nm').nth(1).textContent(), /^torque_Nm2017/);
+const torque = await row('What conditions do', 'torque_Nm').textContent();
+assert.match(torque, /^torque_NmD [+-][\d.e-]+ ± [\d.e-]+ %, frequency .* per unit of torque_NmyesD of 20 is .* off that of 12; the frequency/);
 assert.equal(await page.locator('.table-block', {hasText: 'Left out'}).first().locator('tbody tr').count(), 2);
 const force = tools.figure(page, 'Measured and predicted force');
 assert.deepEqual(await force.locator('option').allTextContents(), ['middle.csv', 'strange.csv']);

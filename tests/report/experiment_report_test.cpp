@@ -84,6 +84,18 @@ const ReportFigure& figure(const ReportDocument& document, std::string_view titl
   return kNone;
 }
 
+const ReportTable& table(const ReportDocument& document, std::string_view title) {
+  static const ReportTable kNone;
+  for (const ReportSection& part : document.sections) {
+    for (const ReportBlock& block : part.blocks) {
+      const auto* found = std::get_if<ReportTable>(&block);
+      if (found != nullptr && found->title == title) return *found;
+    }
+  }
+  ADD_FAILURE() << "no table " << title;
+  return kNone;
+}
+
 const ReportFigure& figure(const ReportDocument&& document, std::string_view title,
                            std::string_view of = {}) = delete;
 
@@ -600,6 +612,12 @@ TEST(ExperimentReport, ACampaignShowsTestsSessionsAndWhatWasLeftOut) {
   campaign.entries[0].dissipation = 1.1e-6;
   campaign.entries[0].dissipation_predicted = 1e-6;
   campaign.sessions = {{.name = "1", .tests = 1, .levels = 1}};
+  campaign.conditions = {
+      {{.name = "torque_Nm",
+        .groups = {{.value = "20", .tests = 1, .levels = 1, .dissipation = {0.0, 0.01}},
+                   {.value = "25", .tests = 1, .levels = 1, .dissipation = {0.05, 0.01}}}},
+       "D +1 ± 0.2 % per unit of torque_Nm"},
+      {{.name = "order", .groups = {{.value = "rising", .tests = 2, .levels = 2}}}}};
   campaign.left_out = {{.left_out = "a",
                         .amplitude = 1e-5,
                         .measured = 1.1e-6,
@@ -619,9 +637,15 @@ TEST(ExperimentReport, ACampaignShowsTestsSessionsAndWhatWasLeftOut) {
       titles.push_back(figure->figure.title);
     }
   }
-  EXPECT_EQ(titles,
-            (std::vector<std::string>{"Dissipation against the joint", "Tests of the campaign",
-                                      "Sessions", "Dissipation left out", "Left out"}));
+  EXPECT_EQ(titles, (std::vector<std::string>{
+                        "Dissipation against the joint", "Tests of the campaign", "Sessions",
+                        "Conditions", "What conditions do", "Dissipation left out", "Left out"}));
+  const ReportTable& conditions = table(document, "What conditions do");
+  EXPECT_EQ(conditions.marked, std::vector<std::size_t>{0});  // 5 % apart, 3.5 σ of a difference
+  EXPECT_EQ(std::get<std::string>(conditions.rows[0][1]), "D +1 ± 0.2 % per unit of torque_Nm");
+  EXPECT_EQ(std::get<std::string>(conditions.rows[0][2]), "no");
+  EXPECT_TRUE(contains(std::get<std::string>(conditions.rows[0][3]), "D of 25 is +5"));
+  EXPECT_TRUE(contains(std::get<std::string>(conditions.rows[1][3]), "one value"));
   check_report(document);
 }
 
@@ -925,18 +949,6 @@ ExperimentResults record_results() {
   }
   results.joint = joint;
   return results;
-}
-
-const ReportTable& table(const ReportDocument& document, std::string_view title) {
-  static const ReportTable kNone;
-  for (const ReportSection& part : document.sections) {
-    for (const ReportBlock& block : part.blocks) {
-      const auto* found = std::get_if<ReportTable>(&block);
-      if (found != nullptr && found->title == title) return *found;
-    }
-  }
-  ADD_FAILURE() << "no table " << title;
-  return kNone;
 }
 
 TEST(ReportOfRecords, BeginsWithDensityVerdictsAndWarnings) {

@@ -52,6 +52,7 @@ double noise_or_none(double noise, std::span<const double> values) {
 struct Vertex {
   double displacement;
   double force;
+  double smooth_force;  // without most of its noise
 };
 
 /// A loop as a closed polygon: down or up to the turn, and back.
@@ -64,44 +65,136 @@ struct Loop {
 double half_circle(double x) { return std::sqrt(std::max(0.0, 1.0 - x * x)); }
 double under_half_circle(double x) { return 0.5 * (x * half_circle(x) + std::asin(x)); }
 
-/// D and k_eq as sums of forces by weights.
-struct LoopWeights {
-  std::vector<double> dissipation;  // m
-  std::vector<double> secant;       // 1/m
+/// A loop between −1 and 1, x = (u − ū)/A, and S = √(1 − x²) along it. Segment i goes from vertex i
+/// to the next, the last one back to the first. With it ∮ F cos θ dθ is ∫ F dS along the first branch
+/// less that along the second; and of a force that is straight in u between vertices
+/// ∫ F dS = [F S] − ΔF S̄ over a segment, S̄ the mean of S over it.
+class UnitLoop {
+ public:
+  UnitLoop(const Loop& loop, double mean, double amplitude)
+      : turn_(loop.turn), down_(loop.vertices[loop.turn].displacement < mean ? 1.0 : -1.0) {
+    for (const Vertex& vertex : loop.vertices) {
+      place_.push_back(std::clamp((vertex.displacement - mean) / amplitude, -1.0, 1.0));
+      height_.push_back(half_circle(place_.back()));
+    }
+    for (std::size_t i = 0; i < size(); ++i) mean_height_.push_back(mean_between(i));
+  }
+
+  [[nodiscard]] std::size_t size() const { return place_.size(); }
+  [[nodiscard]] std::size_t next(std::size_t i) const { return (i + 1) % size(); }
+  [[nodiscard]] double place(std::size_t i) const { return place_[i]; }    ///< x
+  [[nodiscard]] double height(std::size_t i) const { return height_[i]; }  ///< S
+  /// S̄ of segment i.
+  [[nodiscard]] double mean_height(std::size_t i) const { return mean_height_[i]; }
+  /// 1 along the branch that goes down, −1 along the other.
+  [[nodiscard]] double sign(std::size_t i) const { return (i < turn_ ? 1.0 : -1.0) * down_; }
+  /// Whether a vertex is at a turn, where x stays what it is.
+  [[nodiscard]] bool at_turn(std::size_t i) const { return std::abs(place_[i]) >= 1.0; }
+
+  /// ∂S̄/∂x of segment i by the place of vertex i, and by that of the next.
+  [[nodiscard]] double change_by_first(std::size_t i) const {
+    return change(i, mean_height_[i] - height_[i]);
+  }
+  [[nodiscard]] double change_by_next(std::size_t i) const {
+    return change(i, height_[next(i)] - mean_height_[i]);
+  }
+
+ private:
+  /// Differences of close places would cancel.
+  static constexpr double kClose = 1e-7;
+
+  [[nodiscard]] double width(std::size_t i) const { return place_[next(i)] - place_[i]; }
+
+  [[nodiscard]] double mean_between(std::size_t i) const {
+    if (std::abs(width(i)) <= kClose) return half_circle(0.5 * (place_[i] + place_[next(i)]));
+    return (under_half_circle(place_[next(i)]) - under_half_circle(place_[i])) / width(i);
+  }
+
+  /// Of close places half of S′ = −x/S.
+  [[nodiscard]] double change(std::size_t i, double by) const {
+    if (std::abs(width(i)) > kClose) return by / width(i);
+    return height_[i] > 0.0 ? -0.5 * place_[i] / height_[i] : 0.0;
+  }
+
+  std::size_t turn_;
+  double down_;
+  std::vector<double> place_;
+  std::vector<double> height_;
+  std::vector<double> mean_height_;
 };
 
-/// Of a force that is straight in u between vertices. With S = √(1 − x²), x = (u − ū)/A, ∮ F cos θ dθ
-/// is ∫ F dS along the first branch less that along the second; and ∫ F dS = [F S] − F′ ∫ S dx.
-LoopWeights weights_of(const Loop& loop, double mean, double amplitude) {
-  const std::size_t n = loop.vertices.size();
-  LoopWeights weights{std::vector<double>(n, 0.0), std::vector<double>(n, 0.0)};
-  const double down = loop.vertices[loop.turn].displacement < mean ? 1.0 : -1.0;
-  const auto place = [&](std::size_t i) {
-    return std::clamp((loop.vertices[i].displacement - mean) / amplitude, -1.0, 1.0);
-  };
+/// Derivatives of D and k_eq of a loop.
+struct LoopDerivatives {
+  std::vector<double> dissipation;
+  std::vector<double> secant;
+};
+
+/// By the forces of its vertices, of which D and k_eq are sums with these weights, m and 1/m.
+LoopDerivatives by_force(const Loop& loop, const UnitLoop& unit, double amplitude) {
+  const std::size_t n = unit.size();
+  LoopDerivatives weights{std::vector<double>(n, 0.0), std::vector<double>(n, 0.0)};
   for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t next = (i + 1) % n;
+    const std::size_t next = unit.next(i);
     const double step = loop.vertices[next].displacement - loop.vertices[i].displacement;
     weights.dissipation[i] += 0.5 * step;
     weights.dissipation[next] += 0.5 * step;
-    const double from = place(i);
-    const double to = place(next);
-    const double width = to - from;
-    // S between close places, where differences of its integral would cancel.
-    const double between = std::abs(width) > 1e-7
-                               ? (under_half_circle(to) - under_half_circle(from)) / width
-                               : half_circle(0.5 * (from + to));
-    const double sign = (i < loop.turn ? 1.0 : -1.0) * down / (std::numbers::pi * amplitude);
-    weights.secant[i] += sign * (between - half_circle(from));
-    weights.secant[next] += sign * (half_circle(to) - between);
+    const double sign = unit.sign(i) / (std::numbers::pi * amplitude);
+    weights.secant[i] += sign * (unit.mean_height(i) - unit.height(i));
+    weights.secant[next] += sign * (unit.height(next) - unit.mean_height(i));
   }
   return weights;
+}
+
+/// By the displacements of its vertices, N and N/m². An error of u acts by the slope that the force
+/// has there, which is that of the stuck joint behind a turn, however low k_eq is; and one of a turn
+/// moves A and ū.
+/// @param secant  k_eq.
+LoopDerivatives by_displacement(const Loop& loop, const UnitLoop& unit, double amplitude,
+                                double secant) {
+  const std::size_t n = unit.size();
+  LoopDerivatives slopes{std::vector<double>(n, 0.0), std::vector<double>(n, 0.0)};
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t next = unit.next(i);
+    const double rise = loop.vertices[next].smooth_force - loop.vertices[i].smooth_force;
+    slopes.dissipation[i] -= 0.5 * rise;
+    slopes.dissipation[next] -= 0.5 * rise;
+    const double by = -unit.sign(i) * rise / (std::numbers::pi * amplitude * amplitude);
+    slopes.secant[i] += by * unit.change_by_first(i);
+    slopes.secant[next] += by * unit.change_by_next(i);
+  }
+  double of_mean = 0.0;  // ∂k_eq/∂ū
+  double of_amplitude = -secant / amplitude;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (unit.at_turn(i)) {
+      slopes.secant[i] = 0.0;
+      continue;
+    }
+    of_mean -= slopes.secant[i];
+    of_amplitude -= unit.place(i) * slopes.secant[i];
+  }
+  for (const std::size_t i : {std::size_t{0}, loop.turn}) {
+    slopes.secant[i] = 0.5 * (of_mean + unit.place(i) * of_amplitude);
+  }
+  return slopes;
 }
 
 double norm(const std::vector<double>& values) {
   double sum = 0.0;
   for (const double value : values) sum += value * value;
   return std::sqrt(sum);
+}
+
+/// √(Σ(mean of `length` values in a row)²), over all that hold one of them: the norm for errors
+/// that a low-pass of that length has left of independent ones.
+double norm_of_means(const std::vector<double>& values, std::size_t length) {
+  double sum = 0.0;
+  double squares = 0.0;
+  for (std::size_t i = 0; i + 1 < values.size() + length; ++i) {
+    if (i < values.size()) sum += values[i];
+    if (i >= length) sum -= values[i - length];
+    squares += sum * sum;
+  }
+  return std::sqrt(squares) / static_cast<double>(length);
 }
 
 /// Walks over a path and takes cycles off it as they close.
@@ -111,12 +204,12 @@ class CycleFinder {
       : path_(evidence.path().displacement),
         force_(evidence.measured().force),
         path_left_(evidence.path().left),
+        smooth_force_(smooth_path(force_)),
         whole_(range_of(path_)),
         same_(evidence.path().smallest_turn()),
         skip_(path_.size(), 0),
         inner_(path_.size(), 0) {
-    const SmoothedPath force = smooth_path(force_);
-    found_.force_noise = noise_or_none(force.noise, force_);
+    found_.force_noise = noise_or_none(smooth_force_.noise, force_);
     found_.path_noise = noise_or_none(evidence.path().noise, path_);
     for (const std::size_t turn : turning_samples(path_, same_)) {
       turns_.push_back(turn);
@@ -175,19 +268,31 @@ class CycleFinder {
     Loop loop;
     const double start = path_[a];
     const double up = path_[a] > path_[b] ? 1.0 : -1.0;
-    for (std::size_t i = a; i < b; i = next(i)) loop.vertices.push_back({path_[i], force_[i]});
+    for (std::size_t i = a; i < b; i = next(i)) loop.vertices.push_back(vertex(i));
     loop.turn = loop.vertices.size();
     std::size_t before = b;
     for (std::size_t i = b; i <= last; before = i, i = next(i)) {
       if (up * (path_[i] - start) >= 0.0) {
-        const double share = (start - path_[before]) / (path_[i] - path_[before]);
-        loop.vertices.push_back({start, force_[before] + share * (force_[i] - force_[before])});
+        loop.vertices.push_back(vertex_between(before, i, start));
         last = i;
         break;
       }
-      loop.vertices.push_back({path_[i], force_[i]});
+      loop.vertices.push_back(vertex(i));
     }
     return loop;
+  }
+
+  [[nodiscard]] Vertex vertex(std::size_t i) const {
+    return {path_[i], force_[i], smooth_force_.displacement[i]};
+  }
+
+  /// Of the straight line between two samples, at a displacement.
+  [[nodiscard]] Vertex vertex_between(std::size_t i, std::size_t k, double displacement) const {
+    const double share = (displacement - path_[i]) / (path_[k] - path_[i]);
+    const auto at = [&](const std::vector<double>& values) {
+      return values[i] + share * (values[k] - values[i]);
+    };
+    return {displacement, at(force_), at(smooth_force_.displacement)};
   }
 
   [[nodiscard]] std::size_t next(std::size_t i) const { return skip_[i] > i ? skip_[i] : i + 1; }
@@ -208,19 +313,31 @@ class CycleFinder {
     cycle.amplitude = 0.5 * std::abs(path_[a] - path_[b]);
     cycle.mean_displacement = 0.5 * (path_[a] + path_[b]);
     cycle.mean_force = 0.5 * (force_[a] + force_[b]);
-    const LoopWeights weights = weights_of(loop, cycle.mean_displacement, cycle.amplitude);
+    const UnitLoop unit(loop, cycle.mean_displacement, cycle.amplitude);
+    const LoopDerivatives weights = by_force(loop, unit, cycle.amplitude);
     for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
       const double force = loop.vertices[i].force - cycle.mean_force;
       cycle.dissipation += weights.dissipation[i] * force;
       cycle.secant_stiffness += weights.secant[i] * force;
     }
-    // An error of u is one of the force of the stuck joint, nearly.
-    const double noise = std::hypot(found_.force_noise, cycle.secant_stiffness * found_.path_noise);
+    const LoopDerivatives slopes =
+        by_displacement(loop, unit, cycle.amplitude, cycle.secant_stiffness);
     cycle.amplitude_std = found_.path_noise > 0.0 ? path_left_ / std::numbers::sqrt2 : 0.0;
-    cycle.dissipation_std = noise * norm(weights.dissipation);
-    cycle.secant_stiffness_std = noise * norm(weights.secant);
+    cycle.dissipation_std = deviation(weights.dissipation, slopes.dissipation);
+    cycle.secant_stiffness_std = deviation(weights.secant, slopes.secant);
     cycle.gap = gap_of(loop);
     return cycle;
+  }
+
+  /// Of a sum of independent errors of force and path; of the path those that its smoothing left.
+  [[nodiscard]] double deviation(const std::vector<double>& of_force,
+                                 const std::vector<double>& of_path) const {
+    if (!(found_.path_noise > 0.0)) return found_.force_noise * norm(of_force);
+    const double samples = std::pow(found_.path_noise / path_left_, 2);  // that it took together
+    const double longest = static_cast<double>(path_.size());
+    const auto length = static_cast<std::size_t>(std::clamp(std::round(samples), 1.0, longest));
+    return std::hypot(found_.force_noise * norm(of_force),
+                      found_.path_noise * norm_of_means(of_path, length));
   }
 
   /// Of the force at a, along the tangent where the path lacks of it.
@@ -275,6 +392,7 @@ class CycleFinder {
   const std::vector<double>& path_;
   const std::vector<double>& force_;
   double path_left_;
+  SmoothedPath smooth_force_;
   double whole_;  // range of the path
   double same_;   // places that are no further apart are the same
   std::vector<std::size_t> turns_;

@@ -69,8 +69,14 @@ struct RecordCycles {
 /// that is one loop from tip to tip has no range before it, and is a cycle where its force comes
 /// back. n samples make D too small by a share of 6.6/n².
 ///
-/// Standard deviations are those of independent errors of the samples: of the force by the flat part
-/// of its spectrum, as for the path; errors that all samples share, of gains above all, are not in
+/// Standard deviations are those of independent errors of the samples, σ_F of the force and σ_u of the
+/// path, by the flat parts of their spectra, to first order:
+///
+///     σ² = σ_F² Σ_i (∂/∂F_i)² + σ_u² Σ_i (mean of ∂/∂u over n samples about i)²
+///
+/// of D and k_eq as sums over the samples of the loop. An error of u acts by the slope dF/du of the
+/// loop where it is, by smoothed forces; one of a turn moves A. n = (σ_u/σ_left)² samples are what the
+/// smoothing of the path took together. Errors that all samples share, of gains above all, are not in
 /// them. Cycles no larger than the largest whose D is below three deviations are left out, not those
 /// alone whose D happens to be low.
 /// @param evidence  of any start.

@@ -139,6 +139,52 @@ ReportTable sessions_table(const CampaignFound& found) {
   return table;
 }
 
+ReportTable condition_values_table(const std::vector<ConditionFound>& conditions) {
+  ReportTable table{.title = "Conditions",
+                    .caption =
+                        "Levels by what the tests say of themselves: D and frequency off the joint "
+                        "identified from all, the latter less the offset of the session.",
+                    .columns = {{"condition"},
+                                {"value"},
+                                {"tests", "1", 0},
+                                {"levels", "1", 0},
+                                {"from", "µm", 3},
+                                {"to", "µm", 3},
+                                {"D off the joint", "%", 3},
+                                {"± (σ)", "%", 2},
+                                {"frequency off", "%", 3},
+                                {"± (σ)", "%", 2}}};
+  for (const ConditionFound& condition : conditions) {
+    for (const ConditionGroup& group : condition.effect.groups) {
+      table.rows.push_back({condition.effect.name, group.value, static_cast<double>(group.tests),
+                            static_cast<double>(group.levels), group.least / kMicrometre,
+                            group.largest / kMicrometre, group.dissipation.mean / kPercent,
+                            group.dissipation.sigma / kPercent, group.frequency.mean / kPercent,
+                            group.frequency.sigma / kPercent});
+    }
+  }
+  return table;
+}
+
+ReportTable condition_verdicts_table(const std::vector<ConditionFound>& conditions) {
+  ReportTable table{.title = "What conditions do",
+                    .caption =
+                        "Trends by least squares over the means of the values. Marked: values "
+                        "that differ by more than three standard deviations.",
+                    .columns = {{"condition"}, {"trend"}, {"one joint"}, {"verdict"}}};
+  for (const ConditionFound& condition : conditions) {
+    const ConditionVerdict verdict = condition_verdict(condition.effect);
+    if (verdict.differ) table.marked.push_back(table.rows.size());
+    const bool pooled = condition.effect.pooled();
+    table.rows.push_back({condition.effect.name, condition.trend,
+                          std::string(!pooled          ? ""
+                                      : verdict.differ ? "no"
+                                                       : "yes"),
+                          pooled ? verdict.text : "one value: nothing to compare"});
+  }
+  return table;
+}
+
 ReportTable left_out_table_of(const CampaignFound& found) {
   ReportTable table{.title = "Left out",
                     .caption =
@@ -236,6 +282,10 @@ ReportSection campaign_section(const ExperimentResults& results) {
                               }));
   section.blocks.emplace_back(campaign_tests_table(tests));
   if (!found.sessions.empty()) section.blocks.emplace_back(sessions_table(found));
+  if (!found.conditions.empty()) {
+    section.blocks.emplace_back(condition_values_table(found.conditions));
+    section.blocks.emplace_back(condition_verdicts_table(found.conditions));
+  }
   if (!found.left_out.empty()) {
     add_if_drawn(section, left_out_figure(found));
     section.blocks.emplace_back(left_out_table_of(found));

@@ -130,15 +130,6 @@ ConditionEffect groups_of(const CampaignFile& campaign, const CampaignLevels& le
   return effect;
 }
 
-bool all_overlap(const std::vector<ConditionGroup>& groups) {
-  for (const ConditionGroup& a : groups) {
-    for (const ConditionGroup& b : groups) {
-      if (a.largest < b.least) return false;
-    }
-  }
-  return true;
-}
-
 /// Whether some session has two values of it.
 bool varies_within_sessions(const CampaignFile& campaign, const std::string& name) {
   std::map<std::string, std::set<std::string>> values;
@@ -238,29 +229,40 @@ std::string values_text(const ConditionEffect& effect) {
 }
 
 std::string pooled_text(const ConditionEffect& effect) {
-  std::string text =
-      fmt::format("tests of {} = {} are identified as one joint", effect.name, values_text(effect));
-  bool significant = false;
-  const char* separator = ": ";
-  const auto tell = [&](std::string_view quantity, ConditionMean ConditionGroup::*of) {
-    const auto most = largest_difference(effect, of);
-    if (!most) return;
-    text += separator + difference_text(quantity, *most);
-    separator = "; ";
-    significant = significant || most->significant();
-  };
-  tell("D", &ConditionGroup::dissipation);
-  tell("the frequency", &ConditionGroup::frequency);
-  text += significant ? ". No one joint is both: identify them apart." : ".";
-  if (!effect.overlap) {
-    text +=
-        " Their amplitudes do not overlap: what the condition does and what the amplitude does "
-        "cannot be told apart.";
-  }
-  return text;
+  return fmt::format("tests of {} = {} are identified as one joint: {}", effect.name,
+                     values_text(effect), condition_verdict(effect).text);
 }
 
 }  // namespace
+
+bool amplitudes_overlap(const std::vector<ConditionGroup>& groups) {
+  for (const ConditionGroup& a : groups) {
+    for (const ConditionGroup& b : groups) {
+      if (a.largest < b.least) return false;
+    }
+  }
+  return true;
+}
+
+ConditionVerdict condition_verdict(const ConditionEffect& effect) {
+  ConditionVerdict verdict;
+  if (!effect.pooled()) return verdict;
+  const auto tell = [&](std::string_view quantity, ConditionMean ConditionGroup::*of) {
+    const auto most = largest_difference(effect, of);
+    if (!most) return;
+    verdict.text += (verdict.text.empty() ? "" : "; ") + difference_text(quantity, *most);
+    verdict.differ = verdict.differ || most->significant();
+  };
+  tell("D", &ConditionGroup::dissipation);
+  tell("the frequency", &ConditionGroup::frequency);
+  verdict.text += verdict.differ ? ". No one joint is both: identify them apart." : ".";
+  if (!effect.overlap) {
+    verdict.text +=
+        " Their amplitudes do not overlap: what the condition does and what the amplitude does "
+        "cannot be told apart.";
+  }
+  return verdict;
+}
 
 std::vector<ConditionEffect> condition_effects(const CampaignFile& campaign,
                                                const CampaignLevels& levels,
@@ -269,7 +271,7 @@ std::vector<ConditionEffect> condition_effects(const CampaignFile& campaign,
   for (const std::string& name : campaign.conditions()) {
     ConditionEffect effect = groups_of(campaign, levels, name);
     if (effect.groups.empty()) continue;
-    effect.overlap = all_overlap(effect.groups);
+    effect.overlap = amplitudes_overlap(effect.groups);
     Residuals gains;
     for (const TestsOfGroup& group : by_value(campaign, levels, effect, effects.exponent)) {
       gains.push_back(gain_of_mean(campaign, group));

@@ -44,7 +44,7 @@ struct ConditionEffect {
   /// condition; NaN where a value is no number, there is one, or a σ is not known.
   ConditionMean dissipation_trend = {};
   ConditionMean frequency_trend = {};  ///< the same of y
-  bool overlap = true;                 ///< whether the amplitudes of any two groups do
+  bool overlap = true;                 ///< whether the amplitudes of all groups do
 
   /// Whether tests of different values are of one joint here.
   [[nodiscard]] bool pooled() const { return groups.size() > 1; }
@@ -62,6 +62,20 @@ struct ConditionEffect {
 [[nodiscard]] std::vector<ConditionEffect> condition_effects(const CampaignFile& campaign,
                                                              const CampaignLevels& levels,
                                                              const SessionEffects& effects);
+
+/// What the groups of a condition say of each other.
+struct ConditionVerdict {
+  /// "D of 25 is +3.1 ± 0.4 % off that of 20, more than three standard deviations; …": the groups
+  /// that differ most, of D and of the frequency; empty of a single group.
+  std::string text = {};
+  bool differ = false;  ///< by more than three standard deviations: no one joint is all of them
+};
+
+/// Looks at the means of the groups and their σ, and at whether amplitudes overlap.
+[[nodiscard]] ConditionVerdict condition_verdict(const ConditionEffect& effect);
+
+/// Whether the amplitudes of any two groups overlap.
+[[nodiscard]] bool amplitudes_overlap(const std::vector<ConditionGroup>& groups);
 
 /// Warnings: `conditions_pooled` for tests of different values that are identified together, with
 /// what they differ by; `condition_not_identified` for a predicted test of a value that none of the

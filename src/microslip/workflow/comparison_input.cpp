@@ -95,14 +95,35 @@ void put_numbers(const CsvTable& table, const std::string& name, std::vector<Ent
   for (std::size_t row = 0; row < entries.size(); ++row) entries[row].*member = values[row];
 }
 
-void put_counts(const CsvTable& table, const std::string& name,
-                std::vector<SessionEffect>& sessions, std::size_t SessionEffect::*member) {
+template <typename Entry>
+void put_counts(const CsvTable& table, const std::string& name, std::vector<Entry>& entries,
+                std::size_t Entry::*member) {
   constexpr double kMost = 1e9;
   const std::vector<double> values = table.numbers(name, kDimensionless);
-  for (std::size_t row = 0; row < sessions.size(); ++row) {
+  for (std::size_t row = 0; row < entries.size(); ++row) {
     if (!(values[row] >= 0.0 && values[row] <= kMost)) table.reject(row, name, "a count");
-    sessions[row].*member = static_cast<std::size_t>(values[row]);
+    entries[row].*member = static_cast<std::size_t>(values[row]);
   }
+}
+
+void put_means(const CsvTable& table, const std::string& name, std::vector<ConditionGroup>& groups,
+               ConditionMean ConditionGroup::*member) {
+  const std::vector<double> means = numbers_or_empty(table, name);
+  const std::vector<double> sigmas = numbers_or_empty(table, name + "_std");
+  for (std::size_t row = 0; row < groups.size(); ++row) {
+    groups[row].*member = {means[row], sigmas[row]};
+  }
+}
+
+/// "trend: D … per unit of NAME" of the comments, without its beginning.
+std::string trend_of(const CsvTable& table, const std::string& condition) {
+  constexpr std::string_view kTrend = "trend: ";
+  for (const std::string& comment : table.comments()) {
+    if (comment.starts_with(kTrend) && comment.ends_with(" per unit of " + condition)) {
+      return comment.substr(kTrend.size());
+    }
+  }
+  return {};
 }
 
 }  // namespace
@@ -172,6 +193,29 @@ void add_sessions(const NamedInput& input, CampaignFound& found) {
   constexpr std::string_view kRepeats = "dissipation against that of the joint, std of the means: ";
   for (const std::string& comment : table.comments()) {
     if (comment.starts_with(kRepeats)) found.repeatability = comment.substr(kRepeats.size());
+  }
+}
+
+void add_conditions(const NamedInput& input, CampaignFound& found) {
+  const CsvTable table(input.text, input.path);
+  std::vector<ConditionGroup> groups(table.rows());
+  put_text(table, "value", groups,
+           [](ConditionGroup& group, const std::string& cell) { group.value = cell; });
+  put_counts(table, "tests", groups, &ConditionGroup::tests);
+  put_counts(table, "levels", groups, &ConditionGroup::levels);
+  put_numbers(table, "least_amplitude", groups, &ConditionGroup::least);
+  put_numbers(table, "largest_amplitude", groups, &ConditionGroup::largest);
+  put_means(table, "dissipation_offset", groups, &ConditionGroup::dissipation);
+  put_means(table, "frequency_offset", groups, &ConditionGroup::frequency);
+  const std::vector<std::string> names = table.text("condition");
+  for (std::size_t row = 0; row < names.size(); ++row) {
+    if (found.conditions.empty() || found.conditions.back().effect.name != names[row]) {
+      found.conditions.push_back({{.name = names[row]}, trend_of(table, names[row])});
+    }
+    found.conditions.back().effect.groups.push_back(std::move(groups[row]));
+  }
+  for (ConditionFound& condition : found.conditions) {
+    condition.effect.overlap = amplitudes_overlap(condition.effect.groups);
   }
 }
 

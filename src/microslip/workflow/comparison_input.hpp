@@ -18,6 +18,9 @@ void add_campaign_table(const NamedInput& input, CampaignFound& found);
 /// sessions.csv. @throws FormatError  likewise.
 void add_sessions(const NamedInput& input, CampaignFound& found);
 
+/// conditions.csv with the trends of its comments. @throws FormatError  likewise.
+void add_conditions(const NamedInput& input, CampaignFound& found);
+
 /// leave_one_out.csv. @throws FormatError  likewise.
 void add_left_out(const NamedInput& input, CampaignFound& found);
 

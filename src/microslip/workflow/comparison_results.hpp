@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "microslip/base/summary.hpp"
+#include "microslip/workflow/campaign_conditions.hpp"
 #include "microslip/workflow/campaign_sessions.hpp"
 #include "microslip/workflow/test_comparison.hpp"
 
@@ -57,13 +58,20 @@ struct LeftOutEntry {
   bool contradicts = false;     ///< likewise
 };
 
+/// A condition of conditions.csv.
+struct ConditionFound {
+  ConditionEffect effect = {};  ///< without its trends, whose numbers are not kept
+  std::string trend = {};       ///< in words, as trend_text(); empty without one
+};
+
 /// What a campaign wrote.
 struct CampaignFound {
-  std::vector<CampaignEntry> entries = {};   ///< of campaign.csv
-  std::vector<SessionEffect> sessions = {};  ///< of sessions.csv
-  std::string repeatability = {};            ///< likewise, in words; may be empty
-  std::vector<LeftOutEntry> left_out = {};   ///< of leave_one_out.csv
-  std::vector<Warning> warnings = {};        ///< of campaign.csv
+  std::vector<CampaignEntry> entries = {};      ///< of campaign.csv
+  std::vector<SessionEffect> sessions = {};     ///< of sessions.csv
+  std::string repeatability = {};               ///< likewise, in words; may be empty
+  std::vector<ConditionFound> conditions = {};  ///< of conditions.csv
+  std::vector<LeftOutEntry> left_out = {};      ///< of leave_one_out.csv
+  std::vector<Warning> warnings = {};           ///< of campaign.csv
 };
 
 /// How many values a comparison has, over all of its curves.

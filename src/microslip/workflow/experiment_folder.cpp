@@ -375,6 +375,7 @@ class FolderReader {
       add(*input, found);
     };
     read("sessions.csv", kSessionsKind, add_sessions);
+    read("conditions.csv", kConditionsKind, add_conditions);
     read("leave_one_out.csv", kLeftOutKind, add_left_out);
     results_.campaign = std::move(found);
   }
