@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <variant>
 
 #include "microslip/base/error.hpp"
 #include "microslip/workflow/smoothing_text.hpp"
+#include "support/messages.hpp"
 
 namespace microslip::quantity_text_test {
 namespace {
@@ -17,6 +19,17 @@ TEST(QuantityText, NumbersWithAndWithoutUnits) {
   EXPECT_EQ(parse_quantity("x", " 3e-4 ", kLength), 3e-4);
   EXPECT_EQ(parse_quantity("x", "0.2%", kDimensionless), 0.002);
   EXPECT_THROW((void)parse_quantity("x", "3 N", kLength), InputError);
+}
+
+// The longer of the two was found by scripts/fuzz: the message held all of a text of thousands of bytes.
+TEST(QuantityText, ADecimalCommaIsToldWithWhatToWrite) {
+  const auto told = [](const std::string& text) {
+    return test::message_of<InputError>([&] { (void)parse_quantity("x", text, kLength); });
+  };
+  EXPECT_EQ(told("1,5 mm"), "x = '1,5 mm'; must have a decimal point. Write 1.5 mm.");
+  EXPECT_EQ(told("1,5" + std::string(1000, 'm')),
+            "x = '1,5" + std::string(37, 'm') +
+                "…' (1003 bytes); must have a decimal point. Write a point for the comma.");
 }
 
 TEST(QuantityText, RangesInTheirOwnUnit) {

@@ -27,6 +27,9 @@ struct GivenQuantity {
   }
 };
 
+/// Longer texts are no number with a unit that was written in another country.
+constexpr std::size_t kLongestSuggestion = 40;
+
 /// Behind the whole part of a number.
 bool has_decimal_comma(std::string_view rest) {
   return rest.size() > 1 && rest[0] == ',' && rest[1] >= '0' && rest[1] <= '9';
@@ -47,10 +50,11 @@ GivenQuantity read_quantity(std::string_view option, std::string_view text,
   }
   rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
   if (has_decimal_comma(rest)) {
-    std::string point(text);
+    std::string point(text.substr(0, kLongestSuggestion));
     std::ranges::replace(point, ',', '.');
     throw InputError(option, in_quotes(text), "must have a decimal point",
-                     fmt::format("Write {}.", point));
+                     text.size() > kLongestSuggestion ? "Write a point for the comma."
+                                                      : fmt::format("Write {}.", point));
   }
   rest = trimmed(rest);
   if (rest.empty()) return {value, {.dimension = dimension}};
