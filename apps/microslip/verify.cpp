@@ -16,7 +16,9 @@
 #include "draw_arguments.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/io/file_kind.hpp"
+#include "microslip/io/input_file.hpp"
 #include "microslip/io/output_files.hpp"
+#include "microslip/io/rig_file.hpp"
 #include "microslip/report/gnuplot.hpp"
 #include "microslip/report/verification_figure.hpp"
 #include "microslip/workflow/recordings_verification.hpp"
@@ -88,8 +90,8 @@ void write_outputs(const VerifyOptions& options, const VerifiedRecordings& verif
 
 /// The joint and the recordings of a rig.
 void name_inputs(VerifyOptions& options) {
-  const auto require_rig = [&] {  // it may be no rig, but missing
-    if (options.rig != "-") (void)read_kind_head(options.rig);
+  const auto require_rig = [&] {  // it may be no rig, or missing
+    if (options.rig != "-") (void)parse_rig(read_file(options.rig), options.rig);
   };
   options.joint = options.tests.front();
   options.recordings.assign(options.tests.begin() + 1, options.tests.end());

@@ -250,8 +250,12 @@ TEST(campaign, NamesWhatIsWrong) {
   refused("draws = 200", "draws = 1", {"draws", "= 1", "40"});
   refused("swept.csv", "true.json", {"test 'swept'", "stepped sines"});
   refused("stiffness_N_per_m = 4e5", "stiffness_N_per_m = 6e5", {"k is 600000 N/m"});
+  refused("stiffness_N_per_m = 4e5", "stiffness_N_per_m = 4e9", {"k is 4e+09 N/m. Check k"});
   refused("leave_one_out = \"tests\"", "leave_one_out = \"all\"", {"leave_one_out", "'all'"});
-  refused("leave_one_out = \"tests\"", "smoothing = \"lambda=-1\"", {"smoothing", "-1"});
+  refused("leave_one_out = \"tests\"", "smoothing = \"lambda=-1\"",
+          {"campaign.toml: identification.smoothing = -1", "above 0"});
+  refused("leave_one_out = \"tests\"", "smoothing = \"p=0.3\"",
+          {"campaign.toml: identification.smoothing = 'p=0.3'", "gcv or lambda=X", "identify"});
   box.put("campaign.toml", kCampaign);
   expect_refused(box, {"campaign", "-", "--out", "found"}, {"standard input", "a file"});
   expect_refused(box, {"campaign", "campaign.toml", "--out", "-"}, {"folder"});

@@ -98,6 +98,7 @@ struct Typed {
 
 TEST(FirstMistakes, InCalls) {
   const Sandbox box = sandbox();
+  box.put("page.html", "<html><body></body></html>");
   const std::vector<Typed> all{
       {{"identify", "levels.csv", "--stiffness", "--out", "j.json"},
        {"--stiffness has no value", "--out"}},
@@ -111,6 +112,8 @@ TEST(FirstMistakes, InCalls) {
        {"'rad/s'", "1 Hz is 2 pi rad/s"}},
       {{"identify", "level_*.csv", "--stiffness", "1e5", "--out", "j.json"},
        {"level_*.csv", "No file fits this pattern"}},
+      {{"verify", "page.html", "levels.csv", "--out", "v.csv"},
+       {"page.html: expected TOML, found an HTML page"}},
       {{"identify", "'levels.csv'", "--stiffness", "1e5", "--out", "j.json"},
        {"quotes are part of the name"}}};
   for (const Typed& one : all) expect_refused(box, one.call, one.parts);

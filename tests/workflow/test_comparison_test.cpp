@@ -61,6 +61,26 @@ TEST(TestComparison, BandsHoldDrawsAndNoise) {
   EXPECT_FALSE(warns(test, "few_inside"));
 }
 
+// σ estimated from 4 degrees of freedom: Student's t, whose 97.5 % lies at 2.776 with a density of
+// 0.0256/σ there; within four standard deviations of the quantile of N draws, √(0.025·0.975/N)/0.0256.
+// All values of the curve err by one factor of σ, so that the draws know of few inside, too.
+TEST(TestComparison, BandsHoldWhatAnEstimateMayBeOffBy) {
+  constexpr double kNoise = 0.4;
+  constexpr std::size_t kValues = 10;
+  ComparedTest test = test_of(kValues);
+  test.curves[0].measured_std.assign(kValues, kNoise);
+  test.curves[0].std_freedom = 4;
+  for (std::size_t i = 0; i < kValues / 2; ++i) test.curves[0].measured[i] += 3.0 * kNoise;
+  compare(shared_error(kValues, 0.0), draws(), test);
+  const ComparedCurve& curve = test.curves[0];
+  const double tolerance = 4.0 * 6.1 * kNoise / std::sqrt(static_cast<double>(kDraws));
+  EXPECT_NEAR(curve.upper[0], 10.0 + 2.776 * kNoise, tolerance);
+  EXPECT_NEAR(curve.lower[0], 10.0 - 2.776 * kNoise, tolerance);
+  // Of independent values 5 of 10 outside have a chance of 6e-5.
+  EXPECT_EQ(curve.inside(), kValues / 2);
+  EXPECT_GT(curve.chance, 0.005);
+}
+
 // Ten values that err together lie all inside or all outside of their band. Where they lie outside, so
 // do 5 % of the draws, no fewer, however far: that is told as 5 % and not as 0.05^10, and it is as few
 // as the confidence has it.

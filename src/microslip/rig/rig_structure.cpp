@@ -37,15 +37,18 @@ void check_modes_hold(const Rig& rig, const StickState& state, double spring) {
   }
   const double share = spring * flexibility;
   if (!(share > 1.0)) return;
+  constexpr double kRounding = 1.01;  // of k by digits that were typed in
   throw InputError(
       "modes.joint", fmt::format("[{:.6g}]", fmt::join(state.joint, ", ")),
       fmt::format("must leave the structure some stiffness without the joint: with frequency_Hz it "
                   "belongs to a joint of {:.6g} N/m at most, and k is {:.6g} N/m",
                   1.0 / flexibility, spring),
-      fmt::format(
-          "If the joint is all the stiffness there is, rounding does this: make the shape at "
-          "the joint {:.2g} % smaller. Otherwise check k, the shape and the frequency.",
-          110.0 * (1.0 - 1.0 / std::sqrt(share))));
+      share > kRounding
+          ? "Check k, the shape and the frequency."
+          : fmt::format("If the joint is all the stiffness there is, rounding does this: make the "
+                        "shape at the joint {:.2g} % smaller. Otherwise check k, the shape and the "
+                        "frequency.",
+                        110.0 * (1.0 - 1.0 / std::sqrt(share))));
 }
 
 }  // namespace

@@ -18,8 +18,9 @@ namespace {
 constexpr double kQuarterTurn = 0.5 * std::numbers::pi;
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kCoarseStep = 30.0 * kDegree;
-constexpr double kLeastLag = 30.0 * kDegree;  // of steps whose scatter counts, and of π less it
-constexpr Eigen::Index kUnknowns = 3;         // of a fit to them
+constexpr double kLeastLag = 30.0 * kDegree;     // of steps whose scatter counts, and of π less it
+constexpr double kFarthestLag = 15.0 * kDegree;  // of steps that tell the mass, likewise
+constexpr Eigen::Index kUnknowns = 3;            // of a fit to them
 
 /// A step of a sweep, by its dynamic stiffness Z = K + iC.
 struct StiffnessStep {
@@ -36,6 +37,7 @@ struct Passage {
   StiffnessStep behind;
   double share = 0.0;     // of the distance in ω²
   std::size_t place = 0;  // of the second in the sweep
+  double mass = 0.0;      // −dK/dω² far from here, where k is as much on either side, kg
 
   /// Of two values on a straight line.
   [[nodiscard]] double between(double a, double b) const { return std::lerp(a, b, share); }
@@ -48,8 +50,10 @@ struct Passage {
   }
   [[nodiscard]] double lossy() const { return geometric(before.lossy, behind.lossy); }
   /// ω² that |K| takes to grow from 0 to C.
-  [[nodiscard]] double half_width() const {
-    return (behind.square - before.square) * lossy() / std::abs(before.elastic - behind.elastic);
+  [[nodiscard]] double half_width() const { return lossy() / mass; }
+  /// What k, without the mass, changes by, N/m.
+  [[nodiscard]] double softening() const {
+    return std::abs(before.elastic - behind.elastic) - mass * (behind.square - before.square);
   }
 };
 
@@ -69,13 +73,30 @@ std::vector<StiffnessStep> stiffness_steps(const SteppedSine& sweep) {
   return steps;
 }
 
+/// By the farthest steps of the same sides that are still of this resonance: between neighbours k may
+/// change by more than mω² does.
+double mass_about(const std::vector<StiffnessStep>& steps, std::size_t place) {
+  const auto same = [&](std::size_t i, std::size_t side) {
+    const bool below = steps[i].phase < kQuarterTurn;
+    return below == (steps[side].phase < kQuarterTurn) && steps[i].phase >= kFarthestLag &&
+           steps[i].phase <= std::numbers::pi - kFarthestLag;
+  };
+  std::size_t first = place - 1;
+  while (first > 0 && same(first - 1, place - 1)) --first;
+  std::size_t last = place;
+  while (last + 1 < steps.size() && same(last + 1, place)) ++last;
+  return std::abs(steps[first].elastic - steps[last].elastic) /
+         (steps[last].square - steps[first].square);
+}
+
 std::vector<Passage> passages(const std::vector<StiffnessStep>& steps) {
   std::vector<Passage> found;
   for (std::size_t i = 1; i < steps.size(); ++i) {
     const StiffnessStep& before = steps[i - 1];
     const StiffnessStep& behind = steps[i];
     if ((before.phase < kQuarterTurn) == (behind.phase < kQuarterTurn)) continue;
-    found.push_back({before, behind, before.elastic / (before.elastic - behind.elastic), i});
+    found.push_back({before, behind, before.elastic / (before.elastic - behind.elastic), i,
+                     mass_about(steps, i)});
   }
   return found;
 }
@@ -241,12 +262,14 @@ SweepResonance resonance_at(const Passage& passage, const Scatter& scatter) {
   const double growth = std::log(passage.behind.displacement / passage.before.displacement);
   const double chord = share * (1.0 - share) * growth * growth;
   const double half_width = passage.half_width() / (4.0 * std::numbers::pi * omega);  // Hz
+  const double bend = std::max(1.9 * chord, share * (1.0 - share) * std::abs(growth) *
+                                                std::abs(passage.softening()) / passage.lossy());
   return {.frequency = omega / (2.0 * std::numbers::pi),
           .force = passage.lossy() * passage.displacement(),
           .acceleration = passage.square() * passage.displacement(),
           .phase_step = std::abs(passage.behind.phase - passage.before.phase),
           .damping_std = std::hypot(0.25 * chord, weight * scatter.lossy),
-          .frequency_std = half_width * std::hypot(1.9 * chord, weight * scatter.elastic),
+          .frequency_std = half_width * std::hypot(bend, weight * scatter.elastic),
           .amplitude_std = scatter.readings.amplitude,
           .phase_std = scatter.readings.phase,
           .scatter_freedom = scatter.readings.freedom};

@@ -22,7 +22,8 @@ struct SweepResonance {
   double phase_step = 0.0;     ///< from the step before it to the one behind, rad, in (0, π)
   double damping_std = 0.0;    ///< of |F_1|/|A_1| at this |A_1|, relative, 1
   double frequency_std = 0.0;  ///< at this |A_1|, Hz
-  /// Of the readings of a step, by the scatter of those about the resonance; 0 where they do not tell.
+  /// Of the readings of a step, by the scatter of those about the resonance; 0 where that is not
+  /// known.
   double amplitude_std = 0.0;       ///< of |F_1|/|A_1|, relative, 1
   double phase_std = 0.0;           ///< rad
   std::size_t scatter_freedom = 0;  ///< degrees of freedom that these two are known by
@@ -44,6 +45,9 @@ struct SweepResonance {
 /// The first by the curvature p²w(1 − w) ≤ 1/2 of ln C over ln X, w the share of slip; the second
 /// by that of k, p²βX^p ≤ π p(p + 2)/4 C, of a slip of virgin curve kX − βX^{p+1} [Masing: D =
 /// 4βX^{p+2} p/(p + 2)].
+/// Where k changes by more than slip makes it, as past a fold, |δω| ≤ s(1 − s) Λ |Δk|/(2mω) counts, of
+/// a k that changes by X^q, q ≤ 2, as of a cubic spring. m is by the farthest steps with lags of 15° to
+/// 165° about the resonance: between the two beside it k may change by more than mω².
 ///
 /// Standard deviations hold these, and by how much the steps scatter: ln C and K/C of those about
 /// it with 30° ≤ θ ≤ 150° about a least-squares fit by 1, ω² and ln X. Errors of a reading of Z are

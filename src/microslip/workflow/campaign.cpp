@@ -70,8 +70,22 @@ void check_structure(const CampaignFile& plan) {
           : "A structure known by its modes has [modes] there.");
 }
 
-void check_campaign(const CampaignFile& plan) {
+/// In the words of campaign.toml: only the inversion has draws, and p is of another method.
+void check_smoothing(const CampaignRun& run, const CampaignFile& plan) {
+  const std::string place = fmt::format("{}: identification.smoothing", printable(run.campaign));
+  IdentificationOptions none;
+  try {
+    if (!plan.smoothing.starts_with("p=")) return set_smoothing(plan.smoothing, std::nullopt, none);
+  } catch (const InputError& error) {
+    throw error.renamed(place);
+  }
+  throw InputError(place, in_quotes(plan.smoothing), "must be gcv or lambda=X",
+                   "p is of the method spline of identify, which has no draws.");
+}
+
+void check_campaign(const CampaignRun& run, const CampaignFile& plan) {
   check_structure(plan);
+  check_smoothing(run, plan);
   std::vector<std::string> files;
   for (const CampaignTest& test : plan.tests) files.push_back(test.file);
   check_distinct_files(files);
@@ -529,14 +543,14 @@ std::vector<ResultFile> planned_files(const CampaignRun& run) {
     throw InputError("out", in_quotes(run.out), "must be a folder", "Name it.");
   }
   const CampaignFile plan = read_plan(run);
-  check_campaign(plan);
+  check_campaign(run, plan);
   std::vector<ResultFile> files = files_of(run, plan);
   check_not_replaced(run, plan, files);
   return files;
 }
 
 DoneCampaign run_campaign(const CampaignRun& run) {
-  check_campaign(read_plan(run));
+  check_campaign(run, read_plan(run));
   return CampaignWork(run).done();
 }
 

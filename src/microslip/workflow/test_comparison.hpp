@@ -58,8 +58,8 @@ struct ComparedCurve {
   std::vector<double> at = {};            ///< place of each value
   std::vector<double> measured = {};      ///< NaN where it is a prediction alone
   std::vector<double> measured_std = {};  ///< of it; empty where that is not known
-  /// Degrees of freedom of an estimate that measured_std is, by the same factor of all; 0 where it is
-  /// known.
+  /// Degrees of freedom of the estimate that measured_std is, off by one factor for all; 0 where it
+  /// is known.
   std::size_t std_freedom = 0;
   std::vector<double> predicted = {};  ///< by the model as it is; NaN where it was not found
   std::vector<double> lower = {};      ///< of the draws; empty without
