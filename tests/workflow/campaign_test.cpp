@@ -249,7 +249,8 @@ TEST(CampaignConditions, KnowHowTestsRepeat) {
 }
 
 // Gains of D known to 2 % and of A to 1 % are errors that levels of a test share: one test a value,
-// their scatter of 0.5 % does not show them. By hand for D ∝ A^p, p the mean of D′A/D: 2 % and p·1 %.
+// their scatter of 0.5 % does not show them. By hand for D ∝ A^p, p the mean of D′A/D: 2 % and p·1
+// %.
 TEST(CampaignConditions, HoldTheGainsThatTestsMayHave) {
   VirtualCampaign campaign = campaign_of({{.session = "a"}, {.session = "a", .gain = 1.04}}, 5);
   for (std::size_t t = 0; t < 2; ++t) {
@@ -351,8 +352,9 @@ TEST(CampaignLeaveOneOut, NamesTheTestOfAnotherJoint) {
   EXPECT_TRUE(std::isnan(parts[3].deviation(9)));
 }
 
-// The same where the levels come with their standard deviations, as those that are reduced do: these
-// say nothing of a test that is wrong, but by what the others scatter beyond them it is among them.
+// The same where the levels come with their standard deviations, as those that are reduced do:
+// these say nothing of a test that is wrong, but by what the others scatter beyond them it is among
+// them.
 TEST(CampaignLeaveOneOut, NamesItAmongLevelsWithDeviations) {
   std::vector<VirtualTest> tests = kFourTests;
   tests[2].gain = 1.15;

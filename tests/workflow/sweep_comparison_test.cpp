@@ -119,9 +119,9 @@ TEST(SweepComparison, TakesPhasesOfEitherSignAndSense) {
 }
 
 // A reading of the force drives with it over its gain: the response is as uncertain, by e^{±1.96σ},
-// its frequency and lag are not, but for 1e-6 of the damping that a viscous damper's growth with ω is
-// off the fit that the scatter of the steps is by; ζ by force and response as read is uncertain by the
-// same. Edges within four standard deviations of a quantile of N draws, 2.67σ/√N.
+// its frequency and lag are not, but for 1e-6 of the damping that a viscous damper's growth with ω
+// is off the fit that the scatter of the steps is by; ζ by force and response as read is uncertain
+// by the same. Edges within four standard deviations of a quantile of N draws, 2.67σ/√N.
 TEST(SweepComparison, AGainOfTheForceIsInResponseAndDamping) {
   constexpr double kGain = 0.05;
   constexpr std::size_t kDraws = 400;
@@ -164,9 +164,9 @@ TEST(SweepComparison, AGainOfTheResponseIsInWhatIsPredicted) {
   }
 }
 
-// Readings with 1 % and 0.02 rad of noise, of a structure that is known: 95 % of the steps lie in the
-// band, known to 2 % by σ of some 18 degrees of freedom in each of 30 sweeps. Of their 60 curves 5 %
-// have too few inside, 3; more than 9 have a chance of 0.1 %.
+// Readings with 1 % and 0.02 rad of noise, of a structure that is known: 95 % of the steps lie in
+// the band, known to 2 % by σ of some 18 degrees of freedom in each of 30 sweeps. Of their 60
+// curves 5 % have too few inside, 3; more than 9 have a chance of 0.1 %.
 TEST(SweepComparison, ABandHoldsTheScatterOfTheSteps) {
   constexpr std::size_t kSweeps = 30;
   const ModelFile model = linear();

@@ -62,8 +62,9 @@ TEST(TestComparison, BandsHoldDrawsAndNoise) {
 }
 
 // σ estimated from 4 degrees of freedom: Student's t, whose 97.5 % lies at 2.776 with a density of
-// 0.0256/σ there; within four standard deviations of the quantile of N draws, √(0.025·0.975/N)/0.0256.
-// All values of the curve err by one factor of σ, so that the draws know of few inside, too.
+// 0.0256/σ there; within four standard deviations of the quantile of N draws,
+// √(0.025·0.975/N)/0.0256. All values of the curve err by one factor of σ, so that the draws know
+// of few inside, too.
 TEST(TestComparison, BandsHoldWhatAnEstimateMayBeOffBy) {
   constexpr double kNoise = 0.4;
   constexpr std::size_t kValues = 10;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <utility>
 
 #include "microslip/base/error.hpp"
 
@@ -38,6 +39,7 @@ struct Passage {
   double share = 0.0;     // of the distance in ω²
   std::size_t place = 0;  // of the second in the sweep
   double mass = 0.0;      // −dK/dω² far from here, where k is as much on either side, kg
+  double bend = 0.0;      // what ln C may be off by where it is not straight, by other steps
 
   /// Of two values on a straight line.
   [[nodiscard]] double between(double a, double b) const { return std::lerp(a, b, share); }
@@ -73,9 +75,10 @@ std::vector<StiffnessStep> stiffness_steps(const SteppedSine& sweep) {
   return steps;
 }
 
-/// By the farthest steps of the same sides that are still of this resonance: between neighbours k may
-/// change by more than mω² does.
-double mass_about(const std::vector<StiffnessStep>& steps, std::size_t place) {
+/// The first and the last of the steps about a passage that are on the same sides of this resonance
+/// and near enough to tell mass and losses.
+std::pair<std::size_t, std::size_t> telling(const std::vector<StiffnessStep>& steps,
+                                            std::size_t place) {
   const auto same = [&](std::size_t i, std::size_t side) {
     const bool below = steps[i].phase < kQuarterTurn;
     return below == (steps[side].phase < kQuarterTurn) && steps[i].phase >= kFarthestLag &&
@@ -85,8 +88,54 @@ double mass_about(const std::vector<StiffnessStep>& steps, std::size_t place) {
   while (first > 0 && same(first - 1, place - 1)) --first;
   std::size_t last = place;
   while (last + 1 < steps.size() && same(last + 1, place)) ++last;
-  return std::abs(steps[first].elastic - steps[last].elastic) /
-         (steps[last].square - steps[first].square);
+  return {first, last};
+}
+
+/// By the farthest steps: between neighbours k may change by more than mω² does.
+double mass_between(const StiffnessStep& first, const StiffnessStep& last) {
+  return std::abs(first.elastic - last.elastic) / (last.square - first.square);
+}
+
+/// How far ln C of a step is off the straight line over ln X through two others; 0 where these lie
+/// too close to each other to tell.
+double departure_of_loss(const StiffnessStep& beyond, const StiffnessStep& near,
+                         const StiffnessStep& step) {
+  constexpr double kLeast = 0.5;  // of the distance to the step
+  const double line = std::log(near.displacement / beyond.displacement);
+  const double distance = std::log(step.displacement / near.displacement);
+  if (std::abs(line) < kLeast * std::abs(distance) || line == 0.0) return 0.0;
+  return std::abs(std::log(step.lossy / near.lossy) -
+                  std::log(near.lossy / beyond.lossy) * distance / line);
+}
+
+/// How far ln C at the resonance is off that between the two steps of the nearest displacements, on
+/// whichever side: 0 where these are the two beside it.
+double departure_by_displacement(std::span<const StiffnessStep> telling, const Passage& passage) {
+  const double x = passage.displacement();
+  const StiffnessStep* below = nullptr;
+  const StiffnessStep* above = nullptr;
+  for (const StiffnessStep& step : telling) {
+    const double other = step.displacement;
+    if (other <= x && (below == nullptr || other > below->displacement)) below = &step;
+    if (other > x && (above == nullptr || other < above->displacement)) above = &step;
+  }
+  if (below == nullptr || above == nullptr) return 0.0;
+  const double share =
+      std::log(x / below->displacement) / std::log(above->displacement / below->displacement);
+  return std::abs(std::lerp(std::log(below->lossy), std::log(above->lossy), share) -
+                  std::log(passage.lossy()));
+}
+
+/// What ln C at a passage may be off by, by the steps that tell of it.
+double bend_at(std::span<const StiffnessStep> telling, const Passage& passage, std::size_t place) {
+  double beside = 0.0;
+  if (place > 1) beside = departure_of_loss(telling[place - 2], passage.before, passage.behind);
+  if (place + 1 < telling.size()) {
+    beside =
+        std::max(beside, departure_of_loss(telling[place + 1], passage.behind, passage.before));
+  }
+  return std::max(passage.share * (1.0 - passage.share) * beside,
+                  departure_by_displacement(telling, passage));
 }
 
 std::vector<Passage> passages(const std::vector<StiffnessStep>& steps) {
@@ -95,8 +144,11 @@ std::vector<Passage> passages(const std::vector<StiffnessStep>& steps) {
     const StiffnessStep& before = steps[i - 1];
     const StiffnessStep& behind = steps[i];
     if ((before.phase < kQuarterTurn) == (behind.phase < kQuarterTurn)) continue;
-    found.push_back({before, behind, before.elastic / (before.elastic - behind.elastic), i,
-                     mass_about(steps, i)});
+    const auto [first, last] = telling(steps, i);
+    Passage one{before, behind, before.elastic / (before.elastic - behind.elastic), i,
+                mass_between(steps[first], steps[last])};
+    one.bend = bend_at(std::span(steps).subspan(first, last - first + 1), one, i - first);
+    found.push_back(one);
   }
   return found;
 }
@@ -152,7 +204,8 @@ std::span<const StiffnessStep> steps_near(const std::vector<StiffnessStep>& step
   return std::span(steps).subspan(first, last - first);
 }
 
-/// Of a step against the cubic through two steps at either side: δ/√(1 + Σw²), w the weights of these.
+/// Of a step against the cubic through two steps at either side: δ/√(1 + Σw²), w the weights of
+/// these.
 class CubicDeparture {
  public:
   /// @param near  at least 5. @param i  of the step, with two at either side.
@@ -190,10 +243,10 @@ class CubicDeparture {
   std::array<double, kPlaces.size()> weights_{1.0, 1.0, 1.0, 1.0};
 };
 
-/// Of steps so close that they are smooth from one to the next, whatever the joint. NaN where two are
-/// at one frequency. Departures of neighbours are of the same readings: at equal distances these are
-/// fourth differences, whose correlations 4/5, 2/5, 4/35 and 1/70 leave n/(1 + 2Σρ²) = n/2.63 of n
-/// degrees of freedom.
+/// Of steps so close that they are smooth from one to the next, whatever the joint. NaN where two
+/// are at one frequency. Departures of neighbours are of the same readings: at equal distances
+/// these are fourth differences, whose correlations 4/5, 2/5, 4/35 and 1/70 leave n/(1 + 2Σρ²) =
+/// n/2.63 of n degrees of freedom.
 ReadingScatter scatter_among_neighbours(std::span<const StiffnessStep> near) {
   constexpr double kShareOfFreedom = 1.0 / 2.63;
   constexpr std::size_t kSides = 4;
@@ -262,14 +315,18 @@ SweepResonance resonance_at(const Passage& passage, const Scatter& scatter) {
   const double growth = std::log(passage.behind.displacement / passage.before.displacement);
   const double chord = share * (1.0 - share) * growth * growth;
   const double half_width = passage.half_width() / (4.0 * std::numbers::pi * omega);  // Hz
-  const double bend = std::max(1.9 * chord, share * (1.0 - share) * std::abs(growth) *
-                                                std::abs(passage.softening()) / passage.lossy());
+  const double phase_step = std::abs(passage.behind.phase - passage.before.phase);
+  // Between fine steps the scatter is more than a bend, and what seems one is scatter.
+  const double bend = phase_step > kCoarseStep ? passage.bend : 0.0;
+  const double softening =
+      std::max(1.9 * chord, share * (1.0 - share) * std::abs(growth) *
+                                std::abs(passage.softening()) / passage.lossy());
   return {.frequency = omega / (2.0 * std::numbers::pi),
           .force = passage.lossy() * passage.displacement(),
           .acceleration = passage.square() * passage.displacement(),
-          .phase_step = std::abs(passage.behind.phase - passage.before.phase),
-          .damping_std = std::hypot(0.25 * chord, weight * scatter.lossy),
-          .frequency_std = half_width * std::hypot(bend, weight * scatter.elastic),
+          .phase_step = phase_step,
+          .damping_std = std::hypot(std::max(0.25 * chord, bend), weight * scatter.lossy),
+          .frequency_std = half_width * std::hypot(softening, weight * scatter.elastic),
           .amplitude_std = scatter.readings.amplitude,
           .phase_std = scatter.readings.phase,
           .scatter_freedom = scatter.readings.freedom};

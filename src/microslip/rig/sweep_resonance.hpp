@@ -45,17 +45,24 @@ struct SweepResonance {
 /// The first by the curvature p²w(1 − w) ≤ 1/2 of ln C over ln X, w the share of slip; the second
 /// by that of k, p²βX^p ≤ π p(p + 2)/4 C, of a slip of virgin curve kX − βX^{p+1} [Masing: D =
 /// 4βX^{p+2} p/(p + 2)].
-/// Where k changes by more than slip makes it, as past a fold, |δω| ≤ s(1 − s) Λ |Δk|/(2mω) counts, of
-/// a k that changes by X^q, q ≤ 2, as of a cubic spring. m is by the farthest steps with lags of 15° to
-/// 165° about the resonance: between the two beside it k may change by more than mω².
+///
+/// Where a population of sliders ends between coarse steps, ln C over ln X has a bend that no power
+/// has. Where it is larger, what other steps tell of it counts: s(1 − s) δ, δ how far ln C of one
+/// step is off the straight line through the other and the one beside that, or how far ln C is off
+/// that between the steps whose X are nearest, on whichever side of the resonance. Where k changes
+/// by more than slip makes it, as past a fold, s(1 − s) Λ |Δk|/(2mω) counts, of a k that changes by
+/// X^q, q ≤ 2, as of a cubic spring. m is by the farthest steps with lags of 15° to 165° about the
+/// resonance: between the two beside it k may change by more than mω².
 ///
 /// Standard deviations hold these, and by how much the steps scatter: ln C and K/C of those about
 /// it with 30° ≤ θ ≤ 150° about a least-squares fit by 1, ω² and ln X. Errors of a reading of Z are
 /// of the size ε|Z| = εC/sin θ, so that steps have the weight sin θ, and ε is in the mean of two
-/// with the shares s and 1 − s by √((1 − s)²/sin²θ_1 + s²/sin²θ_2). What is left of ln C and K is δZ,
-/// and δZ/Z = δln|Z| + iδθ the errors of the readings. These are told also by how far ln|Z| and θ of
-/// each step are off a cubic over ω² through two at either side; the smaller of the two counts where
-/// twelve such steps tell it. From 4 such steps on; of 3 and fewer no scatter is known. An error of the phase that all steps share is not in them.
+/// with the shares s and 1 − s by √((1 − s)²/sin²θ_1 + s²/sin²θ_2). From 4 such steps on; of 3 and
+/// fewer no scatter is known. An error of the phase that all steps share is not in them.
+///
+/// What is left of ln C and K is δZ, and δZ/Z = δln|Z| + iδθ the errors of the readings. These are
+/// told also by how far ln|Z| and θ of each step are off a cubic over ω² through two at either
+/// side, whose freedom is 1/2.63 of so many; the smaller of the two counts from a freedom of 3 on.
 ///
 /// Of several passages that of the largest acceleration.
 /// @return nothing where the phase does not pass a quarter turn.

@@ -557,7 +557,7 @@ DoneCampaign run_campaign(const CampaignRun& run) {
 std::string describe_campaign(const DoneCampaign& done) {
   Identification found = done.identified.found;  // whose warnings are among those of all
   found.warnings.clear();
-  std::string text = done.plan.title.empty() ? "" : done.plan.title + "\n";
+  std::string text = done.plan.title.empty() ? "" : printable(done.plan.title) + "\n";
   text += describe_departures(done.levels.warnings);
   text += describe_identification(found, done.identified.count) + describe_sessions(done.sessions) +
           describe_conditions(done.conditions) + describe_left_out(done.left_out);

@@ -53,12 +53,12 @@ struct ConditionEffect {
 /// Of each condition of tests with levels, those that do not say it left out.
 ///
 /// σ of a mean is the larger of √(s²/n + g²/t), s² = Σ(r − r̄)²/(N − G) over the N levels of all G
-/// groups, n of them in the group, and √(s_t²/t), s_t² likewise of the means of the tests, t of them
-/// in the group, where a group has two tests: tests repeat worse than levels within them. Of D g² is
-/// σ_e² + (pσ_c)² by the gains of D and A that the campaign says its tests may have, p the mean of
-/// d ln D̂/d ln A over the group; of y it is 0. Frequencies say nothing where offsets of sessions are
-/// fitted and no session has two values: what the condition
-/// does is then part of these.
+/// groups, n of them in the group, and √(s_t²/t), s_t² likewise of the means of the tests, t of
+/// them in the group, where a group has two tests: tests repeat worse than levels within them. Of D
+/// g² is σ_e² + (pσ_c)² by the gains of D and A that the campaign says its tests may have, p the
+/// mean of d ln D̂/d ln A over the group; of y it is 0. Frequencies say nothing where offsets of
+/// sessions are fitted and no session has two values: what the condition does is then part of
+/// these.
 [[nodiscard]] std::vector<ConditionEffect> condition_effects(const CampaignFile& campaign,
                                                              const CampaignLevels& levels,
                                                              const SessionEffects& effects);

@@ -68,8 +68,8 @@ std::vector<double> losses(const Joint& joint, double linear_damping,
 }
 
 /// σ of D of each level that was left out, as a reading of what the others predict. Standard
-/// deviations that were given say nothing of a test that is wrong: where the others scatter by more,
-/// it is they that count.
+/// deviations that were given say nothing of a test that is wrong: where the others scatter by
+/// more, it is they that count.
 std::vector<double> noise_of(const LeftOut& part, const CampaignLevels& all,
                              const Identification& found) {
   const LevelEvidence levels(all.levels);

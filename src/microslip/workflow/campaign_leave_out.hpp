@@ -51,9 +51,9 @@ struct LeaveOutOptions {
 /// Leaves out one after the other, identifies the joint from what is left, and predicts D at the
 /// amplitudes that were left out. Bands are those of what would be read: the draws of the joint and
 /// of its linear damping; noise of each level, its standard deviation with what that of the
-/// amplitude makes of D, times what the others scatter by where that is more, or what they scatter by
-/// where none is given; and for a test that is left out gains of its own of the standard deviations
-/// that all have; those of a level are those of the others, of which it is one.
+/// amplitude makes of D, times what the others scatter by where that is more, or what they scatter
+/// by where none is given; and for a test that is left out gains of its own of the standard
+/// deviations that all have; those of a level are those of the others, of which it is one.
 /// @param campaign  says whether tests or levels.
 /// @param levels    of its tests.
 /// @param options   of the identifications.
