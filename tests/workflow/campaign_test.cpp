@@ -17,6 +17,7 @@
 #include "microslip/workflow/campaign_conditions.hpp"
 #include "microslip/workflow/campaign_leave_out.hpp"
 #include "microslip/workflow/campaign_sessions.hpp"
+#include "support/messages.hpp"
 
 namespace microslip::campaign_test {
 namespace {
@@ -398,6 +399,21 @@ TEST(CampaignLeaveOneOut, GivesEachTestAGainOfItsOwn) {
       campaign_of({{.session = "1"}, {.session = "1"}, {.session = "1", .gain = 1.03}}, 2);
   EXPECT_TRUE(left_out_of(campaign, LeaveOut::kTests)[2].contradicts());
   EXPECT_FALSE(left_out_of(campaign, LeaveOut::kTests, 0.03)[2].contradicts());
+}
+
+TEST(CampaignLeaveOneOut, RefusesToLeaveTooFew) {
+  VirtualCampaign campaign = campaign_of(
+      {{.session = "1"}, {.session = "1", .levels = 3}, {.session = "1", .levels = 1}}, 1);
+  check_leave_out(campaign.file, campaign.levels);
+  campaign.file.leave_out = LeaveOut::kLevels;
+  check_leave_out(campaign.file, campaign.levels);
+  campaign.file.leave_out = LeaveOut::kTests;
+  check_leave_out(campaign.file, campaign.levels);  // four are left without the first
+  VirtualCampaign fewer = campaign_of({{.session = "1"}, {.session = "1", .levels = 3}}, 1);
+  fewer.file.leave_out = LeaveOut::kTests;
+  test::expect_message(
+      test::message_or("none", [&] { return check_leave_out(fewer.file, fewer.levels), 0; }),
+      "'tests'; leaves too few: without 'test 1' there are 3 different amplitudes");
 }
 
 TEST(CampaignLeaveOneOut, LeavesOutLevels) {

@@ -207,6 +207,7 @@ class CampaignWork {
       comment_ += fmt::format("\n{}: sha256 {}", printable(test.file), digest_of(test.file));
     }
     CampaignLevels levels = campaign_levels(plan_, run_.out, run_.command, {});
+    check_leave_out(plan_, levels);
     SessionEffects effects = effects_by_first_joint(levels);
     IdentifiedLevels identified = identify_pooled(levels, effects);
     effects = effects_by(levels, identified.found);

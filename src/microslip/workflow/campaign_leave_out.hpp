@@ -48,6 +48,12 @@ struct LeaveOutOptions {
   Progress progress = {};                      ///< told of the identifications; may cancel
 };
 
+/// Before all work: that a density can be identified without each of them.
+/// @param campaign  says whether tests or levels. @param levels  of its tests.
+/// @throws InputError  where fewer than kFewestLevels different amplitudes are left of as many or
+///                     more.
+void check_leave_out(const CampaignFile& campaign, const CampaignLevels& levels);
+
 /// Leaves out one after the other, identifies the joint from what is left, and predicts D at the
 /// amplitudes that were left out. Bands are those of what would be read: the draws of the joint and
 /// of its linear damping; noise of each level, its standard deviation with what that of the
