@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "microslip/dynamics/bracketed_newton.hpp"
@@ -86,6 +87,23 @@ bool MarchState::solve_piece(double length, const StepWeights& whole) {
   return solve(cut_, cut_couplings_, Knots::kNone);
 }
 
+/// What the knots of all joints leave out of their cubics up to the inner points.
+void MarchState::look_inside(double length) {
+  if (any_knots_inside_) std::ranges::fill(knots_inside_, 0.0);
+  any_knots_inside_ = false;
+  for (const Joint& joint : joints_) {
+    if (joint.way.knots().empty()) continue;
+    any_knots_inside_ = true;
+    std::array<double, kInnerPoints> integrals;
+    integrate_knots(joint.way.knots(), force_cubic(joint, length), kInnerPoint, integrals.data());
+    for (std::size_t point = 0; point < kInnerPoints; ++point) {
+      const double integral = integrals[point];
+      double* to = knots_inside_.data() + point * q_.size();
+      for (std::size_t i = 0; i < q_.size(); ++i) to[i] -= integral * joint.shape[i];
+    }
+  }
+}
+
 /// Over a step that was solved. Inner points of a piece of a step would take weights of its own.
 void MarchState::add_energies(double length, Quadrature quadrature) {
   const march_loops::State from{q_.data(), v_.data(), load_.data(), load_slope_.data(),
@@ -95,8 +113,10 @@ void MarchState::add_energies(double length, Quadrature quadrature) {
   march_loops::Energies added{};
   if (quadrature == Quadrature::kInner) {
     quadrature_.set_length(length);
+    look_inside(length);
     added = march_loops::inner_energies(groups_, length, quadrature_.data(), damping_.data(), from,
-                                        to, loads_.slope.data(), end_load_middle_.data());
+                                        to, loads_.slope.data(), end_load_middle_.data(),
+                                        knots_inside_.data());
   } else {
     added = march_loops::step_energies(groups_, length, stiffness_.data(), damping_.data(), from,
                                        to, loads_.slope.data());

@@ -269,7 +269,7 @@ void couple_knots(std::size_t groups, const double* weights, const double* shape
 MICROSLIP_VECTOR_CLONES
 Energies inner_energies(std::size_t groups, double length, const double* weights,
                         const double* damping, const State& from, const State& to,
-                        const double* slope, const double* middle) {
+                        const double* slope, const double* middle, const double* knots) {
   using Q = StepQuadrature;
   const State a = from;
   const State b = to;
@@ -300,7 +300,8 @@ Energies inner_energies(std::size_t groups, double length, const double* weights
                            w[Q::kD0 * kLanes + j] * (a.joint_slope[i] + slope[i]))) +
                          ((w[Q::kC1 * kLanes + j] * (b.joint_load[i] + b.force[i]) +
                            w[Q::kD1 * kLanes + j] * (b.joint_slope[i] + slope[i])) +
-                          w[Q::kCM * kLanes + j] * middle[i]);
+                          (w[Q::kCM * kLanes + j] * middle[i] +
+                           w[Q::kOfKnots * kLanes + j] * knots[point * groups * kLanes + i]));
         work[j] += weight * v * (a.force[i] + time * slope[i]);
         square[j] += weight * v * v;
       }

@@ -100,10 +100,12 @@ struct Energies {
 
 /// Over one step by StepQuadrature.
 /// @param weights  of it. @param slope  of the external forces. @param middle  what the loads of the
-///     joints are more in the middle of the step.
+///     joints are more in the middle of the step. @param knots  −Σ_j ψ_ij ∫ e_j over the shares up to
+///     each inner point, [point][mode].
 [[nodiscard]] Energies inner_energies(std::size_t groups, double length, const double* weights,
                                       const double* damping, const State& from, const State& to,
-                                      const double* slope, const double* middle);
+                                      const double* slope, const double* middle,
+                                      const double* knots);
 
 /// Over a piece of a step by q and q̇ and their derivatives at its ends, both of fourth order:
 /// ∫q dt = ½h(q₀ + q₁) + h²/12 (q̇₀ − q̇₁), and so of q̇².

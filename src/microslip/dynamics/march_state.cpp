@@ -36,7 +36,8 @@ MarchState::MarchState(const JointedStructure& structure, std::vector<MarchedJoi
       shortens_(structure.shortens()),
       cut_(structure.linear().modes()),
       knot_weights_({}, {}),
-      quadrature_(structure.linear().modes()) {
+      quadrature_(structure.linear().modes()),
+      knots_inside_(kInnerPoints * padded(structure.linear().size()), 0.0) {
   const std::size_t lanes = groups_ * kLanes;
   for (auto* vector : {&stiffness_, &damping_, &q_, &v_, &load_, &load_slope_, &end_q_, &end_v_,
                        &end_load_, &end_load_slope_, &end_load_middle_, &end_force_, &end_a_,
@@ -364,15 +365,21 @@ StepQuartic MarchState::path(const Joint& joint, double length) {
   return {{b.gap, b.gap_dot, k.gap, k.gap_dot, length}, length * length * b.gap_ddot};
 }
 
+/// F over the step by its ends.
+StepCubic MarchState::force_cubic(const Joint& joint, double length) {
+  const Kinematics& b = joint.begin;
+  const Kinematics& k = joint.end;
+  return {b.force, b.force_dot, k.force, k.force_dot, length};
+}
+
 /// What the forces inside of the step are more than the cubics through those found at its ends.
 /// @return what it changes in the force of a joint by its own motion, relative.
 double MarchState::add_inner_forces(double length, bool middles, const Couplings& couplings) {
   double change = 0.0;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     Joint& joint = joints_[j];
-    const Kinematics& b = joint.begin;
     const Kinematics& k = joint.end;
-    const StepCubic force(b.force, b.force_dot, k.force, k.force_dot, length);
+    const StepCubic force = force_cubic(joint, length);
     if (!joint.way.knots().empty()) {
       joint.moments = knot_moments(joint.way.knots(), force, knot_weights_.terms());
       joint.middle = 0.0;

@@ -153,6 +153,7 @@ class MarchState {
   [[nodiscard]] Ways find_ways(double length, Couplings& couplings);
   void couple_knots(double length, Couplings& couplings);
   [[nodiscard]] static StepQuartic path(const Joint& joint, double length);
+  [[nodiscard]] static StepCubic force_cubic(const Joint& joint, double length);
   [[nodiscard]] double add_inner_forces(double length, bool middles, const Couplings& couplings);
   [[nodiscard]] static double middle_force(const Joint& joint, const StepCubic& force,
                                            double length);
@@ -170,6 +171,7 @@ class MarchState {
   enum class Quadrature { kInner, kEnds };
   void accept(double length, Quadrature quadrature);
   void add_energies(double length, Quadrature quadrature);
+  void look_inside(double length);
   [[nodiscard]] bool solve_piece(double length, const StepWeights& whole);
   [[nodiscard]] Change first_change(double length);
   [[nodiscard]] static double turning_share(const Joint& joint, const StepCubic& y, double length);
@@ -197,7 +199,9 @@ class MarchState {
   StepWeights cut_;  // of parts of a step
   KnotWeights knot_weights_;
   StepQuadrature quadrature_;
-  double longest_over_knots_ = 0.0;  // step, s
+  std::vector<double> knots_inside_;  // of march_loops::inner_energies()
+  bool any_knots_inside_ = false;     // else it is zero
+  double longest_over_knots_ = 0.0;   // step, s
   Couplings couplings_, cut_couplings_;
   double contraction_ = 1.0;  // from one change of the joint forces to the next
   double initial_energy_ = 0.0;

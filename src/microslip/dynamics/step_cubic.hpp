@@ -16,6 +16,10 @@ struct StepCubic {
   [[nodiscard]] double value(double x) const { return start + x * (v0 + x * (b + x * c)); }
   [[nodiscard]] double slope(double x) const { return v0 + x * (2.0 * b + 3.0 * x * c); }
   [[nodiscard]] double bend(double x) const { return 2.0 * b + 6.0 * x * c; }
+  /// ∫ over the share from 0.
+  [[nodiscard]] double integral(double x) const {
+    return x * (start + x * (v0 / 2.0 + x * (b / 3.0 + x * c / 4.0)));
+  }
   double start, v0, v1, c, b;
 };
 

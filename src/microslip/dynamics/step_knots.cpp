@@ -17,17 +17,18 @@ constexpr std::array<double, kNodes> kNode{0.06943184420297371, 0.33000947820757
 constexpr std::array<double, kNodes> kNodeWeight{0.17392742256872693, 0.32607257743127307,
                                                  0.32607257743127307, 0.17392742256872693};
 
-/// The coefficients of T_m of a vibration are J_m(½θ) [DLMF 10.12.2], which is below (¼θ)ᵐ/m! [DLMF
-/// 10.14.4]: 3e-6 of the tenth at θ = 5.
+/// The coefficients of T_m of a vibration are 2J_m(½θ) [DLMF 10.12.2], which is below 2(¼θ)ᵐ/m! [DLMF
+/// 10.14.4]: 5e-6 of the tenth at θ = 5. That of g = sin(ωt)/ω is that much of 1/ω, where g reaches
+/// it, and 1/θ times that of h.
 constexpr double kLargestAngle = 5.0;
-constexpr double kSmallTerm = 3e-6;
+constexpr double kSmallTerm = 6e-6;
 
-/// Up to the first that is small.
+/// Up to the first that is small against the largest value of g, and of ġ.
 std::size_t terms_needed(double angle) {
-  double term = 1.0;
+  double term = 0.5 * std::max(1.0, angle);  // over θ, of m = 1
   for (std::size_t m = 1; m < kKnotTerms; ++m) {
-    term *= 0.25 * angle / static_cast<double>(m);
     if (term <= kSmallTerm) return m;
+    term *= 0.25 * angle / static_cast<double>(m + 1);
   }
   return kKnotTerms;
 }
@@ -77,23 +78,49 @@ void add_piece(double left, double right, const StepCubic& e, std::size_t terms,
 
 }  // namespace
 
-KnotMoments knot_moments(std::span<const JointWay::Knot> knots, const StepCubic& force,
-                         std::size_t terms) {
-  KnotMoments moments{};
+namespace {
+
+/// The pieces of e between two knots: their ends, and e over the share of the piece.
+template <class Visit>
+void visit_pieces(std::span<const JointWay::Knot> knots, const StepCubic& force,
+                  const Visit& visit) {
   double share = 0.0;
   double e = 0.0;
   double slope = 0.0;  // over the share
   for (const JointWay::Knot& knot : knots) {
     const double e_there = knot.force - force.value(knot.share);
     const double slope_there = force.slope(knot.share);
-    add_piece(share, knot.share, {e, slope, e_there, knot.before - slope_there, knot.share - share},
-              terms, moments.data());
+    visit(share, knot.share,
+          StepCubic(e, slope, e_there, knot.before - slope_there, knot.share - share));
     share = knot.share;
     e = e_there;
     slope = knot.after - slope_there;
   }
-  add_piece(share, 1.0, {e, slope, 0.0, 0.0, 1.0 - share}, terms, moments.data());
+  visit(share, 1.0, StepCubic(e, slope, 0.0, 0.0, 1.0 - share));
+}
+
+}  // namespace
+
+KnotMoments knot_moments(std::span<const JointWay::Knot> knots, const StepCubic& force,
+                         std::size_t terms) {
+  KnotMoments moments{};
+  visit_pieces(knots, force, [&](double left, double right, const StepCubic& e) {
+    add_piece(left, right, e, terms, moments.data());
+  });
   return moments;
+}
+
+void integrate_knots(std::span<const JointWay::Knot> knots, const StepCubic& force,
+                     std::span<const double> shares, double* integrals) {
+  double before = 0.0;  // of the pieces that are passed
+  std::size_t next = 0;
+  visit_pieces(knots, force, [&](double left, double right, const StepCubic& e) {
+    const double length = right - left;
+    for (; next < shares.size() && shares[next] <= right; ++next) {
+      integrals[next] = before + length * e.integral((shares[next] - left) / length);
+    }
+    before += length * e.integral(1.0);
+  });
 }
 
 KnotWeights::KnotWeights(std::span<const double> stiffness, std::span<const double> damping)

@@ -33,6 +33,11 @@ using KnotMoments = std::array<double, kKnotTerms>;
 [[nodiscard]] KnotMoments knot_moments(std::span<const JointWay::Knot> knots,
                                        const StepCubic& force, std::size_t terms = kKnotTerms);
 
+/// ∫ e over the step up to some shares, N.
+/// @param shares  in (0, 1], rising. @param integrals  one a share.
+void integrate_knots(std::span<const JointWay::Knot> knots, const StepCubic& force,
+                     std::span<const double> shares, double* integrals);
+
 /// The series of h g and of ġ, times h.
 class KnotWeights {
  public:

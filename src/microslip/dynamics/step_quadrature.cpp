@@ -30,7 +30,8 @@ PartialLoad cubic_until(double share, const StepCubic& cubic) {
 }  // namespace
 
 StepQuadrature::StepQuadrature(std::span<const Mode> modes)
-    : part_(modes),
+    : modes_(modes.begin(), modes.end()),
+      part_(modes),
       weights_(padded(modes.size()) * kInnerPoints * kKinds, 0.0),
       groups_(padded(modes.size()) / kLanes) {}
 
@@ -62,6 +63,11 @@ void StepQuadrature::set_length(double length) {
         to[kD1 * kLanes + j] = response(end_slope);
         to[kCM * kLanes + j] = response(bump);
       }
+    }
+    for (std::size_t i = 0; i < modes_.size(); ++i) {
+      const double angle = modes_[i].angular_frequency * 0.5 * share * length;
+      weights_[((i / kLanes * kInnerPoints + point) * kKinds + kOfKnots) * kLanes + i % kLanes] =
+          length * impulse_response(0.5 * modes_[i].loss_factor * angle, angle * angle).slope;
     }
   }
 }

@@ -24,12 +24,12 @@ inline constexpr double kEndWeight = 1.0 / 20.0;
 ///
 ///     q̇ = e₂₁q₀ + e₂₂q̇₀ + c₀p₀ + d₀ṗ₀ + c₁p₁ + d₁ṗ₁ + c_m p_m
 ///
-/// so that ∫ f q̇ dt and ∫ q̇² dt are those of the motion, whatever a step is of a period; without
-/// what knots inside of the step do to it (step_knots.hpp).
+/// so that ∫ f q̇ dt and ∫ q̇² dt are those of the motion, whatever a step is of a period. What knots
+/// inside of the step (step_knots.hpp) add up to the time t, ∫ ġ(t − τ) e dτ, is taken as ġ(½t) ∫ e dτ.
 class StepQuadrature {
  public:
   /// The order in which weights of a point stand, kLanes each.
-  enum Kind { kE21, kE22, kC0, kD0, kC1, kD1, kCM, kKinds };
+  enum Kind { kE21, kE22, kC0, kD0, kC1, kD1, kCM, kOfKnots, kKinds };
 
   explicit StepQuadrature(std::span<const Mode> modes);
 
@@ -40,6 +40,7 @@ class StepQuadrature {
   [[nodiscard]] const double* data() const { return weights_.data(); }
 
  private:
+  std::vector<Mode> modes_;
   StepWeights part_;  // of a step, up to a point
   std::vector<double> weights_;
   std::size_t groups_;
