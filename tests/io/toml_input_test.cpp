@@ -173,7 +173,11 @@ TEST(TomlInput, NamesThePlaceOfASyntaxError) {
   expect("a = \"b\nc = 1\n", "a.toml:1:7: expected TOML, found the end of the line",
          "A text ends with its quote in the same line.");
   expect("a = 5 mm\n", "a.toml:1:7: expected TOML, found 'mm'");
-  expect("a = 5.\n", "a.toml:1:7: expected TOML, found the end of the line");
+  const std::string digits = "A decimal point has a digit on either side: 80.0 or 0.5.";
+  expect("a = 5.\n", "a.toml:1:7: expected TOML, found the end of the line", digits);
+  expect("a = [80., 3.0]\n", "a.toml:1:9: expected TOML, found ', 3.0]'", digits);
+  expect("a = [80.,310.0]\n", "a.toml:1:9: expected TOML, found ',310.0]'", digits);
+  expect("a = .5\n", "a.toml:1:5: expected TOML, found '.5'", digits);
   expect("a = joint.json\n", "a.toml:1:5: expected TOML, found 'joint.json'");
   expect("[a\nb = 1", "a.toml:1:3: expected TOML, found the end of the line");
   expect("# µ\na = [1, 2", "a.toml:2:10: expected TOML, found the end of the file");

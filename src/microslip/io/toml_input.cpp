@@ -32,6 +32,9 @@ bool is_whole(const toml::node& node) {
 /// For what users of other formats, of word processors and of Windows write.
 std::string_view remedy_for_syntax(std::string_view found, std::string_view said) {
   constexpr std::string_view kDigits = "0123456789";
+  if (said.find("floating-point: expected decimal digit") != said.npos) {
+    return "A decimal point has a digit on either side: 80.0 or 0.5.";
+  }
   if (found.starts_with(',') && found.size() > 1 && kDigits.find(found[1]) != kDigits.npos) {
     return "A number has a decimal point, no comma.";
   }
