@@ -99,6 +99,31 @@ TEST_P(Sensitivity, IsThatOfTheDisplacementToo) {
   }
 }
 
+// Rayleigh's quotient of a mode that no joint changes: δω = ψ_l² Re δκ_l/(2ω). What keeps such a mode
+// up takes all of its own dynamic stiffness away, to rounding or, at some displacements, to nothing.
+TEST(StuckSensitivity, IsThatOfRayleigh) {
+  const JointedStructure slipping = structure_with(0.5, 0.4, 0.0);
+  std::vector<StructuralJoint> joints(slipping.joints().begin(), slipping.joints().end());
+  for (StructuralJoint& joint : joints) joint.joint = Joint(joint.joint.stiffness(), SlipDensity());
+  const JointedStructure stuck(slipping.linear(), joints, {Excitation{"p1"}}, slipping.damping());
+  const HarmonicBalance balance(stuck, {"p1"}, {.forcing = Forcing::kModal});
+  for (std::size_t mode = 0; mode < 3; ++mode) {
+    const double omega = stuck.linear().modes()[mode].angular_frequency;
+    for (int i = 1; i <= 40; ++i) {
+      const VibrationResult found =
+          balance.solve(kPhaseResonance, {Quantity::kResponse, 1e-6 * std::pow(1.1, i)}, mode);
+      ASSERT_TRUE(found.summary.converged()) << found.summary.reason;
+      const LevelSensitivity changes =
+          level_sensitivity(stuck, "p1", found.vibration, Forcing::kModal);
+      for (Eigen::Index l = 0; l < 2; ++l) {
+        const double shape = joints[static_cast<std::size_t>(l)].shape[mode];
+        EXPECT_NEAR(changes.frequency(l).real() / (0.5 * shape * shape / omega), 1.0, 1e-6)
+            << mode << " " << i;
+      }
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Of, Sensitivity,
     ::testing::Combine(::testing::Values(Forcing::kExcitation, Forcing::kModal),

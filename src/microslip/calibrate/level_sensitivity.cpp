@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <span>
 
@@ -41,6 +42,14 @@ struct FirstHarmonic {
   Eigen::VectorXd share;        // 1 − k_s c
 };
 
+/// What keeps a free mode that no joint changes up takes all of its dynamic stiffness away: what is
+/// left is rounding, of any size down to 0, and its size cancels from the derivatives.
+Complex above_rounding(Complex stiffness, const Mode& mode) {
+  const double rounding =
+      std::numeric_limits<double>::epsilon() * mode.angular_frequency * mode.angular_frequency;
+  return std::abs(stiffness) > rounding ? stiffness : Complex(rounding);
+}
+
 void read_modes(const JointedStructure& structure, const SteadyVibration& vibration,
                 Forcing forcing, FirstHarmonic& first) {
   const std::span<const Mode> modes = structure.linear().modes();
@@ -54,7 +63,8 @@ void read_modes(const JointedStructure& structure, const SteadyVibration& vibrat
   for (Eigen::Index i = 0; i < n; ++i) {
     const Mode& mode = modes[static_cast<std::size_t>(i)];
     first.modal(i) = vibration.modal[static_cast<std::size_t>(i)][1];
-    first.flexibility(i) = 1.0 / (modal_stiffness(mode, omega, structure.damping()) - fed);
+    first.flexibility(i) =
+        1.0 / above_rounding(modal_stiffness(mode, omega, structure.damping()) - fed, mode);
     first.slope(i) = -2.0 * omega - (omega > 0.0 ? fed / omega : 0.0);
     if (structure.damping() == DampingLaw::kViscous) {
       first.slope(i) += kI * mode.loss_factor * mode.angular_frequency;
