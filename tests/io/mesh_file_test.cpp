@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/io/mesh_file.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -62,6 +63,20 @@ TEST(MeshFile, NamesOfFilesLeaveTheMessageShort) {
                 "…' (257 bytes)");
 }
 
+// Found by scripts/fuzz: a set that has itself, line after line, doubled with each.
+TEST(MeshFile, SetsOfSetsStaySmall) {
+  std::string itself = "*NSET,NSET=A\n1,2\n";
+  std::string twice = itself;
+  for (int i = 0; i < 64; ++i) itself += "A\n";
+  EXPECT_EQ(mesh_of(itself).sets[0].nodes, (Nodes{1, 2}));
+  for (int i = 0; i < 64; ++i) {
+    twice += fmt::format("*NSET,NSET=S{}\n{},{}\n", i, i == 0 ? "A" : fmt::format("S{}", i - 1),
+                         i == 0 ? "A" : fmt::format("S{}", i - 1));
+  }
+  EXPECT_NE(message_of<FormatError>([&] { mesh_of(twice); }).find("nodes in all sets"),
+            std::string::npos);
+}
+
 TEST(MeshFile, ReadsUniversalFiles) {
   const std::string label = "        12         0         0        11";
   const MeshFile short_form =
@@ -98,7 +113,9 @@ TEST(MeshFileFault, IsNamedByItsPlace) {
   EXPECT_EQ(fault("*NSET\n1\n"), "mesh:1: expected *NSET, NSET=NAME, found '*NSET'");
   EXPECT_EQ(fault("*NSET,NSET=A\nfoo\n"), "mesh:2: expected the number of a node, found 'foo'");
   EXPECT_EQ(fault("*NSET,NSET=A,GENERATE\n1,999999999999\n"),
-            "mesh:2: expected up to 20000000 nodes, from first to last, found 1 to 999999999999");
+            "mesh:2: expected up to 20000000 nodes in all sets, found 999999999999");
+  EXPECT_EQ(fault("*NSET,NSET=A,GENERATE\n3,2\n"),
+            "mesh:2: expected the first node before the last, found 3 to 2");
   EXPECT_EQ(fault("*SYSTEM\n"),
             "mesh:1: expected nodes in global coordinates, found *SYSTEM. Give the nodes in a "
             "table: node [1], x [m], y [m], z [m].");

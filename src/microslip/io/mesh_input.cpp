@@ -23,8 +23,8 @@ namespace {
 constexpr int kDeepestInclude = 16;
 /// Longer lines are none of the format; the name goes into messages.
 constexpr std::size_t kLongestInclude = 256;
-/// Of GENERATE: no mesh that is taken has more nodes.
-constexpr std::int64_t kMostGenerated = static_cast<std::int64_t>(kMostDegreesOfFreedom);
+/// That GENERATE and sets in sets put there: several times the nodes of any mesh that is taken.
+constexpr std::size_t kMostInSets = kMostDegreesOfFreedom;
 
 /// The cells between commas, without blanks; a comma at the end of the line begins none.
 std::vector<std::string_view> cells_of(std::string_view line) {
@@ -171,31 +171,50 @@ class InputReader {
     }
     for (const std::string_view cell : cells) {
       if (const auto other = sets_.find(in_capitals(cell)); other != sets_.end()) {
-        const std::vector<std::int64_t> nodes = other->second;  // may be the same set
-        set.insert(set.end(), nodes.begin(), nodes.end());
+        if (&other->second != &set) add_all(other->second, place, set);
       } else {
         set.push_back(node_number(cell, place));
       }
     }
   }
 
-  static void generate(const std::vector<std::string_view>& cells, const TextPlace& place,
-                       std::vector<std::int64_t>& set) {
+  /// The nodes of another set. Sets of sets grow by each of them.
+  void add_all(const std::vector<std::int64_t>& nodes, const TextPlace& place,
+               std::vector<std::int64_t>& set) {
+    count(nodes.size(), place);
+    set.insert(set.end(), nodes.begin(), nodes.end());
+  }
+
+  void count(std::size_t added, const TextPlace& place) {
+    entries_ += added;
+    if (entries_ <= kMostInSets) return;
+    throw FormatError(place, fmt::format("up to {} nodes in all sets", kMostInSets),
+                      fmt::format("{}", entries_));
+  }
+
+  void generate(const std::vector<std::string_view>& cells, const TextPlace& place,
+                std::vector<std::int64_t>& set) {
     if (cells.size() < 2) throw FormatError(place, "the first and last node of GENERATE", "one");
     const std::int64_t first = node_number(cells[0], place);
     const std::int64_t last = node_number(cells[1], place);
     const std::int64_t step = cells.size() > 2 ? node_number(cells[2], place) : 1;
-    if (last < first || (last - first) / step > kMostGenerated) {
-      throw FormatError(place, fmt::format("up to {} nodes, from first to last", kMostGenerated),
+    if (last < first) {
+      throw FormatError(place, "the first node before the last",
                         fmt::format("{} to {}", first, last));
     }
-    for (std::int64_t node = first; node <= last; node += step) set.push_back(node);
+    const std::size_t nodes = static_cast<std::size_t>((last - first) / step) + 1;
+    count(nodes, place);
+    set.reserve(set.size() + nodes);
+    for (std::size_t i = 0; i < nodes; ++i) {
+      set.push_back(first + static_cast<std::int64_t>(i) * step);
+    }
   }
 
   double length_unit_;
   std::vector<MeshNode> nodes_;
   std::map<std::string, std::vector<std::int64_t>> sets_;
   std::vector<std::string> order_;
+  std::size_t entries_ = 0;  // of sets, from ranges and other sets
 };
 
 }  // namespace
