@@ -58,9 +58,11 @@ TEST(MeshFile, FollowsFilesThatAreIncluded) {
 // Found by scripts/fuzz: the message held all of a name of thousands of bytes.
 TEST(MeshFile, NamesOfFilesLeaveTheMessageShort) {
   const std::string name(257, 'x');
-  EXPECT_EQ(message_of<FormatError>([&] { mesh_of("*INCLUDE, INPUT=" + name + "\n"); }),
-            "mesh:1: expected a name of at most 256 bytes, found '" + name.substr(0, 40) +
-                "…' (257 bytes)");
+  const std::string message =
+      message_of<FormatError>([&] { mesh_of("*INCLUDE, INPUT=" + name + "\n"); });
+  EXPECT_TRUE(message.ends_with("/mesh:1: expected a name of at most 256 bytes, found '" +
+                                name.substr(0, 40) + "…' (257 bytes)"))
+      << message;
 }
 
 // Found by scripts/fuzz: a set that has itself, line after line, doubled with each.
