@@ -76,10 +76,6 @@ void add_piece(double left, double right, const StepCubic& e, std::size_t terms,
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// The pieces of e between two knots: their ends, and e over the share of the piece.
 template <class Visit>
 void visit_pieces(std::span<const JointWay::Knot> knots, const StepCubic& force,
