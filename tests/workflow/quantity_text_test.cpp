@@ -7,9 +7,9 @@
 #include <string>
 #include <variant>
 
+#include "io/support.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/workflow/smoothing_text.hpp"
-#include "support/messages.hpp"
 
 namespace microslip::quantity_text_test {
 namespace {
