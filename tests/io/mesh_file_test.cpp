@@ -115,7 +115,7 @@ TEST(MeshFileFault, IsNamedByItsPlace) {
   EXPECT_EQ(fault("*NSET\n1\n"), "mesh:1: expected *NSET, NSET=NAME, found '*NSET'");
   EXPECT_EQ(fault("*NSET,NSET=A\nfoo\n"), "mesh:2: expected the number of a node, found 'foo'");
   EXPECT_EQ(fault("*NSET,NSET=A,GENERATE\n1,999999999999\n"),
-            "mesh:2: expected up to 20000000 nodes in all sets, found 999999999999");
+            "mesh:2: expected up to 10000000 nodes in all sets, found 999999999999");
   EXPECT_EQ(fault("*NSET,NSET=A,GENERATE\n3,2\n"),
             "mesh:2: expected the first node before the last, found 3 to 2");
   EXPECT_EQ(fault("*SYSTEM\n"),

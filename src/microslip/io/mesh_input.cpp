@@ -23,8 +23,8 @@ namespace {
 constexpr int kDeepestInclude = 16;
 /// Longer lines are none of the format; the name goes into messages.
 constexpr std::size_t kLongestInclude = 256;
-/// That GENERATE and sets in sets put there: several times the nodes of any mesh that is taken.
-constexpr std::size_t kMostInSets = kMostDegreesOfFreedom;
+/// That GENERATE and sets in sets put there: more than the nodes of any mesh that is taken.
+constexpr std::size_t kMostInSets = kMostDegreesOfFreedom / 2;
 
 /// The cells between commas, without blanks; a comma at the end of the line begins none.
 std::vector<std::string_view> cells_of(std::string_view line) {
