@@ -24,6 +24,8 @@ TEST(PowerLawCurve, IsThePowerLawBeforeInsideAndBeyondIt) {
         EXPECT_LT(relative_error(slip.weight, exact.moment(0)), 2e-14) << exponent << " at " << s;
         EXPECT_LT(relative_error(slip.force_deficit, exact.force_deficit()), 2e-14)
             << exponent << " at " << s;
+        EXPECT_LT(relative_error(curve.weight(s), exact.moment(0)), 2e-14);
+        EXPECT_LT(relative_error(curve.force_deficit(s), exact.force_deficit()), 2e-14);
       }
       EXPECT_EQ(curve.slip(0.0).weight, 0.0);
       EXPECT_EQ(curve.slip(0.0).force_deficit, 0.0);

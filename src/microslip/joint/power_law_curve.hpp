@@ -22,6 +22,13 @@ class PowerLawCurve {
     }
     return beside(s);
   }
+  /// One of them, which takes less where the law begins above 0.
+  [[nodiscard]] double weight(double s) const {
+    return power_.covers(s) ? weight_factor_ * power_(s) : power_law_weight(part_, s);
+  }
+  [[nodiscard]] double force_deficit(double s) const {  ///< likewise
+    return part_.from == 0.0 ? slip(s).force_deficit : power_law_force_deficit(part_, s);
+  }
 
  private:
   [[nodiscard]] PowerLawSlip beside(double s) const;

@@ -111,7 +111,7 @@ void VirginCurve::find_buckets(std::size_t n, const double* s, const Lookup& fin
 
 double VirginCurve::power_law_deficit(double s) const {
   double sum = 0.0;
-  for (const PowerLawCurve& part : power_laws_) sum += part.slip(s).force_deficit;
+  for (const PowerLawCurve& part : power_laws_) sum += part.force_deficit(s);
   return sum;
 }
 
@@ -119,7 +119,7 @@ double VirginCurve::slope(double s) const {
   const Lookup find = lookup();
   s = std::max(s, 0.0);
   double slope = linear_slope(find.cubic(s, find.bucket(s)), s);
-  for (const PowerLawCurve& part : power_laws_) slope -= part.slip(s).weight;
+  for (const PowerLawCurve& part : power_laws_) slope -= part.weight(s);
   return std::clamp(slope, 0.0, 1.0);
 }
 
