@@ -78,7 +78,7 @@ void add_campaign(CLI::App& program, Call& call) {
   auto options = std::make_shared<CampaignArguments>();
   CLI::App* command = program.add_subcommand(
       "campaign",
-      "Several tests of one structure: the joint from some, predictions of the others, and which "
+      "Several tests of one structure: its joints from some, predictions of the others, and which "
       "contradict which");
   command
       ->add_option("campaign", options->run.campaign,
@@ -90,7 +90,8 @@ void add_campaign(CLI::App& program, Call& call) {
           "--out", options->run.out,
           "Folder to write to, made where it is missing: joint.json, model.toml, "
           "levels.csv and NAME_levels.csv of tests that are reduced, campaign.csv, "
-          "sessions.csv; with draws joint_samples.h5; of predicted tests comparison.csv; "
+          "sessions.csv; with draws joint_samples.h5; of a model modal_levels.csv and what "
+          "calibrate writes in place of levels and joint; of predicted tests comparison.csv; "
           "conditions.csv of tests that say some; leave_one_out.csv where the campaign asks "
           "for it")
       ->required()
@@ -103,6 +104,7 @@ void add_campaign(CLI::App& program, Call& call) {
   add_examples(*command,
                {"microslip campaign campaign.toml --out results",
                 "microslip campaign campaign.toml --out results --picture comparison.svg",
+                "microslip report results --out results.html",
                 "microslip frf results/model.toml --force 1 --frequency 78:82 --out frf.csv"});
   command->callback(
       [options, &call] { call.run = [options, &call] { return run(*options, call); }; });

@@ -244,7 +244,8 @@ TEST(campaign, NamesWhatIsWrong) {
     EXPECT_FALSE(box.has("found"));
   };
   refused("rig.toml", "none.toml", {"none.toml"});
-  refused("rig.toml", "truth.toml", {"structure", "truth.toml", "must be a rig.toml", "calibrate"});
+  refused("rig.toml", "truth.toml",
+          {"structure", "truth.toml", "must be a rig.toml", "as model in place"});
   refused("monday.csv", "none.csv", {"none.csv"});
   refused("monday.csv", "tuesday.csv", {"tuesday.csv"});
   refused("draws = 200", "draws = 1", {"draws", "= 1", "40"});

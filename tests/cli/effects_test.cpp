@@ -365,6 +365,25 @@ void add_kinds(Files& all) {
       edited(all.at("campaign.toml"), "use = \"predict\" -> use = \"predict\"\nkind = \"sweep\"");
 }
 
+/// The example of two joints, measured on three days, and what a campaign of it says otherwise.
+void add_days(Files& all) {
+  const std::string folder = MICROSLIP_EXAMPLES "/two_joints/";
+  all["unknown.toml"] = test::get(folder + "unknown.toml");
+  std::istringstream levels(test::get(folder + "levels.csv"));
+  const std::array<std::string, 3> names{"first_day.csv", "second_day.csv", "third_day.csv"};
+  std::size_t row = 0;
+  for (std::string line; std::getline(levels, line);) {
+    if (line.starts_with("#")) continue;
+    if (line.starts_with("mode")) {
+      for (const std::string& name : names) all[name] = line + "\n";
+    } else {
+      all[names.at(row++ % names.size())] += line + "\n";
+    }
+  }
+  all["absolute_joints.toml"] = edited(edited(all.at("joints.toml"), "\"change\" -> \"absolute\""),
+                                       "session_offsets = true -> session_offsets = false");
+}
+
 const Files& inputs() {
   static const Files files = [] {
     Files all = documented_files();
@@ -380,6 +399,7 @@ const Files& inputs() {
     const JointedStructure slipping = slipping_structure(all.at("structure.toml"));
     all["steady.csv"] = steady_record(slipping);
     all["blow.csv"] = free_decay(slipping);
+    add_days(all);
     const std::string two_joints = MICROSLIP_TEST_DATA "/two_joints/";
     all["two_joints.toml"] = test::get(two_joints + "model.toml");
     all["two_joints.csv"] = testing::every_third_row(test::get(two_joints + "modal_levels.csv"));
@@ -483,9 +503,12 @@ const Files& inputs() {
     all["compared/comparison.csv"] =
         run(all, words("verify drawn_model.toml frf.csv --draws 40 --out comparison.csv --quiet"))
             .files.at("comparison.csv");
-    written = run(all, words("campaign campaign.toml --out campaigned --quiet")).files;
-    for (const auto& [name, content] : written) {
-      if (name.starts_with("campaigned/")) all[name] = content;
+    for (const char* call : {"campaign campaign.toml --out campaigned --quiet",
+                             "campaign joints.toml --out jointed --quiet"}) {
+      written = run(all, words(call)).files;
+      for (const auto& [name, content] : written) {
+        if (name.starts_with("campaigned/") || name.starts_with("jointed/")) all[name] = content;
+      }
     }
     return all;
   }();

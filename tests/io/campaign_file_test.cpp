@@ -111,7 +111,69 @@ TEST(CampaignFile, NamesWhatIsWrong) {
                       {"use", "'all'", "identify, predict, both"});
   expect_refused_text("use = \"both\"\n", "", {"use"});
   expect_refused_text("torque_Nm =", "\"torque [Nm]\" =", {"torque [Nm]", "letters"});
+  expect_refused_text("edges = \"none\"", "forcing = \"modal\"",
+                      {"identification.forcing", "belongs to joints of a model", "model ="});
+  expect_refused_text("\"tests\"", "\"modes\"", {"leave_one_out", "none, tests, levels"});
   expect_refused_text("torque_Nm = 20.5", "torque_Nm = [1, 2]", {"torque_Nm", "a number"});
+}
+
+const std::string kModelText = R"(schema = "microslip.campaign/1"
+model = "model.toml"
+[identification]
+frequency = "absolute"
+stiffness = "fit"
+forcing = "modal"
+harmonics = 3
+edges = "none"
+draws = 100
+leave_one_out = "modes"
+[[test]]
+name = "blow"
+file = "a.csv"
+use = "identify"
+kind = "ringdown"
+mode = 2
+[[test]]
+name = "other blow"
+file = "b.csv"
+use = "both"
+kind = "ringdown"
+)";
+
+TEST(CampaignFile, TakesEachKeyOfAModel) {
+  const CampaignFile campaign = parse_campaign(kModelText, "folder/campaign.toml");
+  EXPECT_TRUE(campaign.of_model());
+  EXPECT_EQ(campaign.structure, "folder/model.toml");
+  EXPECT_EQ(campaign.frequency, FrequencyOfLevels::kAbsolute);
+  EXPECT_TRUE(campaign.fit_stiffness && campaign.modal_forcing);
+  EXPECT_EQ(campaign.harmonics, 3U);
+  EXPECT_FALSE(campaign.edges);
+  EXPECT_EQ(campaign.leave_out, LeaveOut::kModes);
+  EXPECT_EQ(campaign.tests[0].mode, 2U);
+  EXPECT_EQ(campaign.tests[1].mode, 0U);  // all
+  const std::string rest = kModelText.substr(kModelText.find("[[test]]"));
+  const CampaignFile plain = parse_campaign(
+      "schema = \"microslip.campaign/1\"\nmodel = \"model.toml\"\n" + rest, "campaign.toml");
+  EXPECT_EQ(plain.frequency, FrequencyOfLevels::kChange);
+  EXPECT_FALSE(plain.fit_stiffness || plain.modal_forcing);
+  EXPECT_EQ(plain.harmonics, 5U);
+  EXPECT_EQ(plain.draws, 0U);
+}
+
+TEST(CampaignFile, NamesWhatIsWrongOfAModel) {
+  const auto refused = [](const std::string& before, const std::string& after,
+                          const std::vector<std::string>& parts) {
+    expect_refused_text(before, after, parts, kModelText);
+  };
+  refused("model = \"model.toml\"", "model = \"\"", {"campaign.toml:2", "path"});
+  refused("\"absolute\"", "\"all\"", {"frequency", "change, absolute, ignore"});
+  refused("\"absolute\"", "\"change\"", {"identification.stiffness", "'fit'", "absolute"});
+  refused("\"modal\"", "\"none\"", {"forcing", "excitation, modal"});
+  refused("harmonics = 3", "harmonics = 101", {"harmonics", "101", "1 to 100"});
+  refused("draws = 100", "draws = 99", {"draws", "99", "100"});
+  refused("edges = \"none\"", "atom = true", {"identification.atom", "belongs to one joint"});
+  refused("edges = \"none\"", "session_offsets = true", {"session_offsets", "absolute"});
+  refused("mode = 2", "mode = 0", {"mode", "1 or more"});
 }
 
 const std::string kKinds = R"(schema = "microslip.campaign/1"

@@ -174,6 +174,80 @@ TEST(CampaignSessions, TellsOfAmplitudesThatDoNotOverlap) {
   EXPECT_NEAR(effects.sessions[1].frequency_offset, 0.003, 3.0 * kFrequencyNoise / std::sqrt(10.0));
 }
 
+/// Levels of modes with given y, two a mode and session, and D as found.
+CampaignLevels modal_levels_with(const std::vector<std::vector<double>>& offsets,
+                                 SessionEffects& found) {
+  CampaignLevels levels;
+  for (std::size_t session = 0; session < offsets.size(); ++session) {
+    for (std::size_t mode = 0; mode < offsets[session].size(); ++mode) {
+      for (const double scatter : {-1e-5, 1e-5}) {
+        levels.test.push_back(session);
+        levels.mode.push_back(mode + 1);
+        levels.source.emplace_back();
+        levels.levels.amplitude.push_back(1e-5);
+        levels.levels.dissipation.push_back(1e-6);
+        found.dissipation.push_back(1e-6);
+        found.frequency.push_back(100.0);
+        levels.levels.frequency.push_back(100.0 * std::exp(offsets[session][mode] + scatter));
+      }
+    }
+  }
+  return levels;
+}
+
+// By hand. The first session has the first three modes, the second four, of which the last is none of
+// the first; a third session has no levels.
+TEST(CampaignSessions, GiveEachModeItsOffset) {
+  CampaignFile file{.subject = CampaignSubject::kModel, .session_offsets = true};
+  file.tests = {{.name = "a", .file = "", .session = "1"},
+                {.name = "b", .file = "", .session = "2"}};
+  SessionEffects found;
+  const CampaignLevels levels =
+      modal_levels_with({{0.001, 0.002, 0.0}, {0.004, 0.006, 0.005, 0.01}}, found);
+  const SessionEffects effects = session_effects(file, levels, found);
+  ASSERT_EQ(effects.sessions.size(), 7U);
+  EXPECT_NEAR(effects.find("2", 1)->frequency_offset, 0.003, 1e-12);
+  EXPECT_NEAR(effects.find("2", 2)->frequency_offset, 0.004, 1e-12);
+  EXPECT_NEAR(effects.find("2", 3)->frequency_offset, 0.005, 1e-12);
+  EXPECT_EQ(effects.find("2", 4)->frequency_offset, 0.0);  // against itself
+  // s² = 7·2e-10/(14 − 7), of differences of two means of two values.
+  EXPECT_NEAR(effects.find("2", 1)->frequency_offset_std, std::sqrt(2e-10), 1e-12);
+  EXPECT_NEAR(effects.between_frequencies, std::sqrt((9.0 + 16.0 + 25.0) / 3.0) * 1e-3, 1e-12);
+  // Mode 5 of the second session: mean 3e-3 of four, s² = 14e-6/3 about it.
+  const auto [offset, sigma] = effects.offset_of("2", 5);
+  EXPECT_NEAR(offset, 0.003, 1e-12);
+  EXPECT_NEAR(sigma, std::sqrt(14e-6 / 3.0 * 1.25), 1e-9);
+  EXPECT_EQ(effects.offset_of("3", 1).first, 0.0);
+  EXPECT_EQ(effects.offset_of("3", 1).second, effects.between_frequencies);
+}
+
+TEST(CampaignSessions, RefuseOffsetsOfModesThatNoTwoSessionsHave) {
+  CampaignFile file{.subject = CampaignSubject::kModel, .session_offsets = true};
+  file.tests = {{.name = "a", .file = "", .session = "1"}};
+  SessionEffects found;
+  const CampaignLevels levels = modal_levels_with({{0.0, 0.0}}, found);
+  EXPECT_THROW((void)session_effects(file, levels, found), InputError);
+}
+
+// A level that was not found, or whose loss is not known, is in no mean.
+TEST(CampaignSessions, LeaveOutWhatIsNotKnown) {
+  CampaignFile file{.subject = CampaignSubject::kModel};
+  file.tests = {{.name = "a", .file = "", .session = "1"}};
+  file.tests[0].conditions = {{"torque_Nm", "20", 20.0}};
+  SessionEffects found;
+  CampaignLevels levels = modal_levels_with({{0.0, 0.0}}, found);
+  levels.levels.dissipation[0] = std::nan("");
+  levels.levels.frequency[1] = std::nan("");
+  found.frequency[2] = std::nan("");
+  levels.levels.dissipation[1] = std::exp(0.02) * 1e-6;
+  const SessionEffects effects = session_effects(file, levels, found);
+  EXPECT_NEAR(effects.find("1", 1)->dissipation_offset, 0.02, 1e-12);
+  EXPECT_TRUE(std::isfinite(effects.frequency_std));
+  const ConditionEffect torque = condition_effects(file, levels, effects).front();
+  EXPECT_NEAR(torque.groups[0].dissipation.mean, 0.02 / 3.0, 1e-12);
+  EXPECT_NEAR(torque.groups[0].frequency.mean, 0.0, 1.1e-5);
+}
+
 TEST(CampaignSessions, RefusesOffsetsThatNothingTells) {
   VirtualCampaign campaign =
       campaign_of({{.session = "a", .levels = 1}, {.session = "b", .levels = 1}}, 1);

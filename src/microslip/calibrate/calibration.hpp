@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,7 +19,9 @@ namespace microslip {
 
 /// What frequencies of levels are taken for.
 enum class FrequencyUse {
-  kChange,    ///< their change over the levels of each mode: the structure may be off by an offset
+  /// Their change over the levels of each mode in each session: the structure may be off by an
+  /// offset.
+  kChange,
   kAbsolute,  ///< themselves: the modes of the structure are exact
   kIgnore,    ///< nothing
 };
@@ -90,9 +93,11 @@ struct JointAtLevel {
 
 /// A level as measured and as found.
 struct CalibratedLevel {
-  bool found = false;                     ///< whether the structure has the resonance
-  double frequency = 0.0;                 ///< of the structure with the joints found, Hz
-  double measured_frequency = 0.0;        ///< Hz; NaN without
+  bool found = false;               ///< whether the structure has the resonance
+  double frequency = 0.0;           ///< of the structure with the joints found, Hz
+  double measured_frequency = 0.0;  ///< Hz; NaN without
+  /// What those of its mode and session are off by, relative, the mean; NaN without.
+  double frequency_offset = std::numeric_limits<double>::quiet_NaN();
   double dissipation = 0.0;               ///< of all joints together, J
   double measured_dissipation = 0.0;      ///< J; of ζ less the loss of the structure
   double measured_dissipation_std = 0.0;  ///< J; NaN where it was not given

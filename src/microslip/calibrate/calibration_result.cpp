@@ -339,19 +339,36 @@ void read_loss_told(const std::vector<std::vector<std::vector<double>>>& losses,
   }
 }
 
+/// Mean over the levels of the mode and session of each level of what their frequencies are off by.
+void read_offsets_of_levels(const ModalLevels& levels, const std::vector<double>& errors,
+                            CalibrationResult& result) {
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::size_t j = 0; j < levels.size(); ++j) {
+      if (std::isnan(errors[j]) || !levels.same_offset(i, j)) continue;
+      sum += errors[j];
+      count += 1.0;
+    }
+    result.levels[i].frequency_offset = sum / count;  // NaN of none
+  }
+}
+
 /// Mean over the levels of each mode of what their frequencies are off by.
 void read_offsets(const CalibrationEvidence& evidence, const LevelStates& states,
                   CalibrationResult& result) {
   const std::size_t modes = states.structure().linear().vibrations();
   std::vector<double> sum(modes, 0.0);
   std::vector<double> count(modes, 0.0);
+  std::vector<double> errors(evidence.levels.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < evidence.levels.size(); ++i) {
     if (!states.at(i)) continue;
-    const double error = frequency_error(evidence.levels, i, *states.at(i));
-    if (std::isnan(error)) continue;
-    sum[evidence.levels.mode[i]] += error;
+    errors[i] = frequency_error(evidence.levels, i, *states.at(i));
+    if (std::isnan(errors[i])) continue;
+    sum[evidence.levels.mode[i]] += errors[i];
     count[evidence.levels.mode[i]] += 1.0;
   }
+  read_offsets_of_levels(evidence.levels, errors, result);
   for (std::size_t m = 0; m < modes; ++m) {
     result.frequency_offset.push_back(count[m] > 0.0 ? sum[m] / count[m]
                                                      : std::numeric_limits<double>::quiet_NaN());
@@ -375,7 +392,7 @@ void read_residuals(const CalibrationEvidence& evidence, std::size_t level, doub
                   (loss_deviation(deviations) * result.loss_scatter);
   if (evidence.frequency == FrequencyUse::kIgnore || std::isnan(error)) return;
   if (evidence.frequency == FrequencyUse::kChange) {
-    error -= result.frequency_offset[evidence.levels.mode[level]];
+    error -= told.frequency_offset;
   }
   told.frequency_residual = error / (deviations.frequency * result.frequency_scatter);
 }

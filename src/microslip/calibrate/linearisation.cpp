@@ -269,16 +269,18 @@ WeightedRows weighed(const std::vector<LevelRow>& rows, Eigen::Index columns,
   return result;
 }
 
-/// Takes what all levels of a mode have in common from their frequencies: an offset of each mode,
+/// Takes what all levels of a mode in a session have in common from their frequencies: an offset,
 /// which no joint has to explain.
 void centre_modes(const ModalLevels& levels, const std::vector<LevelRow>& raw, WeightedRows& rows) {
-  const std::size_t modes = levels.mode.empty() ? 0 : 1 + std::ranges::max(levels.mode);
-  for (std::size_t m = 0; m < modes; ++m) {
-    std::vector<Eigen::Index> of_mode;
-    for (std::size_t i = 0; i < raw.size(); ++i) {
-      if (levels.mode[raw[i].level] == m) of_mode.push_back(static_cast<Eigen::Index>(i));
+  std::vector<bool> centred(raw.size(), false);
+  for (std::size_t first = 0; first < raw.size(); ++first) {
+    if (centred[first]) continue;
+    std::vector<Eigen::Index> of_mode;  // a single one becomes nothing
+    for (std::size_t i = first; i < raw.size(); ++i) {
+      if (!levels.same_offset(raw[first].level, raw[i].level)) continue;
+      of_mode.push_back(static_cast<Eigen::Index>(i));
+      centred[i] = true;
     }
-    if (of_mode.empty()) continue;  // a single one becomes nothing
     // 1/σ is what an offset of 1 makes of a row.
     Eigen::VectorXd offset(static_cast<Eigen::Index>(of_mode.size()));
     for (Eigen::Index i = 0; i < offset.size(); ++i) {

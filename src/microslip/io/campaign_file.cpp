@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <set>
 
 #include "microslip/base/error.hpp"
@@ -70,15 +71,17 @@ std::string file_name_in(const TomlTable& table, std::string_view key) {
                    "Rename it.");
 }
 
-std::size_t draws_in(const TomlTable& table) {
-  // Of fewer no draw lies beyond each edge of a band of 95 %; of more, more memory than use.
-  constexpr std::size_t kFewest = 40;
-  constexpr std::size_t kMost = 1'000'000;
+std::size_t draws_in(const TomlTable& table, CampaignSubject subject) {
+  // Of fewer no draw lies beyond each edge of a band of 95 %, and several joints are the mean of
+  // theirs; of more, more memory than use.
+  const bool of_model = subject == CampaignSubject::kModel;
+  const std::size_t fewest = of_model ? 100 : 40;
+  const std::size_t most = of_model ? 100'000 : 1'000'000;
   if (!table.has("draws")) return 0;
   const std::size_t draws = table.whole("draws");
-  if (draws == 0 || (draws >= kFewest && draws <= kMost)) return draws;
+  if (draws == 0 || (draws >= fewest && draws <= most)) return draws;
   throw InputError(table.name("draws"), static_cast<double>(draws),
-                   fmt::format("must be 0, for no bands, or from {} to {}", kFewest, kMost),
+                   fmt::format("must be 0, for no bands, or from {} to {}", fewest, most),
                    "1000 give a smooth band.");
 }
 
@@ -93,10 +96,28 @@ void check_draws_used(const TomlTable& table, std::size_t draws,
   }
 }
 
-void read_campaign_identification(const TomlTable& table, CampaignFile& campaign) {
-  table.allow_only({"stiffness_N_per_m", "linear_damping", "smoothing", "edges", "atom",
-                    "inner_reversals", "draws", "seed", "dissipation_gain_std",
-                    "amplitude_gain_std", "session_offsets", "leave_one_out"});
+const std::vector<std::string_view> kKeysOfRig{
+    "stiffness_N_per_m", "linear_damping",       "smoothing",         "atom",
+    "inner_reversals",   "dissipation_gain_std", "amplitude_gain_std"};
+const std::vector<std::string_view> kKeysOfModel{"frequency", "stiffness", "forcing", "harmonics"};
+
+/// Keys that what the campaign is of does not have.
+void check_of_subject(const TomlTable& table, CampaignSubject subject) {
+  const bool of_model = subject == CampaignSubject::kModel;
+  for (const std::string_view key : of_model ? kKeysOfRig : kKeysOfModel) {
+    if (!table.has(key)) continue;
+    throw InputError(
+        table.name(key), InputState{"given"},
+        of_model
+            ? "belongs to one joint, identified from its levels, and this campaign is of a model"
+            : "belongs to joints of a model, found from levels of modes, and this campaign is "
+              "of a rig",
+        of_model ? "Leave it out: k of each joint and gains of readings stand in the model.toml."
+                 : "Leave it out, or give model = \"model.toml\" in place of structure.");
+  }
+}
+
+void read_identification_of_rig(const TomlTable& table, CampaignFile& campaign) {
   campaign.stiffness = table.number("stiffness_N_per_m");
   if (!(campaign.stiffness > 0.0 && std::isfinite(campaign.stiffness))) {
     throw InputError(table.name("stiffness_N_per_m"), campaign.stiffness,
@@ -104,16 +125,61 @@ void read_campaign_identification(const TomlTable& table, CampaignFile& campaign
   }
   campaign.linear_damping = word_in(table, "linear_damping", {"none", "fit"}) == 1;
   if (table.has("smoothing")) campaign.smoothing = table.text("smoothing");
-  campaign.edges = word_in(table, "edges", {"sought", "none"}) == 0;
   campaign.atom = flag_in(table, "atom");
   campaign.use_inner_reversals = word_in(table, "inner_reversals", {"leave-out", "use"}) == 1;
-  campaign.draws = draws_in(table);
-  if (table.has("seed")) campaign.seed = table.whole("seed");
   campaign.dissipation_gain_std = share_in(table, "dissipation_gain_std");
   campaign.amplitude_gain_std = share_in(table, "amplitude_gain_std");
+}
+
+void read_identification_of_model(const TomlTable& table, CampaignFile& campaign) {
+  constexpr std::size_t kMostHarmonics = 100;
+  constexpr std::array kUses{FrequencyOfLevels::kChange, FrequencyOfLevels::kAbsolute,
+                             FrequencyOfLevels::kIgnore};
+  campaign.frequency = kUses.at(word_in(table, "frequency", {"change", "absolute", "ignore"}));
+  campaign.fit_stiffness = word_in(table, "stiffness", {"given", "fit"}) == 1;
+  if (campaign.fit_stiffness && campaign.frequency != FrequencyOfLevels::kAbsolute) {
+    throw InputError(table.name("stiffness"), in_quotes("fit"),
+                     "needs absolute frequencies: changes tell nothing of k",
+                     "Give frequency = \"absolute\", or leave it out.");
+  }
+  campaign.modal_forcing = word_in(table, "forcing", {"excitation", "modal"}) == 1;
+  if (!table.has("harmonics")) return;
+  campaign.harmonics = table.whole("harmonics");
+  if (campaign.harmonics >= 1 && campaign.harmonics <= kMostHarmonics) return;
+  throw InputError(table.name("harmonics"), static_cast<double>(campaign.harmonics),
+                   fmt::format("must be from 1 to {}", kMostHarmonics));
+}
+
+LeaveOut leave_out_in(const TomlTable& table, CampaignSubject subject) {
+  constexpr std::array kAll{LeaveOut::kNothing, LeaveOut::kTests, LeaveOut::kLevels,
+                            LeaveOut::kModes};
+  std::vector<std::string_view> words{"none", "tests", "levels"};
+  if (subject == CampaignSubject::kModel) words.emplace_back("modes");
+  return kAll.at(word_in(table, "leave_one_out", words));
+}
+
+void read_campaign_identification(const TomlTable& table, CampaignFile& campaign) {
+  std::vector<std::string_view> known{"edges", "draws", "seed", "session_offsets", "leave_one_out"};
+  for (const auto* keys : {&kKeysOfRig, &kKeysOfModel})
+    std::ranges::copy(*keys, std::back_inserter(known));
+  table.allow_only(known);
+  check_of_subject(table, campaign.subject);
+  if (campaign.of_model()) {
+    read_identification_of_model(table, campaign);
+  } else {
+    read_identification_of_rig(table, campaign);
+  }
+  campaign.edges = word_in(table, "edges", {"sought", "none"}) == 0;
+  campaign.draws = draws_in(table, campaign.subject);
+  if (table.has("seed")) campaign.seed = table.whole("seed");
   campaign.session_offsets = flag_in(table, "session_offsets");
-  constexpr std::array kAll{LeaveOut::kNothing, LeaveOut::kTests, LeaveOut::kLevels};
-  campaign.leave_out = kAll.at(word_in(table, "leave_one_out", {"none", "tests", "levels"}));
+  if (campaign.session_offsets && campaign.frequency == FrequencyOfLevels::kAbsolute) {
+    throw InputError(
+        table.name("session_offsets"), "true",
+        "contradicts frequency = \"absolute\", by which the modes of the model are exact",
+        "Give frequency = \"change\", or leave it out.");
+  }
+  campaign.leave_out = leave_out_in(table, campaign.subject);
   std::vector<std::string_view> drawn{"seed", "dissipation_gain_std", "amplitude_gain_std"};
   if (campaign.leave_out != LeaveOut::kNothing) drawn.emplace_back("leave_one_out");
   check_draws_used(table, campaign.draws, drawn);
@@ -195,23 +261,38 @@ std::vector<std::string> sensors_in(const TomlTable& test) {
                    "For instance { acc1 = \"drive\" }.");
 }
 
-std::size_t mode_in(const TomlTable& table, const CampaignTest& test) {
-  if (!table.has("mode")) return 1;
+std::size_t mode_in(const TomlTable& table, const CampaignTest& test, CampaignSubject subject) {
+  const bool of_model = subject == CampaignSubject::kModel;
+  if (!table.has("mode")) return of_model ? 0 : 1;
   const std::size_t mode = table.whole("mode");
   if (mode == 0) throw InputError(table.name("mode"), 0.0, "must be 1 or more");
-  if (mode == 1 || !test.identifies()) return mode;
+  if (of_model || mode == 1 || !test.identifies()) return mode;
   throw InputError(table.name("mode"), static_cast<double>(mode),
                    "must be 1 to identify from: frequencies of levels are those of the first mode",
                    "Give use = \"predict\".");
 }
 
-void read_kind(const TomlTable& table, CampaignTest& test) {
+/// Loops are of a joint by itself.
+void check_kind_of_subject(const TomlTable& table, const CampaignTest& test,
+                           CampaignSubject subject) {
+  if (subject != CampaignSubject::kModel || test.kind != CampaignKind::kLoops) return;
+  throw InputError(
+      table.name("kind"), in_quotes("loops"),
+      "is a test of one joint, and the campaign is of a model",
+      test.identifies()
+          ? "The subcommand identify finds a joint from it, which the model takes by its file."
+          : "The subcommand verify, with the option joint, predicts it by the model that is "
+            "written.");
+}
+
+void read_kind(const TomlTable& table, CampaignSubject subject, CampaignTest& test) {
   test.kind = kind_in(table);
+  check_kind_of_subject(table, test, subject);
   check_kind_used(table, test);
   check_of_kind(table, test, CampaignKind::kRingDown, {"sensors", "mode"});
   check_of_kind(table, test, CampaignKind::kLoops, {"force", "displacement"});
   test.sensors = sensors_in(table);
-  test.mode = mode_in(table, test);
+  test.mode = mode_in(table, test, subject);
   if (table.has("force")) test.force = table.text("force");
   if (table.has("displacement")) test.displacement = table.text("displacement");
 }
@@ -227,7 +308,8 @@ void read_recording_keys(const TomlTable& table, CampaignTest& test) {
   }
 }
 
-CampaignTest read_campaign_test(const TomlTable& table, std::string_view file) {
+CampaignTest read_campaign_test(const TomlTable& table, std::string_view file,
+                                CampaignSubject subject) {
   table.allow_only({"name", "file", "use", "session", "conditions", "kind", "sensors", "mode",
                     "force", "displacement", "assume_units", "allow_truncated"});
   constexpr std::array kUses{CampaignUse::kIdentify, CampaignUse::kPredict, CampaignUse::kBoth};
@@ -236,14 +318,14 @@ CampaignTest read_campaign_test(const TomlTable& table, std::string_view file) {
   test.use = kUses.at(word_in(table, "use", {"identify", "predict", "both"}));
   if (table.has("session")) test.session = file_name_in(table, "session");
   test.conditions = read_conditions(table);
-  read_kind(table, test);
+  read_kind(table, subject, test);
   read_recording_keys(table, test);
   return test;
 }
 
 void read_campaign_tests(const TomlTable& top, std::string_view file, CampaignFile& campaign) {
   for (const TomlTable& table : top.tables("test")) {
-    CampaignTest test = read_campaign_test(table, file);
+    CampaignTest test = read_campaign_test(table, file, campaign.subject);
     if (std::ranges::count(campaign.tests, test.name, &CampaignTest::name) > 0) {
       throw InputError(table.name("name"), in_quotes(test.name), "must not be that of another test",
                        "Rename one of them.");
@@ -256,19 +338,32 @@ void read_campaign_tests(const TomlTable& top, std::string_view file, CampaignFi
                    "Give one use = \"identify\", or \"both\".");
 }
 
+void read_subject(const TomlTable& top, std::string_view file, CampaignFile& campaign) {
+  if (!top.has("model")) {
+    campaign.structure = path_in(top, "structure", file);
+    return;
+  }
+  if (top.has("structure")) {
+    throw InputError(top.name("model"), InputState{"given"},
+                     "must not stand beside structure: a campaign is of one of them",
+                     "structure is a rig.toml, model a model.toml.");
+  }
+  campaign.subject = CampaignSubject::kModel;
+  campaign.structure = path_in(top, "model", file);
+}
+
 /// What would do nothing.
 void check_enough(const TomlTable& top, const CampaignFile& campaign) {
-  const TomlTable table = top.table("identification");
   const std::vector<std::string> sessions = campaign.sessions();
   if (campaign.session_offsets && sessions.size() < 2) {
-    throw InputError(table.name("session_offsets"), "true",
+    throw InputError(top.table("identification").name("session_offsets"), "true",
                      fmt::format("does nothing: all tests to identify from are of session {}",
                                  in_quotes(sessions.front())),
                      "Leave it out, or say which tests are of another session.");
   }
   const auto tests = std::ranges::count_if(campaign.tests, &CampaignTest::identifies);
   if (campaign.leave_out == LeaveOut::kTests && tests < 2) {
-    throw InputError(table.name("leave_one_out"), in_quotes("tests"),
+    throw InputError(top.table("identification").name("leave_one_out"), in_quotes("tests"),
                      "leaves nothing: there is one test to identify from",
                      "\"levels\" leaves out one level after the other.");
   }
@@ -331,11 +426,13 @@ CampaignFile parse_campaign(std::string_view text, std::string_view file) {
   const toml::table table = parse_toml(text, file);
   const TomlTable top(table, file);
   check_schema(top.place("schema"), top.text("schema"), kCampaignKind, "a campaign");
-  top.allow_only({"schema", "title", "structure", "identification", "prediction", "test"});
+  top.allow_only({"schema", "title", "structure", "model", "identification", "prediction", "test"});
   CampaignFile campaign;
   if (top.has("title")) campaign.title = top.text("title");
-  campaign.structure = path_in(top, "structure", file);
-  read_campaign_identification(top.table("identification"), campaign);
+  read_subject(top, file, campaign);
+  if (!campaign.of_model() || top.has("identification")) {
+    read_campaign_identification(top.table("identification"), campaign);
+  }
   if (top.has("prediction")) read_campaign_prediction(top.table("prediction"), campaign);
   read_campaign_tests(top, file, campaign);
   check_enough(top, campaign);

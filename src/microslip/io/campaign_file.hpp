@@ -10,16 +10,20 @@
 
 /// @file
 /// campaign.toml, schema microslip.campaign/1: several tests of one structure, some to identify its
-/// joint from, others to be predicted. Values are SI, their keys end in the unit.
+/// joints from, others to be predicted. Values are SI, their keys end in the unit.
 ///
 ///     schema = "microslip.campaign/1"
 ///     title = "…"            optional
-///     structure = "rig.toml" of which all tests are, relative to the folder of the campaign
-///     [identification]       stiffness_N_per_m; optional: linear_damping = "none" or "fit",
-///                            smoothing = "gcv" or "lambda=X", edges = "sought" or "none", atom,
-///                            inner_reversals = "leave-out" or "use", draws, seed,
-///                            dissipation_gain_std, amplitude_gain_std, session_offsets,
-///                            leave_one_out = "none", "tests" or "levels"
+///     structure = "rig.toml" of which all tests are, relative to the folder of the campaign; or
+///     model = "model.toml"   likewise, of any number of joints, some of which are to be found
+///     [identification]       optional: edges = "sought" or "none", draws, seed, session_offsets,
+///                            leave_one_out = "none", "tests" or "levels"; of a rig
+///                            stiffness_N_per_m, optional: linear_damping = "none" or "fit",
+///                            smoothing = "gcv" or "lambda=X", atom, inner_reversals = "leave-out"
+///                            or "use", dissipation_gain_std, amplitude_gain_std; of a model,
+///                            optional: frequency = "change", "absolute" or "ignore", stiffness =
+///                            "given" or "fit", forcing = "excitation" or "modal", harmonics, and
+///                            leave_one_out = "modes"
 ///     [prediction]           frequency_std, force_gain_std, each optional; optional
 ///     [[test]]               name, file, use = "identify", "predict" or "both"; optional: session,
 ///                            conditions = { … }, numbers and texts; kind = "sweep",
@@ -46,6 +50,13 @@ enum class LeaveOut {
   kNothing,
   kTests,   ///< each test
   kLevels,  ///< each level
+  kModes,   ///< each mode, over all tests; of a model
+};
+
+/// Of what a campaign is.
+enum class CampaignSubject {
+  kRig,    ///< a rig.toml: one joint, from its levels
+  kModel,  ///< a model.toml: joints, from levels of its modes
 };
 
 /// What a test is, where its file does not tell or is to be taken otherwise.
@@ -56,6 +67,9 @@ enum class CampaignKind {
   kRingDown,          ///< a recording of a free decay
   kLoops,             ///< recordings of force and displacement of the joint
 };
+
+/// What frequencies of levels of modes count for, as FrequencyUse of calibrate().
+enum class FrequencyOfLevels { kChange, kAbsolute, kIgnore };
 
 #pragma GCC diagnostic pop
 
@@ -81,7 +95,7 @@ struct CampaignTest {
   std::vector<CampaignCondition> conditions = {};  ///< in alphabetical order
   CampaignKind kind = CampaignKind::kTold;         ///< what it is
   std::vector<std::string> sensors = {};           ///< CHANNEL=POINT; of ring-downs
-  std::size_t mode = 1;                            ///< from 1; of ring-downs
+  std::size_t mode = 1;                            ///< from 1; of ring-downs; 0: all there are
   std::string force = {};         ///< channel; of loops. Empty for the only force there is
   std::string displacement = {};  ///< likewise
   std::vector<std::string> assumed_units = {};  ///< CHANNEL=UNIT or SI; of recordings
@@ -97,25 +111,32 @@ struct CampaignTest {
 
 /// What a campaign.toml holds.
 struct CampaignFile {
-  std::string title = {};                   ///< may be empty
-  std::string structure;                    ///< path of rig.toml, to be opened
-  double stiffness = 0.0;                   ///< k of the stuck joint, N/m; > 0
-  bool linear_damping = false;              ///< whether β is fitted
-  std::string smoothing = "gcv";            ///< as of set_smoothing()
-  bool edges = true;                        ///< whether edges of the density are sought
-  bool atom = false;                        ///< whether one is sought at the end of the density
-  bool use_inner_reversals = false;         ///< takes levels with inner reversals too
-  std::size_t draws = 0;                    ///< of joint and predictions; 0: none
-  std::uint64_t seed = 1;                   ///< of them
-  double dissipation_gain_std = 0.0;        ///< of D, common to all levels of a test, relative
-  double amplitude_gain_std = 0.0;          ///< of A, likewise
-  bool session_offsets = false;             ///< whether those of the frequency are fitted
+  std::string title = {};                           ///< may be empty
+  CampaignSubject subject = CampaignSubject::kRig;  ///< what `structure` is
+  std::string structure;              ///< path of rig.toml or model.toml, to be opened
+  double stiffness = 0.0;             ///< k of the stuck joint, N/m; > 0; of a rig
+  bool linear_damping = false;        ///< whether β is fitted
+  std::string smoothing = "gcv";      ///< as of set_smoothing()
+  bool edges = true;                  ///< whether edges of the density are sought
+  bool atom = false;                  ///< whether one is sought at the end of the density
+  bool use_inner_reversals = false;   ///< takes levels with inner reversals too
+  std::size_t draws = 0;              ///< of joint and predictions; 0: none
+  std::uint64_t seed = 1;             ///< of them
+  double dissipation_gain_std = 0.0;  ///< of D, common to all levels of a test, relative
+  double amplitude_gain_std = 0.0;    ///< of A, likewise
+  bool session_offsets = false;       ///< whether those of the frequency are fitted
+  FrequencyOfLevels frequency = FrequencyOfLevels::kChange;  ///< of a model
+  bool fit_stiffness = false;               ///< whether k of the joints is found too; of a model
+  bool modal_forcing = false;               ///< whether nothing drove the levels; of a model
+  std::size_t harmonics = 5;                ///< of vibrations of a model
   LeaveOut leave_out = LeaveOut::kNothing;  ///< what is left out in turn
   /// Of a predicted frequency, relative; nothing: what the frequencies miss those of the model by.
   std::optional<double> frequency_std = {};
   double force_gain_std = 0.0;      ///< of the force of a predicted test, relative
   std::vector<CampaignTest> tests;  ///< in the order of the file
 
+  /// Whether it is of a model.toml.
+  [[nodiscard]] bool of_model() const { return subject == CampaignSubject::kModel; }
   /// The sessions of the tests to identify from, in the order in which these first name them.
   [[nodiscard]] std::vector<std::string> sessions() const;
   /// The names of all conditions, in alphabetical order.

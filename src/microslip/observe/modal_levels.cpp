@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "microslip/base/error.hpp"
@@ -102,7 +103,30 @@ void append(const ModalLevels& more, ModalLevels& levels) {
       append_column(added.*column.values, more.size(), before, joint.*column.values);
     }
   }
+  if (!more.session.empty() || !levels.session.empty()) {
+    levels.session.resize(before, 0);
+    levels.session.insert(levels.session.end(), more.session.begin(), more.session.end());
+    levels.session.resize(before + more.size(), 0);
+  }
   levels.mode.insert(levels.mode.end(), more.mode.begin(), more.mode.end());
+}
+
+ModalLevels some_levels(const ModalLevels& levels, std::span<const std::size_t> which) {
+  const auto some = [&](const auto& values) {
+    std::remove_cvref_t<decltype(values)> kept;
+    if (values.empty()) return kept;
+    for (const std::size_t i : which) kept.push_back(values[i]);
+    return kept;
+  };
+  ModalLevels kept{.mode = some(levels.mode), .session = some(levels.session)};
+  for (const auto& column : kModalColumns) kept.*column.values = some(levels.*column.values);
+  for (const JointLevels& joint : levels.joints) {
+    kept.joints.push_back({.name = joint.name});
+    for (const auto& column : kJointColumns) {
+      kept.joints.back().*column.values = some(joint.*column.values);
+    }
+  }
+  return kept;
 }
 
 std::size_t distinct_levels(const ModalLevels& levels) {
@@ -116,6 +140,10 @@ std::size_t distinct_levels(const ModalLevels& levels) {
 void check_modal_levels(const ModalLevels& levels) {
   for (const auto& column : kModalColumns) {
     check_column(column.name, levels.*column.values, levels.size(), column.positive);
+  }
+  if (!levels.session.empty() && levels.session.size() != levels.size()) {
+    throw InputError("session", fmt::format("{} values", levels.session.size()),
+                     fmt::format("must have {}, one a level, or none", levels.size()));
   }
   for (const JointLevels& joint : levels.joints) {
     for (const auto& column : kJointColumns) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,9 +33,17 @@ struct ModalLevels {
   std::vector<double> damping_ratio = {};      ///< ζ of structure and joints, 1; ≥ 0
   std::vector<double> damping_ratio_std = {};  ///< its standard deviation, 1; ≥ 0
   std::vector<JointLevels> joints = {};        ///< those with sensors or an observer of their own
+  /// Number of the session that it was measured in, any; empty: one. What the frequencies of a mode
+  /// are off by may be another in each.
+  std::vector<std::size_t> session = {};
 
   /// The number of levels.
   [[nodiscard]] std::size_t size() const { return mode.size(); }
+
+  /// Whether two levels are of one mode and measured in one session.
+  [[nodiscard]] bool same_offset(std::size_t i, std::size_t j) const {
+    return mode[i] == mode[j] && (session.empty() || session[i] == session[j]);
+  }
 
   /// Entry i of a vector that may be empty; NaN where it is.
   [[nodiscard]] static double value(const std::vector<double>& values, std::size_t i) {
@@ -42,8 +51,13 @@ struct ModalLevels {
   }
 };
 
-/// Levels of another file behind these; columns that one of them lacks are NaN there.
+/// Levels of another file behind these; columns that one of them lacks are NaN there, and the
+/// session is 0.
 void append(const ModalLevels& more, ModalLevels& levels);
+
+/// Those of some numbers, from 0.
+[[nodiscard]] ModalLevels some_levels(const ModalLevels& levels,
+                                      std::span<const std::size_t> which);
 
 /// The number of levels without repetitions: those of one mode at one displacement are one.
 [[nodiscard]] std::size_t distinct_levels(const ModalLevels& levels);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -83,15 +84,21 @@ ReportTable campaign_tests_table(const std::vector<TestRows>& tests) {
   return table;
 }
 
-/// A layer a session: value(level) in % over the amplitude.
+/// What the amplitude of a level is.
+const char* amplitude_label(const CampaignFound& found) {
+  return found.of_model ? "displacement of the response point" : "joint amplitude A";
+}
+
+/// A layer a session, and mode of a model: value(level) in % over the amplitude.
 template <typename Value>
-ReportFigure over_amplitude(const std::vector<CampaignEntry>& entries, std::string title,
-                            std::string caption, const char* label, const Value& value) {
+ReportFigure over_amplitude(const CampaignFound& found, std::string title, std::string caption,
+                            const char* label, const Value& value) {
   std::vector<PointLayer> layers;
-  for (const CampaignEntry& entry : entries) {
+  for (const CampaignEntry& entry : found.entries) {
     const double shown = entry.part == "level" ? value(entry) : kNotKnown;
     if (!std::isfinite(shown) || !std::isfinite(entry.amplitude)) continue;
-    const std::string legend = "session " + entry.session;
+    std::string legend = "session " + entry.session;
+    if (found.of_model) legend += fmt::format(", mode {}", entry.mode);
     auto layer = std::ranges::find(layers, legend, &PointLayer::legend);
     if (layer == layers.end()) {
       const auto colour = static_cast<int>(layers.size());
@@ -102,7 +109,7 @@ ReportFigure over_amplitude(const std::vector<CampaignEntry>& entries, std::stri
   }
   Figure figure{.title = std::move(title), .caption = std::move(caption)};
   for (PointLayer& layer : layers) figure.layers.emplace_back(std::move(layer));
-  show_x(figure, "joint amplitude A", "m");
+  show_x(figure, amplitude_label(found), "m");
   show_y(figure, label, ShownUnit{"%", kPercent});
   figure.x.log_switch = true;
   return {.figure = std::move(figure)};
@@ -126,6 +133,7 @@ ReportTable sessions_table(const CampaignFound& found) {
                                 {"scatter of frequencies", "%", 2},
                                 {"D off the joint", "%", 3},
                                 {"scatter of D", "%", 3}}};
+  if (found.of_model) table.columns.insert(table.columns.begin() + 1, {"mode", "1", 0});
   if (!found.repeatability.empty()) {
     table.caption += fmt::format(" The means of D repeat within {}.", found.repeatability);
   }
@@ -135,6 +143,9 @@ ReportTable sessions_table(const CampaignFound& found) {
          session.frequency_difference / kPercent, session.frequency_difference_std / kPercent,
          session.frequency_offset / kPercent, session.frequency_scatter / kPercent,
          session.dissipation_offset / kPercent, session.dissipation_scatter / kPercent});
+    if (!found.of_model) continue;
+    std::vector<ReportCell>& row = table.rows.back();
+    row.insert(row.begin() + 1, static_cast<double>(session.mode));
   }
   return table;
 }
@@ -238,7 +249,7 @@ ReportFigure left_out_figure(const CampaignFound& found) {
   for (PointLayer* layer : {&band, &measured, &outside}) {
     if (!layer->x.empty()) figure.layers.emplace_back(std::move(*layer));
   }
-  show_x(figure, "joint amplitude A", "m");
+  show_x(figure, amplitude_label(found), "m");
   show_y(figure, "D over that of the others, less 1", ShownUnit{"%", kPercent});
   figure.x.log_switch = true;
   return {.figure = std::move(figure)};
@@ -251,11 +262,13 @@ std::string lead_of_campaign(const std::vector<TestRows>& tests, const CampaignF
     levels += test.levels.size();
     identify += test.levels.empty() ? 0 : 1;
   }
+  std::set<std::string> sessions;
+  for (const SessionEffect& session : found.sessions) sessions.insert(session.name);
   return fmt::format(
-      "Several tests of one structure: {} of {} identify the joint, in {}; the "
+      "Several tests of one structure: {} of {} identify {}, in {}; the "
       "others, and those used for both, are predicted.",
-      counted(levels, "level"), counted(identify, "test"),
-      counted(found.sessions.size(), "session"));
+      counted(levels, found.of_model ? "modal level" : "level"), counted(identify, "test"),
+      found.of_model ? "its joints" : "the joint", counted(sessions.size(), "session"));
 }
 
 }  // namespace
@@ -267,15 +280,18 @@ ReportSection campaign_section(const ExperimentResults& results) {
   const std::vector<TestRows> tests = rows_by_test(found.entries);
   section.blocks.emplace_back(ReportText{lead_of_campaign(tests, found)});
   if (!found.warnings.empty()) section.blocks.emplace_back(ReportWarnings{found.warnings});
+  add_if_drawn(
+      section,
+      over_amplitude(found, "Dissipation against the joint",
+                     found.of_model ? "Of each level, over that of all joints together, which were "
+                                      "found from all, less 1."
+                                    : "Of each level, over that of the joint that was identified "
+                                      "from all, less 1.",
+                     "D over that found, less 1", [](const CampaignEntry& level) {
+                       return level.dissipation / level.dissipation_predicted - 1.0;
+                     }));
   add_if_drawn(section,
-               over_amplitude(found.entries, "Dissipation against the joint",
-                              "Of each level, over that of the joint that was "
-                              "identified from all, less 1.",
-                              "D over that of the joint, less 1", [](const CampaignEntry& level) {
-                                return level.dissipation / level.dissipation_predicted - 1.0;
-                              }));
-  add_if_drawn(section,
-               over_amplitude(found.entries, "Frequency against the model",
+               over_amplitude(found, "Frequency against the model",
                               "Of each level, over that of the model with the joint, less 1.",
                               "f over that of the model, less 1", [](const CampaignEntry& level) {
                                 return level.frequency / level.frequency_predicted - 1.0;

@@ -23,6 +23,7 @@
 #include "microslip/io/text.hpp"
 #include "microslip/workflow/calibration_tables.hpp"
 #include "microslip/workflow/distinct_files.hpp"
+#include "microslip/workflow/model_draws.hpp"
 #include "microslip/workflow/model_rules.hpp"
 #include "microslip/workflow/model_text.hpp"
 #include "microslip/workflow/path_from.hpp"
@@ -36,12 +37,6 @@ namespace fs = std::filesystem;
 
 std::string file_of_results(const ModelCalibration& options, const std::string& name) {
   return (fs::path(options.out) / name).string();
-}
-
-std::vector<std::string> names_of_joints(const ModelFile& model) {
-  std::vector<std::string> names;
-  for (const StructuralJoint& joint : model.structure.joints()) names.push_back(joint.name);
-  return names;
 }
 
 /// Joints that are sought become files of their name.
@@ -63,20 +58,6 @@ void check_column_name(const std::string& model, const std::string& joint) {
   throw InputError(fmt::format("{}: name of a joint", input_name(model)), in_quotes(joint),
                    "must not begin with lower_ or upper_, as columns of calibration.csv do",
                    "Rename it in the model.");
-}
-
-ModelFile read_model_to_calibrate(const std::string& path) {
-  ModelFile model = read_model(path, JointsToFind::kAllowed);
-  if (model.to_find.empty()) {
-    throw InputError(fmt::format("{}: joints to find", input_name(path)), InputState{"none"},
-                     "must be one or more", "Give a [[joint]] stiffness_N_per_m in place of file.");
-  }
-  require_no_static_loads(model, path, "calibrate");
-  for (const std::size_t joint : model.to_find) {
-    check_file_name(path, model.structure.joints()[joint].name);
-  }
-  for (const StructuralJoint& joint : model.structure.joints()) check_column_name(path, joint.name);
-  return model;
 }
 
 std::vector<ResultFile> files_of(const ModelCalibration& options, const ModelFile& model) {
@@ -139,54 +120,9 @@ std::string comment_of(const ModelCalibration& options, const CalibratedModel& d
   return with_warnings(std::move(comment), done.found.warnings);
 }
 
-/// The model that predicts: what was found stands in files beside it.
-std::string model_text(const ModelCalibration& options, const CalibratedModel& done) {
-  const std::string out = file_of_results(options, "model.toml");
-  std::vector<StructuralJoint> joints(done.model.structure.joints().begin(),
-                                      done.model.structure.joints().end());
-  ModelFile model = done.model;
-  model.joint_samples.resize(joints.size());
-  for (const CalibratedJoint& joint : done.found.joints) {
-    joints[joint.index].joint = joint.joint;
-    model.joint_files[joint.index] = joint.name + ".json";
-    if (options.keep_draws) model.joint_samples[joint.index] = joint.name + "_samples.h5";
-    model.identified_damping[joint.index] = joints[joint.index].linear_damping;
-  }
-  for (std::size_t j = 0; j < joints.size(); ++j) {
-    if (std::ranges::find(model.to_find, j) != model.to_find.end()) continue;
-    model.joint_files[j] = path_from(model.joint_files[j], out);
-    std::string& samples = model.joint_samples[j];
-    if (!samples.empty()) samples = path_from(samples, out);
-  }
-  model.to_find.clear();
-  model.structure = done.model.structure.with_joints(std::move(joints));
-  return format_model(model, comment_of(options, done));
-}
-
 CsvWriter commented(CsvWriter table, const std::string& comment) {
   table.add_comment(comment);
   return table;
-}
-
-void compose_files(const ModelCalibration& options, const ModalLevels& levels,
-                   CalibratedModel& done) {
-  done.files = files_of(options, done.model);
-  const Provenance provenance = calibration_provenance(options, done);
-  std::size_t at = 0;
-  for (const CalibratedJoint& joint : done.found.joints) {
-    done.files[at++].content =
-        format_joint({joint.joint, provenance, record_of_calibration(done.found, joint)});
-    if (!options.keep_draws) continue;
-    const JointSamples samples = joint_samples(joint, provenance, options.options.seed);
-    done.files[at].content = joint_samples_bytes(samples, done.files[at].path);
-    ++at;
-  }
-  const std::string comment = comment_of(options, done);
-  done.files[at++].content = model_text(options, done);
-  done.files[at++].content = format_calibration({provenance, record_of_calibration(done.found)});
-  done.files[at++].content =
-      commented(calibration_table(done.found, levels, names_of_joints(done.model)), comment).str();
-  done.files[at++].content = commented(identifiability_table(done.found), comment).str();
 }
 
 // ---- The summary. ----
@@ -241,6 +177,26 @@ std::string describe_pairs(const CalibrationResult& found) {
 
 }  // namespace
 
+std::vector<std::string> names_of_joints(const ModelFile& model) {
+  std::vector<std::string> names;
+  for (const StructuralJoint& joint : model.structure.joints()) names.push_back(joint.name);
+  return names;
+}
+
+ModelFile read_model_to_calibrate(const std::string& path) {
+  ModelFile model = read_model(path, JointsToFind::kAllowed);
+  if (model.to_find.empty()) {
+    throw InputError(fmt::format("{}: joints to find", input_name(path)), InputState{"none"},
+                     "must be one or more", "Give a [[joint]] stiffness_N_per_m in place of file.");
+  }
+  require_no_static_loads(model, path, "calibrate");
+  for (const std::size_t joint : model.to_find) {
+    check_file_name(path, model.structure.joints()[joint].name);
+  }
+  for (const StructuralJoint& joint : model.structure.joints()) check_column_name(path, joint.name);
+  return model;
+}
+
 JointSamples joint_samples(const CalibratedJoint& joint, const Provenance& provenance,
                            std::uint64_t seed) {
   JointSamples samples;
@@ -275,20 +231,87 @@ std::vector<ResultFile> planned_files(const ModelCalibration& options) {
   return files;
 }
 
-CalibratedModel calibrate_model(const ModelCalibration& options) {
-  check_distinct_files(options.levels);
-  CalibratedModel done{.model = read_model_to_calibrate(options.model)};
-  done.inputs.push_back({options.model, sha256(read_file(options.model))});
-  const ModalLevels levels = read_all_levels(options, done);
+ModelFile model_with_found(const ModelCalibration& options, const CalibratedModel& done) {
+  const std::string out = file_of_results(options, "model.toml");
+  std::vector<StructuralJoint> joints(done.model.structure.joints().begin(),
+                                      done.model.structure.joints().end());
+  ModelFile model = done.model;
+  model.joint_samples.resize(joints.size());
+  model.covered_to.resize(joints.size());
+  for (const CalibratedJoint& joint : done.found.joints) {
+    joints[joint.index].joint = joint.joint;
+    model.joint_files[joint.index] = joint.name + ".json";
+    model.covered_to[joint.index] = joint.joint.stiffness() * joint.largest_amplitude;
+    if (options.keep_draws) model.joint_samples[joint.index] = joint.name + "_samples.h5";
+    model.identified_damping[joint.index] = joints[joint.index].linear_damping;
+  }
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    if (std::ranges::find(model.to_find, j) != model.to_find.end()) continue;
+    model.joint_files[j] = path_from(model.joint_files[j], out);
+    std::string& samples = model.joint_samples[j];
+    if (!samples.empty()) samples = path_from(samples, out);
+  }
+  model.to_find.clear();
+  model.structure = done.model.structure.with_joints(std::move(joints));
+  return model;
+}
+
+std::vector<std::optional<JointSamples>> samples_of_joints(const ModelCalibration& options,
+                                                           const CalibratedModel& done) {
+  std::vector<std::optional<JointSamples>> samples(done.model.structure.joints().size());
+  const Provenance provenance = calibration_provenance(options, done);
+  for (const CalibratedJoint& joint : done.found.joints) {
+    samples[joint.index] = joint_samples(joint, provenance, options.options.seed);
+  }
+  for (std::size_t j = 0; j < done.model.joint_samples.size(); ++j) {
+    if (samples[j] || done.model.joint_samples[j].empty()) continue;
+    const StructuralJoint& joint = done.model.structure.joints()[j];
+    samples[j] = samples_for(done.model.joint_samples[j], joint.joint.stiffness(),
+                             fmt::format("'{}'", joint.name));
+  }
+  return samples;
+}
+
+void compose_calibration(const ModelCalibration& options, const ModalLevels& levels,
+                         CalibratedModel& done) {
+  done.files = files_of(options, done.model);
+  const Provenance provenance = calibration_provenance(options, done);
+  std::size_t at = 0;
+  for (const CalibratedJoint& joint : done.found.joints) {
+    done.files[at++].content =
+        format_joint({joint.joint, provenance, record_of_calibration(done.found, joint)});
+    if (!options.keep_draws) continue;
+    const JointSamples samples = joint_samples(joint, provenance, options.options.seed);
+    done.files[at].content = joint_samples_bytes(samples, done.files[at].path);
+    ++at;
+  }
+  const std::string comment = comment_of(options, done);
+  done.files[at++].content = format_model(model_with_found(options, done), comment);
+  done.files[at++].content = format_calibration({provenance, record_of_calibration(done.found)});
+  done.files[at++].content =
+      commented(calibration_table(done.found, levels, names_of_joints(done.model)), comment).str();
+  done.files[at++].content = commented(identifiability_table(done.found), comment).str();
+}
+
+void calibrate_levels(const ModelCalibration& options, const ModalLevels& levels,
+                      const std::string& levels_name, CalibratedModel& done) {
   try {
     done.found = calibrate(done.model.structure, done.model.to_find, done.model.response, levels,
                            options.options);
   } catch (const InputError& error) {
     if (error.name().find("level") == std::string::npos) throw;
-    throw error.renamed(fmt::format("{}: {}", input_name(options.levels.front()), error.name()));
+    throw error.renamed(fmt::format("{}: {}", levels_name, error.name()));
   }
   std::ranges::move(mode_warnings(done.model), std::back_inserter(done.found.warnings));
-  compose_files(options, levels, done);
+}
+
+CalibratedModel calibrate_model(const ModelCalibration& options) {
+  check_distinct_files(options.levels);
+  CalibratedModel done{.model = read_model_to_calibrate(options.model)};
+  done.inputs.push_back({options.model, sha256(read_file(options.model))});
+  const ModalLevels levels = read_all_levels(options, done);
+  calibrate_levels(options, levels, input_name(options.levels.front()), done);
+  compose_calibration(options, levels, done);
   return done;
 }
 

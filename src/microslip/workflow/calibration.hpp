@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "microslip/base/summary.hpp"
 #include "microslip/calibrate/calibration.hpp"
 #include "microslip/io/joint_samples_file.hpp"
 #include "microslip/io/model_file.hpp"
@@ -49,6 +51,36 @@ struct CalibratedModel {
 /// @param seed        of them.
 [[nodiscard]] JointSamples joint_samples(const CalibratedJoint& joint, const Provenance& provenance,
                                          std::uint64_t seed);
+
+/// Reads a model whose joints are sought.
+/// @throws FileError, FormatError, InputError  as read_model(); where no joint is to be found, loads
+///     always act, or the name of a joint is none of a file or a column.
+[[nodiscard]] ModelFile read_model_to_calibrate(const std::string& path);
+
+/// The names of the joints of a model, in its order.
+[[nodiscard]] std::vector<std::string> names_of_joints(const ModelFile& model);
+
+/// Finds the joints of `done.model` from levels that need not be a file, into `done.found`, with the
+/// warnings of its modes.
+/// @param levels_name  in messages.
+/// @throws InputError, Cancelled  as calibrate().
+void calibrate_levels(const ModelCalibration& options, const ModalLevels& levels,
+                      const std::string& levels_name, CalibratedModel& done);
+
+/// The model with what was found, its joints in files beside it in the folder of the results.
+[[nodiscard]] ModelFile model_with_found(const ModelCalibration& options,
+                                         const CalibratedModel& done);
+
+/// The draws of each joint of the model: those that were found, and as their files have them those
+/// that were not; nothing of a joint without.
+/// @throws FileError, FormatError, InputError  as samples_for().
+[[nodiscard]] std::vector<std::optional<JointSamples>> samples_of_joints(
+    const ModelCalibration& options, const CalibratedModel& done);
+
+/// Composes `done.files`.
+/// @param levels  that the joints were found from.
+void compose_calibration(const ModelCalibration& options, const ModalLevels& levels,
+                         CalibratedModel& done);
 
 /// The paths and kinds of the files that will be written, before anything is computed.
 /// @throws FileError, FormatError, InputError  as read_model(); for a joint whose name is no name of

@@ -7,35 +7,29 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <memory>
 #include <optional>
+#include <string_view>
 #include <utility>
+#include <variant>
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/input_file.hpp"
-#include "microslip/io/joint_file.hpp"
-#include "microslip/io/joint_samples_file.hpp"
 #include "microslip/io/model_writer.hpp"
 #include "microslip/io/recording_file.hpp"
-#include "microslip/io/rig_file.hpp"
-#include "microslip/io/stepped_sine_file.hpp"
+#include "microslip/io/sha256.hpp"
 #include "microslip/io/text.hpp"
-#include "microslip/rig/stick_state.hpp"
+#include "microslip/workflow/campaign_joints.hpp"
 #include "microslip/workflow/campaign_tables.hpp"
 #include "microslip/workflow/campaign_test_kinds.hpp"
 #include "microslip/workflow/comparison_table.hpp"
 #include "microslip/workflow/distinct_files.hpp"
-#include "microslip/workflow/identification_text.hpp"
-#include "microslip/workflow/joint_draws.hpp"
-#include "microslip/workflow/level_table.hpp"
 #include "microslip/workflow/loops_comparison.hpp"
 #include "microslip/workflow/model_draws.hpp"
+#include "microslip/workflow/model_rules.hpp"
 #include "microslip/workflow/model_text.hpp"
-#include "microslip/workflow/named_rig.hpp"
-#include "microslip/workflow/record_entries.hpp"
 #include "microslip/workflow/recordings_provenance.hpp"
-#include "microslip/workflow/rig_model.hpp"
-#include "microslip/workflow/smoothing_text.hpp"
 #include "microslip/workflow/summary_text.hpp"
 
 namespace microslip {
@@ -43,14 +37,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kJointName = "joint.json";
-constexpr const char* kSamplesName = "joint_samples.h5";
-
 // ---- The plan and its files. ----
-
-std::string in_folder(const CampaignRun& run, const std::string& name) {
-  return (fs::path(run.out) / name).string();
-}
 
 CampaignFile read_plan(const CampaignRun& run) {
   if (run.campaign == "-") {
@@ -60,14 +47,19 @@ CampaignFile read_plan(const CampaignRun& run) {
 }
 
 void check_structure(const CampaignFile& plan) {
+  const std::string_view asked = plan.of_model() ? kModelKind : kRigKind;
   const std::string kind = file_kind(read_kind_head(plan.structure));
-  if (kind == kRigKind) return;
-  throw InputError(
-      "structure", in_quotes(plan.structure), "must be a rig.toml: a campaign has one joint",
-      kind == kModelKind
-          ? "The subcommand calibrate finds the joints of a model.toml from levels of its "
-            "modes, and verify predicts tests by it."
-          : "A structure known by its modes has [modes] there.");
+  if (kind == asked) return;
+  if (plan.of_model()) {
+    throw InputError("model", in_quotes(plan.structure), "must be a model.toml",
+                     kind == kRigKind ? "A rig.toml, of one joint, is given as structure."
+                                      : "The subcommand modes makes one from matrices or a test.");
+  }
+  throw InputError("structure", in_quotes(plan.structure), "must be a rig.toml, of one joint",
+                   kind == kModelKind
+                       ? "Give a model.toml, whose joints are found from levels of its modes, as "
+                         "model in place of structure."
+                       : "A structure known by its modes has [modes] there.");
 }
 
 /// In the words of campaign.toml: only the inversion has draws, and p is of another method.
@@ -89,7 +81,7 @@ void check_campaign(const CampaignRun& run, const CampaignFile& plan) {
   std::vector<std::string> files;
   for (const CampaignTest& test : plan.tests) files.push_back(test.file);
   check_distinct_files(files);
-  for (const CampaignTest& test : plan.tests) check_campaign_test(test);
+  for (const CampaignTest& test : plan.tests) check_campaign_test(test, plan.subject);
 }
 
 /// Conditions of tests that are predicted alone are columns, no more.
@@ -118,14 +110,15 @@ std::vector<ResultFile> files_of(const CampaignRun& run, const CampaignFile& pla
   const auto add = [&](const std::string& name, std::string_view kind) {
     files.push_back({in_folder(run, name), kind});
   };
+  const std::string_view levels = plan.of_model() ? kModalLevelsKind : kLevelsKind;
   for (const CampaignTest& test : plan.tests) {
-    if (test.identifies() && !is_levels_table(test.file)) {
-      files.push_back({levels_path(run.out, test), kLevelsKind});
-    }
+    const bool table =
+        plan.of_model() ? is_modal_levels_table(test.file) : is_levels_table(test.file);
+    if (test.identifies() && !table) files.push_back({levels_path(run.out, test), levels});
   }
-  add("levels.csv", kLevelsKind);
-  add(kJointName, kJointKind);
-  if (plan.draws > 0) add(kSamplesName, kSamplesKind);
+  std::ranges::move(
+      plan.of_model() ? planned_files_of_model(run, plan) : planned_files_of_rig(run, plan),
+      std::back_inserter(files));
   add("model.toml", kModelKind);
   for (const std::string& session : sessions_with_model(plan)) add(model_name(session), kModelKind);
   if (std::ranges::any_of(plan.tests, &CampaignTest::predicted)) {
@@ -163,127 +156,70 @@ Progress stage(const CampaignRun& run, std::size_t n, std::size_t stages) {
   };
 }
 
-LevelsIdentification identification_of(const CampaignRun& run, const CampaignFile& plan) {
-  LevelsIdentification all;
-  all.stiffness = plan.stiffness;
-  all.use_inner_reversals = plan.use_inner_reversals;
-  all.texts.smoothing = plan.smoothing;
-  all.texts.inner_reversals = plan.use_inner_reversals ? "use" : "leave-out";
-  all.texts.common_errors = {.dissipation_gain_std = plan.dissipation_gain_std,
-                             .amplitude_gain_std = plan.amplitude_gain_std};
-  all.options.inversion.linear_damping = plan.linear_damping;
-  all.options.inversion.edges = plan.edges;
-  all.options.inversion.atom = plan.atom;
-  set_smoothing(plan.smoothing, std::nullopt, all.options);
-  if (plan.draws == 0) return all;
-  all.texts.samples_out = kSamplesName;
-  BandOptions bands;
-  bands.samples = plan.draws;
-  bands.seed = plan.seed;
-  bands.execution = run.execution;
-  all.options.bands = bands;
-  return all;
+/// Campaign, structure and tests.
+CampaignComment comment_of(const CampaignRun& run, const CampaignFile& plan) {
+  const std::vector<NamedInput> inputs{{run.campaign, read_file(run.campaign)},
+                                       {plan.structure, read_file(plan.structure)}};
+  CampaignComment comment{.text = provenance_of(run.command, inputs)};
+  for (const NamedInput& input : inputs) {
+    comment.inputs.push_back({input.path, sha256(input.text)});
+  }
+  for (const CampaignTest& test : plan.tests) {
+    comment.inputs.push_back({test.file, digest_of(test.file)});
+    comment.text +=
+        fmt::format("\n{}: sha256 {}", printable(test.file), comment.inputs.back().sha256);
+  }
+  return comment;
+}
+
+/// Gives levels of modes without standard deviations of their losses those of a relative scatter.
+/// @return what was done, in words; empty where nothing was.
+std::string assume_scatter(double scatter, ReadTest& test) {
+  auto* levels = std::get_if<ModalLevels>(&test.content);
+  if (levels == nullptr || !(scatter > 0.0)) return {};
+  bool assumed = false;
+  for (const auto& [values, std] :
+       {std::pair{&ModalLevels::dissipation, &ModalLevels::dissipation_std},
+        std::pair{&ModalLevels::damping_ratio, &ModalLevels::damping_ratio_std}}) {
+    if ((levels->*values).empty() || !(levels->*std).empty()) continue;
+    for (const double value : levels->*values) (levels->*std).push_back(scatter * value);
+    assumed = true;
+  }
+  if (!assumed) return {};
+  return fmt::format(
+      "its losses have no standard deviation and are taken to scatter by {:.2g} %, as those of the "
+      "levels to identify from do",
+      100.0 * scatter);
 }
 
 /// Its work, and what all parts of it share.
 class CampaignWork {
  public:
   explicit CampaignWork(const CampaignRun& run)
-      : run_(run),
-        plan_(read_plan(run)),
-        inputs_{{run.campaign, read_file(run.campaign)},
-                {plan_.structure, read_file(plan_.structure)}},
-        identification_(identification_of(run, plan_)),
-        state_(of_rig(inputs_[1],
-                      [&] { return stick_state(parse_rig(inputs_[1]), kModesOfCampaign); })) {
+      : run_(run), plan_(read_plan(run)), comment_(comment_of(run, plan_)) {
+    joints_ = plan_.of_model() ? joints_of_model(run_, plan_, comment_)
+                               : joints_of_rig(run_, plan_, comment_);
     stages_ =
         1 + static_cast<std::size_t>(plan_.leave_out != LeaveOut::kNothing) +
         static_cast<std::size_t>(std::ranges::count_if(plan_.tests, &CampaignTest::predicted));
   }
 
   [[nodiscard]] DoneCampaign done() {
-    comment_ = provenance_of(run_.command, inputs_);
-    for (const CampaignTest& test : plan_.tests) {
-      comment_ += fmt::format("\n{}: sha256 {}", printable(test.file), digest_of(test.file));
-    }
-    CampaignLevels levels = campaign_levels(plan_, run_.out, run_.command, {});
-    check_leave_out(plan_, levels);
-    SessionEffects effects = effects_by_first_joint(levels);
-    IdentifiedLevels identified = identify_pooled(levels, effects);
-    effects = effects_by(levels, identified.found);
-    DoneCampaign all{.plan = plan_,
-                     .levels = std::move(levels),
-                     .identified = std::move(identified),
-                     .sessions = std::move(effects)};
-    joint_ = identified_joint(all.identified.found, identification_.options, {all.identified.input},
-                              run_.command, identification_.texts);
+    DoneCampaign all{.plan = plan_};
+    joints_->identify(stage(run_, 0, stages_), all);
     all.conditions = condition_effects(plan_, all.levels, all.sessions);
-    collect_warnings(all);
     leave_out(all);
-    const RigModel model = model_of_rig(inputs_[1], joint_, kJointName, kModesOfCampaign);
-    std::ranges::copy(model.warnings, std::back_inserter(all.warnings));
+    const ModelFile model = joints_->model(all.warnings);
     warn_of_sessions(all);
-    predict(model.file, all);
-    tell_joint(all.warnings);
-    compose(model.file, all);
+    predict(model, all);
+    compose(model, all);
     return all;
   }
 
  private:
-  [[nodiscard]] SessionEffects effects_by(const CampaignLevels& levels,
-                                          const Identification& found) const {
-    return session_effects(plan_, levels, state_, found.joint, found.linear_damping.value_or(0.0));
-  }
-
-  /// Frequencies are no data of the joint, but its warnings tell of them: offsets are taken off
-  /// before.
-  [[nodiscard]] SessionEffects effects_by_first_joint(const CampaignLevels& levels) const {
-    LevelsIdentification first = identification_;
-    first.options.bands.reset();
-    first.texts.common_errors = {};
-    const std::vector<double> none(levels.size(), 0.0);
-    return effects_by(levels, identify_table(pooled(levels, none), first).found);
-  }
-
-  [[nodiscard]] LevelTable pooled(const CampaignLevels& levels,
-                                  const std::vector<double>& offsets) const {
-    // Those with inner reversals are left out already where they are to be.
-    return level_table_of(
-        {in_folder(run_, "levels.csv"),
-         pooled_levels_text(levels, plan_, offsets, with_warnings(comment_, levels.warnings))},
-        {.use_inner_reversals = true, .assemblies = AssemblyColumn::kIgnored});
-  }
-
-  [[nodiscard]] IdentifiedLevels identify_pooled(const CampaignLevels& levels,
-                                                 const SessionEffects& effects) const {
-    LevelsIdentification options = identification_;
-    if (options.options.bands) options.options.bands->progress = stage(run_, 0, stages_);
-    return identify_table(pooled(levels, offsets_of_levels(effects, plan_, levels)), options);
-  }
-
-  void collect_warnings(DoneCampaign& all) const {
-    std::ranges::copy(all.levels.warnings, std::back_inserter(all.warnings));
-    std::ranges::copy(all.identified.found.warnings, std::back_inserter(all.warnings));
-    add_joint_warnings(kJointName, joint_, all.warnings);
-  }
-
-  /// What is known of the tests together belongs to the joint, beside what its levels tell.
-  void tell_joint(const std::vector<Warning>& warnings) {
-    NamedValues& record = joint_.identification;
-    std::erase_if(record, [](const auto& entry) {
-      return entry.first == "warnings" || entry.first == "warning_texts";
-    });
-    add_warnings(warnings, record);
-  }
-
   void leave_out(DoneCampaign& all) const {
     if (plan_.leave_out == LeaveOut::kNothing) return;
-    all.left_out = leave_one_out(plan_, all.levels,
-                                 {.stiffness = plan_.stiffness,
-                                  .identification = identification_.options,
-                                  .errors = identification_.texts.common_errors,
-                                  .execution = run_.execution,
-                                  .progress = stage(run_, 1, stages_)});
+    all.left_out = joints_->leave_out(all, stage(run_, 1, stages_));
     for (const LeftOut& part : all.left_out) {
       if (!part.converged) {
         all.warnings.push_back(
@@ -309,15 +245,15 @@ class CampaignWork {
       if (!(apart > kLeast && apart > kDeviations * session.frequency_difference_std)) continue;
       all.warnings.push_back(
           {"sessions_differ",
-           fmt::format("the frequencies of session {} are {:+.2g} % off those of session {}: "
+           fmt::format("the frequencies of session {}{} are {:+.2g} % off those of session {}: "
                        "session_offsets = true takes such an offset off.",
-                       session.name, 100.0 * session.frequency_difference,
-                       all.sessions.sessions.front().name)});
+                       session.name, mode_text(session), 100.0 * session.frequency_difference,
+                       first_session(all, session))});
     }
     std::ranges::copy(condition_warnings(plan_, all.conditions), std::back_inserter(all.warnings));
     warn_of_leaning(all);
     for (const std::string& session : sessions_with_model(plan_)) {
-      if (all.sessions.find(session) != nullptr) continue;
+      if (all.sessions.has(session)) continue;
       all.warnings.push_back(
           {"session_unknown",
            fmt::format("no test to identify from is of session {}: its offset of the frequency is "
@@ -334,35 +270,53 @@ class CampaignWork {
       all.warnings.push_back(
           {"offset_leans_on_joint",
            fmt::format(
-               "the amplitudes of session {} do not overlap those of session {}: its offset "
+               "the amplitudes of session {}{} do not overlap those of session {}: its offset "
                "of the frequency, {:+.2g} %, is what is left of the {:+.2g} % that they "
                "differ by when the joint is given {:+.2g} %, by its dissipation alone. What "
                "the joint is wrong by there is in the offset, and not in its standard "
                "deviation.",
-               session.name, all.sessions.sessions.front().name, 100.0 * session.frequency_offset,
+               session.name, mode_text(session), first_session(all, session),
+               100.0 * session.frequency_offset,
                100.0 * (session.frequency_offset + session.softening), 100.0 * session.softening)});
     }
   }
 
+  /// ", mode 2" of a model.
+  [[nodiscard]] std::string mode_text(const SessionEffect& session) const {
+    return plan_.of_model() ? fmt::format(", mode {}", session.mode) : "";
+  }
+
+  /// That which differences of the mode are against.
+  [[nodiscard]] static const std::string& first_session(const DoneCampaign& all,
+                                                        const SessionEffect& session) {
+    return std::ranges::find(all.sessions.sessions, session.mode, &SessionEffect::mode)->name;
+  }
+
   // ---- Predictions. ----
 
-  /// σ of the frequency of a test of a session.
-  [[nodiscard]] double frequency_std(const SessionEffects& effects,
-                                     const std::string& session) const {
-    const double scatter = plan_.frequency_std.value_or(effects.frequency_std);
+  /// The mode whose offset mode i of the structure, from 0, has in a session: of a rig the first.
+  [[nodiscard]] std::size_t mode_of_offset(std::size_t i) const {
+    return plan_.of_model() ? i + 1 : 1;
+  }
+
+  /// σ of the frequency of mode i of a test of a session. @param said  by the model; 0: nothing.
+  [[nodiscard]] double frequency_std(const SessionEffects& effects, const std::string& session,
+                                     std::size_t i, double said) const {
+    const double scatter = plan_.frequency_std.value_or(said > 0.0 ? said : effects.frequency_std);
     if (!plan_.session_offsets) return scatter;
-    const SessionEffect* effect = effects.find(session);
-    return std::hypot(
-        scatter, effect != nullptr ? effect->frequency_offset_std : effects.between_frequencies);
+    return std::hypot(scatter, effects.offset_of(session, mode_of_offset(i)).second);
   }
 
   [[nodiscard]] ModelFile model_of(const ModelFile& nominal, const SessionEffects& effects,
                                    const std::string& session) const {
-    const SessionEffect* effect = effects.find(session);
-    const double factor = std::exp(effect != nullptr ? effect->frequency_offset : 0.0);
     const JointedStructure& structure = nominal.structure;
     std::vector<Mode> modes(structure.linear().modes().begin(), structure.linear().modes().end());
-    for (Mode& mode : modes) mode.angular_frequency *= factor;
+    double largest = 0.0;
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+      const double offset = effects.offset_of(session, mode_of_offset(i)).first;
+      modes[i].angular_frequency *= std::exp(offset);
+      if (std::abs(offset) > std::abs(largest)) largest = offset;
+    }
     ModelFile model = nominal;
     try {
       model.structure = JointedStructure(
@@ -371,25 +325,43 @@ class CampaignWork {
           {structure.excitations().begin(), structure.excitations().end()}, structure.damping());
     } catch (const InputError& error) {
       throw InputError(fmt::format("session {}: {}", session, error.name()),
-                       fmt::format("a frequency {:+.3g} % off", 100.0 * (factor - 1.0)),
+                       fmt::format("a frequency {:+.3g} % off", 100.0 * std::expm1(largest)),
                        "must leave the structure some stiffness without the joint",
                        "Give a stiffness_N_per_m that is not all of the stiffness there is.");
     }
-    if (plan_.draws == 0) return model;
-    model.joint_samples = {kSamplesName};
-    model.damping_said = {false};
-    const double sigma = frequency_std(effects, session);
-    if (sigma > 0.0) model.spread.frequency.assign(modes.size(), sigma);
-    if (plan_.force_gain_std > 0.0) model.spread.force_gain = {plan_.force_gain_std};
+    if (plan_.draws > 0) set_spread(effects, session, model);
     return model;
   }
 
-  [[nodiscard]] std::optional<StructureDraws> draws_by(const ModelFile& model,
-                                                       const DoneCampaign& all) const {
+  void set_spread(const SessionEffects& effects, const std::string& session,
+                  ModelFile& model) const {
+    std::vector<double>& frequency = model.spread.frequency;
+    frequency.resize(model.structure.linear().modes().size(), 0.0);
+    for (std::size_t i = 0; i < frequency.size(); ++i) {
+      frequency[i] = frequency_std(effects, session, i, frequency[i]);
+    }
+    if (std::ranges::all_of(frequency, [](double sigma) { return sigma == 0.0; })) frequency = {};
+    if (plan_.force_gain_std > 0.0) {
+      model.spread.force_gain.assign(model.structure.excitations().size(), plan_.force_gain_std);
+    }
+  }
+
+  [[nodiscard]] std::optional<StructureDraws> draws_by(const ModelFile& model) const {
     if (plan_.draws == 0) return std::nullopt;
-    return draws_of(model.structure, model.spread,
-                    {joint_samples(all.identified.found, *joint_.provenance)}, model.damping_said,
+    return draws_of(model.structure, model.spread, joints_->samples(), model.damping_said,
                     draw_options(), "model.toml");
+  }
+
+  /// Harmonics and forcing of a model are those that its joints are found with.
+  [[nodiscard]] HarmonicBalanceOptions balance() const {
+    HarmonicBalanceOptions options;
+    if (plan_.of_model()) options.harmonics = plan_.harmonics;
+    return options;
+  }
+
+  [[nodiscard]] Forcing forcing() const {
+    const bool driven = plan_.of_model() && !plan_.modal_forcing;
+    return driven ? Forcing::kExcitation : Forcing::kModal;
   }
 
   [[nodiscard]] DrawOptions draw_options() const {
@@ -402,10 +374,14 @@ class CampaignWork {
     for (std::size_t t = 0; t < plan_.tests.size(); ++t) {
       if (!plan_.tests[t].predicted()) continue;
       const ModelFile model = model_of(nominal, all.sessions, plan_.tests[t].session);
-      const ReadTest read = of_campaign_test(plan_.tests[t], [&] {
+      ReadTest read = of_campaign_test(plan_.tests[t], [&] {
         return read_test(plan_.tests[t].file, &model, "model.toml",
                          campaign_reading(plan_.tests[t]));
       });
+      if (std::holds_alternative<std::vector<SteppedSine>>(read.content)) {
+        require_driven_by_forces(model, plan_.structure, "campaign");
+      }
+      const std::string note = assume_scatter(all.found.loss_scatter, read);
       for (const Warning& warning : read.warnings) {
         all.warnings.push_back(
             {warning.code, fmt::format("{}: {}", plan_.tests[t].name, warning.text)});
@@ -415,14 +391,16 @@ class CampaignWork {
       if (plan_.draws > 0) {
         draws = TestDraws{draw_options(), run_.execution, stage(run_, n, stages_)};
       }
-      for (ComparedTest& test : compare_test(read, model, {}, draws_by(model, all), draws)) {
+      for (ComparedTest& test :
+           compare_test(read, model, balance(), draws_by(model), draws, {}, forcing())) {
+        if (!note.empty()) test.note += (test.note.empty() ? "" : "; ") + note;
         all.verified.tests.push_back(std::move(test));
         all.test_of.push_back(t);
       }
       if (plan_.draws > 0) all.verified.uncertain = uncertain_text(model);
       ++n;
     }
-    all.verified.heading = comment_;
+    all.verified.heading = comment_.text;
     all.verified.warnings = all.warnings;
   }
 
@@ -430,20 +408,16 @@ class CampaignWork {
 
   void compose(const ModelFile& nominal, DoneCampaign& all) const {
     all.files = files_of(run_, plan_);
-    const std::string comment = with_warnings(comment_, all.warnings);
+    const std::string comment = with_warnings(comment_.text, all.warnings);
     const auto put = [&](const std::string& name, const auto& text) {
       const auto file = std::ranges::find(all.files, in_folder(run_, name), &ResultFile::path);
       if (file != all.files.end()) file->content = text();
     };
-    for (const ResultFile& table : all.levels.tables) {
-      put(fs::path(table.path).filename().string(), [&] { return table.content; });
+    std::vector<ResultFile> own = joints_->files(all);
+    std::ranges::copy(all.levels.tables, std::back_inserter(own));
+    for (const ResultFile& file : own) {
+      put(fs::path(file.path).filename().string(), [&] { return file.content; });
     }
-    put("levels.csv", [&] { return all.identified.input.text; });
-    put(kJointName, [&] { return format_joint(joint_); });
-    put(kSamplesName, [&] {
-      return samples_bytes(all.identified.found, identification_.options, all.identified.input,
-                           run_.command, identification_.texts, in_folder(run_, kSamplesName));
-    });
     put("model.toml", [&] {
       return format_model(model_of(nominal, all.sessions, plan_.sessions().front()), comment);
     });
@@ -460,17 +434,14 @@ class CampaignWork {
 
   const CampaignRun& run_;
   CampaignFile plan_;
-  std::vector<NamedInput> inputs_;
-  LevelsIdentification identification_;
-  StickState state_;
+  CampaignComment comment_;  // of each file
+  std::unique_ptr<CampaignJoints> joints_;
   std::size_t stages_ = 1;
-  std::string comment_;  // of each file, without warnings
-  JointFile joint_{Joint(1.0, {}), {}, {}};
 };
 
 // ---- The summary. ----
 
-std::string describe_sessions(const SessionEffects& effects) {
+std::string describe_sessions(const SessionEffects& effects, bool of_model) {
   std::string text;
   for (const SessionEffect& session : effects.sessions) {
     std::string facts =
@@ -479,11 +450,13 @@ std::string describe_sessions(const SessionEffects& effects) {
     if (session.frequency_offset_std > 0.0) {
       facts += fmt::format(", frequency offset {:+.3f} ± {:.2g} %",
                            100.0 * session.frequency_offset, 100.0 * session.frequency_offset_std);
-    } else if (std::isfinite(session.frequency_difference) && &session != &effects.sessions[0]) {
+    } else if (session.frequency_difference != 0.0 && std::isfinite(session.frequency_difference)) {
       facts += fmt::format(", frequency {:+.3f} % off, not taken off",
                            100.0 * session.frequency_difference);
     }
-    text += line("session " + session.name, facts);
+    text += line(of_model ? fmt::format("session {}, mode {}", session.name, session.mode)
+                          : "session " + session.name,
+                 facts);
   }
   if (effects.frequency_std > 0.0) {
     text += line("frequencies",
@@ -534,8 +507,12 @@ std::string describe_left_out(const std::vector<LeftOut>& parts) {
 
 }  // namespace
 
+std::string in_folder(const CampaignRun& run, const std::string& name) {
+  return (fs::path(run.out) / name).string();
+}
+
 bool DoneCampaign::converged() const {
-  return identified.found.summary.converged() && levels.converged && verified.converged() &&
+  return found.converged && levels.converged && verified.converged() &&
          std::ranges::all_of(left_out, &LeftOut::converged);
 }
 
@@ -556,11 +533,9 @@ DoneCampaign run_campaign(const CampaignRun& run) {
 }
 
 std::string describe_campaign(const DoneCampaign& done) {
-  Identification found = done.identified.found;  // whose warnings are among those of all
-  found.warnings.clear();
   std::string text = done.plan.title.empty() ? "" : printable(done.plan.title) + "\n";
-  text += describe_departures(done.levels.warnings);
-  text += describe_identification(found, done.identified.count) + describe_sessions(done.sessions) +
+  text += describe_departures(done.levels.warnings) + done.found.summary +
+          describe_sessions(done.sessions, done.plan.of_model()) +
           describe_conditions(done.conditions) + describe_left_out(done.left_out);
   VerifiedTests verified = done.verified;
   verified.warnings = done.warnings;

@@ -14,12 +14,11 @@
 #include "microslip/workflow/campaign_leave_out.hpp"
 #include "microslip/workflow/campaign_levels.hpp"
 #include "microslip/workflow/campaign_sessions.hpp"
-#include "microslip/workflow/levels_identification.hpp"
 #include "microslip/workflow/tests_verification.hpp"
 
 /// @file
-/// Several tests of one structure: a joint from some of them, predictions of the others, and which
-/// of the data contradict which.
+/// Several tests of one structure: its joints from some of them, predictions of the others, and
+/// which of the data contradict which.
 
 namespace microslip {
 
@@ -32,12 +31,25 @@ struct CampaignRun {
   Progress progress = {};                      ///< told of all draws; may cancel
 };
 
+/// What the joints give at the levels that they were identified from, beside frequency and D. Empty
+/// where levels have none of it, NaN where one has not.
+struct FoundAtLevels {
+  std::vector<double> secant_stiffness = {};        ///< of the joint, N/m
+  std::vector<double> measured_damping_ratio = {};  ///< structure included, 1
+  std::vector<double> damping_ratio = {};           ///< as found, 1
+  /// What D of levels of modes scatters by, relative, where they have no standard deviations; else
+  /// 0.
+  double loss_scatter = 0.0;
+  std::string summary = {};  ///< of the identification, without warnings
+  bool converged = true;     ///< the identification
+};
+
 /// What came of it.
 struct DoneCampaign {
-  CampaignFile plan;            ///< as read
-  CampaignLevels levels;        ///< of the tests that the joint was identified from
-  IdentifiedLevels identified;  ///< the joint
-  SessionEffects sessions;      ///< what sessions differ by
+  CampaignFile plan;             ///< as read
+  CampaignLevels levels = {};    ///< of the tests that the joints were identified from
+  FoundAtLevels found = {};      ///< by the joints
+  SessionEffects sessions = {};  ///< what sessions differ by
   std::vector<ConditionEffect> conditions = {};  ///< what tests of different conditions do
   std::vector<LeftOut> left_out = {};            ///< empty where that was not asked for
   VerifiedTests verified = {};                   ///< sweeps and modes of the predicted tests
@@ -51,15 +63,20 @@ struct DoneCampaign {
 
 /// The paths and kinds of the files that will be written, before anything is computed:
 /// NAME_levels.csv of each test that is reduced, levels.csv, joint.json, model.toml, campaign.csv,
-/// sessions.csv; with draws joint_samples.h5; with predicted tests comparison.csv, and
+/// sessions.csv; with draws joint_samples.h5; of a model modal_levels.csv in place of levels.csv, and
+/// in place of the joint what calibrate_model() writes; with predicted tests comparison.csv, and
 /// model_SESSION.toml of each other session of theirs where offsets are fitted; conditions.csv where
 /// tests to identify from say some; leave_one_out.csv where it is asked for.
 /// @throws FileError, FormatError, InputError  as parse_campaign(); where the folder is that of an
 ///                                             input, or a test or the structure is no file of its kind.
 [[nodiscard]] std::vector<ResultFile> planned_files(const CampaignRun& run);
 
-/// Reduces the tests to identify from, identifies the joint from all their levels, holds it against
-/// each session, predicts the other tests, and composes the files.
+/// Reduces the tests to identify from, identifies the joint from all their levels, or the joints of a
+/// model from all levels of its modes as calibrate_model(), holds them against each session, predicts
+/// the other tests, and composes the files.
+///
+/// Of a model, levels of modes that are predicted and have no standard deviation of D or of ζ are
+/// taken to scatter as D of the levels to identify from does; the comparison says so.
 ///
 /// A predicted test of a session with levels has the model of that session, whose frequency is off
 /// by its offset δ; σ of the frequency is frequency_std of the plan or, where that is not said, what

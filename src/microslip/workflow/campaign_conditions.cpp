@@ -34,6 +34,7 @@ class PooledScatter {
  public:
   void add(const Residuals& values) {
     const double mean = mean_over(values);
+    if (values.empty()) return;
     for (const double value : values) squares_ += (value - mean) * (value - mean);
     freedom_ += values.size() - 1;
   }
@@ -96,7 +97,7 @@ std::vector<TestsOfGroup> by_value(const CampaignFile& campaign, const CampaignL
   std::vector<TestsOfGroup> groups(effect.groups.size());
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const CampaignCondition* one = campaign.tests[levels.test[i]].condition(effect.name);
-    if (one == nullptr) continue;
+    if (one == nullptr || !std::isfinite(residuals[i])) continue;
     const auto at = std::ranges::find(effect.groups, one->value, &ConditionGroup::value);
     groups[static_cast<std::size_t>(at - effect.groups.begin())][levels.test[i]].push_back(
         residuals[i]);

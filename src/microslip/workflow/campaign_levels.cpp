@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <string_view>
 #include <utility>
 
 #include "microslip/base/error.hpp"
@@ -108,16 +109,20 @@ void append_test(const CampaignFile& campaign, std::size_t number, const LevelTa
   std::ranges::copy(table.warnings, std::back_inserter(all.warnings));
 }
 
+bool is_of_kind(const std::string& path, std::string_view kind) {
+  const PartOfFile part = part_of_file(path);
+  return part.variable.empty() && file_kind(read_kind_head(part.file)) == kind;
+}
+
 }  // namespace
 
 std::string levels_path(const std::string& out, const CampaignTest& test) {
   return (std::filesystem::path(out) / (test.name + "_levels.csv")).string();
 }
 
-bool is_levels_table(const std::string& path) {
-  const PartOfFile part = part_of_file(path);
-  return part.variable.empty() && file_kind(read_kind_head(part.file)) == kLevelsKind;
-}
+bool is_levels_table(const std::string& path) { return is_of_kind(path, kLevelsKind); }
+
+bool is_modal_levels_table(const std::string& path) { return is_of_kind(path, kModalLevelsKind); }
 
 CampaignLevels campaign_levels(const CampaignFile& campaign, const std::string& out,
                                const std::string& command, const Progress& progress) {

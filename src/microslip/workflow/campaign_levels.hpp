@@ -20,7 +20,10 @@ namespace microslip {
 /// Levels of several tests, test after test. Each vector but `tables` and `warnings` has one entry
 /// a level.
 struct CampaignLevels {
-  Levels levels = {};                    ///< what each test has alone; frequencies as measured
+  /// What each test has alone; frequencies as measured. Of a model the amplitude is that of the
+  /// response point, and D that of all joints; NaN where something was not measured.
+  Levels levels = {};
+  std::vector<std::size_t> mode = {};    ///< from 1; of a model, else empty: the first
   std::vector<std::size_t> test = {};    ///< number of its test in the campaign, from 0
   std::vector<std::string> source = {};  ///< of its record or sweep; "level 3" where it is not told
   std::vector<std::string> flags = {};   ///< between blanks
@@ -32,6 +35,8 @@ struct CampaignLevels {
 
   /// The number of levels.
   [[nodiscard]] std::size_t size() const { return test.size(); }
+  /// The mode of level i, from 1.
+  [[nodiscard]] std::size_t mode_of(std::size_t i) const { return mode.empty() ? 1 : mode[i]; }
 };
 
 /// Where the levels of a test that is reduced go.
@@ -40,6 +45,10 @@ struct CampaignLevels {
 /// Whether the file of a test is a table of levels, which needs no reduction.
 /// @throws FileError  where it cannot be read.
 [[nodiscard]] bool is_levels_table(const std::string& path);
+
+/// Whether it is a table of levels of modes.
+/// @throws FileError  where it cannot be read.
+[[nodiscard]] bool is_modal_levels_table(const std::string& path);
 
 /// Reads levels.csv, or reduces what is none by its kind.
 /// @param campaign  whose tests. @param out  folder of the tables. @param command  of their comment.

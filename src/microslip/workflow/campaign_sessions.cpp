@@ -26,67 +26,79 @@ double squares_of(const std::vector<double>& values) {
   return sum;
 }
 
-/// Values of the levels of each session, in the order of the effects.
+/// Values of the levels of each session and mode that are known, in the order of the effects.
 std::vector<std::vector<double>> by_session(const SessionEffects& effects,
                                             const CampaignFile& campaign,
                                             const CampaignLevels& levels,
                                             const std::vector<double>& values) {
   std::vector<std::vector<double>> sorted(effects.sessions.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const SessionEffect* session = effects.find(campaign.tests[levels.test[i]].session);
+    if (!std::isfinite(values[i])) continue;
+    const SessionEffect* session =
+        effects.find(campaign.tests[levels.test[i]].session, levels.mode_of(i));
     sorted[static_cast<std::size_t>(session - effects.sessions.data())].push_back(values[i]);
   }
   return sorted;
 }
 
+/// The number of the first session that has levels of the mode of session s.
+std::size_t first_of(const SessionEffects& effects, std::size_t s) {
+  const auto first =
+      std::ranges::find(effects.sessions, effects.sessions[s].mode, &SessionEffect::mode);
+  return static_cast<std::size_t>(first - effects.sessions.begin());
+}
+
 void count_levels(const CampaignFile& campaign, const CampaignLevels& levels,
                   SessionEffects& effects) {
   for (const std::string& name : campaign.sessions()) {
-    SessionEffect session;
-    session.name = name;
-    for (std::size_t t = 0; t < campaign.tests.size(); ++t) {
-      if (campaign.tests[t].session != name) continue;
-      const auto count = static_cast<std::size_t>(std::ranges::count(levels.test, t));
-      session.levels += count;
-      if (count > 0) ++session.tests;
+    std::map<std::size_t, std::map<std::size_t, std::size_t>> counts;  // of each mode and test
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      if (campaign.tests[levels.test[i]].session == name) {
+        ++counts[levels.mode_of(i)][levels.test[i]];
+      }
     }
-    if (session.levels > 0) effects.sessions.push_back(session);
+    for (const auto& [mode, tests] : counts) {
+      SessionEffect session{.name = name, .mode = mode, .tests = tests.size()};
+      for (const auto& [test, count] : tests) session.levels += count;
+      effects.sessions.push_back(session);
+    }
   }
 }
 
 void add_repeatability(const CampaignFile& campaign, const CampaignLevels& levels,
                        const std::vector<double>& residuals, SessionEffects& effects) {
-  std::map<std::string, std::map<std::size_t, std::vector<double>>> tests;  // of each session
+  using OfTests = std::map<std::size_t, std::vector<double>>;
+  std::map<std::pair<std::string, std::size_t>, OfTests> cells;  // of each session and mode
   for (std::size_t i = 0; i < residuals.size(); ++i) {
-    tests[campaign.tests[levels.test[i]].session][levels.test[i]].push_back(residuals[i]);
+    if (!std::isfinite(residuals[i])) continue;
+    cells[{campaign.tests[levels.test[i]].session, levels.mode_of(i)}][levels.test[i]].push_back(
+        residuals[i]);
   }
   double within = 0.0;
   std::size_t freedom = 0;
-  for (const auto& [session, of_session] : tests) {
+  for (const auto& [cell, tests] : cells) {
     std::vector<double> means;
-    for (const auto& [test, values] : of_session) means.push_back(mean_of(values));
+    for (const auto& [test, values] : tests) means.push_back(mean_of(values));
     within += squares_of(means);
     freedom += means.size() - 1;
   }
   if (freedom > 0) effects.within_sessions = std::sqrt(within / static_cast<double>(freedom));
-  std::vector<double> between;
+  std::map<std::size_t, std::vector<double>> of_modes;
   for (const SessionEffect& session : effects.sessions) {
-    between.push_back(session.dissipation_offset);
+    if (!std::isfinite(session.dissipation_offset)) continue;
+    of_modes[session.mode].push_back(session.dissipation_offset);
   }
-  if (between.size() < 2) return;
-  effects.between_sessions =
-      std::sqrt(squares_of(between) / static_cast<double>(between.size() - 1));
+  double between = 0.0;
+  freedom = 0;
+  for (const auto& [mode, offsets] : of_modes) {
+    between += squares_of(offsets);
+    freedom += offsets.size() - 1;
+  }
+  if (freedom > 0) effects.between_sessions = std::sqrt(between / static_cast<double>(freedom));
 }
 
-void add_losses(const CampaignFile& campaign, const CampaignLevels& levels, const Joint& joint,
-                double linear_damping, SessionEffects& effects) {
-  for (const double a : levels.levels.amplitude) {
-    const double linear = linear_damping * a * a;
-    const double loss = dissipation(joint, a) + linear;
-    const double growth = dissipation_slope(joint, a) * a + 2.0 * linear;
-    effects.dissipation.push_back(loss);
-    effects.exponent.push_back(loss > 0.0 ? growth / loss : 0.0);
-  }
+void add_losses(const CampaignFile& campaign, const CampaignLevels& levels,
+                SessionEffects& effects) {
   const std::vector<double> residuals = loss_residuals(levels, effects);
   const auto sorted = by_session(effects, campaign, levels, residuals);
   for (std::size_t s = 0; s < sorted.size(); ++s) {
@@ -97,18 +109,27 @@ void add_losses(const CampaignFile& campaign, const CampaignLevels& levels, cons
   add_repeatability(campaign, levels, residuals, effects);
 }
 
-/// y of each level; f̂ goes to `effects`.
-std::vector<double> frequency_residuals(const CampaignLevels& levels, const StickState& state,
-                                        const Joint& joint, SessionEffects& effects) {
+/// y of each level.
+std::vector<double> frequency_residuals(const CampaignLevels& levels,
+                                        const SessionEffects& effects) {
   std::vector<double> residuals;
+  for (std::size_t i = 0; i < effects.frequency.size(); ++i) {
+    residuals.push_back(std::log(levels.levels.frequency[i] / effects.frequency[i]));
+  }
+  return residuals;
+}
+
+/// f̂ of the first mode of a structure at each level, Hz.
+std::vector<double> frequencies_of_first_mode(const CampaignLevels& levels, const StickState& state,
+                                              const Joint& joint) {
+  std::vector<double> frequencies;
   const double spring =
       state.stiffness > 0.0 ? state.stiffness : joint.stiffness();  // in the modes
   for (std::size_t i = 0; i < levels.levels.frequency.size(); ++i) {
     const double softened = spring - secant_stiffness(joint, levels.levels.amplitude[i]);
-    effects.frequency.push_back(natural_frequency(state, softened));
-    residuals.push_back(std::log(levels.levels.frequency[i] / effects.frequency.back()));
+    frequencies.push_back(natural_frequency(state, softened));
   }
-  return residuals;
+  return frequencies;
 }
 
 bool of_first_mode(const std::vector<double>& residuals) {
@@ -121,84 +142,83 @@ bool of_first_mode(const std::vector<double>& residuals) {
                    "Leave it out, or check structure and levels.");
 }
 
-/// Means of y against that of the first session.
+/// Means of y against that of the first session of each mode.
 void add_differences(const std::vector<std::vector<double>>& sorted, SessionEffects& effects) {
   double squares = 0.0;
-  std::size_t count = 0;
+  std::size_t freedom = 0;
   for (const std::vector<double>& values : sorted) {
+    if (values.empty()) continue;
     squares += squares_of(values);
-    count += values.size();
+    freedom += values.size() - 1;
   }
-  const bool known = count > sorted.size();
-  const double variance = squares / static_cast<double>(count - sorted.size());
+  const double variance = squares / static_cast<double>(freedom);
   for (std::size_t s = 0; s < sorted.size(); ++s) {
     SessionEffect& session = effects.sessions[s];
+    const std::vector<double>& first = sorted[first_of(effects, s)];
     session.frequency_scatter =
         std::sqrt(squares_of(sorted[s]) / static_cast<double>(sorted[s].size()));
-    session.frequency_difference = mean_of(sorted[s]) - mean_of(sorted.front());
-    if (s == 0) {
-      session.frequency_difference_std = 0.0;
-    } else if (known) {
+    session.frequency_difference = mean_of(sorted[s]) - mean_of(first);
+    if (s == first_of(effects, s)) {
+      session.frequency_difference_std = sorted[s].empty() ? session.frequency_difference : 0.0;
+    } else if (freedom > 0) {
       session.frequency_difference_std =
           std::sqrt(variance * (1.0 / static_cast<double>(sorted[s].size()) +
-                                1.0 / static_cast<double>(sorted.front().size())));
+                                1.0 / static_cast<double>(first.size())));
     }
   }
 }
 
 void take_offsets(SessionEffects& effects) {
   double squares = 0.0;
-  for (SessionEffect& session : effects.sessions) {
+  std::size_t count = 0;
+  for (std::size_t s = 0; s < effects.sessions.size(); ++s) {
+    SessionEffect& session = effects.sessions[s];
+    if (!std::isfinite(session.frequency_difference)) continue;  // without frequencies
     if (!std::isfinite(session.frequency_difference_std)) {
       throw_no_offsets("needs a session with two levels: with one each, nothing tells the scatter");
     }
     session.frequency_offset = session.frequency_difference;
     session.frequency_offset_std = session.frequency_difference_std;
     squares += session.frequency_offset * session.frequency_offset;
+    count += s == first_of(effects, s) ? 0 : 1;
   }
-  effects.between_frequencies =
-      std::sqrt(squares / static_cast<double>(effects.sessions.size() - 1));
+  if (count == 0) throw_no_offsets("needs frequencies of a mode in two sessions");
+  effects.between_frequencies = std::sqrt(squares / static_cast<double>(count));
 }
 
 void add_frequencies(const CampaignFile& campaign, const CampaignLevels& levels,
-                     const StickState& state, const Joint& joint, SessionEffects& effects) {
-  const std::vector<double> residuals = frequency_residuals(levels, state, joint, effects);
-  const bool near = of_first_mode(residuals);
-  if (residuals.empty() || !near) {
-    if (campaign.session_offsets) {
-      throw_no_offsets(near ? "needs a frequency of each level to identify from"
-                            : "needs frequencies near that of the first mode of the structure");
-    }
-    effects.frequency.clear();
-    return;
-  }
+                     SessionEffects& effects) {
+  const std::vector<double> residuals = frequency_residuals(levels, effects);
   const auto sorted = by_session(effects, campaign, levels, residuals);
   add_differences(sorted, effects);
   if (campaign.session_offsets) take_offsets(effects);
   double squares = 0.0;
+  double count = 0.0;
   for (std::size_t s = 0; s < sorted.size(); ++s) {
     for (const double y : sorted[s]) {
       squares += std::pow(y - effects.sessions[s].frequency_offset, 2);
+      count += 1.0;
     }
   }
-  effects.frequency_std = std::sqrt(squares / static_cast<double>(residuals.size()));
+  if (count > 0.0) effects.frequency_std = std::sqrt(squares / count);
 }
 
 /// What is said of sessions whose amplitudes do not overlap those of the first.
 void add_ranges(const CampaignFile& campaign, const CampaignLevels& levels,
                 SessionEffects& effects) {
   const auto amplitude = by_session(effects, campaign, levels, levels.levels.amplitude);
-  const auto [least, most] = std::ranges::minmax(amplitude.front());
   for (std::size_t s = 0; s < amplitude.size(); ++s) {
+    const auto [least, most] = std::ranges::minmax(amplitude[first_of(effects, s)]);
     const auto [low, high] = std::ranges::minmax(amplitude[s]);
     effects.sessions[s].apart = low > most || high < least;
   }
-  if (effects.frequency.empty()) return;
   std::vector<double> logarithms;
   for (const double f : effects.frequency) logarithms.push_back(std::log(f));
   const auto frequency = by_session(effects, campaign, levels, logarithms);
   for (std::size_t s = 0; s < frequency.size(); ++s) {
-    effects.sessions[s].softening = mean_of(frequency[s]) - mean_of(frequency.front());
+    const std::vector<double>& first = frequency[first_of(effects, s)];
+    if (frequency[s].empty() || first.empty()) continue;
+    effects.sessions[s].softening = mean_of(frequency[s]) - mean_of(first);
   }
 }
 
@@ -209,31 +229,73 @@ std::vector<double> loss_residuals(const CampaignLevels& levels, const SessionEf
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const double measured = levels.levels.dissipation[i];
     const double found = effects.dissipation[i];
-    residuals.push_back(measured > 0.0 && found > 0.0 ? std::log(measured / found) : 0.0);
+    const bool nothing = measured <= 0.0 || found <= 0.0;
+    residuals.push_back(nothing ? 0.0 : std::log(measured / found));
   }
   return residuals;
 }
 
-const SessionEffect* SessionEffects::find(const std::string& name) const {
-  const auto found = std::ranges::find(sessions, name, &SessionEffect::name);
+const SessionEffect* SessionEffects::find(const std::string& name, std::size_t mode) const {
+  const auto found = std::ranges::find_if(sessions, [&](const SessionEffect& session) {
+    return session.name == name && session.mode == mode;
+  });
   return found == sessions.end() ? nullptr : &*found;
+}
+
+bool SessionEffects::has(const std::string& name) const {
+  return std::ranges::find(sessions, name, &SessionEffect::name) != sessions.end();
+}
+
+std::pair<double, double> SessionEffects::offset_of(const std::string& name,
+                                                    std::size_t mode) const {
+  const SessionEffect* own = find(name, mode);
+  if (own != nullptr) return {own->frequency_offset, own->frequency_offset_std};
+  std::vector<double> offsets;
+  for (const SessionEffect& session : sessions) {
+    if (session.name == name) offsets.push_back(session.frequency_offset);
+  }
+  if (offsets.empty()) return {0.0, between_frequencies};
+  constexpr std::size_t kFewest = 3;  // two hardly tell a scatter
+  const double mean = mean_of(offsets);
+  const auto n = static_cast<double>(offsets.size());
+  if (offsets.size() < kFewest) return {mean, std::sqrt(mean * mean + squares_of(offsets) / n)};
+  return {mean, std::sqrt(squares_of(offsets) / (n - 1.0) * (1.0 + 1.0 / n))};
+}
+
+SessionEffects session_effects(const CampaignFile& campaign, const CampaignLevels& levels,
+                               SessionEffects found) {
+  count_levels(campaign, levels, found);
+  add_losses(campaign, levels, found);
+  if (!found.frequency.empty()) add_frequencies(campaign, levels, found);
+  add_ranges(campaign, levels, found);
+  return found;
 }
 
 SessionEffects session_effects(const CampaignFile& campaign, const CampaignLevels& levels,
                                const StickState& state, const Joint& joint, double linear_damping) {
-  SessionEffects effects;
-  count_levels(campaign, levels, effects);
-  add_losses(campaign, levels, joint, linear_damping, effects);
-  add_frequencies(campaign, levels, state, joint, effects);
-  add_ranges(campaign, levels, effects);
-  return effects;
+  SessionEffects found{.frequency = frequencies_of_first_mode(levels, state, joint)};
+  for (const double a : levels.levels.amplitude) {
+    const double linear = linear_damping * a * a;
+    const double loss = dissipation(joint, a) + linear;
+    const double growth = dissipation_slope(joint, a) * a + 2.0 * linear;
+    found.dissipation.push_back(loss);
+    found.exponent.push_back(loss > 0.0 ? growth / loss : 0.0);
+  }
+  const bool near = of_first_mode(frequency_residuals(levels, found));
+  if (campaign.session_offsets && (found.frequency.empty() || !near)) {
+    throw_no_offsets(near ? "needs a frequency of each level to identify from"
+                          : "needs frequencies near that of the first mode of the structure");
+  }
+  if (!near) found.frequency.clear();
+  return session_effects(campaign, levels, std::move(found));
 }
 
 std::vector<double> offsets_of_levels(const SessionEffects& effects, const CampaignFile& campaign,
                                       const CampaignLevels& levels) {
   std::vector<double> offsets;
-  for (const std::size_t test : levels.test) {
-    offsets.push_back(effects.find(campaign.tests[test].session)->frequency_offset);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    offsets.push_back(
+        effects.find(campaign.tests[levels.test[i]].session, levels.mode_of(i))->frequency_offset);
   }
   return offsets;
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "microslip/io/campaign_file.hpp"
@@ -17,12 +18,14 @@
 
 namespace microslip {
 
-/// A session against the joint that was identified from all. NaN where the levels do not tell.
+/// A mode in a session against the joints that were identified from all. NaN where the levels do
+/// not tell. Of a rig there is one mode.
 struct SessionEffect {
   std::string name = {};   ///< of the session
+  std::size_t mode = 1;    ///< from 1
   std::size_t tests = 0;   ///< with levels
   std::size_t levels = 0;  ///< of these
-  /// Mean of y less that of the first session, 1.
+  /// Mean of y less that of the first session that has levels of the mode, 1.
   double frequency_difference = std::numeric_limits<double>::quiet_NaN();
   /// σ of that, 1; NaN also where no session has two levels.
   double frequency_difference_std = std::numeric_limits<double>::quiet_NaN();
@@ -49,20 +52,28 @@ struct SessionEffects {
   /// rms of y less the offset of its session, 1: what the model misses the frequencies by, its
   /// nominal frequency among it; 0 without frequencies.
   double frequency_std = 0.0;
-  /// Of the offsets, that of the first, 0, among them: √(Σδ²/(S − 1)), 1; 0 of one session.
+  /// Of the offsets but those of the first: √(mean δ²), 1; 0 of one session.
   double between_frequencies = 0.0;
-  /// Standard deviation of the means of r of the tests of one session, pooled, 1; nothing where no
-  /// session has two tests.
+  /// Standard deviation of the means of r of the tests of one session and mode, pooled, 1; nothing
+  /// where none has two tests.
   std::optional<double> within_sessions = {};
-  /// Standard deviation of the means of r of the sessions, 1; nothing of one session.
+  /// Standard deviation of the means of r of the sessions, pooled over modes, 1; nothing where no
+  /// mode has two sessions.
   std::optional<double> between_sessions = {};
 
-  /// The session of that name; null where it has no levels.
-  [[nodiscard]] const SessionEffect* find(const std::string& name) const;
+  /// The mode, from 1, in the session of that name; null where it has no levels there.
+  [[nodiscard]] const SessionEffect* find(const std::string& name, std::size_t mode = 1) const;
+  /// Whether a session has levels.
+  [[nodiscard]] bool has(const std::string& name) const;
+  /// δ and its σ of a mode in a session, both 1: where that has no levels of the mode, the mean of
+  /// its n other modes with s√(1 + 1/n), s what they scatter by, or of one or two their rms; where
+  /// it has none at all, 0 with the offsets of the others, rms. 0 and 0 where none were fitted.
+  [[nodiscard]] std::pair<double, double> offset_of(const std::string& name,
+                                                    std::size_t mode) const;
 };
 
 /// Differences are those of least squares, ȳ_s − ȳ_1 with
-/// σ² = s²(1/n_s + 1/n_1), s² = Σ(y − ȳ)²/(n − S) over all S sessions;
+/// σ² = s²(1/n_s + 1/n_1), s² = Σ(y − ȳ)²/(n − S) over all S sessions, each mode by itself;
 /// they are offsets δ_s where the campaign asks for these.
 /// @param campaign  of the levels. @param levels  of its tests.
 /// @param state     of the structure; k of the joint is in its modes.
@@ -74,7 +85,14 @@ struct SessionEffects {
                                              const CampaignLevels& levels, const StickState& state,
                                              const Joint& joint, double linear_damping);
 
-/// r of each level, 1: 0 where nothing was lost, which tells nothing.
+/// The same of levels whose f̂ and D̂ are known, of any number of modes.
+/// @param found  `frequency` and `dissipation` of each level; NaN where the level was not found.
+/// @throws InputError  where offsets are asked for, and no frequency tells them: no mode has levels
+///     in two sessions, or no mode two levels in one.
+[[nodiscard]] SessionEffects session_effects(const CampaignFile& campaign,
+                                             const CampaignLevels& levels, SessionEffects found);
+
+/// r of each level, 1: 0 where nothing was lost, which tells nothing; NaN where D is not known.
 [[nodiscard]] std::vector<double> loss_residuals(const CampaignLevels& levels,
                                                  const SessionEffects& effects);
 

@@ -10,7 +10,6 @@
 #include <string_view>
 
 #include "microslip/io/csv_writer.hpp"
-#include "microslip/joint/secant.hpp"
 
 namespace microslip {
 namespace {
@@ -50,6 +49,7 @@ struct CampaignRow {
   std::size_t test = 0;  ///< in the plan
   std::string_view part;
   std::string source;
+  double mode = kEmptyCell;  ///< from 1; of a level
   std::array<CampaignCell, kQuantities> cells;
   double force_nrmse = kEmptyCell;  ///< of a record of loops
 };
@@ -73,20 +73,27 @@ std::size_t column_of(const ComparedCurve& curve) {
 
 CampaignRow level_row(const DoneCampaign& done, std::size_t i) {
   const Levels& levels = done.levels.levels;
-  CampaignRow row{
-      .test = done.levels.test[i], .part = "level", .source = done.levels.source[i], .cells = {}};
+  CampaignRow row{.test = done.levels.test[i],
+                  .part = "level",
+                  .source = done.levels.source[i],
+                  .mode = static_cast<double>(done.levels.mode_of(i)),
+                  .cells = {}};
   row.cells[0].measured = levels.amplitude[i];
   row.cells[4].measured = levels.dissipation[i];
   row.cells[4].predicted = done.sessions.dissipation[i];
   if (!levels.frequency.empty()) row.cells[2].measured = levels.frequency[i];
+  if (!done.found.damping_ratio.empty()) {
+    row.cells[3].measured = done.found.measured_damping_ratio[i];
+    row.cells[3].predicted = done.found.damping_ratio[i];
+  }
   if (!levels.secant_stiffness.empty()) {
     row.cells[5].measured = levels.secant_stiffness[i];
-    row.cells[5].predicted = secant_stiffness(done.identified.found.joint, levels.amplitude[i]);
+    row.cells[5].predicted = done.found.secant_stiffness[i];
   }
   if (!done.sessions.frequency.empty()) {
     const std::string& session = done.plan.tests[row.test].session;
-    row.cells[2].predicted =
-        done.sessions.frequency[i] * std::exp(done.sessions.find(session)->frequency_offset);
+    const double offset = done.sessions.find(session, done.levels.mode_of(i))->frequency_offset;
+    row.cells[2].predicted = done.sessions.frequency[i] * std::exp(offset);
   }
   return row;
 }
@@ -211,6 +218,10 @@ std::string campaign_table(const DoneCampaign& done, const std::string& comment)
   add_test_columns(done.plan, tests, table);
   table.add_text("part", parts);
   table.add_text("source", sources);
+  if (done.plan.of_model()) {
+    table.add_numbers_or_empty("mode", kDimensionless,
+                               column(rows, [](const CampaignRow& row) { return row.mode; }));
+  }
   for (std::size_t q = 0; q < kQuantities; ++q) add_quantity(rows, q, table);
   table.add_numbers_or_empty("force_nrmse", kDimensionless,
                              column(rows, [](const CampaignRow& row) { return row.force_nrmse; }));
@@ -246,6 +257,7 @@ std::string sessions_table(const DoneCampaign& done, const std::string& comment)
                                  return static_cast<double>(s.*member);
                                }));
   };
+  if (done.plan.of_model()) add("mode", &SessionEffect::mode);
   add("tests", &SessionEffect::tests);
   add("levels", &SessionEffect::levels);
   add("frequency_difference", &SessionEffect::frequency_difference);
@@ -301,6 +313,7 @@ std::string left_out_table(const DoneCampaign& done, const std::string& comment)
   std::vector<std::size_t> tests;
   std::vector<std::string> names;
   std::vector<std::string> sources;
+  std::vector<double> modes;
   std::vector<std::string> verdicts;
   for (const LeftOut& part : done.left_out) {
     for (std::size_t i = 0; i < part.levels.size(); ++i) {
@@ -308,6 +321,7 @@ std::string left_out_table(const DoneCampaign& done, const std::string& comment)
       tests.push_back(done.levels.test[part.levels[i]]);
       names.push_back(part.name);
       sources.push_back(done.levels.source[part.levels[i]]);
+      modes.push_back(static_cast<double>(done.levels.mode_of(part.levels[i])));
       verdicts.push_back(left_out_verdict(rows.back()));
     }
   }
@@ -316,6 +330,7 @@ std::string left_out_table(const DoneCampaign& done, const std::string& comment)
   table.add_text("left_out", names);
   add_test_columns(done.plan, tests, table);
   table.add_text("source", sources);
+  if (done.plan.of_model()) table.add_numbers("mode", kDimensionless, modes);
   const auto add = [&](const char* name, const Dimension& dimension, const auto& value) {
     table.add_numbers_or_empty(name, dimension, column(rows, value));
   };

@@ -27,6 +27,7 @@
 #include "microslip/workflow/decay_reduction.hpp"
 #include "microslip/workflow/loops_comparison.hpp"
 #include "microslip/workflow/modal_decay.hpp"
+#include "microslip/workflow/modal_levels_reduction.hpp"
 #include "microslip/workflow/named_rig.hpp"
 #include "microslip/workflow/point_sensors.hpp"
 #include "microslip/workflow/record_levels.hpp"
@@ -106,6 +107,19 @@ void check_predictable(const CampaignTest& test, CampaignContent content) {
           ? "Levels are what joints are identified from; leave_one_out predicts them."
           : "Of a recording give kind = \"ringdown\", a free decay, or \"loops\", force and "
             "displacement of the joint. The subcommand verify predicts steady records of a rig.");
+}
+
+/// Several joints are found from levels of modes.
+void check_tells_of_modes(const CampaignTest& test, CampaignContent content) {
+  if (content == CampaignContent::kModalLevels || content == CampaignContent::kRecording) return;
+  throw InputError(
+      title_of(test), in_quotes(test.file),
+      fmt::format("must be levels of modes to identify a model from, and is {}", name_of(content)),
+      content == CampaignContent::kLevels
+          ? "The subcommand identify finds a joint from its own levels, which the "
+            "model takes by its file."
+          : "Give modal_levels.csv, or recordings: steady ones, or a free decay with "
+            "kind = \"ringdown\". Stepped sines can be predicted.");
 }
 
 void check_identifiable(const CampaignTest& test, CampaignContent content) {
@@ -311,7 +325,7 @@ std::optional<TestKind> test_kind_of(CampaignKind kind) {
 
 }  // namespace
 
-void check_campaign_test(const CampaignTest& test) {
+void check_campaign_test(const CampaignTest& test, CampaignSubject subject) {
   const CampaignContent content = content_of_test(test);
   if (!fits(test.kind, content)) {
     throw InputError(fmt::format("{}: kind", title_of(test)), in_quotes(to_string(test.kind)),
@@ -320,7 +334,38 @@ void check_campaign_test(const CampaignTest& test) {
   }
   check_recording_keys(test, content);
   if (test.predicted()) check_predictable(test, content);
-  if (test.identifies()) check_identifiable(test, content);
+  if (!test.identifies()) return;
+  if (subject == CampaignSubject::kModel) {
+    check_tells_of_modes(test, content);
+  } else {
+    check_identifiable(test, content);
+  }
+}
+
+ReducedCampaignTest reduce_modal_test(const CampaignFile& campaign, const CampaignTest& test,
+                                      const std::string& command, const Progress& progress) {
+  const TestReading reading = campaign_reading(test);
+  if (test.kind == CampaignKind::kRingDown) {
+    const ReducedModalDecay found =
+        reduce_modal_decay({.recording = test.file,
+                            .model = campaign.structure,
+                            .sensors = test.sensors,
+                            .modes = reading.modes,
+                            .reading = reading.reading},
+                           read_model(campaign.structure, JointsToFind::kAllowed));
+    return {.text = modal_levels_text(found, command),
+            .warnings = found.warnings,
+            .converged = found.converged()};
+  }
+  const ReducedModalLevels found = reduce_modal_levels({.model = campaign.structure,
+                                                        .recordings = {test.file},
+                                                        .reading = reading.reading,
+                                                        .progress = progress});
+  ReducedCampaignTest reduced{.text = modal_levels_text(found, command)};
+  for (const std::vector<Warning>& warnings : found.warnings) {
+    std::ranges::copy(warnings, std::back_inserter(reduced.warnings));
+  }
+  return reduced;
 }
 
 ReducedCampaignTest reduce_campaign_test(const CampaignFile& campaign, const CampaignTest& test,
@@ -336,7 +381,7 @@ TestReading campaign_reading(const CampaignTest& test) {
                       .channels = {.force = test.force, .displacement = test.displacement},
                       .reading = {.allow_truncated = test.allow_truncated,
                                   .assumed_units = parse_assumed_units(test.assumed_units)}};
-  if (test.kind == CampaignKind::kRingDown) reading.modes = {test.mode};
+  if (test.kind == CampaignKind::kRingDown && test.mode > 0) reading.modes = {test.mode};
   return reading;
 }
 

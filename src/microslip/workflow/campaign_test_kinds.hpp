@@ -20,11 +20,11 @@ namespace microslip {
 /// Modes of a beam in the model of a campaign, as of the subcommand `model`.
 inline constexpr std::size_t kModesOfCampaign = 7;
 
-/// Whether what the campaign says of a test fits its file and its use.
+/// Whether what the campaign says of a test fits its file, its use and what it is of.
 /// @throws InputError  naming the test: for a kind that its file is not of, a file that cannot be
 ///                     identified from or predicted, keys that would do nothing.
 /// @throws FileError, FormatError  where the file cannot be read.
-void check_campaign_test(const CampaignTest& test);
+void check_campaign_test(const CampaignTest& test, CampaignSubject subject);
 
 /// The levels of a test that is no table of them.
 struct ReducedCampaignTest {
@@ -48,6 +48,13 @@ struct ReducedCampaignTest {
                                                        const CampaignTest& test,
                                                        const std::string& command,
                                                        const Progress& progress);
+
+/// The same for levels of modes: of steady records as reduce_modal_levels(), of a ring-down as
+/// reduce_modal_decay(), all modes of it or the one that is named.
+[[nodiscard]] ReducedCampaignTest reduce_modal_test(const CampaignFile& campaign,
+                                                    const CampaignTest& test,
+                                                    const std::string& command,
+                                                    const Progress& progress);
 
 /// What is wrong with a test names it: "test 'blow': sensor acc1=tip", without the marks of an option.
 template <typename Call>

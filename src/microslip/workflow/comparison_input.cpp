@@ -165,6 +165,8 @@ void add_campaign_table(const NamedInput& input, CampaignFound& found) {
       entry.outside += cell == "outside" ? 1 : 0;
     });
   }
+  found.of_model = table.has("mode");
+  if (found.of_model) put_numbers(table, "mode", entries, &CampaignEntry::mode);
   put_numbers(table, "amplitude", entries, &CampaignEntry::amplitude);
   put_numbers(table, "frequency", entries, &CampaignEntry::frequency);
   put_numbers(table, "frequency_predicted", entries, &CampaignEntry::frequency_predicted);
@@ -179,6 +181,7 @@ void add_sessions(const NamedInput& input, CampaignFound& found) {
   std::vector<SessionEffect> sessions(table.rows());
   put_text(table, "session", sessions,
            [](SessionEffect& session, const std::string& cell) { session.name = cell; });
+  if (table.has("mode")) put_counts(table, "mode", sessions, &SessionEffect::mode);
   put_counts(table, "tests", sessions, &SessionEffect::tests);
   put_counts(table, "levels", sessions, &SessionEffect::levels);
   put_numbers(table, "frequency_difference", sessions, &SessionEffect::frequency_difference);

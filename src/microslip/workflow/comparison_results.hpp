@@ -35,6 +35,7 @@ struct CampaignEntry {
   std::string conditions = {};                                  ///< "torque 12, shaker A"
   std::string part = {};                                        ///< "level", "peak" or "curve"
   std::string source = {};                                      ///< the record, sweep or mode
+  double mode = std::numeric_limits<double>::quiet_NaN();       ///< from 1; of a level of a model
   double amplitude = std::numeric_limits<double>::quiet_NaN();  ///< m
   double frequency = std::numeric_limits<double>::quiet_NaN();  ///< Hz
   double frequency_predicted = std::numeric_limits<double>::quiet_NaN();    ///< Hz
@@ -72,6 +73,9 @@ struct CampaignFound {
   std::vector<ConditionFound> conditions = {};  ///< of conditions.csv
   std::vector<LeftOutEntry> left_out = {};      ///< of leave_one_out.csv
   std::vector<Warning> warnings = {};           ///< of campaign.csv
+  /// Whether it is of a model: levels are those of modes, their amplitudes those of its response
+  /// point, and D that of all joints.
+  bool of_model = false;
 };
 
 /// How many values a comparison has, over all of its curves.

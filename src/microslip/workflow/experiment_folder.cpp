@@ -76,6 +76,7 @@ class FolderReader {
     read_curves();
     read_comparison();
     read_campaign();
+    check_model_of_comparison();
     return std::move(results_);
   }
 
@@ -333,8 +334,14 @@ class FolderReader {
     const auto input = find("comparison.csv", kComparisonKind);
     if (!input) return;
     results_.comparison = comparison_of({input->path, input->text});
+    comparison_ = *input;
+  }
+
+  /// A campaign wrote the model that lies beside its comparison from what both name.
+  void check_model_of_comparison() {
+    if (!comparison_ || hashes_in(*comparison_) == campaign_hashes_) return;
     for (const std::string name : {"joint.json", "model.toml"}) {
-      const std::optional<std::string> hash = told_hash_of(*input, name);
+      const std::optional<std::string> hash = told_hash_of(*comparison_, name);
       const std::optional<std::string> beside = hash_beside(name);
       if (!hash || !beside || *hash == *beside) continue;
       results_.comparison->of_this_model = false;
@@ -360,11 +367,11 @@ class FolderReader {
     const auto campaign = find("campaign.csv", kCampaignTableKind);
     if (!campaign) return;
     add_campaign_table(*campaign, found);
-    const std::vector<std::string> hashes = hashes_in(*campaign);
+    campaign_hashes_ = hashes_in(*campaign);
     const auto read = [&](const std::string& name, std::string_view kind, const auto& add) {
       const auto input = find(name, kind);
       if (!input) return;
-      if (hashes_in(*input) != hashes) {
+      if (hashes_in(*input) != campaign_hashes_) {
         results_.warnings.push_back(
             {"files_of_other_campaign",
              fmt::format("{} is not of the campaign that campaign.csv is of: it is not shown. Run "
@@ -392,6 +399,8 @@ class FolderReader {
   ExperimentResults results_;
   std::vector<std::string> reduced_with_;     ///< hashes that levels.csv tells
   std::vector<std::string> identified_from_;  ///< SHA-256 of each input
+  std::optional<NamedInput> comparison_;
+  std::vector<std::string> campaign_hashes_;  ///< of all that a campaign was made from
   bool takes_all_levels_ = false;
 };
 

@@ -137,10 +137,10 @@ class ModeQuestion {
   std::vector<const ModalQuantity*> quantity_of_;   // of each curve
 };
 
-/// Modal forcing, unless no joint takes part in the mode.
+/// Modal forcing, unless another is asked for or no joint takes part in the mode.
 HarmonicBalance balance_of(const ModelFile& model, HarmonicBalanceOptions options,
                            const ModeQuestion& question) {
-  options.forcing = Forcing::kModal;
+  if (options.forcing != Forcing::kModal) return {model.structure, {model.response}, options};
   HarmonicBalance modal(model.structure, {model.response}, options);
   try {
     std::string ignored;
@@ -208,7 +208,10 @@ std::vector<ComparedTest> compare_modal_levels(const std::string& source, const 
                                                const ModelFile& model,
                                                const HarmonicBalanceOptions& options,
                                                const std::optional<StructureDraws>& spread,
-                                               const std::optional<TestDraws>& draws) {
+                                               const std::optional<TestDraws>& draws,
+                                               Forcing forcing) {
+  HarmonicBalanceOptions of_levels = options;
+  of_levels.forcing = forcing;
   const std::set<std::size_t> modes(levels.mode.begin(), levels.mode.end());
   std::vector<ComparedTest> tests;
   for (const std::size_t mode : modes) {
@@ -216,7 +219,7 @@ std::vector<ComparedTest> compare_modal_levels(const std::string& source, const 
     if (question.curves().empty()) continue;
     const std::string name =
         modes.size() == 1 ? source : fmt::format("{}: mode {}", source, mode + 1);
-    tests.push_back(compare_mode(name, question, model, options, spread, draws));
+    tests.push_back(compare_mode(name, question, model, of_levels, spread, draws));
   }
   if (!tests.empty()) return tests;
   throw InputError(source, "no frequency, damping ratio or dissipation of all joints",

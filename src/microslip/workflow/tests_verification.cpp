@@ -238,12 +238,13 @@ std::vector<ComparedTest> compare_test(const ReadTest& test, const ModelFile& mo
                                        const HarmonicBalanceOptions& balance,
                                        const std::optional<StructureDraws>& spread,
                                        const std::optional<TestDraws>& draws,
-                                       const std::string& joint) {
+                                       const std::string& joint, Forcing forcing) {
   if (const auto* sweeps = std::get_if<std::vector<SteppedSine>>(&test.content)) {
     return compare_each(*sweeps, test.kind, model, balance, spread, draws);
   }
   if (const auto* levels = std::get_if<ModalLevels>(&test.content)) {
-    return compare_modal_levels(input_name(test.path), *levels, model, balance, spread, draws);
+    return compare_modal_levels(input_name(test.path), *levels, model, balance, spread, draws,
+                                test.is_recording ? Forcing::kModal : forcing);
   }
   return compare_records(std::get<std::vector<NamedForceRecord>>(test.content), model,
                          joint_of_records(model, joint), spread, draws);

@@ -68,6 +68,7 @@ struct ReadTest {
 /// @param spread   of the model; nothing without draws.
 /// @param draws    which of them; nothing without.
 /// @param joint    of the model, that loops are of; empty: the only one.
+/// @param forcing  what drove levels of modes that are no recording.
 /// @throws InputError  as compare_sweep(), compare_modal_levels(), compare_loops(); for a joint that
 ///     the model does not have.
 /// @throws Cancelled   as the progress of the draws says.
@@ -75,7 +76,8 @@ struct ReadTest {
                                                      const HarmonicBalanceOptions& balance,
                                                      const std::optional<StructureDraws>& spread,
                                                      const std::optional<TestDraws>& draws,
-                                                     const std::string& joint = {});
+                                                     const std::string& joint = {},
+                                                     Forcing forcing = Forcing::kModal);
 
 /// What the identification of a joint said against it: `joint_not_of_this_kind` for a verdict,
 /// `joint_not_converged`.

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "microslip/base/progress.hpp"
+#include "microslip/io/joint_samples_file.hpp"
+#include "microslip/io/model_file.hpp"
+#include "microslip/workflow/campaign.hpp"
+
+/// @file
+/// How the joints of a campaign are found, whatever it is of. Internal to workflow.
+
+namespace microslip {
+
+/// What the files of a campaign begin with.
+struct CampaignComment {
+  std::string text = {};               ///< provenance, without warnings
+  std::vector<InputHash> inputs = {};  ///< campaign, structure and tests
+};
+
+/// Finds joints from the tests of a campaign, and gives the model that predicts by them.
+class CampaignJoints {
+ public:
+  CampaignJoints() = default;
+  CampaignJoints(const CampaignJoints&) = delete;
+  CampaignJoints& operator=(const CampaignJoints&) = delete;
+  virtual ~CampaignJoints() = default;
+
+  /// Reads the tests to identify from and finds the joints: fills in levels, sessions, what was
+  /// found at the levels, the summary and the warnings.
+  virtual void identify(const Progress& progress, DoneCampaign& all) = 0;
+  /// Which of the data contradict which.
+  [[nodiscard]] virtual std::vector<LeftOut> leave_out(const DoneCampaign& all,
+                                                       const Progress& progress) const = 0;
+  /// The model with the joints found, without offsets. @param warnings  get those of it.
+  [[nodiscard]] virtual ModelFile model(std::vector<Warning>& warnings) const = 0;
+  /// The draws of its joints; nothing of one without.
+  [[nodiscard]] virtual std::vector<std::optional<JointSamples>> samples() const = 0;
+  /// Its own files. @param all  with all its warnings.
+  [[nodiscard]] virtual std::vector<ResultFile> files(const DoneCampaign& all) = 0;
+};
+
+/// The paths and kinds of the files that CampaignJoints::files() gives.
+/// @throws FileError, FormatError, InputError  as the reader of what it is of.
+[[nodiscard]] std::vector<ResultFile> planned_files_of_rig(const CampaignRun& run,
+                                                           const CampaignFile& plan);
+[[nodiscard]] std::vector<ResultFile> planned_files_of_model(
+    const CampaignRun& run, const CampaignFile& plan);  ///< likewise
+
+/// @param run      is kept by reference. @param plan  likewise.
+/// @param comment  of the files.
+[[nodiscard]] std::unique_ptr<CampaignJoints> joints_of_rig(const CampaignRun& run,
+                                                            const CampaignFile& plan,
+                                                            CampaignComment comment);
+[[nodiscard]] std::unique_ptr<CampaignJoints> joints_of_model(
+    const CampaignRun& run, const CampaignFile& plan, CampaignComment comment);  ///< likewise
+
+/// The path of a file in the folder of the results.
+[[nodiscard]] std::string in_folder(const CampaignRun& run, const std::string& name);
+
+}  // namespace microslip

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/workflow/campaign_modal_leave_out.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/workflow/modal_levels_comparison.hpp"
+#include "microslip/workflow/model_draws.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr double kNotCompared = std::numeric_limits<double>::quiet_NaN();
+
+/// What is left out at once, by the order of the levels.
+struct ModalPart {
+  std::string name;
+  std::vector<std::size_t> levels;  ///< their numbers
+};
+
+std::vector<ModalPart> modal_parts(const CampaignFile& plan, const CampaignLevels& levels) {
+  std::map<std::size_t, ModalPart> parts;
+  std::map<std::size_t, std::size_t> of_test;  // levels so far
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const std::string& test = plan.tests[levels.test[i]].name;
+    const std::size_t number = ++of_test[levels.test[i]];
+    switch (plan.leave_out) {
+      case LeaveOut::kTests:
+        parts[levels.test[i]].name = test;
+        parts[levels.test[i]].levels.push_back(i);
+        break;
+      case LeaveOut::kModes:
+        parts[levels.mode[i]].name = fmt::format("mode {}", levels.mode[i]);
+        parts[levels.mode[i]].levels.push_back(i);
+        break;
+      case LeaveOut::kLevels:
+        parts[i] = {fmt::format("{}: level {}", test, number), {i}};
+        break;
+      case LeaveOut::kNothing:
+        break;
+    }
+  }
+  std::vector<ModalPart> all;
+  for (auto& [key, part] : parts) all.push_back(std::move(part));
+  return all;
+}
+
+/// One part after the other.
+class ModalPartsLeftOut {
+ public:
+  explicit ModalPartsLeftOut(const ModalLeaveOut& what) : what_(what) {}
+
+  [[nodiscard]] std::vector<LeftOut> found() const {
+    const std::vector<ModalPart> parts = modal_parts(what_.plan, what_.levels);
+    std::vector<LeftOut> all;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (what_.progress && !what_.progress(i, parts.size())) throw Cancelled();
+      try {
+        add_part(parts[i], all);
+      } catch (const InputError& error) {
+        throw error.renamed(
+            fmt::format("leave_one_out without '{}': {}", parts[i].name, error.name()));
+      }
+    }
+    return all;
+  }
+
+ private:
+  /// What the others give.
+  struct Others {
+    CalibratedModel done;
+    ModelFile model;
+    StructureDraws draws;
+  };
+
+  [[nodiscard]] Others found_without(const ModalPart& part) const {
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < what_.levels.size(); ++i) {
+      if (std::ranges::find(part.levels, i) == part.levels.end()) others.push_back(i);
+    }
+    CalibratedModel done{.model = what_.done.model, .inputs = what_.done.inputs};
+    const ModalLevels left = some_levels(what_.modal, others);
+    done.found = calibrate(done.model.structure, done.model.to_find, done.model.response, left,
+                           what_.calibration.options);
+    ModelFile model = model_with_found(what_.calibration, done);
+    if (what_.plan.leave_out != LeaveOut::kTests) model.spread = {};
+    StructureDraws draws =
+        draws_of(model.structure, model.spread, samples_of_joints(what_.calibration, done),
+                 model.damping_said, draw_options(), "model.toml");
+    return {std::move(done), std::move(model), std::move(draws)};
+  }
+
+  [[nodiscard]] DrawOptions draw_options() const {
+    return {.count = what_.plan.draws, .seed = what_.plan.seed};
+  }
+
+  /// Whether a joint moves more at a level than in any of the others.
+  [[nodiscard]] bool beyond(const Others& others, std::size_t level) const {
+    return std::ranges::any_of(others.done.found.joints, [&](const CalibratedJoint& joint) {
+      const JointAtLevel& at = what_.done.found.levels[level].joints[joint.index];
+      return at.amplitude > joint.largest_amplitude;
+    });
+  }
+
+  [[nodiscard]] double noise_of(std::size_t level) const {
+    const CalibratedLevel& found = what_.done.found.levels[level];
+    const double sigma = found.measured_dissipation_std;
+    return std::isfinite(sigma) ? sigma : what_.done.found.loss_scatter * found.dissipation;
+  }
+
+  void add_part(const ModalPart& part, std::vector<LeftOut>& all) const {
+    const Others others = found_without(part);
+    std::set<std::size_t> modes;
+    for (const std::size_t i : part.levels) modes.insert(what_.levels.mode[i]);
+    for (const std::size_t mode : modes) {
+      LeftOut left{.name = part.name};
+      if (modes.size() > 1) left.name += fmt::format(": mode {}", mode);
+      for (const std::size_t i : part.levels) {
+        const bool known = std::isfinite(what_.levels.levels.dissipation[i]);
+        if (what_.levels.mode[i] == mode && known) left.levels.push_back(i);
+      }
+      std::ranges::stable_sort(left.levels, {},
+                               [&](std::size_t i) { return what_.modal.displacement[i]; });
+      if (left.levels.empty()) continue;
+      predict_mode(others, left);
+      all.push_back(std::move(left));
+    }
+  }
+
+  void predict_mode(const Others& others, LeftOut& left) const {
+    left.converged = others.done.found.summary.converged();
+    left.taken.options = draw_options();
+    std::vector<std::size_t> within;
+    for (const std::size_t i : left.levels) {
+      if (!beyond(others, i)) within.push_back(i);
+    }
+    ComparedCurve curve{.quantity = "dissipation", .dimension = kEnergy};
+    if (!within.empty()) {
+      ComparedTest test = compared(others, left.name, within);
+      left.converged = left.converged && test.failure.empty();
+      left.taken = *test.taken;
+      curve = std::move(test.curves.front());
+    }
+    spread_out(curve, within, left);
+  }
+
+  /// D alone, by rising displacement.
+  [[nodiscard]] ComparedTest compared(const Others& others, const std::string& name,
+                                      const std::vector<std::size_t>& within) const {
+    ModalLevels question = some_levels(what_.modal, within);
+    question = {.mode = question.mode,
+                .displacement = question.displacement,
+                .displacement_std = question.displacement_std};
+    for (const std::size_t i : within) {
+      question.dissipation.push_back(what_.levels.levels.dissipation[i]);
+      question.dissipation_std.push_back(noise_of(i));
+    }
+    const CalibrationOptions& options = what_.calibration.options;
+    return std::move(compare_modal_levels(
+                         name, question, others.model, options.balance, others.draws,
+                         TestDraws{draw_options(), options.execution, {}}, options.balance.forcing)
+                         .front());
+  }
+
+  /// The curve with all levels that were left out, those beyond without a prediction.
+  void spread_out(const ComparedCurve& curve, const std::vector<std::size_t>& within,
+                  LeftOut& left) const {
+    left.curve = curve;
+    for (std::vector<double>* values : {&left.curve.at, &left.curve.measured, &left.curve.predicted,
+                                        &left.curve.lower, &left.curve.upper}) {
+      values->clear();
+    }
+    left.curve.measured_std.clear();
+    std::size_t n = 0;
+    for (const std::size_t i : left.levels) {
+      const bool in = n < within.size() && within[n] == i;
+      left.measured.push_back(what_.levels.levels.dissipation[i]);
+      left.curve.at.push_back(what_.modal.displacement[i]);
+      left.curve.measured.push_back(in ? curve.measured[n] : kNotCompared);
+      left.curve.measured_std.push_back(noise_of(i));
+      left.curve.predicted.push_back(in ? curve.predicted[n] : kNotCompared);
+      left.curve.lower.push_back(in ? curve.lower[n] : kNotCompared);
+      left.curve.upper.push_back(in ? curve.upper[n] : kNotCompared);
+      n += in ? 1 : 0;
+    }
+  }
+
+  const ModalLeaveOut& what_;
+};
+
+}  // namespace
+
+std::vector<LeftOut> leave_one_mode_out(const ModalLeaveOut& what) {
+  return ModalPartsLeftOut(what).found();
+}
+
+}  // namespace microslip
