@@ -14,6 +14,7 @@
 #include "microslip/base/random.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/io/csv.hpp"
+#include "microslip/io/joint_file.hpp"
 #include "microslip/io/model_writer.hpp"
 #include "support/effort.hpp"
 #include "support/replaced.hpp"
@@ -221,6 +222,84 @@ TEST(campaign_of_a_model, NamesNoneThatAgree) {
   box.put("campaign.toml", campaign("leave_one_out = \"modes\"\n", "identify"));
   const Outcome run = expect_done(box, kCall);
   EXPECT_TRUE(contradicting(box).empty()) << run.out;
+}
+
+// A decay of the second mode by a march of the true structure, whose hysteretic damping is viscous
+// there: frequencies and damping ratios that it follows from the joints that it identified, with two
+// tables, to its standard deviations.
+TEST(campaign_of_a_model, TakesADecay) {
+  const Laboratory box;
+  const JointedStructure truth = true_structure();
+  box.put("truth.toml", format_model({.structure = truth,
+                                      .response = "p1",
+                                      .joint_files = {"true_lap.json", "true_other.json"}}));
+  for (const StructuralJoint& joint : truth.joints()) {
+    box.put(fmt::format("true_{}.json", joint.name), format_joint({joint.joint, {}, {}}));
+  }
+  expect_done(box,
+              {"march", "truth.toml", "--release", "2:50um", "--duration", "3s", "--sampling-rate",
+               "4096Hz", "--no-error-estimate", "--out", "march.csv", "--quiet"});
+  const std::string marched = box.get("march.csv");
+  box.put("blow.csv", marched.substr(0, marched.rfind('\n', marched.size() - 2) + 1));
+  box.put("campaign.toml", R"(schema = "microslip.campaign/1"
+model = "model.toml"
+[identification]
+draws = 200
+forcing = "modal"
+[[test]]
+name = "monday1"
+file = "monday1.csv"
+use = "identify"
+[[test]]
+name = "monday3"
+file = "monday3.csv"
+use = "identify"
+[[test]]
+name = "blow"
+file = "blow.csv"
+use = "both"
+kind = "ringdown"
+mode = 2
+sensors = { displacement = "p1" }
+)");
+  expect_done(box, kCall);
+  EXPECT_TRUE(box.has("found/blow_levels.csv"));
+  for (const std::string quantity : {"frequency", "damping_ratio"}) {
+    const auto [held, count] = inside(box, quantity);
+    EXPECT_GE(count, 15.0) << quantity;
+    EXPECT_GE(held, 0.9 * count) << quantity;
+  }
+  const std::vector<double> modes = table(box, "modal_levels.csv").numbers("mode", kDimensionless);
+  EXPECT_GE(std::ranges::count(modes, 2.0), 15);
+}
+
+// Of one test per mode too few are left for two joints: said, and the rest is there.
+TEST(campaign_of_a_model, SaysWhereTheOthersAreTooFew) {
+  const Laboratory box;
+  box.put("campaign.toml", R"(schema = "microslip.campaign/1"
+model = "model.toml"
+[identification]
+draws = 100
+leave_one_out = "tests"
+[[test]]
+name = "monday2"
+file = "monday2.csv"
+use = "identify"
+[[test]]
+name = "few"
+file = "few.csv"
+use = "identify"
+)");
+  const std::string all = box.get("monday3.csv");
+  std::size_t end = 0;
+  for (int line = 0; line < 5; ++line) end = all.find('\n', end) + 1;
+  box.put("few.csv", all.substr(0, end));  // four levels, and eight are needed
+  const Outcome run = box.run(kCall);
+  EXPECT_EQ(run.status, 3) << run.err;
+  EXPECT_NE(run.out.find("without monday2 nothing was found"), std::string::npos) << run.out;
+  const CsvTable left_out = table(box, "leave_one_out.csv");
+  EXPECT_EQ(left_out.text("verdict").front(), "not_found");
+  EXPECT_EQ(left_out.text("contradicts").front(), "no");
 }
 
 // What a campaign of several joints cannot do is refused by name, with what does it.

@@ -174,6 +174,9 @@ TEST(CampaignFile, NamesWhatIsWrongOfAModel) {
   refused("edges = \"none\"", "atom = true", {"identification.atom", "belongs to one joint"});
   refused("edges = \"none\"", "session_offsets = true", {"session_offsets", "absolute"});
   refused("mode = 2", "mode = 0", {"mode", "1 or more"});
+  refused("name = \"blow\"", "name = \"modal\"", {"test[0].name", "modal_levels.csv"});
+  refused("kind = \"ringdown\"\nmode = 2", "kind = \"loops\"",
+          {"kind", "one joint", "identify finds"});
 }
 
 const std::string kKinds = R"(schema = "microslip.campaign/1"

@@ -314,6 +314,11 @@ CampaignTest read_campaign_test(const TomlTable& table, std::string_view file,
                     "force", "displacement", "assume_units", "allow_truncated"});
   constexpr std::array kUses{CampaignUse::kIdentify, CampaignUse::kPredict, CampaignUse::kBoth};
   CampaignTest test{.name = file_name_in(table, "name"), .file = path_in(table, "file", file)};
+  if (subject == CampaignSubject::kModel && test.name == "modal") {
+    throw InputError(table.name("name"), in_quotes(test.name),
+                     "must be another: modal_levels.csv holds the levels of all tests",
+                     "Rename it.");
+  }
   if (!table.has("use")) (void)table.text("use");  // throws: it is missing
   test.use = kUses.at(word_in(table, "use", {"identify", "predict", "both"}));
   if (table.has("session")) test.session = file_name_in(table, "session");

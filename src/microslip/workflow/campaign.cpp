@@ -224,7 +224,9 @@ class CampaignWork {
       if (!part.converged) {
         all.warnings.push_back(
             {"left_out_not_converged",
-             fmt::format("the identification without {} did not converge.", part.name)});
+             part.failure.empty()
+                 ? fmt::format("the identification without {} did not converge.", part.name)
+                 : fmt::format("without {} nothing was found: {}", part.name, part.failure)});
       }
       if (!part.contradicts()) continue;
       all.warnings.push_back(
@@ -490,7 +492,8 @@ std::string describe_left_out(const std::vector<LeftOut>& parts) {
   std::size_t named = 0;
   for (const LeftOut& part : parts) {
     const std::string facts =
-        part.curve.compared() == 0
+        !part.failure.empty() ? "not compared: nothing was found without it"
+        : part.curve.compared() == 0
             ? "beyond the others, which predict nothing there"
             : fmt::format("D {:+.2g} % off what the others predict, {} of {} inside{}",
                           100.0 * std::expm1(part.mean_deviation()), part.curve.inside(),

@@ -29,6 +29,8 @@ struct LeftOut {
   ComparedCurve curve = {};
   DrawsTaken taken = {};  ///< what became of the draws
   bool converged = true;  ///< the identification without it
+  /// Why the others give nothing, of a model; then no level is compared. Empty where they do.
+  std::string failure = {};
 
   /// Mean of ln(D/D̂) over the levels that are compared, 1; NaN where there is none.
   [[nodiscard]] double mean_deviation() const;

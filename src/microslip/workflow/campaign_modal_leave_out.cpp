@@ -61,12 +61,10 @@ class ModalPartsLeftOut {
     const std::vector<ModalPart> parts = modal_parts(what_.plan, what_.levels);
     std::vector<LeftOut> all;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (what_.progress && !what_.progress(i, parts.size())) throw Cancelled();
       try {
-        add_part(parts[i], all);
+        add_part(parts[i], progress_of(i, parts.size()), all);
       } catch (const InputError& error) {
-        throw error.renamed(
-            fmt::format("leave_one_out without '{}': {}", parts[i].name, error.name()));
+        all.push_back(without_others(parts[i], error.what()));
       }
     }
     return all;
@@ -80,15 +78,25 @@ class ModalPartsLeftOut {
     StructureDraws draws;
   };
 
-  [[nodiscard]] Others found_without(const ModalPart& part) const {
+  /// Of one calibration of some, as a share of all.
+  [[nodiscard]] Progress progress_of(std::size_t i, std::size_t parts) const {
+    if (!what_.progress) return {};
+    return [this, i, parts](std::size_t done, std::size_t total) {
+      return what_.progress(i * total + done, parts * total);
+    };
+  }
+
+  [[nodiscard]] Others found_without(const ModalPart& part, const Progress& progress) const {
     std::vector<std::size_t> others;
     for (std::size_t i = 0; i < what_.levels.size(); ++i) {
       if (std::ranges::find(part.levels, i) == part.levels.end()) others.push_back(i);
     }
     CalibratedModel done{.model = what_.done.model, .inputs = what_.done.inputs};
     const ModalLevels left = some_levels(what_.modal, others);
-    done.found = calibrate(done.model.structure, done.model.to_find, done.model.response, left,
-                           what_.calibration.options);
+    CalibrationOptions options = what_.calibration.options;
+    options.progress = progress;
+    done.found =
+        calibrate(done.model.structure, done.model.to_find, done.model.response, left, options);
     ModelFile model = model_with_found(what_.calibration, done);
     if (what_.plan.leave_out != LeaveOut::kTests) model.spread = {};
     StructureDraws draws =
@@ -115,8 +123,8 @@ class ModalPartsLeftOut {
     return std::isfinite(sigma) ? sigma : what_.done.found.loss_scatter * found.dissipation;
   }
 
-  void add_part(const ModalPart& part, std::vector<LeftOut>& all) const {
-    const Others others = found_without(part);
+  void add_part(const ModalPart& part, const Progress& progress, std::vector<LeftOut>& all) const {
+    const Others others = found_without(part, progress);
     std::set<std::size_t> modes;
     for (const std::size_t i : part.levels) modes.insert(what_.levels.mode[i]);
     for (const std::size_t mode : modes) {
@@ -132,6 +140,14 @@ class ModalPartsLeftOut {
       predict_mode(others, left);
       all.push_back(std::move(left));
     }
+  }
+
+  /// Nothing is compared where the others are too few to find the joints from.
+  [[nodiscard]] LeftOut without_others(const ModalPart& part, const std::string& why) const {
+    LeftOut left{.name = part.name, .levels = part.levels, .converged = false, .failure = why};
+    left.taken.options = draw_options();
+    spread_out({.quantity = "dissipation", .dimension = kEnergy}, {}, left);
+    return left;
   }
 
   void predict_mode(const Others& others, LeftOut& left) const {

@@ -31,7 +31,8 @@ struct ModalLeaveOut {
 /// spread of the model, too, and noise of each level, its standard deviation or what all levels
 /// scatter by. A level is beyond the others where a joint moves more there, as found from all, than
 /// in any of them. Levels whose D of all joints is not known are left out and not compared.
-/// @throws InputError  as calibrate(), naming what was left out.
+/// Where calibrate() refuses the others, too few levels for instance, that is told of what was left
+/// out.
 /// @throws Cancelled   as the progress says.
 [[nodiscard]] std::vector<LeftOut> leave_one_mode_out(const ModalLeaveOut& what);
 

@@ -197,6 +197,7 @@ struct LeftOutRow {
 };
 
 std::string left_out_verdict(const LeftOutRow& row) {
+  if (!row.part->failure.empty()) return "not_found";
   const bool beyond = std::isnan(row.part->curve.measured[row.i]);
   return beyond ? "beyond" : verdict_of(row.part->curve, row.i);
 }
