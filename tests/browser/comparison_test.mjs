@@ -7,6 +7,8 @@
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
 import {readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {dirname} from 'node:path';
+import {fileURLToPath} from 'node:url';
 import * as tools from './browser.mjs';
 
 const [program, path] = process.argv.slice(2);
@@ -101,6 +103,39 @@ assert.match(await force.locator('.legend').textContent(), /measured, outside/);
 assert.deepEqual(faults, []);
 await tools.takePictures(browser, found, artefacts);
 await tools.checkFirstScreen(browser, found, ['few_inside'], artefacts);
+
+// Two joints from modes of two days: sessions by mode, and the test of a mode that was read 10 % too high.
+const example = `${dirname(fileURLToPath(import.meta.url))}/../../examples/two_joints`;
+const levels = readFileSync(`${example}/levels.csv`, 'utf8').split('\n').filter((line) => line && !line.startsWith('#'));
+const head = levels.shift();
+let joints = `schema = "microslip.campaign/1"
+model = "unknown.toml"
+[identification]
+draws = 100
+session_offsets = true
+leave_one_out = "tests"
+`;
+put('unknown.toml', readFileSync(`${example}/unknown.toml`, 'utf8'));
+for (const [day, session] of ['monday', 'friday', 'sunday'].entries()) {
+  for (const mode of ['1', '2']) {
+    const rows = levels.filter((line, i) => line.startsWith(`${mode},`) && i % 3 === day);
+    const wrong = session === 'sunday' && mode === '2';
+    const read = rows.map((line) => line.split(',')).map((cells) => [...cells.slice(0, 3), wrong ? 1.1 * cells[3] : cells[3]].join(','));
+    put(`${session}${mode}.csv`, [head, ...read, ''].join('\n'));
+    joints += test(`${session}${mode}`, 'identify', session);
+  }
+}
+put('joints.toml', joints);
+run('campaign', 'joints.toml', '--out', 'jointed');
+run('report', 'jointed', '--out', 'jointed.html');
+const several = await tools.open(browser, `${artefacts}/jointed.html`, {viewport: {width: 1300, height: 900}});
+await tools.checkEveryFigure(several.page);
+const shown = (title) => several.page.locator('.table-block', {hasText: title}).first().locator('tbody tr');
+assert.equal(await shown('Frequencies against the first session').count(), 6);
+assert.match(await shown('Frequencies against the first session').nth(3).textContent(), /^friday21/);
+assert.deepEqual(await shown('Each left out in turn').filter({hasText: /yes$/}).locator('td:first-child').allTextContents(), ['sunday2']);
+assert.match(await several.page.locator('body').textContent(), /50 modal levels of 6 tests identify its joints, in 3 sessions/);
+assert.deepEqual(several.faults, []);
 
 // A comparison by itself, without draws: no bands, and that is said.
 tools.folder(`${artefacts}/compared`);

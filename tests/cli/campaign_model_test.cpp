@@ -273,6 +273,38 @@ sensors = { displacement = "p1" }
   EXPECT_GE(std::ranges::count(modes, 2.0), 15);
 }
 
+// A steady record by another program beside its levels: D of the 23rd level of the table, 0.5 % of
+// noise in that, to 1 %.
+TEST(campaign_of_a_model, TakesASteadyRecord) {
+  const std::string folder = MICROSLIP_TEST_DATA "/two_joints/";
+  std::string model = test::get(folder + "model.toml");
+  for (int i = 1; i <= 6; ++i) {
+    model += fmt::format("[[accelerometer]]\nchannel = \"acc{}\"\npoint = \"{}\"\n", i,
+                         i == 1 ? "drive" : fmt::format("p{}", i));
+  }
+  const Sandbox box{{"model.toml", model},
+                    {"levels.csv", test::get(folder + "modal_levels.csv")},
+                    {"steady.csv", test::get(folder + "recordings/mode2_level10.csv")},
+                    {"campaign.toml", R"(schema = "microslip.campaign/1"
+model = "model.toml"
+[[test]]
+name = "table"
+file = "levels.csv"
+use = "identify"
+[[test]]
+name = "steady"
+file = "steady.csv"
+use = "identify"
+)"}};
+  expect_done(box, kCall);
+  EXPECT_TRUE(box.has("found/steady_levels.csv"));
+  const CsvTable rows = table(box, "campaign.csv");
+  EXPECT_EQ(rows.text("test").back(), "steady");
+  EXPECT_EQ(rows.numbers("mode", kDimensionless).back(), 2.0);
+  const double measured_loss = rows.numbers("dissipation", kEnergy).back();
+  EXPECT_NEAR(rows.numbers("dissipation_predicted", kEnergy).back() / measured_loss, 1.0, 0.01);
+}
+
 // Of one test per mode too few are left for two joints: said, and the rest is there.
 TEST(campaign_of_a_model, SaysWhereTheOthersAreTooFew) {
   const Laboratory box;

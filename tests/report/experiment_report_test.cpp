@@ -649,6 +649,33 @@ TEST(ExperimentReport, ACampaignShowsTestsSessionsAndWhatWasLeftOut) {
   check_report(document);
 }
 
+TEST(ExperimentReport, ACampaignOfAModelShowsModes) {
+  ExperimentResults results = exact_results();
+  CampaignFound campaign{.of_model = true};
+  for (const double mode : {1.0, 2.0}) {
+    CampaignEntry entry{.test = "a", .use = "identify", .session = "1", .part = "level"};
+    entry.mode = mode;
+    entry.amplitude = 1e-5;
+    entry.dissipation = 1.1e-6;
+    entry.dissipation_predicted = 1e-6;
+    campaign.entries.push_back(entry);
+    campaign.sessions.push_back(
+        {.name = "1", .mode = static_cast<std::size_t>(mode), .tests = 1, .levels = 1});
+  }
+  results.campaign = campaign;
+  const ReportDocument document = experiment_report(results);
+  const auto& lead = std::get<ReportText>(section(document, "Campaign").blocks.front());
+  EXPECT_TRUE(contains(lead.text, "2 modal levels of 1 test identify its joints, in 1 session"))
+      << lead.text;
+  const ReportFigure& losses = figure(document, "Dissipation against the joint");
+  ASSERT_EQ(losses.figure.layers.size(), 2U);
+  EXPECT_EQ(std::get<PointLayer>(losses.figure.layers[1]).legend, "session 1, mode 2");
+  const ReportTable& sessions = table(document, "Sessions");
+  EXPECT_EQ(sessions.columns[1].name, "mode");
+  EXPECT_EQ(std::get<double>(sessions.rows[1][1]), 2.0);
+  check_report(document);
+}
+
 // σ = √(σ_D² + (D′σ_A)²): with D′σ_A = σ_D the residuals are √2 times smaller.
 TEST(ExperimentReport, ScatterOfTheAmplitudeCountsThroughTheSlope) {
   ExperimentResults results = exact_results();
