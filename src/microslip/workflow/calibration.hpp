@@ -62,7 +62,10 @@ struct CalibratedModel {
 
 /// Finds the joints of `done.model` from levels that need not be a file, into `done.found`, with the
 /// warnings of its modes.
+/// @param options      of the method.
+/// @param levels       of the modes.
 /// @param levels_name  in messages.
+/// @param done         with its model as read.
 /// @throws InputError, Cancelled  as calibrate().
 void calibrate_levels(const ModelCalibration& options, const ModalLevels& levels,
                       const std::string& levels_name, CalibratedModel& done);
@@ -78,7 +81,9 @@ void calibrate_levels(const ModelCalibration& options, const ModalLevels& levels
     const ModelCalibration& options, const CalibratedModel& done);
 
 /// Composes `done.files`.
-/// @param levels  that the joints were found from.
+/// @param options  that the joints were found with.
+/// @param levels   that they were found from.
+/// @param done     with what was found.
 void compose_calibration(const ModelCalibration& options, const ModalLevels& levels,
                          CalibratedModel& done);
 

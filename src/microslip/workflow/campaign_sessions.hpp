@@ -86,6 +86,7 @@ struct SessionEffects {
                                              const Joint& joint, double linear_damping);
 
 /// The same of levels whose f̂ and D̂ are known, of any number of modes.
+/// @param campaign  of the levels. @param levels  of its tests.
 /// @param found  `frequency` and `dissipation` of each level; NaN where the level was not found.
 /// @throws InputError  where offsets are asked for, and no frequency tells them: no mode has levels
 ///     in two sessions, or no mode two levels in one.
