@@ -13,9 +13,12 @@
 #include "cli/run_program.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/dynamics/modal_offsets.hpp"
 #include "microslip/io/csv.hpp"
 #include "microslip/io/joint_file.hpp"
+#include "microslip/io/model_file.hpp"
 #include "microslip/io/model_writer.hpp"
+#include "support/chain_structure.hpp"
 #include "support/effort.hpp"
 #include "support/replaced.hpp"
 #include "support/simulated_calibration.hpp"
@@ -35,9 +38,16 @@ JointedStructure true_structure() {
   return testing::lap_and_other(testing::tent(6e5, 90.0, 0.6), testing::tent(9e5, 110.0, 0.5));
 }
 
+/// The same with modes that have no joints in them.
+JointedStructure true_structure_of_free_modes() {
+  return testing::chain_structure({3.0, 2.0, 2.5}, {5e5, 4e5, 7e5, 2e5},
+                                  {{"lap", 0, 1, testing::tent(6e5, 90.0, 0.6)},
+                                   {"other", 1, 2, testing::tent(9e5, 110.0, 0.5)}},
+                                  0.004, {0.0, 0.0});
+}
+
 /// The structure with joints to be found.
-std::string unknown_model() {
-  const JointedStructure truth = true_structure();
+std::string unknown_model(const JointedStructure& truth = true_structure()) {
   std::vector<StructuralJoint> stuck(truth.joints().begin(), truth.joints().end());
   for (StructuralJoint& joint : stuck) joint.joint = Joint(joint.joint.stiffness(), SlipDensity());
   return format_model(
@@ -49,10 +59,12 @@ std::string unknown_model() {
 
 /// modal_levels.csv of a mode, from 0, in a session, from 0, by the harmonic balance of the true
 /// structure. The joints move less in the third mode than in the others.
-std::string measured(std::size_t mode, std::size_t session, double gain) {
+/// @param offset  of the frequencies, beside those of the structure.
+std::string measured(const JointedStructure& truth, std::size_t mode, std::size_t session,
+                     double gain, double offset) {
   constexpr std::array kFrom{5e-6, 1e-6, 4e-7};
   constexpr std::array kTo{2.5e-4, 0.7e-4, 0.35e-5};
-  const HarmonicBalance balance(true_structure(), {"p1"}, {});
+  const HarmonicBalance balance(truth, {"p1"}, {});
   RandomStream random(5, 10 * session + mode);
   std::vector<double> responses;
   for (std::size_t i = 0; i < kLevels; ++i) {
@@ -64,7 +76,6 @@ std::string measured(std::size_t mode, std::size_t session, double gain) {
   for (const SteadyVibration& point : balance.backbone(responses, mode).points) {
     double loss = 0.0;
     for (const JointCycle& joint : point.joints) loss += joint.dissipation;
-    const double offset = session == 0 ? 0.0 : offset_of(mode);
     text += fmt::format(
         "{},{:.12g},{:.12g},{:.12g}\n", mode + 1, point.response,
         point.frequency() * std::exp(offset) * (1.0 + kFrequencyNoise * random.normal()),
@@ -85,8 +96,10 @@ std::string name_of(std::size_t session, std::size_t mode) {
   return fmt::format("{}{}", session == 0 ? "monday" : "friday", mode + 1);
 }
 
-/// @param third  the use of tests of the third mode.
-std::string campaign(const std::string& more, const std::string& third) {
+/// @param third   the use of tests of the third mode.
+/// @param others  that of the others.
+std::string campaign(const std::string& more, const std::string& third,
+                     const std::string& others = "identify") {
   std::string text = kHead + more;
   for (std::size_t session = 0; session < 2; ++session) {
     for (std::size_t mode = 0; mode < kModes; ++mode) {
@@ -94,7 +107,7 @@ std::string campaign(const std::string& more, const std::string& third) {
       text += fmt::format(
           "[[test]]\nname = \"{0}\"\nfile = \"{0}.csv\"\nuse = \"{1}\"\nsession = \"{2}\"\n"
           "conditions = {{ torque_Nm = {3} }}\n",
-          name, mode == 2 ? third : "identify", session + 1, session == 0 ? 20 : 25);
+          name, mode == 2 ? third : others, session + 1, session == 0 ? 20 : 25);
     }
   }
   return text;
@@ -110,7 +123,9 @@ class Laboratory : public Sandbox {
     for (std::size_t session = 0; session < 2; ++session) {
       for (std::size_t mode = 0; mode < kModes; ++mode) {
         const bool wrong = mode == falsified && (session == 1 || always);
-        put(name_of(session, mode) + ".csv", measured(mode, session, wrong ? 1.1 : 1.0));
+        put(name_of(session, mode) + ".csv",
+            measured(true_structure(), mode, session, wrong ? 1.1 : 1.0,
+                     session == 0 ? 0.0 : offset_of(mode)));
       }
     }
   }
@@ -192,6 +207,47 @@ TEST(campaign_of_a_model, FindsTheOffsetOfEachModeInASession) {
   const std::vector<double> found = loss("found/calibration.csv");
   const std::vector<double> again = loss("again/calibration.csv");
   for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(again[i] / found[i], 1.0, 0.01) << i;
+}
+
+// What sets the structure off in the second session leaves its joints as they are: modes without
+// these are 0.4 to 0.6 % off, those with them less. Each of 54 frequencies and losses of tests that
+// identify is predicted; a band of 95 % misses 1.35 in 27, more than four in 1 %.
+TEST(campaign_of_a_model, PutsTheOffsetOnTheStructureAlone) {
+  const JointedStructure monday = true_structure_of_free_modes();
+  const JointedStructure friday =
+      with_modal_offsets(monday, std::vector<double>{0.004, 0.005, 0.006});
+  const Sandbox box{{"model.toml", unknown_model(monday)},
+                    {"campaign.toml", campaign("", "both", "both")}};
+  for (std::size_t session = 0; session < 2; ++session) {
+    for (std::size_t mode = 0; mode < kModes; ++mode) {
+      box.put(name_of(session, mode) + ".csv",
+              measured(session == 0 ? monday : friday, mode, session, 1.0, 0.0));
+    }
+  }
+  expect_done(box, kCall);
+  const CsvTable rows = table(box, "campaign.csv");
+  const std::vector<std::string> sessions = rows.text("session");
+  const std::vector<std::string> verdicts = rows.text("frequency_verdict");
+  double held = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < sessions.size(); ++i) {
+    if (sessions[i] != "2" || verdicts[i].empty()) continue;
+    held += verdicts[i] == "inside" ? 1.0 : 0.0;
+    count += 1.0;
+  }
+  EXPECT_EQ(count, static_cast<double>(kModes * kLevels));
+  EXPECT_GE(held, count - 4.0);
+  // The bands are those of a frequency that is read to 1e-5: not wide.
+  const std::vector<double> lower = rows.numbers("frequency_lower", kFrequency);
+  const std::vector<double> upper = rows.numbers("frequency_upper", kFrequency);
+  for (std::size_t i = 0; i < sessions.size(); ++i) {
+    if (!verdicts[i].empty()) EXPECT_LT(upper[i] / lower[i] - 1.0, 30.0 * kFrequencyNoise) << i;
+  }
+  const ModelFile given = read_model(box.file("found/model_2.toml"));
+  for (std::size_t i = 0; i < kModes; ++i) {
+    const double truth = friday.linear().modes()[i].angular_frequency;
+    EXPECT_NEAR(given.structure.linear().modes()[i].angular_frequency / truth, 1.0, 1e-4) << i;
+  }
 }
 
 // 10 % are twenty times the noise. Left out, the test of the second mode on Friday is held against

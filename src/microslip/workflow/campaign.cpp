@@ -14,6 +14,7 @@
 #include <variant>
 
 #include "microslip/base/error.hpp"
+#include "microslip/dynamics/modal_offsets.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/model_writer.hpp"
@@ -30,6 +31,7 @@
 #include "microslip/workflow/model_rules.hpp"
 #include "microslip/workflow/model_text.hpp"
 #include "microslip/workflow/recordings_provenance.hpp"
+#include "microslip/workflow/smoothing_text.hpp"
 #include "microslip/workflow/summary_text.hpp"
 
 namespace microslip {
@@ -296,52 +298,51 @@ class CampaignWork {
 
   // ---- Predictions. ----
 
-  /// The mode whose offset mode i of the structure, from 0, has in a session: of a rig the first.
-  [[nodiscard]] std::size_t mode_of_offset(std::size_t i) const {
-    return plan_.of_model() ? i + 1 : 1;
+  /// σ of what modes of the structure are known to by themselves, one a mode: as the plan or the
+  /// model says, or 0 where what frequencies of the levels scatter by counts in its place.
+  [[nodiscard]] std::vector<double> said_deviations(const ModelFile& model) const {
+    std::vector<double> said = model.spread.frequency;
+    said.resize(model.structure.linear().size(), 0.0);
+    if (plan_.frequency_std) std::ranges::fill(said, *plan_.frequency_std);
+    return said;
   }
 
-  /// σ of the frequency of mode i of a test of a session. @param said  by the model; 0: nothing.
-  [[nodiscard]] double frequency_std(const SessionEffects& effects, const std::string& session,
-                                     std::size_t i, double said) const {
-    const double scatter = plan_.frequency_std.value_or(said > 0.0 ? said : effects.frequency_std);
-    if (!plan_.session_offsets) return scatter;
-    return std::hypot(scatter, effects.offset_of(session, mode_of_offset(i)).second);
-  }
-
-  [[nodiscard]] ModelFile model_of(const ModelFile& nominal, const SessionEffects& effects,
-                                   const std::string& session) const {
-    const JointedStructure& structure = nominal.structure;
-    std::vector<Mode> modes(structure.linear().modes().begin(), structure.linear().modes().end());
-    double largest = 0.0;
-    for (std::size_t i = 0; i < modes.size(); ++i) {
-      const double offset = effects.offset_of(session, mode_of_offset(i)).first;
-      modes[i].angular_frequency *= std::exp(offset);
-      if (std::abs(offset) > std::abs(largest)) largest = offset;
+  [[nodiscard]] SessionModes modes_of(const ModelFile& nominal, const DoneCampaign& all,
+                                      const std::string& session) const {
+    const std::vector<double> said = said_deviations(nominal);
+    std::vector<double> scatter;
+    for (const double own : said) {
+      const bool counts = own == 0.0 && !plan_.frequency_std;
+      scatter.push_back(counts ? all.sessions.frequency_std : 0.0);
     }
+    SessionModes modes = joints_->modes_in(session, nominal, all, scatter);
+    for (std::size_t i = 0; i < said.size(); ++i) {
+      modes.deviation[i] = std::hypot(modes.deviation[i], said[i]);
+    }
+    return modes;
+  }
+
+  [[nodiscard]] ModelFile model_of(const ModelFile& nominal, const DoneCampaign& all,
+                                   const std::string& session) const {
+    SessionModes modes = modes_of(nominal, all, session);
     ModelFile model = nominal;
     try {
-      model.structure = JointedStructure(
-          structure.linear().with_modes(modes),
-          {structure.joints().begin(), structure.joints().end()},
-          {structure.excitations().begin(), structure.excitations().end()}, structure.damping());
+      model.structure = with_modal_offsets(nominal.structure, modes.offset);
     } catch (const InputError& error) {
+      const double largest =
+          std::ranges::max(modes.offset, {}, [](double offset) { return std::abs(offset); });
       throw InputError(fmt::format("session {}: {}", session, error.name()),
                        fmt::format("a frequency {:+.3g} % off", 100.0 * std::expm1(largest)),
                        "must leave the structure some stiffness without the joint",
                        "Give a stiffness_N_per_m that is not all of the stiffness there is.");
     }
-    if (plan_.draws > 0) set_spread(effects, session, model);
+    if (plan_.draws > 0) set_spread(std::move(modes.deviation), model);
     return model;
   }
 
-  void set_spread(const SessionEffects& effects, const std::string& session,
-                  ModelFile& model) const {
+  void set_spread(std::vector<double> deviation, ModelFile& model) const {
     std::vector<double>& frequency = model.spread.frequency;
-    frequency.resize(model.structure.linear().modes().size(), 0.0);
-    for (std::size_t i = 0; i < frequency.size(); ++i) {
-      frequency[i] = frequency_std(effects, session, i, frequency[i]);
-    }
+    frequency = std::move(deviation);
     if (std::ranges::all_of(frequency, [](double sigma) { return sigma == 0.0; })) frequency = {};
     if (plan_.force_gain_std > 0.0) {
       model.spread.force_gain.assign(model.structure.excitations().size(), plan_.force_gain_std);
@@ -375,7 +376,7 @@ class CampaignWork {
                                   std::ranges::count_if(plan_.tests, &CampaignTest::predicted));
     for (std::size_t t = 0; t < plan_.tests.size(); ++t) {
       if (!plan_.tests[t].predicted()) continue;
-      const ModelFile model = model_of(nominal, all.sessions, plan_.tests[t].session);
+      const ModelFile model = model_of(nominal, all, plan_.tests[t].session);
       ReadTest read = of_campaign_test(plan_.tests[t], [&] {
         return read_test(plan_.tests[t].file, &model, "model.toml",
                          campaign_reading(plan_.tests[t]));
@@ -420,12 +421,11 @@ class CampaignWork {
     for (const ResultFile& file : own) {
       put(fs::path(file.path).filename().string(), [&] { return file.content; });
     }
-    put("model.toml", [&] {
-      return format_model(model_of(nominal, all.sessions, plan_.sessions().front()), comment);
-    });
+    put("model.toml",
+        [&] { return format_model(model_of(nominal, all, plan_.sessions().front()), comment); });
     for (const std::string& session : sessions_with_model(plan_)) {
       put(model_name(session),
-          [&] { return format_model(model_of(nominal, all.sessions, session), comment); });
+          [&] { return format_model(model_of(nominal, all, session), comment); });
     }
     put("comparison.csv", [&] { return comparison_table(all.verified); });
     put("campaign.csv", [&] { return campaign_table(all, comment); });

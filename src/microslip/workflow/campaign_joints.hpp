@@ -22,6 +22,12 @@ struct CampaignComment {
   std::vector<InputHash> inputs = {};  ///< campaign, structure and tests
 };
 
+/// The modes of a structure in a session, one entry each.
+struct SessionModes {
+  std::vector<double> offset = {};     ///< of ln ω_i, 1
+  std::vector<double> deviation = {};  ///< its standard deviation, with that of the frequency, 1
+};
+
 /// Finds joints from the tests of a campaign, and gives the model that predicts by them.
 class CampaignJoints {
  public:
@@ -38,6 +44,13 @@ class CampaignJoints {
                                                        const Progress& progress) const = 0;
   /// The model with the joints found, without offsets. @param warnings  get those of it.
   [[nodiscard]] virtual ModelFile model(std::vector<Warning>& warnings) const = 0;
+  /// What offsets of the frequencies of a session make of the modes of the model.
+  /// @param session  by name. @param model  that model() gave. @param all  with its sessions.
+  /// @param scatter  standard deviation of a frequency beside that of its offset, 1; one a mode.
+  /// @throws InputError  where no modes have these frequencies with the joints.
+  [[nodiscard]] virtual SessionModes modes_in(const std::string& session, const ModelFile& model,
+                                              const DoneCampaign& all,
+                                              const std::vector<double>& scatter) const = 0;
   /// The draws of its joints; nothing of one without.
   [[nodiscard]] virtual std::vector<std::optional<JointSamples>> samples() const = 0;
   /// Its own files. @param all  with all its warnings.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -6,7 +8,10 @@
 #include <optional>
 #include <utility>
 
+#include "microslip/base/error.hpp"
+#include "microslip/dynamics/modal_offsets.hpp"
 #include "microslip/io/file_kind.hpp"
+#include "microslip/joint/secant.hpp"
 #include "microslip/workflow/campaign_joints.hpp"
 #include "microslip/workflow/campaign_modal_leave_out.hpp"
 #include "microslip/workflow/campaign_modal_levels.hpp"
@@ -113,6 +118,26 @@ class ModelJoints : public CampaignJoints {
     return model_with_found(calibration_, done_);
   }
 
+  [[nodiscard]] SessionModes modes_in(const std::string& session, const ModelFile& model,
+                                      const DoneCampaign& all,
+                                      const std::vector<double>& scatter) const override {
+    SessionModes modes{.offset = std::vector<double>(scatter.size(), 0.0), .deviation = scatter};
+    if (!plan_.session_offsets) return modes;
+    const auto [others, others_std] = all.sessions.offset_of_others(session);
+    const std::vector<StructureOffset> told = told_offsets(session, model, all);
+    const ModalOffsets found = modal_offsets(model.structure, told, others);
+    modes.offset = found.offset;
+    for (std::size_t i = 0; i < scatter.size(); ++i) {
+      double variance = found.left[i] * (others_std * others_std + scatter[i] * scatter[i]);
+      for (std::size_t m = 0; m < told.size(); ++m) {
+        const double own = all.sessions.told_offset(session, told[m].mode + 1)->second;
+        variance += std::pow(found.by_told[i][m] * std::hypot(own, scatter[told[m].mode]), 2);
+      }
+      modes.deviation[i] = std::sqrt(variance);
+    }
+    return modes;
+  }
+
   [[nodiscard]] std::vector<std::optional<JointSamples>> samples() const override {
     return samples_of_joints(calibration_, done_);
   }
@@ -130,6 +155,53 @@ class ModelJoints : public CampaignJoints {
   }
 
  private:
+  /// Offsets of vibrations that the levels of a session tell, by the joints at these.
+  [[nodiscard]] std::vector<StructureOffset> told_offsets(const std::string& session,
+                                                          const ModelFile& model,
+                                                          const DoneCampaign& all) const {
+    constexpr double kLeastShare = 0.1;
+    std::vector<StructureOffset> offsets;
+    for (std::size_t mode = 0; mode < model.structure.linear().vibrations(); ++mode) {
+      const auto told = all.sessions.told_offset(session, mode + 1);
+      if (!told) continue;
+      StructureOffset one{.mode = mode,
+                          .offset = told->first,
+                          .joint_stiffness = mean_stiffness(session, mode + 1, model, all)};
+      const double share = share_of_modes(model.structure, one);
+      if (share >= kLeastShare) {
+        offsets.push_back(std::move(one));
+      } else if (told->first != 0.0) {
+        throw InputError(
+            fmt::format("session_offsets: session {}, mode {}", session, mode + 1),
+            fmt::format("{:.2g} % of its stiffness without the joints", 100.0 * share),
+            "must have 10 % or more: an offset is one of the structure, and not of its joints",
+            "Leave session_offsets out, or predict no test of this session.");
+      }
+    }
+    return offsets;
+  }
+
+  /// Of each joint, N/m: the mean of its secant stiffness over the levels of a mode in a session.
+  [[nodiscard]] std::vector<double> mean_stiffness(const std::string& session, std::size_t mode,
+                                                   const ModelFile& model,
+                                                   const DoneCampaign& all) const {
+    std::vector<double> means;
+    for (std::size_t j = 0; j < model.structure.joints().size(); ++j) {
+      double sum = 0.0;
+      double count = 0.0;
+      for (std::size_t i = 0; i < all.levels.size(); ++i) {
+        const CalibratedLevel& level = done_.found.levels[i];
+        const bool own = plan_.tests[all.levels.test[i]].session == session;
+        if (!own || all.levels.mode[i] != mode || !level.found) continue;
+        if (!std::isfinite(level.measured_frequency)) continue;
+        sum += secant_stiffness(model.structure.joints()[j].joint, level.joints[j].amplitude);
+        count += 1.0;
+      }
+      means.push_back(sum / count);
+    }
+    return means;
+  }
+
   const CampaignRun& run_;
   const CampaignFile& plan_;
   CampaignComment comment_;

@@ -105,6 +105,17 @@ class RigJoint : public CampaignJoints {
     return std::move(model.file);
   }
 
+  /// The offset of its first mode is taken for that of all.
+  [[nodiscard]] SessionModes modes_in(const std::string& session, const ModelFile& model,
+                                      const DoneCampaign& all,
+                                      const std::vector<double>& scatter) const override {
+    const auto [offset, deviation] = all.sessions.offset_of(session, 1);
+    SessionModes modes{.offset = std::vector<double>(model.structure.linear().size(), offset),
+                       .deviation = {}};
+    for (const double own : scatter) modes.deviation.push_back(std::hypot(own, deviation));
+    return modes;
+  }
+
   [[nodiscard]] std::vector<std::optional<JointSamples>> samples() const override {
     return {joint_samples(identified_->found, *joint_.provenance)};
   }

@@ -195,8 +195,10 @@ void add_frequencies(const CampaignFile& campaign, const CampaignLevels& levels,
   double squares = 0.0;
   double count = 0.0;
   for (std::size_t s = 0; s < sorted.size(); ++s) {
+    const SessionEffect& session = effects.sessions[s];
+    if (campaign.session_offsets && !effects.told_offset(session.name, session.mode)) continue;
     for (const double y : sorted[s]) {
-      squares += std::pow(y - effects.sessions[s].frequency_offset, 2);
+      squares += std::pow(y - session.frequency_offset, 2);
       count += 1.0;
     }
   }
@@ -246,13 +248,26 @@ bool SessionEffects::has(const std::string& name) const {
   return std::ranges::find(sessions, name, &SessionEffect::name) != sessions.end();
 }
 
+std::optional<std::pair<double, double>> SessionEffects::told_offset(const std::string& name,
+                                                                     std::size_t mode) const {
+  const SessionEffect* own = find(name, mode);
+  if (own == nullptr || find(sessions.front().name, mode) == nullptr) return std::nullopt;
+  if (!std::isfinite(own->frequency_difference)) return std::nullopt;
+  return std::pair{own->frequency_offset, own->frequency_offset_std};
+}
+
 std::pair<double, double> SessionEffects::offset_of(const std::string& name,
                                                     std::size_t mode) const {
-  const SessionEffect* own = find(name, mode);
-  if (own != nullptr) return {own->frequency_offset, own->frequency_offset_std};
+  const auto told = told_offset(name, mode);
+  return told ? *told : offset_of_others(name);
+}
+
+std::pair<double, double> SessionEffects::offset_of_others(const std::string& name) const {
   std::vector<double> offsets;
   for (const SessionEffect& session : sessions) {
-    if (session.name == name) offsets.push_back(session.frequency_offset);
+    if (session.name != name) continue;
+    const auto told = told_offset(name, session.mode);
+    if (told) offsets.push_back(told->first);
   }
   if (offsets.empty()) return {0.0, between_frequencies};
   constexpr std::size_t kFewest = 3;  // two hardly tell a scatter
