@@ -39,11 +39,13 @@ struct CalibrationOptions {
   bool stuck_shapes = false;
   /// Seeks slip forces at which a density jumps; 20 levels for each joint are needed.
   bool edges = true;
-  HarmonicBalanceOptions balance = {};         ///< harmonics and what drives
-  int coefficients = 40;                       ///< of the density of each joint; ≥ 10
-  std::size_t draws = 1000;                    ///< of the posterior; ≥ 100
-  double confidence = 0.95;                    ///< of the bands, in (0, 1)
-  std::uint64_t seed = 1;                      ///< of the draws
+  HarmonicBalanceOptions balance = {};  ///< harmonics and what drives
+  int coefficients = 40;                ///< of the density of each joint; ≥ 10
+  std::size_t draws = 1000;             ///< of the posterior; ≥ 100
+  double confidence = 0.95;             ///< of the bands, in (0, 1)
+  std::uint64_t seed = 1;               ///< of the draws
+  /// What warnings call each level; empty: "level 3", by their order from 1.
+  std::vector<std::string> level_names = {};
   Progress progress = {};                      ///< of all the work
   Execution execution = Execution::threads();  ///< of the levels
 
@@ -101,10 +103,14 @@ struct CalibratedLevel {
   double dissipation = 0.0;               ///< of all joints together, J
   double measured_dissipation = 0.0;      ///< J; of ζ less the loss of the structure
   double measured_dissipation_std = 0.0;  ///< J; NaN where it was not given
-  double damping_ratio = 0.0;             ///< ζ of structure and joints, 1
-  double residual = 0.0;                  ///< of the dissipation, over its standard deviation, 1
-  double frequency_residual = 0.0;        ///< likewise; NaN without
-  std::vector<JointAtLevel> joints{};     ///< one a joint of the structure
+  /// What D of the level scatters by, J: σ where all are known, times what losses scatter by over
+  /// it where that is above 1; else that share of D or, of ζ, of the loss of structure and joints.
+  /// NaN where the level was not found.
+  double loss_noise = std::numeric_limits<double>::quiet_NaN();
+  double damping_ratio = 0.0;          ///< ζ of structure and joints, 1
+  double residual = 0.0;               ///< of the dissipation, over its standard deviation, 1
+  double frequency_residual = 0.0;     ///< likewise; NaN without
+  std::vector<JointAtLevel> joints{};  ///< one a joint of the structure
 };
 
 /// Two joints that the levels hardly tell apart.
@@ -182,7 +188,9 @@ inline constexpr std::size_t kFewestModalLevels = 4;
 ///   * `std_ignored`           standard deviations that not every level, or every loss, has;
 ///   * `sensor_contradicts`    a joint moves otherwise than its sensor shows.
 /// @param result  of calibrate(). @param levels  that it was found from.
+/// @param names   of these: see CalibrationOptions::level_names.
 [[nodiscard]] std::vector<Warning> diagnose(const CalibrationResult& result,
-                                            const ModalLevels& levels);
+                                            const ModalLevels& levels,
+                                            const std::vector<std::string>& names = {});
 
 }  // namespace microslip

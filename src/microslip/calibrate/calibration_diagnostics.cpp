@@ -39,12 +39,31 @@ constexpr double kLargeFrequencyScatter = 5e-4;
 /// A sensor and the structure may differ by this share of the amplitude.
 constexpr double kSensorShare = 0.1;
 
-void warn_of_missing(const CalibrationResult& result, std::vector<Warning>& warnings) {
+/// What levels are called.
+class LevelNames {
+ public:
+  explicit LevelNames(const std::vector<std::string>& names) : names_(names) {}
+
+  /// "level 3", or its name.
+  [[nodiscard]] std::string of(std::size_t level) const {
+    return names_.empty() ? fmt::format("level {}", level + 1) : names_[level];
+  }
+  /// "3", or its name.
+  [[nodiscard]] std::string in_list(std::size_t level) const {
+    return names_.empty() ? fmt::format("{}", level + 1) : names_[level];
+  }
+
+ private:
+  const std::vector<std::string>& names_;
+};
+
+void warn_of_missing(const CalibrationResult& result, const LevelNames& names,
+                     std::vector<Warning>& warnings) {
   std::string list;
   std::size_t missing = 0;
   for (std::size_t i = 0; i < result.levels.size(); ++i) {
     if (result.levels[i].found) continue;
-    if (++missing <= 5) list += fmt::format("{}{}", list.empty() ? "" : ", ", i + 1);
+    if (++missing <= 5) list += (list.empty() ? "" : ", ") + names.in_list(i);
   }
   if (missing == 0) return;
   warnings.push_back(
@@ -118,7 +137,7 @@ void warn_of_offsets(const CalibrationResult& result, std::vector<Warning>& warn
 }
 
 /// "level 3 has 10 times the loss found".
-std::string worst_level(const CalibrationResult& result) {
+std::string worst_level(const CalibrationResult& result, const LevelNames& names) {
   double worst = 0.0;
   std::size_t where = 0;
   double ratio = 1.0;
@@ -130,26 +149,29 @@ std::string worst_level(const CalibrationResult& result) {
     where = i;
     ratio = over;
   }
-  return fmt::format("level {} has {:.3g} times the loss found", where + 1, ratio);
+  return fmt::format("{} has {:.3g} times the loss found", names.of(where), ratio);
 }
 
-void warn_of_scatter(const CalibrationResult& result, std::vector<Warning>& warnings) {
+void warn_of_scatter(const CalibrationResult& result, const LevelNames& names,
+                     std::vector<Warning>& warnings) {
   const double scatter = result.loss_scatter;
   if (result.loss_std_given && scatter > kLargeScatterRatio) {
     warnings.push_back(
         {"scatter_large", fmt::format("losses scatter {:.3g} times as much as their standard "
                                       "deviations say ({}): these are too small, or the model does "
                                       "not hold.",
-                                      scatter, worst_level(result))});
+                                      scatter, worst_level(result, names))});
   } else if (!result.loss_std_given && scatter > kLargeScatter) {
-    warnings.push_back({"scatter_large", fmt::format("losses scatter by {} about those found: {}.",
-                                                     percent_text(scatter), worst_level(result))});
+    warnings.push_back(
+        {"scatter_large", fmt::format("losses scatter by {} about those found: {}.",
+                                      percent_text(scatter), worst_level(result, names))});
   }
 }
 
 /// Levels whose loss is far off what the other ones scatter by: their median tells it, which one or
 /// two of many do not move. Corrected for the freedom that the densities took.
-void warn_of_outliers(const CalibrationResult& result, std::vector<Warning>& warnings) {
+void warn_of_outliers(const CalibrationResult& result, const LevelNames& names,
+                      std::vector<Warning>& warnings) {
   std::vector<double> sizes;
   for (const CalibratedLevel& level : result.levels) {
     if (level.found && std::isfinite(level.residual)) sizes.push_back(std::abs(level.residual));
@@ -166,9 +188,9 @@ void warn_of_outliers(const CalibrationResult& result, std::vector<Warning>& war
     if (!level.found || !(std::abs(level.residual) > most * typical)) continue;
     warnings.push_back(
         {"level_outlier",
-         fmt::format("level {} has {:.3g} times the loss found, {:.3g} times as far off as the "
+         fmt::format("{} has {:.3g} times the loss found, {:.3g} times as far off as the "
                      "levels scatter. It counted in full: correct it, or leave it out.",
-                     i + 1, level.measured_dissipation / level.dissipation,
+                     names.of(i), level.measured_dissipation / level.dissipation,
                      std::abs(level.residual) / typical)});
   }
 }
@@ -216,7 +238,7 @@ void warn_of_std(const CalibrationResult& result, const ModalLevels& levels,
 }
 
 void warn_of_sensors(const CalibrationResult& result, const ModalLevels& levels,
-                     std::vector<Warning>& warnings) {
+                     const LevelNames& names, std::vector<Warning>& warnings) {
   for (const CalibratedJoint& joint : result.joints) {
     const auto measured = std::ranges::find(levels.joints, joint.name, &JointLevels::name);
     if (measured == levels.joints.end()) continue;
@@ -234,27 +256,29 @@ void warn_of_sensors(const CalibrationResult& result, const ModalLevels& levels,
     warnings.push_back(
         {"sensor_contradicts",
          fmt::format("the sensor of {} shows {:.0f} % {} than the structure has with "
-                     "the joints found, at level {}: check its gain and the shape "
+                     "the joints found, at {}: check its gain and the shape "
                      "of the joint.",
                      joint.name, 100.0 * std::abs(worst), worst > 0.0 ? "more" : "less",
-                     where + 1)});
+                     names.of(where))});
   }
 }
 
 }  // namespace
 
-std::vector<Warning> diagnose(const CalibrationResult& result, const ModalLevels& levels) {
+std::vector<Warning> diagnose(const CalibrationResult& result, const ModalLevels& levels,
+                              const std::vector<std::string>& names) {
+  const LevelNames named(names);
   std::vector<Warning> warnings;
-  warn_of_missing(result, warnings);
+  warn_of_missing(result, named, warnings);
   warn_of_pairs(result, warnings);
   warn_of_groups(result, warnings);
   warn_of_unseen(result, warnings);
   warn_of_offsets(result, warnings);
   warn_of_frequencies(result, warnings);
-  warn_of_scatter(result, warnings);
-  warn_of_outliers(result, warnings);
+  warn_of_scatter(result, named, warnings);
+  warn_of_outliers(result, named, warnings);
   warn_of_std(result, levels, warnings);
-  warn_of_sensors(result, levels, warnings);
+  warn_of_sensors(result, levels, named, warnings);
   return warnings;
 }
 

@@ -397,6 +397,31 @@ void read_residuals(const CalibrationEvidence& evidence, std::size_t level, doub
   told.frequency_residual = error / (deviations.frequency * result.frequency_scatter);
 }
 
+/// What the loss of a level scatters by, J; without the error of its displacement.
+double loss_noise(const CalibrationEvidence& evidence, std::size_t level,
+                  const SteadyVibration& vibration, const CalibrationResult& result) {
+  const CalibratedLevel& told = result.levels[level];
+  const auto one = [&](double value, double deviation, double scattered) {
+    return evidence.loss_std_given ? std::max(1.0, result.loss_scatter) * deviation
+                                   : result.loss_scatter * std::max(value, scattered);
+  };
+  const MeasuredLoss measured = measured_loss(evidence.levels, level, vibration);
+  if (!std::isnan(measured.value)) {
+    return one(told.dissipation, measured.deviation, measured.scattered);
+  }
+  double variance = 0.0;  // of the parts
+  for (std::size_t joint = 0; joint < told.joints.size(); ++joint) {
+    const std::size_t column = evidence.column[joint];
+    if (column == CalibrationEvidence::kNone) continue;
+    const JointLevels& levels = evidence.levels.joints[column];
+    const double noise =
+        one(told.joints[joint].dissipation.value, ModalLevels::value(levels.dissipation_std, level),
+            ModalLevels::value(levels.dissipation, level));
+    variance += noise * noise;
+  }
+  return std::sqrt(variance);
+}
+
 /// No draw of a density above 0 has a loss of 0, however little is told of it: the band of a loss
 /// that is within the error of a level goes on to 0. Where one joint may have none, the others may
 /// have all, up to the error of the sum.
@@ -446,6 +471,7 @@ void read_deviations(const CalibrationEvidence& evidence, const AllUnknowns& unk
                      CalibrationResult& result) {
   for (std::size_t i = 0; i < result.levels.size(); ++i) {
     if (!result.levels[i].found) continue;
+    result.levels[i].loss_noise = loss_noise(evidence, i, *states.at(i), result);
     const LevelDeviations deviations = deviations_about(evidence, unknowns, states, i);
     read_residuals(evidence, i, frequency_error(evidence.levels, i, *states.at(i)), deviations,
                    result);
