@@ -252,7 +252,7 @@ TEST(CampaignSessions, PutOffsetsOnTheStructureWithItsJoints) {
     EXPECT_GT(std::abs(all.offset[m]), 1.1 * std::abs(wanted[m])) << m;  // the joints keep theirs
     EXPECT_NEAR(all.left[m], 0.0, 1e-9) << m;
   }
-  // What is told of one mode leaves the others where they are thought to be, but for their part in it.
+  // What is told of one mode leaves the others where they are thought to be, but for their part.
   const ModalOffsets one = modal_offsets(before, {told.data(), 1}, 0.003);
   EXPECT_NEAR(moved_by(one, 0), 0.004, 1e-9);
   EXPECT_NEAR(one.offset[2], 0.003, 5e-4);
@@ -290,6 +290,61 @@ TEST(CampaignSessions, LeaveOutWhatIsNotKnown) {
   const ConditionEffect torque = condition_effects(file, levels, effects).front();
   EXPECT_NEAR(torque.groups[0].dissipation.mean, 0.02 / 3.0, 1e-12);
   EXPECT_NEAR(torque.groups[0].frequency.mean, 0.0, 1.1e-5);
+}
+
+/// Two tests of two torques in one session, whose modes are off by 1, 2, … % each.
+/// @param modes   of each test, from 1. @param change  of the frequencies at the second torque.
+std::vector<ConditionEffect> torques_of(const std::vector<std::vector<std::size_t>>& modes,
+                                        double change, FrequencyOfLevels use) {
+  CampaignFile file{.subject = CampaignSubject::kModel, .frequency = use};
+  file.tests = {
+      {.name = "a", .file = "", .session = "1", .conditions = {{"torque_Nm", "20", 20.0}}},
+      {.name = "b", .file = "", .session = "1", .conditions = {{"torque_Nm", "25", 25.0}}}};
+  CampaignLevels levels;
+  SessionEffects found;
+  for (std::size_t test = 0; test < modes.size(); ++test) {
+    for (const std::size_t mode : modes[test]) {
+      for (const double scatter : {-1e-5, 1e-5}) {
+        levels.test.push_back(test);
+        levels.mode.push_back(mode);
+        levels.levels.amplitude.push_back(1e-5);
+        levels.levels.dissipation.push_back(1e-6);
+        found.dissipation.push_back(1e-6);
+        found.frequency.push_back(100.0);
+        const double off = 0.01 * static_cast<double>(mode) + (test == 1 ? change : 0.0);
+        levels.levels.frequency.push_back(100.0 * std::exp(off + scatter));
+      }
+    }
+  }
+  return condition_effects(file, levels, session_effects(file, levels, found));
+}
+
+// Nominal frequencies that are off are no difference of conditions, whatever modes their tests have.
+TEST(CampaignConditions, HoldFrequenciesOfOneModeAgainstEachOther) {
+  for (const auto& modes : std::vector<std::vector<std::vector<std::size_t>>>{
+           {{1, 2}, {1, 2}}, {{1, 2}, {2, 3}}, {{1, 1, 2}, {1, 2, 2, 3}}}) {
+    const ConditionEffect none = torques_of(modes, 0.0, FrequencyOfLevels::kChange).front();
+    EXPECT_TRUE(none.common_modes);
+    EXPECT_NEAR(none.groups[1].frequency.mean, none.groups[0].frequency.mean, 1e-12);
+    EXPECT_FALSE(condition_verdict(none).differ) << condition_verdict(none).text;
+    const ConditionEffect some = torques_of(modes, 0.001, FrequencyOfLevels::kChange).front();
+    EXPECT_NEAR(some.groups[1].frequency.mean - some.groups[0].frequency.mean, 0.001, 1e-12);
+    EXPECT_LT(some.groups[1].frequency.sigma, 2e-5);  // 1e-5 of a level, and not 1 % of the modes
+    EXPECT_TRUE(condition_verdict(some).differ);
+  }
+  // Modes that are exact are held as they are.
+  const ConditionEffect exact =
+      torques_of({{1, 2}, {2, 3}}, 0.0, FrequencyOfLevels::kAbsolute).front();
+  EXPECT_NEAR(exact.groups[1].frequency.mean - exact.groups[0].frequency.mean, 0.01, 1e-12);
+}
+
+TEST(CampaignConditions, SayWhereConditionAndModeCannotBeToldApart) {
+  const ConditionEffect apart = torques_of({{1}, {2}}, 0.001, FrequencyOfLevels::kChange).front();
+  EXPECT_FALSE(apart.common_modes);
+  EXPECT_TRUE(std::isnan(apart.groups[1].frequency.mean));
+  const ConditionVerdict verdict = condition_verdict(apart);
+  EXPECT_FALSE(verdict.differ);
+  EXPECT_NE(verdict.text.find("no mode in common"), std::string::npos) << verdict.text;
 }
 
 TEST(CampaignSessions, RefusesOffsetsThatNothingTells) {

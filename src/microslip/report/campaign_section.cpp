@@ -154,7 +154,8 @@ ReportTable condition_values_table(const std::vector<ConditionFound>& conditions
   ReportTable table{.title = "Conditions",
                     .caption =
                         "Levels by what the tests say of themselves: D and frequency off the joint "
-                        "identified from all, the latter less the offset of the session.",
+                        "identified from all, the latter less the offset of the session and, of a "
+                        "model, less what is wrong with the mode.",
                     .columns = {{"condition"},
                                 {"value"},
                                 {"tests", "1", 0},

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -181,6 +182,53 @@ Residuals offset_residuals(const CampaignFile& campaign, const CampaignLevels& l
   return residuals;
 }
 
+/// The modes that every group has levels of with these residuals.
+std::set<std::size_t> modes_in_common(const CampaignFile& campaign, const CampaignLevels& levels,
+                                      const ConditionEffect& effect, const Residuals& residuals) {
+  std::map<std::size_t, std::set<std::string>> values;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const CampaignCondition* one = campaign.tests[levels.test[i]].condition(effect.name);
+    if (one != nullptr && std::isfinite(residuals[i])) {
+      values[levels.mode_of(i)].insert(one->value);
+    }
+  }
+  std::set<std::size_t> modes;
+  for (const auto& [mode, own] : values) {
+    if (own.size() == effect.groups.size()) modes.insert(mode);
+  }
+  return modes;
+}
+
+/// Residuals of the levels of one mode; NaN of others.
+Residuals of_mode(const CampaignLevels& levels, std::size_t mode, Residuals residuals) {
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    if (levels.mode_of(i) != mode) residuals[i] = std::numeric_limits<double>::quiet_NaN();
+  }
+  return residuals;
+}
+
+/// Residuals of modes in common, each less the mean over the groups of their means; NaN of others.
+Residuals centred_by_mode(const CampaignFile& campaign, const CampaignLevels& levels,
+                          const ConditionEffect& effect, const Residuals& residuals) {
+  Residuals centred(levels.size(), std::numeric_limits<double>::quiet_NaN());
+  for (const std::size_t mode : modes_in_common(campaign, levels, effect, residuals)) {
+    const Residuals own = of_mode(levels, mode, residuals);
+    Residuals means;
+    for (const TestsOfGroup& group : by_value(campaign, levels, effect, own)) {
+      means.push_back(mean_over(all_of(group)));
+    }
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      if (levels.mode_of(i) == mode) centred[i] = own[i] - mean_over(means);
+    }
+  }
+  return centred;
+}
+
+/// Whether frequencies tell no more than how they change.
+bool modes_may_be_off(const CampaignFile& campaign) {
+  return campaign.of_model() && campaign.frequency != FrequencyOfLevels::kAbsolute;
+}
+
 // ---- Texts. ----
 
 std::string percent_of(const ConditionMean& mean) {
@@ -252,11 +300,16 @@ ConditionVerdict condition_verdict(const ConditionEffect& effect) {
     const auto most = largest_difference(effect, of);
     if (!most) return;
     verdict.text += (verdict.text.empty() ? "" : "; ") + difference_text(quantity, *most);
-    verdict.differ = verdict.differ || most->significant();
+    verdict.differ = verdict.differ || (effect.common_modes && most->significant());
   };
   tell("D", &ConditionGroup::dissipation);
   tell("the frequency", &ConditionGroup::frequency);
   verdict.text += verdict.differ ? ". No one joint is both: identify them apart." : ".";
+  if (!effect.common_modes) {
+    verdict.text +=
+        " They have levels of no mode in common: what the condition does and what the mode does "
+        "cannot be told apart.";
+  }
   if (!effect.overlap) {
     verdict.text +=
         " Their amplitudes do not overlap: what the condition does and what the amplitude does "
@@ -281,9 +334,13 @@ std::vector<ConditionEffect> condition_effects(const CampaignFile& campaign,
                                gains),
               &ConditionGroup::dissipation, effect);
     const bool told = !campaign.session_offsets || varies_within_sessions(campaign, name);
+    effect.common_modes = !modes_in_common(campaign, levels, effect, effects.dissipation).empty();
     if (told && !effects.frequency.empty()) {
-      put_means(means_with_sigma(by_value(campaign, levels, effect,
-                                          offset_residuals(campaign, levels, effects))),
+      Residuals residuals = offset_residuals(campaign, levels, effects);
+      if (modes_may_be_off(campaign)) {
+        residuals = centred_by_mode(campaign, levels, effect, residuals);
+      }
+      put_means(means_with_sigma(by_value(campaign, levels, effect, residuals)),
                 &ConditionGroup::frequency, effect);
     }
     effect.dissipation_trend = slope_of(effect.groups, &ConditionGroup::dissipation);
@@ -313,6 +370,10 @@ std::vector<Warning> condition_warnings(const CampaignFile& campaign,
     }
   }
   return warnings;
+}
+
+std::string no_common_modes_text(const std::string& condition) {
+  return fmt::format("modes: none is common to the values of {}", condition);
 }
 
 std::string trend_text(const ConditionEffect& effect) {

@@ -32,7 +32,8 @@ struct ConditionGroup {
   double least = 0.0;                 ///< amplitude, m
   double largest = 0.0;               ///< likewise
   ConditionMean dissipation = {};     ///< of r = ln(D/D̂)
-  ConditionMean frequency = {};       ///< of y = ln(f/f̂) less the offset of the session
+  /// Of y = ln(f/f̂) less the offset of the session and, of a model, what is wrong with the mode.
+  ConditionMean frequency = {};
 };
 
 /// One condition of the tests to identify from.
@@ -45,6 +46,7 @@ struct ConditionEffect {
   ConditionMean dissipation_trend = {};
   ConditionMean frequency_trend = {};  ///< the same of y
   bool overlap = true;                 ///< whether the amplitudes of all groups do
+  bool common_modes = true;            ///< whether all groups have levels of one mode
 
   /// Whether tests of different values are of one joint here.
   [[nodiscard]] bool pooled() const { return groups.size() > 1; }
@@ -59,6 +61,11 @@ struct ConditionEffect {
 /// mean of d ln D̂/d ln A over the group; of y it is 0. Frequencies say nothing where offsets of
 /// sessions are fitted and no session has two values: what the condition does is then part of
 /// these.
+///
+/// Of a model whose frequencies count by their change, the nominal frequency of a mode tells
+/// nothing: y of each is less the mean over the groups of their means of y in that mode, and modes
+/// that not all groups have levels of are left out. Where there is none that all have, what a
+/// condition does and what is wrong with a mode cannot be told apart (common_modes).
 [[nodiscard]] std::vector<ConditionEffect> condition_effects(const CampaignFile& campaign,
                                                              const CampaignLevels& levels,
                                                              const SessionEffects& effects);
@@ -82,6 +89,9 @@ struct ConditionVerdict {
 /// tests to identify from has.
 [[nodiscard]] std::vector<Warning> condition_warnings(const CampaignFile& campaign,
                                                       const std::vector<ConditionEffect>& effects);
+
+/// What conditions.csv tells of a condition without common modes.
+[[nodiscard]] std::string no_common_modes_text(const std::string& condition);
 
 /// "D +0.62 ± 0.03 %, frequency -0.01 ± 0.002 % per unit of torque_Nm"; empty without a trend.
 [[nodiscard]] std::string trend_text(const ConditionEffect& effect);

@@ -282,6 +282,7 @@ std::string conditions_table(const DoneCampaign& done, const std::string& commen
   for (const ConditionEffect& effect : done.conditions) {
     const std::string trend = trend_text(effect);
     if (!trend.empty()) table.add_comment("trend: " + trend);
+    if (!effect.common_modes) table.add_comment(no_common_modes_text(effect.name));
     for (const ConditionGroup& group : effect.groups) rows.push_back({effect.name, &group});
   }
   std::vector<std::string> names;

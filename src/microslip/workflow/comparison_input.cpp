@@ -219,6 +219,8 @@ void add_conditions(const NamedInput& input, CampaignFound& found) {
   }
   for (ConditionFound& condition : found.conditions) {
     condition.effect.overlap = amplitudes_overlap(condition.effect.groups);
+    condition.effect.common_modes =
+        std::ranges::count(table.comments(), no_common_modes_text(condition.effect.name)) == 0;
   }
 }
 
