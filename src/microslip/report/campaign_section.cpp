@@ -219,7 +219,10 @@ ReportTable left_out_table_of(const CampaignFound& found) {
     if (first.contradicts) table.marked.push_back(table.rows.size());
     table.rows.push_back({first.left_out, static_cast<double>(count),
                           first.mean_deviation / kPercent, static_cast<double>(inside),
-                          first.chance / kPercent, std::string(first.contradicts ? "yes" : "no")});
+                          first.chance / kPercent,
+                          std::string(first.contradicts ? "yes"
+                                      : first.judged    ? "no"
+                                                        : "not judged")});
   }
   return table;
 }

@@ -137,21 +137,30 @@ void predict(const CampaignLevels& all, const LeaveOutOptions& options, LeftOut&
 
 }  // namespace
 
+std::string LeftOut::not_judged() const {
+  const auto unknown = std::ranges::find_if(warnings, [](const Warning& warning) {
+    return warning.code == "known_only_together" || warning.code == "joint_not_seen";
+  });
+  return unknown == warnings.end() ? "" : unknown->text;
+}
+
 double LeftOut::mean_deviation() const {
   double sum = 0.0;
-  std::size_t count = 0;
+  double weights = 0.0;
   for (std::size_t i = 0; i < curve.size(); ++i) {
-    if (!curve.compares(i) || !(curve.measured[i] > 0.0)) continue;
-    sum += std::log(curve.measured[i] / curve.predicted[i]);
-    ++count;
+    if (!curve.compares(i) || !(curve.predicted[i] > 0.0)) continue;
+    const double sigma = i < curve.measured_std.size() ? curve.measured_std[i] : 0.0;
+    const double weight = sigma > 0.0 ? std::pow(curve.predicted[i] / sigma, 2) : 1.0;
+    sum += weight * curve.measured[i] / curve.predicted[i];
+    weights += weight;
   }
-  return count == 0 ? std::numeric_limits<double>::quiet_NaN() : sum / static_cast<double>(count);
+  return std::log(sum / weights);  // NaN of none
 }
 
 bool LeftOut::contradicts() const {
   // Two draws are what an edge lies between.
   const double taken_draws = static_cast<double>(taken.options.count - taken.failed());
-  return curve.compared() > 0 && curve.inside() < curve.compared() &&
+  return not_judged().empty() && curve.compared() > 0 && curve.inside() < curve.compared() &&
          curve.chance <= 1.0 - taken.options.confidence + 2.0 / taken_draws;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "microslip/base/execution.hpp"
@@ -19,6 +20,9 @@
 
 namespace microslip {
 
+/// In place of a verdict where the others do not know each joint by itself.
+inline constexpr std::string_view kNotJudged = "not_judged";
+
 /// What was left out, and what the others predict of it.
 struct LeftOut {
   std::string name = {};                 ///< of the test, or of test and level
@@ -31,10 +35,15 @@ struct LeftOut {
   bool converged = true;  ///< the identification without it
   /// Why the others give nothing, of a model; then no level is compared. Empty where they do.
   std::string failure = {};
+  std::vector<Warning> warnings = {};  ///< of a model, of the identification without it
 
-  /// Mean of ln(D/D̂) over the levels that are compared, 1; NaN where there is none.
+  /// Why it is not judged: the others do not know each joint by itself, and where that is so their
+  /// bands are not to be believed. Empty where it is.
+  [[nodiscard]] std::string not_judged() const;
+  /// ln of the mean of D/D̂, weighted by (D̂/σ)², over the levels that are compared, 1; NaN where
+  /// there is none.
   [[nodiscard]] double mean_deviation() const;
-  /// Whether so few levels lie in the band as of 1 − P of the draws, or fewer.
+  /// Whether it is judged, and so few levels lie in the band as of 1 − P of the draws, or fewer.
   [[nodiscard]] bool contradicts() const;
   /// Measured less predicted of value i over the distance of the edge of the band on that side, 1:
   /// beyond 1 and −1 it is outside. NaN where it is not compared.

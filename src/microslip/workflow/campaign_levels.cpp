@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <string_view>
 #include <utility>
 
@@ -148,6 +149,24 @@ Levels some_levels(const Levels& levels, std::span<const std::size_t> which) {
   Levels kept{.amplitude = some(levels.amplitude), .dissipation = some(levels.dissipation)};
   for (const OptionalValues& one : kOptional) kept.*one.values = some(levels.*one.values);
   return kept;
+}
+
+std::vector<std::string> names_of_levels(const CampaignFile& campaign,
+                                         const CampaignLevels& levels) {
+  std::map<std::size_t, std::size_t> of_test;  // levels so far
+  std::vector<std::string> names;
+  for (const std::size_t test : levels.test) {
+    names.push_back(fmt::format("{}: level {}", campaign.tests[test].name, ++of_test[test]));
+  }
+  return names;
+}
+
+std::vector<std::string> names_of_levels(const CampaignFile& campaign, const CampaignLevels& levels,
+                                         std::span<const std::size_t> which) {
+  const std::vector<std::string> all = names_of_levels(campaign, levels);
+  std::vector<std::string> names;
+  for (const std::size_t i : which) names.push_back(all[i]);
+  return names;
 }
 
 std::string pooled_levels_text(const CampaignLevels& levels, const CampaignFile& campaign,

@@ -61,6 +61,15 @@ struct CampaignLevels {
 /// Those of some numbers, from 0.
 [[nodiscard]] Levels some_levels(const Levels& levels, std::span<const std::size_t> which);
 
+/// "Friday: level 3" of each level, by its number in the table of its test.
+[[nodiscard]] std::vector<std::string> names_of_levels(const CampaignFile& campaign,
+                                                       const CampaignLevels& levels);
+
+/// Those of some, by their numbers from 0.
+[[nodiscard]] std::vector<std::string> names_of_levels(const CampaignFile& campaign,
+                                                       const CampaignLevels& levels,
+                                                       std::span<const std::size_t> which);
+
 /// The text of levels.csv: `amplitude [m], dissipation [J]`, frequency [Hz] less the offset of the
 /// session, `measured_frequency [Hz]` as it was, and `test, session, source, reversals, flags`.
 /// @param levels    as read. @param campaign  of them.

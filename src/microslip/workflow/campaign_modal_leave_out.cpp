@@ -18,6 +18,8 @@ namespace microslip {
 namespace {
 
 constexpr double kNotCompared = std::numeric_limits<double>::quiet_NaN();
+/// Over the largest amplitude of the others: two calibrations agree no better on amplitudes.
+constexpr double kNearlyBeyond = 1.01;
 
 /// What is left out at once, by the order of the levels.
 struct ModalPart {
@@ -27,10 +29,9 @@ struct ModalPart {
 
 std::vector<ModalPart> modal_parts(const CampaignFile& plan, const CampaignLevels& levels) {
   std::map<std::size_t, ModalPart> parts;
-  std::map<std::size_t, std::size_t> of_test;  // levels so far
+  const std::vector<std::string> names = names_of_levels(plan, levels);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const std::string& test = plan.tests[levels.test[i]].name;
-    const std::size_t number = ++of_test[levels.test[i]];
     switch (plan.leave_out) {
       case LeaveOut::kTests:
         parts[levels.test[i]].name = test;
@@ -41,7 +42,7 @@ std::vector<ModalPart> modal_parts(const CampaignFile& plan, const CampaignLevel
         parts[levels.mode[i]].levels.push_back(i);
         break;
       case LeaveOut::kLevels:
-        parts[i] = {fmt::format("{}: level {}", test, number), {i}};
+        parts[i] = {names[i], {i}};
         break;
       case LeaveOut::kNothing:
         break;
@@ -95,6 +96,7 @@ class ModalPartsLeftOut {
     const ModalLevels left = some_levels(what_.modal, others);
     CalibrationOptions options = what_.calibration.options;
     options.progress = progress;
+    options.level_names = names_of_levels(what_.plan, what_.levels, others);
     done.found =
         calibrate(done.model.structure, done.model.to_find, done.model.response, left, options);
     ModelFile model = model_with_found(what_.calibration, done);
@@ -113,14 +115,12 @@ class ModalPartsLeftOut {
   [[nodiscard]] bool beyond(const Others& others, std::size_t level) const {
     return std::ranges::any_of(others.done.found.joints, [&](const CalibratedJoint& joint) {
       const JointAtLevel& at = what_.done.found.levels[level].joints[joint.index];
-      return at.amplitude > joint.largest_amplitude;
+      return at.amplitude > kNearlyBeyond * joint.largest_amplitude;
     });
   }
 
   [[nodiscard]] double noise_of(std::size_t level) const {
-    const CalibratedLevel& found = what_.done.found.levels[level];
-    const double sigma = found.measured_dissipation_std;
-    return std::isfinite(sigma) ? sigma : what_.done.found.loss_scatter * found.dissipation;
+    return what_.done.found.levels[level].loss_noise;
   }
 
   void add_part(const ModalPart& part, const Progress& progress, std::vector<LeftOut>& all) const {
@@ -128,7 +128,7 @@ class ModalPartsLeftOut {
     std::set<std::size_t> modes;
     for (const std::size_t i : part.levels) modes.insert(what_.levels.mode[i]);
     for (const std::size_t mode : modes) {
-      LeftOut left{.name = part.name};
+      LeftOut left{.name = part.name, .warnings = others.done.found.warnings};
       if (modes.size() > 1) left.name += fmt::format(": mode {}", mode);
       for (const std::size_t i : part.levels) {
         const bool known = std::isfinite(what_.levels.levels.dissipation[i]);

@@ -45,6 +45,12 @@ std::vector<std::string> sources_of_modal(const NamedInput& input, std::size_t c
   return names;
 }
 
+/// What is told against each level, between blanks; empty where nothing is.
+std::vector<std::string> flags_of_modal_table(const NamedInput& input, std::size_t count) {
+  const CsvTable table(input.text, input_name(input.path));
+  return table.has("flags") ? table.text("flags") : std::vector<std::string>(count);
+}
+
 /// A vector of one value a level, NaN where it was not measured.
 std::vector<double> whole(const std::vector<double>& values, std::size_t count) {
   return values.empty() ? std::vector<double>(count, std::numeric_limits<double>::quiet_NaN())
@@ -70,7 +76,7 @@ void append_modal_test(const CampaignFile& campaign, std::size_t number, const M
   for (const std::size_t mode : more.mode) levels.mode.push_back(mode + 1);
   levels.test.insert(levels.test.end(), count, number);
   std::ranges::copy(sources_of_modal(input, count), std::back_inserter(levels.source));
-  levels.flags.insert(levels.flags.end(), count, "");
+  std::ranges::copy(flags_of_modal_table(input, count), std::back_inserter(levels.flags));
   levels.reversals.insert(levels.reversals.end(), count, 2.0);
   std::ranges::copy(more.displacement, std::back_inserter(levels.levels.amplitude));
   std::ranges::copy(whole(more.frequency, count), std::back_inserter(levels.levels.frequency));
@@ -141,6 +147,7 @@ std::string pooled_modal_levels_text(const CampaignModalLevels& all, const Campa
   table.add_text("test", tests);
   table.add_text("session", sessions);
   table.add_text("source", all.levels.source);
+  table.add_text("flags", all.levels.flags);
   return table.str();
 }
 

@@ -2,11 +2,14 @@
 #include "microslip/workflow/campaign_tables.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <set>
 #include <string_view>
 
 #include "microslip/io/csv_writer.hpp"
@@ -190,6 +193,14 @@ void add_quantity(const std::vector<CampaignRow>& rows, std::size_t q, CsvWriter
   table.add_text(fmt::format("{}_verdict", quantity.column), verdicts);
 }
 
+/// Each code once, with blanks between.
+std::string codes_of(const std::vector<Warning>& warnings) {
+  const auto code = [](const Warning& warning) { return warning.code; };
+  std::set<std::string> codes;
+  std::ranges::transform(warnings, std::inserter(codes, codes.end()), code);
+  return fmt::format("{}", fmt::join(codes, " "));
+}
+
 /// A row of leave_one_out.csv.
 struct LeftOutRow {
   const LeftOut* part;
@@ -348,9 +359,16 @@ std::string left_out_table(const DoneCampaign& done, const std::string& comment)
   add("chance", kDimensionless,
       [](Row row) { return row.part->curve.compared() > 0 ? row.part->curve.chance : kEmptyCell; });
   std::vector<std::string> contradicts;
-  for (const LeftOutRow& row : rows)
-    contradicts.emplace_back(row.part->contradicts() ? "yes" : "no");
+  std::vector<std::string> warnings;
+  for (const LeftOutRow& row : rows) {
+    const LeftOut& part = *row.part;
+    contradicts.emplace_back(part.contradicts()          ? "yes"
+                             : part.not_judged().empty() ? "no"
+                                                         : kNotJudged);
+    warnings.push_back(codes_of(part.warnings));
+  }
   table.add_text("contradicts", contradicts);
+  if (done.plan.of_model()) table.add_text("warnings_of_others", warnings);
   return table.str();
 }
 

@@ -11,6 +11,7 @@
 #include "microslip/base/units.hpp"
 #include "microslip/io/csv.hpp"
 #include "microslip/io/warning_comment.hpp"
+#include "microslip/workflow/campaign_leave_out.hpp"
 #include "microslip/workflow/comparison_table.hpp"
 #include "microslip/workflow/comparison_text.hpp"
 #include "microslip/workflow/table_cells.hpp"
@@ -233,6 +234,8 @@ void add_left_out(const NamedInput& input, CampaignFound& found) {
            [](LeftOutEntry& entry, const std::string& cell) { entry.verdict = cell; });
   put_text(table, "contradicts", entries,
            [](LeftOutEntry& entry, const std::string& cell) { entry.contradicts = cell == "yes"; });
+  put_text(table, "contradicts", entries,
+           [](LeftOutEntry& entry, const std::string& cell) { entry.judged = cell != kNotJudged; });
   put_numbers(table, "amplitude", entries, &LeftOutEntry::amplitude);
   put_numbers(table, "measured", entries, &LeftOutEntry::measured);
   put_numbers(table, "predicted", entries, &LeftOutEntry::predicted);

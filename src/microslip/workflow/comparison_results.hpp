@@ -57,6 +57,7 @@ struct LeftOutEntry {
   double mean_deviation = 0.0;  ///< of all that was left out together, 1
   double chance = 0.0;          ///< likewise, 1
   bool contradicts = false;     ///< likewise
+  bool judged = true;           ///< likewise: whether the others know the joints one by one
 };
 
 /// A condition of conditions.csv.
