@@ -61,10 +61,10 @@ std::string unknown_model(const JointedStructure& truth = true_structure()) {
 /// structure. The joints move less in the third mode than in the others.
 /// @param offset  of the frequencies, beside those of the structure.
 std::string measured(const JointedStructure& truth, std::size_t mode, std::size_t session,
-                     double gain, double offset) {
+                     double gain, double offset, Forcing forcing = Forcing::kExcitation) {
   constexpr std::array kFrom{5e-6, 1e-6, 4e-7};
   constexpr std::array kTo{2.5e-4, 0.7e-4, 0.35e-5};
-  const HarmonicBalance balance(truth, {"p1"}, {});
+  const HarmonicBalance balance(truth, {"p1"}, {.forcing = forcing});
   RandomStream random(5, 10 * session + mode);
   std::vector<double> responses;
   for (std::size_t i = 0; i < kLevels; ++i) {
@@ -82,6 +82,48 @@ std::string measured(const JointedStructure& truth, std::size_t mode, std::size_
         gain * loss * (1.0 + kLossNoise * random.normal()));
   }
   return text;
+}
+
+/// The same with damping ratios, to 1 %, in place of losses: at the lowest levels the joints have less
+/// of them than the noise.
+std::string measured_damping(std::size_t mode, std::size_t session) {
+  constexpr double kNoise = 0.01;
+  constexpr std::array kFrom{5e-6, 1e-6, 4e-7};
+  constexpr std::array kTo{2.5e-4, 0.7e-4, 0.35e-5};
+  const HarmonicBalance balance(true_structure(), {"p1"}, {});
+  RandomStream random(7, 10 * session + mode);
+  std::vector<double> responses;
+  for (std::size_t i = 0; i < kLevels; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(kLevels - 1);
+    responses.push_back(kFrom.at(mode) * std::pow(kTo.at(mode) / kFrom.at(mode), share));
+  }
+  std::string text = "mode [1],displacement [m],frequency [Hz],damping_ratio [1]\n";
+  for (const SteadyVibration& point : balance.backbone(responses, mode).points) {
+    text += fmt::format("{},{:.12g},{:.12g},{:.12g}\n", mode + 1, point.response, point.frequency(),
+                        point.damping_ratio() * (1.0 + kNoise * random.normal()));
+  }
+  return text;
+}
+
+/// A table with one more column. @param cell  of it, from those of a row.
+template <typename Cell>
+std::string with_column(const std::string& table, const std::string& name, const Cell& cell) {
+  std::string wider;
+  std::size_t number = 0;
+  for (std::size_t at = 0; at < table.size(); ++number) {
+    const std::size_t end = table.find('\n', at);
+    const std::string row = table.substr(at, end - at);
+    wider += row + ',' + (number == 0 ? name : cell(number, row)) + '\n';
+    at = end + 1;
+  }
+  return wider;
+}
+
+/// A table whose losses say that they are known to a share.
+std::string with_deviations(const std::string& table, double share) {
+  return with_column(table, "dissipation_std [J]", [&](std::size_t, const std::string& row) {
+    return fmt::format("{:.6g}", share * std::stod(row.substr(row.rfind(',') + 1)));
+  });
 }
 
 const std::string kHead = R"(schema = "microslip.campaign/1"
@@ -237,11 +279,13 @@ TEST(campaign_of_a_model, PutsTheOffsetOnTheStructureAlone) {
   }
   EXPECT_EQ(count, static_cast<double>(kModes * kLevels));
   EXPECT_GE(held, count - 4.0);
-  // The bands are those of a frequency that is read to 1e-5: not wide.
-  const std::vector<double> lower = rows.numbers("frequency_lower", kFrequency);
-  const std::vector<double> upper = rows.numbers("frequency_upper", kFrequency);
+  // Bands are those of a frequency that is read to 1e-5, and of what the offset of the structure
+  // changes by as its joints soften: a sixth of the 0.5 % that it is at most.
+  const std::vector<std::string> lower = rows.text("frequency_lower");
+  const std::vector<std::string> upper = rows.text("frequency_upper");
   for (std::size_t i = 0; i < sessions.size(); ++i) {
-    if (!verdicts[i].empty()) EXPECT_LT(upper[i] / lower[i] - 1.0, 30.0 * kFrequencyNoise) << i;
+    if (verdicts[i].empty()) continue;
+    EXPECT_LT(std::stod(upper[i]) / std::stod(lower[i]) - 1.0, 0.001) << i;
   }
   const ModelFile given = read_model(box.file("found/model_2.toml"));
   for (std::size_t i = 0; i < kModes; ++i) {
@@ -280,6 +324,99 @@ TEST(campaign_of_a_model, NamesNoneThatAgree) {
   EXPECT_TRUE(contradicting(box).empty()) << run.out;
 }
 
+// Damping ratios without standard deviations: their noise is a share of the loss of structure and
+// joints, and so is what they are held against. The losses that are left for the joints are negative
+// at some of the lowest levels; means are not off by them. Five standard deviations of nine ratios.
+TEST(campaign_of_a_model, JudgesDampingRatiosByTheirScatter) {
+  MICROSLIP_OF_RELEASE_ALONE();
+  const Laboratory box;
+  for (std::size_t session = 0; session < 2; ++session) {
+    for (std::size_t mode = 0; mode < kModes; ++mode) {
+      box.put(name_of(session, mode) + ".csv", measured_damping(mode, session));
+    }
+  }
+  box.put("campaign.toml", campaign("leave_one_out = \"tests\"\n", "identify"));
+  const Outcome run = expect_done(box, kCall);
+  EXPECT_TRUE(contradicting(box).empty()) << run.out;
+  for (const double offset :
+       table(box, "sessions.csv").numbers("dissipation_offset", kDimensionless)) {
+    EXPECT_NEAR(offset, 0.0, 5.0 * 0.01 / 3.0);
+  }
+  // Both sessions have the same displacements: what the one reaches is not beyond the other.
+  const std::vector<std::string> verdicts = table(box, "leave_one_out.csv").text("verdict");
+  EXPECT_EQ(std::ranges::count(verdicts, "beyond"), 0);
+}
+
+// Losses scatter by 0.5 % and say 0.2 %: calibrate tells so, and what is left out and what is
+// predicted is held against what they scatter by.
+TEST(campaign_of_a_model, TakesDeviationsForNoLessThanTheScatter) {
+  MICROSLIP_OF_RELEASE_ALONE();
+  const Laboratory box;
+  for (std::size_t session = 0; session < 2; ++session) {
+    for (std::size_t mode = 0; mode < kModes; ++mode) {
+      const std::string name = name_of(session, mode) + ".csv";
+      box.put(name, with_deviations(box.get(name), 0.002));
+    }
+  }
+  box.put("campaign.toml", campaign("leave_one_out = \"tests\"\n", "both"));
+  const Outcome run = expect_done(box, kCall);
+  EXPECT_TRUE(contradicting(box).empty()) << run.out;
+  const auto [held, count] = inside(box, "dissipation");
+  EXPECT_EQ(count, 2.0 * kLevels);
+  EXPECT_GE(held, count - 3.0);
+  EXPECT_NE(box.get("found/comparison.csv").find("times their standard deviations"),
+            std::string::npos);
+}
+
+// Without one of two modes the other cannot tell two joints apart: that is said, and nobody accused.
+TEST(campaign_of_a_model, DoesNotJudgeByJointsThatAreKnownOnlyTogether) {
+  const Laboratory box;
+  box.put("campaign.toml", R"(schema = "microslip.campaign/1"
+model = "model.toml"
+[identification]
+draws = 100
+leave_one_out = "tests"
+[[test]]
+name = "monday1"
+file = "monday1.csv"
+use = "identify"
+[[test]]
+name = "monday2"
+file = "monday2.csv"
+use = "identify"
+)");
+  const Outcome run = expect_done(box, kCall);
+  EXPECT_TRUE(contradicting(box).empty()) << run.out;
+  const CsvTable left_out = table(box, "leave_one_out.csv");
+  EXPECT_GE(std::ranges::count(left_out.text("contradicts"), "not_judged"), 1) << run.out;
+  EXPECT_NE(left_out.text("warnings_of_others").front().find("known_only_together"),
+            std::string::npos);
+  EXPECT_NE(run.out.find("is not judged: without it"), std::string::npos) << run.out;
+}
+
+// What is told of a level names its test, and what a table tells of its levels goes along.
+TEST(campaign_of_a_model, NamesLevelsByTheirTests) {
+  const Laboratory box;
+  const std::string flagged =
+      with_column(box.get("monday3.csv"), "flags", [](std::size_t number, const std::string&) {
+        return std::string(number == 2 ? "not_steady" : "");
+      });
+  box.put("monday3.csv", flagged);
+  std::string wrong = box.get("friday2.csv");  // the loss of its fourth level
+  std::size_t end = 0;
+  for (int row = 0; row < 5; ++row) end = wrong.find('\n', end) + 1;
+  const std::size_t cell = wrong.rfind(',', end) + 1;
+  wrong.replace(cell, end - 1 - cell,
+                fmt::format("{:.8g}", 1.5 * std::stod(wrong.substr(cell, end - 1 - cell))));
+  box.put("friday2.csv", wrong);
+  box.put("campaign.toml", campaign("", "identify"));
+  const Outcome run = expect_done(box, kCall);
+  EXPECT_NE(run.out.find("friday2: level 4 has 1.4"), std::string::npos) << run.out;
+  const std::vector<std::string> flags = table(box, "modal_levels.csv").text("flags");
+  EXPECT_EQ(flags[2 * kLevels + 1], "not_steady");
+  EXPECT_EQ(std::ranges::count(flags, ""), static_cast<std::ptrdiff_t>(flags.size()) - 1);
+}
+
 // A decay of the second mode by a march of the true structure, whose hysteretic damping is viscous
 // there: frequencies and damping ratios that it follows from the joints that it identified, with two
 // tables, to its standard deviations.
@@ -297,7 +434,10 @@ TEST(campaign_of_a_model, TakesADecay) {
                "4096Hz", "--no-error-estimate", "--out", "march.csv", "--quiet"});
   const std::string marched = box.get("march.csv");
   box.put("blow.csv", marched.substr(0, marched.rfind('\n', marched.size() - 2) + 1));
-  box.put("campaign.toml", R"(schema = "microslip.campaign/1"
+  for (const std::size_t mode : {0, 2}) {  // tables of decays, too
+    box.put(name_of(0, mode) + ".csv", measured(truth, mode, 0, 1.0, 0.0, Forcing::kModal));
+  }
+  const std::string plan = R"(schema = "microslip.campaign/1"
 model = "model.toml"
 [identification]
 draws = 200
@@ -317,7 +457,10 @@ use = "both"
 kind = "ringdown"
 mode = 2
 sensors = { displacement = "p1" }
-)");
+)";
+  box.put("campaign.toml", test::replaced(plan, "forcing = \"modal\"\n", ""));
+  expect_refused(box, kCall, {"blow", "ringdown", "nothing drives a decay", "forcing = \"modal\""});
+  box.put("campaign.toml", plan);
   expect_done(box, kCall);
   EXPECT_TRUE(box.has("found/blow_levels.csv"));
   for (const std::string quantity : {"frequency", "damping_ratio"}) {
@@ -341,6 +484,15 @@ TEST(campaign_of_a_model, TakesASteadyRecord) {
   const Sandbox box{{"model.toml", model},
                     {"levels.csv", test::get(folder + "modal_levels.csv")},
                     {"steady.csv", test::get(folder + "recordings/mode2_level10.csv")},
+                    {"modal.toml", R"(schema = "microslip.campaign/1"
+model = "model.toml"
+[identification]
+forcing = "modal"
+[[test]]
+name = "steady"
+file = "steady.csv"
+use = "identify"
+)"},
                     {"campaign.toml", R"(schema = "microslip.campaign/1"
 model = "model.toml"
 [[test]]
@@ -352,6 +504,8 @@ name = "steady"
 file = "steady.csv"
 use = "identify"
 )"}};
+  expect_refused(box, {"campaign", "modal.toml", "--out", "found"},
+                 {"steady", "drives a steady record", "forcing = \"excitation\""});
   expect_done(box, kCall);
   EXPECT_TRUE(box.has("found/steady_levels.csv"));
   const CsvTable rows = table(box, "campaign.csv");
@@ -410,6 +564,17 @@ TEST(campaign_of_a_model, SaysWhatItCannotDo) {
           {"session_offsets", "absolute", "change"});
   refused("session_offsets = true", "stiffness = \"fit\"", {"stiffness", "absolute"});
   refused("session_offsets = true", "harmonics = 0", {"harmonics", "1 to 100"});
+  box.put("campaign.toml", R"(schema = "microslip.campaign/1"
+model = "model.toml"
+[identification]
+draws = 100
+leave_one_out = "modes"
+[[test]]
+name = "monday1"
+file = "monday1.csv"
+use = "identify"
+)");
+  expect_refused(box, kCall, {"leave_one_out", "modes", "of one mode"});
   refused("file = \"monday1.csv\"", "file = \"levels.csv\"",
           {"monday1", "a table of levels", "identify"});
   refused("file = \"monday1.csv\"", "file = \"sweep.csv\"",

@@ -39,7 +39,7 @@ struct ModalOffsets {
 ///
 /// with Ω² the eigenvalues of diag(ω_i²) − Σ k_s ψψᵀ + Σ κ ψψᵀ, κ the stiffness of each joint with
 /// what lies in series, and q_m their vectors of length 1: Rayleigh's quotient. By Newton's method,
-/// S⁺ the pseudoinverse: ε = ε⁰ + S⁺(δ − Sε⁰) to first order.
+/// S⁺ the pseudo-inverse: ε = ε⁰ + S⁺(δ − Sε⁰) to first order.
 /// @param told    no vibration twice.
 /// @param others  ε⁰ of each mode, 1.
 /// @throws InputError  where no ε moves them so, or the structure has none without its joints.

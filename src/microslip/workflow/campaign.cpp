@@ -7,8 +7,10 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -77,6 +79,28 @@ void check_smoothing(const CampaignRun& run, const CampaignFile& plan) {
                    "p is of the method spline of identify, which has no draws.");
 }
 
+/// All levels are taken to be driven alike: nothing drives a decay, and a steady record is driven.
+void check_forcing(const CampaignFile& plan) {
+  if (!plan.of_model()) return;
+  for (const CampaignTest& test : plan.tests) {
+    if (!test.identifies()) continue;
+    const bool decay = test.kind == CampaignKind::kRingDown;
+    if (decay && !plan.modal_forcing) {
+      throw InputError(
+          fmt::format("test '{}': kind", test.name), in_quotes("ringdown"),
+          "must not be identified from beside forcing = \"excitation\": nothing drives "
+          "a decay",
+          "Give forcing = \"modal\", and driven levels in a campaign of their own.");
+    }
+    if (!decay && plan.modal_forcing && !is_modal_levels_table(test.file)) {
+      throw InputError(fmt::format("test '{}'", test.name), in_quotes(test.file),
+                       "must not be identified from beside forcing = \"modal\": the excitation "
+                       "drives a steady record",
+                       "Give forcing = \"excitation\", and decays in a campaign of their own.");
+    }
+  }
+}
+
 void check_campaign(const CampaignRun& run, const CampaignFile& plan) {
   check_structure(plan);
   check_smoothing(run, plan);
@@ -84,6 +108,7 @@ void check_campaign(const CampaignRun& run, const CampaignFile& plan) {
   for (const CampaignTest& test : plan.tests) files.push_back(test.file);
   check_distinct_files(files);
   for (const CampaignTest& test : plan.tests) check_campaign_test(test, plan.subject);
+  check_forcing(plan);
 }
 
 /// Conditions of tests that are predicted alone are columns, no more.
@@ -174,11 +199,28 @@ CampaignComment comment_of(const CampaignRun& run, const CampaignFile& plan) {
   return comment;
 }
 
+/// Standard deviations of losses that were found too small count so much more.
+std::string widen_deviations(double scatter, ModalLevels& levels) {
+  if (!(scatter > 1.0)) return {};
+  bool widened = false;
+  for (const auto std : {&ModalLevels::dissipation_std, &ModalLevels::damping_ratio_std}) {
+    for (double& deviation : levels.*std) deviation *= scatter;
+    widened = widened || !(levels.*std).empty();
+  }
+  if (!widened) return {};
+  return fmt::format(
+      "its losses are taken to scatter {:.3g} times their standard deviations, as those of the "
+      "levels to identify from do",
+      scatter);
+}
+
 /// Gives levels of modes without standard deviations of their losses those of a relative scatter.
 /// @return what was done, in words; empty where nothing was.
-std::string assume_scatter(double scatter, ReadTest& test) {
+std::string assume_scatter(const FoundAtLevels& found, ReadTest& test) {
   auto* levels = std::get_if<ModalLevels>(&test.content);
-  if (levels == nullptr || !(scatter > 0.0)) return {};
+  if (levels == nullptr) return {};
+  const double scatter = found.loss_scatter;
+  if (!(scatter > 0.0)) return widen_deviations(found.deviation_scatter, *levels);
   bool assumed = false;
   for (const auto& [values, std] :
        {std::pair{&ModalLevels::dissipation, &ModalLevels::dissipation_std},
@@ -211,14 +253,17 @@ class CampaignWork {
     joints_->identify(stage(run_, 0, stages_), all);
     all.conditions = condition_effects(plan_, all.levels, all.sessions);
     leave_out(all);
-    const ModelFile model = joints_->model(all.warnings);
+    const ModelFile nominal = joints_->model(all.warnings);
+    const ModelsOfSessions models = models_of_sessions(nominal, all);
     warn_of_sessions(all);
-    predict(model, all);
-    compose(model, all);
+    predict(models, all);
+    compose(models, all);
     return all;
   }
 
  private:
+  using ModelsOfSessions = std::map<std::string, ModelFile>;
+
   void leave_out(DoneCampaign& all) const {
     if (plan_.leave_out == LeaveOut::kNothing) return;
     all.left_out = joints_->leave_out(all, stage(run_, 1, stages_));
@@ -229,6 +274,11 @@ class CampaignWork {
              part.failure.empty()
                  ? fmt::format("the identification without {} did not converge.", part.name)
                  : fmt::format("without {} nothing was found: {}", part.name, part.failure)});
+      }
+      if (!part.not_judged.empty()) {
+        all.warnings.push_back(
+            {"left_out_not_judged",
+             fmt::format("{} is not judged: without it, {}", part.name, part.not_judged)});
       }
       if (!part.contradicts()) continue;
       all.warnings.push_back(
@@ -340,6 +390,20 @@ class CampaignWork {
     return model;
   }
 
+  /// Of the first session and of those of predicted tests.
+  [[nodiscard]] ModelsOfSessions models_of_sessions(const ModelFile& nominal,
+                                                    const DoneCampaign& all) const {
+    std::set<std::string> sessions{plan_.sessions().front()};
+    for (const CampaignTest& test : plan_.tests) {
+      if (test.predicted()) sessions.insert(test.session);
+    }
+    ModelsOfSessions models;
+    for (const std::string& session : sessions) {
+      models.emplace(session, model_of(nominal, all, session));
+    }
+    return models;
+  }
+
   void set_spread(std::vector<double> deviation, ModelFile& model) const {
     std::vector<double>& frequency = model.spread.frequency;
     frequency = std::move(deviation);
@@ -362,8 +426,10 @@ class CampaignWork {
     return options;
   }
 
-  [[nodiscard]] Forcing forcing() const {
-    const bool driven = plan_.of_model() && !plan_.modal_forcing;
+  /// Nothing drives a decay, whatever its levels are in.
+  [[nodiscard]] Forcing forcing_of(const CampaignTest& test) const {
+    const bool decay = test.kind == CampaignKind::kRingDown;
+    const bool driven = plan_.of_model() && !plan_.modal_forcing && !decay;
     return driven ? Forcing::kExcitation : Forcing::kModal;
   }
 
@@ -371,12 +437,12 @@ class CampaignWork {
     return {.count = plan_.draws, .seed = plan_.seed};
   }
 
-  void predict(const ModelFile& nominal, DoneCampaign& all) const {
+  void predict(const ModelsOfSessions& models, DoneCampaign& all) const {
     std::size_t n = stages_ - static_cast<std::size_t>(
                                   std::ranges::count_if(plan_.tests, &CampaignTest::predicted));
     for (std::size_t t = 0; t < plan_.tests.size(); ++t) {
       if (!plan_.tests[t].predicted()) continue;
-      const ModelFile model = model_of(nominal, all, plan_.tests[t].session);
+      const ModelFile& model = models.at(plan_.tests[t].session);
       ReadTest read = of_campaign_test(plan_.tests[t], [&] {
         return read_test(plan_.tests[t].file, &model, "model.toml",
                          campaign_reading(plan_.tests[t]));
@@ -384,7 +450,7 @@ class CampaignWork {
       if (std::holds_alternative<std::vector<SteppedSine>>(read.content)) {
         require_driven_by_forces(model, plan_.structure, "campaign");
       }
-      const std::string note = assume_scatter(all.found.loss_scatter, read);
+      const std::string note = assume_scatter(all.found, read);
       for (const Warning& warning : read.warnings) {
         all.warnings.push_back(
             {warning.code, fmt::format("{}: {}", plan_.tests[t].name, warning.text)});
@@ -394,8 +460,8 @@ class CampaignWork {
       if (plan_.draws > 0) {
         draws = TestDraws{draw_options(), run_.execution, stage(run_, n, stages_)};
       }
-      for (ComparedTest& test :
-           compare_test(read, model, balance(), draws_by(model), draws, {}, forcing())) {
+      for (ComparedTest& test : compare_test(read, model, balance(), draws_by(model), draws, {},
+                                             forcing_of(plan_.tests[t]))) {
         if (!note.empty()) test.note += (test.note.empty() ? "" : "; ") + note;
         all.verified.tests.push_back(std::move(test));
         all.test_of.push_back(t);
@@ -409,7 +475,7 @@ class CampaignWork {
 
   // ---- Files. ----
 
-  void compose(const ModelFile& nominal, DoneCampaign& all) const {
+  void compose(const ModelsOfSessions& models, DoneCampaign& all) const {
     all.files = files_of(run_, plan_);
     const std::string comment = with_warnings(comment_.text, all.warnings);
     const auto put = [&](const std::string& name, const auto& text) {
@@ -421,11 +487,9 @@ class CampaignWork {
     for (const ResultFile& file : own) {
       put(fs::path(file.path).filename().string(), [&] { return file.content; });
     }
-    put("model.toml",
-        [&] { return format_model(model_of(nominal, all, plan_.sessions().front()), comment); });
+    put("model.toml", [&] { return format_model(models.at(plan_.sessions().front()), comment); });
     for (const std::string& session : sessions_with_model(plan_)) {
-      put(model_name(session),
-          [&] { return format_model(model_of(nominal, all, session), comment); });
+      put(model_name(session), [&] { return format_model(models.at(session), comment); });
     }
     put("comparison.csv", [&] { return comparison_table(all.verified); });
     put("campaign.csv", [&] { return campaign_table(all, comment); });
@@ -446,9 +510,9 @@ class CampaignWork {
 std::string describe_sessions(const SessionEffects& effects, bool of_model) {
   std::string text;
   for (const SessionEffect& session : effects.sessions) {
-    std::string facts =
-        fmt::format("{} of {}, D {:+.2g} % off the joint", counted(session.levels, "level"),
-                    counted(session.tests, "test"), 100.0 * session.dissipation_offset);
+    std::string facts = fmt::format(
+        "{} of {}, D {:+.2g} % off the joint{}", counted(session.levels, "level"),
+        counted(session.tests, "test"), 100.0 * session.dissipation_offset, of_model ? "s" : "");
     if (session.frequency_offset_std > 0.0) {
       facts += fmt::format(", frequency offset {:+.3f} ± {:.2g} %",
                            100.0 * session.frequency_offset, 100.0 * session.frequency_offset_std);
@@ -497,12 +561,16 @@ std::string describe_left_out(const std::vector<LeftOut>& parts) {
             ? "beyond the others, which predict nothing there"
             : fmt::format("D {:+.2g} % off what the others predict, {} of {} inside{}",
                           100.0 * std::expm1(part.mean_deviation()), part.curve.inside(),
-                          part.curve.compared(), part.contradicts() ? ": CONTRADICTS THEM" : "");
+                          part.curve.compared(),
+                          part.contradicts()         ? ": CONTRADICTS THEM"
+                          : !part.not_judged.empty() ? ": not judged"
+                                                     : "");
     text += line(&part == parts.data() ? "left out" : "", part.name + ": " + facts);
-    compared += part.curve.compared() > 0 ? 1 : 0;
+    compared += part.not_judged.empty() && part.curve.compared() > 0 ? 1 : 0;
     named += part.contradicts() ? 1 : 0;
   }
   if (parts.empty()) return text;
+  if (compared == 0) return text + line("", "none of them is judged");
   const double chance = 1.0 - parts.front().taken.options.confidence;
   return text + line("", fmt::format("{} of {} contradict the others, {:.2g} do by chance", named,
                                      compared, chance * static_cast<double>(compared)));

@@ -137,13 +137,6 @@ void predict(const CampaignLevels& all, const LeaveOutOptions& options, LeftOut&
 
 }  // namespace
 
-std::string LeftOut::not_judged() const {
-  const auto unknown = std::ranges::find_if(warnings, [](const Warning& warning) {
-    return warning.code == "known_only_together" || warning.code == "joint_not_seen";
-  });
-  return unknown == warnings.end() ? "" : unknown->text;
-}
-
 double LeftOut::mean_deviation() const {
   double sum = 0.0;
   double weights = 0.0;
@@ -160,7 +153,7 @@ double LeftOut::mean_deviation() const {
 bool LeftOut::contradicts() const {
   // Two draws are what an edge lies between.
   const double taken_draws = static_cast<double>(taken.options.count - taken.failed());
-  return not_judged().empty() && curve.compared() > 0 && curve.inside() < curve.compared() &&
+  return not_judged.empty() && curve.compared() > 0 && curve.inside() < curve.compared() &&
          curve.chance <= 1.0 - taken.options.confidence + 2.0 / taken_draws;
 }
 

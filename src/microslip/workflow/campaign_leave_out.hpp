@@ -36,10 +36,10 @@ struct LeftOut {
   /// Why the others give nothing, of a model; then no level is compared. Empty where they do.
   std::string failure = {};
   std::vector<Warning> warnings = {};  ///< of a model, of the identification without it
-
   /// Why it is not judged: the others do not know each joint by itself, and where that is so their
   /// bands are not to be believed. Empty where it is.
-  [[nodiscard]] std::string not_judged() const;
+  std::string not_judged = {};
+
   /// ln of the mean of D/D̂, weighted by (D̂/σ)², over the levels that are compared, 1; NaN where
   /// there is none.
   [[nodiscard]] double mean_deviation() const;

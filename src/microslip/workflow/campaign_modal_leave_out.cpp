@@ -53,6 +53,18 @@ std::vector<ModalPart> modal_parts(const CampaignFile& plan, const CampaignLevel
   return all;
 }
 
+/// Why nothing is judged by joints of these warnings. A joint that all levels together do not see,
+/// either, does nothing to what they predict.
+std::string why_not_judged(const std::vector<Warning>& others, const std::vector<Warning>& all) {
+  const auto together = std::ranges::find(others, "known_only_together", &Warning::code);
+  if (together != others.end()) return together->text;
+  const auto unseen = std::ranges::find(others, "joint_not_seen", &Warning::code);
+  const auto count = [](const std::vector<Warning>& warnings) {
+    return std::ranges::count(warnings, "joint_not_seen", &Warning::code);
+  };
+  return count(others) > count(all) ? unseen->text : "";
+}
+
 /// One part after the other.
 class ModalPartsLeftOut {
  public:
@@ -128,7 +140,10 @@ class ModalPartsLeftOut {
     std::set<std::size_t> modes;
     for (const std::size_t i : part.levels) modes.insert(what_.levels.mode[i]);
     for (const std::size_t mode : modes) {
-      LeftOut left{.name = part.name, .warnings = others.done.found.warnings};
+      const std::vector<Warning>& warnings = others.done.found.warnings;
+      LeftOut left{.name = part.name,
+                   .warnings = warnings,
+                   .not_judged = why_not_judged(warnings, what_.done.found.warnings)};
       if (modes.size() > 1) left.name += fmt::format(": mode {}", mode);
       for (const std::size_t i : part.levels) {
         const bool known = std::isfinite(what_.levels.levels.dissipation[i]);

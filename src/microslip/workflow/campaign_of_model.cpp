@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "microslip/base/error.hpp"
@@ -79,6 +80,8 @@ class ModelJoints : public CampaignJoints {
         campaign_modal_levels(plan_, done_.model, run_.out, run_.command, {});
     ModelCalibration options = calibration_;
     options.options.progress = progress;
+    options.options.level_names = names_of_levels(plan_, tests.levels);
+    require_modes_to_leave_out(tests.levels);
     calibrate_levels(options, tests.modal, kModalLevelsName, done_);
     const CalibrationResult& found = done_.found;
     tests.levels.levels.dissipation = measured_losses(found);
@@ -87,14 +90,15 @@ class ModelJoints : public CampaignJoints {
     all.sessions = session_effects(
         plan_, all.levels,
         {.frequency = of_levels(found, [](const CalibratedLevel& at) { return at.frequency; }),
-         .dissipation =
-             of_levels(found, [](const CalibratedLevel& at) { return at.dissipation; })});
+         .dissipation = of_levels(found, [](const CalibratedLevel& at) { return at.dissipation; }),
+         .damping_over_found = damping_over_found()});
     if (!modal_.damping_ratio.empty()) {
       all.found.measured_damping_ratio = modal_.damping_ratio;
       all.found.damping_ratio =
           of_levels(found, [](const CalibratedLevel& at) { return at.damping_ratio; });
     }
-    if (!found.loss_std_given) all.found.loss_scatter = found.loss_scatter;
+    (found.loss_std_given ? all.found.deviation_scatter : all.found.loss_scatter) =
+        found.loss_scatter;
     all.found.converged = found.summary.converged();
     CalibratedModel told = done_;  // whose warnings are among those of all
     told.found.warnings.clear();
@@ -127,11 +131,17 @@ class ModelJoints : public CampaignJoints {
     const std::vector<StructureOffset> told = told_offsets(session, model, all);
     const ModalOffsets found = modal_offsets(model.structure, told, others);
     modes.offset = found.offset;
+    const JointedStructure moved = with_modal_offsets(model.structure, found.offset);
+    std::vector<double> deviation;  // of each that is told
+    for (const StructureOffset& one : told) {
+      const double own = all.sessions.told_offset(session, one.mode + 1)->second;
+      deviation.push_back(std::hypot(
+          own, scatter[one.mode], change_over_levels(session, one, model.structure, moved, all)));
+    }
     for (std::size_t i = 0; i < scatter.size(); ++i) {
       double variance = found.left[i] * (others_std * others_std + scatter[i] * scatter[i]);
       for (std::size_t m = 0; m < told.size(); ++m) {
-        const double own = all.sessions.told_offset(session, told[m].mode + 1)->second;
-        variance += std::pow(found.by_told[i][m] * std::hypot(own, scatter[told[m].mode]), 2);
+        variance += std::pow(found.by_told[i][m] * deviation[m], 2);
       }
       modes.deviation[i] = std::sqrt(variance);
     }
@@ -155,6 +165,28 @@ class ModelJoints : public CampaignJoints {
   }
 
  private:
+  /// ζ/ζ̂ of levels whose losses are told by it, and by nothing else.
+  [[nodiscard]] std::vector<double> damping_over_found() const {
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < modal_.damping_ratio.size(); ++i) {
+      const CalibratedLevel& level = done_.found.levels[i];
+      const bool other = std::isfinite(ModalLevels::value(modal_.dissipation, i));
+      const double ratio = modal_.damping_ratio[i] / level.damping_ratio;
+      ratios.push_back(other || !level.found || !(ratio > 0.0)
+                           ? std::numeric_limits<double>::quiet_NaN()
+                           : ratio);
+    }
+    return ratios;
+  }
+
+  void require_modes_to_leave_out(const CampaignLevels& levels) const {
+    const std::set<std::size_t> modes(levels.mode.begin(), levels.mode.end());
+    if (plan_.leave_out != LeaveOut::kModes || modes.size() > 1) return;
+    throw InputError("identification.leave_one_out", "\"modes\"",
+                     "leaves nothing: all levels to identify from are of one mode",
+                     "\"tests\" and \"levels\" leave out less.");
+  }
+
   /// Offsets of vibrations that the levels of a session tell, by the joints at these.
   [[nodiscard]] std::vector<StructureOffset> told_offsets(const std::string& session,
                                                           const ModelFile& model,
@@ -164,9 +196,10 @@ class ModelJoints : public CampaignJoints {
     for (std::size_t mode = 0; mode < model.structure.linear().vibrations(); ++mode) {
       const auto told = all.sessions.told_offset(session, mode + 1);
       if (!told) continue;
-      StructureOffset one{.mode = mode,
-                          .offset = told->first,
-                          .joint_stiffness = mean_stiffness(session, mode + 1, model, all)};
+      StructureOffset one{
+          .mode = mode,
+          .offset = told->first,
+          .joint_stiffness = mean_stiffness(session, mode + 1, model.structure, all)};
       const double share = share_of_modes(model.structure, one);
       if (share >= kLeastShare) {
         offsets.push_back(std::move(one));
@@ -181,25 +214,59 @@ class ModelJoints : public CampaignJoints {
     return offsets;
   }
 
-  /// Of each joint, N/m: the mean of its secant stiffness over the levels of a mode in a session.
-  [[nodiscard]] std::vector<double> mean_stiffness(const std::string& session, std::size_t mode,
-                                                   const ModelFile& model,
-                                                   const DoneCampaign& all) const {
-    std::vector<double> means;
-    for (std::size_t j = 0; j < model.structure.joints().size(); ++j) {
-      double sum = 0.0;
-      double count = 0.0;
-      for (std::size_t i = 0; i < all.levels.size(); ++i) {
-        const CalibratedLevel& level = done_.found.levels[i];
-        const bool own = plan_.tests[all.levels.test[i]].session == session;
-        if (!own || all.levels.mode[i] != mode || !level.found) continue;
-        if (!std::isfinite(level.measured_frequency)) continue;
-        sum += secant_stiffness(model.structure.joints()[j].joint, level.joints[j].amplitude);
-        count += 1.0;
+  /// Secant stiffness of each joint, N/m, at each level of a mode in a session that tells a
+  /// frequency.
+  [[nodiscard]] std::vector<std::vector<double>> stiffness_at_levels(
+      const std::string& session, std::size_t mode, const JointedStructure& structure,
+      const DoneCampaign& all) const {
+    std::vector<std::vector<double>> stiffness;
+    for (std::size_t i = 0; i < all.levels.size(); ++i) {
+      const CalibratedLevel& level = done_.found.levels[i];
+      const bool own = plan_.tests[all.levels.test[i]].session == session;
+      if (!own || all.levels.mode[i] != mode || !level.found) continue;
+      if (!std::isfinite(level.measured_frequency)) continue;
+      std::vector<double>& of_level = stiffness.emplace_back();
+      for (std::size_t j = 0; j < structure.joints().size(); ++j) {
+        of_level.push_back(
+            secant_stiffness(structure.joints()[j].joint, level.joints[j].amplitude));
       }
-      means.push_back(sum / count);
+    }
+    return stiffness;
+  }
+
+  /// The mean of that, one a joint.
+  [[nodiscard]] std::vector<double> mean_stiffness(const std::string& session, std::size_t mode,
+                                                   const JointedStructure& structure,
+                                                   const DoneCampaign& all) const {
+    const auto at_levels = stiffness_at_levels(session, mode, structure, all);
+    std::vector<double> means(structure.joints().size(), 0.0);
+    for (const std::vector<double>& of_level : at_levels) {
+      for (std::size_t j = 0; j < means.size(); ++j) {
+        means[j] += of_level[j] / static_cast<double>(at_levels.size());
+      }
     }
     return means;
+  }
+
+  /// An offset of the structure is less at levels where its joints are stiff, and one of all its
+  /// stiffness is not: by this they differ, rms over the levels, 1. Which it is nobody knows.
+  [[nodiscard]] double change_over_levels(const std::string& session, const StructureOffset& told,
+                                          const JointedStructure& before,
+                                          const JointedStructure& after,
+                                          const DoneCampaign& all) const {
+    const auto frequency = [&](const JointedStructure& structure,
+                               const std::vector<double>& stiffness) {
+      std::vector<StructuralJoint> joints(structure.joints().begin(), structure.joints().end());
+      for (std::size_t j = 0; j < joints.size(); ++j) joints[j].joint = Joint(stiffness[j], {});
+      return structure.with_joints(std::move(joints)).stuck_frequencies()[told.mode];
+    };
+    double squares = 0.0;
+    const auto at_levels = stiffness_at_levels(session, told.mode + 1, before, all);
+    for (const std::vector<double>& stiffness : at_levels) {
+      const double there = std::log(frequency(after, stiffness) / frequency(before, stiffness));
+      squares += std::pow(there - told.offset, 2);
+    }
+    return std::sqrt(squares / static_cast<double>(at_levels.size()));
   }
 
   const CampaignRun& run_;

@@ -229,6 +229,10 @@ void add_ranges(const CampaignFile& campaign, const CampaignLevels& levels,
 std::vector<double> loss_residuals(const CampaignLevels& levels, const SessionEffects& effects) {
   std::vector<double> residuals;
   for (std::size_t i = 0; i < levels.size(); ++i) {
+    if (i < effects.damping_over_found.size() && std::isfinite(effects.damping_over_found[i])) {
+      residuals.push_back(std::log(effects.damping_over_found[i]));
+      continue;
+    }
     const double measured = levels.levels.dissipation[i];
     const double found = effects.dissipation[i];
     const bool nothing = measured <= 0.0 || found <= 0.0;

@@ -43,15 +43,18 @@ struct SessionEffect {
 };
 
 /// With y = ln(f/f̂) of each level, f̂ the natural frequency with the secant stiffness that the joint
-/// has at its amplitude, and r = ln(D/D̂), D̂ of joint and linear damping there.
+/// has at its amplitude, and r = ln(D/D̂), D̂ of joint and linear damping there; where ζ was measured
+/// r = ln(ζ/ζ̂), structure included, as what is left of ζ for the joints may be noise.
 struct SessionEffects {
   std::vector<SessionEffect> sessions = {};  ///< those with levels, in the order of the campaign
   std::vector<double> frequency = {};        ///< f̂ of each level, Hz; empty without frequencies
   std::vector<double> dissipation = {};      ///< D̂ of each level, J
-  std::vector<double> exponent = {};         ///< d ln D̂/d ln A there, 1; 0 where D̂ is
+  std::vector<double> exponent = {};         ///< d ln D̂/d ln A there, 1; 0 where D̂ is. None of a model
+  /// ζ/ζ̂ of each level, 1; NaN where D was measured. Empty where ζ never was.
+  std::vector<double> damping_over_found = {};
   /// rms of y less the offset of its session, 1: what the model misses the frequencies by, its
-  /// nominal frequency among it; 0 without frequencies. Modes whose offset is fitted and not told are
-  /// not in it.
+  /// nominal frequency among it; 0 without frequencies. Modes whose offset is fitted and not told
+  /// are not in it.
   double frequency_std = 0.0;
   /// Of the offsets but those of the first: √(mean δ²), 1; 0 of one session.
   double between_frequencies = 0.0;
@@ -66,13 +69,13 @@ struct SessionEffects {
   [[nodiscard]] const SessionEffect* find(const std::string& name, std::size_t mode = 1) const;
   /// Whether a session has levels.
   [[nodiscard]] bool has(const std::string& name) const;
-  /// δ and its σ of a mode in a session, both 1, against the first session with levels. Nothing where
-  /// either of the two has no frequency of the mode.
+  /// δ and its σ of a mode in a session, both 1, against the first session with levels. Nothing
+  /// where either of the two has no frequency of the mode.
   [[nodiscard]] std::optional<std::pair<double, double>> told_offset(const std::string& name,
                                                                      std::size_t mode) const;
-  /// δ and its σ of modes whose offset is not told in a session, both 1: the mean of the n that are
-  /// with s√(1 + 1/n), s what they scatter by, or of one or two their rms; where none is, 0 with the
-  /// offsets of the other sessions, rms. 0 and 0 where none were fitted.
+  /// δ and its σ of modes whose offset is not told in a session, both 1: the mean of the n that
+  /// are with s√(1 + 1/n), s what they scatter by, or of one or two their rms; where none is, 0
+  /// with the offsets of the other sessions, rms. 0 and 0 where none were fitted.
   [[nodiscard]] std::pair<double, double> offset_of_others(const std::string& name) const;
   /// The one or the other.
   [[nodiscard]] std::pair<double, double> offset_of(const std::string& name,

@@ -362,9 +362,9 @@ std::string left_out_table(const DoneCampaign& done, const std::string& comment)
   std::vector<std::string> warnings;
   for (const LeftOutRow& row : rows) {
     const LeftOut& part = *row.part;
-    contradicts.emplace_back(part.contradicts()          ? "yes"
-                             : part.not_judged().empty() ? "no"
-                                                         : kNotJudged);
+    contradicts.emplace_back(part.contradicts()        ? "yes"
+                             : part.not_judged.empty() ? "no"
+                                                       : kNotJudged);
     warnings.push_back(codes_of(part.warnings));
   }
   table.add_text("contradicts", contradicts);
