@@ -49,7 +49,7 @@ struct SessionEffects {
   std::vector<SessionEffect> sessions = {};  ///< those with levels, in the order of the campaign
   std::vector<double> frequency = {};        ///< f̂ of each level, Hz; empty without frequencies
   std::vector<double> dissipation = {};      ///< D̂ of each level, J
-  std::vector<double> exponent = {};         ///< d ln D̂/d ln A there, 1; 0 where D̂ is. None of a model
+  std::vector<double> exponent = {};  ///< d ln D̂/d ln A there, 1; 0 where D̂ is. None of a model
   /// ζ/ζ̂ of each level, 1; NaN where D was measured. Empty where ζ never was.
   std::vector<double> damping_over_found = {};
   /// rms of y less the offset of its session, 1: what the model misses the frequencies by, its
