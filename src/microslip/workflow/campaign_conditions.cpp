@@ -327,8 +327,10 @@ std::vector<ConditionEffect> condition_effects(const CampaignFile& campaign,
     if (effect.groups.empty()) continue;
     effect.overlap = amplitudes_overlap(effect.groups);
     Residuals gains;
-    for (const TestsOfGroup& group : by_value(campaign, levels, effect, effects.exponent)) {
-      gains.push_back(gain_of_mean(campaign, group));
+    if (!effects.exponent.empty()) {
+      for (const TestsOfGroup& group : by_value(campaign, levels, effect, effects.exponent)) {
+        gains.push_back(gain_of_mean(campaign, group));
+      }
     }
     put_means(means_with_sigma(by_value(campaign, levels, effect, loss_residuals(levels, effects)),
                                gains),
