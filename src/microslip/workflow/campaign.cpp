@@ -11,169 +11,30 @@
 #include <memory>
 #include <optional>
 #include <set>
-#include <string_view>
 #include <utility>
 #include <variant>
 
 #include "microslip/base/error.hpp"
 #include "microslip/dynamics/modal_offsets.hpp"
-#include "microslip/io/file_kind.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/model_writer.hpp"
-#include "microslip/io/recording_file.hpp"
 #include "microslip/io/sha256.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/workflow/campaign_joints.hpp"
+#include "microslip/workflow/campaign_plan.hpp"
 #include "microslip/workflow/campaign_tables.hpp"
 #include "microslip/workflow/campaign_test_kinds.hpp"
 #include "microslip/workflow/comparison_table.hpp"
-#include "microslip/workflow/distinct_files.hpp"
 #include "microslip/workflow/loops_comparison.hpp"
 #include "microslip/workflow/model_draws.hpp"
 #include "microslip/workflow/model_rules.hpp"
 #include "microslip/workflow/model_text.hpp"
 #include "microslip/workflow/recordings_provenance.hpp"
-#include "microslip/workflow/smoothing_text.hpp"
-#include "microslip/workflow/summary_text.hpp"
 
 namespace microslip {
 namespace {
 
 namespace fs = std::filesystem;
-
-// ---- The plan and its files. ----
-
-CampaignFile read_plan(const CampaignRun& run) {
-  if (run.campaign == "-") {
-    throw InputError("campaign", "standard input", "must be a file: its folder has the tests");
-  }
-  return parse_campaign(read_file(run.campaign), input_name(run.campaign));
-}
-
-void check_structure(const CampaignFile& plan) {
-  const std::string_view asked = plan.of_model() ? kModelKind : kRigKind;
-  const std::string kind = file_kind(read_kind_head(plan.structure));
-  if (kind == asked) return;
-  if (plan.of_model()) {
-    throw InputError("model", in_quotes(plan.structure), "must be a model.toml",
-                     kind == kRigKind ? "A rig.toml, of one joint, is given as structure."
-                                      : "The subcommand modes makes one from matrices or a test.");
-  }
-  throw InputError("structure", in_quotes(plan.structure), "must be a rig.toml, of one joint",
-                   kind == kModelKind
-                       ? "Give a model.toml, whose joints are found from levels of its modes, as "
-                         "model in place of structure."
-                       : "A structure known by its modes has [modes] there.");
-}
-
-/// In the words of campaign.toml: only the inversion has draws, and p is of another method.
-void check_smoothing(const CampaignRun& run, const CampaignFile& plan) {
-  const std::string place = fmt::format("{}: identification.smoothing", printable(run.campaign));
-  IdentificationOptions none;
-  try {
-    if (!plan.smoothing.starts_with("p=")) return set_smoothing(plan.smoothing, std::nullopt, none);
-  } catch (const InputError& error) {
-    throw error.renamed(place);
-  }
-  throw InputError(place, in_quotes(plan.smoothing), "must be gcv or lambda=X",
-                   "p is of the method spline of identify, which has no draws.");
-}
-
-/// All levels are taken to be driven alike: nothing drives a decay, and a steady record is driven.
-void check_forcing(const CampaignFile& plan) {
-  if (!plan.of_model()) return;
-  for (const CampaignTest& test : plan.tests) {
-    if (!test.identifies()) continue;
-    const bool decay = test.kind == CampaignKind::kRingDown;
-    if (decay && !plan.modal_forcing) {
-      throw InputError(
-          fmt::format("test '{}': kind", test.name), in_quotes("ringdown"),
-          "must not be identified from beside forcing = \"excitation\": nothing drives "
-          "a decay",
-          "Give forcing = \"modal\", and driven levels in a campaign of their own.");
-    }
-    if (!decay && plan.modal_forcing && !is_modal_levels_table(test.file)) {
-      throw InputError(fmt::format("test '{}'", test.name), in_quotes(test.file),
-                       "must not be identified from beside forcing = \"modal\": the excitation "
-                       "drives a steady record",
-                       "Give forcing = \"excitation\", and decays in a campaign of their own.");
-    }
-  }
-}
-
-void check_campaign(const CampaignRun& run, const CampaignFile& plan) {
-  check_structure(plan);
-  check_smoothing(run, plan);
-  std::vector<std::string> files;
-  for (const CampaignTest& test : plan.tests) files.push_back(test.file);
-  check_distinct_files(files);
-  for (const CampaignTest& test : plan.tests) check_campaign_test(test, plan.subject);
-  check_forcing(plan);
-}
-
-/// Conditions of tests that are predicted alone are columns, no more.
-bool has_conditions(const CampaignFile& plan) {
-  return std::ranges::any_of(plan.tests, [](const CampaignTest& test) {
-    return test.identifies() && !test.conditions.empty();
-  });
-}
-
-/// The sessions, but for the first with levels, whose predicted tests have a model of their own.
-std::vector<std::string> sessions_with_model(const CampaignFile& plan) {
-  std::vector<std::string> names;
-  if (!plan.session_offsets) return names;
-  const std::string first = plan.sessions().front();
-  for (const CampaignTest& test : plan.tests) {
-    if (!test.predicted() || test.session == first) continue;
-    if (std::ranges::count(names, test.session) == 0) names.push_back(test.session);
-  }
-  return names;
-}
-
-std::string model_name(const std::string& session) { return fmt::format("model_{}.toml", session); }
-
-std::vector<ResultFile> files_of(const CampaignRun& run, const CampaignFile& plan) {
-  std::vector<ResultFile> files;
-  const auto add = [&](const std::string& name, std::string_view kind) {
-    files.push_back({in_folder(run, name), kind});
-  };
-  const std::string_view levels = plan.of_model() ? kModalLevelsKind : kLevelsKind;
-  for (const CampaignTest& test : plan.tests) {
-    const bool table =
-        plan.of_model() ? is_modal_levels_table(test.file) : is_levels_table(test.file);
-    if (test.identifies() && !table) files.push_back({levels_path(run.out, test), levels});
-  }
-  std::ranges::move(
-      plan.of_model() ? planned_files_of_model(run, plan) : planned_files_of_rig(run, plan),
-      std::back_inserter(files));
-  add("model.toml", kModelKind);
-  for (const std::string& session : sessions_with_model(plan)) add(model_name(session), kModelKind);
-  if (std::ranges::any_of(plan.tests, &CampaignTest::predicted)) {
-    add("comparison.csv", kComparisonKind);
-  }
-  add("campaign.csv", kCampaignTableKind);
-  add("sessions.csv", kSessionsKind);
-  if (has_conditions(plan)) add("conditions.csv", kConditionsKind);
-  if (plan.leave_out != LeaveOut::kNothing) add("leave_one_out.csv", kLeftOutKind);
-  return files;
-}
-
-void check_not_replaced(const CampaignRun& run, const CampaignFile& plan,
-                        const std::vector<ResultFile>& files) {
-  std::vector<std::string> inputs{run.campaign, plan.structure};
-  for (const CampaignTest& test : plan.tests) inputs.push_back(part_of_file(test.file).file);
-  for (const ResultFile& file : files) {
-    for (const std::string& input : inputs) {
-      std::error_code none;
-      if (!fs::equivalent(file.path, input, none)) continue;
-      throw InputError("out", in_quotes(run.out),
-                       fmt::format("must not be the folder of {}, which would be replaced", input),
-                       "Choose another folder.");
-    }
-  }
-}
-
-// ---- Parts of the work. ----
 
 /// Progress of stage n of some, as a share of all.
 Progress stage(const CampaignRun& run, std::size_t n, std::size_t stages) {
@@ -505,113 +366,16 @@ class CampaignWork {
   std::size_t stages_ = 1;
 };
 
-// ---- The summary. ----
-
-std::string describe_sessions(const SessionEffects& effects, bool of_model) {
-  std::string text;
-  for (const SessionEffect& session : effects.sessions) {
-    std::string facts = fmt::format(
-        "{} of {}, D {:+.2g} % off the joint{}", counted(session.levels, "level"),
-        counted(session.tests, "test"), 100.0 * session.dissipation_offset, of_model ? "s" : "");
-    if (session.frequency_offset_std > 0.0) {
-      facts += fmt::format(", frequency offset {:+.3f} ± {:.2g} %",
-                           100.0 * session.frequency_offset, 100.0 * session.frequency_offset_std);
-    } else if (session.frequency_difference != 0.0 && std::isfinite(session.frequency_difference)) {
-      facts += fmt::format(", frequency {:+.3f} % off, not taken off",
-                           100.0 * session.frequency_difference);
-    }
-    text += line(of_model ? fmt::format("session {}, mode {}", session.name, session.mode)
-                          : "session " + session.name,
-                 facts);
-  }
-  if (effects.frequency_std > 0.0) {
-    text += line("frequencies",
-                 fmt::format("{:.2g} % rms off those of the model", 100.0 * effects.frequency_std));
-  }
-  const std::string repeats = repeatability_text(effects);
-  return repeats.empty() ? text : text + line("repeatability", "of D: " + repeats);
-}
-
-/// Before the density, which is of no use then.
-std::string describe_departures(const std::vector<Warning>& warnings) {
-  std::string text;
-  for (const Warning& warning : warnings) {
-    if (warning.code == kTestNotOfThisKind) text += line("NOT A JOINT", warning.text);
-  }
-  return text;
-}
-
-std::string describe_conditions(const std::vector<ConditionEffect>& conditions) {
-  std::string text;
-  for (const ConditionEffect& condition : conditions) {
-    const std::string trend = trend_text(condition);
-    if (!trend.empty()) text += line("trend", trend);
-  }
-  return text;
-}
-
-std::string describe_left_out(const std::vector<LeftOut>& parts) {
-  std::string text;
-  std::size_t compared = 0;
-  std::size_t named = 0;
-  for (const LeftOut& part : parts) {
-    const std::string facts =
-        !part.failure.empty() ? "not compared: nothing was found without it"
-        : part.curve.compared() == 0
-            ? "beyond the others, which predict nothing there"
-            : fmt::format("D {:+.2g} % off what the others predict, {} of {} inside{}",
-                          100.0 * std::expm1(part.mean_deviation()), part.curve.inside(),
-                          part.curve.compared(),
-                          part.contradicts()         ? ": CONTRADICTS THEM"
-                          : !part.not_judged.empty() ? ": not judged"
-                                                     : "");
-    text += line(&part == parts.data() ? "left out" : "", part.name + ": " + facts);
-    compared += part.not_judged.empty() && part.curve.compared() > 0 ? 1 : 0;
-    named += part.contradicts() ? 1 : 0;
-  }
-  if (parts.empty()) return text;
-  if (compared == 0) return text + line("", "none of them is judged");
-  const double chance = 1.0 - parts.front().taken.options.confidence;
-  return text + line("", fmt::format("{} of {} contradict the others, {:.2g} do by chance", named,
-                                     compared, chance * static_cast<double>(compared)));
-}
-
 }  // namespace
-
-std::string in_folder(const CampaignRun& run, const std::string& name) {
-  return (fs::path(run.out) / name).string();
-}
 
 bool DoneCampaign::converged() const {
   return found.converged && levels.converged && verified.converged() &&
          std::ranges::all_of(left_out, &LeftOut::converged);
 }
 
-std::vector<ResultFile> planned_files(const CampaignRun& run) {
-  if (run.out.empty() || run.out == "-") {
-    throw InputError("out", in_quotes(run.out), "must be a folder", "Name it.");
-  }
-  const CampaignFile plan = read_plan(run);
-  check_campaign(run, plan);
-  std::vector<ResultFile> files = files_of(run, plan);
-  check_not_replaced(run, plan, files);
-  return files;
-}
-
 DoneCampaign run_campaign(const CampaignRun& run) {
   check_campaign(run, read_plan(run));
   return CampaignWork(run).done();
-}
-
-std::string describe_campaign(const DoneCampaign& done) {
-  std::string text = done.plan.title.empty() ? "" : printable(done.plan.title) + "\n";
-  text += describe_departures(done.levels.warnings) + done.found.summary +
-          describe_sessions(done.sessions, done.plan.of_model()) +
-          describe_conditions(done.conditions) + describe_left_out(done.left_out);
-  VerifiedTests verified = done.verified;
-  verified.warnings = done.warnings;
-  return text +
-         (verified.tests.empty() ? describe_warnings(done.warnings) : describe_tests(verified));
 }
 
 }  // namespace microslip

@@ -72,7 +72,4 @@ class CampaignJoints {
 [[nodiscard]] std::unique_ptr<CampaignJoints> joints_of_model(
     const CampaignRun& run, const CampaignFile& plan, CampaignComment comment);  ///< likewise
 
-/// The path of a file in the folder of the results.
-[[nodiscard]] std::string in_folder(const CampaignRun& run, const std::string& name);
-
 }  // namespace microslip

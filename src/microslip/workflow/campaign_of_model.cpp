@@ -16,6 +16,7 @@
 #include "microslip/workflow/campaign_joints.hpp"
 #include "microslip/workflow/campaign_modal_leave_out.hpp"
 #include "microslip/workflow/campaign_modal_levels.hpp"
+#include "microslip/workflow/campaign_plan.hpp"
 
 namespace microslip {
 namespace {

@@ -11,6 +11,7 @@
 #include "microslip/joint/secant.hpp"
 #include "microslip/rig/stick_state.hpp"
 #include "microslip/workflow/campaign_joints.hpp"
+#include "microslip/workflow/campaign_plan.hpp"
 #include "microslip/workflow/campaign_test_kinds.hpp"
 #include "microslip/workflow/identification_text.hpp"
 #include "microslip/workflow/joint_draws.hpp"
