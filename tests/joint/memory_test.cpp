@@ -341,6 +341,17 @@ TEST(Memory, TrialPredictsAdvanceAndChangesNothing) {
   }
 }
 
+TEST(Memory, SettlesWhereAdvanceGoes) {
+  for (const Joint& joint : all_kinds()) {
+    Memory advanced(joint);
+    Memory settled(joint);
+    for (const double x : random_path(14, 2000, kAmplitude, 3)) {
+      settled.settle(x, advanced.advance(x));
+      expect_same_state(settled, advanced);
+    }
+  }
+}
+
 // The tangent of trial() is the derivative of its force in the direction of the move. A difference
 // over h = 1e-9 m errs by h/2·f″ ≤ 0.5e-9·k²φ/2 = 1e-9·k·(1e5·0.05), and rounds at 1e-14 N/1e-9 m.
 TEST(Memory, TangentIsTheSlopeOfTheStep) {
@@ -462,6 +473,9 @@ TEST(Memory, FollowsAJointAsFarAsItSays) {
   const std::string rule = "must be from -1e+100 to 1e+100 m";
   EXPECT_EQ(test::message_or("accepted", [&] { memory.advance(1e101); }),
             "displacement = 1e+101; " + rule);
+  for (const double beyond : {-1e101, 1e101}) {  // on and back
+    EXPECT_NE(test::message_or("accepted", [&] { memory.settle(beyond, 1.0); }), "accepted");
+  }
   std::vector<double> force(2);
   EXPECT_EQ(test::message_or("accepted",
                              [&] {

@@ -121,7 +121,8 @@ bool JointWay::turn(const StepQuartic& y, double share, double force) {
     if (std::abs(miss) <= 1e-14 * std::abs(extreme)) break;
   }
   direction_ = -direction_;
-  const double there = follower_.advance(u);
+  const double there = follower_.response(u).force;
+  follower_.settle(u, there);
   follower_.turn(direction_);
   return add({share, u, there, 0.0, 0.0, true});
 }

@@ -46,6 +46,8 @@ class JointWay {
   [[nodiscard]] std::span<const Knot> knots() const { return {knots_.data(), size_}; }
   /// On the curve behind the last knot, where there is one.
   [[nodiscard]] const CurveFollower& follower() const { return follower_; }
+  /// The same for one that goes on from there; until the next way there is none here.
+  [[nodiscard]] CurveFollower& follower() { return follower_; }
 
  private:
   [[nodiscard]] double first_turn() const;

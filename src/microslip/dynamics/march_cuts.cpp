@@ -176,15 +176,14 @@ void MarchState::pass_knots(Joint& joint) {
   if (joint.way.knots().empty()) return;
   for (const JointWay::Knot& knot : joint.way.knots()) {
     if (knot.turns) {
-      joint.hysteresis.settle(knot.displacement, 1.0, knot.force);
+      joint.hysteresis.turned(knot.displacement, knot.force);
       joint.direction = -joint.direction;
-      joint.hysteresis.turn(joint.direction);
       ++reversals_;
     } else {
-      joint.hysteresis.pass_kink();
       ++kinks_;
     }
   }
+  joint.hysteresis.take_over(joint.way.follower());
   find_kink(joint);
 }
 

@@ -47,9 +47,13 @@ double MarchedJoint::settle(double u, double load, double force) {
 
 void MarchedJoint::turn(int direction) {
   if (network_) return;
-  dissipation_ += turned_.dissipation(u_);
-  turned_ = follower_.memory();
+  turned(u_, force_);
   follower_.turn(direction);
+}
+
+void MarchedJoint::turned(double u, double force) {
+  dissipation_ += turned_.dissipation(u);
+  turned_.settle(u, force);
 }
 
 void MarchedJoint::begin_energy() {

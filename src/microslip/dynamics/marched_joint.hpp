@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <utility>
 
 #include "microslip/dynamics/curve_follower.hpp"
 #include "microslip/dynamics/jointed_structure.hpp"
@@ -31,6 +32,11 @@ class MarchedJoint {
   /// Says that the motion turns here, or that it begins: from here on it goes in this direction, +1
   /// or −1. What the way to here dissipated is counted.
   void turn(int direction);
+  /// Says that the motion turned at u, on the way that another follower went, which is taken over
+  /// afterwards. @param force  F there, N.
+  void turned(double u, double force);
+  /// Goes on from where the other stands, which is left with no use.
+  void take_over(CurveFollower& other) { std::swap(follower_, other); }
 
   void pass_kink() { follower_.pass_kink(); }
   [[nodiscard]] double tangent() const { return follower_.tangent(); }

@@ -126,6 +126,7 @@ Memory::Curve Memory::move_to(double x) {
   }
   x_ = x;
   direction_ = step.branch.direction;
+  end_ = direction_ == 0 ? 0.0 : std::min(step.curve.end, kFarthestDisplacement);
   return step.curve;
 }
 
@@ -173,6 +174,7 @@ void Memory::reset() {
   x_ = 0.0;
   force_ = 0.0;
   direction_ = 0;
+  end_ = 0.0;
 }
 
 }  // namespace microslip

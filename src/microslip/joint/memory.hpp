@@ -89,7 +89,11 @@ class Memory {
   /// Takes a step whose force is known, as from trial() or the curve of curve_ahead().
   /// @param x  m, within reach. @param force  f there, N. @throws InputError  as advance().
   void settle(double x, double force) {
-    move_to(x);
+    if (goes_on(x)) {
+      x_ = x;
+    } else {
+      move_to(x);
+    }
     force_ = force;
   }
 
@@ -117,6 +121,11 @@ class Memory {
     Curve curve;
   };
 
+  /// Whether a step to x neither turns nor closes a loop, and is within reach.
+  [[nodiscard]] bool goes_on(double x) const {
+    const double ahead = direction_ * x;
+    return ahead >= direction_ * x_ && ahead < end_;
+  }
   [[nodiscard]] Branch first_branch(double x) const;
   static void close_loop(Branch& branch);
   [[nodiscard]] Step step_to(double x) const;
@@ -130,6 +139,7 @@ class Memory {
   double x_ = 0.0;
   double force_ = 0.0;
   int direction_ = 0;  ///< of the last move; 0 in the virgin state at rest
+  double end_ = 0.0;   ///< of the curve of the last move, or of what is within reach; 0 at rest
 };
 
 }  // namespace microslip
