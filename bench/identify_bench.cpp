@@ -39,8 +39,8 @@ void identify_90_levels_with_edges(benchmark::State& state) {
 }
 BENCHMARK(identify_90_levels_with_edges)->Unit(benchmark::kMillisecond);
 
-/// The same with 1000 draws from the posterior and their band, on one processor. @param state  tells
-/// how many independent draws they are worth where that is least.
+/// The same with 1000 draws from the posterior and their band, on one processor.
+/// @param state  tells how many independent draws they are worth where that is least.
 void identify_with_1000_draws(benchmark::State& state) {
   const Levels levels = reference_levels();
   double effective = 0.0;

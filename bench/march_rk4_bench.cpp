@@ -19,8 +19,8 @@
 #include "rk4_sliders.h"
 
 /// @file march() against an explicit scheme of fourth order in C with 100 sliders a joint, under
-/// the same random force, each with the longest steps that leave an error of 1e-4, march() with half
-/// as long ones where those are faster.
+/// the same random force, each with the longest steps that leave an error of 1e-4, march() with
+/// half as long ones where those are faster.
 
 namespace microslip::bench {
 namespace {

@@ -14,10 +14,10 @@
 
 namespace microslip::app {
 
-/// The ranks of a communicator. Rank 0 deals blocks, receives what they gave, and does blocks itself
-/// meanwhile: between its jobs it answers. Another rank has a block in reserve while many are left,
-/// so that it need not wait for the answer; towards the end it has none, so that all end at once.
-/// Waiting sleeps, where MPI would keep a core busy.
+/// The ranks of a communicator. Rank 0 deals blocks, receives what they gave, and does blocks
+/// itself meanwhile: between its jobs it answers. Another rank has a block in reserve while many
+/// are left, so that it need not wait for the answer; towards the end it has none, so that all end
+/// at once. Waiting sleeps, where MPI would keep a core busy.
 class MpiTeam : public Team {
  public:
   /// Of MPI_COMM_WORLD, after MPI_Init().

@@ -18,8 +18,8 @@ namespace {
 // examples/brake_reuss_beam/README.md.
 constexpr double kBeamStiffness = 5.08e5;  // N/m
 
-// One of the first thousand draws of seed 1 weighs as much as most others: the band of these is that
-// of 20 000 draws.
+// One of the first thousand draws of seed 1 weighs as much as most others: the band of these is
+// that of 20 000 draws.
 constexpr std::uint64_t kBeamSeed = 2;
 
 }  // namespace

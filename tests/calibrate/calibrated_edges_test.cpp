@@ -84,9 +84,9 @@ TEST(CalibratedEdges, BandsHoldTheLossesOfJointsThatReleaseTheirStiffness) {
   }
 }
 
-// 40 displacements in equal ratios over four decades of each of two modes: most levels lie where the
-// joint with the edge hardly slips. Over two seeds the bands of its losses held 1.00 and 1.00 of the
-// levels, 0.90 and 0.91 without edges.
+// 40 displacements in equal ratios over four decades of each of two modes: most levels lie where
+// the joint with the edge hardly slips. Over two seeds the bands of its losses held 1.00 and 1.00
+// of the levels, 0.90 and 0.91 without edges.
 TEST(CalibratedEdges, AreFoundByLevelsOverFourDecades) {
   MICROSLIP_OF_RELEASE_ALONE();
   SimulatedTest test = testing::simulated(lap_and_other(box(6e5, 0.0, 30.0), tent(9e5, 110.0, 0.5)),

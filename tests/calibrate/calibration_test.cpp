@@ -42,8 +42,8 @@ JointedStructure three_joints() {
 
 // A structure and joints of which nothing was used when the method was made.
 // Frequencies of every second level 0.3 and 0.4 % off, another offset in each mode: of one session
-// they contradict each other, of two they say what they said without. An offset of 0.4 % changes what
-// is left by as much of itself.
+// they contradict each other, of two they say what they said without. An offset of 0.4 % changes
+// what is left by as much of itself.
 TEST(Calibration, TakesAnOffsetOfEachModeAndSession) {
   const SimulatedTest test =
       simulated(lap_and_other(testing::tent(6e5, 90.0, 0.6), testing::tent(9e5, 110.0, 0.5)), 2,
@@ -105,10 +105,10 @@ TEST(Calibration, SaysThatJointsOfASymmetricPairAreKnownOnlyTogether) {
   }
 }
 
-// Of two joints that stand side by side one does not slip: the other has all of the loss. Its band ends at
-// the sum and what that may be more. Over these twelve tests bands hold 0.6 of the losses, far short of
-// 0.95, between 0.2 and 1.0 of single tests; of draws with other last digits as many: the mean is known to
-// 0.07, and the bound two of these below.
+// Of two joints that stand side by side one does not slip: the other has all of the loss. Its band
+// ends at the sum and what that may be more. Over these twelve tests bands hold 0.6 of the losses,
+// far short of 0.95, between 0.2 and 1.0 of single tests; of draws with other last digits as many:
+// the mean is known to 0.07, and the bound two of these below.
 TEST(Calibration, TheBandOfAJointThatMayHaveAllHoldsIt) {
   MICROSLIP_OF_RELEASE_ALONE();
   const JointedStructure one = testing::chain_structure(
@@ -200,9 +200,9 @@ double mean_band(const CalibrationResult& found, const SimulatedTest& test, std:
   return sum / count;
 }
 
-// Losses grow with the 2.5th power of the displacement and more: 2 % of it are 5 % of them, ten times
-// what they are known to otherwise. Bands gain less, as λ, which is drawn, smooths more where less
-// is known: twice as wide is asked for.
+// Losses grow with the 2.5th power of the displacement and more: 2 % of it are 5 % of them, ten
+// times what they are known to otherwise. Bands gain less, as λ, which is drawn, smooths more where
+// less is known: twice as wide is asked for.
 TEST(Calibration, ErrorsOfDisplacementsWidenTheBands) {
   SimulatedTest test =
       simulated(two_joints_of_a_chain(Joint(4e5, SlipDensity({UniformPart{0.0, 110.0, 0.5}}))), 2,
@@ -218,9 +218,10 @@ TEST(Calibration, ErrorsOfDisplacementsWidenTheBands) {
   EXPECT_FALSE(warns(uncertain, "joint_not_seen"));
 }
 
-// A joint a thousand times as stiff as what it holds hardly moves, and slips by forces far above those
-// of the levels: its loss is below 5e-4 of that of the other, of which 0.5 % are noise. That it slips so little is
-// known well, so that the share of the prior's variance that was taken does not show it.
+// A joint a thousand times as stiff as what it holds hardly moves, and slips by forces far above
+// those of the levels: its loss is below 5e-4 of that of the other, of which 0.5 % are noise. That
+// it slips so little is known well, so that the share of the prior's variance that was taken does
+// not show it.
 TEST(Calibration, SaysThatAJointThatHardlyMovesIsNotSeen) {
   SimulatedTest test =
       simulated(two_joints_of_a_chain(Joint(4e8, SlipDensity({UniformPart{0.0, 1e5, 0.5}}))), 2,
@@ -263,9 +264,9 @@ TEST(Calibration, BandsHoldTheLossesOfTenLevelsAMode) {
   EXPECT_GE(held[1], 0.90);
 }
 
-// A joint that slips from 20 N on only has no loss in the first ranges, and all of it at once later. Where
-// exponents were chosen on the way the other joint got it, in half of the tests: losses then
-// scattered by 5 of their deviations.
+// A joint that slips from 20 N on only has no loss in the first ranges, and all of it at once
+// later. Where exponents were chosen on the way the other joint got it, in half of the tests:
+// losses then scattered by 5 of their deviations.
 TEST(Calibration, FindsAJointThatSlipsFromAForceOn) {
   MICROSLIP_OF_RELEASE_ALONE();
   SimulatedTest test =

@@ -72,8 +72,9 @@ double spread_between(const LinearEvidence& evidence, const std::vector<double>&
   return std::sqrt(square / count - sum * sum / count / count);
 }
 
-// What is possible of a smooth joint does not hang on where the search for its smoothing ended: λ is
-// drawn for each joint. 2000 draws, alike to their neighbours, tell a spread with heavy tails to some 15 %.
+// What is possible of a smooth joint does not hang on where the search for its smoothing ended: λ
+// is drawn for each joint. 2000 draws, alike to their neighbours, tell a spread with heavy tails to
+// some 15 %.
 TEST(EvidenceChain, DrawsTheSmoothingOfEachJoint) {
   const LinearEvidence evidence = rough_and_smooth();
   const double smooth = spread_between(evidence, {1e-2, 1e3});
@@ -81,8 +82,9 @@ TEST(EvidenceChain, DrawsTheSmoothingOfEachJoint) {
   EXPECT_NEAR(rough / smooth, 1.0, 0.3);
 }
 
-// A joint of which the first half does not slip: 0 in truth, and a half of its coefficients would have
-// to be 0 at once. Their sum is 0, or next to nothing, in some of the draws, so that a band can begin there.
+// A joint of which the first half does not slip: 0 in truth, and a half of its coefficients would
+// have to be 0 at once. Their sum is 0, or next to nothing, in some of the draws, so that a band
+// can begin there.
 TEST(EvidenceChain, DrawsReachAJointThatDoesNotSlip) {
   LinearEvidence evidence = rough_and_smooth();
   WeightedRows& losses = evidence.of(RowKind::kLoss);

@@ -87,9 +87,9 @@ TEST(JointUnknowns, JumpAtTheirEdges) {
   }
 }
 
-// Knots with all edges tell densities whose edges are at any of those places. Coefficients of a power law lie
-// on straight lines between a quarter of the knots: beside an edge they are other ones, where it is
-// off by some 1e-4.
+// Knots with all edges tell densities whose edges are at any of those places. Coefficients of a
+// power law lie on straight lines between a quarter of the knots: beside an edge they are other
+// ones, where it is off by some 1e-4.
 TEST(JointUnknowns, KnotsTellDensitiesWithEdgesElsewhere) {
   for (const double exponent : {0.0, -0.25}) {
     const JointUnknowns smooth(7e5, 2e-4, 0.01, exponent, 30);

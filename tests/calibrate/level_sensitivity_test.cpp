@@ -34,8 +34,9 @@ std::complex<double> kappa(const Joint& joint, double a) {
 
 class Sensitivity : public ::testing::TestWithParam<std::tuple<Forcing, double, std::size_t>> {};
 
-// Against differences of harmonic balances with five harmonics. The derivatives take higher harmonics
-// to follow, which leaves 1 % and, of what is small itself, a hundredth of the larger change.
+// Against differences of harmonic balances with five harmonics. The derivatives take higher
+// harmonics to follow, which leaves 1 % and, of what is small itself, a hundredth of the larger
+// change.
 TEST_P(Sensitivity, IsThatOfTheHarmonicBalance) {
   const auto [forcing, compliance, mode] = GetParam();
   constexpr double kStep = 1e-4;
@@ -99,8 +100,9 @@ TEST_P(Sensitivity, IsThatOfTheDisplacementToo) {
   }
 }
 
-// Rayleigh's quotient of a mode that no joint changes: δω = ψ_l² Re δκ_l/(2ω). What keeps such a mode
-// up takes all of its own dynamic stiffness away, to rounding or, at some displacements, to nothing.
+// Rayleigh's quotient of a mode that no joint changes: δω = ψ_l² Re δκ_l/(2ω). What keeps such a
+// mode up takes all of its own dynamic stiffness away, to rounding or, at some displacements, to
+// nothing.
 TEST(StuckSensitivity, IsThatOfRayleigh) {
   const JointedStructure slipping = structure_with(0.5, 0.4, 0.0);
   std::vector<StructuralJoint> joints(slipping.joints().begin(), slipping.joints().end());

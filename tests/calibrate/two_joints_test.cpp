@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A structure with two joints whose truth is known, by an independent harmonic balance (tests/data/two_joints).
+// A structure with two joints whose truth is known, by an independent harmonic balance
+// (tests/data/two_joints).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -150,8 +151,8 @@ TEST(TwoJointsFromModalLevels, TheirStiffnessesAreFoundToo) {
   EXPECT_NEAR(found.joints[1].stiffness.value, 5e5, 1e-3 * 5e5);
 }
 
-// Shapes of the stuck structure are wrong by up to 30 % in the displacement of a joint; densities found
-// with them by more than all.
+// Shapes of the stuck structure are wrong by up to 30 % in the displacement of a joint; densities
+// found with them by more than all.
 TEST(TwoJointsFromModalLevels, StuckShapesAreWrongByWhatTheyAreWrongBy) {
   MICROSLIP_OF_RELEASE_ALONE();
   const TwoJoints test;

@@ -189,9 +189,10 @@ TEST_F(BrakeReuss, ACampaignPredictsSweepsOfHeldForceByThoseOfHeldResponse) {
   EXPECT_NEAR(model.spread.frequency.at(0), 0.0044, 5e-5);
 }
 
-// A blow on the same beam in another session, as the tutorial has it: the frequencies lie in the band of what
-// those of the sweeps miss the model by. The damping ratio is -3 to 16 % above what the sweeps say, 8 % on the mean,
-// by which of session, place of the accelerometer and other modes is not known: here 4 to 12 %, and it is told.
+// A blow on the same beam in another session, as the tutorial has it: the frequencies lie in the
+// band of what those of the sweeps miss the model by. The damping ratio is -3 to 16 % above what
+// the sweeps say, 8 % on the mean, by which of session, place of the accelerometer and other modes
+// is not known: here 4 to 12 %, and it is told.
 TEST_F(BrakeReuss, ABlowIsPredictedBySweeps) {
   const fs::path file =
       fs::path(std::getenv("MICROSLIP_DATA_DIR")) / "brake_reuss_beam/HammerImpact.mat";

@@ -59,7 +59,8 @@ TEST(calibrate, NamesTheDrawsInTheModel) {
   expect_draws_of_both(box.file("again/model.toml"));
 }
 
-// The folder predicts what was measured: the backbone of its model has the frequencies of the truth.
+// The folder predicts what was measured: the backbone of its model has the frequencies of the
+// truth.
 TEST(calibrate, WritesAFolderThatPredicts) {
   const Sandbox box = two_joints();
   box.put("levels.csv", test::get(kFolder + "modal_levels.csv"));

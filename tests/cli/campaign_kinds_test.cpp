@@ -67,7 +67,8 @@ void record_sweep(const Sandbox& box) {
   box.put("swept.csv", test::noisy_sweep(box.get("frf.csv"), random));
 }
 
-/// held_20.csv to held_320.csv: sweeps of held response, in µm, with noise; the tests that they are.
+/// held_20.csv to held_320.csv: sweeps of held response, in µm, with noise; the tests that they
+/// are.
 std::string record_held(const Sandbox& box) {
   RandomStream random(23, 1);
   std::string tests;
@@ -130,9 +131,9 @@ double loss_over_sigma(const CsvTable& levels, const Joint& truth) {
 }
 
 // The blow against the sweeps of the same structure: frequency and damping ratio over amplitude. By
-// the true joint they lie within the σ that the analysis of the decay states, rms below 1.5 of it; by
-// the joint that the campaign finds from eleven sweeps, at least 90 % in a band of 95 % that has the
-// draws of the joint, too.
+// the true joint they lie within the σ that the analysis of the decay states, rms below 1.5 of it;
+// by the joint that the campaign finds from eleven sweeps, at least 90 % in a band of 95 % that has
+// the draws of the joint, too.
 TEST(campaignKinds, ABlowFollowsFromSweeps) {
   const Sandbox box = laboratory();
   record_blow(box);
@@ -177,9 +178,9 @@ TEST(campaignKinds, ABlowFollowsFromSweeps) {
   }
 }
 
-// The other way round: levels of the blow are those of the true joint within their σ, rms below 1.5,
-// and the sweep's peak follows from them: the 0.3 % of noise that its force has at each step are in the
-// band.
+// The other way round: levels of the blow are those of the true joint within their σ, rms below
+// 1.5, and the sweep's peak follows from them: the 0.3 % of noise that its force has at each step
+// are in the band.
 TEST(campaignKinds, ABlowIdentifiesTheJoint) {
   const Sandbox box = laboratory();
   record_blow(box);
@@ -224,9 +225,10 @@ position_m = 0.55
 channel = "acceleration"
 )";
 
-// A beam of seven modes whose frequency falls by 2 % while the joint slips: the mode's mass at the sensor
-// falls by 7 % of that of the stuck mode, by which D would be wrong by four of its σ at small amplitudes.
-// With the shape at each frequency D is that of the true joint, rms below 1.5 of its σ.
+// A beam of seven modes whose frequency falls by 2 % while the joint slips: the mode's mass at the
+// sensor falls by 7 % of that of the stuck mode, by which D would be wrong by four of its σ at
+// small amplitudes. With the shape at each frequency D is that of the true joint, rms below 1.5 of
+// its σ.
 TEST(campaignKinds, ABlowOfABeamKnowsHowItsShapeMoves) {
   const Sandbox box{{"rig.toml", kBeam}, {"joint.json", kJointText}};
   expect_done(box, {"model", "rig.toml", "joint.json", "--out", "true.toml", "--quiet"});
@@ -246,8 +248,8 @@ TEST(campaignKinds, ABlowOfABeamKnowsHowItsShapeMoves) {
   test::record_largest("dissipation over sigma [1]", sigmas);
 }
 
-/// A record of the true joint in three cycles of each of ten amplitudes up to the largest, with noise
-/// of 20 millionths of the path and 0.04 % of the force.
+/// A record of the true joint in three cycles of each of ten amplitudes up to the largest, with
+/// noise of 20 millionths of the path and 0.04 % of the force.
 void record_loops(const Sandbox& box, const std::string& name, double largest, std::uint64_t seed) {
   constexpr int kAmplitudes = 10;
   constexpr int kCycles = 3;
@@ -319,8 +321,8 @@ void tighten(const Sandbox& box, double gain,
   box.put("campaign.toml", campaign("", tests + one_test("swept", "predict", swept)));
 }
 
-// D is 5 % larger at 25 Nm: a trend of ln(1.05)/5 = 0.98 % per Nm. 24 levels of 0.5 % a torque tell it
-// to 0.5 %·√(2/24)/5 = 0.03 %.
+// D is 5 % larger at 25 Nm: a trend of ln(1.05)/5 = 0.98 % per Nm. 24 levels of 0.5 % a torque tell
+// it to 0.5 %·√(2/24)/5 = 0.03 %.
 TEST(campaignKinds, SaysWhatATorqueDoes) {
   const Sandbox box = laboratory();
   tighten(box, 1.05);

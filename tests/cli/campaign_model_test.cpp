@@ -84,8 +84,8 @@ std::string measured(const JointedStructure& truth, std::size_t mode, std::size_
   return text;
 }
 
-/// The same with damping ratios, to 1 %, in place of losses: at the lowest levels the joints have less
-/// of them than the noise.
+/// The same with damping ratios, to 1 %, in place of losses: at the lowest levels the joints have
+/// less of them than the noise.
 std::string measured_damping(std::size_t mode, std::size_t session) {
   constexpr double kNoise = 0.01;
   constexpr std::array kFrom{5e-6, 1e-6, 4e-7};
@@ -203,8 +203,8 @@ std::vector<std::string> contradicting(const Sandbox& box) {
 }
 
 // Joints from two modes in both sessions predict the third: 18 frequencies and losses, of which a
-// band of 95 % misses 0.9 each, more than three in 1.5 %. The offset of the third mode in the second
-// session, 0.4 %, is taken as the mean of the others, 0.325 %, and their rms as its σ.
+// band of 95 % misses 0.9 each, more than three in 1.5 %. The offset of the third mode in the
+// second session, 0.4 %, is taken as the mean of the others, 0.325 %, and their rms as its σ.
 TEST(campaign_of_a_model, PredictsAModeFromTwoOthers) {
   const Laboratory box;
   box.put("campaign.toml", campaign("", "predict"));
@@ -325,8 +325,9 @@ TEST(campaign_of_a_model, NamesNoneThatAgree) {
 }
 
 // Damping ratios without standard deviations: their noise is a share of the loss of structure and
-// joints, and so is what they are held against. The losses that are left for the joints are negative
-// at some of the lowest levels; means are not off by them. Five standard deviations of nine ratios.
+// joints, and so is what they are held against. The losses that are left for the joints are
+// negative at some of the lowest levels; means are not off by them. Five standard deviations of
+// nine ratios.
 TEST(campaign_of_a_model, JudgesDampingRatiosByTheirScatter) {
   MICROSLIP_OF_RELEASE_ALONE();
   const Laboratory box;
@@ -368,7 +369,8 @@ TEST(campaign_of_a_model, TakesDeviationsForNoLessThanTheScatter) {
             std::string::npos);
 }
 
-// Without one of two modes the other cannot tell two joints apart: that is said, and nobody accused.
+// Without one of two modes the other cannot tell two joints apart: that is said, and nobody
+// accused.
 TEST(campaign_of_a_model, DoesNotJudgeByJointsThatAreKnownOnlyTogether) {
   const Laboratory box;
   box.put("campaign.toml", R"(schema = "microslip.campaign/1"
@@ -418,8 +420,8 @@ TEST(campaign_of_a_model, NamesLevelsByTheirTests) {
 }
 
 // A decay of the second mode by a march of the true structure, whose hysteretic damping is viscous
-// there: frequencies and damping ratios that it follows from the joints that it identified, with two
-// tables, to its standard deviations.
+// there: frequencies and damping ratios that it follows from the joints that it identified, with
+// two tables, to its standard deviations.
 TEST(campaign_of_a_model, TakesADecay) {
   const Laboratory box;
   const JointedStructure truth = true_structure();

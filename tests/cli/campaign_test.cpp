@@ -59,7 +59,8 @@ session = "2"
 )";
 
 /// Levels of the true joint with noise of 0.5 % in D, 0.01 % in the frequency.
-/// @param offset  of the frequency, relative. @param gain  of D. @param shift  of the amplitudes, m.
+/// @param offset  of the frequency, relative. @param gain  of D. @param shift  of the amplitudes,
+///     m.
 std::string measured(double offset, double gain, double shift, std::uint64_t stream) {
   const Joint joint = parse_joint(test::kLapJoint, "true.json").joint;
   RandomStream random(1, stream);
@@ -193,8 +194,8 @@ TEST(campaign, WarnsOfFrequenciesThatAreNotMonotone) {
   EXPECT_FALSE(box.has("found/model_2.toml"));
 }
 
-// The amplitudes of the second session begin where those of the first end: the joint alone parts its
-// offset from the softening in between. Where they overlap, levels of both hold the two apart.
+// The amplitudes of the second session begin where those of the first end: the joint alone parts
+// its offset from the softening in between. Where they overlap, levels of both hold the two apart.
 TEST(campaign, WarnsOfAnOffsetThatLeansOnTheJoint) {
   const Laboratory box;
   expect_done(box, with(kCall, {"--quiet"}));

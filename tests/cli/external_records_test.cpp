@@ -78,8 +78,8 @@ TEST_F(ExternalRecords, AFrictionDamperWithBacklashIsNone) {
   }
 }
 
-// One of its records does not predict the others, and what it is told by names: of the joint, and of
-// each record by itself. The force is missed by a fifth, where its noise is a thousandth.
+// One of its records does not predict the others, and what it is told by names: of the joint, and
+// of each record by itself. The force is missed by a fifth, where its noise is a thousandth.
 TEST_F(ExternalRecords, AFrictionDamperIsNotPredictedAndItIsSaidWhy) {
   Arguments call{"verify", "joint.json"};
   for (const char* amplitude : {"0.5", "1", "1.5"}) {
@@ -121,7 +121,8 @@ TEST_F(ExternalRecords, AFrictionDamperIsNotPredictedAndItIsSaidWhy) {
   }
 }
 
-// In a campaign levels of its cycles alone identify, which would not tell: each record is looked at.
+// In a campaign levels of its cycles alone identify, which would not tell: each record is looked
+// at.
 TEST_F(ExternalRecords, ACampaignSaysThatAFrictionDamperIsNoJoint) {
   std::string tests;
   for (const char* amplitude : {"0.5", "1", "1.5"}) {

@@ -8,8 +8,8 @@
 #include "cli/samples.hpp"
 #include "support/replaced.hpp"
 
-/// Calls of legal form that ask for more memory or time than there is: refused before the work, with
-/// the value, the bound and what to do. base.WorkSize has the bounds.
+/// Calls of legal form that ask for more memory or time than there is: refused before the work,
+/// with the value, the bound and what to do. base.WorkSize has the bounds.
 
 namespace microslip::cli_test::limits_test {
 namespace {

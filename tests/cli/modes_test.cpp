@@ -41,7 +41,8 @@ Sandbox sandbox(const std::string& structure = kStructure) {
 
 const Arguments kModes{"modes", "s.toml", "--out", "model.toml"};
 
-// The modes of tests/data/two_joints/model.toml are of a dense solver that shares nothing with this one.
+// The modes of tests/data/two_joints/model.toml are of a dense solver that shares nothing with this
+// one.
 TEST(modes, AreThoseOfAnIndependentSolver) {
   const Sandbox box = sandbox();
   const Outcome run = expect_done(box, kModes);

@@ -177,7 +177,8 @@ TEST(tested_modes, OfShapesInMillimetresAreThoseOfTheResponses) {
   }
 }
 
-// The same digits in other records: the same model, but for the number of the dataset that it tells.
+// The same digits in other records: the same model, but for the number of the dataset that it
+// tells.
 TEST(tested_modes, OfDataset2414AreThoseOfDataset55) {
   const std::string units = test::units_dataset(1000.0, 1.0);
   const Sandbox old = sandbox(kShapes, shapes(units));

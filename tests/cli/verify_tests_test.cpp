@@ -21,8 +21,8 @@ namespace {
 /// A structure with the true joint, as the virtual tests have it.
 Sandbox laboratory() { return {{"true.toml", test::kLapModel}, {"joint.json", test::kLapJoint}}; }
 
-/// A stepped sine at a constant response, of frf, of which force and acceleration are read with noise
-/// and the phase is that of the acceleration.
+/// A stepped sine at a constant response, of frf, of which force and acceleration are read with
+/// noise and the phase is that of the acceleration.
 std::string swept(const Sandbox& box, double micrometres, RandomStream& random) {
   expect_done(box, {"frf", "true.toml", "--response", fmt::format("{}um", micrometres),
                     "--frequency", "79:80.5", "--at", "79:80.5:61", "--out", "frf.csv", "--quiet"});
@@ -51,10 +51,10 @@ std::vector<std::string> cells(const CsvTable& table, const std::string& quantit
   return found;
 }
 
-// A campaign: levels of eleven sweeps with noise, a joint from them, and the decay of the same structure,
-// which was not used, predicted. Frequency and damping of the decay lie within what its analysis and the
-// draws say: rms below 1.5 of the standard deviations of the decay alone where the joint is the true one,
-// and at least 90 % of all values in a band of 95 % by the identified one.
+// A campaign: levels of eleven sweeps with noise, a joint from them, and the decay of the same
+// structure, which was not used, predicted. Frequency and damping of the decay lie within what its
+// analysis and the draws say: rms below 1.5 of the standard deviations of the decay alone where the
+// joint is the true one, and at least 90 % of all values in a band of 95 % by the identified one.
 TEST(verifyTests, AHammerBlowFollowsFromSweeps) {
   const Sandbox box = laboratory();
   box.put("rig.toml", test::kLapRig);

@@ -155,8 +155,8 @@ TEST(BalanceEquations, HaveTheDerivativesOfTheirTargets) {
   }
 }
 
-// Random harmonics make inner loops: pairs of maxima and of minima that may become equal. Differences
-// leave 1e-8.
+// Random harmonics make inner loops: pairs of maxima and of minima that may become equal.
+// Differences leave 1e-8.
 TEST(BalanceEquations, HaveTheDerivativesOfTheirTies) {
   const JointedStructure structure = structure_with_three_joints(false, DampingLaw::kViscous);
   BalanceEquations equations(structure, {"b"}, 3, 1024);

@@ -110,8 +110,8 @@ double imbalance(const JointedStructure& structure, const SteadyVibration& vibra
   return left / largest;
 }
 
-// A turn between two of 2048 samples is missed by up to (π/N)²/2 of its amplitude, 1e-6 of the force;
-// a joint with four turns that is stiffer than its modes makes some more of it.
+// A turn between two of 2048 samples is missed by up to (π/N)²/2 of its amplitude, 1e-6 of the
+// force; a joint with four turns that is stiffer than its modes makes some more of it.
 constexpr double kImbalance = 1e-5;
 
 /// Points solve the equations: all of a curve that folds, each eighth of others.

@@ -161,8 +161,8 @@ TEST(MissingModes, AreJudgedOnACurve) {
 }
 
 // Of joints inside, where shapes have nodes: a bar held at both ends, with its joint in the middle
-// or at a third, φ_i(x) = √2 sin(iπx/L), ω_i = iπ c/L, and a beam on supports, ω_i ~ i². The trend of the
-// largest motion is all that is told: between half and five times.
+// or at a third, φ_i(x) = √2 sin(iπx/L), ω_i = iπ c/L, and a beam on supports, ω_i ~ i². The trend
+// of the largest motion is all that is told: between half and five times.
 TEST(MissingModes, AreNotMissedAtNodes) {
   for (const double power : {1.0, 2.0}) {
     for (const double at : {0.5, 1.0 / 3.0}) {

@@ -18,7 +18,8 @@
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "support/figures.hpp"
 
-/// @file Where there are many unknowns the factors of a step of Newton's method serve the next ones.
+/// @file Where there are many unknowns the factors of a step of Newton's method serve the next
+///     ones.
 
 namespace microslip::newton_test {
 namespace {

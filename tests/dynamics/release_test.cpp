@@ -26,8 +26,8 @@ JointedStructure stuck_chain() {
   return chain.modal("m1");
 }
 
-// A stuck structure without damping swings in the mode alone, X cos ωt. The joint is marched to fourth
-// order: 400 steps a period of the highest mode leave 1e-10.
+// A stuck structure without damping swings in the mode alone, X cos ωt. The joint is marched to
+// fourth order: 400 steps a period of the highest mode leave 1e-10.
 TEST(Released, ModesSwingByThemselves) {
   const JointedStructure structure = stuck_chain();
   const std::vector<double> stuck = structure.stuck_frequencies();

@@ -139,9 +139,9 @@ TEST(StaticLoad, IsWhereAMarchBegins) {
   EXPECT_NEAR(found.points[0].displacement[0], begin[2], 1e-12 * begin[2]);
 }
 
-// Steady vibration about the preload: the mean and the first harmonic of a march from there that grows
-// over 240 periods. Where it begins faster, over 60, it overshoots, and the mean is another by 4e-4 of
-// the vibration: it is what the joints remember of the largest cycle.
+// Steady vibration about the preload: the mean and the first harmonic of a march from there that
+// grows over 240 periods. Where it begins faster, over 60, it overshoots, and the mean is another
+// by 4e-4 of the vibration: it is what the joints remember of the largest cycle.
 TEST(StaticLoad, ShiftsSteadyVibrations) {
   const ShakenChain chain;
   const JointedStructure structure = chain.modal("m1", {{"m3", kPreload}});
@@ -197,9 +197,9 @@ TEST(StaticLoad, LetsCurvesBeFollowed) {
   for (const SteadyVibration& point : curve.points) EXPECT_LT(point.energy_imbalance, 1e-7);
 }
 
-// A vibration of 2e-5 to 6e-2 of what the preload displaces, whose second harmonic meets a mode: rounding
-// of the rest is hundreds of times larger there. The curve is found all the same, without a gap, and
-// is that of ten times the force but for the slip of that: 1.1 % at its peak.
+// A vibration of 2e-5 to 6e-2 of what the preload displaces, whose second harmonic meets a mode:
+// rounding of the rest is hundreds of times larger there. The curve is found all the same, without
+// a gap, and is that of ten times the force but for the slip of that: 1.1 % at its peak.
 TEST(StaticLoad, LeavesSmallVibrationsToBeFound) {
   const Joint joint(2e5, SlipDensity({UniformPart{0.0, 50.0, 0.9}}));
   const JointedStructure structure(
@@ -222,8 +222,8 @@ TEST(StaticLoad, LeavesSmallVibrationsToBeFound) {
               0.02 * large.peaks[0].response);
 }
 
-// What floats freely may be preloaded in itself, or beside: only a load on what nothing holds has no
-// equilibrium.
+// What floats freely may be preloaded in itself, or beside: only a load on what nothing holds has
+// no equilibrium.
 TEST(StaticLoad, OfAFloatingStructureMayBeInBalance) {
   const ModalModel linear({{0.0, 0.0}, {100.0, 0.01}},
                           {{"left", {0.5, 0.5}}, {"right", {0.5, -0.5}}});
@@ -240,9 +240,9 @@ TEST(StaticLoad, OfAFloatingStructureMayBeInBalance) {
                        "no equilibrium");
 }
 
-// The error of a march is that of the motion about the preload, which is some hundred times as large
-// here and hides nothing. The first step alone is cut otherwise, as the joint has been moved before: a
-// third of the error is room enough for that, and none for a hundredth.
+// The error of a march is that of the motion about the preload, which is some hundred times as
+// large here and hides nothing. The first step alone is cut otherwise, as the joint has been moved
+// before: a third of the error is room enough for that, and none for a hundredth.
 TEST(StaticLoad, DoesNotHideTheErrorOfAMarch) {
   testing::ShakenChain chain;
   chain.slip_force = {1e6};  // sticks, so that the motion is the same about every preload

@@ -70,8 +70,8 @@ TEST(ColumnStatistics, AreThoseOfSortedColumns) {
   }
 }
 
-// Of 1 … n mean (n + 1)/2 and variance n(n + 1)/12 in closed form; on a large offset, where a sum of
-// squares would lose all digits.
+// Of 1 … n mean (n + 1)/2 and variance n(n + 1)/12 in closed form; on a large offset, where a sum
+// of squares would lose all digits.
 TEST(ColumnStatistics, HaveTheMomentsOfAnArithmeticSequence) {
   constexpr std::size_t kCount = 1000;
   Rows rows;

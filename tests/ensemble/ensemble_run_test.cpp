@@ -362,7 +362,8 @@ TEST(Ensemble, SweepsTheGrid) {
   for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-12);
 }
 
-// The shape of a point that nobody asks for moves nothing: that is told of its axis, and of no other.
+// The shape of a point that nobody asks for moves nothing: that is told of its axis, and of no
+// other.
 TEST(Ensemble, TellsOfANumberThatChangesNothing) {
   const Campaign campaign(
       test::replaced(kSweepPlan, "joint: stiffness_N_per_m", "structure.point[1].shape[0]"));

@@ -18,8 +18,8 @@
 #include "microslip/joint/dissipation.hpp"
 #include "support/effort.hpp"
 
-/// Jobs that identify: bootstrap and design. The truth is φ = 1/30 per N up to 30 N with k = 1e6 N/m,
-/// D = (2/90)k²A³ up to 30 um [AR14 (7)].
+/// Jobs that identify: bootstrap and design. The truth is φ = 1/30 per N up to 30 N with k = 1e6
+/// N/m, D = (2/90)k²A³ up to 30 um [AR14 (7)].
 
 namespace microslip::identification_jobs_test {
 namespace {
@@ -114,8 +114,8 @@ TEST(BootstrapJobs, OfExactLevelsAreTheIdentification) {
 }
 
 // The spread that the bootstrap tells of one test against what virtual tests of the same joint
-// differ by: D in the middle of the range. 300 draws know a deviation to 4 %, the scatter of one test
-// of 40 levels to 12 %, and what a smooth fit takes of the residuals is known to 10 or 20 %.
+// differ by: D in the middle of the range. 300 draws know a deviation to 4 %, the scatter of one
+// test of 40 levels to 12 %, and what a smooth fit takes of the residuals is known to 10 or 20 %.
 TEST(BootstrapJobs, SpreadAsTestsDo) {
   MICROSLIP_OF_RELEASE_ALONE();
   const Inputs design(R"(kind = "design"

@@ -25,8 +25,8 @@ namespace {
 constexpr std::int64_t kMostMemory = std::int64_t{256} << 20U;
 constexpr double kMostSeconds = 1.0;
 
-/// Whether a reader runs, bytes on the heap beyond those at the start of the run, and the most of any
-/// run.
+/// Whether a reader runs, bytes on the heap beyond those at the start of the run, and the most of
+/// any run.
 std::atomic<bool> is_reading{false};
 std::atomic<std::int64_t> heap{0};
 std::atomic<std::int64_t> most_heap{0};

@@ -98,8 +98,8 @@ TEST(Bands, CoverDensitiesThatNothingWasChosenOn) {
   test::record_largest("mean [1]", mean);
 }
 
-// Draw i is a function of (seed, i) alone: the number of threads cannot change a bit. 300 are of two
-// chains.
+// Draw i is a function of (seed, i) alone: the number of threads cannot change a bit. 300 are of
+// two chains.
 TEST(Bands, SameOnAnyNumberOfThreads) {
   const InversionResult result =
       invert(testing::noisy_levels(testing::reference_joint(), 1), kStiffness);
@@ -114,8 +114,8 @@ TEST(Bands, SameOnAnyNumberOfThreads) {
   EXPECT_NE(other.lower, one.lower);
 }
 
-// The quantiles of the draws, or those from 0 on where they are closer, by the definition of a linear interpolation between
-// order statistics (type 7 of Hyndman & Fan).
+// The quantiles of the draws, or those from 0 on where they are closer, by the definition of a
+// linear interpolation between order statistics (type 7 of Hyndman & Fan).
 TEST(Bands, AreQuantilesOfTheSamplesAndHoldTheEstimate) {
   const Joint truth = testing::reference_joint();
   InversionOptions inversion;

@@ -47,8 +47,8 @@ DensityPosterior small_posterior() {
   return invert(levels, kStiffness, options).posterior;
 }
 
-/// Draws truths from the prior of a posterior without any chain: those within the limits of Gaussian
-/// second differences, and of two coefficients that lie anywhere between the limits.
+/// Draws truths from the prior of a posterior without any chain: those within the limits of
+/// Gaussian second differences, and of two coefficients that lie anywhere between the limits.
 class PriorTruths {
  public:
   explicit PriorTruths(const DensityPosterior& posterior)
@@ -91,8 +91,8 @@ class PriorTruths {
   Eigen::PartialPivLU<MatrixXd> solver_;
 };
 
-/// What levels of these coefficients say, of scatter 1: the rows are turned, and one more than there
-/// are coefficients stands for all others.
+/// What levels of these coefficients say, of scatter 1: the rows are turned, and one more than
+/// there are coefficients stands for all others.
 void measure(const VectorXd& x, RandomStream& random, PosteriorRows& rows) {
   VectorXd data = matrix_of(rows.factor) * x;
   for (double& value : data) value += random.normal();

@@ -68,10 +68,10 @@ double covered_share(const InversionResult& result, const DensityBands& bands, c
 
 // 1 % of noise on 90 levels leaves the place of an edge uncertain by some 1 % of its slip force. An
 // edge that is δ off costs √(δ/width) or so in this norm, 0.1 for 1 % of the width: the place alone
-// tells how far the density is off. In two of the twelve sets of the box the search ends at one edge
-// of the two; the share below is a little less than what was measured. The bounds of the errors are
-// what was measured, and a fifth. Beside a smooth population the two edges of a faint one are not
-// found: without them the density is no worse than a smooth one.
+// tells how far the density is off. In two of the twelve sets of the box the search ends at one
+// edge of the two; the share below is a little less than what was measured. The bounds of the
+// errors are what was measured, and a fifth. Beside a smooth population the two edges of a faint
+// one are not found: without them the density is no worse than a smooth one.
 TEST(EdgeSearch, FindsPopulationsThatEndAtOnce) {
   MICROSLIP_OF_RELEASE_ALONE();
   const std::vector<Edged> cases{{"box", box(), {10, 30}, 0.08},
@@ -181,8 +181,9 @@ Joint step_far_below() {
   return testing::joint_of({UniformPart{0, 0.3, 0.1}, UniformPart{0, 33, 0.7}});
 }
 
-// 90 levels in equal ratios over four decades, 1 % of noise. Where an edge is was known to 0.5 %, and
-// to 2.5 % at the upper end, where few levels are; without edges the density of the step was off by 0.16.
+// 90 levels in equal ratios over four decades, 1 % of noise. Where an edge is was known to 0.5 %,
+// and to 2.5 % at the upper end, where few levels are; without edges the density of the step was
+// off by 0.16.
 TEST(EdgeSearch, FindsEdgesOfLevelsOverFourDecades) {
   struct Case {
     Joint truth;
@@ -225,8 +226,9 @@ std::pair<int, int> atoms_of(const Joint& truth) {
 }
 
 // An atom was sought beside a smooth density alone: beside a box it was missed, and one was found
-// where none is, at the end of a density that ends at once, in all draws tried. Now 3, 6 and 6 of six
-// are found, and two of twelve where none is. What is missed is a narrow population between two edges.
+// where none is, at the end of a density that ends at once, in all draws tried. Now 3, 6 and 6 of
+// six are found, and two of twelve where none is. What is missed is a narrow population between two
+// edges.
 TEST(EdgeSearch, TellsAtomsFromPopulationsThatEndAtOnce) {
   MICROSLIP_OF_RELEASE_ALONE();
   const AtomsPart atom{{42.0}, {0.2}};

@@ -101,9 +101,9 @@ TEST(FurtherLevels, OfTheSecantStiffnessAreLessTheMean) {
   EXPECT_NEAR(further.secant_offset_std, further.secant_stiffness_std[0] / std::sqrt(30.0), 1e-6);
 }
 
-// Beyond the levels draws are wider, but the prior knows them as smooth as they are below, and within
-// as they were: nothing was measured. To a half, which is what another basis, given deviations and
-// 300 draws of which a fifth are independent change.
+// Beyond the levels draws are wider, but the prior knows them as smooth as they are below, and
+// within as they were: nothing was measured. To a half, which is what another basis, given
+// deviations and 300 draws of which a fifth are independent change.
 TEST(FurtherLevels, ReachBeyondTheLevels) {
   const LevelEvidence evidence(levels_of(40));
   const InversionResult result = invert(evidence, kStiffness);

@@ -27,7 +27,8 @@ PassOptions pass_with(const ScaledLevels& levels, std::vector<BasisEdge> edges) 
 }
 
 /// −2 log of the density of y ~ N(0, σ²(I + A P⁻¹ Aᵀ)), less m ln 2π, from the matrices themselves:
-/// P = λLᵀL and the precision of what that leaves free, on each range between edges that of its size.
+/// P = λLᵀL and the precision of what that leaves free, on each range between edges that of its
+/// size.
 double dense_evidence(const InversionModel& model, const SmoothingPoint& point) {
   const SmoothingProblem& problem = model.problem();
   // Levels near the floor of the weights count as less than one.
@@ -60,8 +61,8 @@ double dense_evidence(const InversionModel& model, const SmoothingPoint& point) 
 }
 
 // 10 % of noise, beside which what the basis resolves no further, 0.3 %, is nothing.
-// Where no limit holds a coefficient the likelihood has a closed form. evidence() leaves out what the
-// prior of the straight lines pulls at the solution: up to 1 a range, 0.6 to 0.97 here.
+// Where no limit holds a coefficient the likelihood has a closed form. evidence() leaves out what
+// the prior of the straight lines pulls at the solution: up to 1 a range, 0.6 to 0.97 here.
 TEST(InversionModel, EvidenceIsTheMarginalLikelihood) {
   const LevelEvidence evidence(testing::noisy_levels(testing::uniform_beyond_range(), 3, 0.1));
   const ScaledLevels levels(evidence, kStiffness);

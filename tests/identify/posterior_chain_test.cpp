@@ -141,8 +141,8 @@ TEST(PosteriorChain, GoesOnBetweenNarrowLimits) {
   EXPECT_NEAR(mean, 0.5 * kSum, 0.1 * kSum);
 }
 
-// Three coefficients, independent with a deviation of 1/√2: of N(−½, ½), N(0, ½) and N(1½, ½) as much
-// lies at 0 as they have below it. 20 000 draws are good to 0.004; four times that.
+// Three coefficients, independent with a deviation of 1/√2: of N(−½, ½), N(0, ½) and N(1½, ½) as
+// much lies at 0 as they have below it. 20 000 draws are good to 0.004; four times that.
 TEST(PosteriorChain, BringsDrawsWithinLimits) {
   ChainTarget given;
   given.rows.push_back({.design = MatrixXd::Identity(3, 3),

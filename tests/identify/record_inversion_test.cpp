@@ -125,7 +125,8 @@ TEST(RecordInversion, FindsTheJointOfEachIndependentRecord) {
   }
 }
 
-/// Errors of k of one path with noise anew, for each smoothing of a grid where the scatter is known.
+/// Errors of k of one path with noise anew, for each smoothing of a grid where the scatter is
+/// known.
 struct KnownSmoothing {
   std::vector<double> lambda;
   std::vector<double> square;  ///< Σ of squared relative errors, one a λ
@@ -150,10 +151,10 @@ struct KnownSmoothing {
 };
 
 // The noise of a record moves k whatever the method. Here it is held against the smoothing of one
-// strength that is best for a path: chosen by the truth, the scatter known. Over 60 records, random,
-// earthquake and sines, the rms were 0.47, 0.37 and 0.52 %, with that smoothing 0.38, 0.34 and 0.51 %,
-// and with the mean of the draws, the estimate that was, 0.69, 0.69 and 0.88 %. Of 20 records a rms
-// is known to 1/√40 of it: 1.3 is within two of these of all, and 1.5 is beyond.
+// strength that is best for a path: chosen by the truth, the scatter known. Over 60 records,
+// random, earthquake and sines, the rms were 0.47, 0.37 and 0.52 %, with that smoothing 0.38, 0.34
+// and 0.51 %, and with the mean of the draws, the estimate that was, 0.69, 0.69 and 0.88 %. Of 20
+// records a rms is known to 1/√40 of it: 1.3 is within two of these of all, and 1.5 is beyond.
 TEST(RecordInversion, FindsKAsWellAsTheBestSmoothing) {
   MICROSLIP_OF_RELEASE_ALONE();
   const Joint truth = record_joint();
@@ -287,9 +288,9 @@ std::vector<double> rising_sines(std::size_t count, double largest, double cycle
 
 // Twelve densities, four records each: 95 % bands should hold ψ at 0.90 to 0.98 of the range, k and
 // K_e in 0.90 to 0.99 of the records. 0.94 of the range, 41 and 42 of 48 were found when this was
-// written. From draws of the truncated posterior it was two thirds of 78 such records: where nothing
-// slips at one end of the range in truth, something did in each of them. Not among these: a pole
-// with narrow populations on it, of which k is too low (docs/theory.md 4.4).
+// written. From draws of the truncated posterior it was two thirds of 78 such records: where
+// nothing slips at one end of the range in truth, something did in each of them. Not among these: a
+// pole with narrow populations on it, of which k is too low (docs/theory.md 4.4).
 TEST(RecordInversion, BandsHoldTheTruthAsOftenAsTheySay) {
   MICROSLIP_OF_RELEASE_ALONE();
   std::vector<testing::NamedJoint> truths = testing::all_truths();
@@ -420,8 +421,9 @@ TEST(RecordInversion, OfMoreSamplesIsTheSame) {
             error_of_density(coarse.joint(), truth, reach_of(coarse)) + 0.02);
 }
 
-// 3000 cycles whose amplitude comes and goes, of twelve single sliders: rows are some 25 µm long, as far as sliders are
-// from each other. k was found to 0.6 %; with rows that took the density as smooth over their length it was 8 % too high.
+// 3000 cycles whose amplitude comes and goes, of twelve single sliders: rows are some 25 µm long,
+// as far as sliders are from each other. k was found to 0.6 %; with rows that took the density as
+// smooth over their length it was 8 % too high.
 TEST(RecordInversion, OfThousandsOfCyclesIsTheSame) {
   AtomsPart sliders;
   constexpr int kSliders = 12;

@@ -80,8 +80,8 @@ TEST(TruncatedGaussian, OfTwoAlikeHasTheMeanOfTheQuadrant) {
   }
 }
 
-// So wide that the budget alone limits, to 0.5 %: uniform on a triangle, of mean 1/3 and mean square
-// 1/6.
+// So wide that the budget alone limits, to 0.5 %: uniform on a triangle, of mean 1/3 and mean
+// square 1/6.
 TEST(TruncatedGaussian, WithinABudgetIsUniformWhereTheGaussianIsFlat) {
   const Moments found = moments(1e-2 * MatrixXd::Identity(2, 2), VectorXd::Zero(2),
                                 VectorXd::Ones(2), VectorXd::Constant(2, 0.2), 4);
@@ -140,8 +140,9 @@ TEST(TruncatedGaussian, LimitsTheFirstCoefficientsAlone) {
   EXPECT_NEAR(negative, 2000, 4 * 32);  // √4000/2 = 32
 }
 
-// Two budgets of one coefficient each cut a box out of the positive quadrant, in which a Gaussian that
-// is wide is uniform: means at half of the sides. 20 000 draws tell them to 0.3 % of a side or so.
+// Two budgets of one coefficient each cut a box out of the positive quadrant, in which a Gaussian
+// that is wide is uniform: means at half of the sides. 20 000 draws tell them to 0.3 % of a side or
+// so.
 TEST(TruncatedGaussian, KeepsToSeveralBudgets) {
   constexpr int kOfBox = 20'000;
   MatrixXd budgets(2, 2);

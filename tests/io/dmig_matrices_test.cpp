@@ -15,8 +15,8 @@ namespace {
 
 using test::message_of;
 
-// Two masses of 2 and 3 on points 7 and 12, and a scalar point 40: K = [4 -1 0; -1 5 -2; 0 -2 6], as
-// a solver punches it, in wide fields; the numbers with all exponents that the format knows.
+// Two masses of 2 and 3 on points 7 and 12, and a scalar point 40: K = [4 -1 0; -1 5 -2; 0 -2 6],
+// as a solver punches it, in wide fields; the numbers with all exponents that the format knows.
 const std::string kWide =
     "$ punched\n"
     "DMIG    KAAX           0       6       2       0                       3\n"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-// faulty_reader WHAT [NUMBER]: does as a reading program what the test of reading processes asks for.
+// faulty_reader WHAT [NUMBER]: does as a reading program what the test of reading processes asks
+// for.
 
 #include <unistd.h>
 

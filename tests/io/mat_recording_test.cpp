@@ -357,8 +357,8 @@ TEST_F(MatRecording, RefusesMoreStructsThanAFileCanHold) {
             std::string::npos);
 }
 
-// Byte for byte as [MathWorks, MAT-File Format] has it: the length of the names of fields is a small
-// element, which matio and Octave rely on.
+// Byte for byte as [MathWorks, MAT-File Format] has it: the length of the names of fields is a
+// small element, which matio and Octave rely on.
 TEST_F(MatRecording, WritesTheLengthOfNamesInItsTag) {
   write_recordings_mat(path_, std::vector{test::time_recording()});
   const std::string file = test::get(path_);

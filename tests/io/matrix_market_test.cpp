@@ -32,7 +32,8 @@ TEST(MatrixMarket, ReadsOneTriangle) {
   EXPECT_EQ(upper.column, (Indices{0, 0}));
 }
 
-// Both triangles, in any order, parts of one entry apart: sorted by columns, the mean of both sides.
+// Both triangles, in any order, parts of one entry apart: sorted by columns, the mean of both
+// sides.
 TEST(MatrixMarket, ReadsBothTriangles) {
   const SymmetricEntries matrix =
       parse_matrix_market(kWhole + "2 2 5\n2 2 3\n1 2 -1\n2 1 -1.000000001\n1 1 2\n1 1 2\n", "");

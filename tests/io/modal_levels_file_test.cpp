@@ -61,7 +61,8 @@ TEST(ModalLevelsFile, ReadsTheErrorOfTheDisplacement) {
   EXPECT_DOUBLE_EQ(levels.displacement_std[0], 2e-7);
 }
 
-// The deviation of x, or the amplitude of x_std: refused where both are joints and the column is there.
+// The deviation of x, or the amplitude of x_std: refused where both are joints and the column is
+// there.
 TEST(ModalLevelsFile, AColumnOfTwoJointsIsRefused) {
   const std::vector<std::string> joints{"x", "x_std"};
   const std::string head = "mode [1],displacement [m],dissipation [J]";

@@ -44,7 +44,8 @@ TEST(OutputFiles, WritesAFile) {
   EXPECT_EQ(folder.names(), Names{"levels.csv"});
 }
 
-// What a killed process left goes with the next file that is written there; what a living one works on stays.
+// What a killed process left goes with the next file that is written there; what a living one works
+// on stays.
 TEST(OutputFiles, RemovesWhatAKilledProcessLeft) {
   const test::TemporaryFolder folder;
   const pid_t child = ::fork();

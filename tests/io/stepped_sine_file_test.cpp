@@ -73,7 +73,8 @@ TEST(SteppedSineFile, IsToldFromOtherFiles) {
   EXPECT_FALSE(is_stepped_sine(""));
 }
 
-// What is meant to be a sweep and lacks a part is told as such, not as a record without accelerometers.
+// What is meant to be a sweep and lacks a part is told as such, not as a record without
+// accelerometers.
 TEST(SteppedSineFile, NamesThePartThatASweepLacks) {
   const test::TemporaryFolder folder;
   const std::string path = folder.file("x.csv");

@@ -10,8 +10,9 @@
 #include "support/messages.hpp"
 #include "support/replaced.hpp"
 
-// Files by hand after the description of dataset 2414 ("Analysis Data") that the Structural Dynamics
-// Research Laboratory, University of Cincinnati, publishes: records 1 to 13, then 14 and 15 a node.
+// Files by hand after the description of dataset 2414 ("Analysis Data") that the Structural
+// Dynamics Research Laboratory, University of Cincinnati, publishes: records 1 to 13, then 14 and
+// 15 a node.
 
 namespace microslip::uff2414_test {
 namespace {

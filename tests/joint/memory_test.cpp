@@ -461,7 +461,8 @@ TEST(Memory, ResetIsVirgin) {
 
 // ---- The rules on a path. ----
 
-// Forces and energies beyond would be NaN: differences of displacements overflow, and their squares.
+// Forces and energies beyond would be NaN: differences of displacements overflow, and their
+// squares.
 TEST(Memory, FollowsAJointAsFarAsItSays) {
   const Joint joint = atoms_joint();
   Memory memory(joint);

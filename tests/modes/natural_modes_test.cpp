@@ -90,7 +90,8 @@ TEST(NaturalModes, OfMoreThanThereAreAreAll) {
   EXPECT_TRUE(modes.summary.converged());
 }
 
-// Every other mass is 0: the chain is one of half the masses with twice the compliance between them.
+// Every other mass is 0: the chain is one of half the masses with twice the compliance between
+// them.
 TEST(NaturalModes, LeaveOutWhatHasNoMass) {
   for (const std::size_t masses : {std::size_t{10}, std::size_t{800}}) {
     MassChains chain{.masses = masses};

@@ -111,9 +111,9 @@ TEST(ResponseFit, OfNoisyResponsesIsNearby) {
   }
 }
 
-// The errors that it tells are those that it makes: over the residues at the drive point of 12 draws
-// of noise, mean squares of error over told error are within a factor of two of 1: five times their
-// own scatter, √(2/60).
+// The errors that it tells are those that it makes: over the residues at the drive point of 12
+// draws of noise, mean squares of error over told error are within a factor of two of 1: five times
+// their own scatter, √(2/60).
 TEST(ResponseFit, TellsItsErrors) {
   const TestedChain chain;
   const Eigen::MatrixXcd exact = chain.responses(kAll, kDrive, 2);
@@ -133,8 +133,8 @@ TEST(ResponseFit, TellsItsErrors) {
   EXPECT_LT(sum, 2.0);
 }
 
-// Of a band that ends between the third and the fourth mode; a constant stands for the rest, which is
-// none near its end. Found: 1.8e-5, 0.12 % and 2.7 %, largest in the third mode.
+// Of a band that ends between the third and the fourth mode; a constant stands for the rest, which
+// is none near its end. Found: 1.8e-5, 0.12 % and 2.7 %, largest in the third mode.
 TEST(ResponseFit, OfSomeModesLacksTheOthersAsAResidual) {
   const ResponseFit fit = fit_chain({}, 0, 0.0, test::even_frequencies(5.0, 0.25, 281));
   ASSERT_EQ(fit.modes.size(), 3U);
@@ -148,7 +148,8 @@ TEST(ResponseFit, OfSomeModesLacksTheOthersAsAResidual) {
   EXPECT_LT(fit.upper(kDrive), 3.0 * above);
 }
 
-// A damper at one mass: the poles are those of the quadratic eigenvalue problem, shapes are complex.
+// A damper at one mass: the poles are those of the quadratic eigenvalue problem, shapes are
+// complex.
 TEST(ResponseFit, OfComplexModesHasTheirPoles) {
   const TestedChain chain{.damper_at_end = 20.0};
   const ResponseFit fit = fit_chain(chain, 1);

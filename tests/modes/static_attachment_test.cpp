@@ -95,7 +95,8 @@ TEST(StaticAttachment, OfTwoEqualLoadsIsOneShape) {
   EXPECT_EQ(attach_statically(system, modes, loads_at(30, {12, 12})).shapes.cols(), 1);
 }
 
-// The last mass is 0: what its spring adds to the compliance moves no mass, and no shape can have it.
+// The last mass is 0: what its spring adds to the compliance moves no mass, and no shape can have
+// it.
 TEST(StaticAttachment, TellsWhatMovesWithoutMass) {
   const MassChains chain{.masses = 30};
   StructuralMatrices matrices = chain.matrices();

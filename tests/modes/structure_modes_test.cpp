@@ -22,7 +22,8 @@ using test::MassChains;
 
 const std::string kTwoJoints = MICROSLIP_TEST_DATA "/two_joints/";
 
-/// The structure of tests/data/two_joints: a joint between masses 2 and 3, one from mass 6 to ground.
+/// The structure of tests/data/two_joints: a joint between masses 2 and 3, one from mass 6 to
+/// ground.
 MeshedStructure two_joints() {
   MeshedStructure structure;
   structure.matrices.stiffness = read_matrix_market(kTwoJoints + "stiffness.mtx");
@@ -108,8 +109,8 @@ double peak(const MeshedStructure& structure, const ModesOptions& options) {
   return found.vibration.response;
 }
 
-// All 60 modes of the chain are the structure itself. Of a quarter of them the joint moves too little
-// unless the attachment brings what is missing.
+// All 60 modes of the chain are the structure itself. Of a quarter of them the joint moves too
+// little unless the attachment brings what is missing.
 TEST(StructureModes, WithAttachmentsNeedAQuarterOfTheModes) {
   const MeshedStructure structure = chain_with_joint(60);
   for (const JointsInModes joints : {JointsInModes::kFree, JointsInModes::kStuck}) {
@@ -125,8 +126,8 @@ TEST(StructureModes, WithAttachmentsNeedAQuarterOfTheModes) {
   }
 }
 
-// The joint's spring in the modes or beside them is the same structure, where nothing is damped twice:
-// all modes, and a frequency at which the joint sticks.
+// The joint's spring in the modes or beside them is the same structure, where nothing is damped
+// twice: all modes, and a frequency at which the joint sticks.
 TEST(StructureModes, FreeAndStuckAreOneStructure) {
   const MeshedStructure structure = chain_with_joint(30);
   const auto stuck_frequencies = [&](JointsInModes joints) {
@@ -232,8 +233,8 @@ TEST(StructureModes, OfABaseHaveItsStaticMotionAttached) {
   EXPECT_NEAR(sum / of_base.exact, 1.0, 1e-9);
 }
 
-// Elements whose mass spreads over rows that something outside holds: the share of what is held there
-// is not in the matrices, which a user must know.
+// Elements whose mass spreads over rows that something outside holds: the share of what is held
+// there is not in the matrices, which a user must know.
 TEST(StructureModes, OfABaseSayWhatMassIsMissing) {
   MeshedStructure structure = chain_with_joint(12);
   structure.bases.push_back({.name = "table", .direction = {.axis = {1.0, 0.0, 0.0}}});

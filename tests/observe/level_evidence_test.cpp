@@ -74,8 +74,8 @@ TEST(LevelEvidence, DeviationsGivenAddToThoseOfTheAmplitude) {
   }
 }
 
-// A share of D as predicted, not as measured, and one σ of all k_eq; an estimated scatter holds that
-// of the amplitude.
+// A share of D as predicted, not as measured, and one σ of all k_eq; an estimated scatter holds
+// that of the amplitude.
 TEST(LevelEvidence, UnknownDeviationsAreAShareOfThePrediction) {
   Levels levels = exact_levels(true);
   levels.dissipation[5] *= 0.1;

@@ -112,7 +112,8 @@ TEST(RecordCycles, CloseThoseOfADecay) {
   }
 }
 
-// Where the amplitude grows by a third no slider of the largest slip displacement had slipped before.
+// Where the amplitude grows by a third no slider of the largest slip displacement had slipped
+// before.
 TEST(RecordCycles, AreNotWhatDoesNotClose) {
   const Joint joint = testing::uniform_to_range_end();
   const RecordCycles found =
@@ -233,11 +234,11 @@ void expect_stated_scatter(const Joint& joint, std::size_t samples,
 }
 
 // Of 200 records a standard deviation is known to 5 %; the rest is for the flat spectrum that the
-// noise is taken from, and for what the filter of the path is taken as. Noise of the force alone, of the
-// path alone, of both beside an offset; a joint that slips in part, and one all of which slips at the
-// least amplitude, whose k_eq is a twentieth of the stiffness that an error of u acts by behind a
-// turn. Of a path as noisy as that no force is straight in u in between: few samples cut loops short, which
-// is a bias and no scatter.
+// noise is taken from, and for what the filter of the path is taken as. Noise of the force alone,
+// of the path alone, of both beside an offset; a joint that slips in part, and one all of which
+// slips at the least amplitude, whose k_eq is a twentieth of the stiffness that an error of u acts
+// by behind a turn. Of a path as noisy as that no force is straight in u in between: few samples
+// cut loops short, which is a bias and no scatter.
 TEST(RecordCycles, ScatterAsTheySay) {
   MICROSLIP_OF_RELEASE_ALONE();
   const Joint all_slips = testing::joint_of({UniformPart{0, 8, 1}});

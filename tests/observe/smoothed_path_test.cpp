@@ -45,7 +45,8 @@ double distance(const std::vector<double>& a, const std::vector<double>& b, std:
 }
 
 // The upper quarter of the spectrum has a thousand lines: their median power is good to 1.4/√1000,
-// its root to half of that, 2.2 %; 7 % is three of these. Below 3e-4 the ends of the path leak into it.
+// its root to half of that, 2.2 %; 7 % is three of these. Below 3e-4 the ends of the path leak into
+// it.
 TEST(SmoothedPath, FindsTheNoise) {
   for (const double noise : {3e-4, 1e-3, 1e-2}) {
     const SmoothedPath found = smooth_path(with_noise(slow_path(8000, 3), noise, 4));
@@ -53,8 +54,8 @@ TEST(SmoothedPath, FindsTheNoise) {
   }
 }
 
-// White noise in the 6 % of the band that the path fills is a quarter of all of it; where the ends of
-// the path leak above it, more is kept.
+// White noise in the 6 % of the band that the path fills is a quarter of all of it; where the ends
+// of the path leak above it, more is kept.
 TEST(SmoothedPath, KeepsThePathAndLittleOfTheNoise) {
   const std::vector<double> truth = slow_path(8000, 5);
   for (const double noise : {1e-3, 1e-2}) {

@@ -97,7 +97,8 @@ TEST(GnuplotScript, HoldsTheDataInOrder) {
 }
 
 // Two layers share 0.76 of a step of 1: from −0.38 to 0 and from 0 to 0.38 beside each number. The
-// lower end of a bar is 0 or, on a logarithmic axis, the end of that; a bar of 0 has no place there.
+// lower end of a bar is 0 or, on a logarithmic axis, the end of that; a bar of 0 has no place
+// there.
 TEST(GnuplotScript, BarsOfLayersStandSideBySide) {
   Figure figure{
       .y = {.range = AxisRange{0.1, 10.0}},

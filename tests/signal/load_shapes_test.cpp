@@ -78,8 +78,9 @@ TEST(StationaryNoise, HasTheDensityThatIsAskedFor) {
             stationary_noise(100, kRate, kSpecified, 7, 2));
 }
 
-// A narrow density between the lines of a short record, and one below them: over 400 seeds the variance
-// is known to 1/√400 of itself and less. A band of 0.1 Hz in a record of 1 s is one slow sine.
+// A narrow density between the lines of a short record, and one below them: over 400 seeds the
+// variance is known to 1/√400 of itself and less. A band of 0.1 Hz in a record of 1 s is one slow
+// sine.
 TEST(StationaryNoise, OfANarrowBandHasItsVariance) {
   for (const PowerDensity& narrow :
        {PowerDensity{{5.0, 5.1}, {1.0, 1.0}}, PowerDensity{{0.5, 0.55}, {1.0, 1.0}}}) {

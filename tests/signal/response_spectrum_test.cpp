@@ -31,8 +31,8 @@ Pulse half_sine(double peak, double duration, int pieces) {
 }
 
 /// max |ẍ| of an undamped mass under a half-sine, in closed form: during the pulse
-/// A/(1 − β²)[sin Ωt − β sin ωt], β = Ω/ω, looked through finely; after it 2Aβ cos(π/(2β))/(1 − β²).
-/// [Chopra, Dynamics of Structures, 4.8]
+/// A/(1 − β²)[sin Ωt − β sin ωt], β = Ω/ω, looked through finely; after it 2Aβ cos(π/(2β))/(1 −
+/// β²). [Chopra, Dynamics of Structures, 4.8]
 double exact_maximax(double peak, double duration, double frequency) {
   const double omega = 2.0 * pi * frequency;
   const double beta = pi / duration / omega;
@@ -45,8 +45,8 @@ double exact_maximax(double peak, double duration, double frequency) {
   return most;
 }
 
-// The chords of 2000 pieces lie 3e-7 beside the sine; a parabola through three of 40 points a period
-// leaves 1e-5 of the height.
+// The chords of 2000 pieces lie 3e-7 beside the sine; a parabola through three of 40 points a
+// period leaves 1e-5 of the height.
 TEST(ResponseSpectrum, OfAHalfSineIsThatInClosedForm) {
   const Pulse pulse = half_sine(50.0, 0.011, 2000);
   const std::vector<double> frequency{3.0, 11.0, 30.0, 70.0, 150.0, 400.0, 1500.0};

@@ -91,7 +91,8 @@ TEST(ShockSynthesis, HasTheSpectrumThatIsAskedFor) {
   }
 }
 
-// Wavelets of whole steps have Σ w = 0 and Σ iw = 0: what is left is rounding of some thousand sums.
+// Wavelets of whole steps have Σ w = 0 and Σ iw = 0: what is left is rounding of some thousand
+// sums.
 TEST(ShockSynthesis, LeavesTheBaseAtRestWhereItWas) {
   const ShockOptions options = options_of(kSpecified);
   const SynthesizedShock shock = synthesize_shock(kSpecified, options);

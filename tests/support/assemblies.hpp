@@ -25,8 +25,9 @@ struct KnownSpread {
   double shape = 0.15;
 };
 
-/// An assembly of a joint: φ_j(f) = φ(f/S)/S · e^g(f/S) with g = c₀ + c₁cos πt + c₂sin πt, t the root
-/// of f over the end of the density: not what the identification assumes of shapes, but as smooth.
+/// An assembly of a joint: φ_j(f) = φ(f/S)/S · e^g(f/S) with g = c₀ + c₁cos πt + c₂sin πt, t the
+/// root of f over the end of the density: not what the identification assumes of shapes, but as
+/// smooth.
 inline Joint assembly_of(const Joint& middle, const KnownSpread& spread, std::uint64_t seed,
                          std::uint64_t number) {
   constexpr std::size_t kKnots = 1500;

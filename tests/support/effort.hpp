@@ -6,8 +6,9 @@
 /// @file
 /// What a test need not do under the sanitizers, where everything takes five to ten times as long.
 
-/// Ends a test of a statistic, or of bytes that are compared: it runs the same code hundreds of times, which another test runs
-/// under the sanitizers, and its figure is that of the release build. It counts as skipped.
+/// Ends a test of a statistic, or of bytes that are compared: it runs the same code hundreds of
+/// times, which another test runs under the sanitizers, and its figure is that of the release
+/// build. It counts as skipped.
 #ifdef __SANITIZE_ADDRESS__
 #define MICROSLIP_OF_RELEASE_ALONE() GTEST_SKIP() << "of the release build alone"
 #else

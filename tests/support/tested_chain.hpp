@@ -15,8 +15,8 @@
 #include "microslip/base/random.hpp"
 
 /// @file
-/// A chain of unequal masses and springs whose matrices are known, and what a test of it writes to a
-/// universal file: frequency responses that are solved for at each frequency, and mode shapes.
+/// A chain of unequal masses and springs whose matrices are known, and what a test of it writes to
+/// a universal file: frequency responses that are solved for at each frequency, and mode shapes.
 
 namespace microslip::test {
 

@@ -65,8 +65,8 @@ inline double noisy(double value, double sigma, RandomStream& random) {
   return value * (1.0 + sigma * random.normal());
 }
 
-/// What `frf` wrote as a stepped sine: force and acceleration are read with 0.3 % and 0.1 % of noise
-/// at each step, and the phase is that of the acceleration.
+/// What `frf` wrote as a stepped sine: force and acceleration are read with 0.3 % and 0.1 % of
+/// noise at each step, and the phase is that of the acceleration.
 inline std::string noisy_sweep(const std::string& response, RandomStream& random) {
   const CsvTable table(response, "frf.csv");
   const std::vector<double> frequency = table.numbers("frequency", kFrequency);

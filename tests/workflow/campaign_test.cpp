@@ -151,8 +151,8 @@ TEST(CampaignSessions, TellsHowTestsRepeat) {
   EXPECT_EQ(effects.sessions[1].levels, 10U);
 }
 
-// The second session lies above the first: what their frequencies differ by, from −3·σ of the mean to
-// the softening between the two in closed form, is told apart by the joint alone.
+// The second session lies above the first: what their frequencies differ by, from −3·σ of the mean
+// to the softening between the two in closed form, is told apart by the joint alone.
 TEST(CampaignSessions, TellsOfAmplitudesThatDoNotOverlap) {
   VirtualCampaign campaign = campaign_of(
       {{.session = "a"}, {.session = "b", .offset = 0.003}, {.session = "c", .offset = 0.001}}, 1);
@@ -197,8 +197,8 @@ CampaignLevels modal_levels_with(const std::vector<std::vector<double>>& offsets
   return levels;
 }
 
-// By hand. The first session has the first three modes, the second four, of which the last is none of
-// the first; a third session has no levels.
+// By hand. The first session has the first three modes, the second four, of which the last is none
+// of the first; a third session has no levels.
 TEST(CampaignSessions, GiveEachModeItsOffset) {
   CampaignFile file{.subject = CampaignSubject::kModel, .session_offsets = true};
   file.tests = {{.name = "a", .file = "", .session = "1"},
@@ -228,15 +228,16 @@ TEST(CampaignSessions, GiveEachModeItsOffset) {
   EXPECT_EQ(effects.offset_of("3", 1).second, effects.between_frequencies);
 }
 
-/// Three masses with two joints that are no part of the modes: these hold a fifth to a half of them.
+/// Three masses with two joints that are no part of the modes: these hold a fifth to a half of
+/// them.
 JointedStructure free_of_joints() {
   return testing::chain_structure({3.0, 2.0, 2.5}, {5e5, 4e5, 7e5, 2e5},
                                   {{"lap", 0, 1, Joint(6e5, {})}, {"other", 1, 2, Joint(9e5, {})}},
                                   0.004, {0.0, 0.0});
 }
 
-// The eigenvalues of the structure with its joints stuck, before and after, tell what arrives of the
-// offsets: all of it, to what Newton's method stops at.
+// The eigenvalues of the structure with its joints stuck, before and after, tell what arrives of
+// the offsets: all of it, to what Newton's method stops at.
 TEST(CampaignSessions, PutOffsetsOnTheStructureWithItsJoints) {
   const JointedStructure before = free_of_joints();
   const std::vector<double> wanted{0.004, -0.002, 0.006};
@@ -319,7 +320,8 @@ std::vector<ConditionEffect> torques_of(const std::vector<std::vector<std::size_
   return condition_effects(file, levels, session_effects(file, levels, found));
 }
 
-// Nominal frequencies that are off are no difference of conditions, whatever modes their tests have.
+// Nominal frequencies that are off are no difference of conditions, whatever modes their tests
+// have.
 TEST(CampaignConditions, HoldFrequenciesOfOneModeAgainstEachOther) {
   for (const auto& modes : std::vector<std::vector<std::vector<std::size_t>>>{
            {{1, 2}, {1, 2}}, {{1, 2}, {2, 3}}, {{1, 1, 2}, {1, 2, 2, 3}}}) {
@@ -374,8 +376,8 @@ void set_torque(CampaignTest& test, double torque) {
   test.conditions = {{"torque_Nm", fmt::format("{}", torque), torque}};
 }
 
-// Three torques at which D is 0, 2 and 4 % more: a trend of ln(1.04)/10 a Nm to 0.5 %·√(1/200) a Nm.
-// A test that does not say its torque is in none of the groups.
+// Three torques at which D is 0, 2 and 4 % more: a trend of ln(1.04)/10 a Nm to 0.5 %·√(1/200) a
+// Nm. A test that does not say its torque is in none of the groups.
 TEST(CampaignConditions, StateATrend) {
   VirtualCampaign campaign = campaign_of({{.session = "a"},
                                           {.session = "a", .gain = 1.02},
@@ -406,8 +408,9 @@ TEST(CampaignConditions, StateATrend) {
   EXPECT_EQ(warnings[0].text.find(beyond), warnings[0].text.rfind(beyond));
 }
 
-// Two tests of each of two torques whose D scatters by 2 % from test to test, four times the noise of
-// a level and 13 times that of a mean of ten: that scatter, not the noise, says what a difference is.
+// Two tests of each of two torques whose D scatters by 2 % from test to test, four times the noise
+// of a level and 13 times that of a mean of ten: that scatter, not the noise, says what a
+// difference is.
 TEST(CampaignConditions, KnowHowTestsRepeat) {
   VirtualCampaign campaign = campaign_of({{.session = "a", .gain = 0.98},
                                           {.session = "a", .gain = 1.02},
@@ -504,9 +507,9 @@ std::vector<LeftOut> left_out_of(VirtualCampaign campaign, LeaveOut what, double
   return leave_one_out(campaign.file, campaign.levels, options);
 }
 
-// Of four tests the third is of a joint that loses 15 % more, thirty times the noise: it is named, and
-// by how much. The others, which agree, are held against three of which one is wrong: their band is
-// wide, and they lie in it.
+// Of four tests the third is of a joint that loses 15 % more, thirty times the noise: it is named,
+// and by how much. The others, which agree, are held against three of which one is wrong: their
+// band is wide, and they lie in it.
 TEST(CampaignLeaveOneOut, NamesTheTestOfAnotherJoint) {
   const std::vector<LeftOut> parts = left_out_of(
       campaign_of(

@@ -36,7 +36,8 @@ bool warns(const ComparedTest& test, const std::string& code) {
 
 // By the joint that made it what is left is noise: of the force, 0.4 % of its largest, and of the
 // path, 2e-4 of its largest, which a stiff joint turns into force: some 1.5 of the noise of the
-// force. Losses of cycles differ by their standard deviations: near 1, the mean of a few dozen, below 2.
+// force. Losses of cycles differ by their standard deviations: near 1, the mean of a few dozen,
+// below 2.
 TEST(LoopsComparison, OfTheTrueJointLeavesNoise) {
   const ComparedTest test = compare_loops(record(), {joint()});
   EXPECT_EQ(test.kind, TestKind::kLoops);
@@ -50,7 +51,8 @@ TEST(LoopsComparison, OfTheTrueJointLeavesNoise) {
   EXPECT_FALSE(warns(test, "test_not_of_this_kind"));
 }
 
-// A joint under half of its load reaches half of the force where it slips; the loss is another, too.
+// A joint under half of its load reaches half of the force where it slips; the loss is another,
+// too.
 TEST(LoopsComparison, TellsAnotherJoint) {
   const Joint half(1.7e5, SlipDensity({UniformPart{0.0, 20.0, 0.6}}));
   const ComparedTest test = compare_loops(record(), {half});

@@ -88,8 +88,8 @@ TEST_F(MeasurementRunFiles, AFolderOfAnotherTestIsRefused) {
   EXPECT_THROW((void)run_measurement(plan_), InputError);
 }
 
-// The file holds all digits; the first resonance is that of the stuck beam, which seven modes on the
-// spring of the contact give to 1e-3.
+// The file holds all digits; the first resonance is that of the stuck beam, which seven modes on
+// the spring of the contact give to 1e-3.
 TEST_F(MeasurementRunFiles, TheModelHasTheResonancesOfTheRig) {
   const RigModel model =
       model_of_rig(plan_.rig, folder_.file("truth.json"), folder_.file("model.toml"), 7, "call");

@@ -22,7 +22,8 @@ const std::string kEnsemble =
     "a,displacement_upper,m,frequency [Hz],2,9,1,0,1,2.5,3.5,4.5,5\n"
     "b,area,1,,,0,,,,,,,\n";
 
-// The two edges of a response become one curve with the outer edges; what no job has is not a number.
+// The two edges of a response become one curve with the outer edges; what no job has is not a
+// number.
 TEST(EnsembleCurves, AreReadFromTheirTable) {
   const std::vector<EnsembleCurve> curves = ensemble_curves({kEnsemble, "e.csv"});
   ASSERT_EQ(curves.size(), 2U);

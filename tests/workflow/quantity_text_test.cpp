@@ -21,7 +21,8 @@ TEST(QuantityText, NumbersWithAndWithoutUnits) {
   EXPECT_THROW((void)parse_quantity("x", "3 N", kLength), InputError);
 }
 
-// The longer of the two was found by scripts/fuzz: the message held all of a text of thousands of bytes.
+// The longer of the two was found by scripts/fuzz: the message held all of a text of thousands of
+// bytes.
 TEST(QuantityText, ADecimalCommaIsToldWithWhatToWrite) {
   const auto told = [](const std::string& text) {
     return test::message_of<InputError>([&] { (void)parse_quantity("x", text, kLength); });

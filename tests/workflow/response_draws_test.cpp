@@ -122,7 +122,8 @@ TEST(ResponseDraws, ThatDoNotDifferLieOnTheCurve) {
   }
 }
 
-/// A joint that only shortens: a Duffing oscillator, see FrequencyResponse.RetracesACurveThatTurnsBack.
+/// A joint that only shortens: a Duffing oscillator, see
+/// FrequencyResponse.RetracesACurveThatTurnsBack.
 JointedStructure hardening() {
   const Joint spring(100.0, SlipDensity());
   StructuralJoint tie{.name = "tie", .joint = spring, .shape = {0.0}, .shortening = {0.3}};

@@ -82,9 +82,9 @@ TEST(TestComparison, BandsHoldWhatAnEstimateMayBeOffBy) {
   EXPECT_GT(curve.chance, 0.005);
 }
 
-// Ten values that err together lie all inside or all outside of their band. Where they lie outside, so
-// do 5 % of the draws, no fewer, however far: that is told as 5 % and not as 0.05^10, and it is as few
-// as the confidence has it.
+// Ten values that err together lie all inside or all outside of their band. Where they lie outside,
+// so do 5 % of the draws, no fewer, however far: that is told as 5 % and not as 0.05^10, and it is
+// as few as the confidence has it.
 TEST(TestComparison, ChanceKnowsThatValuesErrTogether) {
   ComparedTest inside = test_of(10, 10.0 + 0.3 * 1.5);
   compare(shared_error(10, 0.3), draws(), inside);
@@ -99,8 +99,8 @@ TEST(TestComparison, ChanceKnowsThatValuesErrTogether) {
   EXPECT_TRUE(warns(outside, "few_inside"));
 }
 
-// Ten with noise of their own are less often outside: two of ten is common, P = 8.6 % by the binomial
-// distribution, within four standard deviations of 2000 draws, 2.5 %; five is not, 6e-5.
+// Ten with noise of their own are less often outside: two of ten is common, P = 8.6 % by the
+// binomial distribution, within four standard deviations of 2000 draws, 2.5 %; five is not, 6e-5.
 TEST(TestComparison, ChanceOfIndependentValuesIsBinomial) {
   const auto with_outside = [](std::size_t count) {
     ComparedTest test = test_of(10);

@@ -11,8 +11,8 @@ namespace microslip {
 /// signals and locks of an interpreter that belong to it.
 /// @param work    told of a progress that it hands on to what it calls.
 /// @param attend  called by the calling thread when the work first tells how far it is, which waits
-///                for the answer, and every 50 ms until it ends, with what was told last; false asks
-///                the work to stop, as progress does.
+///                for the answer, and every 50 ms until it ends, with what was told last; false
+///                asks the work to stop, as progress does.
 /// @throws what the work throws; what `attend` throws in its place, once the work, which is then
 ///         asked to stop, has ended.
 void do_attended(const std::function<void(const Progress& progress)>& work, const Progress& attend);

@@ -11,7 +11,8 @@
 
 namespace microslip {
 
-/// What a call may keep of what it makes, bytes: 1 GiB, which a computer of 4 GiB has beside others.
+/// What a call may keep of what it makes, bytes: 1 GiB, which a computer of 4 GiB has beside
+/// others.
 inline constexpr double kMostMemory = 1024.0 * 1024.0 * 1024.0;
 
 /// Steps in time: a good hour, at some 0.4 µs each of one mode and one joint.

@@ -20,8 +20,8 @@ namespace {
 /// A joint of whose density the levels took less than this share of the variance everywhere is not
 /// seen.
 constexpr double kLeastTold = 0.5;
-/// A loss that is at no level so many of its standard deviations off 0 may as well be none: a loss that
-/// is not there comes out at 2 of them, as it cannot be negative.
+/// A loss that is at no level so many of its standard deviations off 0 may as well be none: a loss
+/// that is not there comes out at 2 of them, as it cannot be negative.
 constexpr double kLeastLossTold = 3.0;
 /// Offsets of the frequencies beyond this are more than a model and a test usually differ by.
 constexpr double kLargeOffset = 0.01;

@@ -160,8 +160,8 @@ void read_edges(const GrowingRange& range, CalibrationResult& result) {
   }
 }
 
-/// D of each joint that was found at a level, draw by draw, J, at the amplitude that the joint has in
-/// that draw; at the one amplitude of a level that the structure does not have.
+/// D of each joint that was found at a level, draw by draw, J, at the amplitude that the joint has
+/// in that draw; at the one amplitude of a level that the structure does not have.
 std::vector<std::vector<double>> losses_of_draws(const CalibrationEvidence& evidence,
                                                  const CalibrationDraws& draws,
                                                  const LevelStates& states, std::size_t level) {
@@ -326,7 +326,8 @@ void read_groups(const std::vector<std::vector<std::vector<double>>>& losses,
   }
 }
 
-/// How far the loss of each joint is off 0 where it is known best. @param losses  [level][joint][draw].
+/// How far the loss of each joint is off 0 where it is known best.
+/// @param losses  [level][joint][draw].
 void read_loss_told(const std::vector<std::vector<std::vector<double>>>& losses,
                     CalibrationResult& result) {
   for (std::size_t i = 0; i < losses.size(); ++i) {
@@ -451,7 +452,8 @@ void open_bands(const std::vector<std::pair<std::size_t, double>>& sought,
   }
 }
 
-/// By how much the upper end of the band of the loss of all joints that were found is above its mean.
+/// By how much the upper end of the band of the loss of all joints that were found is above its
+/// mean.
 /// @param losses  [joint][draw], J.
 double above_the_sum(const std::vector<std::vector<double>>& losses, double confidence) {
   std::vector<double> sum(losses.front().size(), 0.0);

@@ -22,9 +22,10 @@ struct ChainLength {
 };
 
 /// Draws of PosteriorChain: x, τ of losses and of frequencies, and the smoothing. The λ of the
-/// joints are drawn together, in the ratio in which they settled, with a local factor for each place
-/// of each. Coefficients that may be 0 are 0 in some of the draws (PosteriorChain::projected()): a
-/// joint that does not slip at small amplitudes has no loss there in them.
+/// joints are drawn together, in the ratio in which they settled, with a local factor for each
+/// place of each. Coefficients that may be 0 are 0 in some of the draws
+/// (PosteriorChain::projected()): a joint that does not slip at small amplitudes has no loss there
+/// in them.
 /// @param settled  where it starts.
 /// @param least    smallest τ of each kind.
 /// @param keep     called with each draw.

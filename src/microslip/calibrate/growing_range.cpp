@@ -325,8 +325,8 @@ void GrowingRange::take_if_likelier(const CalibratedState& start,
   exponents_ = exponents;
 }
 
-// One for all joints first: joints that work alike would share the loss by the order in which theirs
-// are chosen.
+// One for all joints first: joints that work alike would share the loss by the order in which
+// theirs are chosen.
 CalibratedState GrowingRange::choose_exponents(const CalibratedState& start) {
   exponents_.assign(sought_.size(), 0.0);
   CalibratedState best = tried(start, exponents_);
@@ -544,7 +544,8 @@ void GrowingRange::weigh_edges(const CalibratedState& found) {
   }
 }
 
-/// About the joints that were found, as they explain the levels with any exponent: λ and τ are near.
+/// About the joints that were found, as they explain the levels with any exponent: λ and τ are
+/// near.
 CalibratedState GrowingRange::beside(const CalibratedState& found, const Variant& variant) {
   AllUnknowns now = unknowns(variant);
   Eigen::VectorXd x = projected(now, found.unknowns, found.settled.x);

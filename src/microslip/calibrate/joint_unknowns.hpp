@@ -17,7 +17,8 @@ namespace microslip {
 ///
 ///     ψ(x*) = (k₀/X) t s^χ₀ θ(s),   s = x*/X,   K_e = k₀ e,   k = K_e + ∫ψ dx*,
 ///
-/// θ linear between the knots of InversionBasis, t such that θ = 1 is half of k₀. Coefficients are θ, then e; all ≥ 0.
+/// θ linear between the knots of InversionBasis, t such that θ = 1 is half of k₀. Coefficients are
+/// θ, then e; all ≥ 0.
 class JointUnknowns {
  public:
   /// @param stiffness     k₀, N/m: of the stuck joint as it is known before.

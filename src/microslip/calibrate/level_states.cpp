@@ -15,8 +15,9 @@ constexpr double kLeastMotion = 1e-9;
 /// Two shapes are of one mode where the modal assurance criterion of their first harmonics is above
 /// this; neighbouring levels differ by far less.
 constexpr double kLeastLikeness = 0.8;
-/// From one level to the next above it, and from the stuck structure to the first, a resonance falls;
-/// what lies beyond these shares of its frequency is another place where the phase is the same.
+/// From one level to the next above it, and from the stuck structure to the first, a resonance
+/// falls; what lies beyond these shares of its frequency is another place where the phase is the
+/// same.
 constexpr double kMostRise = 1.02;
 constexpr double kLeastFall = 0.7;
 

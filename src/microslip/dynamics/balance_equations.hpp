@@ -25,8 +25,8 @@ struct Onset {
   double displacement;  ///< how far a branch goes on which the atom is about to slip, m
 };
 
-/// Where two maxima, or two minima, of a joint's motion are equal: the one that was an inner loop is
-/// the outer one behind that, and the equations bend there. The extremes are those next to the
+/// Where two maxima, or two minima, of a joint's motion are equal: the one that was an inner loop
+/// is the outer one behind that, and the equations bend there. The extremes are those next to the
 /// angles. Internal to dynamics.
 struct Tie {
   std::size_t joint;

@@ -34,9 +34,9 @@ struct ContinuationOptions {
 /// Where an atom starts or ceases to slip on a branch the derivatives jump and the curve has a
 /// corner: such a point is found by that condition, and has a tangent for each side. So it is where
 /// two extremes of a joint's motion become equal, which is looked at where the curve does not go on
-/// otherwise. Corners, peaks and folds become points, so that the curve is smooth between two of them; then points are added
-/// between until the polygon through them is as close to the curve as is wanted.
-/// Internal to dynamics.
+/// otherwise. Corners, peaks and folds become points, so that the curve is smooth between two of
+/// them; then points are added between until the polygon through them is as close to the curve as
+/// is wanted. Internal to dynamics.
 class Continuation {
  public:
   Continuation(BalanceEquations& equations, ContinuationOptions options, const Target& kept,

@@ -7,13 +7,13 @@
 #include "microslip/dynamics/continuation.hpp"
 
 /// @file
-/// The corners of a curve, where an atom starts or ceases to slip on a branch of a joint's motion, or
-/// where two of its maxima become equal, so that inner and outer loop change places. The equations
-/// are continuous there and their derivatives jump, by a matrix of rank one: v gᵀ with g the gradient
-/// of how far the branch goes, or of the difference of the maxima. The curve arrives by the null vector of the
-/// derivatives on the one side and leaves by that on the other side, with the sign that leads
-/// there: g grows along both, or falls along both. It may turn by any angle that way, also back in
-/// frequency.
+/// The corners of a curve, where an atom starts or ceases to slip on a branch of a joint's motion,
+/// or where two of its maxima become equal, so that inner and outer loop change places. The
+/// equations are continuous there and their derivatives jump, by a matrix of rank one: v gᵀ with g
+/// the gradient of how far the branch goes, or of the difference of the maxima. The curve arrives
+/// by the null vector of the derivatives on the one side and leaves by that on the other side, with
+/// the sign that leads there: g grows along both, or falls along both. It may turn by any angle
+/// that way, also back in frequency.
 /// [Allgower & Georg, Numerical Continuation Methods, Springer 1990, ch. 12-14]
 
 namespace microslip {
@@ -84,8 +84,8 @@ bool Continuation::leave(const Condition& at, double sign, double aside, Point& 
   return false;
 }
 
-/// The corner at an onset or a tie, from near it: on the curve ahead, with nothing between. The length
-/// becomes that up to it.
+/// The corner at an onset or a tie, from near it: on the curve ahead, with nothing between. The
+/// length becomes that up to it.
 template <typename Condition>
 bool Continuation::turn(const Point& point, const Condition& at, VectorXd z, double& length,
                         Point& next) {

@@ -20,8 +20,8 @@ namespace microslip {
 /// A Memory that moves from kink to kink. Internal to dynamics.
 ///
 /// Between two kinks it moves on one smooth curve. A step is tried on that curve as if it had no
-/// end: with the kink inside of the step the tangent would jump there, and the equations of the step
-/// may have no solution at all. Where the kink lies is found afterwards.
+/// end: with the kink inside of the step the tangent would jump there, and the equations of the
+/// step may have no solution at all. Where the kink lies is found afterwards.
 class CurveFollower {
  public:
   /// @param joint  kept by reference.

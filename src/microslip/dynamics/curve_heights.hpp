@@ -19,11 +19,11 @@ namespace microslip {
 /// branch that it has there.
 ///
 /// With h the height and
-/// φ its phase lag, ω and h e^{−iφ} are cubics of the length of the polygon between two points (Hermite, slopes by
-/// the neighbours): about a resonance h e^{−iφ} runs along a circle, which cubics follow, whatever
-/// its peak. ω is monotone between two points, and peaks and points where the curve turns back are
-/// among them. With the steps of HarmonicBalanceOptions and an accuracy of 0 the heights are within
-/// some 1e-3 of the curve's.
+/// φ its phase lag, ω and h e^{−iφ} are cubics of the length of the polygon between two points
+/// (Hermite, slopes by the neighbours): about a resonance h e^{−iφ} runs along a circle, which
+/// cubics follow, whatever its peak. ω is monotone between two points, and peaks and points where
+/// the curve turns back are among them. With the steps of HarmonicBalanceOptions and an accuracy of
+/// 0 the heights are within some 1e-3 of the curve's.
 class CurveHeights {
  public:
   /// @param curve  over the frequency; a point at least. It may go either way.

@@ -16,7 +16,8 @@ struct HermiteKnot {
 
 /// The polynomial of degree 2m − 1 through m knots with their slopes (Hermite's), at t:
 ///
-///     Σ_i L_i² {[1 − 2 L_i′(t_i)(t − t_i)] value_i + (t − t_i) slope_i},   L_i = Π_j≠i (t − t_j)/(t_i − t_j)
+///     Σ_i L_i² {[1 − 2 L_i′(t_i)(t − t_i)] value_i + (t − t_i) slope_i},
+///     L_i = Π_j≠i (t − t_j)/(t_i − t_j)
 ///
 /// @param knots  at least one, no two at the same t.
 [[nodiscard]] Eigen::VectorXd hermite_value(std::span<const HermiteKnot> knots, double t);

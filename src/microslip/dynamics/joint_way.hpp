@@ -10,8 +10,8 @@
 
 namespace microslip {
 
-/// The way of a joint over one step of a march, by the quartic of y = u + cF over it: where on it the
-/// joint turns and where its tangent jumps, and what its force is there. Internal to dynamics.
+/// The way of a joint over one step of a march, by the quartic of y = u + cF over it: where on it
+/// the joint turns and where its tangent jumps, and what its force is there. Internal to dynamics.
 ///
 /// With these knots the force over a step is a piecewise cubic, so that the step need not be cut.
 class JointWay {

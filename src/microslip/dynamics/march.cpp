@@ -58,7 +58,8 @@ void check_step(double step, const std::vector<double>& time) {
       "Is the time in its unit? March over less of it, or take longer steps.");
 }
 
-/// Peak and ∫ x² dt of signals, by the trapezium rule over times that need not be equally far apart.
+/// Peak and ∫ x² dt of signals, by the trapezium rule over times that need not be equally far
+/// apart.
 class SizeSums {
  public:
   explicit SizeSums(std::size_t signals) : peak_(signals), before_(signals), square_(signals) {}

@@ -216,13 +216,13 @@ struct MarchResult {
 ///
 ///     q_i(h) = free vibration + ∫₀ʰ g_i(h − t) p_i(t) dt,   g_i the impulse response,
 ///
-/// in closed form, with p_i the cubic of its values and slopes at both ends, and what it is more than
-/// that in the middle by the joint forces there; ṗ follows from the tangent stiffness of the joints,
-/// u̇ and q̇. A linear structure is exact whatever the step. The joint forces at the end of the step
-/// are found by Newton's method. Where u of a joint turns, closes a loop or comes to where an atom
-/// begins to slip, found on a quartic of u over the step, its force is a piecewise cubic; steps that
-/// are too long for that are cut there. A step whose equations do not converge is halved, again and
-/// again down to a millionth.
+/// in closed form, with p_i the cubic of its values and slopes at both ends, and what it is more
+/// than that in the middle by the joint forces there; ṗ follows from the tangent stiffness of the
+/// joints, u̇ and q̇. A linear structure is exact whatever the step. The joint forces at the end of
+/// the step are found by Newton's method. Where u of a joint turns, closes a loop or comes to where
+/// an atom begins to slip, found on a quartic of u over the step, its force is a piecewise cubic;
+/// steps that are too long for that are cut there. A step whose equations do not converge is
+/// halved, again and again down to a millionth.
 ///
 /// The order is 4 where the density is smooth between its atoms, 3 where it jumps inside of a step.
 /// A density of more than 16 atoms, and a joint of varying normal load, are of order 2. Stable for

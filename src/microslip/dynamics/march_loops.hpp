@@ -66,8 +66,8 @@ struct Pair {
 Pair shorten(std::size_t groups, const double* gamma, const double* q, const double* v, double* g,
              double* g_dot);
 
-/// Σ_i ψ_i w_i χ_i of two shapes for the weights w of the loads at the end and in the middle, in the
-/// order of CouplingKind.
+/// Σ_i ψ_i w_i χ_i of two shapes for the weights w of the loads at the end and in the middle, in
+/// the order of CouplingKind.
 enum CouplingKind { kCoupledA1, kCoupledB1, kCoupledAM, kCoupledC1, kCoupledD1, kCoupledCM };
 inline constexpr std::size_t kCouplings = 6;
 using Coupling = std::array<double, kCouplings>;
@@ -99,9 +99,9 @@ struct Energies {
 };
 
 /// Over one step by StepQuadrature.
-/// @param weights  of it. @param slope  of the external forces. @param middle  what the loads of the
-///     joints are more in the middle of the step. @param knots  −Σ_j ψ_ij ∫ e_j over the shares up to
-///     each inner point, [point][mode].
+/// @param weights  of it. @param slope  of the external forces.
+/// @param middle   what the loads of the joints are more in the middle of the step.
+/// @param knots    −Σ_j ψ_ij ∫ e_j over the shares up to each inner point, [point][mode].
 [[nodiscard]] Energies inner_energies(std::size_t groups, double length, const double* weights,
                                       const double* damping, const State& from, const State& to,
                                       const double* slope, const double* middle,

@@ -12,8 +12,8 @@
 #include "microslip/dynamics/jointed_structure.hpp"
 
 /// @file
-/// What a model lacks because its modes end somewhere: an estimate by its last modes. A structure of
-/// masses and springs may have all its modes; that the modes do not tell for sure.
+/// What a model lacks because its modes end somewhere: an estimate by its last modes. A structure
+/// of masses and springs may have all its modes; that the modes do not tell for sure.
 
 namespace microslip {
 
@@ -30,8 +30,8 @@ struct MissingCompliance {
 };
 
 /// Modes that stand for those beyond the last, one a joint and moving it alone, all at ω_a
-/// (static_mode_frequency()): their shape there is ω_a √R. R, the static compliance of modes that go
-/// on as the n elastic ones of the model do, is
+/// (static_mode_frequency()): their shape there is ω_a √R. R, the static compliance of modes that
+/// go on as the n elastic ones of the model do, is
 ///
 ///     R = E/ω_n² Σ_{i > n} (i′/n′)^{s − 2p} ≈ E n′/ω_n² (1 + 1/(2n′))^{1 + s − 2p}/(2p − s − 1)
 ///
@@ -76,8 +76,8 @@ inline constexpr double kMissingModesFar = 0.1;
 [[nodiscard]] std::optional<Warning> large_residual_warning(const JointedStructure& structure);
 
 /// The same by what changes in a curve, or that this could not be estimated: where points were not
-/// solved again, or their frequency changed by more than kMissingModesFar, to another resonance. @param change  by judge_missing_modes(). @param remedy  as
-/// above.
+/// solved again, or their frequency changed by more than kMissingModesFar, to another resonance.
+/// @param change  by judge_missing_modes(). @param remedy  as above.
 [[nodiscard]] std::optional<Warning> changed_curve_warning(const CurveChange& change,
                                                            const std::string& remedy);
 

@@ -8,7 +8,8 @@
 #include "microslip/dynamics/jointed_structure.hpp"
 
 /// @file
-/// Modes without joints whose frequencies are off, from frequencies of the structure with its joints.
+/// Modes without joints whose frequencies are off, from frequencies of the structure with its
+/// joints.
 
 namespace microslip {
 
@@ -32,8 +33,8 @@ struct ModalOffsets {
 /// The share Σ_i S_mi of the stiffness of a vibration that is not of its joints, 1.
 [[nodiscard]] double share_of_modes(const JointedStructure& structure, const StructureOffset& told);
 
-/// The ε that are nearest to ε⁰, by least squares, of those that move the vibrations told as they are
-/// measured, the joints as they are:
+/// The ε that are nearest to ε⁰, by least squares, of those that move the vibrations told as they
+/// are measured, the joints as they are:
 ///
 ///     ln Ω_m(ε) − ln Ω_m(0) = δ_m,   S_mi = ∂ln Ω_m/∂ln ω_i = ω_i² q_mi²/Ω_m²
 ///

@@ -26,14 +26,14 @@ struct ResidualFlexibility {
 /// Modes that stand for a residual flexibility: with S = diag(√R_pp), of the eigenvectors v of
 /// S⁻¹RS⁻¹ with eigenvalues λ > 0, φ_a = ω_a √λ Sv, so that all of them, at the frequency ω_a, have
 /// R. ω_a is ten times the highest ω of the structure's modes, beyond most harmonics of a balance:
-/// what they give way by is larger by (ω/ω_a)² in a vibration of ω, 1/100 at the highest. Their loss
-/// factor is that of the highest mode.
+/// what they give way by is larger by (ω/ω_a)² in a vibration of ω, 1/100 at the highest. Their
+/// loss factor is that of the highest mode.
 /// @param structure  that they are added to, by with_further_modes().
 /// @param residual   of it.
-/// @throws InputError  for names that the structure has not, or that stand twice; for another number
-///                     of entries than a square has; entries that are not finite or not those across
-///                     the diagonal; an R_pp below 0, or of 0 beside others in its row; a negative λ;
-///                     a structure without an elastic mode.
+/// @throws InputError  for names that the structure has not, or that stand twice; for another
+///                     number of entries than a square has; entries that are not finite or not
+///                     those across the diagonal; an R_pp below 0, or of 0 beside others in its
+///                     row; a negative λ; a structure without an elastic mode.
 [[nodiscard]] std::vector<FurtherMode> static_modes(const JointedStructure& structure,
                                                     const ResidualFlexibility& residual);
 

@@ -17,9 +17,9 @@ constexpr std::array<double, kNodes> kNode{0.06943184420297371, 0.33000947820757
 constexpr std::array<double, kNodes> kNodeWeight{0.17392742256872693, 0.32607257743127307,
                                                  0.32607257743127307, 0.17392742256872693};
 
-/// The coefficients of T_m of a vibration are 2J_m(½θ) [DLMF 10.12.2], which is below 2(¼θ)ᵐ/m! [DLMF
-/// 10.14.4]: 5e-6 of the tenth at θ = 5. That of g = sin(ωt)/ω is that much of 1/ω, where g reaches
-/// it, and 1/θ times that of h.
+/// The coefficients of T_m of a vibration are 2J_m(½θ) [DLMF 10.12.2], which is below 2(¼θ)ᵐ/m!
+/// [DLMF 10.14.4]: 5e-6 of the tenth at θ = 5. That of g = sin(ωt)/ω is that much of 1/ω, where g
+/// reaches it, and 1/θ times that of h.
 constexpr double kLargestAngle = 5.0;
 constexpr double kSmallTerm = 6e-6;
 

@@ -24,8 +24,9 @@ inline constexpr double kEndWeight = 1.0 / 20.0;
 ///
 ///     q̇ = e₂₁q₀ + e₂₂q̇₀ + c₀p₀ + d₀ṗ₀ + c₁p₁ + d₁ṗ₁ + c_m p_m
 ///
-/// so that ∫ f q̇ dt and ∫ q̇² dt are those of the motion, whatever a step is of a period. What knots
-/// inside of the step (step_knots.hpp) add up to the time t, ∫ ġ(t − τ) e dτ, is taken as ġ(½t) ∫ e dτ.
+/// so that ∫ f q̇ dt and ∫ q̇² dt are those of the motion, whatever a step is of a period. What
+/// knots inside of the step (step_knots.hpp) add up to the time t, ∫ ġ(t − τ) e dτ, is taken as
+/// ġ(½t) ∫ e dτ.
 class StepQuadrature {
  public:
   /// The order in which weights of a point stand, kLanes each.

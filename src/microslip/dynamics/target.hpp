@@ -33,7 +33,8 @@ struct Target {
 /// As messages say it to people: "frequency 55.8 Hz", "force amplitude 0.1 N", "response 2e-05",
 /// "phase lag 1.57 rad".
 /// @param target   any.
-/// @param of_base  whether the excitations are accelerations of bases: "base acceleration 0.1 m/s^2".
+/// @param of_base  whether the excitations are accelerations of bases: "base acceleration 0.1
+///     m/s^2".
 [[nodiscard]] std::string describe(const Target& target, bool of_base = false);
 
 /// "force 0.1 N", "base acceleration 0.1 m/s^2".

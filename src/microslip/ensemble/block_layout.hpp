@@ -44,8 +44,8 @@ class BlockLayout {
 /// all cores have work to the end; 256 at most.
 [[nodiscard]] std::uint64_t usual_block(const std::vector<EnsembleGroup>& groups);
 
-/// Results of a block as bytes: of each job a byte 0 and its values, 8 bytes each, least first; or a
-/// byte 1, the size of the reason, 8 bytes, and the reason.
+/// Results of a block as bytes: of each job a byte 0 and its values, 8 bytes each, least first; or
+/// a byte 1, the size of the reason, 8 bytes, and the reason.
 [[nodiscard]] std::string block_bytes(const std::vector<JobResult>& results);
 
 /// The same back.

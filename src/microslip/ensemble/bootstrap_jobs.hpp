@@ -16,8 +16,8 @@ namespace microslip {
 
 /// Identifications of levels that are drawn anew from those measured [Efron & Tibshirani, An
 /// Introduction to the Bootstrap, Chapman & Hall 1993, ch. 6 and 9]: all of them, D and k_eq at the
-/// fit and beside it by the residuals of levels that chance picks, of which the fit has taken edf of
-/// n; or as many levels out of them, each as often as chance has it, which leaves the ends open.
+/// fit and beside it by the residuals of levels that chance picks, of which the fit has taken edf
+/// of n; or as many levels out of them, each as often as chance has it, which leaves the ends open.
 class BootstrapJobs : public EnsembleJobs {
  public:
   /// @throws  as make_ensemble_jobs().

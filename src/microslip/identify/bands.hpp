@@ -43,7 +43,8 @@ struct DensityBands {
 };
 
 /// Pointwise quantiles of the draws 0 … samples − 1: with as many draws below as above the band, or
-/// from 0 on where that is narrower; widened to the estimate where they do not hold it; on all processors; the same on any number of them.
+/// from 0 on where that is narrower; widened to the estimate where they do not hold it; on all
+/// processors; the same on any number of them.
 /// @throws InputError  where an option breaks its rule, or the result is none of invert().
 /// @throws Cancelled   when progress says so.
 [[nodiscard]] DensityBands density_bands(const InversionResult& result, const BandOptions& options);

@@ -12,8 +12,8 @@ namespace microslip {
 using DrawPolicy = boost::math::policies::policy<boost::math::policies::promote_double<false>,
                                                  boost::math::policies::digits10<10>>;
 
-/// χ² of m degrees of freedom; beyond some thousands by the cube root, which is normal to 1e-6 there
-/// [Wilson & Hilferty].
+/// χ² of m degrees of freedom; beyond some thousands by the cube root, which is normal to 1e-6
+/// there [Wilson & Hilferty].
 class ChiSquared {
  public:
   explicit ChiSquared(double count) : count_(count) {}

@@ -55,8 +55,8 @@ namespace microslip {
                                             const LevelEvidence& evidence, double stiffness,
                                             const InversionOptions& options);
 
-/// What records and levels together give reason to say. Of each record that is not of a joint of the
-/// kind that is sought:
+/// What records and levels together give reason to say. Of each record that is not of a joint of
+/// the kind that is sought:
 ///   * `rate_dependent`  the force follows the velocity;
 ///   * `asymmetric`      it is other to one side than to the other;
 ///   * `dead_zone`       it is missing about zero;

@@ -27,9 +27,9 @@ namespace microslip {
                                         double amplitude);
 
 /// What levels at some amplitudes would tell, measured as those that are there. A level has as
-/// σ_D/D and σ_k what the deviations of the levels are at that amplitude, straight over ln A between
-/// them and constant beyond, times the scatter that was found; of D 0.01 % at least. k_eq counts where it was
-/// measured, less its mean, as in invert().
+/// σ_D/D and σ_k what the deviations of the levels are at that amplitude, straight over ln A
+/// between them and constant beyond, times the scatter that was found; of D 0.01 % at least. k_eq
+/// counts where it was measured, less its mean, as in invert().
 /// @param evidence   the levels.
 /// @param result     of invert() of them.
 /// @param joints     drawn_joints().

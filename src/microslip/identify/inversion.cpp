@@ -312,7 +312,8 @@ double AtomSearch::with_atom(double top, std::size_t edges) {
 }
 
 /// Where the criterion is least, and how much it is there. It is not smooth: λ is chosen anew
-/// everywhere, so the best of some places around the best of all comes before the search between two.
+/// everywhere, so the best of some places around the best of all comes before the search between
+/// two.
 std::pair<double, double> AtomSearch::likeliest(std::size_t edges) {
   // Two levels at least must lie beyond an atom to show the straight line.
   const double first = levels_.amplitude(2);

@@ -124,8 +124,8 @@ inline constexpr std::size_t kFewestLevels = 4;
 ///
 ///     minimise ½‖W(Kθ + βA² − D)‖² + ½λ‖Lθ‖²  subject to  θ ≥ 0, β ≥ 0, ∫φ df* ≤ 1,
 ///
-/// φ = Σθ_jN_j on knots that follow the data (InversionBasis). W is 1/σ of LevelEvidence, with D from
-/// a first fit. The penalty is on second differences
+/// φ = Σθ_jN_j on knots that follow the data (InversionBasis). W is 1/σ of LevelEvidence, with D
+/// from a first fit. The penalty is on second differences
 /// of θ, weaker where a first pass found little density, so that empty ranges stay empty and peaks
 /// are not flattened. Secant stiffnesses add rows of the same θ,
 /// each less the weighted mean of them all: their change over the amplitude is used, their absolute

@@ -102,8 +102,8 @@ Eigen::VectorXd InversionBasis::knot_area() const {
 
 Eigen::VectorXd InversionBasis::area() const { return nodal_.transpose() * knot_area(); }
 
-// The second derivative by three neighbours, times the root of the length that it stands for: the sum
-// of squares is close to the integral of its square.
+// The second derivative by three neighbours, times the root of the length that it stands for: the
+// sum of squares is close to the integral of its square.
 Eigen::MatrixXd InversionBasis::second_differences() const {
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(size() - 2 * ranges(), size());
   Eigen::Index row = 0;

@@ -19,8 +19,8 @@ struct BasisEdge {
   double at = 0.0;  ///< where it is, in spacings of them: within ½ of `knot`
 };
 
-/// The density is linear between knots, constant below the first, and continuous but at edges, whose
-/// two knots are kWidth apart, relative; so the result
+/// The density is linear between knots, constant below the first, and continuous but at edges,
+/// whose two knots are kWidth apart, relative; so the result
 /// is written without loss as a piecewise-linear part. The coefficients θ are what the roughness
 /// penalty sees: p at knot j is reference_j θ_j. With the reference s^χ₀ (χ₀ from the log–log slope
 /// of D) a power law is a constant θ and costs nothing. The first coefficient carries the knots

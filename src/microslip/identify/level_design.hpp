@@ -49,8 +49,8 @@ struct LevelDesign {
   std::size_t exchanges = 0;  ///< levels of the greedy choice that were replaced by better ones
 };
 
-/// Seeks the n levels after which S is least. With G the covariance of the draws, of the candidates'
-/// D and k_eq and of t, n levels at rows r, repeats allowed, leave
+/// Seeks the n levels after which S is least. With G the covariance of the draws, of the
+/// candidates' D and k_eq and of t, n levels at rows r, repeats allowed, leave
 ///
 ///     G − G_·r (G_rr + diag σ²)⁻¹ G_r·,
 ///

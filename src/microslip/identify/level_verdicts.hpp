@@ -12,7 +12,8 @@
 #include "microslip/observe/level_evidence.hpp"
 
 /// @file
-/// Whether levels are those of one joint of the kind that is sought: the counterpart of RecordVerdict.
+/// Whether levels are those of one joint of the kind that is sought: the counterpart of
+/// RecordVerdict.
 
 namespace microslip {
 
@@ -45,9 +46,10 @@ struct LevelDepartureVerdict {
 };
 
 /// Rising against falling levels, where at least four of each lie where both were measured. A level
-/// rises or falls by the order of LevelEvidence::measured(), changes below 5 % aside. What D/D̂ − 1 of
-/// rising ones has more than of falling ones, constant and linear in ln A, is a departure where it is
-/// more than 3.5 times what scatter makes of it, and above 1 % (rms). The same of k_eq over k.
+/// rises or falls by the order of LevelEvidence::measured(), changes below 5 % aside. What D/D̂ − 1
+/// of rising ones has more than of falling ones, constant and linear in ln A, is a departure where
+/// it is more than 3.5 times what scatter makes of it, and above 1 % (rms). The same of k_eq over
+/// k.
 /// @param levels          with their errors.
 /// @param joint           identified from them, D̂.
 /// @param linear_damping  β of it, J/m².
@@ -55,8 +57,8 @@ struct LevelDepartureVerdict {
                                                                const Joint& joint,
                                                                double linear_damping = 0.0);
 
-/// All of them, of those that the levels can show. kSecant and kFrequency are there where the warnings
-/// say so that stand for them; their numbers are those of the evidence.
+/// All of them, of those that the levels can show. kSecant and kFrequency are there where the
+/// warnings say so that stand for them; their numbers are those of the evidence.
 /// @param levels          with their errors.
 /// @param joint           identified from them.
 /// @param linear_damping  β of it, J/m².

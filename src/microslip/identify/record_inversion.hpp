@@ -171,8 +171,9 @@ void check_records(std::span<const RecordEvidence> evidence,
 /// The same from records and levels together, or from several tables of levels. D of a level is
 /// linear in ψ, too, whatever k is, and so is k_eq = K_e + ∫ g(x*/A) ψ dx* [level_rows.hpp], which
 /// counts in full: with records k is found, else it must be given. Rows of levels have σ of
-/// LevelEvidence; their scatter is that of their residuals. Each table is also held against the joint
-/// of the records, or without any of all other tables: see LevelVerdict. Common errors of levels are not among what is drawn.
+/// LevelEvidence; their scatter is that of their residuals. Each table is also held against the
+/// joint of the records, or without any of all other tables: see LevelVerdict. Common errors of
+/// levels are not among what is drawn.
 /// @param evidence   of one joint.
 /// @param stiffness  k of the stuck joint, N/m, where it is known; needed without records.
 /// @param options    how it is solved.

@@ -12,9 +12,9 @@
 #include "microslip/observe/record_evidence.hpp"
 
 /// @file
-/// Force–displacement records and levels as one smoothing problem, in scaled variables: displacements over X,
-/// the largest half range or amplitude, stiffnesses over k₀, forces over k₀X. Internal: Eigen stays out of the
-/// installed headers.
+/// Force–displacement records and levels as one smoothing problem, in scaled variables:
+/// displacements over X, the largest half range or amplitude, stiffnesses over k₀, forces over k₀X.
+/// Internal: Eigen stays out of the installed headers.
 
 namespace microslip {
 

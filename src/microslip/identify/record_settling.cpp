@@ -17,8 +17,9 @@ constexpr double kFirstScatter = 1e-2;
 constexpr double kMostCorrelation = 0.95;
 /// No levels are exact to more than this, of D or of the deviations given.
 constexpr double kLeastLevelScatter = 1e-6;
-/// χ₀ that are tried beside 0. What slips below the resolution of a record follows from it, and k with it:
-/// a power law that goes on to zero has more stiffness there than a density that levels off.
+/// χ₀ that are tried beside 0. What slips below the resolution of a record follows from it, and k
+/// with it: a power law that goes on to zero has more stiffness there than a density that levels
+/// off.
 constexpr std::array kPowers = {-0.25, -0.5, -0.75};
 /// Of −2 ln likelihood: "strong" [Kass & Raftery, J. Am. Stat. Assoc. 90 (1995) 773].
 constexpr double kStrongPower = 6.0;

@@ -11,9 +11,9 @@
 
 namespace microslip {
 
-/// Entries of the bulk data of Nastran: lines of ten fields of 8 columns, of six with 16 columns for
-/// those between (`DMIG*`), or with commas between them; lines that begin with a blank, + or * go on
-/// with the entry before. What follows a $ is a comment. Internal to io.
+/// Entries of the bulk data of Nastran: lines of ten fields of 8 columns, of six with 16 columns
+/// for those between (`DMIG*`), or with commas between them; lines that begin with a blank, + or *
+/// go on with the entry before. What follows a $ is a comment. Internal to io.
 class BulkData {
  public:
   /// A field of an entry, without blanks around it; empty where there is none.

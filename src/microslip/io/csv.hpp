@@ -98,8 +98,8 @@ class CsvTable {
   std::vector<std::size_t> text_cells_;  ///< indices into values_ of those cells, rising
 };
 
-/// The columns of a table of which only the beginning is given, one that stands twice too: what kind
-/// of table it is to be tells who will refuse it. Empty where it is none.
+/// The columns of a table of which only the beginning is given, one that stands twice too: what
+/// kind of table it is to be tells who will refuse it. Empty where it is none.
 [[nodiscard]] std::vector<CsvColumn> csv_columns(std::string_view head);
 
 /// Their names.

@@ -26,13 +26,13 @@
 ///     [bootstrap]  levels, stiffness_N_per_m, count; optional resample = "residuals" | "levels",
 ///                  linear_damping, atom, edges = true | false, points
 ///     [design]     joint (the truth), count, levels = […] (numbers of them), noise = […] (of D,
-///                  relative), amplitude_m = [lowest, highest]; optional spacing = "linear" | "log",
-///                  amplitude_noise = […] and secant_noise = […] (relative), linear_damping, atom,
-///                  edges, draws (of each identification, for the band). With rig in place of
+///                  relative), amplitude_m = [lowest, highest]; optional spacing = "linear" |
+///                  "log", amplitude_noise = […] and secant_noise = […] (relative), linear_damping,
+///                  atom, edges, draws (of each identification, for the band). With rig in place of
 ///                  joint, noise and amplitudes, records of its sensors are reduced: rig, count,
 ///                  levels; optional sensor_noise = […] (factors of that of the rig), sensors =
-///                  [["acc1", "ldv"], …] (channels that are looked at), linear_damping, atom, edges,
-///                  draws
+///                  [["acc1", "ldv"], …] (channels that are looked at), linear_damping, atom,
+///                  edges, draws
 ///     [sweep]      model
 ///     [[sweep.axis]]  number = "structure.loss_factor[1]" or, of the file of a joint,
 ///                  "JOINT: stiffness_N_per_m"; values = […]
@@ -145,7 +145,8 @@ struct EnsemblePlan {
 
 /// @param text  of the file. @param file  its name; paths are relative to its folder.
 /// @throws FormatError  for text that is no TOML, another schema or kind, keys unknown or missing.
-/// @throws InputError   naming `plan.toml:12:3: sweep.axis[1].values` for a value that breaks a rule.
+/// @throws InputError   naming `plan.toml:12:3: sweep.axis[1].values` for a value that breaks a
+///     rule.
 [[nodiscard]] EnsemblePlan parse_ensemble_plan(std::string_view text, std::string_view file);
 
 /// parse_ensemble_plan() of a file. @throws FileError, FormatError, InputError

@@ -14,11 +14,12 @@
 
 /// @file
 /// The result of an ensemble as HDF5, schema microslip.ensemble_result/1. Attributes of the file:
-/// schema, version, kind, seed, confidence, plan (its text), fingerprint (what the jobs follow from,
-/// a line each), notes. Each group of jobs is a group of the file, named as it, with the attributes
-/// jobs, failed and reasons (a line each), and for each output
+/// schema, version, kind, seed, confidence, plan (its text), fingerprint (what the jobs follow
+/// from, a line each), notes. Each group of jobs is a group of the file, named as it, with the
+/// attributes jobs, failed and reasons (a line each), and for each output
 ///
-///     OUTPUT         values × 8: count, mean, std, minimum, lower, median, upper, maximum; unit_str
+///     OUTPUT         values × 8: count, mean, std, minimum, lower, median, upper, maximum;
+///                    unit_str
 ///     OUTPUT axis    of a curve, one a value; its name and unit_str
 ///     OUTPUT values  jobs × values, NaN where a job has none, of the outputs that were asked for
 ///     failed jobs    the numbers of those that failed, the first kMostListed

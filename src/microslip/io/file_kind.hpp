@@ -94,8 +94,8 @@ inline constexpr std::size_t kKindHeadSize = 65536;
 /// columns. Empty where it is none of these. Two files of one kind may replace each other.
 [[nodiscard]] std::string file_kind(std::string_view head);
 
-/// The same of a file by its path; empty for standard input and pipes, which could be read only once,
-/// and for what cannot be read.
+/// The same of a file by its path; empty for standard input and pipes, which could be read only
+/// once, and for what cannot be read.
 [[nodiscard]] std::string kind_of_file(const std::string& path);
 
 /// How a file of this program is written.

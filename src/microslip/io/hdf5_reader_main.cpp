@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-// microslip-hdf5-reader VERSION recordings|joint_samples|matlab FILE [VARIABLE]: the program that reads files of HDF5 for
-// the library, see hdf5_reader.hpp.
+// microslip-hdf5-reader VERSION recordings|joint_samples|matlab FILE [VARIABLE]: the program that
+// reads files of HDF5 for the library, see hdf5_reader.hpp.
 
 #include <cstdio>
 #include <string>

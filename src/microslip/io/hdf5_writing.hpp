@@ -10,8 +10,8 @@
 #include "microslip/io/hdf5_handle.hpp"
 
 /// @file
-/// Writing of HDF5. Each `place` is that of the object, for messages. All throw WriteError where the
-/// library does not do it, which in memory is for want of that.
+/// Writing of HDF5. Each `place` is that of the object, for messages. All throw WriteError where
+/// the library does not do it, which in memory is for want of that.
 
 namespace microslip {
 

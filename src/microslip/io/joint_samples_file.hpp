@@ -15,9 +15,9 @@
 
 namespace microslip {
 
-/// Draws of a joint, each as likely as any other. With slip displacements x* = f*/k, which all share,
-/// and ψ(x*) = k²φ(kx*) between them linear, draw i is the joint of stiffness k_i and density
-/// φ(f*) = ψ_i(f*/k_i)/k_i², with an atom where there is one.
+/// Draws of a joint, each as likely as any other. With slip displacements x* = f*/k, which all
+/// share, and ψ(x*) = k²φ(kx*) between them linear, draw i is the joint of stiffness k_i and
+/// density φ(f*) = ψ_i(f*/k_i)/k_i², with an atom where there is one.
 struct JointSamples {
   std::string method = {};  ///< that drew them
   std::uint64_t seed = 0;   ///< of the random numbers

@@ -17,9 +17,9 @@
 ///     then blocks, one behind the other: number and size, 8 bytes each, least first;
 ///     the first 16 hexadecimal digits of the SHA-256 of both and the content; the content
 ///
-/// A block whose check sum is wrong does not count; what follows a size that is beyond the file does
-/// not either: a stop may have torn it. Of two blocks of one number, which are the same, the first
-/// counts.
+/// A block whose check sum is wrong does not count; what follows a size that is beyond the file
+/// does not either: a stop may have torn it. Of two blocks of one number, which are the same, the
+/// first counts.
 
 namespace microslip {
 
@@ -57,8 +57,8 @@ class JournalReader {
   std::unique_ptr<State> state_;
 };
 
-/// A journal to go on with. While it lives, no other process can open it so; nor do two that begin at
-/// once.
+/// A journal to go on with. While it lives, no other process can open it so; nor do two that begin
+/// at once.
 class JournalWriter {
  public:
   /// Opens the journal and cuts off what is not whole at its end; makes it where it is not there or

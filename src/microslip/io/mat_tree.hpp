@@ -42,8 +42,8 @@ struct MatValue {
 /// "a struct of 1 × 8 with the fields 'a', 'b'".
 [[nodiscard]] std::string describe(const MatValue& value);
 
-/// Of the matrix of kSparse: what does not fit, such as "a row 7 of 4"; empty where all does. Numbers
-/// beyond the last column are room that the writer had left, and are taken off.
+/// Of the matrix of kSparse: what does not fit, such as "a row 7 of 4"; empty where all does.
+/// Numbers beyond the last column are room that the writer had left, and are taken off.
 [[nodiscard]] std::string checked_sparse(MatValue& value);
 
 /// "'a', 'b'", cut after a dozen.
@@ -63,8 +63,8 @@ struct MatReadOptions {
 };
 
 /// Reads a file of version 5 (compressed or not) or 7.3; or one of HDF5 that another program wrote:
-/// groups are structs, datasets of numbers arrays, transposed, and a group with `data`, `indices` and
-/// `indptr`, as SciPy has them, is a sparse matrix, transposed where its rows are compressed.
+/// groups are structs, datasets of numbers arrays, transposed, and a group with `data`, `indices`
+/// and `indptr`, as SciPy has them, is a sparse matrix, transposed where its rows are compressed.
 /// @throws FileError    where it cannot be read.
 /// @throws FormatError  where it is no such file or is damaged.
 [[nodiscard]] MatTree read_mat_tree(const std::string& path, const MatReadOptions& options = {});

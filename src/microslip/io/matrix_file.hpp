@@ -7,7 +7,8 @@
 
 namespace microslip {
 
-/// A symmetric matrix of a file of Matrix Market, MATLAB (version 5 or 7.3) or HDF5; internal to io.
+/// A symmetric matrix of a file of Matrix Market, MATLAB (version 5 or 7.3) or HDF5; internal to
+/// io.
 /// @param path  FILE, or FILE:VARIABLE of the latter two, see part_of_file(). These have the whole
 ///              matrix, full or sparse.
 /// @throws FileError, FormatError, InputError  as read_matrix_market(), read_mat_entries() and

@@ -21,8 +21,8 @@
 ///                       damping, ζ = η/2) or loss_factor = […] (hysteretic, η), one a mode or one
 ///                       for all
 ///     [[structure.point]] name, shape = […]; one at least
-///     [[structure.base]] name, participation = […] (Γ, kg^½, one a mode), point_motion = […] (one a
-///                       point): supports that an excitation accelerates; optional
+///     [[structure.base]] name, participation = […] (Γ, kg^½, one a mode), point_motion = […] (one
+///                       a point): supports that an excitation accelerates; optional
 ///     [structure.residual] points = […] and joints = […], names of those where the modes left out
 ///                       give way, and compliance_m_per_N = […], by rows, points first; see
 ///                       ResidualFlexibility; optional. static_attachments in [structure]: so many
@@ -33,9 +33,9 @@
 ///                       shortening_per_kg_m = […] (Γ by rows), linear_damping_J_per_m2 (β; without
 ///                       the key that of the joint file's identification); any number of them, also
 ///                       none
-///     [excitation]      point, or base; optional: harmonics = […] (amplitude of harmonic n over the force
-///                       amplitude) and phase_rad = […] (its phase, a lead); or several as
-///                       [[excitation]]; optional channel: that of the force in recordings
+///     [excitation]      point, or base; optional: harmonics = […] (amplitude of harmonic n over
+///                       the force amplitude) and phase_rad = […] (its phase, a lead); or several
+///                       as [[excitation]]; optional channel: that of the force in recordings
 ///     [[static_load]]   point and force_N, or base and acceleration_m_per_s2; optional
 ///     [response]        point; optional, else that of the first excitation
 ///     [[accelerometer]] channel, point: of recordings of the structure; optional

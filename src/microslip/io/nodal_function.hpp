@@ -35,8 +35,8 @@ struct NodalFunction {
 };
 
 /// Without the lines at 0 Hz.
-/// @throws InputError  naming it, where it has no node or direction, no unit, is not a motion over a
-///                     force, is real, not finite or over no rising frequency.
+/// @throws InputError  naming it, where it has no node or direction, no unit, is not a motion over
+///                     a force, is real, not finite or over no rising frequency.
 [[nodiscard]] FrequencyResponse frequency_response(const NodalFunction& function);
 
 }  // namespace microslip

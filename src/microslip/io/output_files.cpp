@@ -131,8 +131,8 @@ void check_kind(const std::string& path, const std::string& target, std::string_
                   "Remove it or choose another name.");
 }
 
-/// Where a process of this number can be asked for: this machine and its numbering of processes, in a
-/// few letters. A folder may be one of a network.
+/// Where a process of this number can be asked for: this machine and its numbering of processes, in
+/// a few letters. A folder may be one of a network.
 const std::string& place_of_processes() {
   static const std::string place = [] {
     std::array<char, 256> host{};
@@ -145,7 +145,8 @@ const std::string& place_of_processes() {
   return place;
 }
 
-/// The number of the process that left a file of this name, where it is one of ours from this place.
+/// The number of the process that left a file of this name, where it is one of ours from this
+/// place.
 std::optional<pid_t> process_of(std::string_view name) {
   const std::string prefix = ".microslip-" + place_of_processes() + "-";
   const std::size_t end_of_staged = name.rfind(kStagedEnding);

@@ -39,8 +39,9 @@ inline constexpr std::string_view kRowsSuffix = ".rows";
 /// Files that are written all or none. Each is written under a temporary name in its folder first;
 /// commit() gives them their names. Without commit(), on an exception for instance, nothing is left
 /// behind and existing files stay as they were. A file replaces only one of its kind (file_kind()),
-/// or an empty one, and takes over its permissions; a link stays a link. What a process that was killed
-/// left of this kind in a folder is removed by the next one that writes there on the same machine.
+/// or an empty one, and takes over its permissions; a link stays a link. What a process that was
+/// killed left of this kind in a folder is removed by the next one that writes there on the same
+/// machine.
 class OutputFiles {
  public:
   OutputFiles() = default;
@@ -79,7 +80,8 @@ class OutputFiles {
 /// One file, whole or not at all. @throws FileError  as OutputFiles.
 void write_file(const std::string& path, std::string_view content);
 
-/// Removes a file that this program wrote and that holds no longer; one that cannot be removed stays.
+/// Removes a file that this program wrote and that holds no longer; one that cannot be removed
+/// stays.
 /// @param path  of it.
 void remove_file(const std::string& path);
 

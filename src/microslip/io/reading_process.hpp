@@ -10,7 +10,8 @@
 
 namespace microslip {
 
-/// Has another program read a file, and takes over what it has read: reading_worker.hpp is its side.
+/// Has another program read a file, and takes over what it has read: reading_worker.hpp is its
+/// side.
 ///
 /// The HDF5 library (1.10 at least) follows some numbers of a file unchecked, such as the index
 /// into a heap of texts or the size of an object. A changed byte can make it crash or run for ever,

@@ -22,9 +22,9 @@ struct ResponseChannel {
   std::optional<Unit> unit = {};  ///< of a channel that has none in the file
 };
 
-/// The channels of the list, or, without one, those that have the attributes of a frequency response
-/// of a universal file ("function type", "response node", …), as `convert` keeps them. Channels of
-/// other kinds are skipped, and lines at 0 Hz.
+/// The channels of the list, or, without one, those that have the attributes of a frequency
+/// response of a universal file ("function type", "response node", …), as `convert` keeps them.
+/// Channels of other kinds are skipped, and lines at 0 Hz.
 /// @param path      of the file; `FILE:VARIABLE` for a part of a MATLAB file.
 /// @param channels  in any order; may be empty.
 /// @throws FormatError, FileError  as read_recordings(); where no frequency response is found.

@@ -51,15 +51,15 @@ struct BandColumns {
 
 /// frf.csv: `frequency [Hz], force [N], displacement [m], phase [rad], velocity [m/s], acceleration
 /// [m/s^2]`, the columns above and `peak [1]`, 1 in the row of a peak, else 0. displacement is the
-/// amplitude of the first harmonic at the response point, phase its lag behind the force, velocity and
-/// acceleration ω and ω² times it. Of a structure whose base is driven `base_acceleration [m/s^2]`
-/// stands in place of the force, displacement is relative to the base, and after acceleration come
-/// `absolute_displacement [m]`, `absolute_acceleration [m/s^2]` and `transmissibility [1]`, the last
-/// over the first harmonic of the acceleration that the bases carry the point along with. With
-/// static loads `mean_displacement [m]` and `mean_NAME [m]` of each joint tell about what they
-/// vibrate. Where the curve turns back frequencies are not sorted; its peaks and turning points
-/// stand in the comments too, the first 100 of each. Frequencies have 15 digits, so that one that
-/// was asked for is the number that was given.
+/// amplitude of the first harmonic at the response point, phase its lag behind the force, velocity
+/// and acceleration ω and ω² times it. Of a structure whose base is driven `base_acceleration
+/// [m/s^2]` stands in place of the force, displacement is relative to the base, and after
+/// acceleration come `absolute_displacement [m]`, `absolute_acceleration [m/s^2]` and
+/// `transmissibility [1]`, the last over the first harmonic of the acceleration that the bases
+/// carry the point along with. With static loads `mean_displacement [m]` and `mean_NAME [m]` of
+/// each joint tell about what they vibrate. Where the curve turns back frequencies are not sorted;
+/// its peaks and turning points stand in the comments too, the first 100 of each. Frequencies have
+/// 15 digits, so that one that was asked for is the number that was given.
 /// What is not finite, as it may be where nothing converged, is left out.
 /// @param balance  that the curve is of.
 /// @param curve    its warnings become comments.
@@ -71,8 +71,8 @@ struct BandColumns {
                                        std::span<const BandColumns> bands = {});
 
 /// backbone.csv: `displacement [m], force [N], frequency [Hz], damping_ratio [1]` and the columns
-/// above, of vibrations in phase resonance; `base_acceleration [m/s^2]` as in frf.csv, unless a modal
-/// force drives. @param balance, curve, heading, bands  as for response_table().
+/// above, of vibrations in phase resonance; `base_acceleration [m/s^2]` as in frf.csv, unless a
+/// modal force drives. @param balance, curve, heading, bands  as for response_table().
 [[nodiscard]] CsvWriter backbone_table(const HarmonicBalance& balance, const ResponseCurve& curve,
                                        std::string_view heading = {},
                                        std::span<const BandColumns> bands = {});

@@ -39,8 +39,8 @@ std::string_view acceleration_field(const std::vector<std::string>& fields) {
   return has_all(fields, {"amplitude"}) ? "amplitude" : "";
 }
 
-/// Whether names are those of a sweep, or of one that lacks a part: steps of frequency and force with
-/// a motion or a phase, and not over time.
+/// Whether names are those of a sweep, or of one that lacks a part: steps of frequency and force
+/// with a motion or a phase, and not over time.
 bool are_of_sweep(const std::vector<std::string>& names) {
   const auto has_any = [&](std::initializer_list<std::string_view> wanted) {
     return std::ranges::any_of(wanted,
@@ -61,8 +61,8 @@ std::string motion_remedy(const std::vector<std::string>& names) {
   return {};
 }
 
-/// @param place  of the names. @param source  of them: "columns". @throws FormatError  where a part of
-/// the sweep is missing.
+/// @param place  of the names. @param source  of them: "columns".
+/// @throws FormatError  where a part of the sweep is missing.
 void require_parts(const std::vector<std::string>& names, const TextPlace& place,
                    std::string_view source) {
   const bool moves = !acceleration_field(names).empty();

@@ -18,9 +18,9 @@
 
 namespace microslip {
 
-/// Whether a path names such a table, by its columns or fields; also one that lacks a part of it, as
-/// the phase, which read_stepped_sines() says. False for a file that cannot be read, and for a pipe,
-/// of which nothing is taken: it could be read only once.
+/// Whether a path names such a table, by its columns or fields; also one that lacks a part of it,
+/// as the phase, which read_stepped_sines() says. False for a file that cannot be read, and for a
+/// pipe, of which nothing is taken: it could be read only once.
 [[nodiscard]] bool is_stepped_sine(const std::string& path);
 
 /// The sweeps of a path that is_stepped_sine().

@@ -17,15 +17,16 @@
 /// points on it, of which modes are made. Paths are relative to its folder.
 ///
 ///     schema = "microslip.structure/1"
-///     [matrices]     stiffness, mass: of read_matrix_file(); degrees_of_freedom: a file with a line
-///                    a row, `node.direction`; or, in place of the three, calculix: the path of
-///                    JOB.sti, JOB.mas and JOB.dof without the ending. length_unit, force_unit: of
-///                    the matrices and of nodes in files without units; m and N without them
-///     [test]         in place of [matrices]: shapes, a universal file with datasets 55 or 2414, and
-///                    modal_mass_kg = [...]; or frfs, one with datasets 58 or a recording in CSV, MATLAB
-///                    or HDF5, and drive, a table with node and direction, band_Hz = [from, to],
-///                    start_frequency_Hz = [...], damping = "viscous" (default) or "hysteretic".
-///                    length_unit, force_unit: where a universal file has no dataset 164
+///     [matrices]     stiffness, mass: of read_matrix_file(); degrees_of_freedom: a file with a
+///                    line a row, `node.direction`; or, in place of the three, calculix: the path
+///                    of JOB.sti, JOB.mas and JOB.dof without the ending. length_unit, force_unit:
+///                    of the matrices and of nodes in files without units; m and N without them
+///     [test]         in place of [matrices]: shapes, a universal file with datasets 55 or 2414,
+///                    and modal_mass_kg = [...]; or frfs, one with datasets 58 or a recording in
+///                    CSV, MATLAB or HDF5, and drive, a table with node and direction, band_Hz =
+///                    [from, to], start_frequency_Hz = [...], damping = "viscous" (default) or
+///                    "hysteretic". length_unit, force_unit: where a universal file has no dataset
+///                    164
 ///     [[test.response]]  of a recording: channel, node, direction; force: node and direction, that
 ///                    of drive without it; unit where the channel has none
 ///     [nodes]        file: one or an array of those that read_mesh() takes; optional
@@ -68,7 +69,8 @@ struct StructureFile {
 
 /// Reads the files it names, too.
 /// @param text  the file's whole text. @param file  its name.
-/// @throws FormatError, InputError  naming `structure.toml:12:3: joint[1].to` as parse_model() does.
+/// @throws FormatError, InputError  naming `structure.toml:12:3: joint[1].to` as parse_model()
+///     does.
 /// @throws FileError  naming the key, where a file cannot be read.
 [[nodiscard]] StructureFile parse_structure(std::string_view text, std::string_view file);
 

@@ -19,8 +19,8 @@ namespace microslip {
 /// cause.
 inline constexpr int kDeepestNesting = 64;
 
-/// @param format  JSON or TOML. @throws FormatError  where there is nothing but blanks, or a file of
-///     this program that is written in another one.
+/// @param format  JSON or TOML. @throws FormatError  where there is nothing but blanks, or a file
+///     of this program that is written in another one.
 void require_content(std::string_view text, KindFormat format, std::string_view file);
 
 /// "density[2].from_N"; the key alone at the top.

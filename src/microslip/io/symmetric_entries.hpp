@@ -30,7 +30,8 @@ struct MatrixEntries {
                                                  std::string_view file, std::string_view remedy);
 
 /// Of a file that has one triangle, the upper or the lower.
-/// @throws InputError  naming an entry beside the triangle of the first one that is off the diagonal.
+/// @throws InputError  naming an entry beside the triangle of the first one that is off the
+///     diagonal.
 [[nodiscard]] SymmetricEntries symmetric_of_triangle(MatrixEntries entries, std::string_view file);
 
 }  // namespace microslip

@@ -98,8 +98,8 @@ std::vector<double> read_above_zero(const TomlTable& test, std::string_view key,
   return values;
 }
 
-/// Of the keys for the other kind of file. @param wanted  what the key is for. @param here  what this
-/// test has in its place.
+/// Of the keys for the other kind of file. @param wanted  what the key is for. @param here  what
+/// this test has in its place.
 void refuse_idle(const TomlTable& test, std::string_view key, std::string_view wanted,
                  std::string_view here) {
   if (!test.has(key)) return;

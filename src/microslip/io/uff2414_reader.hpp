@@ -16,8 +16,8 @@ namespace microslip {
 /// Reads the lines of the dataset that is open, all but the one that closes it.
 /// @param warnings  gets what is left out, by name.
 /// @return nothing where it has no motion of nodes: stresses, forces, values on elements.
-/// @throws FormatError  where it is no dataset 2414, ends before it does, or has motions of nodes in
-///                      a form that is not read.
+/// @throws FormatError  where it is no dataset 2414, ends before it does, or has motions of nodes
+///                      in a form that is not read.
 [[nodiscard]] std::optional<UffModeShape> read_uff2414(UffEnvelope& envelope,
                                                        std::vector<Warning>& warnings);
 

@@ -12,8 +12,8 @@
 #include "microslip/base/summary.hpp"
 
 /// @file
-/// Mode shapes from universal files: datasets 55, "data at nodes", and 2414, "analysis data", of the
-/// Structural Dynamics Research Laboratory, University of Cincinnati.
+/// Mode shapes from universal files: datasets 55, "data at nodes", and 2414, "analysis data", of
+/// the Structural Dynamics Research Laboratory, University of Cincinnati.
 
 namespace microslip {
 
@@ -59,8 +59,8 @@ struct UffModeShapes {
   std::vector<Warning> warnings;     ///< what the reader had to forgive or left out
 };
 
-/// Reads all datasets 55 and 2414 of a file and skips the others; of 2414 those of no motion of nodes
-/// (stresses, values on elements) too, with a warning.
+/// Reads all datasets 55 and 2414 of a file and skips the others; of 2414 those of no motion of
+/// nodes (stresses, values on elements) too, with a warning.
 /// @throws FormatError  where the file is not of this form or ends within a dataset.
 /// @throws FileError    where it cannot be read.
 [[nodiscard]] UffModeShapes read_mode_shapes_uff(const std::string& path);

@@ -23,8 +23,8 @@ namespace microslip {
 ///
 /// A step is a straight move of x from where the joint stands. trial() evaluates a step without
 /// taking it, so an implicit integrator tries as many as it likes and then takes one by advance().
-/// A Memory is a value: a copy is a snapshot of several steps to return to. Displacements within reach
-/// are those that are not beyond kFarthestDisplacement (path.hpp).
+/// A Memory is a value: a copy is a snapshot of several steps to return to. Displacements within
+/// reach are those that are not beyond kFarthestDisplacement (path.hpp).
 class Memory {
  public:
   /// Where the path turned.

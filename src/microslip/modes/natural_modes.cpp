@@ -137,8 +137,8 @@ MatrixXd inverse_iterated(const VibratingSystem& system, const ShiftedFactor& fa
   return factor.solve(system.mass * shapes);
 }
 
-/// All modes of a small system. Where M has no inverse, by θ = 1/(ω² − σ) of the Cholesky factors of
-/// K − σM: what moves without mass has θ = 0.
+/// All modes of a small system. Where M has no inverse, by θ = 1/(ω² − σ) of the Cholesky factors
+/// of K − σM: what moves without mass has θ = 0.
 MatrixXd dense_shapes(const VibratingSystem& system, double shift) {
   const MatrixXd unit = MatrixXd::Identity(system.size(), system.size());
   const MatrixXd stiffness = system.stiffness_times(unit);

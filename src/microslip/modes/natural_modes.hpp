@@ -30,15 +30,16 @@ struct NaturalModes {
   Summary summary = {};  ///< its residual is the largest; doubtful where modes may be missing
 };
 
-/// Shift-invert Lanczos from below all eigenvalues (Spectra), then Rayleigh–Ritz of the shapes after
-/// inverse iteration. That no mode is missed is seen by the Sturm count at a frequency above them;
-/// those that are missed, of eigenvalues that are multiple, are sought beside those that were found.
-/// Small systems are solved densely. The modes of rigid bodies are told by a strain energy that is
-/// rounding, against both that of the diagonal of K and that of the next mode.
+/// Shift-invert Lanczos from below all eigenvalues (Spectra), then Rayleigh–Ritz of the shapes
+/// after inverse iteration. That no mode is missed is seen by the Sturm count at a frequency above
+/// them; those that are missed, of eigenvalues that are multiple, are sought beside those that were
+/// found. Small systems are solved densely. The modes of rigid bodies are told by a strain energy
+/// that is rounding, against both that of the diagonal of K and that of the next mode.
 /// @param system    whose M has no negative eigenvalue.
 /// @param range     with more modes than the system has, all of them.
 /// @param progress  told what is done of some number of solutions; may stop the search.
-/// @throws InputError  where K has a negative eigenvalue beyond rounding, or no mode is in the range.
+/// @throws InputError  where K has a negative eigenvalue beyond rounding, or no mode is in the
+///     range.
 /// @throws Cancelled
 [[nodiscard]] NaturalModes find_natural_modes(const VibratingSystem& system, const ModeRange& range,
                                               const Progress& progress = {});

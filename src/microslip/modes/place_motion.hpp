@@ -59,8 +59,8 @@ using Motion = std::vector<std::pair<std::size_t, double>>;
 ///
 ///     d·ū + θ·((p − c) × d),   ū = mean of u_i,   θ = I⁻¹ Σ s_i × u_i,   I = Σ (|s_i|² − s_i s_iᵀ)
 ///
-/// with s_i = r_i − c: the rigid motion nearest to those of the nodes in the sense of least squares;
-/// about an axis a, a·θ. Of one node, θ is its own rotation.
+/// with s_i = r_i − c: the rigid motion nearest to those of the nodes in the sense of least
+/// squares; about an axis a, a·θ. Of one node, θ is its own rotation.
 /// @throws InputError  naming the place and the node or degree of freedom that is missing; where a
 ///                     rotation is not told by nodes on one line.
 [[nodiscard]] Motion place_motion(const MeshRows& rows, const MeshPlace& place,

@@ -49,8 +49,8 @@ struct ResponseFit {
 ///
 /// or iη_r ω_r² (kHysteretic), with N_jr = a + b iω/ω_r or a + ib, by least squares over all
 /// responses: a, b, L and U are linear, ω_r and η_r common to all and found by variable projection
-/// [Golub & Pereyra], each response weighed by what the fit leaves of it. Beginning with the highest
-/// peak of Σ|H_j|², a mode is added where the rest has its highest peak, as long as
+/// [Golub & Pereyra], each response weighed by what the fit leaves of it. Beginning with the
+/// highest peak of Σ|H_j|², a mode is added where the rest has its highest peak, as long as
 /// it shows: it explains more than noise would, and a tenth of the motion there. The residues R of
 /// real modes are those with b = 0 and the same ω_r and η_r.
 /// @param responses  one or more, over the same band.

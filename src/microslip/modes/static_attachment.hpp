@@ -23,10 +23,10 @@ struct StaticAttachment {
   double residual = 0.0;  ///< the largest |Kx − b| over |b|, 1
 };
 
-/// Ritz vectors of the residual flexibility [MacNeal 1971; Rubin 1975]: of the static displacement x
-/// of each load, (K + B diag(k) Bᵀ) x = b, what lies beside the modes, x − Σ φ_i (φ_iᵀb)/ω_i². With
-/// rigid bodies R, of the load that accelerates none, b − M R Rᵀ b. The span of modes and shapes
-/// then holds x, so that the compliance between all loads is exact.
+/// Ritz vectors of the residual flexibility [MacNeal 1971; Rubin 1975]: of the static displacement
+/// x of each load, (K + B diag(k) Bᵀ) x = b, what lies beside the modes, x − Σ φ_i (φ_iᵀb)/ω_i².
+/// With rigid bodies R, of the load that accelerates none, b − M R Rᵀ b. The span of modes and
+/// shapes then holds x, so that the compliance between all loads is exact.
 /// @param system  that the modes are of.
 /// @param modes   one or more.
 /// @param loads   b, one a column; n × l.

@@ -33,8 +33,9 @@ enum class YieldingPlace : std::uint8_t { kJoint, kPoint, kBase };
 /// "joint", "point", "base".
 [[nodiscard]] std::string_view to_string(YieldingPlace place);
 
-/// How much a place gives way under a constant force, m/N, or about an axis under a constant moment,
-/// rad/(N m); without the motion of rigid bodies. Of a base that accelerates, rᵀM K⁻¹ M r, kg s².
+/// How much a place gives way under a constant force, m/N, or about an axis under a constant
+/// moment, rad/(N m); without the motion of rigid bodies. Of a base that accelerates, rᵀM K⁻¹ M r,
+/// kg s².
 struct StaticCompliance {
   std::string name;                             ///< of the joint, point or base
   bool turns = false;                           ///< about an axis

@@ -8,8 +8,8 @@
 
 namespace microslip {
 
-/// A = L D Lᵀ of a sparse symmetric matrix that need not be definite, with pivots of one or two rows
-/// (multifrontal, MUMPS). Its work is in memory; one object is used by one thread at a time.
+/// A = L D Lᵀ of a sparse symmetric matrix that need not be definite, with pivots of one or two
+/// rows (multifrontal, MUMPS). Its work is in memory; one object is used by one thread at a time.
 class SymmetricFactor {
  public:
   /// @param lower  A on and below the diagonal; what is above is not looked at.

@@ -24,9 +24,9 @@ struct AssembledSystem {
 
 /// @throws InputError  naming what is wrong: matrices that are empty, of different sizes, with
 ///                     entries outside or not finite; a mass matrix with a negative eigenvalue; a
-///                     degree of freedom without stiffness and mass; a node, row or position that is
-///                     missing; nodes in two rigid bodies, or in one and held; names that are empty
-///                     or the same; a point or joint that does not move.
+///                     degree of freedom without stiffness and mass; a node, row or position that
+///                     is missing; nodes in two rigid bodies, or in one and held; names that are
+///                     empty or the same; a point or joint that does not move.
 [[nodiscard]] AssembledSystem assemble_system(const MeshedStructure& structure);
 
 }  // namespace microslip

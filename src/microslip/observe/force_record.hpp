@@ -20,8 +20,8 @@ struct ForceRecord {
 /// The fewest samples of a record.
 inline constexpr std::size_t kFewestRecordSamples = 16;
 
-/// Checks that the lengths agree, that there are kFewestRecordSamples at least, all finite, that Δt ≥ 0,
-/// and that displacement and force are not constant.
+/// Checks that the lengths agree, that there are kFewestRecordSamples at least, all finite, that Δt
+/// ≥ 0, and that displacement and force are not constant.
 /// @throws InputError  naming the sample (1-based) and the value.
 void check_force_record(const ForceRecord& record);
 

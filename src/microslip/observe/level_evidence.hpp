@@ -39,8 +39,8 @@ struct LevelScatter {
 ///     σ_D,i = s_D D_i/√n_i                              otherwise,
 ///
 /// n_i levels merged into one, change_D,i what amplitude_std makes of D (effective variance; Orear,
-/// Am. J. Phys. 50 (1982) 912), s_D the scatter, which whoever fits may estimate. k_eq likewise, but
-/// with σ_k,i = s_k/√n_i where it is not known.
+/// Am. J. Phys. 50 (1982) 912), s_D the scatter, which whoever fits may estimate. k_eq likewise,
+/// but with σ_k,i = s_k/√n_i where it is not known.
 /// The share is one of the prediction, not of the measured D: a level that is far too low by
 /// scatter, or zero, would get the largest weight of all. For the same reason a level whose D is
 /// below dissipation_floor() counts with no smaller σ than one at the floor.

@@ -12,7 +12,8 @@
 
 namespace microslip {
 
-/// d of each amplitude, ∫ 4s(a − s)p ds up to a [AR14 (7)], from p at the knots: amplitudes × knots.
+/// d of each amplitude, ∫ 4s(a − s)p ds up to a [AR14 (7)], from p at the knots: amplitudes ×
+/// knots.
 [[nodiscard]] Eigen::MatrixXd dissipation_rows(const Eigen::VectorXd& amplitude,
                                                const std::vector<double>& knots);
 

@@ -34,7 +34,8 @@ struct PathStretch {
 ///
 ///     F = F₀ + Σ_turns c v(h) + c mean v(h_i),
 ///
-/// with h_i the half range of each sample, ψ(x*) the stiffness density and v(h) = K_e h + ∫ min(h, x*) ψ dx* the virgin curve.
+/// with h_i the half range of each sample, ψ(x*) the stiffness density and v(h) = K_e h + ∫ min(h,
+/// x*) ψ dx* the virgin curve.
 struct PathRow {
   std::size_t first = 0;      ///< sample
   std::size_t count = 0;      ///< of samples
@@ -57,10 +58,10 @@ struct PathRows {
   std::size_t reversals = 0;  ///< of the whole path
 };
 
-/// Rows of a path by Madelung's rules. Where as many rows would be longer than a 64th of the range of
-/// the path, most branches have rows as long as that makes them, and some, spread evenly over
-/// all, rows of a 64th: a mean over a branch has what it tells of the joint as a whole, but not where
-/// it slips.
+/// Rows of a path by Madelung's rules. Where as many rows would be longer than a 64th of the range
+/// of the path, most branches have rows as long as that makes them, and some, spread evenly over
+/// all, rows of a 64th: a mean over a branch has what it tells of the joint as a whole, but not
+/// where it slips.
 /// @param path       displacement of each sample, m.
 /// @param force      of each sample, N.
 /// @param start      the state that it begins in.

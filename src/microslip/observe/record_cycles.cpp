@@ -16,11 +16,11 @@ namespace {
 constexpr double kAlike = 1e-4;
 /// and those within this share close again, where no larger cycle holds them.
 constexpr double kAsLarge = 0.03;
-/// The range before them may lack less: where a path goes beyond its last turns, the joint leaves the
-/// branch for the one outside, an error of first order.
+/// The range before them may lack less: where a path goes beyond its last turns, the joint leaves
+/// the branch for the one outside, an error of first order.
 constexpr double kGrows = 5e-3;
-/// A record that begins at a turn of what is this share of its whole range, at least, was cut out of
-/// cycles alike, where its force comes back to this share of its range beside the noise.
+/// A record that begins at a turn of what is this share of its whole range, at least, was cut out
+/// of cycles alike, where its force comes back to this share of its range beside the noise.
 constexpr double kLoopAlone = 0.9;
 constexpr double kForceReturns = 0.01;
 /// A cycle is flagged where it misses by this share, and by so many deviations.
@@ -66,8 +66,8 @@ double half_circle(double x) { return std::sqrt(std::max(0.0, 1.0 - x * x)); }
 double under_half_circle(double x) { return 0.5 * (x * half_circle(x) + std::asin(x)); }
 
 /// A loop between −1 and 1, x = (u − ū)/A, and S = √(1 − x²) along it. Segment i goes from vertex i
-/// to the next, the last one back to the first. With it ∮ F cos θ dθ is ∫ F dS along the first branch
-/// less that along the second; and of a force that is straight in u between vertices
+/// to the next, the last one back to the first. With it ∮ F cos θ dθ is ∫ F dS along the first
+/// branch less that along the second; and of a force that is straight in u between vertices
 /// ∫ F dS = [F S] − ΔF S̄ over a segment, S̄ the mean of S over it.
 class UnitLoop {
  public:
@@ -146,8 +146,8 @@ LoopDerivatives by_force(const Loop& loop, const UnitLoop& unit, double amplitud
 }
 
 /// By the displacements of its vertices, N and N/m². An error of u acts by the slope that the force
-/// has there, which is that of the stuck joint behind a turn, however low k_eq is; and one of a turn
-/// moves A and ū.
+/// has there, which is that of the stuck joint behind a turn, however low k_eq is; and one of a
+/// turn moves A and ū.
 /// @param secant  k_eq.
 LoopDerivatives by_displacement(const Loop& loop, const UnitLoop& unit, double amplitude,
                                 double secant) {

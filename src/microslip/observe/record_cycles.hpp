@@ -13,8 +13,8 @@
 namespace microslip {
 
 /// A closed cycle of a path: from a turn a to a turn b and back to a, without the closed cycles
-/// inside of it, after which a joint is as if they had not been (Madelung). So each has two turns, and
-/// where the joint is one of Masing's kind
+/// inside of it, after which a joint is as if they had not been (Madelung). So each has two turns,
+/// and where the joint is one of Masing's kind
 ///
 ///     A    = ½|a − b|
 ///     D    = ∮ F du
@@ -62,23 +62,23 @@ struct RecordCycles {
 };
 
 /// Finds the closed cycles of a record. Turns that noise makes of its path are none, see
-/// smooth_path(). A range between two turns is a cycle where those before and behind it are as large
-/// (rainflow counting, four points): the sliders that it moves were at their limits at a then. Of the
-/// turns that are left in the end, as of a decay, those make cycles too that come back to 3 % and
-/// began to 0.5 %; what the path lacks of a is closed by a straight line, an error of third order. A record
-/// that is one loop from tip to tip has no range before it, and is a cycle where its force comes
-/// back. n samples make D too small by a share of 6.6/n².
+/// smooth_path(). A range between two turns is a cycle where those before and behind it are as
+/// large (rainflow counting, four points): the sliders that it moves were at their limits at a
+/// then. Of the turns that are left in the end, as of a decay, those make cycles too that come back
+/// to 3 % and began to 0.5 %; what the path lacks of a is closed by a straight line, an error of
+/// third order. A record that is one loop from tip to tip has no range before it, and is a cycle
+/// where its force comes back. n samples make D too small by a share of 6.6/n².
 ///
-/// Standard deviations are those of independent errors of the samples, σ_F of the force and σ_u of the
-/// path, by the flat parts of their spectra, to first order:
+/// Standard deviations are those of independent errors of the samples, σ_F of the force and σ_u of
+/// the path, by the flat parts of their spectra, to first order:
 ///
 ///     σ² = σ_F² Σ_i (∂/∂F_i)² + σ_u² Σ_i (mean of ∂/∂u over n samples about i)²
 ///
 /// of D and k_eq as sums over the samples of the loop. An error of u acts by the slope dF/du of the
-/// loop where it is, by smoothed forces; one of a turn moves A. n = (σ_u/σ_left)² samples are what the
-/// smoothing of the path took together. Errors that all samples share, of gains above all, are not in
-/// them. Cycles no larger than the largest whose D is below three deviations are left out, not those
-/// alone whose D happens to be low.
+/// loop where it is, by smoothed forces; one of a turn moves A. n = (σ_u/σ_left)² samples are what
+/// the smoothing of the path took together. Errors that all samples share, of gains above all, are
+/// not in them. Cycles no larger than the largest whose D is below three deviations are left out,
+/// not those alone whose D happens to be low.
 /// @param evidence  of any start.
 [[nodiscard]] RecordCycles record_cycles(const RecordEvidence& evidence);
 

@@ -19,8 +19,8 @@ void add_straight(double l, double r, double value_l, double value_r, double sha
   left += 3.0 * width * (value_l + value_r) - with_right;
 }
 
-/// Σ factor ∫ min(h, s) p ds of any number of h, from p at the knots. The cell of an h is cut by it;
-/// those below are like for all h above, those above are of h alone: sums over cells.
+/// Σ factor ∫ min(h, s) p ds of any number of h, from p at the knots. The cell of an h is cut by
+/// it; those below are like for all h above, those above are of h alone: sums over cells.
 class VirginSum {
  public:
   explicit VirginSum(const std::vector<double>& knots)

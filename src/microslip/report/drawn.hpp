@@ -32,7 +32,8 @@ struct Place {
 using Piece = std::vector<Place>;
 
 /// The layer without what has no place on a logarithmic axis, split there; a loop ends where it
-/// begins. Nothing for a marker and for what is not shown. The layer must keep the rules of check_figure().
+/// begins. Nothing for a marker and for what is not shown. The layer must keep the rules of
+/// check_figure().
 [[nodiscard]] std::vector<Piece> drawn_pieces(const Layer& layer, bool log_x, bool log_y);
 
 /// Whether there is a place in any layer.

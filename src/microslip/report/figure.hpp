@@ -9,9 +9,9 @@
 
 /// @file
 /// What a figure shows, apart from how it is drawn: on paper by gnuplot (report/gnuplot), on a page
-/// by its scripts (report/html_report). Values are drawn as they are given: a caller who wants µm on
-/// an axis scales the data and names µm as its unit. Texts are UTF-8 and shown as they are, without
-/// markup.
+/// by its scripts (report/html_report). Values are drawn as they are given: a caller who wants µm
+/// on an axis scales the data and names µm as its unit. Texts are UTF-8 and shown as they are,
+/// without markup.
 
 namespace microslip {
 

@@ -10,8 +10,8 @@
 #include "microslip/workflow/result_input.hpp"
 
 /// @file
-/// What a model predicts, as figures. All values are SI. Where draws were taken, the band of a curve
-/// lies behind it.
+/// What a model predicts, as figures. All values are SI. Where draws were taken, the band of a
+/// curve lies behind it.
 
 namespace microslip {
 

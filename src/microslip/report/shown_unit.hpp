@@ -18,9 +18,9 @@ struct ShownUnit {
 };
 
 /// The SI unit with the decimal prefix from n to G that brings the largest of the values to 1 or
-/// more, below 1000; without one where it is 0.1 to 10000 already. For "m", "N", "J", "s", "N/m" and
-/// "m/N". "m/s^2" gets a raised 2; "%" are of 1, "°" of rad; others stay, so that a density is in 1/N
-/// as in files and texts.
+/// more, below 1000; without one where it is 0.1 to 10000 already. For "m", "N", "J", "s", "N/m"
+/// and "m/N". "m/s^2" gets a raised 2; "%" are of 1, "°" of rad; others stay, so that a density is
+/// in 1/N as in files and texts.
 [[nodiscard]] ShownUnit shown_unit(std::string_view si_unit, double largest);
 
 /// What has the SI unit, as the reader calls it: "force" of "N"; "signal" of others.

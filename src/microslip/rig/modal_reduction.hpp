@@ -84,10 +84,10 @@ struct ModalReductionOptions {
 /// force and accelerations (JointsObserver). D_j = π Σ_n n Im(F_jn conj u_jn). The dissipation of
 /// all joints together is W_ext − W_lin: the work of the force on the accelerometer at the exciter,
 /// or on the observed motion where there is none, less Σ_i Σ_n nπ Im Z_i(nω)|q_in|²; it needs no
-/// more than one accelerometer. The frequency is that of phase resonance: with h_j1 = δ_j u_j1 kept,
-/// the response lags the force by π/2, so that the drive may be off it. Standard deviations come
-/// from the scatter over the cycles, or from the noise where these are too few; what is not seen
-/// adds its own.
+/// more than one accelerometer. The frequency is that of phase resonance: with h_j1 = δ_j u_j1
+/// kept, the response lags the force by π/2, so that the drive may be off it. Standard deviations
+/// come from the scatter over the cycles, or from the noise where these are too few; what is not
+/// seen adds its own.
 ///
 /// Flags: `joint_not_seen` (too few accelerometers, or none where it moves them: the model's stuck
 /// joint stands for it), `inner_reversals`, `dissipation_negative`, `dissipation_in_noise`,

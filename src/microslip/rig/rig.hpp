@@ -129,8 +129,8 @@ struct Rig {
 };
 
 /// Checks the ranges above, and what must go together.
-/// @throws InputError  naming the field, `accelerometers[1].position`, its value and the rule that it
-///                     breaks.
+/// @throws InputError  naming the field, `accelerometers[1].position`, its value and the rule that
+///                     it breaks.
 void check_rig(const Rig& rig);
 
 }  // namespace microslip

@@ -34,8 +34,8 @@ std::string_view second_code(const DecayTrack& track) {
   return track.second->steady ? "steady_tone" : "beats";
 }
 
-/// By what a second oscillation moves ζ of a window, relative; 0 where this is no more than what may
-/// leak in, or than noise.
+/// By what a second oscillation moves ζ of a window, relative; 0 where this is no more than what
+/// may leak in, or than noise.
 double shift_that_counts(const DecayTrack& track, std::size_t i) {
   constexpr double kSure = 2.0;
   if (!track.second) return 0.0;

@@ -49,19 +49,20 @@ struct SynthesizedShock {
   Summary summary;                   ///< its residual is |worst| over the tolerance
 };
 
-/// The shortest shock that has the lowest frequency f₁ of a spectrum: three half-cycles, 3/(2f₁), s.
+/// The shortest shock that has the lowest frequency f₁ of a spectrum: three half-cycles, 3/(2f₁),
+/// s.
 [[nodiscard]] double shortest_shock(const RequiredSpectrum& required);
 
 /// A sum of wavelets, one at each frequency f of the analysis [Yang & Saffell]:
 ///
 ///     a(t) = Σ_k A_k sin(2πf_k τ/N_k) sin(2πf_k τ),  τ = t − t_k,  0 ≤ τ ≤ N_k/(2f_k),  N_k odd
 ///
-/// Each leaves velocity and displacement as they were: begins and lengths are whole numbers of steps
-/// h, by which f_k changes a little, so that this holds for the chords between the times as well.
-/// N_k is as many half-cycles as the length allows, 15 at most; t_k and the sign of A_k are drawn,
-/// most wavelets early. The |A_k| are scaled by R/S, then improved by Levenberg–Marquardt steps on
-/// Σ (lg S/R)⁴ with the times of the peaks held; where the tolerance is not met with the wavelets
-/// drawn, others are, three times at most. The best is the result.
+/// Each leaves velocity and displacement as they were: begins and lengths are whole numbers of
+/// steps h, by which f_k changes a little, so that this holds for the chords between the times as
+/// well. N_k is as many half-cycles as the length allows, 15 at most; t_k and the sign of A_k are
+/// drawn, most wavelets early. The |A_k| are scaled by R/S, then improved by Levenberg–Marquardt
+/// steps on Σ (lg S/R)⁴ with the times of the peaks held; where the tolerance is not met with the
+/// wavelets drawn, others are, three times at most. The best is the result.
 /// @param required  R(f).
 /// @param options   length and sampling rate must be given.
 /// @param progress  of the evaluations; it may end before their largest number.

@@ -43,7 +43,8 @@ enum class DampingLaw {
 /// with f_p the force at p, N, and w(p) its displacement, m. A point may be anything that displaces
 /// linearly: a relative displacement across a joint, a rotation times a radius. Where bases b
 /// accelerate, −Σ_b Γ_i(b) a_b stands on the right too, w is relative to them, and the absolute
-/// displacement is w(p) + Σ_b r_p(b) x_b, ẍ_b = a_b. [Chopra, Dynamics of Structures, 9.4] Immutable.
+/// displacement is w(p) + Σ_b r_p(b) x_b, ẍ_b = a_b. [Chopra, Dynamics of Structures, 9.4]
+/// Immutable.
 class ModalModel {
  public:
   /// @param modes   at least one, in any order.

@@ -8,8 +8,8 @@
 
 namespace microslip {
 
-/// Σ φ_i²/ω_i² of those of some modes that are elastic, m/N: what they give way by at a place under a
-/// constant force there.
+/// Σ φ_i²/ω_i² of those of some modes that are elastic, m/N: what they give way by at a place under
+/// a constant force there.
 /// @param modes  any. @param shape  φ at the place, one a mode.
 [[nodiscard]] inline double static_compliance(std::span<const Mode> modes,
                                               std::span<const double> shape) {

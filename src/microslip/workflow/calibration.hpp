@@ -53,15 +53,15 @@ struct CalibratedModel {
                                          std::uint64_t seed);
 
 /// Reads a model whose joints are sought.
-/// @throws FileError, FormatError, InputError  as read_model(); where no joint is to be found, loads
-///     always act, or the name of a joint is none of a file or a column.
+/// @throws FileError, FormatError, InputError  as read_model(); where no joint is to be found,
+///     loads always act, or the name of a joint is none of a file or a column.
 [[nodiscard]] ModelFile read_model_to_calibrate(const std::string& path);
 
 /// The names of the joints of a model, in its order.
 [[nodiscard]] std::vector<std::string> names_of_joints(const ModelFile& model);
 
-/// Finds the joints of `done.model` from levels that need not be a file, into `done.found`, with the
-/// warnings of its modes.
+/// Finds the joints of `done.model` from levels that need not be a file, into `done.found`, with
+/// the warnings of its modes.
 /// @param options      of the method.
 /// @param levels       of the modes.
 /// @param levels_name  in messages.
@@ -88,8 +88,8 @@ void compose_calibration(const ModelCalibration& options, const ModalLevels& lev
                          CalibratedModel& done);
 
 /// The paths and kinds of the files that will be written, before anything is computed.
-/// @throws FileError, FormatError, InputError  as read_model(); for a joint whose name is no name of
-///                                             a file.
+/// @throws FileError, FormatError, InputError  as read_model(); for a joint whose name is no name
+///                                             of a file.
 [[nodiscard]] std::vector<ResultFile> planned_files(const ModelCalibration& options);
 
 /// Reads, finds and composes the files.

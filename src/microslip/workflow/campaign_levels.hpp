@@ -51,7 +51,8 @@ struct CampaignLevels {
 [[nodiscard]] bool is_modal_levels_table(const std::string& path);
 
 /// Reads levels.csv, or reduces what is none by its kind.
-/// @param campaign  whose tests. @param out  folder of the tables. @param command  of their comment.
+/// @param campaign  whose tests. @param out  folder of the tables. @param command  of their
+///     comment.
 /// @param progress  told of the records; may cancel.
 /// @throws FileError, FormatError, InputError, Cancelled  as reduce_campaign_test(),
 ///     level_table_of().

@@ -7,8 +7,8 @@
 #include "microslip/workflow/campaign.hpp"
 
 /// @file
-/// What a campaign.toml asks for: the tests and the structure that it names, and the files that come
-/// of it. Internal to workflow.
+/// What a campaign.toml asks for: the tests and the structure that it names, and the files that
+/// come of it. Internal to workflow.
 
 namespace microslip {
 
@@ -16,8 +16,8 @@ namespace microslip {
 [[nodiscard]] CampaignFile read_plan(const CampaignRun& run);
 
 /// Before anything is computed.
-/// @throws FileError, FormatError, InputError  where a test or the structure is no file of its kind,
-///     or tests do not go together.
+/// @throws FileError, FormatError, InputError  where a test or the structure is no file of its
+///     kind, or tests do not go together.
 void check_campaign(const CampaignRun& run, const CampaignFile& plan);
 
 /// The sessions, but for the first with levels, whose predicted tests have a model of their own.

@@ -42,9 +42,9 @@ struct SessionEffect {
   double softening = 0.0;  ///< 0 without frequencies
 };
 
-/// With y = ln(f/f̂) of each level, f̂ the natural frequency with the secant stiffness that the joint
-/// has at its amplitude, and r = ln(D/D̂), D̂ of joint and linear damping there; where ζ was measured
-/// r = ln(ζ/ζ̂), structure included, as what is left of ζ for the joints may be noise.
+/// With y = ln(f/f̂) of each level, f̂ the natural frequency with the secant stiffness that the
+/// joint has at its amplitude, and r = ln(D/D̂), D̂ of joint and linear damping there; where ζ was
+/// measured r = ln(ζ/ζ̂), structure included, as what is left of ζ for the joints may be noise.
 struct SessionEffects {
   std::vector<SessionEffect> sessions = {};  ///< those with levels, in the order of the campaign
   std::vector<double> frequency = {};        ///< f̂ of each level, Hz; empty without frequencies
@@ -89,8 +89,8 @@ struct SessionEffects {
 /// @param state     of the structure; k of the joint is in its modes.
 /// @param joint     identified from the levels.
 /// @param linear_damping  β that was identified with it, J/m².
-/// @throws InputError  where offsets are asked for, and a level has no frequency, a frequency is off
-///     that of the first mode by more than a tenth, or no session has two levels.
+/// @throws InputError  where offsets are asked for, and a level has no frequency, a frequency is
+///     off that of the first mode by more than a tenth, or no session has two levels.
 [[nodiscard]] SessionEffects session_effects(const CampaignFile& campaign,
                                              const CampaignLevels& levels, const StickState& state,
                                              const Joint& joint, double linear_damping);

@@ -10,10 +10,10 @@
 
 namespace microslip {
 
-/// campaign.csv: a row a level that the joint was identified from (`part` level), with frequency and
-/// dissipation by the joint; and of predicted tests a row a sweep (peak), a value of a mode or cycle
-/// of loops (curve), or a record of loops (record), with force_nrmse. Of each quantity QUANTITY,
-/// QUANTITY_predicted, _lower, _upper and _verdict, empty where there is none.
+/// campaign.csv: a row a level that the joint was identified from (`part` level), with frequency
+/// and dissipation by the joint; and of predicted tests a row a sweep (peak), a value of a mode or
+/// cycle of loops (curve), or a record of loops (record), with force_nrmse. Of each quantity
+/// QUANTITY, QUANTITY_predicted, _lower, _upper and _verdict, empty where there is none.
 /// @param comment  above it.
 [[nodiscard]] std::string campaign_table(const DoneCampaign& done, const std::string& comment);
 

@@ -33,13 +33,14 @@ struct ReducedCampaignTest {
   bool converged = true;               ///< of a ring-down: followed to the end or to the noise
 };
 
-/// Reduces steady records and stepped sines by the rig, as reduce_recordings(); the closed cycles of
-/// loops, as find_record_levels(); and a ring-down in the first mode, as reduce_modal_decay() finds
-/// it, with D = 2πζω²mx² − πΣη_iω_i²q_i² and the amplitude |Σψ_iq_i|/(1 + kc) at a displacement x of
-/// the (first) sensor. The shape is that of the mode with a joint that has softened until its
-/// frequency is ω: q_i ∝ ψ_i/(ω_i² − ω²), m = Σq_i²/x²; as stuck where ω is higher than that. ω_i, η_i,
-/// ψ_i (across the joint) and c (the axial compliance) are those of the rig with its joint stuck. A
-/// frequency of the rig that is wrong is taken for slip; of a rig of one mode the shape is fixed.
+/// Reduces steady records and stepped sines by the rig, as reduce_recordings(); the closed cycles
+/// of loops, as find_record_levels(); and a ring-down in the first mode, as reduce_modal_decay()
+/// finds it, with D = 2πζω²mx² − πΣη_iω_i²q_i² and the amplitude |Σψ_iq_i|/(1 + kc) at a
+/// displacement x of the (first) sensor. The shape is that of the mode with a joint that has
+/// softened until its frequency is ω: q_i ∝ ψ_i/(ω_i² − ω²), m = Σq_i²/x²; as stuck where ω is
+/// higher than that. ω_i, η_i, ψ_i (across the joint) and c (the axial compliance) are those of the
+/// rig with its joint stuck. A frequency of the rig that is wrong is taken for slip; of a rig of
+/// one mode the shape is fixed.
 /// @param campaign  whose structure and k count. @param test  of it.
 /// @param command   of the comment in the table. @param progress  told of records; may cancel.
 /// @throws FileError, FormatError, InputError, Cancelled  as these; where all loss is that of the
@@ -56,7 +57,8 @@ struct ReducedCampaignTest {
                                                     const std::string& command,
                                                     const Progress& progress);
 
-/// What is wrong with a test names it: "test 'blow': sensor acc1=tip", without the marks of an option.
+/// What is wrong with a test names it: "test 'blow': sensor acc1=tip", without the marks of an
+/// option.
 template <typename Call>
 auto of_campaign_test(const CampaignTest& test, const Call& call) {
   try {

@@ -46,8 +46,8 @@ std::optional<double> confidence_in(std::string_view comment) {
   return percent ? std::optional(*percent / 100.0) : std::nullopt;
 }
 
-/// Of a line "SOURCE: QUANTITY: N of M inside, E expected; C % of the draws have so few or fewer", C
-/// for its curve. @return whether it is one.
+/// Of a line "SOURCE: QUANTITY: N of M inside, E expected; C % of the draws have so few or fewer",
+/// C for its curve. @return whether it is one.
 bool take_chance(const std::string& comment, std::vector<ComparedTest>& tests) {
   const std::optional<double> percent = number_before(comment, " % of the draws have so few or");
   if (!percent) return false;

@@ -9,7 +9,8 @@
 
 namespace microslip {
 
-/// comparison.csv with its comments. @throws FormatError  where a column is missing, or a cell wrong.
+/// comparison.csv with its comments. @throws FormatError  where a column is missing, or a cell
+/// wrong.
 [[nodiscard]] ComparisonFound comparison_of(const NamedInput& input);
 
 /// campaign.csv: rows, and the warnings of its comments. @throws FormatError  likewise.

@@ -10,8 +10,8 @@
 
 namespace microslip {
 
-/// The first of some files that is the same as another, links followed, and the same part of it or one
-/// that holds the other: `F.mat:X` holds `F.mat:X(2)`.
+/// The first of some files that is the same as another, links followed, and the same part of it or
+/// one that holds the other: `F.mat:X` holds `F.mat:X(2)`.
 /// @param before  files, or `FILE:VARIABLE`, as part_of_file() takes them; "-" is like no other.
 [[nodiscard]] std::optional<std::string> same_file(std::span<const std::string> before,
                                                    const std::string& path);

@@ -20,8 +20,8 @@ struct FolderChange {
   [[nodiscard]] bool any() const { return gone || !changed.empty(); }
 };
 
-/// Looks again and again which files of a folder are whole: those whose size and time of change have
-/// stood still for a while. Who copies or writes a file changes one of them until it is done.
+/// Looks again and again which files of a folder are whole: those whose size and time of change
+/// have stood still for a while. Who copies or writes a file changes one of them until it is done.
 class FolderWatch {
  public:
   using Clock = std::chrono::steady_clock;  ///< of looks

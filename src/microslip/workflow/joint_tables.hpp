@@ -70,8 +70,8 @@ struct LoneJointDraws {
 /// Virgin force, D + βA², k_eq and the loss factor of both over the amplitude, as levels have them.
 /// @param file       of the joint, with β where one was identified.
 /// @param amplitude  A, m; rising, from 0.
-/// @param draws      of the joint; with them columns NAME_lower, NAME_upper of each. A draw that has
-///                   a linear damping of its own has that one.
+/// @param draws      of the joint; with them columns NAME_lower, NAME_upper of each. A draw that
+///                   has a linear damping of its own has that one.
 /// @throws InputError, Cancelled  as loop_of().
 [[nodiscard]] JointTable dissipation_of(const JointFile& file, const std::vector<double>& amplitude,
                                         const std::optional<LoneJointDraws>& draws = {});

@@ -82,13 +82,14 @@ inline constexpr std::size_t kFewestToPlan = 8;
 /// Widths hold 95 %: 3.92 standard deviations; of a density their mean over the range. Errors that
 /// all levels share are not in them: no further level corrects them.
 /// @throws FileError, FormatError  as read_level_table() and read_model().
-/// @throws InputError  for values out of their range; for fewer levels than kFewestToPlan; where the
-///                     model has no such joint, or one of another stiffness, or no peak in the range.
+/// @throws InputError  for values out of their range; for fewer levels than kFewestToPlan; where
+///                     the model has no such joint, or one of another stiffness, or no peak in the
+///                     range.
 /// @throws Cancelled   as the progress says.
 [[nodiscard]] LevelPlan plan_levels(const LevelPlanning& options);
 
-/// The table: rank, amplitude, repeats, expected widths. What must be known of it, and where more of
-/// the same no longer helps, stands in its comments.
+/// The table: rank, amplitude, repeats, expected widths. What must be known of it, and where more
+/// of the same no longer helps, stands in its comments.
 [[nodiscard]] std::string plan_text(const LevelPlan& plan, const LevelPlanning& options,
                                     std::string_view command);
 

@@ -28,9 +28,9 @@ struct LoopJoint {
       {};  ///< kA of the largest cycle that it was identified from, N
 };
 
-/// What of a record no joint of the kind has, whatever its density: `test_not_of_this_kind` with the
-/// departures that invert_records() finds in it by itself, `departures_unknown` where it cannot be
-/// inverted; nothing where there is none.
+/// What of a record no joint of the kind has, whatever its density: `test_not_of_this_kind` with
+/// the departures that invert_records() finds in it by itself, `departures_unknown` where it cannot
+/// be inverted; nothing where there is none.
 [[nodiscard]] std::optional<Warning> departures_of(const RecordEvidence& evidence);
 
 /// Predicts the force of the joint on the path of a record, and the losses of its closed cycles
@@ -42,12 +42,13 @@ struct LoopJoint {
 /// over amplitude [m], and of the whole record, without a measured value beside them,
 ///
 ///     force_nrmse [1]           rms(F − F_joint)/rms(F − mean F)
-///     force_noise [1]           the same of the noise that its samples have alone: no joint has less
+///     force_noise [1]           the same of the noise that its samples have alone: no joint has
+///                               less
 ///
 /// over the samples of which the state of the joint is known; F_joint as found_force(), with the
 /// mean of what is measured, without βA², which has no force along a path (warning
-/// `linear_damping_left_out`). Warnings also: `beyond_identification`, `no_closed_cycles`, and those of
-/// departures_of().
+/// `linear_damping_left_out`). Warnings also: `beyond_identification`, `no_closed_cycles`, and
+/// those of departures_of().
 /// @param record  of the joint.
 /// @param joint   as it is thought to be.
 /// @param draw    draw i of it; empty without draws.

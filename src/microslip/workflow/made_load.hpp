@@ -57,8 +57,8 @@ struct MadeLoad {
 /// @param structure  its excitations and bases. @param plan  of the load.
 /// @param progress   of the synthesis of a shock.
 /// @throws InputError  for values out of their range; for shapes other than a sine where a first
-///                     harmonic is 0 or has a phase other than 0 and π; where an excitation is named
-///                     twice; for a shock of a structure whose base is not driven.
+///                     harmonic is 0 or has a phase other than 0 and π; where an excitation is
+///                     named twice; for a shock of a structure whose base is not driven.
 [[nodiscard]] MadeLoad make_load(const JointedStructure& structure, const LoadPlan& plan,
                                  const Progress& progress = {});
 

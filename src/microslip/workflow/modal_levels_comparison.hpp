@@ -23,10 +23,10 @@ namespace microslip {
 /// Predicts the nonlinear mode (Forcing::kModal) at each displacement that was measured: frequency
 /// [Hz], damping_ratio [1] and dissipation [J] of all joints, those that were measured, over
 /// displacement [m]; one test a mode. A mode that no joint takes part in, or each where `forcing`
-/// says so, is predicted in phase resonance with the excitation of the model. By a draw of a response
-/// that reads g times what is there the displacement is 1/g of the reading, and as far from it as its
-/// standard deviation has it. Those of frequency, damping and dissipation are those of readings in compare(). Losses of single joints
-/// are not compared.
+/// says so, is predicted in phase resonance with the excitation of the model. By a draw of a
+/// response that reads g times what is there the displacement is 1/g of the reading, and as far
+/// from it as its standard deviation has it. Those of frequency, damping and dissipation are those
+/// of readings in compare(). Losses of single joints are not compared.
 /// @param source   of the levels, for the table.
 /// @param levels   of one mode or several.
 /// @param model    whose response point the displacements are of.

@@ -113,8 +113,8 @@ struct DrawsTaken {
 
 /// Does work(i) for each draw, in parallel.
 /// @param options    which draws.
-/// @param work       gives why the draw failed, nothing where it did not; an InputError of it counts
-///                   as the reason. Called for several draws at once.
+/// @param work       gives why the draw failed, nothing where it did not; an InputError of it
+///                   counts as the reason. Called for several draws at once.
 /// @param execution  of the draws.
 /// @param progress   told of those done; may cancel.
 /// @return what became of them.

@@ -18,8 +18,8 @@
 
 namespace microslip {
 
-/// heading_of() of a prediction, with a line on the linear damping of each joint and on what is to be
-/// known of it: that belongs into the file.
+/// heading_of() of a prediction, with a line on the linear damping of each joint and on what is to
+/// be known of it: that belongs into the file.
 [[nodiscard]] std::string heading_of(std::string_view command, const ModelFile& model);
 
 /// "4672 J/m^2 beside slip": of a joint that is by itself. Empty where β is 0.

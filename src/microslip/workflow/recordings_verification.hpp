@@ -74,8 +74,8 @@ struct VerificationTables {
 /// Those of the tables that have a path, for check_outputs().
 [[nodiscard]] std::vector<PlannedOutput> planned(const VerificationTables& tables);
 
-/// Adds the tables, that of the records with what draws make of them, each with version and command, hashes of rig and joint, the linear damping that
-/// was used, and what is to be looked at.
+/// Adds the tables, that of the records with what draws make of them, each with version and
+/// command, hashes of rig and joint, the linear damping that was used, and what is to be looked at.
 /// @throws InputError  where no record is left. @throws FileError  as OutputFiles.
 void add_tables(const VerifiedRecordings& verified, const VerificationTables& tables,
                 const std::string& command, OutputFiles& files);

@@ -35,7 +35,8 @@ std::vector<Station> stations_of(const ResponseCurve& reference, Quantity kept) 
   return stations;
 }
 
-/// The least and the largest height of a draw that may be meant at a station. @param heights  rising
+/// The least and the largest height of a draw that may be meant at a station.
+/// @param heights  rising
 std::pair<double, double> meant(const Station& station, const std::vector<double>& heights) {
   if (heights.size() == station.branches) {
     return {heights[station.branch], heights[station.branch]};

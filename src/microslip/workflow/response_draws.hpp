@@ -14,8 +14,8 @@
 #include "microslip/workflow/model_draws.hpp"
 
 /// @file
-/// Draws of a model through its frequency response: bands beside the curve, and its peaks with their
-/// own.
+/// Draws of a model through its frequency response: bands beside the curve, and its peaks with
+/// their own.
 
 namespace microslip {
 
@@ -88,8 +88,8 @@ class ResponseOfDraws {
   std::vector<Station> stations_;
 };
 
-/// Follows the curve of each draw and tells, at the frequency of each point of the reference, between
-/// which heights the share `confidence` of the draws lies.
+/// Follows the curve of each draw and tells, at the frequency of each point of the reference,
+/// between which heights the share `confidence` of the draws lies.
 ///
 /// Where the reference has several heights at a frequency, a point on its highest branch has the
 /// band of the draws' highest, one on its lowest of their lowest, and one between them of the

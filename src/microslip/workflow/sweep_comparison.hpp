@@ -14,14 +14,14 @@
 
 namespace microslip {
 
-/// kSweep or kConstantResponse: whichever of force and acceleration was held better, by the ratio of
-/// its largest to its smallest value. @throws InputError  as check_stepped_sine().
+/// kSweep or kConstantResponse: whichever of force and acceleration was held better, by the ratio
+/// of its largest to its smallest value. @throws InputError  as check_stepped_sine().
 [[nodiscard]] TestKind kind_of(const SteppedSine& sweep);
 
 /// Predicts each step of a sweep at the frequency that it had and, of kSweep, at the force that was
-/// measured there, of kConstantResponse at the response; so that a force that was not held, as about
-/// a resonance, is no error of the prediction. Curves, with X = a/ω² the displacement of what was
-/// measured:
+/// measured there, of kConstantResponse at the response; so that a force that was not held, as
+/// about a resonance, is no error of the prediction. Curves, with X = a/ω² the displacement of what
+/// was measured:
 ///
 ///     displacement [m], or force [N]     over the frequency, of the steps
 ///     phase_lag [rad]                    of the displacement behind the force, in [0, π]
@@ -33,8 +33,8 @@ namespace microslip {
 /// that of the displacement at a force, for which it is the most that it can be: 1/(1 + p) of it
 /// where D grows with X^{2+p}.
 ///
-/// The damping ratio that is measured is that of the force F that feeds X in phase resonance, by the
-/// shape φ of the motion that the model has at X,
+/// The damping ratio that is measured is that of the force F that feeds X in phase resonance, by
+/// the shape φ of the motion that the model has at X,
 ///
 ///     ζ = F X_d/(2 ω² Σ|q_i|²) = c F/ω²,
 ///
@@ -43,14 +43,14 @@ namespace microslip {
 /// vibrations the one counts that it leads to.
 ///
 /// The sign of a phase, and whether it is that of the displacement or of an acceleration that is
-/// positive against the force, are conventions: |phase| or π − |phase| is taken, whichever is nearer
-/// to the prediction, and `note` tells which.
+/// positive against the force, are conventions: |phase| or π − |phase| is taken, whichever is
+/// nearer to the prediction, and `note` tells which.
 ///
 /// By a draw what would be read: a force reading F drives with F/g, of a response g times what is
 /// there is read. Warnings: those of the model for such motions (`beyond_identification`,
 /// `truncated`, …), `no_resonance` where the phase of the sweep does not pass a quarter turn, those
-/// of the resonance, warnings_of(), `no_mode_in_sweep` where the predicted lag does not pass it: the
-/// model has no resonance at the steps.
+/// of the resonance, warnings_of(), `no_mode_in_sweep` where the predicted lag does not pass it:
+/// the model has no resonance at the steps.
 /// @param sweep    measured at the response point of the model.
 /// @param kind     kSweep or kConstantResponse: see kind_of().
 /// @param model    driven by a force.

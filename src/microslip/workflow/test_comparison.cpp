@@ -97,8 +97,8 @@ void add_few_draws(const DrawsTaken& taken, std::vector<Warning>& warnings) {
                    beyond, std::ceil(2.0 * kFewBeyond / (1.0 - taken.options.confidence)))});
 }
 
-/// Where all values err together as few as 1 − P of the draws are all outside, but for the two draws
-/// that the edges are drawn between.
+/// Where all values err together as few as 1 − P of the draws are all outside, but for the two
+/// draws that the edges are drawn between.
 void add_few_inside(const ComparedTest& test, std::vector<Warning>& warnings) {
   const double confidence = test.taken->options.confidence;
   const double taken = static_cast<double>(test.taken->options.count - test.taken->failed());

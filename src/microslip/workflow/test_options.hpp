@@ -6,7 +6,8 @@
 #include "microslip/workflow/tests_verification.hpp"
 
 /// @file
-/// Options of a verification that no test of it uses are refused, not ignored. Internal to workflow.
+/// Options of a verification that no test of it uses are refused, not ignored. Internal to
+/// workflow.
 
 namespace microslip {
 
@@ -23,8 +24,8 @@ namespace microslip {
 /// @throws InputError  naming the first that no test uses, what it is for, and what the tests are.
 void check_test_options(const TestsVerification& options, std::span<const ReadTest> read);
 
-/// Whatever the tests are: a joint by itself has no use for the name of one, nor a model for what is
-/// uncertain, which it says in its file.
+/// Whatever the tests are: a joint by itself has no use for the name of one, nor a model for what
+/// is uncertain, which it says in its file.
 /// @param alone  whether a joint by itself predicts. @throws InputError  naming the option.
 void check_predictor_options(const TestsVerification& options, bool alone);
 

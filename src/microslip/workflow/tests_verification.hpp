@@ -69,8 +69,8 @@ struct ReadTest {
 /// @param draws    which of them; nothing without.
 /// @param joint    of the model, that loops are of; empty: the only one.
 /// @param forcing  what drove levels of modes that are no recording.
-/// @throws InputError  as compare_sweep(), compare_modal_levels(), compare_loops(); for a joint that
-///     the model does not have.
+/// @throws InputError  as compare_sweep(), compare_modal_levels(), compare_loops(); for a joint
+///     that the model does not have.
 /// @throws Cancelled   as the progress of the draws says.
 [[nodiscard]] std::vector<ComparedTest> compare_test(const ReadTest& test, const ModelFile& model,
                                                      const HarmonicBalanceOptions& balance,

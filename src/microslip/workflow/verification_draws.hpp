@@ -61,8 +61,8 @@ struct VerificationSpread {
 /// A reading is gain times what is there: a draw of gains g_F, g_a vibrates with a_1/g_a where a_1
 /// is read, takes the force F that reads as g_F F, and has g_F g_a W_ext for the energy that such
 /// readings give. The amplitude of the joint is compared with that of accelerometers, g_a A, or,
-/// where a vibrometer sees it, with A. A draw fails where it does not converge at one of the records,
-/// or has its recorded phase nowhere within 20 % of the recorded frequency.
+/// where a vibrometer sees it, with A. A draw fails where it does not converge at one of the
+/// records, or has its recorded phase nowhere within 20 % of the recorded frequency.
 ///
 /// @param verifier   by the joint.
 /// @param records    of it, all converged.

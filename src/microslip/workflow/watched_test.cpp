@@ -74,8 +74,8 @@ std::string joint_line(const Identification& found, std::size_t levels) {
   return text;
 }
 
-/// What is at fault in a call, if anything: it ends that call and no more, as the next file may mend
-/// it.
+/// What is at fault in a call, if anything: it ends that call and no more, as the next file may
+/// mend it.
 std::optional<std::string> fault_in(const std::function<void()>& call) {
   try {
     call();

@@ -48,10 +48,10 @@ struct WatchedTestOptions {
 
 /// The files of a folder that watch_test() reads and writes.
 ///
-/// With a rig.toml in it all records are of that rig: they are reduced to levels.csv. Without, tables of
-/// levels and recordings of force and displacement are told by their content. Then joint.json and
-/// density.csv are written, with 1000 draws, and next_levels.csv where one table of levels is all
-/// there is; one of an earlier joint is removed.
+/// With a rig.toml in it all records are of that rig: they are reduced to levels.csv. Without,
+/// tables of levels and recordings of force and displacement are told by their content. Then
+/// joint.json and density.csv are written, with 1000 draws, and next_levels.csv where one table of
+/// levels is all there is; one of an earlier joint is removed.
 class WatchedTest {
  public:
   /// @throws InputError  where the folder holds a file of a name that is written and that is not of

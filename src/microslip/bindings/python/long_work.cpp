@@ -13,9 +13,9 @@ namespace py = pybind11;
 namespace microslip::python {
 namespace {
 
-// A thread that nobody waits for may still work while the interpreter ends. Work is stopped then and waited for,
-// as what it uses ends next. Its thread must never return: whoever asks for the lock of an interpreter that has
-// ended is ended by Python in a way that C++ cannot follow.
+// A thread that nobody waits for may still work while the interpreter ends. Work is stopped then
+// and waited for, as what it uses ends next. Its thread must never return: whoever asks for the
+// lock of an interpreter that has ended is ended by Python in a way that C++ cannot follow.
 std::atomic<bool> interpreter_ends = false;
 std::atomic<int> working = 0;
 

@@ -11,9 +11,9 @@
 
 namespace microslip::python {
 
-/// Does the work on another thread, and waits for it here without the interpreter's lock. The waiting
-/// thread answers signals, so that Ctrl-C works, and calls the listener: no other thread ever needs
-/// the interpreter.
+/// Does the work on another thread, and waits for it here without the interpreter's lock. The
+/// waiting thread answers signals, so that Ctrl-C works, and calls the listener: no other thread
+/// ever needs the interpreter.
 /// @param work      told of a Progress that it hands on; touches nothing of Python.
 /// @param listener  None, or called with (done, total) some ten times a second; False cancels.
 /// @throws what the work throws; KeyboardInterrupt, or what the listener raised, in its place.
@@ -28,7 +28,8 @@ template <class Work>
   return std::move(*result);
 }
 
-/// Stops what other threads do in do_long_work() and waits for its end: when the interpreter ends. They stay there.
+/// Stops what other threads do in do_long_work() and waits for its end: when the interpreter ends.
+/// They stay there.
 void stop_long_work();
 
 }  // namespace microslip::python

@@ -20,8 +20,8 @@ namespace py = pybind11;
 namespace microslip::python {
 namespace {
 
-/// A memory that keeps its joint. A long path goes on without the interpreter's lock: others must not
-/// look at the memory meanwhile.
+/// A memory that keeps its joint. A long path goes on without the interpreter's lock: others must
+/// not look at the memory meanwhile.
 class OwningMemory {
  public:
   explicit OwningMemory(SharedJoint of) : joint_(std::move(of)), memory_(*joint_) {}

@@ -85,8 +85,8 @@ std::vector<std::optional<double>> told_of(const py::list& joints, const char* k
   return all;
 }
 
-/// Where the response is measured unless something is said: where it is driven, or at the first point
-/// of what a base shakes.
+/// Where the response is measured unless something is said: where it is driven, or at the first
+/// point of what a base shakes.
 std::string usual_response(const JointedStructure& structure) {
   const std::string& driven = structure.excitations().front().point;
   const ModalModel& linear = structure.linear();
