@@ -61,8 +61,8 @@ double end_of(const std::vector<const CampaignEntry*>& levels, bool largest) {
 ReportTable campaign_tests_table(const std::vector<TestRows>& tests) {
   ReportTable table{.title = "Tests of the campaign",
                     .caption =
-                        "From campaign.csv. Levels are those that the joint was identified "
-                        "from, D off it: the mean of ln of measured over the joint's. "
+                        "From campaign.csv. Levels are those that joints were identified from, D "
+                        "off that found: the mean of ln of measured over that of the joints. "
                         "Inside: predicted values in their bands.",
                     .columns = {{"test"},
                                 {"use"},
@@ -71,7 +71,7 @@ ReportTable campaign_tests_table(const std::vector<TestRows>& tests) {
                                 {"levels", "1", 0},
                                 {"from", "µm", 3},
                                 {"to", "µm", 3},
-                                {"D off the joint", "%", 3},
+                                {"D off that found", "%", 3},
                                 {"inside"}}};
   for (const TestRows& test : tests) {
     const std::size_t banded = test.inside + test.outside;
@@ -123,7 +123,7 @@ ReportTable sessions_table(const CampaignFound& found) {
   ReportTable table{.title = "Sessions",
                     .caption =
                         "Frequencies against the first session, and how they scatter about "
-                        "their mean; D against that of the joint.",
+                        "their mean; D against that of the joints found.",
                     .columns = {{"session"},
                                 {"tests", "1", 0},
                                 {"levels", "1", 0},
@@ -131,7 +131,7 @@ ReportTable sessions_table(const CampaignFound& found) {
                                 {"± (σ)", "%", 2},
                                 {"taken off", "%", 3},
                                 {"scatter of frequencies", "%", 2},
-                                {"D off the joint", "%", 3},
+                                {"D off that found", "%", 3},
                                 {"scatter of D", "%", 3}}};
   if (found.of_model) table.columns.insert(table.columns.begin() + 1, {"mode", "1", 0});
   if (!found.repeatability.empty()) {
@@ -151,21 +151,22 @@ ReportTable sessions_table(const CampaignFound& found) {
 }
 
 ReportTable condition_values_table(const std::vector<ConditionFound>& conditions) {
-  ReportTable table{.title = "Conditions",
-                    .caption =
-                        "Levels by what the tests say of themselves: D and frequency off the joint "
-                        "identified from all, the latter less the offset of the session and, of a "
-                        "model, less what is wrong with the mode.",
-                    .columns = {{"condition"},
-                                {"value"},
-                                {"tests", "1", 0},
-                                {"levels", "1", 0},
-                                {"from", "µm", 3},
-                                {"to", "µm", 3},
-                                {"D off the joint", "%", 3},
-                                {"± (σ)", "%", 2},
-                                {"frequency off", "%", 3},
-                                {"± (σ)", "%", 2}}};
+  ReportTable table{
+      .title = "Conditions",
+      .caption =
+          "Levels by what the tests say of themselves: D and frequency off those of "
+          "the joints identified from all, the latter less the offset of the session and, of a "
+          "model, less what is wrong with the mode.",
+      .columns = {{"condition"},
+                  {"value"},
+                  {"tests", "1", 0},
+                  {"levels", "1", 0},
+                  {"from", "µm", 3},
+                  {"to", "µm", 3},
+                  {"D off that found", "%", 3},
+                  {"± (σ)", "%", 2},
+                  {"frequency off", "%", 3},
+                  {"± (σ)", "%", 2}}};
   for (const ConditionFound& condition : conditions) {
     for (const ConditionGroup& group : condition.effect.groups) {
       table.rows.push_back({condition.effect.name, group.value, static_cast<double>(group.tests),
