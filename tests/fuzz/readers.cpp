@@ -17,6 +17,7 @@
 #include "microslip/io/assumed_units.hpp"
 #include "microslip/io/calculix_matrices.hpp"
 #include "microslip/io/calibration_file.hpp"
+#include "microslip/io/campaign_file.hpp"
 #include "microslip/io/changed_number.hpp"
 #include "microslip/io/csv.hpp"
 #include "microslip/io/density_file.hpp"
@@ -261,14 +262,23 @@ void read_plan(const std::string& text) {
   attempt([&] { (void)parse_ensemble_plan(text, kName); });
 }
 
+void read_campaign(const std::string& text) {
+  attempt([&] {
+    const CampaignFile plan = parse_campaign(text, kName);
+    require(!plan.tests.empty(), "tests");
+    for (const std::string& name : plan.conditions()) require(!name.empty(), "names of conditions");
+  });
+}
+
 /// By the schema, where the text names one, and by all readers where it names none.
 void read_toml(const std::string& text, MemoryFile& /*file*/) {
   using Read = void (*)(const std::string&);
-  static constexpr std::array<std::pair<std::string_view, Read>, 4> kSchemas{{
+  static constexpr std::array<std::pair<std::string_view, Read>, 5> kSchemas{{
       {"microslip.model/", read_model_file},
       {"microslip.rig/", read_rig_file},
       {"microslip.structure/", read_structure_text},
       {"microslip.ensemble/", read_plan},
+      {"microslip.campaign/", read_campaign},
   }};
   const auto is_named = [&](const auto& schema) {
     return text.find(schema.first) != std::string::npos;
