@@ -65,6 +65,19 @@ std::string why_not_judged(const std::vector<Warning>& others, const std::vector
   return count(others) > count(all) ? unseen->text : "";
 }
 
+/// Standard deviations that were given may be too small, and are never too large.
+double counted_scatter(const CalibrationResult& found) {
+  return found.loss_std_given ? std::max(1.0, found.loss_scatter) : found.loss_scatter;
+}
+
+/// Degrees of freedom of that; 0 where it is as given.
+std::size_t freedom_of_scatter(const CalibrationResult& found) {
+  if (found.loss_std_given && found.loss_scatter <= 1.0) return 0;
+  const auto losses = std::ranges::count_if(
+      found.levels, [](const CalibratedLevel& level) { return std::isfinite(level.residual); });
+  return static_cast<std::size_t>(std::max(1.0, static_cast<double>(losses) - found.edf));
+}
+
 /// One part after the other.
 class ModalPartsLeftOut {
  public:
@@ -131,8 +144,10 @@ class ModalPartsLeftOut {
     });
   }
 
-  [[nodiscard]] double noise_of(std::size_t level) const {
-    return what_.done.found.levels[level].loss_noise;
+  /// As the others scatter: a wrong test makes the scatter of all that it is among.
+  [[nodiscard]] double noise_of(const Others& others, std::size_t level) const {
+    return what_.done.found.levels[level].loss_noise * counted_scatter(others.done.found) /
+           counted_scatter(what_.done.found);
   }
 
   void add_part(const ModalPart& part, const Progress& progress, std::vector<LeftOut>& all) const {
@@ -161,7 +176,10 @@ class ModalPartsLeftOut {
   [[nodiscard]] LeftOut without_others(const ModalPart& part, const std::string& why) const {
     LeftOut left{.name = part.name, .levels = part.levels, .converged = false, .failure = why};
     left.taken.options = draw_options();
-    spread_out({.quantity = "dissipation", .dimension = kEnergy}, {}, left);
+    for (const std::size_t i : part.levels) {
+      left.measured.push_back(what_.levels.levels.dissipation[i]);
+    }
+    left.curve = uncompared(part.levels);
     return left;
   }
 
@@ -179,7 +197,18 @@ class ModalPartsLeftOut {
       left.taken = *test.taken;
       curve = std::move(test.curves.front());
     }
-    spread_out(curve, within, left);
+    left.curve = uncompared(left.levels);
+    left.curve.chance = curve.chance;
+    for (std::size_t n = 0, at = 0; at < left.levels.size(); ++at) {
+      left.measured.push_back(what_.levels.levels.dissipation[left.levels[at]]);
+      left.curve.measured_std.push_back(noise_of(others, left.levels[at]));
+      if (n == within.size() || within[n] != left.levels[at]) continue;
+      left.curve.measured[at] = curve.measured[n];
+      left.curve.predicted[at] = curve.predicted[n];
+      left.curve.lower[at] = curve.lower[n];
+      left.curve.upper[at] = curve.upper[n];
+      ++n;
+    }
   }
 
   /// D alone, by rising displacement.
@@ -191,36 +220,29 @@ class ModalPartsLeftOut {
                 .displacement_std = question.displacement_std};
     for (const std::size_t i : within) {
       question.dissipation.push_back(what_.levels.levels.dissipation[i]);
-      question.dissipation_std.push_back(noise_of(i));
+      question.dissipation_std.push_back(noise_of(others, i));
     }
     const CalibrationOptions& options = what_.calibration.options;
-    return std::move(compare_modal_levels(
-                         name, question, others.model, options.balance, others.draws,
-                         TestDraws{draw_options(), options.execution, {}}, options.balance.forcing)
-                         .front());
+    return std::move(
+        compare_modal_levels(name, question, others.model, options.balance, others.draws,
+                             TestDraws{draw_options(), options.execution, {}},
+                             options.balance.forcing, freedom_of_scatter(others.done.found))
+            .front());
   }
 
-  /// The curve with all levels that were left out, those beyond without a prediction.
-  void spread_out(const ComparedCurve& curve, const std::vector<std::size_t>& within,
-                  LeftOut& left) const {
-    left.curve = curve;
-    for (std::vector<double>* values : {&left.curve.at, &left.curve.measured, &left.curve.predicted,
-                                        &left.curve.lower, &left.curve.upper}) {
-      values->clear();
-    }
-    left.curve.measured_std.clear();
-    std::size_t n = 0;
-    for (const std::size_t i : left.levels) {
-      const bool in = n < within.size() && within[n] == i;
-      left.measured.push_back(what_.levels.levels.dissipation[i]);
-      left.curve.at.push_back(what_.modal.displacement[i]);
-      left.curve.measured.push_back(in ? curve.measured[n] : kNotCompared);
-      left.curve.measured_std.push_back(noise_of(i));
-      left.curve.predicted.push_back(in ? curve.predicted[n] : kNotCompared);
-      left.curve.lower.push_back(in ? curve.lower[n] : kNotCompared);
-      left.curve.upper.push_back(in ? curve.upper[n] : kNotCompared);
-      n += in ? 1 : 0;
-    }
+  /// D of levels at their displacements, nothing compared.
+  [[nodiscard]] ComparedCurve uncompared(const std::vector<std::size_t>& levels) const {
+    const std::vector<double> none(levels.size(), kNotCompared);
+    ComparedCurve curve{.quantity = "dissipation",
+                        .dimension = kEnergy,
+                        .axis = "displacement",
+                        .axis_dimension = kLength,
+                        .measured = none,
+                        .predicted = none,
+                        .lower = none,
+                        .upper = none};
+    for (const std::size_t i : levels) curve.at.push_back(what_.modal.displacement[i]);
+    return curve;
   }
 
   const ModalLeaveOut& what_;

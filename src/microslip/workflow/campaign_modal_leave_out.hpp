@@ -28,10 +28,10 @@ struct ModalLeaveOut {
 /// Leaves out one after the other, finds the joints from what is left, and predicts D of all joints
 /// at the displacements that were left out, as compare_modal_levels(): one entry a mode of what was
 /// left out. Bands are those of what would be read: the draws of the joints, for a test those of
-/// the spread of the model, too, and noise of each level, CalibratedLevel::loss_noise as found from
-/// all. A level is beyond the others where a joint moves more there, as found from all, than in any
-/// of them, by more than 1 %. Warnings of the others are kept. Levels whose D of all joints is not
-/// known are left out and not compared.
+/// the spread of the model, too, and noise of each level, CalibratedLevel::loss_noise as the others
+/// scatter. A level is beyond the others where a joint moves more there, as found from all, than in
+/// any of them, by more than 1 %. Warnings of the others are kept. Levels whose D of all joints is
+/// not known are left out and not compared.
 /// Where calibrate() refuses the others, too few levels for instance, that is told of what was left
 /// out.
 /// @throws Cancelled   as the progress says.

@@ -46,7 +46,7 @@ const std::array<ModalQuantity, 3> kModalQuantities{{
 /// One mode of the levels.
 class ModeQuestion {
  public:
-  ModeQuestion(const ModalLevels& levels, std::size_t mode) : mode_(mode) {
+  ModeQuestion(const ModalLevels& levels, std::size_t mode, std::size_t std_freedom) : mode_(mode) {
     for (std::size_t i = 0; i < levels.size(); ++i) {
       if (levels.mode[i] == mode) rows_.push_back(i);
     }
@@ -57,6 +57,7 @@ class ModeQuestion {
       displacement_std_.push_back(std::isfinite(deviation) ? deviation : 0.0);
     }
     for (const ModalQuantity& quantity : kModalQuantities) add_curve(levels, quantity);
+    for (ComparedCurve& curve : curves_) curve.std_freedom = std_freedom;
   }
 
   [[nodiscard]] std::size_t mode() const { return mode_; }
@@ -209,13 +210,13 @@ std::vector<ComparedTest> compare_modal_levels(const std::string& source, const 
                                                const HarmonicBalanceOptions& options,
                                                const std::optional<StructureDraws>& spread,
                                                const std::optional<TestDraws>& draws,
-                                               Forcing forcing) {
+                                               Forcing forcing, std::size_t std_freedom) {
   HarmonicBalanceOptions of_levels = options;
   of_levels.forcing = forcing;
   const std::set<std::size_t> modes(levels.mode.begin(), levels.mode.end());
   std::vector<ComparedTest> tests;
   for (const std::size_t mode : modes) {
-    const ModeQuestion question(levels, mode);
+    const ModeQuestion question(levels, mode, std_freedom);
     if (question.curves().empty()) continue;
     const std::string name =
         modes.size() == 1 ? source : fmt::format("{}: mode {}", source, mode + 1);

@@ -34,11 +34,13 @@ namespace microslip {
 /// @param spread   of the model; nothing without draws.
 /// @param draws    which of them; nothing without.
 /// @param forcing  what drove the levels: kModal nothing, as in a ring-down.
+/// @param std_freedom  of the estimate that all standard deviations are, see ComparedCurve.
 /// @throws InputError  as HarmonicBalance and compare(); where no level has one of the three.
 /// @throws Cancelled   as the progress of the draws says.
 [[nodiscard]] std::vector<ComparedTest> compare_modal_levels(
     const std::string& source, const ModalLevels& levels, const ModelFile& model,
     const HarmonicBalanceOptions& options, const std::optional<StructureDraws>& spread = {},
-    const std::optional<TestDraws>& draws = {}, Forcing forcing = Forcing::kModal);
+    const std::optional<TestDraws>& draws = {}, Forcing forcing = Forcing::kModal,
+    std::size_t std_freedom = 0);
 
 }  // namespace microslip
