@@ -176,6 +176,50 @@ TEST(CampaignSessions, TellsOfAmplitudesThatDoNotOverlap) {
   EXPECT_NEAR(effects.sessions[1].frequency_offset, 0.003, 3.0 * kFrequencyNoise / std::sqrt(10.0));
 }
 
+// A difference of means of nine values of 2e-4, one of ten of the test is not among the amplitudes
+// of the others: σ = 2e-4·√(1/9 + 1/19) or so. 0.1 % is ten of these; the other tests differ from
+// their rest, in which the wrong one is, by half of that.
+TEST(CampaignSessions, NamesATestWhoseFrequenciesAreOffWithinASession) {
+  VirtualCampaign campaign = campaign_of(
+      {{.session = "a"}, {.session = "a", .offset = 0.001}, {.session = "a"}, {.session = "b"}}, 1);
+  const auto found = [&] {
+    return differing_tests(
+        campaign.file, campaign.levels,
+        session_effects(campaign.file, campaign.levels, state(), true_joint(), kBeta));
+  };
+  const std::vector<TestDifference> differing = found();
+  const auto wrong = std::ranges::find(differing, 1U, &TestDifference::test);
+  ASSERT_NE(wrong, differing.end());
+  EXPECT_EQ(wrong->mode, 1U);
+  EXPECT_NEAR(wrong->difference, 0.001, 4.0 * kFrequencyNoise * std::sqrt(1.0 / 9.0 + 1.0 / 19.0));
+  EXPECT_TRUE(std::ranges::all_of(differing, [&](const TestDifference& one) {
+    return std::abs(one.difference) <= wrong->difference && one.test != 3;
+  }));
+  // Where amplitudes do not overlap it may be the joint.
+  for (std::size_t i = 10; i < 20; ++i) {
+    campaign.levels.levels.amplitude[i] += 3e-4;
+    campaign.levels.levels.frequency[i] = 1.001 * softened(campaign.levels.levels.amplitude[i]);
+  }
+  EXPECT_TRUE(found().empty());
+}
+
+// One of a hundred campaigns whose tests agree has a difference of three standard deviations in one
+// of three tests, as these are of 27 degrees of freedom.
+TEST(CampaignSessions, NamesNoTestThatAgrees) {
+  int named = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    const VirtualCampaign campaign =
+        campaign_of({{.session = "a"}, {.session = "a"}, {.session = "a"}}, seed);
+    named += differing_tests(
+                 campaign.file, campaign.levels,
+                 session_effects(campaign.file, campaign.levels, state(), true_joint(), kBeta))
+                     .empty()
+                 ? 0
+                 : 1;
+  }
+  EXPECT_LE(named, 4);
+}
+
 /// Levels of modes with given y, two a mode and session, and D as found.
 CampaignLevels modal_levels_with(const std::vector<std::vector<double>>& offsets,
                                  SessionEffects& found) {
@@ -224,6 +268,9 @@ TEST(CampaignSessions, GiveEachModeItsOffset) {
   }
   EXPECT_FALSE(effects.told_offset("2", 4).has_value());
   EXPECT_NEAR(effects.frequency_std, std::sqrt((2.0 * 1e-6 + 2.0 * 4e-6) / 6.0 + 1e-10), 1e-9);
+  EXPECT_NEAR(effects.frequency_std_of(1), std::sqrt(1e-6 + 1e-10), 1e-9);
+  EXPECT_NEAR(effects.frequency_std_of(2), std::sqrt(4e-6 + 1e-10), 1e-9);
+  EXPECT_EQ(effects.frequency_std_of(4), effects.frequency_std);
   EXPECT_EQ(effects.offset_of("3", 1).first, 0.0);
   EXPECT_EQ(effects.offset_of("3", 1).second, effects.between_frequencies);
 }

@@ -57,6 +57,10 @@ Eigen::RowVectorXd answer_of(const JointedStructure& structure, const SecantMode
 
 }  // namespace
 
+double secant_frequency(const JointedStructure& structure, const StructureOffset& told) {
+  return std::sqrt(secant_mode(structure, told).square);
+}
+
 double share_of_modes(const JointedStructure& structure, const StructureOffset& told) {
   return answer_of(structure, secant_mode(structure, told)).sum();
 }

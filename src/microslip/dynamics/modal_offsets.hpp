@@ -30,6 +30,11 @@ struct ModalOffsets {
   std::vector<double> left = {};
 };
 
+/// ω of a vibration by the stiffness that the joints have in it, rad/s; its offset plays no part.
+/// It is the one that looks most like that of the stuck structure, as frequencies may cross.
+[[nodiscard]] double secant_frequency(const JointedStructure& structure,
+                                      const StructureOffset& told);
+
 /// The share Σ_i S_mi of the stiffness of a vibration that is not of its joints, 1.
 [[nodiscard]] double share_of_modes(const JointedStructure& structure, const StructureOffset& told);
 

@@ -114,7 +114,7 @@ class CampaignWork {
     joints_->identify(stage(run_, 0, stages_), all);
     all.conditions = condition_effects(plan_, all.levels, all.sessions);
     leave_out(all);
-    const ModelFile nominal = joints_->model(all.warnings);
+    const ModelFile nominal = joints_->model(all, all.warnings);
     const ModelsOfSessions models = models_of_sessions(nominal, all);
     warn_of_sessions(all);
     predict(models, all);
@@ -165,6 +165,7 @@ class CampaignWork {
                        session.name, mode_text(session), 100.0 * session.frequency_difference,
                        first_session(all, session))});
     }
+    warn_of_tests(all);
     std::ranges::copy(condition_warnings(plan_, all.conditions), std::back_inserter(all.warnings));
     warn_of_leaning(all);
     for (const std::string& session : sessions_with_model(plan_)) {
@@ -174,6 +175,19 @@ class CampaignWork {
            fmt::format("no test to identify from is of session {}: its offset of the frequency is "
                        "not known, and that of the others counts as uncertainty.",
                        session)});
+    }
+  }
+
+  void warn_of_tests(DoneCampaign& all) const {
+    for (const TestDifference& one : differing_tests(plan_, all.levels, all.sessions)) {
+      const CampaignTest& test = plan_.tests[one.test];
+      all.warnings.push_back(
+          {"test_frequencies_differ",
+           fmt::format("the frequencies of {}{} are {:+.2g} ± {:.1g} % off those of the other "
+                       "tests of session {}: a session of its own, with session_offsets = true, "
+                       "takes such an offset off.",
+                       test.name, plan_.of_model() ? fmt::format(", mode {}", one.mode) : "",
+                       100.0 * one.difference, 100.0 * one.sigma, test.session)});
     }
   }
 
@@ -222,9 +236,9 @@ class CampaignWork {
                                       const std::string& session) const {
     const std::vector<double> said = said_deviations(nominal);
     std::vector<double> scatter;
-    for (const double own : said) {
-      const bool counts = own == 0.0 && !plan_.frequency_std;
-      scatter.push_back(counts ? all.sessions.frequency_std : 0.0);
+    for (std::size_t i = 0; i < said.size(); ++i) {
+      const bool counts = said[i] == 0.0 && !plan_.frequency_std;
+      scatter.push_back(counts ? all.sessions.frequency_std_of(i + 1) : 0.0);
     }
     SessionModes modes = joints_->modes_in(session, nominal, all, scatter);
     for (std::size_t i = 0; i < said.size(); ++i) {

@@ -42,8 +42,10 @@ class CampaignJoints {
   /// Which of the data contradict which.
   [[nodiscard]] virtual std::vector<LeftOut> leave_out(const DoneCampaign& all,
                                                        const Progress& progress) const = 0;
-  /// The model with the joints found, without offsets. @param warnings  get those of it.
-  [[nodiscard]] virtual ModelFile model(std::vector<Warning>& warnings) const = 0;
+  /// The model with the joints found, without offsets.
+  /// @param all  with its sessions. @param warnings  get those of it.
+  [[nodiscard]] virtual ModelFile model(const DoneCampaign& all,
+                                        std::vector<Warning>& warnings) const = 0;
   /// What offsets of the frequencies of a session make of the modes of the model.
   /// @param session  by name. @param model  that model() gave. @param all  with its sessions.
   /// @param scatter  standard deviation of a frequency beside that of its offset, 1; one a mode.

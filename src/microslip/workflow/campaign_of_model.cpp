@@ -10,13 +10,12 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
-#include "microslip/dynamics/modal_offsets.hpp"
 #include "microslip/io/file_kind.hpp"
-#include "microslip/joint/secant.hpp"
 #include "microslip/workflow/campaign_joints.hpp"
 #include "microslip/workflow/campaign_modal_leave_out.hpp"
 #include "microslip/workflow/campaign_modal_levels.hpp"
 #include "microslip/workflow/campaign_plan.hpp"
+#include "microslip/workflow/campaign_session_modes.hpp"
 
 namespace microslip {
 namespace {
@@ -118,35 +117,24 @@ class ModelJoints : public CampaignJoints {
                                .progress = progress});
   }
 
-  [[nodiscard]] ModelFile model(std::vector<Warning>& warnings) const override {
-    (void)warnings;  // those of the model are among those of the levels
-    return model_with_found(calibration_, done_);
+  [[nodiscard]] ModelFile model(const DoneCampaign& all,
+                                std::vector<Warning>& warnings) const override {
+    ModelFile found = model_with_found(calibration_, done_);
+    if (plan_.session_offsets) {
+      std::ranges::copy(
+          StructureSessions(plan_, found.structure, done_.found, all).warnings_of_change(),
+          std::back_inserter(warnings));
+    }
+    return found;
   }
 
   [[nodiscard]] SessionModes modes_in(const std::string& session, const ModelFile& model,
                                       const DoneCampaign& all,
                                       const std::vector<double>& scatter) const override {
-    SessionModes modes{.offset = std::vector<double>(scatter.size(), 0.0), .deviation = scatter};
-    if (!plan_.session_offsets) return modes;
-    const auto [others, others_std] = all.sessions.offset_of_others(session);
-    const std::vector<StructureOffset> told = told_offsets(session, model, all);
-    const ModalOffsets found = modal_offsets(model.structure, told, others);
-    modes.offset = found.offset;
-    const JointedStructure moved = with_modal_offsets(model.structure, found.offset);
-    std::vector<double> deviation;  // of each that is told
-    for (const StructureOffset& one : told) {
-      const double own = all.sessions.told_offset(session, one.mode + 1)->second;
-      deviation.push_back(std::hypot(
-          own, scatter[one.mode], change_over_levels(session, one, model.structure, moved, all)));
+    if (!plan_.session_offsets) {
+      return {.offset = std::vector<double>(scatter.size(), 0.0), .deviation = scatter};
     }
-    for (std::size_t i = 0; i < scatter.size(); ++i) {
-      double variance = found.left[i] * (others_std * others_std + scatter[i] * scatter[i]);
-      for (std::size_t m = 0; m < told.size(); ++m) {
-        variance += std::pow(found.by_told[i][m] * deviation[m], 2);
-      }
-      modes.deviation[i] = std::sqrt(variance);
-    }
-    return modes;
+    return StructureSessions(plan_, model.structure, done_.found, all).modes_in(session, scatter);
   }
 
   [[nodiscard]] std::vector<std::optional<JointSamples>> samples() const override {
@@ -186,88 +174,6 @@ class ModelJoints : public CampaignJoints {
     throw InputError("identification.leave_one_out", "\"modes\"",
                      "leaves nothing: all levels to identify from are of one mode",
                      "\"tests\" and \"levels\" leave out less.");
-  }
-
-  /// Offsets of vibrations that the levels of a session tell, by the joints at these.
-  [[nodiscard]] std::vector<StructureOffset> told_offsets(const std::string& session,
-                                                          const ModelFile& model,
-                                                          const DoneCampaign& all) const {
-    constexpr double kLeastShare = 0.1;
-    std::vector<StructureOffset> offsets;
-    for (std::size_t mode = 0; mode < model.structure.linear().vibrations(); ++mode) {
-      const auto told = all.sessions.told_offset(session, mode + 1);
-      if (!told) continue;
-      StructureOffset one{
-          .mode = mode,
-          .offset = told->first,
-          .joint_stiffness = mean_stiffness(session, mode + 1, model.structure, all)};
-      const double share = share_of_modes(model.structure, one);
-      if (share >= kLeastShare) {
-        offsets.push_back(std::move(one));
-      } else if (told->first != 0.0) {
-        throw InputError(
-            fmt::format("session_offsets: session {}, mode {}", session, mode + 1),
-            fmt::format("{:.2g} % of its stiffness without the joints", 100.0 * share),
-            "must have 10 % or more: an offset is one of the structure, and not of its joints",
-            "Leave session_offsets out, or predict no test of this session.");
-      }
-    }
-    return offsets;
-  }
-
-  /// Secant stiffness of each joint, N/m, at each level of a mode in a session that tells a
-  /// frequency.
-  [[nodiscard]] std::vector<std::vector<double>> stiffness_at_levels(
-      const std::string& session, std::size_t mode, const JointedStructure& structure,
-      const DoneCampaign& all) const {
-    std::vector<std::vector<double>> stiffness;
-    for (std::size_t i = 0; i < all.levels.size(); ++i) {
-      const CalibratedLevel& level = done_.found.levels[i];
-      const bool own = plan_.tests[all.levels.test[i]].session == session;
-      if (!own || all.levels.mode[i] != mode || !level.found) continue;
-      if (!std::isfinite(level.measured_frequency)) continue;
-      std::vector<double>& of_level = stiffness.emplace_back();
-      for (std::size_t j = 0; j < structure.joints().size(); ++j) {
-        of_level.push_back(
-            secant_stiffness(structure.joints()[j].joint, level.joints[j].amplitude));
-      }
-    }
-    return stiffness;
-  }
-
-  /// The mean of that, one a joint.
-  [[nodiscard]] std::vector<double> mean_stiffness(const std::string& session, std::size_t mode,
-                                                   const JointedStructure& structure,
-                                                   const DoneCampaign& all) const {
-    const auto at_levels = stiffness_at_levels(session, mode, structure, all);
-    std::vector<double> means(structure.joints().size(), 0.0);
-    for (const std::vector<double>& of_level : at_levels) {
-      for (std::size_t j = 0; j < means.size(); ++j) {
-        means[j] += of_level[j] / static_cast<double>(at_levels.size());
-      }
-    }
-    return means;
-  }
-
-  /// An offset of the structure is less at levels where its joints are stiff, and one of all its
-  /// stiffness is not: by this they differ, rms over the levels, 1. Which it is nobody knows.
-  [[nodiscard]] double change_over_levels(const std::string& session, const StructureOffset& told,
-                                          const JointedStructure& before,
-                                          const JointedStructure& after,
-                                          const DoneCampaign& all) const {
-    const auto frequency = [&](const JointedStructure& structure,
-                               const std::vector<double>& stiffness) {
-      std::vector<StructuralJoint> joints(structure.joints().begin(), structure.joints().end());
-      for (std::size_t j = 0; j < joints.size(); ++j) joints[j].joint = Joint(stiffness[j], {});
-      return structure.with_joints(std::move(joints)).stuck_frequencies()[told.mode];
-    };
-    double squares = 0.0;
-    const auto at_levels = stiffness_at_levels(session, told.mode + 1, before, all);
-    for (const std::vector<double>& stiffness : at_levels) {
-      const double there = std::log(frequency(after, stiffness) / frequency(before, stiffness));
-      squares += std::pow(there - told.offset, 2);
-    }
-    return std::sqrt(squares / static_cast<double>(at_levels.size()));
   }
 
   const CampaignRun& run_;

@@ -96,7 +96,8 @@ class RigJoint : public CampaignJoints {
                           .progress = progress});
   }
 
-  [[nodiscard]] ModelFile model(std::vector<Warning>& warnings) const override {
+  [[nodiscard]] ModelFile model(const DoneCampaign& /*all*/,
+                                std::vector<Warning>& warnings) const override {
     RigModel model = model_of_rig(rig_, joint_, kJointName, kModesOfCampaign);
     std::ranges::copy(model.warnings, std::back_inserter(warnings));
     if (plan_.draws > 0) {

@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
+#include <set>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "microslip/base/error.hpp"
 #include "microslip/joint/dissipation.hpp"
@@ -14,8 +18,16 @@
 namespace microslip {
 namespace {
 
+constexpr double kSignificantDifference = 3.0;      // standard deviations
+constexpr double kLeastFrequencyDifference = 1e-4;  // that a resonance is read to
+
 double mean_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double rms_of(const std::vector<double>& values) {
+  const double squares = std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
+  return std::sqrt(squares / static_cast<double>(values.size()));
 }
 
 /// Σ(v − v̄)².
@@ -132,6 +144,48 @@ std::vector<double> frequencies_of_first_mode(const CampaignLevels& levels, cons
   return frequencies;
 }
 
+/// The numbers of levels with y, of each session and mode.
+std::map<std::pair<std::string, std::size_t>, std::vector<std::size_t>> levels_of_sessions(
+    const CampaignFile& campaign, const CampaignLevels& levels,
+    const std::vector<double>& residuals) {
+  std::map<std::pair<std::string, std::size_t>, std::vector<std::size_t>> numbers;
+  for (std::size_t i = 0; i < residuals.size(); ++i) {
+    if (!std::isfinite(residuals[i])) continue;
+    numbers[{campaign.tests[levels.test[i]].session, levels.mode_of(i)}].push_back(i);
+  }
+  return numbers;
+}
+
+/// y of a test, and of the others.
+struct TwoSets {
+  std::vector<double> own;
+  std::vector<double> others;
+};
+
+/// Of levels where their amplitudes overlap.
+/// @param numbers  of the levels, those of the test among them.
+TwoSets overlapping(const CampaignLevels& levels, const std::vector<double>& residuals,
+                    const std::vector<std::size_t>& numbers, std::size_t test) {
+  const auto range = [&](bool own) {
+    std::pair range{HUGE_VAL, -HUGE_VAL};
+    for (const std::size_t i : numbers) {
+      if ((levels.test[i] == test) != own) continue;
+      range.first = std::min(range.first, levels.levels.amplitude[i]);
+      range.second = std::max(range.second, levels.levels.amplitude[i]);
+    }
+    return range;
+  };
+  const auto own = range(true);
+  const auto others = range(false);
+  TwoSets sets;
+  for (const std::size_t i : numbers) {
+    const double a = levels.levels.amplitude[i];
+    if (a < std::max(own.first, others.first) || a > std::min(own.second, others.second)) continue;
+    (levels.test[i] == test ? sets.own : sets.others).push_back(residuals[i]);
+  }
+  return sets;
+}
+
 bool of_first_mode(const std::vector<double>& residuals) {
   constexpr double kFarthest = 0.1;
   return std::ranges::all_of(residuals, [](double y) { return std::abs(y) <= kFarthest; });
@@ -192,17 +246,18 @@ void add_frequencies(const CampaignFile& campaign, const CampaignLevels& levels,
   const auto sorted = by_session(effects, campaign, levels, residuals);
   add_differences(sorted, effects);
   if (campaign.session_offsets) take_offsets(effects);
-  double squares = 0.0;
-  double count = 0.0;
+  std::map<std::size_t, std::vector<double>> left;  // of each mode
   for (std::size_t s = 0; s < sorted.size(); ++s) {
     const SessionEffect& session = effects.sessions[s];
     if (campaign.session_offsets && !effects.told_offset(session.name, session.mode)) continue;
-    for (const double y : sorted[s]) {
-      squares += std::pow(y - session.frequency_offset, 2);
-      count += 1.0;
-    }
+    for (const double y : sorted[s]) left[session.mode].push_back(y - session.frequency_offset);
   }
-  if (count > 0.0) effects.frequency_std = std::sqrt(squares / count);
+  std::vector<double> all;
+  for (const auto& [mode, values] : left) {
+    std::ranges::copy(values, std::back_inserter(all));
+    if (!values.empty()) effects.frequency_std_of_modes[mode] = rms_of(values);
+  }
+  if (!all.empty()) effects.frequency_std = rms_of(all);
 }
 
 /// What is said of sessions whose amplitudes do not overlap those of the first.
@@ -260,6 +315,11 @@ std::optional<std::pair<double, double>> SessionEffects::told_offset(const std::
   return std::pair{own->frequency_offset, own->frequency_offset_std};
 }
 
+double SessionEffects::frequency_std_of(std::size_t mode) const {
+  const auto own = frequency_std_of_modes.find(mode);
+  return own == frequency_std_of_modes.end() ? frequency_std : own->second;
+}
+
 std::pair<double, double> SessionEffects::offset_of(const std::string& name,
                                                     std::size_t mode) const {
   const auto told = told_offset(name, mode);
@@ -279,6 +339,32 @@ std::pair<double, double> SessionEffects::offset_of_others(const std::string& na
   const auto n = static_cast<double>(offsets.size());
   if (offsets.size() < kFewest) return {mean, std::sqrt(mean * mean + squares_of(offsets) / n)};
   return {mean, std::sqrt(squares_of(offsets) / (n - 1.0) * (1.0 + 1.0 / n))};
+}
+
+std::vector<TestDifference> differing_tests(const CampaignFile& campaign,
+                                            const CampaignLevels& levels,
+                                            const SessionEffects& effects) {
+  std::vector<TestDifference> all;
+  if (effects.frequency.empty()) return all;
+  const std::vector<double> residuals = frequency_residuals(levels, effects);
+  for (const auto& [key, numbers] : levels_of_sessions(campaign, levels, residuals)) {
+    std::set<std::size_t> tests;
+    for (const std::size_t i : numbers) tests.insert(levels.test[i]);
+    for (const std::size_t test : tests) {
+      const TwoSets sets = overlapping(levels, residuals, numbers, test);
+      if (sets.own.size() < 2 || sets.others.size() < 2) continue;
+      const auto n = static_cast<double>(sets.own.size());
+      const auto m = static_cast<double>(sets.others.size());
+      const double variance = (squares_of(sets.own) + squares_of(sets.others)) / (n + m - 2.0);
+      const TestDifference one{.test = test,
+                               .mode = key.second,
+                               .difference = mean_of(sets.own) - mean_of(sets.others),
+                               .sigma = std::sqrt(variance * (1.0 / n + 1.0 / m))};
+      const double least = std::max(kSignificantDifference * one.sigma, kLeastFrequencyDifference);
+      if (std::abs(one.difference) > least) all.push_back(one);
+    }
+  }
+  return all;
 }
 
 SessionEffects session_effects(const CampaignFile& campaign, const CampaignLevels& levels,

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -56,6 +57,8 @@ struct SessionEffects {
   /// nominal frequency among it; 0 without frequencies. Modes whose offset is fitted and not told
   /// are not in it.
   double frequency_std = 0.0;
+  /// The same of one mode, 1; of those that are in it.
+  std::map<std::size_t, double> frequency_std_of_modes = {};
   /// Of the offsets but those of the first: √(mean δ²), 1; 0 of one session.
   double between_frequencies = 0.0;
   /// Standard deviation of the means of r of the tests of one session and mode, pooled, 1; nothing
@@ -77,10 +80,29 @@ struct SessionEffects {
   /// are with s√(1 + 1/n), s what they scatter by, or of one or two their rms; where none is, 0
   /// with the offsets of the other sessions, rms. 0 and 0 where none were fitted.
   [[nodiscard]] std::pair<double, double> offset_of_others(const std::string& name) const;
+  /// rms of y of a mode, 1; of one without levels that of all.
+  [[nodiscard]] double frequency_std_of(std::size_t mode) const;
   /// The one or the other.
   [[nodiscard]] std::pair<double, double> offset_of(const std::string& name,
                                                     std::size_t mode) const;
 };
+
+/// A test whose frequencies of a mode are off those of the other tests of its session.
+struct TestDifference {
+  std::size_t test = 0;     ///< its number in the plan, from 0
+  std::size_t mode = 1;     ///< from 1
+  double difference = 0.0;  ///< of the means of y, 1
+  double sigma = 0.0;       ///< its standard deviation, 1
+};
+
+/// Those that are off by more than three standard deviations, s√(1/n + 1/m) of n and m levels that
+/// scatter by s about the mean of their test, and by more than frequencies are read to. Levels
+/// count where the amplitudes of the test and of the others overlap, two of each at least: beyond,
+/// it may be the joint that is off.
+/// @param effects  of the levels.
+[[nodiscard]] std::vector<TestDifference> differing_tests(const CampaignFile& campaign,
+                                                          const CampaignLevels& levels,
+                                                          const SessionEffects& effects);
 
 /// Differences are those of least squares, ȳ_s − ȳ_1 with
 /// σ² = s²(1/n_s + 1/n_1), s² = Σ(y − ȳ)²/(n − S) over all S sessions, each mode by itself;
