@@ -23,11 +23,16 @@ function(microslip_discover_suites target prefix)
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${include}")
 endfunction()
 
-# microslip_set_suite_properties(<test> <property> <value>...): set_tests_properties() of a suite, which is not
-# known before the build.
-function(microslip_set_suite_properties test)
-  set(include "${CMAKE_CURRENT_BINARY_DIR}/${test}_properties.cmake")
-  list(JOIN ARGN " " properties)
-  file(WRITE "${include}" "set_tests_properties(${test} PROPERTIES ${properties})\n")
+# microslip_set_suite_properties(<suite> <property> <value>...): set_tests_properties() of a suite with its
+# prefix, which is not known before the build; of one of parameters, of each of its tests.
+function(microslip_set_suite_properties suite)
+  string(MAKE_C_IDENTIFIER "${suite}" file)
+  set(include "${CMAKE_CURRENT_BINARY_DIR}/${file}_properties.cmake")
+  list(JOIN ARGN "]==] [==[" properties)
+  file(
+    WRITE "${include}"
+    "if(DEFINED [==[tests_of_${suite}]==])\n"
+    "  set_tests_properties(\${tests_of_${suite}} PROPERTIES [==[${properties}]==])\n"
+    "endif()\n")
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${include}")
 endfunction()

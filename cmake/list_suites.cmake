@@ -1,5 +1,6 @@
 # Writes LIST, a file of ctest with one test for each suite of PROGRAM, for microslip_discover_suites(). A suite
-# of parameters takes long, so each of its tests stands alone.
+# of parameters takes long, so each of its tests stands alone. For microslip_set_suite_properties(), the variable
+# tests_of_<PREFIX><suite> names the tests of a suite.
 execute_process(
   COMMAND "${PROGRAM}" --gtest_list_tests
   OUTPUT_VARIABLE output
@@ -9,6 +10,7 @@ function(append_test name)
   list(JOIN PROPERTIES "]==] [==[" properties)
   string(APPEND tests "add_test([==[${PREFIX}${name}]==] [==[${PROGRAM}]==] [==[--gtest_filter=${ARGV1}]==])\n"
          "set_tests_properties([==[${PREFIX}${name}]==] PROPERTIES [==[${properties}]==])\n")
+  string(APPEND tests "list(APPEND [==[tests_of_${PREFIX}${suite}]==] [==[${PREFIX}${name}]==])\n")
   set(tests "${tests}" PARENT_SCOPE)
 endfunction()
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -65,12 +66,17 @@ Arguments words(const std::string& text) {
   return result;
 }
 
+void put_all(const std::string& folder, const Files& files) {
+  for (const auto& [name, content] : files) {
+    const std::filesystem::path path = std::filesystem::path(folder) / name;
+    std::filesystem::create_directories(path.parent_path());
+    test::put(path, content);
+  }
+}
+
 Run run(const Files& inputs, const Arguments& arguments) {
   const Sandbox box;
-  for (const auto& [name, content] : inputs) {
-    std::filesystem::create_directories(std::filesystem::path(box.file(name)).parent_path());
-    box.put(name, content);
-  }
+  put_all(box.path(), inputs);
   Run result;
   result.outcome = box.run(arguments);
   for (const auto& [path, content] : box.content()) {
@@ -384,134 +390,149 @@ void add_days(Files& all) {
                                        "session_offsets = true -> session_offsets = false");
 }
 
+Files made_inputs() {
+  Files all = documented_files();
+  all["full_levels.csv"] = full_levels();
+  all["assembled_levels.csv"] = assembled_levels();
+  for (const char* name : {"first.csv", "second.csv", "third.csv"}) {
+    all[name] = all.at("full_levels.csv");
+  }
+  all["watched/levels.csv"] = full_levels();
+  all["driven_levels.csv"] = heard_levels({"frequency"});
+  all["heard_levels.csv"] = heard_levels({"frequency", "resonance_frequency"});
+  all["decay.csv"] = sample_decay_text();
+  const JointedStructure slipping = slipping_structure(all.at("structure.toml"));
+  all["steady.csv"] = steady_record(slipping);
+  all["blow.csv"] = free_decay(slipping);
+  add_days(all);
+  const std::string two_joints = MICROSLIP_TEST_DATA "/two_joints/";
+  all["two_joints.toml"] = test::get(two_joints + "model.toml");
+  all["two_joints.csv"] = testing::every_third_row(test::get(two_joints + "modal_levels.csv"));
+  all["sensed_joints.csv"] = sensed_levels(
+      all.at("two_joints.csv"), testing::every_third_row(test::get(two_joints + "truth.csv")));
+  const Files found = run(all, words("calibrate two_joints.toml two_joints.csv --samples 100 "
+                                     "--out c --quiet"))
+                          .files;
+  all["damped_joints.csv"] = damped_levels(all.at("two_joints.csv"), found.at("c/calibration.csv"));
+  all["frf.uff"] = tested_responses({"m", "m/s", "m/s^2"}, "N");
+  all["responses.csv"] =
+      run({{"frf.uff", all.at("frf.uff")}}, {"convert", "frf.uff", "responses.csv"})
+          .files.at("responses.csv");
+  all["bare.uff"] = tested_responses({"", "", ""}, "");
+  all["bare.toml"] = edited(all.at("tested.toml"), "frf.uff -> bare.uff");
+  all["noise.csv"] = "time [s], nothing [V]\n0,1\n1,2\n2,3\n";
+  all["shock.csv"] = "time [s],acceleration of table [m/s^2]\n0,0\n0.005,20\n0.01,0\n0.1,0\n";
+  all["shaken.csv"] = "time [s],jolt [m/s^2]\n0,0\n0.005,20\n0.01,0\n0.1,0\n";
+  all["other_force.csv"] = "time [s],force [N]\n0,0\n0.01,50\n0.02,0\n";
+  all["damped.json"] = edited(all.at("joint.json"), std::string("]\n}") + " -> " + kIdentification);
+  all["damped_rig.toml"] = edited(all.at("rig.toml"), "joint.json -> damped.json");
+  all["damped_model.toml"] = edited(edited(all.at("model.toml"), "four.json -> damped.json"),
+                                    "linear_damping_J_per_m2 -> # J/m2");
+  all["joint400.json"] = edited(all.at("joint.json"), "1.7e5 -> 4e5");
+  all["modes400.toml"] = edited(all.at("modes.toml"), "5.08e5 -> 4e5");
+  all["atom_levels.csv"] = atom_levels();
+  all["atom_plan.toml"] =
+      edited(edited(all.at("bootstrap.toml"), "\"levels.csv\" -> \"atom_levels.csv\""),
+             "linear_damping = true -> linear_damping = false");
+  all["atom_campaign.toml"] = campaign_of("atom_levels.csv");
+  all["reversing_campaign.toml"] = campaign_of("full_levels.csv");
+  add_kinds(all);
+  all["failing.toml"] = edited(all.at("sweep.toml"), "from = 4e5 -> from = -4e5");
+  all["failing.toml"] = edited(all["failing.toml"], "[sweep] -> most_failed = 1.0\n[sweep]");
+  all["beats.csv"] = two_modes(all.at("decay.csv"));
+  all["two.csv"] = two_channels(all.at("decay.csv"));
+  Files made = run(all, words("measure rig.toml --out test --quiet")).files;
+  for (const char* name : {"level_01.csv", "level_02.csv"}) {
+    all[name] = made.at(std::string("test/") + name);
+  }
+  all["unitless.csv"] = std::regex_replace(all["level_01.csv"], std::regex(" \\[[^\\]]*\\]"), "");
+  Files written = run(all, words("convert level_01.csv level.uff --format uff --quiet")).files;
+  all["cut.uff"] = written.at("level.uff").substr(0, written.at("level.uff").size() * 7 / 8);
+  all["several.uff"] = written.at("level.uff");
+  written = run(all, words("convert level_02.csv level.uff --format uff --quiet")).files;
+  all["several.uff"] += written.at("level.uff");
+  written = run(all, words("convert decay.csv decay.uff --format uff --quiet")).files;
+  all["cut_decay.uff"] = written.at("decay.uff").substr(0, written.at("decay.uff").size() * 7 / 8);
+  all["unitless_decay.csv"] =
+      std::regex_replace(all["decay.csv"], std::regex(" \\[[^\\]]*\\]"), "");
+  all["record.csv"] = record_text(sample_record());
+  all["two_records.csv"] = two_records();
+  all["unitless_record.csv"] = record_text(sample_record(), "time [s],u,f");
+  all["cut_record.csv"] = all.at("record.csv").substr(0, all.at("record.csv").rfind(','));
+  all["other_record.csv"] = record_text(sample_record(2));
+  written = run(all, words("identify record.csv other_record.csv --samples 100 --out "
+                           "identified_record.json --quiet"))
+                .files;
+  all["identified_record.json"] = written.at("identified_record.json");
+  all["lab/joint.json"] = written.at("identified_record.json");
+  written =
+      run(all, words("frf model.toml --force 50 --frequency 10:20 --out frf.csv --quiet")).files;
+  all["frf.csv"] = written.at("frf.csv");
+  written = run(all, words("march model.toml --release 1:1mm --duration 4 --sampling-rate 1024 "
+                           "--out released.csv --quiet"))
+                .files;
+  all["released.csv"] = written.at("released.csv");
+  all["two_modes.csv"] =
+      "mode [1],displacement [m],displacement_std [m],frequency [Hz],frequency_std [Hz],"
+      "damping_ratio [1],damping_ratio_std [1],dissipation [J],dissipation_std [J]\n"
+      "1,5e-4,1e-6,15.5,0.01,0.004,0.0001,0.01,0.0001\n1,1e-3,1e-6,15,0.01,0.01,0.0001,0.02,"
+      "0.0001\n2,5e-4,1e-6,27,0.01,0.004,0.0001,0.01,0.0001\n";
+  all["two_laps.toml"] = two_laps();
+  written = run(all, words("identify levels.csv --stiffness 1.7e5 --out identified.json "
+                           "--density-csv density.csv --samples 100 --samples-out "
+                           "joint_samples.h5 --quiet"))
+                .files;
+  all["joint_samples.h5"] = written.at("joint_samples.h5");
+  all["identified.json"] = written.at("identified.json");
+  for (const char* call :
+       {"frf drawn_model.toml --force 50 --frequency 10:20 --draws 40 --out drawn_frf.csv",
+        "backbone drawn_model.toml --response 0.1mm:1mm:5 --draws 40 --out drawn_backbone.csv",
+        "march drawn_model.toml --force-file other_force.csv --draws 40 --out drawn_march.csv",
+        "dissipation identified.json --amplitude 1um:300um:5 --draws 40 --samples "
+        "joint_samples.h5 --out drawn_curve.csv",
+        "loop identified.json --amplitude 100um --points 10 --draws 40 --samples "
+        "joint_samples.h5 --out drawn_loop.csv"}) {
+    const std::string text(call);
+    const std::string name = text.substr(text.rfind(' ') + 1);
+    all[name] = run(all, words(text + " --quiet")).files.at(name);
+    all["curves/" + name.substr(name.find('_') + 1)] = all.at(name);
+  }
+  all["curves/levels.csv"] = all.at("levels.csv");
+  for (const char* name : {"levels.csv", "joint.json", "level_01.csv", "level_02.csv"}) {
+    all[std::string("folder/") + name] = all.at(name);
+  }
+  all["folder/rig.toml"] = made.at("test/rig.toml");
+  all["compared/comparison.csv"] =
+      run(all, words("verify drawn_model.toml frf.csv --draws 40 --out comparison.csv --quiet"))
+          .files.at("comparison.csv");
+  for (const char* call : {"campaign campaign.toml --out campaigned --quiet",
+                           "campaign joints.toml --out jointed --quiet"}) {
+    written = run(all, words(call)).files;
+    for (const auto& [name, content] : written) {
+      if (name.starts_with("campaigned/") || name.starts_with("jointed/")) all[name] = content;
+    }
+  }
+  return all;
+}
+
+/// The folder that ctest keeps them in, as EffectInputs made them, for the processes of all subjects; empty where a
+/// subject is run by hand.
+std::string kept_inputs() {
+  const char* folder = std::getenv("MICROSLIP_EFFECT_INPUTS");
+  return folder != nullptr ? folder : "";
+}
+
+Files files_below(const std::string& folder) {
+  Files result;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    result[entry.path().lexically_relative(folder)] = test::get(entry.path());
+  }
+  return result;
+}
+
 const Files& inputs() {
-  static const Files files = [] {
-    Files all = documented_files();
-    all["full_levels.csv"] = full_levels();
-    all["assembled_levels.csv"] = assembled_levels();
-    for (const char* name : {"first.csv", "second.csv", "third.csv"}) {
-      all[name] = all.at("full_levels.csv");
-    }
-    all["watched/levels.csv"] = full_levels();
-    all["driven_levels.csv"] = heard_levels({"frequency"});
-    all["heard_levels.csv"] = heard_levels({"frequency", "resonance_frequency"});
-    all["decay.csv"] = sample_decay_text();
-    const JointedStructure slipping = slipping_structure(all.at("structure.toml"));
-    all["steady.csv"] = steady_record(slipping);
-    all["blow.csv"] = free_decay(slipping);
-    add_days(all);
-    const std::string two_joints = MICROSLIP_TEST_DATA "/two_joints/";
-    all["two_joints.toml"] = test::get(two_joints + "model.toml");
-    all["two_joints.csv"] = testing::every_third_row(test::get(two_joints + "modal_levels.csv"));
-    all["sensed_joints.csv"] = sensed_levels(
-        all.at("two_joints.csv"), testing::every_third_row(test::get(two_joints + "truth.csv")));
-    const Files found = run(all, words("calibrate two_joints.toml two_joints.csv --samples 100 "
-                                       "--out c --quiet"))
-                            .files;
-    all["damped_joints.csv"] =
-        damped_levels(all.at("two_joints.csv"), found.at("c/calibration.csv"));
-    all["frf.uff"] = tested_responses({"m", "m/s", "m/s^2"}, "N");
-    all["responses.csv"] =
-        run({{"frf.uff", all.at("frf.uff")}}, {"convert", "frf.uff", "responses.csv"})
-            .files.at("responses.csv");
-    all["bare.uff"] = tested_responses({"", "", ""}, "");
-    all["bare.toml"] = edited(all.at("tested.toml"), "frf.uff -> bare.uff");
-    all["noise.csv"] = "time [s], nothing [V]\n0,1\n1,2\n2,3\n";
-    all["shock.csv"] = "time [s],acceleration of table [m/s^2]\n0,0\n0.005,20\n0.01,0\n0.1,0\n";
-    all["shaken.csv"] = "time [s],jolt [m/s^2]\n0,0\n0.005,20\n0.01,0\n0.1,0\n";
-    all["other_force.csv"] = "time [s],force [N]\n0,0\n0.01,50\n0.02,0\n";
-    all["damped.json"] =
-        edited(all.at("joint.json"), std::string("]\n}") + " -> " + kIdentification);
-    all["damped_rig.toml"] = edited(all.at("rig.toml"), "joint.json -> damped.json");
-    all["damped_model.toml"] = edited(edited(all.at("model.toml"), "four.json -> damped.json"),
-                                      "linear_damping_J_per_m2 -> # J/m2");
-    all["joint400.json"] = edited(all.at("joint.json"), "1.7e5 -> 4e5");
-    all["modes400.toml"] = edited(all.at("modes.toml"), "5.08e5 -> 4e5");
-    all["atom_levels.csv"] = atom_levels();
-    all["atom_plan.toml"] =
-        edited(edited(all.at("bootstrap.toml"), "\"levels.csv\" -> \"atom_levels.csv\""),
-               "linear_damping = true -> linear_damping = false");
-    all["atom_campaign.toml"] = campaign_of("atom_levels.csv");
-    all["reversing_campaign.toml"] = campaign_of("full_levels.csv");
-    add_kinds(all);
-    all["failing.toml"] = edited(all.at("sweep.toml"), "from = 4e5 -> from = -4e5");
-    all["failing.toml"] = edited(all["failing.toml"], "[sweep] -> most_failed = 1.0\n[sweep]");
-    all["beats.csv"] = two_modes(all.at("decay.csv"));
-    all["two.csv"] = two_channels(all.at("decay.csv"));
-    Files made = run(all, words("measure rig.toml --out test --quiet")).files;
-    for (const char* name : {"level_01.csv", "level_02.csv"}) {
-      all[name] = made.at(std::string("test/") + name);
-    }
-    all["unitless.csv"] = std::regex_replace(all["level_01.csv"], std::regex(" \\[[^\\]]*\\]"), "");
-    Files written = run(all, words("convert level_01.csv level.uff --format uff --quiet")).files;
-    all["cut.uff"] = written.at("level.uff").substr(0, written.at("level.uff").size() * 7 / 8);
-    all["several.uff"] = written.at("level.uff");
-    written = run(all, words("convert level_02.csv level.uff --format uff --quiet")).files;
-    all["several.uff"] += written.at("level.uff");
-    written = run(all, words("convert decay.csv decay.uff --format uff --quiet")).files;
-    all["cut_decay.uff"] =
-        written.at("decay.uff").substr(0, written.at("decay.uff").size() * 7 / 8);
-    all["unitless_decay.csv"] =
-        std::regex_replace(all["decay.csv"], std::regex(" \\[[^\\]]*\\]"), "");
-    all["record.csv"] = record_text(sample_record());
-    all["two_records.csv"] = two_records();
-    all["unitless_record.csv"] = record_text(sample_record(), "time [s],u,f");
-    all["cut_record.csv"] = all.at("record.csv").substr(0, all.at("record.csv").rfind(','));
-    all["other_record.csv"] = record_text(sample_record(2));
-    written = run(all, words("identify record.csv other_record.csv --samples 100 --out "
-                             "identified_record.json --quiet"))
-                  .files;
-    all["identified_record.json"] = written.at("identified_record.json");
-    all["lab/joint.json"] = written.at("identified_record.json");
-    written =
-        run(all, words("frf model.toml --force 50 --frequency 10:20 --out frf.csv --quiet")).files;
-    all["frf.csv"] = written.at("frf.csv");
-    written = run(all, words("march model.toml --release 1:1mm --duration 4 --sampling-rate 1024 "
-                             "--out released.csv --quiet"))
-                  .files;
-    all["released.csv"] = written.at("released.csv");
-    all["two_modes.csv"] =
-        "mode [1],displacement [m],displacement_std [m],frequency [Hz],frequency_std [Hz],"
-        "damping_ratio [1],damping_ratio_std [1],dissipation [J],dissipation_std [J]\n"
-        "1,5e-4,1e-6,15.5,0.01,0.004,0.0001,0.01,0.0001\n1,1e-3,1e-6,15,0.01,0.01,0.0001,0.02,"
-        "0.0001\n2,5e-4,1e-6,27,0.01,0.004,0.0001,0.01,0.0001\n";
-    all["two_laps.toml"] = two_laps();
-    written = run(all, words("identify levels.csv --stiffness 1.7e5 --out identified.json "
-                             "--density-csv density.csv --samples 100 --samples-out "
-                             "joint_samples.h5 --quiet"))
-                  .files;
-    all["joint_samples.h5"] = written.at("joint_samples.h5");
-    all["identified.json"] = written.at("identified.json");
-    for (const char* call :
-         {"frf drawn_model.toml --force 50 --frequency 10:20 --draws 40 --out drawn_frf.csv",
-          "backbone drawn_model.toml --response 0.1mm:1mm:5 --draws 40 --out drawn_backbone.csv",
-          "march drawn_model.toml --force-file other_force.csv --draws 40 --out drawn_march.csv",
-          "dissipation identified.json --amplitude 1um:300um:5 --draws 40 --samples "
-          "joint_samples.h5 --out drawn_curve.csv",
-          "loop identified.json --amplitude 100um --points 10 --draws 40 --samples "
-          "joint_samples.h5 --out drawn_loop.csv"}) {
-      const std::string text(call);
-      const std::string name = text.substr(text.rfind(' ') + 1);
-      all[name] = run(all, words(text + " --quiet")).files.at(name);
-      all["curves/" + name.substr(name.find('_') + 1)] = all.at(name);
-    }
-    all["curves/levels.csv"] = all.at("levels.csv");
-    for (const char* name : {"levels.csv", "joint.json", "level_01.csv", "level_02.csv"}) {
-      all[std::string("folder/") + name] = all.at(name);
-    }
-    all["folder/rig.toml"] = made.at("test/rig.toml");
-    all["compared/comparison.csv"] =
-        run(all, words("verify drawn_model.toml frf.csv --draws 40 --out comparison.csv --quiet"))
-            .files.at("comparison.csv");
-    for (const char* call : {"campaign campaign.toml --out campaigned --quiet",
-                             "campaign joints.toml --out jointed --quiet"}) {
-      written = run(all, words(call)).files;
-      for (const auto& [name, content] : written) {
-        if (name.starts_with("campaigned/") || name.starts_with("jointed/")) all[name] = content;
-      }
-    }
-    return all;
-  }();
+  static const Files files = kept_inputs().empty() ? made_inputs() : files_below(kept_inputs());
   return files;
 }
 
@@ -592,6 +613,16 @@ std::set<std::string> subjects() {
     if (can_run(row)) result.insert(row.subject);
   }
   return result;
+}
+
+// Made once for all subjects, each of which is a process of its own.
+TEST(EffectInputs, AreMade) {
+  const Files made = made_inputs();
+  EXPECT_EQ(made.count("campaigned/model.toml"), 1U);
+  if (kept_inputs().empty()) return;
+  std::filesystem::remove_all(kept_inputs());
+  put_all(kept_inputs(), made);
+  EXPECT_EQ(files_below(kept_inputs()), made);
 }
 
 class Effects : public ::testing::TestWithParam<std::string> {};
