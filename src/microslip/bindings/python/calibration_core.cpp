@@ -33,7 +33,7 @@ const std::map<std::string, FrequencyUse> kUses{{"change", FrequencyUse::kChange
                                                 {"absolute", FrequencyUse::kAbsolute},
                                                 {"ignore", FrequencyUse::kIgnore}};
 
-CalibrationOptions options_of(const py::dict& given) {
+CalibrationOptions calibration_options_of(const py::dict& given) {
   CalibrationOptions all;
   all.frequency = kUses.at(given["frequency"].cast<std::string>());
   all.fit_stiffness = given["fit_stiffness"].cast<bool>();
@@ -50,7 +50,7 @@ CalibrationOptions options_of(const py::dict& given) {
 
 // ---- Levels, as columns: NaN where something was not measured. ----
 
-ModalLevels levels_of(const py::dict& given) {
+ModalLevels modal_levels_of(const py::dict& given) {
   const auto column = [&](const char* name) { return copy_of(given[name].cast<py::object>()); };
   ModalLevels levels{.displacement = column("displacement"),
                      .displacement_std = column("displacement_std"),
@@ -120,8 +120,8 @@ py::dict dict_of(const CalibratedJoint& joint, const Provenance& provenance) {
       "slip_force"_a = array_of(std::move(slip_force)), "density"_a = array_of(std::move(density)),
       "lower"_a = array_of(joint.band.lower), "upper"_a = array_of(joint.band.upper),
       "told"_a = array_of(joint.told), "loss_told"_a = joint.loss_told,
-      "stiffness"_a = tuple_of(joint.stiffness),
-      "elastic_stiffness"_a = tuple_of(joint.elastic_stiffness), "edges"_a = edges,
+      "stiffness"_a = estimate_tuple(joint.stiffness),
+      "elastic_stiffness"_a = estimate_tuple(joint.elastic_stiffness), "edges"_a = edges,
       "covered_from"_a = k * joint.least_amplitude, "covered_to"_a = k * joint.largest_amplitude,
       "draws"_a = py::cast(joint_samples(joint, provenance, provenance.seed.value_or(0))));
 }
@@ -131,8 +131,8 @@ py::list levels_found(const CalibrationResult& found) {
   for (const CalibratedLevel& level : found.levels) {
     py::list joints;
     for (const JointAtLevel& joint : level.joints) {
-      joints.append(
-          py::make_tuple(joint.amplitude, joint.measured_amplitude, tuple_of(joint.dissipation)));
+      joints.append(py::make_tuple(joint.amplitude, joint.measured_amplitude,
+                                   estimate_tuple(joint.dissipation)));
     }
     all.append(py::dict("found"_a = level.found, "frequency"_a = level.frequency,
                         "measured_frequency"_a = level.measured_frequency,
@@ -197,8 +197,8 @@ py::dict calibrate_structure(const std::shared_ptr<ModelFile>& model,
                              const std::vector<std::size_t>& sought, const std::string& response,
                              const py::dict& columns, const py::dict& given,
                              const std::string& command, const py::object& listener) {
-  const ModalLevels levels = levels_of(columns);
-  CalibrationOptions options = options_of(given);
+  const ModalLevels levels = modal_levels_of(columns);
+  CalibrationOptions options = calibration_options_of(given);
   const CalibrationResult found = long_result(
       [&](const Progress& progress) {
         options.progress = progress;
@@ -218,7 +218,7 @@ py::dict calibrate_files(const std::string& model, const std::vector<std::string
                                .levels = levels,
                                .out = out,
                                .keep_draws = keep_samples,
-                               .options = options_of(given),
+                               .options = calibration_options_of(given),
                                .command = command};
   std::vector<PlannedOutput> planned;
   const std::vector<ResultFile> files = planned_files(calibration);

@@ -59,7 +59,7 @@ std::optional<std::string> text_or_none(const py::handle& text) {
 }
 
 /// The options of the program's `identify`, by the names of the package.
-LevelsIdentification options_of(const py::dict& given) {
+LevelsIdentification level_options_of(const py::dict& given) {
   LevelsIdentification all;
   all.texts.smoothing = given["smoothing"].cast<std::string>();
   all.texts.smoothing_unit = text_or_none(given["smoothing_unit"]);
@@ -143,7 +143,7 @@ py::dict identify_levels(const py::dict& columns, double stiffness, const py::di
                          const std::vector<std::pair<std::string, std::string>>& notes,
                          const py::object& listener) {
   const Levels levels = levels_of(columns);
-  const LevelsIdentification of = options_of(given);
+  const LevelsIdentification of = level_options_of(given);
   Identification found = long_result(
       [&](const Progress& progress) {
         IdentificationOptions options = of.options;

@@ -36,20 +36,6 @@ LoadHistory loads_of(const RealArray& time, const py::list& forces, const py::li
   return all;
 }
 
-MarchOptions options_of(const py::dict& given) {
-  return {.step = given["step"].cast<double>(),
-          .every = given["every"].cast<std::size_t>(),
-          .points = given["points"].cast<std::vector<std::string>>(),
-          .start = {copy_of(given["displacement"].cast<py::object>()),
-                    copy_of(given["velocity"].cast<py::object>())},
-          .tolerance = given["tolerance"].cast<double>(),
-          .max_iterations = given["max_iterations"].cast<int>(),
-          .largest_imbalance = given["largest_imbalance"].cast<double>(),
-          .estimate_error = given["estimate_error"].cast<bool>(),
-          .largest_error = given["largest_error"].cast<double>(),
-          .elements = given["elements"].cast<std::size_t>()};
-}
-
 py::dict dict_of(MarchResult result) {
   py::list points;
   for (PointMotion& motion : result.points) {
@@ -81,7 +67,7 @@ py::dict march_structure(const std::shared_ptr<ModelFile>& model, const RealArra
                          const py::list& forces, const py::list& normal_loads,
                          const py::dict& options, const py::object& listener) {
   const LoadHistory loads = loads_of(time, forces, normal_loads);
-  const MarchOptions of = options_of(options);
+  const MarchOptions of = march_options_of(options);
   return dict_of(long_result(
       [&](const Progress& progress) { return judged_march(*model, loads, of, progress); },
       listener));
@@ -94,7 +80,19 @@ LoadHistory load_history_of(const RealArray& time, const py::list& forces,
   return loads_of(time, forces, normal_loads);
 }
 
-MarchOptions march_options_of(const py::dict& given) { return options_of(given); }
+MarchOptions march_options_of(const py::dict& given) {
+  return {.step = given["step"].cast<double>(),
+          .every = given["every"].cast<std::size_t>(),
+          .points = given["points"].cast<std::vector<std::string>>(),
+          .start = {copy_of(given["displacement"].cast<py::object>()),
+                    copy_of(given["velocity"].cast<py::object>())},
+          .tolerance = given["tolerance"].cast<double>(),
+          .max_iterations = given["max_iterations"].cast<int>(),
+          .largest_imbalance = given["largest_imbalance"].cast<double>(),
+          .estimate_error = given["estimate_error"].cast<bool>(),
+          .largest_error = given["largest_error"].cast<double>(),
+          .elements = given["elements"].cast<std::size_t>()};
+}
 
 py::dict march_dict(MarchResult result) { return dict_of(std::move(result)); }
 

@@ -51,7 +51,7 @@ struct GivenEvidence {
   std::vector<std::pair<std::string, Levels>> levels;
 };
 
-RecordsIdentification options_of(const py::dict& given) {
+RecordsIdentification record_options_of(const py::dict& given) {
   RecordsIdentification all;
   all.stiffness = given["stiffness"].cast<std::optional<double>>();
   if (const auto start = given["start"].cast<std::string>(); start != "auto") {
@@ -110,7 +110,7 @@ IdentifiedRecords identified(const GivenEvidence& given, const RecordsIdentifica
 }
 
 py::object viscous_of(const RecordInversionResult& found) {
-  return found.viscous ? py::object(tuple_of(*found.viscous)) : py::object(py::none());
+  return found.viscous ? py::object(estimate_tuple(*found.viscous)) : py::object(py::none());
 }
 
 py::list fits_of(const IdentifiedRecords& done) {
@@ -134,7 +134,7 @@ py::list fits_of(const IdentifiedRecords& done) {
 py::dict identify_records(const std::vector<GivenRecord>& records,
                           const std::vector<GivenLevels>& levels, const py::dict& given,
                           const std::string& command, const py::object& listener) {
-  RecordsIdentification options = options_of(given);
+  RecordsIdentification options = record_options_of(given);
   GivenEvidence evidence{records_of(records), {}};
   for (const auto& [name, columns] : levels) {
     evidence.levels.emplace_back(name, levels_of_columns(columns));
@@ -147,8 +147,8 @@ py::dict identify_records(const std::vector<GivenRecord>& records,
       listener);
   py::dict all = identification_dict(done.found, joint_text(options, done, command));
   const RecordInversionResult& found = *done.found.records();
-  all["stiffness"] = tuple_of(found.stiffness);
-  all["elastic_stiffness"] = tuple_of(found.elastic_stiffness);
+  all["stiffness"] = estimate_tuple(found.stiffness);
+  all["elastic_stiffness"] = estimate_tuple(found.elastic_stiffness);
   all["viscous"] = viscous_of(found);
   all["resolved_from"] = found.resolved_from;
   all["records"] = fits_of(done);

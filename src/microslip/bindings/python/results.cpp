@@ -13,7 +13,7 @@ py::dict dict_of(const Summary& summary) {
                   "seconds"_a = summary.wall_seconds, "text"_a = summary.full());
 }
 
-py::tuple tuple_of(const Estimate& estimate) {
+py::tuple estimate_tuple(const Estimate& estimate) {
   return py::make_tuple(estimate.value, estimate.lower, estimate.upper);
 }
 

@@ -15,7 +15,7 @@ namespace microslip::python {
 [[nodiscard]] pybind11::dict dict_of(const Summary& summary);
 
 /// Value and both ends of the band.
-[[nodiscard]] pybind11::tuple tuple_of(const Estimate& estimate);
+[[nodiscard]] pybind11::tuple estimate_tuple(const Estimate& estimate);
 
 /// Pairs of code and text.
 [[nodiscard]] pybind11::list list_of(const std::vector<Warning>& warnings);

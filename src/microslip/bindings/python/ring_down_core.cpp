@@ -20,7 +20,7 @@ namespace {
 
 using namespace py::literals;
 
-RingDownOptions options_of(const py::dict& given) {
+RingDownOptions ring_down_options_of(const py::dict& given) {
   RingDownOptions all;
   all.frequency = given["frequency"].cast<std::optional<double>>();
   all.band = given["band"].cast<std::optional<std::pair<double, double>>>();
@@ -105,7 +105,7 @@ py::dict dict_of(const RingDownLevels& levels) {
 py::dict follow(const py::dict& recording, const std::vector<std::string>& channels,
                 const py::dict& options) {
   const Recording of = recording_of(recording);
-  const RingDownOptions how = options_of(options);
+  const RingDownOptions how = ring_down_options_of(options);
   return dict_of(
       long_result([&](const Progress&) { return ring_down(of, channels, how); }, py::none()));
 }

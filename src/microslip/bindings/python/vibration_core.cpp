@@ -37,7 +37,7 @@ const std::map<std::string, Quantity> kQuantities{
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-HarmonicBalanceOptions options_of(const py::dict& given) {
+HarmonicBalanceOptions balance_options_of(const py::dict& given) {
   return {.harmonics = given["harmonics"].cast<std::size_t>(),
           .samples = given["samples"].cast<std::size_t>(),
           .tolerance = given["tolerance"].cast<double>(),
@@ -63,7 +63,8 @@ std::shared_ptr<JudgedBalance> balance_of(const std::shared_ptr<ModelFile>& mode
                                           const std::string& point, const std::string& kind,
                                           const py::dict& options) {
   return std::make_shared<JudgedBalance>(
-      model, HarmonicBalance(model->structure, {point, kKinds.at(kind)}, options_of(options)));
+      model,
+      HarmonicBalance(model->structure, {point, kKinds.at(kind)}, balance_options_of(options)));
 }
 
 /// One number of each vibration.
