@@ -30,15 +30,20 @@ double TaperedWindow::largest() const {
 
 std::complex<double> TaperedWindow::transform(double omega) const {
   // A turning pointer in place of a cosine a sample; over a window its rounding stays below 1e−12.
-  const double turn = omega / rate_;
-  std::complex<double> pointer = std::polar(1.0, -omega * first_ * length_ / 2.0);
-  const std::complex<double> step = std::polar(1.0, -turn);
+  // In real numbers, for a product of complex ones looks for NaN each time.
+  const std::complex<double> start = std::polar(1.0, -omega * first_ * length_ / 2.0);
+  const std::complex<double> step = std::polar(1.0, -omega / rate_);
+  double real = start.real();
+  double imaginary = start.imag();
   std::complex<double> sum = 0.0;
   double weight = 0.0;
   for (std::size_t i = 0; i < values_.size(); ++i) {
-    sum += weights_[i] * values_[i] * pointer;
+    const double value = weights_[i] * values_[i];
+    sum += std::complex<double>(value * real, value * imaginary);
     weight += weights_[i];
-    pointer *= step;
+    const double turned = real * step.real() - imaginary * step.imag();
+    imaginary = real * step.imag() + imaginary * step.real();
+    real = turned;
   }
   return sum / weight;
 }
