@@ -73,9 +73,9 @@ void expect_sound(const InversionResult& result) {
   }
 }
 
-/// Median of the errors of draws of noise on D.
+/// Median of the errors of draws of noise on D, to be held to bound_of().
 double median_error(const Joint& truth, const std::function<Levels(std::uint64_t)>& levels,
-                    std::uint64_t draws = kDraws) {
+                    std::uint64_t draws = test::draws_of(kDraws)) {
   std::vector<double> errors;
   for (std::uint64_t draw = 0; draw < draws; ++draw) {
     const InversionResult result = invert(levels(draw), kStiffness);
@@ -178,7 +178,7 @@ TEST(Inversion, FindsTheScatter) {
   const Joint truth = testing::reference_joint();
   double relative = 0.0;
   double told = 0.0;
-  for (std::uint64_t draw = 0; draw < kDraws; ++draw) {
+  for (std::uint64_t draw = 0; draw < test::draws_of(kDraws); ++draw) {
     Levels levels = testing::noisy_levels(truth, draw);
     const InversionResult result = invert(levels, kStiffness);
     EXPECT_TRUE(result.scatter_is_relative);
@@ -190,8 +190,8 @@ TEST(Inversion, FindsTheScatter) {
     EXPECT_FALSE(weighted.scatter_is_relative);
     told += weighted.scatter / kDraws;
   }
-  EXPECT_NEAR(relative, 0.01, 0.0006);
-  EXPECT_NEAR(told, 0.5, 0.03);
+  EXPECT_NEAR(relative, 0.01, test::bound_of(0.0006));
+  EXPECT_NEAR(told, 0.5, test::bound_of(0.03));
 }
 
 // D″ = −4AF″: secant stiffness is a second measurement of the same density. 0.1 % of scatter lowers
@@ -258,7 +258,7 @@ TEST(Inversion, GivenDeviationsWeigh) {
       median_error(truth, [&](std::uint64_t draw) { return levels_with(draw, false); });
   const double told =
       median_error(truth, [&](std::uint64_t draw) { return levels_with(draw, true); });
-  EXPECT_LT(told, 0.8 * withheld);
+  EXPECT_LT(told, test::bound_of(0.8 * withheld));
   std::cout << "  a third of the levels ten times noisier: " << withheld << ", told " << told
             << '\n';
 }
@@ -283,7 +283,7 @@ TEST(Inversion, AmplitudeDeviationsWeigh) {
       median_error(truth, [&](std::uint64_t draw) { return levels_with(draw, false); });
   const double told =
       median_error(truth, [&](std::uint64_t draw) { return levels_with(draw, true); });
-  EXPECT_LT(told, 0.8 * withheld);
+  EXPECT_LT(told, test::bound_of(0.8 * withheld));
   std::cout << "  a third of the amplitudes uncertain: " << withheld << ", told " << told << '\n';
 }
 
@@ -298,7 +298,7 @@ TEST(Inversion, DeviationsOfVanishingDissipation) {
     }
     return levels;
   });
-  EXPECT_LT(error, 0.08);
+  EXPECT_LT(error, test::bound_of(0.08));
 }
 
 // Linear damping of 15 % of D at the largest amplitude (the share that the paper reports), not
@@ -318,7 +318,7 @@ TEST(Inversion, LinearDamping) {
     std::vector<double> found;
     std::vector<double> errors;
     std::vector<double> ignored;
-    for (std::uint64_t draw = 0; draw < kDraws; ++draw) {
+    for (std::uint64_t draw = 0; draw < test::draws_of(kDraws); ++draw) {
       Levels levels = testing::exact_levels(truth);
       for (std::size_t i = 0; i < levels.size(); ++i) {
         levels.dissipation[i] += beta * levels.amplitude[i] * levels.amplitude[i];
@@ -333,9 +333,9 @@ TEST(Inversion, LinearDamping) {
       found.push_back(*result.linear_damping / beta);
       errors.push_back(error_of(result, truth));
     }
-    EXPECT_NEAR(testing::median(found), 1.0, tolerance);
-    EXPECT_LT(testing::median(errors), bound);
-    EXPECT_GT(testing::median(ignored), 2.0 * testing::median(errors));
+    EXPECT_NEAR(testing::median(found), 1.0, test::bound_of(tolerance));
+    EXPECT_LT(testing::median(errors), test::bound_of(bound));
+    EXPECT_LT(2.0 * testing::median(errors), test::bound_of(testing::median(ignored)));
     std::cout << "  linear damping: found/true " << testing::median(found) << " ("
               << *std::ranges::min_element(found) << " to " << *std::ranges::max_element(found)
               << "), density error " << testing::median(errors) << ", ignored "
@@ -363,7 +363,7 @@ TEST(Inversion, AtomAtMacroSlip) {
   std::vector<double> place;
   std::vector<double> weight;
   std::vector<double> errors;
-  for (std::uint64_t draw = 0; draw < 5; ++draw) {
+  for (std::uint64_t draw = 0; draw < test::draws_of(5); ++draw) {
     const Levels levels = testing::noisy_levels(truth, draw);
     const InversionResult result = invert(levels, kStiffness, options);
     expect_sound(result);
@@ -374,9 +374,9 @@ TEST(Inversion, AtomAtMacroSlip) {
     weight.push_back(std::abs(result.atom_weight / 0.25 - 1.0));
     errors.push_back(testing::density_error(result.slip_force, result.density, truth, 33.0));
   }
-  EXPECT_LT(testing::median(place), 0.01);
-  EXPECT_LT(testing::median(weight), 0.1);
-  EXPECT_LT(testing::median(errors), 0.1);
+  EXPECT_LT(testing::median(place), test::bound_of(0.01));
+  EXPECT_LT(testing::median(weight), test::bound_of(0.1));
+  EXPECT_LT(testing::median(errors), test::bound_of(0.1));
   std::cout << "  atom: place to " << testing::median(place) << ", weight to "
             << testing::median(weight) << ", density to " << testing::median(errors) << '\n';
 }
@@ -385,7 +385,7 @@ TEST(Inversion, AtomAtMacroSlip) {
 TEST(Inversion, NoAtomWhereTheDataDoNotReachIt) {
   InversionOptions options;
   for (const Joint& truth : {four_parameter(70.0), testing::reference_joint()}) {
-    for (std::uint64_t draw = 0; draw < 3; ++draw) {
+    for (std::uint64_t draw = 0; draw < test::draws_of(3); ++draw) {
       const Levels levels = testing::noisy_levels(truth, draw);
       options.atom = true;
       const InversionResult result = invert(levels, kStiffness, options);
@@ -608,14 +608,14 @@ TEST(Inversion, LevelsWithoutDissipation) {
                            EXPECT_GE(std::ranges::count(levels.dissipation, 0.0), 2);
                            return levels;
                          }),
-            0.08);
+            test::bound_of(0.08));
   const Joint truth = testing::reference_joint();
   const double error = median_error(truth, [&](std::uint64_t draw) {
     Levels levels = testing::noisy_levels(truth, draw);
     levels.dissipation[20] = 0.0;
     return levels;
   });
-  EXPECT_LT(error, 0.08);
+  EXPECT_LT(error, test::bound_of(0.08));
   std::cout << "  one level without dissipation: " << error << '\n';
 
   Levels none = testing::exact_levels(truth);
@@ -652,7 +652,7 @@ TEST(Inversion, OtherPlans) {
                            testing::add_noise(levels, 0.01, draw);
                            return levels;
                          }),
-            0.15);
+            test::bound_of(0.15));
 }
 
 TEST(Inversion, OptionErrors) {

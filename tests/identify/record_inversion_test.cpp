@@ -475,6 +475,7 @@ TEST(RecordInversion, UsesAStiffnessThatIsKnown) {
 }
 
 TEST(RecordInversion, RepeatsWithItsSeed) {
+  MICROSLIP_OF_RELEASE_ALONE();
   const RecordEvidence evidence(reference_record("sines"), PathStart::kVirgin);
   const auto found = [&](std::uint64_t seed) {
     return invert_records({&evidence, 1}, {}, {.draws = 100, .seed = seed});
