@@ -231,6 +231,7 @@ TEST(campaign_of_a_model, PredictsAModeFromTwoOthers) {
 
 // σ of a mean of nine frequencies is a third of their noise: five σ of a difference of two.
 TEST(campaign_of_a_model, FindsTheOffsetOfEachModeInASession) {
+  MICROSLIP_OF_RELEASE_ALONE();
   const Laboratory box;
   box.put("campaign.toml", campaign("", "identify"));
   expect_done(box, kCall);
@@ -256,6 +257,7 @@ TEST(campaign_of_a_model, FindsTheOffsetOfEachModeInASession) {
 // The nominal frequency of the third mode is 1 % off: predictions of it are that uncertain, and
 // those of the others as little as ever.
 TEST(campaign_of_a_model, KnowsHowFarEachModeIsOff) {
+  MICROSLIP_OF_RELEASE_ALONE();
   const JointedStructure truth = true_structure();
   const std::vector<double> off{0.0, 0.0, 0.01};
   const Sandbox box{{"model.toml", unknown_model(with_modal_offsets(truth, off))}};
@@ -297,6 +299,7 @@ draws = 200
 // these are 0.4 to 0.6 % off, those with them less. Each of 54 frequencies and losses of tests that
 // identify is predicted; a band of 95 % misses 1.35 in 27, more than four in 1 %.
 TEST(campaign_of_a_model, PutsTheOffsetOnTheStructureAlone) {
+  MICROSLIP_OF_RELEASE_ALONE();
   const JointedStructure monday = true_structure_of_free_modes();
   const JointedStructure friday =
       with_modal_offsets(monday, std::vector<double>{0.004, 0.005, 0.006});

@@ -31,6 +31,7 @@
 #include "microslip/io/model_file.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
+#include "support/effort.hpp"
 #include "support/jointed_records.hpp"
 #include "support/tested_chain.hpp"
 #include "support/thinned_table.hpp"
@@ -515,8 +516,8 @@ Files made_inputs() {
   return all;
 }
 
-/// The folder that ctest keeps them in, as EffectInputs made them, for the processes of all subjects; empty where a
-/// subject is run by hand.
+/// The folder that ctest keeps them in, as EffectInputs made them, for the processes of all
+/// subjects; empty where a subject is run by hand.
 std::string kept_inputs() {
   const char* folder = std::getenv("MICROSLIP_EFFECT_INPUTS");
   return folder != nullptr ? folder : "";
@@ -627,9 +628,13 @@ TEST(EffectInputs, AreMade) {
 
 class Effects : public ::testing::TestWithParam<std::string> {};
 
+// Under the sanitizers every third row: what is compared is that of the release build, and rows of
+// a subject run much the same code.
 TEST_P(Effects, AreThere) {
+  constexpr std::size_t kOneOf = test::kSanitized ? 3 : 1;
+  std::size_t number = 0;
   for (const EffectRow& row : effect_rows()) {
-    if (row.subject != GetParam() || !can_run(row)) continue;
+    if (row.subject != GetParam() || !can_run(row) || number++ % kOneOf != 0) continue;
     SCOPED_TRACE(fmt::format("effects.txt:{}: {} {}", row.line, row.subject, row.item));
     ASSERT_FALSE(row.effects.empty()) << "a row has 5 cells";
     expect_row(row);

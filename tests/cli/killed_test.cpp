@@ -36,8 +36,8 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 using Contents = std::map<std::string, std::string>;
 
-/// Under the sanitizers every fifth short call is killed: each is run whole by other tests, and what a kill leaves is the
-/// same.
+/// Under the sanitizers every fifth short call is killed: each is run whole by other tests, and
+/// what a kill leaves is the same.
 constexpr std::size_t kStride = test::kSanitized ? 5 : 1;
 
 /// Random kills: one of each short call, or as many as MICROSLIP_KILLS says.

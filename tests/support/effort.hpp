@@ -26,11 +26,12 @@ inline constexpr bool kSanitized = true;
 inline constexpr bool kSanitized = false;
 #endif
 
-/// Draws of a statistic: as many as it needs, or one under the sanitizers, by which the code is run that all of them run.
+/// Draws of a statistic: as many as it needs, or one under the sanitizers, by which the code is run
+/// that all of them run.
 constexpr std::uint64_t draws_of(std::uint64_t needed) { return kSanitized ? 1 : needed; }
 
-/// The bound that a statistic of draws_of() is held to: none under the sanitizers. What holds for each draw is judged in
-/// both builds.
+/// The bound that a statistic of draws_of() is held to: none under the sanitizers. What holds for
+/// each draw is judged in both builds.
 constexpr double bound_of(double bound) {
   return kSanitized ? std::numeric_limits<double>::infinity() : bound;
 }
