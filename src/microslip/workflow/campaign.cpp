@@ -21,6 +21,7 @@
 #include "microslip/io/sha256.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/workflow/campaign_joints.hpp"
+#include "microslip/workflow/campaign_outliers.hpp"
 #include "microslip/workflow/campaign_plan.hpp"
 #include "microslip/workflow/campaign_tables.hpp"
 #include "microslip/workflow/campaign_test_kinds.hpp"
@@ -112,6 +113,8 @@ class CampaignWork {
   [[nodiscard]] DoneCampaign done() {
     DoneCampaign all{.plan = plan_};
     joints_->identify(stage(run_, 0, stages_), all);
+    all.warnings =
+        with_outliers_by_test(plan_, all.levels, all.sessions.dissipation, std::move(all.warnings));
     all.conditions = condition_effects(plan_, all.levels, all.sessions);
     leave_out(all);
     const ModelFile nominal = joints_->model(all, all.warnings);
@@ -144,10 +147,11 @@ class CampaignWork {
       if (!part.contradicts()) continue;
       all.warnings.push_back(
           {"left_out_contradicts",
-           fmt::format("{} contradicts the others: {} of its {} levels lie in the band that they "
-                       "predict, D by {:+.3g} % on the mean; {:.2g} % of the draws have so few.",
-                       part.name, part.curve.inside(), part.curve.compared(),
-                       100.0 * std::expm1(part.mean_deviation()), 100.0 * part.curve.chance)});
+           fmt::format(
+               "{} contradicts the others: {} of {} levels compared lie in the band that they "
+               "predict, D by {:+.3g} % on the mean; {:.2g} % of the draws have so few.",
+               part.name, part.curve.inside(), part.curve.compared(),
+               100.0 * std::expm1(part.mean_deviation()), 100.0 * part.curve.chance)});
     }
   }
 
