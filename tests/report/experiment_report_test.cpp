@@ -667,13 +667,148 @@ TEST(ExperimentReport, ACampaignOfAModelShowsModes) {
   const auto& lead = std::get<ReportText>(section(document, "Campaign").blocks.front());
   EXPECT_TRUE(contains(lead.text, "2 modal levels of 1 test identify its joints, in 1 session"))
       << lead.text;
-  const ReportFigure& losses = figure(document, "Dissipation against the joint");
+  const ReportFigure& losses = figure(document, "Dissipation against the joints");
   ASSERT_EQ(losses.figure.layers.size(), 2U);
   EXPECT_EQ(std::get<PointLayer>(losses.figure.layers[1]).legend, "session 1, mode 2");
   const ReportTable& sessions = table(document, "Sessions");
   EXPECT_EQ(sessions.columns[1].name, "mode");
   EXPECT_EQ(std::get<double>(sessions.rows[1][1]), 2.0);
   check_report(document);
+}
+
+/// Two joints from two tests of a campaign, of which the second is left out with D 20 % off; the
+/// others predict two of its three levels.
+ExperimentResults contradicted_results() {
+  ExperimentResults results;
+  results.title = "Test";
+  results.calibration =
+      CalibrationSummary{.status = "converged",
+                         .levels = 6,
+                         .levels_found = 6,
+                         .scatter = 0.09,
+                         .joints = {{.name = "lap", .stiffness = 1e5, .covered_to = 2.0},
+                                    {.name = "other", .stiffness = 1e5, .covered_to = 2.0}},
+                         .pairs = {{.first = "lap", .second = "other"}},
+                         .warnings = {{"left_out_contradicts", "friday contradicts the others."}}};
+  for (const char* joint : {"lap", "other"}) {
+    results.densities.push_back(
+        {.name = joint, .slip_force = {0.0, 2.0}, .density = {0.1, 0.1}, .told = {1.0, 1.0}});
+  }
+  results.comparison = compared_sweep();
+  results.comparison->warnings.insert(results.comparison->warnings.begin(),
+                                      results.calibration->warnings.front());
+  CampaignFound& campaign = results.campaign.emplace(CampaignFound{.of_model = true});
+  campaign.warnings = results.calibration->warnings;
+  for (const char* test : {"monday", "friday"}) {
+    campaign.entries.push_back({.test = test, .use = "identify", .session = "1", .part = "level"});
+    for (const double amplitude : {1e-6, 5e-6, 2e-5}) {
+      const bool wrong = campaign.entries.back().test == "friday";
+      const bool beyond = wrong && amplitude > 1e-5;
+      campaign.left_out.push_back({.left_out = test,
+                                   .amplitude = amplitude,
+                                   .measured = wrong ? 1.2e-6 : 1e-6,
+                                   .predicted = beyond ? std::nan("") : 1e-6,
+                                   .lower = 0.9e-6,
+                                   .upper = 1.1e-6,
+                                   .verdict = beyond  ? "beyond"
+                                              : wrong ? "outside"
+                                                      : "inside",
+                                   .mean_deviation = wrong ? std::log(1.2) : 0.0,
+                                   .chance = wrong ? 0.0 : 1.0,
+                                   .contradicts = wrong});
+    }
+  }
+  return results;
+}
+
+/// What a document warns of, section after section.
+std::vector<std::string> warned_of(const ReportDocument& document) {
+  std::vector<std::string> codes;
+  for (const ReportSection& part : document.sections) {
+    for (const ReportBlock& block : part.blocks) {
+      const auto* warnings = std::get_if<ReportWarnings>(&block);
+      if (warnings == nullptr) continue;
+      for (const Warning& warning : warnings->warnings) codes.push_back(warning.code);
+    }
+  }
+  return codes;
+}
+
+TEST(ExperimentReport, AContradictionIsOnTheFirstScreen) {
+  ExperimentResults results = contradicted_results();
+  const ReportDocument document = experiment_report(results);
+  const auto& verdict = std::get<ReportVerdict>(document.sections.front().blocks.front());
+  EXPECT_TRUE(verdict.doubtful);
+  EXPECT_EQ(verdict.text,
+            "1 of 2 tests contradicts the others, 0.1 would by chance: friday, D +20 %. The levels "
+            "tell the densities apart.");
+  EXPECT_TRUE(contains(summary_text(document), "contradict the others = 1 of 2 tests"))
+      << summary_text(document);
+  check_report(document);
+  for (LeftOutEntry& entry : results.campaign->left_out) entry.contradicts = false;
+  const ReportDocument agreed = experiment_report(results);
+  const auto& good = std::get<ReportVerdict>(agreed.sections.front().blocks.front());
+  EXPECT_FALSE(good.doubtful);
+  EXPECT_EQ(good.text, "The levels tell the densities apart.");
+}
+
+// One of twenty levels contradicts by chance, and two of forty do: no doubt of the joint.
+TEST(ExperimentReport, LevelsThatContradictByChanceAreToldAlone) {
+  for (const auto& [wrong, doubtful] : {std::pair{1U, false}, std::pair{2U, true}}) {
+    ExperimentResults results = exact_results();
+    results.joint->verdicts = {{.departure = "asymmetric"}};
+    CampaignFound& campaign = results.campaign.emplace();
+    campaign.entries = {{.test = "a", .use = "identify", .session = "1", .part = "level"}};
+    for (std::size_t i = 1; i <= 20; ++i) {
+      campaign.left_out.push_back({.left_out = "a: level " + std::to_string(i),
+                                   .amplitude = 1e-6 * static_cast<double>(i),
+                                   .measured = 1e-6,
+                                   .predicted = 1e-6,
+                                   .lower = 0.9e-6,
+                                   .upper = 1.1e-6,
+                                   .verdict = i <= wrong ? "outside" : "inside",
+                                   .contradicts = i <= wrong});
+    }
+    const ReportDocument document = experiment_report(results);
+    const auto& verdict = std::get<ReportVerdict>(document.sections.front().blocks.front());
+    EXPECT_EQ(verdict.doubtful, doubtful);
+    EXPECT_TRUE(contains(verdict.text, "of 20 levels contradict")) << verdict.text;
+    EXPECT_TRUE(contains(verdict.text, "Nothing contradicts a joint")) << verdict.text;
+  }
+}
+
+TEST(ExperimentReport, EachWarningIsShownOnce) {
+  const ReportDocument document = experiment_report(contradicted_results());
+  std::vector<std::string> codes = warned_of(document);
+  EXPECT_EQ(std::ranges::count(codes, "left_out_contradicts"), 1);
+  EXPECT_EQ(std::ranges::count(codes, "few_inside"), 1);
+}
+
+TEST(ExperimentReport, RepeatabilityThatIsToldWasExamined) {
+  for (ExperimentResults results : {contradicted_results(), exact_results()}) {
+    if (!results.campaign) results.campaign.emplace();
+    EXPECT_TRUE(contains(summary_text(experiment_report(results)), "whether the test repeats"));
+    results.campaign->repeatability = "9 % from session to session";
+    const std::string text = summary_text(experiment_report(results));
+    EXPECT_FALSE(contains(text, "whether the test repeats")) << text;
+    EXPECT_TRUE(contains(text, "Not examined: ")) << text;
+  }
+}
+
+TEST(ExperimentReport, WhatWasLeftOutIsShownByItsTest) {
+  const ReportDocument document = experiment_report(contradicted_results());
+  const ReportTable& left_out = table(document, "Left out");
+  ASSERT_EQ(left_out.rows.size(), 2U);
+  EXPECT_EQ(std::get<double>(left_out.rows[1][1]), 3.0);  // levels
+  EXPECT_EQ(std::get<double>(left_out.rows[1][2]), 2.0);  // of which these are not beyond
+  EXPECT_EQ(std::get<double>(left_out.rows[1][4]), 0.0);
+  const ReportFigure& shown = figure(document, "Dissipation left out");
+  EXPECT_TRUE(shown.figure.x.log);  // 1 to 20 µm
+  std::vector<std::string> names;
+  for (const Layer& layer : shown.figure.layers) names.push_back(name_of(layer));
+  EXPECT_EQ(names, (std::vector<std::string>{"middle of the band, with its edges", "monday, inside",
+                                             "friday, outside"}));
+  EXPECT_EQ(legend_of(shown.figure.layers[2]), "friday");
 }
 
 // σ = √(σ_D² + (D′σ_A)²): with D′σ_A = σ_D the residuals are √2 times smaller.

@@ -16,6 +16,7 @@
 #include "microslip/report/calibration_figures.hpp"
 #include "microslip/report/calibration_layers.hpp"
 #include "microslip/report/calibration_sections.hpp"
+#include "microslip/report/left_out.hpp"
 #include "microslip/report/prediction_reach.hpp"
 #include "microslip/report/verdict_block.hpp"
 #include "microslip/workflow/summary_text.hpp"
@@ -77,19 +78,23 @@ std::string scatter_text(double scatter, bool relative) {
   return relative ? percent_text(scatter) : fmt::format("{:.2f} σ as given", scatter);
 }
 
-ReportFacts key_facts_of_calibration(const CalibrationSummary& found) {
+ReportFacts key_facts_of_calibration(const ExperimentResults& results) {
+  const CalibrationSummary& found = *results.calibration;
   ReportFacts facts{.prominent = true, .beside = true};
   const auto add = [&](std::string name, std::string value) {
     facts.facts.emplace_back(std::move(name), std::move(value));
   };
   add("joints found", fmt::format("{}", found.joints.size()));
-  add("levels explained", fmt::format("{:.0f} of {:.0f}", found.levels_found, found.levels));
+  add("levels used", fmt::format("{:.0f} of {:.0f}", found.levels_found, found.levels));
   add("scatter of the losses", scatter_text(found.scatter, found.scatter_is_relative));
   if (!found.pairs.empty()) {
     const auto together = std::ranges::count_if(found.pairs, &PairSummary::known_only_together);
     const bool apart = together == 0 && found.known_in_sum.size() < 2;
     add("joints told apart", apart ? "all" : "not all");
   }
+  const std::string contradict =
+      results.campaign ? count_that_contradict(*results.campaign) : std::string();
+  if (!contradict.empty()) add("contradict the others", contradict);
   return facts;
 }
 
@@ -190,6 +195,7 @@ ReportVerdict verdict_on_joints(const ExperimentResults& results,
   }
   verdict.doubtful = !verdict.text.empty() || !doubtful.empty();
   verdict.text += belief_text(doubtful, found.joints.size());
+  put_contradictions(results, verdict);
   return verdict;
 }
 
@@ -207,15 +213,16 @@ void add_calibration(const ExperimentResults& results, ReportSection& section) {
   } else {
     add(ReportFigure{.figure = densities_figure(results)});
   }
-  add(key_facts_of_calibration(found));
+  add(key_facts_of_calibration(results));
   add(joints_table(results));
   add(reach_of_calibration(results));
   add(warnings);
   add(ReportText{lead_of_calibration(results)});
   add(certainty_of_calibration(found));
-  add(
-      ReportText{"Not examined: whether the modes of the model, the stiffness of the joints, their "
-                 "shapes and the gains of the sensors are right, and whether the test repeats."});
+  add(ReportText{fmt::format(
+      "Not examined: whether the modes of the model, the stiffness of the joints, their "
+      "shapes and the gains of the sensors are right{}.",
+      unknown_repeatability(results))});
 }
 
 }  // namespace

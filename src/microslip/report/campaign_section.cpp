@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "microslip/report/left_out.hpp"
 #include "microslip/report/scales.hpp"
 #include "microslip/report/sections.hpp"
 #include "microslip/report/shown_unit.hpp"
@@ -89,6 +90,32 @@ const char* amplitude_label(const CampaignFound& found) {
   return found.of_model ? "displacement of the response point" : "joint amplitude A";
 }
 
+/// Whether the marks of a figure go through more than one decade along x.
+bool spans_a_decade(const std::vector<PointLayer>& layers) {
+  constexpr double kDecade = 10.0;
+  double least = std::numeric_limits<double>::infinity();
+  double largest = 0.0;
+  for (const PointLayer& layer : layers) {
+    for (const double x : layer.x) {
+      least = std::min(least, x);
+      largest = std::max(largest, x);
+    }
+  }
+  return least > 0.0 && largest > kDecade * least;
+}
+
+/// Marks over the amplitude, whose scale the reader of a page may change.
+void show_over_amplitude(const CampaignFound& found, std::vector<PointLayer> layers,
+                         Figure& figure) {
+  const bool log = spans_a_decade(layers);
+  for (PointLayer& layer : layers) {
+    if (!layer.x.empty()) figure.layers.emplace_back(std::move(layer));
+  }
+  show_x(figure, amplitude_label(found), "m");
+  figure.x.log = log;
+  figure.x.log_switch = true;
+}
+
 /// A layer a session, and mode of a model: value(level) in % over the amplitude.
 template <typename Value>
 ReportFigure over_amplitude(const CampaignFound& found, std::string title, std::string caption,
@@ -108,10 +135,8 @@ ReportFigure over_amplitude(const CampaignFound& found, std::string title, std::
     layer->y.push_back(shown);
   }
   Figure figure{.title = std::move(title), .caption = std::move(caption)};
-  for (PointLayer& layer : layers) figure.layers.emplace_back(std::move(layer));
-  show_x(figure, amplitude_label(found), "m");
+  show_over_amplitude(found, std::move(layers), figure);
   show_y(figure, label, ShownUnit{"%", kPercent});
-  figure.x.log_switch = true;
   return {.figure = std::move(figure)};
 }
 
@@ -184,7 +209,7 @@ ReportTable condition_verdicts_table(const std::vector<ConditionFound>& conditio
                     .caption =
                         "Trends by least squares over the means of the values. Marked: values "
                         "that differ by more than three standard deviations.",
-                    .columns = {{"condition"}, {"trend"}, {"one joint"}, {"verdict"}}};
+                    .columns = {{"condition"}, {"trend"}, {"alike"}, {"verdict"}}};
   for (const ConditionFound& condition : conditions) {
     const ConditionVerdict verdict = condition_verdict(condition.effect);
     if (verdict.differ) table.marked.push_back(table.rows.size());
@@ -201,31 +226,47 @@ ReportTable condition_verdicts_table(const std::vector<ConditionFound>& conditio
 ReportTable left_out_table_of(const CampaignFound& found) {
   ReportTable table{.title = "Left out",
                     .caption =
-                        "Each left out in turn and predicted from the others. Marked: it "
-                        "contradicts them; one of twenty does by chance.",
+                        "Each left out in turn and predicted from the others; levels beyond "
+                        "theirs are not compared. Marked: it contradicts them; one of twenty does "
+                        "by chance.",
                     .columns = {{"left out"},
                                 {"levels", "1", 0},
+                                {"compared", "1", 0},
                                 {"D off the others", "%", 3},
                                 {"inside", "1", 0},
                                 {"chance", "%", 2},
                                 {"contradicts"}}};
-  for (std::size_t i = 0; i < found.left_out.size();) {
-    const LeftOutEntry& first = found.left_out[i];
-    std::size_t count = 0;
-    std::size_t inside = 0;
-    for (; i < found.left_out.size() && found.left_out[i].left_out == first.left_out; ++i) {
-      ++count;
-      inside += found.left_out[i].verdict == "inside" ? 1 : 0;
-    }
-    if (first.contradicts) table.marked.push_back(table.rows.size());
-    table.rows.push_back({first.left_out, static_cast<double>(count),
-                          first.mean_deviation / kPercent, static_cast<double>(inside),
-                          first.chance / kPercent,
-                          std::string(first.contradicts ? "yes"
-                                      : first.judged    ? "no"
-                                                        : "not judged")});
+  for (const PartLeftOut& part : parts_left_out(found)) {
+    if (part.contradicts) table.marked.push_back(table.rows.size());
+    table.rows.push_back({part.name, static_cast<double>(part.levels),
+                          static_cast<double>(part.compared), part.mean_deviation / kPercent,
+                          static_cast<double>(part.inside), part.chance / kPercent,
+                          std::string(part.contradicts ? "yes"
+                                      : part.judged    ? "no"
+                                                       : "not judged")});
   }
   return table;
+}
+
+/// Whose marks those of a level are: "s2m2" of "s2m2: level 3", else all of what was left out.
+std::string owner_of(const std::string& left_out) {
+  return left_out.substr(0, left_out.find(": level "));
+}
+
+/// The marks of what was left out that one owner has, inside or outside of the band: one entry of
+/// the legend, and on paper outlines and full ones.
+PointLayer& marks_of(const LeftOutEntry& row, std::vector<PointLayer>& layers) {
+  const std::string owner = owner_of(row.left_out);
+  const bool outside = row.verdict == "outside";
+  const std::string name = owner + (outside ? ", outside" : ", inside");
+  const auto known = std::ranges::find(layers, name, &PointLayer::name);
+  if (known != layers.end()) return *known;
+  const auto same = std::ranges::find(layers, owner, &PointLayer::legend);
+  std::set<std::string> owners;
+  for (const PointLayer& layer : layers) owners.insert(layer.legend);
+  const int colour = same != layers.end() ? same->colour : static_cast<int>(owners.size());
+  layers.push_back({.legend = owner, .colour = colour, .open = !outside, .name = name});
+  return layers.back();
 }
 
 /// D of what was left out over what the others predict, with the band of that.
@@ -235,11 +276,10 @@ ReportFigure left_out_figure(const CampaignFound& found) {
     if (std::isfinite(entry.measured) && entry.predicted > 0.0) rows.push_back(&entry);
   }
   std::ranges::stable_sort(rows, {}, &LeftOutEntry::amplitude);
-  PointLayer measured{.legend = "measured, inside", .colour = kBlack};
-  PointLayer outside{.legend = "measured, outside", .colour = kVermillion};
-  PointLayer band{.legend = "middle of the band, with its edges", .colour = kSkyBlue};
+  PointLayer band{.legend = "middle of the band, with its edges", .colour = kGrey};
+  std::vector<PointLayer> measured;
   for (const LeftOutEntry* row : rows) {
-    PointLayer& layer = row->verdict == "outside" ? outside : measured;
+    PointLayer& layer = marks_of(*row, measured);
     layer.x.push_back(row->amplitude);
     layer.y.push_back(row->measured / row->predicted - 1.0);
     if (!std::isfinite(row->lower) || !std::isfinite(row->upper)) continue;
@@ -251,12 +291,9 @@ ReportFigure left_out_figure(const CampaignFound& found) {
                 .caption =
                     "Measured over what the others predict, less 1, and the band of what "
                     "would be read."};
-  for (PointLayer* layer : {&band, &measured, &outside}) {
-    if (!layer->x.empty()) figure.layers.emplace_back(std::move(*layer));
-  }
-  show_x(figure, amplitude_label(found), "m");
+  measured.insert(measured.begin(), std::move(band));
+  show_over_amplitude(found, std::move(measured), figure);
   show_y(figure, "D over that of the others, less 1", ShownUnit{"%", kPercent});
-  figure.x.log_switch = true;
   return {.figure = std::move(figure)};
 }
 
@@ -285,9 +322,11 @@ ReportSection campaign_section(const ExperimentResults& results) {
   const std::vector<TestRows> tests = rows_by_test(found.entries);
   section.blocks.emplace_back(ReportText{lead_of_campaign(tests, found)});
   if (!found.warnings.empty()) section.blocks.emplace_back(ReportWarnings{found.warnings});
+  const char* const against =
+      found.of_model ? "Dissipation against the joints" : "Dissipation against the joint";
   add_if_drawn(
       section,
-      over_amplitude(found, "Dissipation against the joint",
+      over_amplitude(found, against,
                      found.of_model ? "Of each level, over that of all joints together, which were "
                                       "found from all, less 1."
                                     : "Of each level, over that of the joint that was identified "
@@ -297,7 +336,9 @@ ReportSection campaign_section(const ExperimentResults& results) {
                      }));
   add_if_drawn(section,
                over_amplitude(found, "Frequency against the model",
-                              "Of each level, over that of the model with the joint, less 1.",
+                              found.of_model
+                                  ? "Of each level, over that of the model with its joints, less 1."
+                                  : "Of each level, over that of the model with the joint, less 1.",
                               "f over that of the model, less 1", [](const CampaignEntry& level) {
                                 return level.frequency / level.frequency_predicted - 1.0;
                               }));

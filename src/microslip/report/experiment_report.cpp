@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "microslip/base/error.hpp"
@@ -31,6 +33,26 @@ std::vector<ReportSection> with_list_of_missing(std::vector<ReportSection> all) 
   std::erase_if(all, [](const ReportSection& section) { return section.blocks.empty(); });
   if (!missing.blocks.empty()) all.insert(all.end() - 1, std::move(missing));
   return all;
+}
+
+/// Each warning where it is shown first: several files tell the same, and sections show theirs.
+void show_warnings_once(std::vector<ReportSection>& all) {
+  std::set<std::pair<std::string, std::string>> shown;
+  for (ReportSection& section : all) {
+    for (ReportBlock& block : section.blocks) {
+      if (auto* one = std::get_if<ReportWarnings>(&block)) {
+        std::erase_if(one->warnings, [&](const Warning& warning) {
+          return !shown.emplace(warning.code, warning.text).second;
+        });
+      }
+    }
+  }
+  for (auto section = all.begin() + 1; section != all.end(); ++section) {
+    std::erase_if(section->blocks, [](const ReportBlock& block) {
+      const auto* one = std::get_if<ReportWarnings>(&block);
+      return one != nullptr && one->warnings.empty();
+    });
+  }
 }
 
 /// Whether the folder holds a test by levels, or a part of one.
@@ -100,9 +122,11 @@ ReportDocument experiment_report(ExperimentResults results) {
         {"no_other_methods",
          fmt::format("The levels were not evaluated again, for comparison: {}", error.what())});
   }
+  std::vector<ReportSection> sections = sections_of(results, methods);
+  show_warnings_once(sections);
   return {.title = results.title,
           .subtitle = results.subtitle,
-          .sections = with_list_of_missing(sections_of(results, methods))};
+          .sections = with_list_of_missing(std::move(sections))};
 }
 
 }  // namespace microslip

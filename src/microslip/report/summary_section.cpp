@@ -8,6 +8,7 @@
 
 #include "microslip/base/percent.hpp"
 #include "microslip/report/density_figure.hpp"
+#include "microslip/report/left_out.hpp"
 #include "microslip/report/prediction_reach.hpp"
 #include "microslip/report/sections.hpp"
 #include "microslip/report/verdict_block.hpp"
@@ -139,11 +140,11 @@ ReportFacts certainty(const ExperimentResults& results) {
   return facts;
 }
 
-std::string not_examined(const ReportWarnings& warnings) {
+std::string not_examined(const ExperimentResults& results, const ReportWarnings& warnings) {
   return fmt::format(
       "{}Not examined: whether the stuck stiffness k, the linear damping of the structure and the "
-      "gains of the sensors are right, and whether the test repeats.",
-      warnings.warnings.empty() ? "No warning and no flag. " : "");
+      "gains of the sensors are right{}.",
+      warnings.warnings.empty() ? "No warning and no flag. " : "", unknown_repeatability(results));
 }
 
 }  // namespace
@@ -159,7 +160,9 @@ ReportSection summary_section(const ExperimentResults& results,
     return section;
   }
   const IdentifiedJoint& joint = *results.joint;
-  add(verdict_on_joint(joint.verdicts, joint.status, warnings.warnings));
+  ReportVerdict verdict = verdict_on_joint(joint.verdicts, joint.status, warnings.warnings);
+  put_contradictions(results, verdict);
+  add(std::move(verdict));
   if (joint.joint.density().largest_slip_force() > 0.0) {
     add(ReportFigure{.figure = density_figure(results)});
   }
@@ -167,7 +170,7 @@ ReportSection summary_section(const ExperimentResults& results,
   add(reach_of_levels(results));
   add(warnings);
   add(ReportText{lead(results)});
-  add(ReportText{not_examined(warnings)});
+  add(ReportText{not_examined(results, warnings)});
   add(certainty(results));
   return section;
 }
