@@ -12,6 +12,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
+#include "microslip/io/text.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 #include "microslip/workflow/campaign_conditions.hpp"
@@ -354,6 +355,28 @@ TEST(CampaignConditions, SayWhereConditionAndModeCannotBeToldApart) {
   const ConditionVerdict verdict = condition_verdict(apart);
   EXPECT_FALSE(verdict.differ);
   EXPECT_NE(verdict.text.find("no mode in common"), std::string::npos) << verdict.text;
+}
+
+// Texts of conditions may be anything, and go to a terminal and into comments.
+TEST(CampaignConditions, ArePrintable) {
+  const ConditionEffect effect{
+      .name = "note\n",
+      .groups = {{.value = "line\n2", .tests = 1, .levels = 2, .dissipation = {0.0, 0.01}},
+                 {.value = "\x1b[31m", .tests = 1, .levels = 2, .dissipation = {0.1, 0.01}}},
+      .dissipation_trend = {0.1, 0.01}};
+  const CampaignFile file{.tests = {{.name = "a",
+                                     .file = "",
+                                     .use = CampaignUse::kPredict,
+                                     .session = "1",
+                                     .conditions = {{"note\n", "\t"}}}}};
+  std::vector<std::string> texts{condition_verdict(effect).text, trend_text(effect),
+                                 no_common_modes_text(effect.name)};
+  for (const Warning& warning : condition_warnings(file, {effect})) texts.push_back(warning.text);
+  ASSERT_EQ(texts.size(), 5U);
+  for (const std::string& text : texts) {
+    EXPECT_EQ(text, printable(text));
+    EXPECT_NE(text.find("\\x"), std::string::npos) << text;
+  }
 }
 
 TEST(CampaignSessions, RefusesOffsetsThatNothingTells) {

@@ -15,6 +15,8 @@
 #include <tuple>
 #include <utility>
 
+#include "microslip/io/text.hpp"
+
 namespace microslip {
 namespace {
 
@@ -266,19 +268,19 @@ std::optional<GroupDifference> largest_difference(const ConditionEffect& effect,
 }
 
 std::string difference_text(std::string_view quantity, const GroupDifference& one) {
-  return fmt::format("{} of {} is {} off that of {}{}", quantity, one.of->value, percent_of(one.by),
-                     one.against->value,
+  return fmt::format("{} of {} is {} off that of {}{}", quantity, printable(one.of->value),
+                     percent_of(one.by), printable(one.against->value),
                      one.significant() ? ", more than three standard deviations" : "");
 }
 
 std::string values_text(const ConditionEffect& effect) {
   std::vector<std::string> values;
-  for (const ConditionGroup& group : effect.groups) values.push_back(group.value);
+  for (const ConditionGroup& group : effect.groups) values.push_back(printable(group.value));
   return fmt::format("{}", fmt::join(values, ", "));
 }
 
 std::string pooled_text(const ConditionEffect& effect) {
-  return fmt::format("tests of {} = {} are identified as one joint: {}", effect.name,
+  return fmt::format("tests of {} = {} are identified together: {}", printable(effect.name),
                      values_text(effect), condition_verdict(effect).text);
 }
 
@@ -304,7 +306,7 @@ ConditionVerdict condition_verdict(const ConditionEffect& effect) {
   };
   tell("D", &ConditionGroup::dissipation);
   tell("the frequency", &ConditionGroup::frequency);
-  verdict.text += verdict.differ ? ". No one joint is both: identify them apart." : ".";
+  verdict.text += verdict.differ ? ". They are not alike: identify them apart." : ".";
   if (!effect.common_modes) {
     verdict.text +=
         " They have levels of no mode in common: what the condition does and what the mode does "
@@ -366,16 +368,17 @@ std::vector<Warning> condition_warnings(const CampaignFile& campaign,
       }
       warnings.push_back(
           {"condition_not_identified",
-           fmt::format("{} is predicted at {} = {}, and the joint was identified at {}: what that "
+           fmt::format("{} is predicted at {} = {}, and the {} identified at {}: what that "
                        "changes is not known.",
-                       test.name, effect.name, one->value, values_text(effect))});
+                       test.name, printable(effect.name), printable(one->value),
+                       campaign.of_model() ? "joints were" : "joint was", values_text(effect))});
     }
   }
   return warnings;
 }
 
 std::string no_common_modes_text(const std::string& condition) {
-  return fmt::format("modes: none is common to the values of {}", condition);
+  return fmt::format("modes: none is common to the values of {}", printable(condition));
 }
 
 std::string trend_text(const ConditionEffect& effect) {
@@ -386,7 +389,7 @@ std::string trend_text(const ConditionEffect& effect) {
   };
   add("D", effect.dissipation_trend);
   add("frequency", effect.frequency_trend);
-  return text.empty() ? text : fmt::format("{} per unit of {}", text, effect.name);
+  return text.empty() ? text : fmt::format("{} per unit of {}", text, printable(effect.name));
 }
 
 }  // namespace microslip

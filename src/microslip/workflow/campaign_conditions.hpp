@@ -75,7 +75,7 @@ struct ConditionVerdict {
   /// "D of 25 is +3.1 ± 0.4 % off that of 20, more than three standard deviations; …": the groups
   /// that differ most, of D and of the frequency; empty of a single group.
   std::string text = {};
-  bool differ = false;  ///< by more than three standard deviations: no one joint is all of them
+  bool differ = false;  ///< by more than three standard deviations: they are not alike
 };
 
 /// Looks at the means of the groups and their σ, and at whether amplitudes overlap.

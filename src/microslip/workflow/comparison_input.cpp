@@ -10,6 +10,7 @@
 
 #include "microslip/base/units.hpp"
 #include "microslip/io/csv.hpp"
+#include "microslip/io/text.hpp"
 #include "microslip/io/warning_comment.hpp"
 #include "microslip/workflow/campaign_leave_out.hpp"
 #include "microslip/workflow/comparison_table.hpp"
@@ -120,7 +121,7 @@ void put_means(const CsvTable& table, const std::string& name, std::vector<Condi
 std::string trend_of(const CsvTable& table, const std::string& condition) {
   constexpr std::string_view kTrend = "trend: ";
   for (const std::string& comment : table.comments()) {
-    if (comment.starts_with(kTrend) && comment.ends_with(" per unit of " + condition)) {
+    if (comment.starts_with(kTrend) && comment.ends_with(" per unit of " + printable(condition))) {
       return comment.substr(kTrend.size());
     }
   }
@@ -194,9 +195,11 @@ void add_sessions(const NamedInput& input, CampaignFound& found) {
   put_numbers(table, "dissipation_offset", sessions, &SessionEffect::dissipation_offset);
   put_numbers(table, "dissipation_scatter", sessions, &SessionEffect::dissipation_scatter);
   found.sessions = std::move(sessions);
-  constexpr std::string_view kRepeats = "dissipation against that of the joint, std of the means: ";
+  constexpr std::string_view kRepeats = ", std of the means: ";
   for (const std::string& comment : table.comments()) {
-    if (comment.starts_with(kRepeats)) found.repeatability = comment.substr(kRepeats.size());
+    const std::size_t at = comment.find(kRepeats);
+    if (at == std::string::npos || !comment.starts_with("dissipation against that of")) continue;
+    found.repeatability = comment.substr(at + kRepeats.size());
   }
 }
 
