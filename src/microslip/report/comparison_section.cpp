@@ -33,17 +33,16 @@ std::string place_text(const ComparedCurve& curve, std::size_t i) {
   return curve.axis.empty() ? "" : value_text(curve.at[i], curve.axis_dimension);
 }
 
-/// Values by themselves: peaks, records, amplitudes of a decay, cycles of a record. The steps of a
+/// Values by themselves: peaks, records, amplitudes of a mode, cycles of a record. The steps of a
 /// sweep are in its figures.
 bool is_listed(const ComparedTest& test, const ComparedCurve& curve) {
-  const bool steps = test.kind == TestKind::kSweep || test.kind == TestKind::kConstantResponse;
-  return curve.part != TestPart::kCurve || !steps;
+  return curve.part != TestPart::kCurve || !is_of_sweeps(test.kind);
 }
 
 ReportTable values_table(const std::vector<ComparedTest>& tests) {
   ReportTable table{.title = "Measured and predicted values",
                     .caption =
-                        "Peaks of sweeps, amplitudes of ring-downs, cycles and whole "
+                        "Peaks of sweeps, amplitudes of modes, cycles and whole "
                         "records. Marked: outside of the band, or not found.",
                     .columns = {{"test"},
                                 {"quantity"},

@@ -141,11 +141,11 @@ std::vector<CampaignRow> rows_of(const DoneCampaign& done) {
   for (std::size_t i = 0; i < done.levels.size(); ++i) rows.push_back(level_row(done, i));
   for (std::size_t n = 0; n < done.verified.tests.size(); ++n) {
     const ComparedTest& test = done.verified.tests[n];
-    if (test.kind == TestKind::kRingDown || test.kind == TestKind::kLoops) {
+    if (is_of_sweeps(test.kind)) {
+      rows.push_back(peak_row(test, done.test_of[n]));
+    } else {
       add_curve_rows(test, done.test_of[n], rows);
       add_record_row(test, done.test_of[n], rows);
-    } else {
-      rows.push_back(peak_row(test, done.test_of[n]));
     }
   }
   return rows;
@@ -258,8 +258,8 @@ std::string sessions_table(const DoneCampaign& done, const std::string& comment)
   table.add_comment(comment);
   const std::string repeats = repeatability_text(done.sessions);
   if (!repeats.empty()) {
-    table.add_comment(
-        fmt::format("dissipation against that of the joint, std of the means: {}", repeats));
+    table.add_comment(fmt::format("dissipation against that of the joint{}, std of the means: {}",
+                                  done.plan.of_model() ? "s" : "", repeats));
   }
   std::vector<std::string> names;
   for (const SessionEffect& session : sessions) names.push_back(session.name);

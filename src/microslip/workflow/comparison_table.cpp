@@ -178,10 +178,11 @@ class ComparisonReader {
     const bool same_test =
         row > 0 && source_[row] == source_[row - 1] && kind_[row] == kind_[row - 1];
     if (!same_test) {
-      tests_.push_back({.source = source_[row],
-                        .kind = named(table_, row, "kind", kind_[row],
-                                      {TestKind::kSweep, TestKind::kConstantResponse,
-                                       TestKind::kRingDown, TestKind::kLoops})});
+      tests_.push_back(
+          {.source = source_[row],
+           .kind = named(table_, row, "kind", kind_[row],
+                         {TestKind::kSweep, TestKind::kConstantResponse, TestKind::kRingDown,
+                          TestKind::kModalLevels, TestKind::kLoops})});
     }
     const bool same_curve =
         same_test && part_[row] == part_[row - 1] && quantity_[row] == quantity_[row - 1];

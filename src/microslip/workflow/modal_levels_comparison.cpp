@@ -159,7 +159,7 @@ ComparedTest compare_mode(const std::string& source, const ModeQuestion& questio
                           const std::optional<StructureDraws>& spread,
                           const std::optional<TestDraws>& draws) {
   const HarmonicBalance balance = balance_of(model, options, question);
-  ComparedTest test{.source = source, .kind = TestKind::kRingDown, .curves = question.curves()};
+  ComparedTest test{.source = source, .kind = TestKind::kModalLevels, .curves = question.curves()};
   std::string failure;
   const std::vector<SteadyVibration> nominal =
       question.solve(balance, question.displacement(), failure);

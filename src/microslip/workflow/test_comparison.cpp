@@ -155,10 +155,16 @@ std::string_view to_string(TestKind kind) {
       return "constant-response";
     case TestKind::kRingDown:
       return "ringdown";
+    case TestKind::kModalLevels:
+      return "modal-levels";
     case TestKind::kLoops:
       break;
   }
   return "loops";
+}
+
+bool is_of_sweeps(TestKind kind) {
+  return kind == TestKind::kSweep || kind == TestKind::kConstantResponse;
 }
 
 std::string_view to_string(TestPart part) {

@@ -29,8 +29,9 @@ namespace microslip {
 enum class TestKind {
   kSweep,             ///< frequency and force of each step; the response is predicted
   kConstantResponse,  ///< frequency and response of each step; the force is predicted
-  kRingDown,          ///< the amplitude of a mode; its frequency and losses are predicted
-  kLoops,             ///< the path of a joint; its force, and the losses of its cycles
+  kRingDown,     ///< the amplitude of a mode in a decay; its frequency and losses are predicted
+  kModalLevels,  ///< the same of levels in a table, which do not tell what drove them
+  kLoops,        ///< the path of a joint; its force, and the losses of its cycles
 };
 
 /// Where on a test values are.
@@ -42,8 +43,10 @@ enum class TestPart {
 
 #pragma GCC diagnostic pop
 
-/// "sweep", "constant-response", "ringdown", "loops".
+/// "sweep", "constant-response", "ringdown", "modal-levels", "loops".
 [[nodiscard]] std::string_view to_string(TestKind kind);
+/// Whether it goes through frequencies step by step.
+[[nodiscard]] bool is_of_sweeps(TestKind kind);
 /// "curve", "peak", "record".
 [[nodiscard]] std::string_view to_string(TestPart part);
 

@@ -64,31 +64,10 @@ bool has_loops(const std::vector<Recording>& recordings) {
   });
 }
 
-bool is_of_sweeps(TestKind kind) {
-  return kind == TestKind::kSweep || kind == TestKind::kConstantResponse;
-}
-
 [[noreturn]] void throw_other_kind(const std::string& path, TestKind kind, const char* found) {
   throw InputError("`kind`", in_quotes(to_string(kind)),
                    fmt::format("must be what {} is: {}", path, found),
                    "Leave it out, or name the tests of another kind in another call.");
-}
-
-/// Without what single joints lose, which is not compared.
-void append_level(const ModalLevels& all, std::size_t i, ModalLevels& kept) {
-  const auto one = [i](const std::vector<double>& values) {
-    return std::vector<double>{ModalLevels::value(values, i)};
-  };
-  append({.mode = {all.mode[i]},
-          .displacement = one(all.displacement),
-          .displacement_std = one(all.displacement_std),
-          .frequency = one(all.frequency),
-          .frequency_std = one(all.frequency_std),
-          .dissipation = one(all.dissipation),
-          .dissipation_std = one(all.dissipation_std),
-          .damping_ratio = one(all.damping_ratio),
-          .damping_ratio_std = one(all.damping_ratio_std)},
-         kept);
 }
 
 ModalLevels levels_of_table(const std::string& path, const ModelFile& model,
@@ -97,14 +76,7 @@ ModalLevels levels_of_table(const std::string& path, const ModelFile& model,
   for (const StructuralJoint& joint : model.structure.joints()) joints.push_back(joint.name);
   const ModalLevels all = parse_modal_levels(read_file(path), input_name(path), joints,
                                              model.structure.linear().vibrations());
-  if (options.modes.empty()) return all;
-  ModalLevels kept;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (std::ranges::count(options.modes, all.mode[i] + 1) > 0) append_level(all, i, kept);
-  }
-  if (kept.size() > 0) return kept;
-  throw InputError("`mode`", fmt::format("{}", fmt::join(options.modes, ", ")),
-                   fmt::format("must be one of those of {}", path));
+  return some_levels(all, levels_of_modes(all, options.modes, path));
 }
 
 void read_decay(const ModelFile& model, const std::string& model_path, const TestReading& options,
@@ -147,6 +119,18 @@ void require_model(const ModelFile* model, const std::string& path, const std::s
 }
 
 }  // namespace
+
+std::vector<std::size_t> levels_of_modes(const ModalLevels& levels,
+                                         const std::vector<std::size_t>& modes,
+                                         const std::string& path) {
+  std::vector<std::size_t> some;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    if (modes.empty() || std::ranges::count(modes, levels.mode[i] + 1) > 0) some.push_back(i);
+  }
+  if (!some.empty() || levels.size() == 0) return some;
+  throw InputError("`mode`", fmt::format("{}", fmt::join(modes, ", ")),
+                   fmt::format("must be one of those of {}", path));
+}
 
 ReadTest read_test(const std::string& path, const ModelFile* model, const std::string& model_path,
                    const TestReading& options) {
@@ -243,8 +227,13 @@ std::vector<ComparedTest> compare_test(const ReadTest& test, const ModelFile& mo
     return compare_each(*sweeps, test.kind, model, balance, spread, draws);
   }
   if (const auto* levels = std::get_if<ModalLevels>(&test.content)) {
-    return compare_modal_levels(input_name(test.path), *levels, model, balance, spread, draws,
-                                test.is_recording ? Forcing::kModal : forcing);
+    std::vector<ComparedTest> tests =
+        compare_modal_levels(input_name(test.path), *levels, model, balance, spread, draws,
+                             test.is_recording ? Forcing::kModal : forcing);
+    if (test.is_recording || test.kind == TestKind::kRingDown) {
+      for (ComparedTest& one : tests) one.kind = TestKind::kRingDown;
+    }
+    return tests;
   }
   return compare_records(std::get<std::vector<NamedForceRecord>>(test.content), model,
                          joint_of_records(model, joint), spread, draws);

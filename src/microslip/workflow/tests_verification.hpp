@@ -30,11 +30,11 @@ namespace microslip {
 /// How files of tests are read.
 struct TestReading {
   /// Nothing: by what a file holds. A stepped-sine table is a sweep, or of constant response, by
-  /// kind_of(); a table of modal levels, or a recording without a displacement beside a force, a
-  /// ring-down; a recording with both, loops.
+  /// kind_of(); a recording without a displacement beside a force is a ring-down, one with both
+  /// loops. Of a table of modal levels kRingDown says that they are those of a decay.
   std::optional<TestKind> kind = {};
   std::vector<std::string> sensors = {};  ///< of recordings of ring-downs: see ModalDecayReduction
-  std::vector<std::size_t> modes = {};    ///< of ring-downs, from 1; empty: all that there are
+  std::vector<std::size_t> modes = {};    ///< of those, from 1; empty: all that there are
   RingDownOptions decay = {};             ///< of recordings of ring-downs
   JointChannels channels = {};            ///< of loops
   RecordingReadOptions reading = {};      ///< of recordings
@@ -47,10 +47,17 @@ struct ReadTest {
   /// Sweeps, with the kind that is asked for; levels of modes; records of a joint.
   std::variant<std::vector<SteppedSine>, ModalLevels, std::vector<NamedForceRecord>> content;
   bool is_recording = false;           ///< over time, rather than a table
-  std::optional<TestKind> kind = {};   ///< of sweeps, where it was asked for
+  std::optional<TestKind> kind = {};   ///< where it was asked for
   std::vector<Warning> warnings = {};  ///< of the readers and of the analysis of a ring-down
   bool converged = true;               ///< of a ring-down, to the end of the record or to the noise
 };
+
+/// The numbers, from 0, of the levels of some modes.
+/// @param modes  from 1; empty: all. @param path  of the levels, for the message.
+/// @throws InputError  naming `mode`, where there are levels and none is of these modes.
+[[nodiscard]] std::vector<std::size_t> levels_of_modes(const ModalLevels& levels,
+                                                       const std::vector<std::size_t>& modes,
+                                                       const std::string& path);
 
 /// @param path     of a recording, `FILE:VARIABLE`, or a table.
 /// @param model    that it is a test of; null for a joint by itself, which has loops alone.
@@ -68,7 +75,8 @@ struct ReadTest {
 /// @param spread   of the model; nothing without draws.
 /// @param draws    which of them; nothing without.
 /// @param joint    of the model, that loops are of; empty: the only one.
-/// @param forcing  what drove levels of modes that are no recording.
+/// @param forcing  what drove levels of modes that are no recording; their kind is kRingDown where
+///                 that was asked for, else kModalLevels.
 /// @throws InputError  as compare_sweep(), compare_modal_levels(), compare_loops(); for a joint
 ///     that the model does not have.
 /// @throws Cancelled   as the progress of the draws says.
