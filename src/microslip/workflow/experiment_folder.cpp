@@ -39,6 +39,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostPredictions = 8;
+constexpr const char* kIdentifiedFrom = "identified from";
 
 /// Comments of a table that a program wrote begin with its name and version.
 std::string made_by(std::string_view text) {
@@ -222,7 +223,7 @@ class FolderReader {
     }
     for (const auto& [name, value] : provenance.options) note_option(name, value);
     for (const InputHash& hash : provenance.inputs) {
-      results_.provenance.emplace_back("identified from",
+      results_.provenance.emplace_back(kIdentifiedFrom,
                                        fmt::format("{} (SHA-256 {})", hash.file, hash.sha256));
     }
   }
@@ -385,6 +386,21 @@ class FolderReader {
     read("conditions.csv", kConditionsKind, add_conditions);
     read("leave_one_out.csv", kLeftOutKind, add_left_out);
     results_.campaign = std::move(found);
+    tell_what_is_predicted_alone();
+  }
+
+  /// A campaign names all its tests among its inputs; sources begin with the file of theirs.
+  void tell_what_is_predicted_alone() {
+    for (auto& [name, value] : results_.provenance) {
+      if (name != kIdentifiedFrom) continue;
+      const std::string_view file = std::string_view(value).substr(0, value.rfind(" (SHA-256 "));
+      const auto is_of = [file](const CampaignEntry& entry) {
+        const std::string_view source = entry.source;
+        return entry.use == "predict" && source.starts_with(file) &&
+               (source.size() == file.size() || source[file.size()] == ':');
+      };
+      if (std::ranges::any_of(results_.campaign->entries, is_of)) name = "predicted alone";
+    }
   }
 
   void read_force_control() {
