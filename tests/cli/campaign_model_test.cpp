@@ -227,6 +227,45 @@ TEST(campaign_of_a_model, PredictsAModeFromTwoOthers) {
     EXPECT_TRUE(box.has("found/" + name)) << name;
   }
   EXPECT_FALSE(box.has("found/joint.json"));
+  const std::vector<std::string> kinds = table(box, "comparison.csv").text("kind");
+  EXPECT_EQ(std::ranges::count(kinds, "modal-levels"), static_cast<std::ptrdiff_t>(kinds.size()));
+  EXPECT_NE(box.get("found/sessions.csv").find("against that of the joints, std of the means"),
+            std::string::npos);
+  // What was identified from is told from what was not.
+  expect_done(box, {"report", "found", "--no-pictures", "--out", "report.html"});
+  const std::string report = box.get("report.html");
+  const std::string alone = "predicted alone";
+  const std::size_t first = report.find(alone);
+  const std::size_t second = report.find(alone, first + 1);
+  EXPECT_LT(first, report.find("monday3.csv (SHA-256"));
+  EXPECT_LT(second, report.find("friday3.csv (SHA-256"));
+  EXPECT_EQ(report.find(alone, second + 1), std::string::npos);
+}
+
+// A table of a decay in two modes, of which the second alone is asked for.
+TEST(campaign_of_a_model, TakesAModeOfATable) {
+  const Laboratory box;
+  const std::string second = box.get("monday2.csv");
+  box.put("decay.csv", box.get("monday1.csv") + second.substr(second.find('\n') + 1));
+  const std::string plan = R"(schema = "microslip.campaign/1"
+model = "model.toml"
+[identification]
+forcing = "modal"
+[[test]]
+name = "decay"
+file = "decay.csv"
+use = "both"
+kind = "ringdown"
+mode = 2
+)";
+  box.put("campaign.toml", plan);
+  expect_done(box, kCall);
+  const CsvTable levels = table(box, "modal_levels.csv");
+  EXPECT_EQ(levels.numbers("mode", kDimensionless), std::vector<double>(kLevels, 2.0));
+  EXPECT_EQ(levels.text("source").front(), "level 10");
+  EXPECT_EQ(table(box, "comparison.csv").text("kind").front(), "ringdown");
+  box.put("campaign.toml", test::replaced(plan, "mode = 2", "mode = 3"));
+  expect_refused(box, kCall, {"test 'decay': mode", "3", "one of those of decay.csv"});
 }
 
 // σ of a mean of nine frequencies is a third of their noise: five σ of a difference of two.
@@ -662,6 +701,13 @@ use = "identify"
           {"monday1", "stepped-sine", "modal_levels.csv"});
   refused("file = \"monday3.csv\"", "file = \"monday3.csv\"\nkind = \"loops\"",
           {"kind", "one joint", "verify"});
+  box.put("bare.csv", "displacement [m],frequency [Hz],dissipation [J]\n1e-5,50,1e-6\n");
+  box.put("empty.csv", "");
+  refused("file = \"monday1.csv\"", "file = \"bare.csv\"",
+          {"monday1", "bare.csv", "lacks the column 'mode [1]'"});
+  refused("file = \"monday1.csv\"", "file = \"empty.csv\"", {"monday1", "empty.csv", "is empty"});
+  refused("file = \"monday1.csv\"", "file = \"model.toml\"",
+          {"monday1", "a structure with joints"});
   refused("model = \"model.toml\"", "model = \"levels.csv\"", {"must be a model.toml"});
   refused("model = \"model.toml\"", "model = \"model.toml\"\nstructure = \"model.toml\"",
           {"model", "beside structure"});

@@ -51,6 +51,14 @@ std::vector<std::string> flags_of_modal_table(const NamedInput& input, std::size
   return table.has("flags") ? table.text("flags") : std::vector<std::string>(count);
 }
 
+/// Those of some levels.
+std::vector<std::string> some_texts(const std::vector<std::string>& all,
+                                    const std::vector<std::size_t>& which) {
+  std::vector<std::string> some;
+  for (const std::size_t i : which) some.push_back(all[i]);
+  return some;
+}
+
 /// A vector of one value a level, NaN where it was not measured.
 std::vector<double> whole(const std::vector<double>& values, std::size_t count) {
   return values.empty() ? std::vector<double>(count, std::numeric_limits<double>::quiet_NaN())
@@ -65,18 +73,24 @@ std::size_t number_of_session(const CampaignFile& campaign, const CampaignTest& 
 void append_modal_test(const CampaignFile& campaign, std::size_t number, const ModelFile& model,
                        const NamedInput& input, CampaignModalLevels& all) {
   const std::vector<std::string> joints = names_of_joints(model);
-  ModalLevels more = parse_modal_levels(input.text, input_name(input.path), joints,
-                                        model.structure.linear().vibrations());
+  const ModalLevels whole_table = parse_modal_levels(input.text, input_name(input.path), joints,
+                                                     model.structure.linear().vibrations());
+  const CampaignTest& test = campaign.tests[number];
+  const std::vector<std::size_t> asked = of_campaign_test(
+      test, [&] { return levels_of_modes(whole_table, campaign_reading(test).modes, test.file); });
+  ModalLevels more = some_levels(whole_table, asked);
   const std::size_t count = more.size();
   if (campaign.session_offsets) {
-    more.session.assign(count, number_of_session(campaign, campaign.tests[number]));
+    more.session.assign(count, number_of_session(campaign, test));
   }
   append(more, all.modal);
   CampaignLevels& levels = all.levels;
   for (const std::size_t mode : more.mode) levels.mode.push_back(mode + 1);
   levels.test.insert(levels.test.end(), count, number);
-  std::ranges::copy(sources_of_modal(input, count), std::back_inserter(levels.source));
-  std::ranges::copy(flags_of_modal_table(input, count), std::back_inserter(levels.flags));
+  std::ranges::copy(some_texts(sources_of_modal(input, whole_table.size()), asked),
+                    std::back_inserter(levels.source));
+  std::ranges::copy(some_texts(flags_of_modal_table(input, whole_table.size()), asked),
+                    std::back_inserter(levels.flags));
   levels.reversals.insert(levels.reversals.end(), count, 2.0);
   std::ranges::copy(more.displacement, std::back_inserter(levels.levels.amplitude));
   std::ranges::copy(whole(more.frequency, count), std::back_inserter(levels.levels.frequency));

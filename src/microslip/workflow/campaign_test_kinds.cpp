@@ -16,6 +16,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/assumed_units.hpp"
+#include "microslip/io/csv.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/recording_file.hpp"
@@ -94,6 +95,36 @@ void check_recording_keys(const CampaignTest& test, CampaignContent content) {
   if (!test.sensors.empty()) refuse("sensors");
   if (!test.assumed_units.empty()) refuse("assume_units");
   if (test.allow_truncated) refuse("allow_truncated");
+}
+
+/// What of a table that is given in place of levels of modes, or of a recording, is in the way;
+/// empty of what may be a recording.
+std::string why_no_recording(const CampaignTest& test) {
+  const PartOfFile part = part_of_file(test.file);
+  if (!part.variable.empty()) return {};
+  const std::string head = read_kind_head(part.file);
+  if (std::ranges::all_of(head, [](char c) { return c == ' ' || (c >= '\t' && c <= '\r'); })) {
+    return "is empty";
+  }
+  const std::string kind = file_kind(head);
+  if (kind == kPathKind) {  // by its displacement alone
+    const std::vector<std::string> columns = csv_column_names(head);
+    const bool has_mode = std::ranges::find(columns, "mode") != columns.end();
+    return has_mode ? "tells no loss" : "lacks the column 'mode [1]'";
+  }
+  const KnownKind* const known = known_kind(kind);
+  if (known == nullptr || known->is_recording) return {};
+  return fmt::format("is {}", known->words);
+}
+
+/// Before its channels are looked for.
+void check_may_be_recording(const CampaignTest& test) {
+  const std::string why = why_no_recording(test);
+  if (why.empty()) return;
+  throw InputError(title_of(test), in_quotes(test.file),
+                   fmt::format("must be levels of modes, or a recording, and {}", why),
+                   "Levels of modes have columns 'mode [1]', 'displacement [m]' and, of the loss, "
+                   "'dissipation [J]' or 'damping_ratio [1]'.");
 }
 
 void check_predictable(const CampaignTest& test, CampaignContent content) {
@@ -333,9 +364,11 @@ void check_campaign_test(const CampaignTest& test, CampaignSubject subject) {
                      "Leave it out where the file tells.");
   }
   check_recording_keys(test, content);
+  const bool of_model = subject == CampaignSubject::kModel;
+  if (of_model && content == CampaignContent::kRecording) check_may_be_recording(test);
   if (test.predicted()) check_predictable(test, content);
   if (!test.identifies()) return;
-  if (subject == CampaignSubject::kModel) {
+  if (of_model) {
     check_tells_of_modes(test, content);
   } else {
     check_identifiable(test, content);
