@@ -66,6 +66,7 @@ TEST(ModalLevelsComparison, IsTheDescribingFunctionWithOneHarmonic) {
       compare_modal_levels("levels.csv", levels(), model(), {.harmonics = 1});
   ASSERT_EQ(tests.size(), 1U);
   EXPECT_EQ(tests[0].source, "levels.csv");
+  EXPECT_EQ(tests[0].kind, TestKind::kModalLevels);
   EXPECT_TRUE(tests[0].converged());
   ASSERT_EQ(tests[0].curves.size(), 3U);
   for (const ComparedCurve& curve : tests[0].curves) {
