@@ -66,16 +66,11 @@ class SizeSums {
 
   void add(double time, std::span<const double> values) {
     const double step = begun_ ? time - time_ : 0.0;
-    double* peak = peak_.data();
-    double* before = before_.data();
-    double* square = square_.data();
-    const double* value = values.data();
-#pragma omp simd
-    for (std::size_t s = 0; s < peak_.size(); ++s) {
-      const double now = value[s] * value[s];
-      peak[s] = std::max(peak[s], std::abs(value[s]));
-      square[s] += 0.5 * step * (before[s] + now);
-      before[s] = now;
+    for (std::size_t s = 0; s < values.size(); ++s) {
+      const double now = values[s] * values[s];
+      peak_[s] = std::max(peak_[s], std::abs(values[s]));
+      square_[s] += 0.5 * step * (before_[s] + now);
+      before_[s] = now;
     }
     length_ += step;
     time_ = time;

@@ -46,14 +46,14 @@ struct ModalOffsets {
 /// with Ω² the eigenvalues of diag(ω_i²) − Σ k_s ψψᵀ + Σ κ ψψᵀ, κ the stiffness of each joint with
 /// what lies in series, and q_m their vectors of length 1: Rayleigh's quotient. By Newton's method,
 /// S⁺ the pseudo-inverse: ε = ε⁰ + S⁺(δ − Sε⁰) to first order.
-/// @param told    no vibration twice.
-/// @param others  ε⁰ of each mode, 1.
+/// @param structure  with the joints found. @param told  no vibration twice.
+/// @param others     ε⁰ of each mode, 1.
 /// @throws InputError  where no ε moves them so, or the structure has none without its joints.
 [[nodiscard]] ModalOffsets modal_offsets(const JointedStructure& structure,
                                          std::span<const StructureOffset> told, double others);
 
 /// The structure with each ω_i times e^ε_i.
-/// @param offset  ε, one a mode.
+/// @param structure  before. @param offset  ε, one a mode.
 /// @throws InputError  as JointedStructure.
 [[nodiscard]] JointedStructure with_modal_offsets(const JointedStructure& structure,
                                                   std::span<const double> offset);

@@ -99,7 +99,7 @@ struct TestDifference {
 /// scatter by s about the mean of their test, and by more than frequencies are read to. Levels
 /// count where the amplitudes of the test and of the others overlap, two of each at least: beyond,
 /// it may be the joint that is off.
-/// @param effects  of the levels.
+/// @param campaign  of the levels. @param levels  of its tests. @param effects  of the levels.
 [[nodiscard]] std::vector<TestDifference> differing_tests(const CampaignFile& campaign,
                                                           const CampaignLevels& levels,
                                                           const SessionEffects& effects);

@@ -53,7 +53,8 @@ struct ReadTest {
 };
 
 /// The numbers, from 0, of the levels of some modes.
-/// @param modes  from 1; empty: all. @param path  of the levels, for the message.
+/// @param levels  of any modes. @param modes  from 1; empty: all.
+/// @param path    of the levels, for the message.
 /// @throws InputError  naming `mode`, where there are levels and none is of these modes.
 [[nodiscard]] std::vector<std::size_t> levels_of_modes(const ModalLevels& levels,
                                                        const std::vector<std::size_t>& modes,
