@@ -113,7 +113,7 @@ struct CampaignTest {
 struct CampaignFile {
   std::string title = {};                           ///< may be empty
   CampaignSubject subject = CampaignSubject::kRig;  ///< what `structure` is
-  std::string structure;              ///< path of rig.toml or model.toml, to be opened
+  std::string structure = {};         ///< path of rig.toml or model.toml, to be opened
   double stiffness = 0.0;             ///< k of the stuck joint, N/m; > 0; of a rig
   bool linear_damping = false;        ///< whether β is fitted
   std::string smoothing = "gcv";      ///< as of set_smoothing()
@@ -132,8 +132,8 @@ struct CampaignFile {
   LeaveOut leave_out = LeaveOut::kNothing;  ///< what is left out in turn
   /// Of a predicted frequency, relative; nothing: what the frequencies miss those of the model by.
   std::optional<double> frequency_std = {};
-  double force_gain_std = 0.0;      ///< of the force of a predicted test, relative
-  std::vector<CampaignTest> tests;  ///< in the order of the file
+  double force_gain_std = 0.0;           ///< of the force of a predicted test, relative
+  std::vector<CampaignTest> tests = {};  ///< in the order of the file
 
   /// Whether it is of a model.toml.
   [[nodiscard]] bool of_model() const { return subject == CampaignSubject::kModel; }
