@@ -23,6 +23,7 @@
 #include "microslip/workflow/campaign_joints.hpp"
 #include "microslip/workflow/campaign_outliers.hpp"
 #include "microslip/workflow/campaign_plan.hpp"
+#include "microslip/workflow/campaign_statistics.hpp"
 #include "microslip/workflow/campaign_tables.hpp"
 #include "microslip/workflow/campaign_test_kinds.hpp"
 #include "microslip/workflow/comparison_table.hpp"
@@ -156,12 +157,11 @@ class CampaignWork {
   }
 
   void warn_of_sessions(DoneCampaign& all) const {
-    constexpr double kDeviations = 3.0;
-    constexpr double kLeast = 1e-4;  // that a resonance is read to
     for (const SessionEffect& session : all.sessions.sessions) {
       if (plan_.session_offsets) break;
       const double apart = std::abs(session.frequency_difference);
-      if (!(apart > kLeast && apart > kDeviations * session.frequency_difference_std)) continue;
+      if (!(apart > kLeastDifference && apart > kSignificant * session.frequency_difference_std))
+        continue;
       all.warnings.push_back(
           {"sessions_differ",
            fmt::format("the frequencies of session {}{} are {:+.2g} % off those of session {}: "

@@ -9,48 +9,26 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <string_view>
 #include <tuple>
 #include <utility>
 
 #include "microslip/io/text.hpp"
+#include "microslip/workflow/campaign_statistics.hpp"
 
 namespace microslip {
 namespace {
 
-constexpr double kSignificant = 3.0;       // standard deviations
-constexpr double kLeastDifference = 1e-4;  // that a resonance is read to
-
 using Residuals = std::vector<double>;
-
-double mean_over(const Residuals& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
 
 /// The residuals of the tests of a group, a list a test.
 using TestsOfGroup = std::map<std::size_t, Residuals>;
 
-/// Of σ of the means of groups: s²/n of values that scatter by s within theirs.
-class PooledScatter {
- public:
-  void add(const Residuals& values) {
-    const double mean = mean_over(values);
-    if (values.empty()) return;
-    for (const double value : values) squares_ += (value - mean) * (value - mean);
-    freedom_ += values.size() - 1;
-  }
-
-  /// NaN where no group has two values.
-  [[nodiscard]] double sigma_of_mean(std::size_t count) const {
-    return std::sqrt(squares_ / static_cast<double>(freedom_) / static_cast<double>(count));
-  }
-
- private:
-  double squares_ = 0.0;
-  std::size_t freedom_ = 0;
-};
+/// Of so many values.
+double sigma_of_mean(const PooledScatter& scatter, std::size_t count) {
+  return std::sqrt(scatter.variance() / static_cast<double>(count));
+}
 
 Residuals all_of(const TestsOfGroup& group) {
   Residuals all;
@@ -60,7 +38,7 @@ Residuals all_of(const TestsOfGroup& group) {
 
 Residuals means_of(const TestsOfGroup& group) {
   Residuals means;
-  for (const auto& [test, values] : group) means.push_back(mean_over(values));
+  for (const auto& [test, values] : group) means.push_back(mean_of(values));
   return means;
 }
 
@@ -68,7 +46,7 @@ Residuals means_of(const TestsOfGroup& group) {
 /// @param exponents  of the levels of each.
 double gain_of_mean(const CampaignFile& campaign, const TestsOfGroup& exponents) {
   return std::hypot(campaign.dissipation_gain_std,
-                    campaign.amplitude_gain_std * mean_over(all_of(exponents))) /
+                    campaign.amplitude_gain_std * mean_of(all_of(exponents))) /
          std::sqrt(static_cast<double>(exponents.size()));
 }
 
@@ -86,10 +64,9 @@ std::vector<ConditionMean> means_with_sigma(const std::vector<TestsOfGroup>& gro
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const Residuals levels = all_of(groups[i]);
     const double known =
-        std::hypot(of_levels.sigma_of_mean(levels.size()), gains.empty() ? 0.0 : gains[i]);
+        std::hypot(sigma_of_mean(of_levels, levels.size()), gains.empty() ? 0.0 : gains[i]);
     // std::fmax takes the one that is known.
-    means.push_back(
-        {mean_over(levels), std::fmax(known, of_tests.sigma_of_mean(groups[i].size()))});
+    means.push_back({mean_of(levels), std::fmax(known, sigma_of_mean(of_tests, groups[i].size()))});
   }
   return means;
 }
@@ -217,10 +194,10 @@ Residuals centred_by_mode(const CampaignFile& campaign, const CampaignLevels& le
     const Residuals own = of_mode(levels, mode, residuals);
     Residuals means;
     for (const TestsOfGroup& group : by_value(campaign, levels, effect, own)) {
-      means.push_back(mean_over(all_of(group)));
+      means.push_back(mean_of(all_of(group)));
     }
     for (std::size_t i = 0; i < levels.size(); ++i) {
-      if (levels.mode_of(i) == mode) centred[i] = own[i] - mean_over(means);
+      if (levels.mode_of(i) == mode) centred[i] = own[i] - mean_of(means);
     }
   }
   return centred;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <numeric>
 #include <set>
 #include <string>
 #include <string_view>
@@ -14,29 +13,10 @@
 #include "microslip/base/error.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
+#include "microslip/workflow/campaign_statistics.hpp"
 
 namespace microslip {
 namespace {
-
-constexpr double kSignificantDifference = 3.0;      // standard deviations
-constexpr double kLeastFrequencyDifference = 1e-4;  // that a resonance is read to
-
-double mean_of(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-double rms_of(const std::vector<double>& values) {
-  const double squares = std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
-  return std::sqrt(squares / static_cast<double>(values.size()));
-}
-
-/// Σ(v − v̄)².
-double squares_of(const std::vector<double>& values) {
-  const double mean = mean_of(values);
-  double sum = 0.0;
-  for (const double value : values) sum += (value - mean) * (value - mean);
-  return sum;
-}
 
 /// Values of the levels of each session and mode that are known, in the order of the effects.
 std::vector<std::vector<double>> by_session(const SessionEffects& effects,
@@ -86,27 +66,21 @@ void add_repeatability(const CampaignFile& campaign, const CampaignLevels& level
     cells[{campaign.tests[levels.test[i]].session, levels.mode_of(i)}][levels.test[i]].push_back(
         residuals[i]);
   }
-  double within = 0.0;
-  std::size_t freedom = 0;
+  PooledScatter within;
   for (const auto& [cell, tests] : cells) {
     std::vector<double> means;
     for (const auto& [test, values] : tests) means.push_back(mean_of(values));
-    within += squares_of(means);
-    freedom += means.size() - 1;
+    within.add(means);
   }
-  if (freedom > 0) effects.within_sessions = std::sqrt(within / static_cast<double>(freedom));
+  if (within.known()) effects.within_sessions = std::sqrt(within.variance());
   std::map<std::size_t, std::vector<double>> of_modes;
   for (const SessionEffect& session : effects.sessions) {
     if (!std::isfinite(session.dissipation_offset)) continue;
     of_modes[session.mode].push_back(session.dissipation_offset);
   }
-  double between = 0.0;
-  freedom = 0;
-  for (const auto& [mode, offsets] : of_modes) {
-    between += squares_of(offsets);
-    freedom += offsets.size() - 1;
-  }
-  if (freedom > 0) effects.between_sessions = std::sqrt(between / static_cast<double>(freedom));
+  PooledScatter between;
+  for (const auto& [mode, offsets] : of_modes) between.add(offsets);
+  if (between.known()) effects.between_sessions = std::sqrt(between.variance());
 }
 
 void add_losses(const CampaignFile& campaign, const CampaignLevels& levels,
@@ -198,14 +172,8 @@ bool of_first_mode(const std::vector<double>& residuals) {
 
 /// Means of y against that of the first session of each mode.
 void add_differences(const std::vector<std::vector<double>>& sorted, SessionEffects& effects) {
-  double squares = 0.0;
-  std::size_t freedom = 0;
-  for (const std::vector<double>& values : sorted) {
-    if (values.empty()) continue;
-    squares += squares_of(values);
-    freedom += values.size() - 1;
-  }
-  const double variance = squares / static_cast<double>(freedom);
+  PooledScatter scatter;
+  for (const std::vector<double>& values : sorted) scatter.add(values);
   for (std::size_t s = 0; s < sorted.size(); ++s) {
     SessionEffect& session = effects.sessions[s];
     const std::vector<double>& first = sorted[first_of(effects, s)];
@@ -214,10 +182,10 @@ void add_differences(const std::vector<std::vector<double>>& sorted, SessionEffe
     session.frequency_difference = mean_of(sorted[s]) - mean_of(first);
     if (s == first_of(effects, s)) {
       session.frequency_difference_std = sorted[s].empty() ? session.frequency_difference : 0.0;
-    } else if (freedom > 0) {
+    } else if (scatter.known()) {
       session.frequency_difference_std =
-          std::sqrt(variance * (1.0 / static_cast<double>(sorted[s].size()) +
-                                1.0 / static_cast<double>(first.size())));
+          std::sqrt(scatter.variance() * (1.0 / static_cast<double>(sorted[s].size()) +
+                                          1.0 / static_cast<double>(first.size())));
     }
   }
 }
@@ -355,12 +323,14 @@ std::vector<TestDifference> differing_tests(const CampaignFile& campaign,
       if (sets.own.size() < 2 || sets.others.size() < 2) continue;
       const auto n = static_cast<double>(sets.own.size());
       const auto m = static_cast<double>(sets.others.size());
-      const double variance = (squares_of(sets.own) + squares_of(sets.others)) / (n + m - 2.0);
+      PooledScatter scatter;
+      scatter.add(sets.own);
+      scatter.add(sets.others);
       const TestDifference one{.test = test,
                                .mode = key.second,
                                .difference = mean_of(sets.own) - mean_of(sets.others),
-                               .sigma = std::sqrt(variance * (1.0 / n + 1.0 / m))};
-      const double least = std::max(kSignificantDifference * one.sigma, kLeastFrequencyDifference);
+                               .sigma = std::sqrt(scatter.variance() * (1.0 / n + 1.0 / m))};
+      const double least = std::max(kSignificant * one.sigma, kLeastDifference);
       if (std::abs(one.difference) > least) all.push_back(one);
     }
   }
