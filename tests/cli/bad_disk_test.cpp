@@ -11,6 +11,7 @@
 
 #include "cli/run_program.hpp"
 #include "cli/writings.hpp"
+#include "support/built_file.hpp"
 
 /// Every format that is written, where it cannot be written whole: status 1, one message, nothing
 /// at the final name and nothing beside it. A limit of the size of files stands for a full disk,
@@ -75,7 +76,7 @@ bool failed(const Sandbox& box, const Arguments& call, const std::string& what, 
   SCOPED_TRACE(what + " " + std::to_string(number));
   const Sandbox outside;
   const std::vector<std::string> environment{
-      "LD_PRELOAD=" MICROSLIP_FAILING_CALLS,
+      "LD_PRELOAD=" + test::built_file("MICROSLIP_FAILING_CALLS", MICROSLIP_FAILING_CALLS),
       "ASAN_OPTIONS=verify_asan_link_order=0",
       "MICROSLIP_FAILING_FOLDER=" + fs::canonical(box.path()).string(),
       "MICROSLIP_FAILING_CALL=" + what,

@@ -399,7 +399,7 @@ std::string both_modes(std::size_t session, double gain) {
 // 5 % more loss in the one, ten times the noise: what all together scatter by would hold it.
 // Frequencies tell the joints, too, so that even of two tests the one that is wrong is known.
 TEST(campaign_of_a_model, NamesAWrongTestAmongFew) {
-  MICROSLIP_OF_RELEASE_ALONE();
+  MICROSLIP_STUDY();
   const Sandbox box{{"model.toml", unknown_model()}};
   std::string plan = R"(schema = "microslip.campaign/1"
 model = "model.toml"
@@ -447,7 +447,7 @@ TEST(campaign_of_a_model, NamesNoneThatAgree) {
 // negative at some of the lowest levels; means are not off by them. Five standard deviations of
 // nine ratios.
 TEST(campaign_of_a_model, JudgesDampingRatiosByTheirScatter) {
-  MICROSLIP_OF_RELEASE_ALONE();
+  MICROSLIP_STUDY();
   const Laboratory box;
   for (std::size_t session = 0; session < 2; ++session) {
     for (std::size_t mode = 0; mode < kModes; ++mode) {
@@ -469,7 +469,7 @@ TEST(campaign_of_a_model, JudgesDampingRatiosByTheirScatter) {
 // Losses scatter by 0.5 % and say 0.2 %: calibrate tells so, and what is left out and what is
 // predicted is held against what they scatter by.
 TEST(campaign_of_a_model, TakesDeviationsForNoLessThanTheScatter) {
-  MICROSLIP_OF_RELEASE_ALONE();
+  MICROSLIP_STUDY();
   const Laboratory box;
   for (std::size_t session = 0; session < 2; ++session) {
     for (std::size_t mode = 0; mode < kModes; ++mode) {

@@ -17,6 +17,7 @@
 #include "microslip/io/levels_file.hpp"
 #include "microslip/io/recording_file.hpp"
 #include "microslip/io/rig_file.hpp"
+#include "support/built_file.hpp"
 #include "support/effort.hpp"
 
 namespace microslip::cli_test::demo_test {
@@ -138,7 +139,7 @@ double told(const std::string& summary, const std::string& name) {
 }
 
 /// Where one run of the demonstration, the fixture of this suite, has left its folder and summary.
-const std::string kRun = MICROSLIP_DEMO_RUN;
+const std::string kRun = test::built_file("MICROSLIP_DEMO_RUN", MICROSLIP_DEMO_RUN);
 
 TEST(demo, RunsTheWholeChain) {
   const std::string summary = test::get(kRun + "/summary.txt");

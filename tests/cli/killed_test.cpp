@@ -22,6 +22,7 @@
 #include "cli/writings.hpp"
 #include "io/support.hpp"
 #include "microslip/base/random.hpp"
+#include "support/built_file.hpp"
 #include "support/effort.hpp"
 #include "support/figures.hpp"
 #include "support/thinned_table.hpp"
@@ -38,7 +39,7 @@ using Contents = std::map<std::string, std::string>;
 
 /// Under the sanitizers every fifth short call is killed: each is run whole by other tests, and
 /// what a kill leaves is the same.
-constexpr std::size_t kStride = test::kSanitized ? 5 : 1;
+const std::size_t kStride = test::kSanitized ? 5 : 1;
 
 /// Random kills: one of each short call, or as many as MICROSLIP_KILLS says.
 int kills(std::size_t calls) {
@@ -266,7 +267,7 @@ TEST(Killed, AtRandomMoments) {
 bool killed_before(const Killed& one, const std::string& what, int number) {
   const Sandbox outside;
   const std::vector<std::string> environment{
-      "LD_PRELOAD=" MICROSLIP_FAILING_CALLS,
+      "LD_PRELOAD=" + test::built_file("MICROSLIP_FAILING_CALLS", MICROSLIP_FAILING_CALLS),
       "ASAN_OPTIONS=verify_asan_link_order=0",
       "MICROSLIP_FAILING_FOLDER=" + fs::canonical(one.box().path()).string(),
       "MICROSLIP_FAILING_CALL=" + what,

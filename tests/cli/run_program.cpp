@@ -15,12 +15,14 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "support/built_file.hpp"
+
 namespace microslip::cli_test {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kProgram = MICROSLIP_PROGRAM;
+const std::string kProgram = test::built_file("MICROSLIP_PROGRAM", MICROSLIP_PROGRAM);
 constexpr int kCannotRun = 127;
 constexpr unsigned kNobody = 65534;
 
@@ -66,10 +68,10 @@ bool drop_rights() {
   if (how.ignored_signal) ::signal(*how.ignored_signal, SIG_IGN);
   if (::chdir(folder.c_str()) != 0) ::_exit(kCannotRun);
   if (how.unprivileged && !drop_rights()) ::_exit(kCannotRun);
-  std::vector<char*> words{const_cast<char*>(kProgram)};
+  std::vector<char*> words{const_cast<char*>(kProgram.c_str())};
   for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
-  ::execv(kProgram, words.data());
+  ::execv(kProgram.c_str(), words.data());
   ::_exit(kCannotRun);
 }
 

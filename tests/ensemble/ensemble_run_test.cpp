@@ -142,7 +142,7 @@ TEST(Ensemble, GoesOnAfterAStop) {
   const Campaign campaign;
   const std::string whole = campaign.whole();
   RandomStream random(1, 0);
-  constexpr int kStops = test::kSanitized ? 2 : 8;
+  const int kStops = test::kSanitized ? 2 : 8;
   for (int stop = 0; stop < kStops; ++stop) {
     EnsembleRun asked = campaign.asked();
     const auto most = static_cast<std::size_t>(1.0 + 118.0 * random.uniform());

@@ -64,38 +64,36 @@ double standard_deviation(const std::vector<double>& values) {
 // noise, 20 data sets a density (one data set's coverage is 0 or 1 along a good part of the range,
 // so fewer would scatter by more than two points), 250 draws each.
 double mean_coverage(const std::vector<testing::NamedJoint>& truths, double least) {
-  constexpr std::uint64_t kSets = 20;
+  const std::uint64_t sets = test::draws_of(20);
   double mean = 0.0;
   for (const auto& [name, truth] : truths) {
     double covered = 0.0;
-    for (std::uint64_t draw = 0; draw < kSets; ++draw) {
+    for (std::uint64_t draw = 0; draw < sets; ++draw) {
       const InversionResult result = invert(testing::noisy_levels(truth, draw), kStiffness);
       const DensityBands bands = density_bands(result, band_options(250, draw));
-      covered += coverage(result, bands, truth) / static_cast<double>(kSets);
+      covered += coverage(result, bands, truth) / static_cast<double>(sets);
     }
-    EXPECT_GE(covered, least) << name;
+    EXPECT_GE(covered, test::least_of(least)) << name;
     mean += covered / static_cast<double>(truths.size());
-    test::record_largest(name + " [1]", covered);
+    test::record_largest_of_draws(name + " [1]", covered);
     std::cout << "  coverage, " << name << ": " << covered << '\n';
   }
   return mean;
 }
 
 TEST(Bands, CoverTheTruth) {
-  MICROSLIP_OF_RELEASE_ALONE();
   const double mean = mean_coverage(testing::all_truths(), 0.88);
-  EXPECT_GE(mean, 0.93);
-  EXPECT_LE(mean, 0.985);
-  test::record_largest("mean [1]", mean);
+  EXPECT_GE(mean, test::least_of(0.93));
+  EXPECT_LE(mean, test::bound_of(0.985));
+  test::record_largest_of_draws("mean [1]", mean);
 }
 
 // The least are those of the ramp, which ends at once, and of narrow peaks: densities that are
 // smooth nearly everywhere are wrong there, and the band knows of it in part.
 TEST(Bands, CoverDensitiesThatNothingWasChosenOn) {
-  MICROSLIP_OF_RELEASE_ALONE();
   const double mean = mean_coverage(testing::unseen_truths(), 0.85);
-  EXPECT_GE(mean, 0.90);
-  test::record_largest("mean [1]", mean);
+  EXPECT_GE(mean, test::least_of(0.90));
+  test::record_largest_of_draws("mean [1]", mean);
 }
 
 // Draw i is a function of (seed, i) alone: the number of threads cannot change a bit. 300 are of
@@ -268,7 +266,7 @@ Levels with_loss_factor_error(Levels levels, double delta) {
 // with loss_factor_std, and wider than without. D is given to 0.5 %, so noise adds little. 200
 // draws know a quartile width to 7 %, and the samples are smoothed less than the solutions: 30 %.
 TEST(Bands, LossFactorErrorsWidenThem) {
-  MICROSLIP_OF_RELEASE_ALONE();
+  MICROSLIP_STUDY();
   constexpr int kLaboratories = 200;
   constexpr double kStd = 0.02;
   Levels levels = levels_with_linear_loss(testing::reference_joint());
@@ -311,7 +309,7 @@ TEST(Bands, LossFactorErrorsWidenThem) {
 // The true density is in the band of a test whose loss factor is wrong, 3 % or so, where the error
 // is told; without, it is not.
 TEST(Bands, CoverTheTruthWithAWrongLossFactor) {
-  MICROSLIP_OF_RELEASE_ALONE();
+  MICROSLIP_STUDY();
   constexpr std::uint64_t kSets = 40;
   constexpr double kStd = 0.03;
   const Joint truth = testing::reference_joint();

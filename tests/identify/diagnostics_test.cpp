@@ -119,11 +119,10 @@ TEST(Diagnostics, OfStiffnessThatContradictsDissipation) {
 // size told or not, secant stiffness or not. One false alarm in 100 is allowed of the three that
 // accuse the data.
 TEST(Diagnostics, NoFalseAlarms) {
-  MICROSLIP_OF_RELEASE_ALONE();
-  constexpr std::uint64_t kSets = 200;
+  const std::uint64_t sets = test::draws_of(200, 20);
   const std::vector<testing::NamedJoint> truths = testing::all_truths();
   std::map<std::string, int> alarms;
-  for (std::uint64_t i = 0; i < kSets; ++i) {
+  for (std::uint64_t i = 0; i < sets; ++i) {
     RandomStream random(99, i);
     const Joint& truth = truths[i % truths.size()].joint;
     const auto count = static_cast<std::size_t>(20.0 + 180.0 * random.uniform());
@@ -140,9 +139,9 @@ TEST(Diagnostics, NoFalseAlarms) {
     for (const Warning& warning : warnings_of(levels)) ++alarms[warning.code];
   }
   for (const char* code : {"density_negative", "data_not_convex", "stiffness_inconsistent"}) {
-    EXPECT_LE(alarms[code], static_cast<int>(kSets / 100)) << code;
+    EXPECT_LE(alarms[code], static_cast<int>(sets / 100)) << code;
     test::record_largest("false alarms [1]", alarms[code]);
-    std::cout << "  false alarms of " << kSets << ", " << code << ": " << alarms[code] << '\n';
+    std::cout << "  false alarms of " << sets << ", " << code << ": " << alarms[code] << '\n';
   }
   EXPECT_EQ(alarms["scatter_large"], 0);
   EXPECT_EQ(alarms["scatter_small"], 0);
@@ -164,7 +163,7 @@ TEST(Diagnostics, NoFalseAlarmsOnExactOrEdgedData) {
       testing::joint_of({AtomsPart{{25}, {0.3}}, UniformPart{0, 40, 0.5}})};
   for (const Joint& truth : edged) {
     int alarms = 0;
-    for (std::uint64_t draw = 0; draw < kDraws; ++draw) {
+    for (std::uint64_t draw = 0; draw < test::draws_of(kDraws, 2); ++draw) {
       const auto warnings = warnings_of(testing::noisy_levels(truth, draw));
       alarms += has(warnings, "density_negative") ? 1 : 0;
     }
@@ -222,11 +221,12 @@ TEST(Diagnostics, DensityNegativeUnderVaryingNormalLoad) {
 // times the true density there. 1 % of noise hides it at worst in half of the draws; always where
 // the second population, which begins to rise there, bends D up again.
 TEST(Diagnostics, DensityNegativeWhereDIsDented) {
+  const std::uint64_t draws = test::draws_of(kDraws, 4);
   for (const auto& [name, truth] : testing::all_truths()) {
     if (name == "two_gaussians" || name == "cut_power_law_and_bump") continue;
     int found = 0;
     double at = 0.0;
-    for (std::uint64_t draw = 0; draw < kDraws; ++draw) {
+    for (std::uint64_t draw = 0; draw < draws; ++draw) {
       Levels levels = testing::exact_levels(truth);
       for (std::size_t i = 0; i < levels.size(); ++i) {
         levels.dissipation[i] *= 1.0 + 0.2 * testing::bell(kStiffness * levels.amplitude[i], 28, 3);
@@ -238,8 +238,8 @@ TEST(Diagnostics, DensityNegativeWhereDIsDented) {
       at = result.lowest_at;
       EXPECT_NEAR(at, 29.0, 3.0) << name;
     }
-    EXPECT_GE(found, kDraws / 2) << name;
-    std::cout << "  dent in D, " << name << ": found in " << found << " of " << kDraws << '\n';
+    EXPECT_GE(found, static_cast<int>(draws) / 2) << name;
+    std::cout << "  dent in D, " << name << ": found in " << found << " of " << draws << '\n';
   }
 }
 

@@ -73,18 +73,17 @@ double covered_share(const InversionResult& result, const DensityBands& bands, c
 // errors are what was measured, and a fifth. Beside a smooth population the two edges of a faint
 // one are not found: without them the density is no worse than a smooth one.
 TEST(EdgeSearch, FindsPopulationsThatEndAtOnce) {
-  MICROSLIP_OF_RELEASE_ALONE();
   const std::vector<Edged> cases{{"box", box(), {10, 30}, 0.08},
                                  {"ramp", testing::ramp(), {38}, 0.15},
                                  {"two_boxes", two_boxes(), {5, 15, 25, 35}, 0.23},
                                  {"cut_power_law", cut_power_law(), {33}, 0.08},
                                  {"bell_and_box", bell_and_box(), {28, 40}, 0.27, 0}};
-  constexpr std::uint64_t kSets = 12;
+  const std::uint64_t sets = test::draws_of(12);
   for (const Edged& known : cases) {
     std::vector<double> errors;
     std::vector<double> smooth;
     int right = 0;
-    for (std::uint64_t draw = 0; draw < kSets; ++draw) {
+    for (std::uint64_t draw = 0; draw < sets; ++draw) {
       const InversionResult result = inverted(known.truth, draw);
       errors.push_back(testing::density_error(result.slip_force, result.density, known.truth));
       const InversionResult without = inverted(known.truth, draw, false);
@@ -96,14 +95,15 @@ TEST(EdgeSearch, FindsPopulationsThatEndAtOnce) {
       }
       right += all ? 1 : 0;
     }
-    EXPECT_GE(right, known.least) << known.name;
-    test::record_smallest("sets with all edges [1]", static_cast<double>(right) / kSets);
+    EXPECT_GE(right, test::in_studies() ? known.least : 0) << known.name;
+    test::record_smallest_of_draws("sets with all edges [1]",
+                                   static_cast<double>(right) / static_cast<double>(sets));
     const double error = testing::median(errors);
-    EXPECT_LE(error, known.error) << known.name;
-    test::record_largest(known.name + " [1]", error);
-    test::record_largest(known.name + " without edges [1]", testing::median(smooth));
+    EXPECT_LE(error, test::bound_of(known.error)) << known.name;
+    test::record_largest_of_draws(known.name + " [1]", error);
+    test::record_largest_of_draws(known.name + " without edges [1]", testing::median(smooth));
     std::cout << "  median error, " << known.name << ": " << error << ", without edges "
-              << testing::median(smooth) << ", all edges in " << right << " of " << kSets << '\n';
+              << testing::median(smooth) << ", all edges in " << right << " of " << sets << '\n';
   }
 }
 
@@ -117,7 +117,7 @@ TEST(EdgeSearch, FindsNoneInDensitiesWithoutEdges) {
   int runs = 0;
   int wrong = 0;
   for (const auto& [name, truth] : truths) {
-    for (std::uint64_t draw = 100; draw < 108; ++draw) {
+    for (std::uint64_t draw = 100; draw < 100 + test::draws_of(8); ++draw) {
       const double noise = draw % 2 == 0 ? 0.01 : 0.003;
       ++runs;
       const InversionResult result = invert(testing::noisy_levels(truth, draw, noise), kStiffness);
@@ -126,7 +126,7 @@ TEST(EdgeSearch, FindsNoneInDensitiesWithoutEdges) {
                                         << (result.edges.empty() ? 0.0 : result.edges.front());
     }
   }
-  test::record_largest("false edges, share [1]", static_cast<double>(wrong) / runs);
+  test::record_largest_of_draws("false edges, share [1]", static_cast<double>(wrong) / runs);
 }
 
 // The draws have their edge where the levels leave it possible: as far apart as the place is
@@ -157,22 +157,21 @@ TEST(EdgeSearch, DrawsHaveTheirEdgesAtDifferentPlaces) {
 
 // Half of the band's width lies at the edge itself, and it covers there, too.
 TEST(EdgeSearch, BandsHoldPopulationsThatEndAtOnce) {
-  MICROSLIP_OF_RELEASE_ALONE();
   for (const testing::NamedJoint& known :
        {testing::NamedJoint{"ramp", testing::ramp()}, testing::NamedJoint{"box", box()}}) {
     double covered = 0.0;
-    constexpr std::uint64_t kSets = 12;
-    for (std::uint64_t draw = 0; draw < kSets; ++draw) {
+    const std::uint64_t sets = test::draws_of(12);
+    for (std::uint64_t draw = 0; draw < sets; ++draw) {
       const InversionResult result = inverted(known.joint, draw);
       BandOptions options;
       options.samples = 250;
       options.seed = draw;
       const DensityBands bands = density_bands(result, options);
-      covered += covered_share(result, bands, known.joint) / kSets;
+      covered += covered_share(result, bands, known.joint) / static_cast<double>(sets);
     }
     std::cout << "  coverage, " << known.name << ": " << covered << '\n';
-    EXPECT_GE(covered, 0.85) << known.name;
-    test::record_largest("coverage, " + known.name + " [1]", covered);
+    EXPECT_GE(covered, test::least_of(0.85)) << known.name;
+    test::record_largest_of_draws("coverage, " + known.name + " [1]", covered);
   }
 }
 
@@ -208,12 +207,13 @@ TEST(EdgeSearch, FindsEdgesOfLevelsOverFourDecades) {
   }
 }
 
-/// Draws of six in which an atom was found at 42 N to 2 %, where it is: the first; and elsewhere.
+/// Draws, six in a study, in which an atom was found at 42 N to 2 %, where it is: the first; and
+/// elsewhere.
 std::pair<int, int> atoms_of(const Joint& truth) {
   InversionOptions options;
   options.atom = true;
   std::pair<int, int> found{0, 0};
-  for (std::uint64_t draw = 0; draw < 6; ++draw) {
+  for (std::uint64_t draw = 0; draw < test::draws_of(6); ++draw) {
     const InversionResult result = invert(testing::noisy_levels(truth, draw), kStiffness, options);
     if (!result.atom_slip_force) continue;
     const bool right = std::abs(*result.atom_slip_force - 42.0) < 0.02 * 42.0;
@@ -238,25 +238,24 @@ TEST(EdgeSearch, TellsAtomsFromPopulationsThatEndAtOnce) {
         testing::joint_of({PiecewiseLinearPart{{0, 30}, {0, 2 * 0.6 / 30}}, atom})}) {
     const auto [right, wrong] = atoms_of(truth);
     std::cout << "  atoms found: " << right << " of 6, elsewhere " << wrong << '\n';
-    EXPECT_GE(right, 3);
+    EXPECT_GE(right, test::in_studies() ? 3 : 0);
     EXPECT_EQ(wrong, 0);
   }
   const int of_none = atoms_of(box()).second + atoms_of(testing::ramp()).second;
   EXPECT_LE(of_none, 2);
-  test::record_largest("atoms where none are, share [1]", of_none / 12.0);
+  test::record_largest_of_draws("atoms where none are, share [1]", of_none / 12.0);
 }
 
 // Sensors are wrong by 3 % of D and 2 % of A, other errors for each set, and the band says so: it
 // covers as it does without them, the edge and what lies beside it.
 TEST(EdgeSearch, BandsHoldEdgesOfSensorsThatAreWrong) {
-  MICROSLIP_OF_RELEASE_ALONE();
   const CommonErrors errors{.dissipation_gain_std = 0.03, .amplitude_gain_std = 0.02};
   for (const testing::NamedJoint& known :
        {testing::NamedJoint{"ramp", testing::ramp()}, testing::NamedJoint{"box", box()},
         testing::NamedJoint{"cut_power_law", cut_power_law()}}) {
     double covered = 0.0;
-    constexpr std::uint64_t kSets = 12;
-    for (std::uint64_t draw = 0; draw < kSets; ++draw) {
+    const std::uint64_t sets = test::draws_of(12);
+    for (std::uint64_t draw = 0; draw < sets; ++draw) {
       RandomStream random(5, draw);
       const CommonErrorDraw wrong = errors.draw(random);
       Levels levels = testing::noisy_levels(known.joint, draw);
@@ -264,10 +263,10 @@ TEST(EdgeSearch, BandsHoldEdgesOfSensorsThatAreWrong) {
       for (double& a : levels.amplitude) a /= wrong.amplitude_gain;
       const InversionResult result = invert(LevelEvidence(levels, errors), kStiffness);
       const DensityBands bands = density_bands(result, {.samples = 400, .seed = draw});
-      covered += covered_share(result, bands, known.joint) / kSets;
+      covered += covered_share(result, bands, known.joint) / static_cast<double>(sets);
     }
-    EXPECT_GE(covered, 0.85) << known.name;
-    test::record_smallest("coverage of wrong sensors [1]", covered);
+    EXPECT_GE(covered, test::least_of(0.85)) << known.name;
+    test::record_smallest_of_draws("coverage of wrong sensors [1]", covered);
   }
 }
 

@@ -156,7 +156,7 @@ struct KnownSmoothing {
 // and 0.51 %, and with the mean of the draws, the estimate that was, 0.69, 0.69 and 0.88 %. Of 20
 // records a rms is known to 1/√40 of it: 1.3 is within two of these of all, and 1.5 is beyond.
 TEST(RecordInversion, FindsKAsWellAsTheBestSmoothing) {
-  MICROSLIP_OF_RELEASE_ALONE();
+  MICROSLIP_STUDY();
   const Joint truth = record_joint();
   constexpr int kRecords = 20;
   constexpr double kForceNoise = 4e-3;  // of the largest, as in the reference records
@@ -292,7 +292,7 @@ std::vector<double> rising_sines(std::size_t count, double largest, double cycle
 // nothing slips at one end of the range in truth, something did in each of them. Not among these: a
 // pole with narrow populations on it, of which k is too low (docs/theory.md 4.4).
 TEST(RecordInversion, BandsHoldTheTruthAsOftenAsTheySay) {
-  MICROSLIP_OF_RELEASE_ALONE();
+  MICROSLIP_STUDY();
   std::vector<testing::NamedJoint> truths = testing::all_truths();
   for (testing::NamedJoint& one : testing::unseen_truths()) truths.push_back(std::move(one));
   std::erase_if(truths, [](const auto& one) { return one.name == "power_law_and_three_bumps"; });

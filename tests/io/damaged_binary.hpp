@@ -11,6 +11,7 @@
 
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
+#include "support/effort.hpp"
 #include "support/figures.hpp"
 
 namespace microslip::test {
@@ -20,9 +21,7 @@ inline constexpr int kDamagedFiles = 10000;
 /// Fewer where each file takes a process of its own, a fifth of these under the sanitizers, whose
 /// processes start slowly; all of them where MICROSLIP_ALL_DAMAGED_FILES is set.
 inline int damaged_files(int fewer) {
-#ifdef __SANITIZE_ADDRESS__
-  fewer /= 5;
-#endif
+  if (kSanitized) fewer /= 5;
   return std::getenv("MICROSLIP_ALL_DAMAGED_FILES") == nullptr ? fewer : kDamagedFiles;
 }
 

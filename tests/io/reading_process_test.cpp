@@ -16,6 +16,8 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/hdf5_reader.hpp"
 #include "microslip/io/hdf5_recording.hpp"
+#include "support/built_file.hpp"
+#include "support/effort.hpp"
 
 namespace microslip::reading_process_test {
 namespace {
@@ -24,7 +26,9 @@ using test::message_of;
 
 Recordings run(const std::string& what, const std::string& number = "",
                const Progress& progress = {}) {
-  return read_in_process<Recordings>({MICROSLIP_FAULTY_READER, what, number}, "a.h5", progress);
+  static const std::string reader =
+      test::built_file("MICROSLIP_FAULTY_READER", MICROSLIP_FAULTY_READER);
+  return read_in_process<Recordings>({reader, what, number}, "a.h5", progress);
 }
 
 void expect_damaged(const std::string& what, const std::string& number = "",
@@ -91,9 +95,9 @@ TEST_F(ReadingProcessTest, RefusesWhatRunsForEver) {
 }
 
 TEST_F(ReadingProcessTest, BoundsTheMemory) {
-#if defined(__SANITIZE_ADDRESS__)
-  GTEST_SKIP() << "the address sanitizer ends a process that gets no memory";
-#endif
+  if (test::kSanitized) {
+    GTEST_SKIP() << "the address sanitizer ends a process that gets no memory";
+  }
   EXPECT_THROW((void)run("take memory"), std::bad_alloc);
 }
 

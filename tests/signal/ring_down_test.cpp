@@ -67,7 +67,7 @@ TEST(RingDown, IsExactForAViscousMode) {
 }
 
 TEST(RingDown, StandardDeviationsAreThoseOfRepeatedMeasurements) {
-  MICROSLIP_OF_RELEASE_ALONE();
+  MICROSLIP_STUDY();
   const ViscousMode mode{.damping_ratio = 0.008};
   const std::vector<double> clean = sampled({mode}, 2, kRate, 2.0);
   double sum[3] = {};
@@ -169,11 +169,10 @@ DecadeError error_over_a_decade(const JointedMode& mode, const RingDown& decay) 
 
 // 40 dB: noise with a standard deviation of 1 % of the first amplitude, 10 % of the last.
 TEST(RingDown, GivesTheDissipationWithin2PercentAt40Decibels) {
-  MICROSLIP_OF_RELEASE_ALONE();
   const JointedMode mode = jointed_mode();
   for (int n = 0; n <= 2; ++n) {
     const std::vector<double> clean = mode.sampled(n, kJointRate, 2.0, 5);
-    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::draws_of(5); ++seed) {
       const RingDown decay = ring_down(with_noise(clean, 0.01, seed), kJointRate,
                                        kMeasured[static_cast<std::size_t>(n)]);
       const DecadeError worst = error_over_a_decade(mode, decay);
@@ -185,10 +184,9 @@ TEST(RingDown, GivesTheDissipationWithin2PercentAt40Decibels) {
 }
 
 TEST(RingDown, GivesTheDissipationWithin6PercentAt30Decibels) {
-  MICROSLIP_OF_RELEASE_ALONE();
   const JointedMode mode = jointed_mode();
   const std::vector<double> clean = mode.sampled(2, kJointRate, 4.0, 5);
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::draws_of(5); ++seed) {
     const RingDown decay = ring_down(with_noise(clean, 0.03162, seed), kJointRate, kAcceleration);
     const DecadeError worst = error_over_a_decade(mode, decay);
     EXPECT_LT(worst.relative, 0.06) << seed;  // three of the standard deviations at the end, 2 %

@@ -4,36 +4,57 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 
 /// @file
-/// What a test need not do under the sanitizers, where everything takes five to ten times as long.
+/// What a test need not do each time: all draws of a statistic, or under the sanitizers, where
+/// everything takes five to ten times as long, what another test does as well.
 
-/// Ends a test of a statistic, or of bytes that are compared: it runs the same code hundreds of
-/// times, which another test runs under the sanitizers, and its figure is that of the release
-/// build. It counts as skipped.
-#ifdef __SANITIZE_ADDRESS__
-#define MICROSLIP_OF_RELEASE_ALONE() GTEST_SKIP() << "of the release build alone"
-#else
-#define MICROSLIP_OF_RELEASE_ALONE() static_cast<void>(0)
-#endif
+/// Where the address sanitizer is linked, and nowhere else. A test asks when it runs, not when it
+/// is compiled: the sanitized build links the objects of the release build with a library of its
+/// own.
+extern "C" void __asan_init() __attribute__((weak));
+
+/// Ends a test whose code another one runs under the sanitizers, too, in less time. It counts as
+/// skipped.
+#define MICROSLIP_OF_RELEASE_ALONE()    \
+  if (!::microslip::test::kSanitized) { \
+  } else /* NOLINT */                   \
+    GTEST_SKIP() << "of the release build alone"
+
+/// Ends a test of a statistic that needs many draws, but in scripts/test_studies. It counts as
+/// skipped.
+#define MICROSLIP_STUDY()                \
+  if (::microslip::test::in_studies()) { \
+  } else /* NOLINT */                    \
+    GTEST_SKIP() << "a study, run by scripts/test_studies"
 
 namespace microslip::test {
 
-#ifdef __SANITIZE_ADDRESS__
-inline constexpr bool kSanitized = true;
-#else
-inline constexpr bool kSanitized = false;
-#endif
+inline const bool kSanitized = &__asan_init != nullptr;
 
-/// Draws of a statistic: as many as it needs, or one under the sanitizers, by which the code is run
-/// that all of them run.
-constexpr std::uint64_t draws_of(std::uint64_t needed) { return kSanitized ? 1 : needed; }
+/// Whether statistics are taken of all their draws: scripts/test_studies and
+/// scripts/update_validation set MICROSLIP_STUDIES.
+inline bool in_studies() { return !kSanitized && std::getenv("MICROSLIP_STUDIES") != nullptr; }
 
-/// The bound that a statistic of draws_of() is held to: none under the sanitizers. What holds for
-/// each draw is judged in both builds.
-constexpr double bound_of(double bound) {
-  return kSanitized ? std::numeric_limits<double>::infinity() : bound;
+/// Draws of a statistic: as many as it needs in the studies, else one or `fewer`, which run the
+/// code that all of them run.
+inline std::uint64_t draws_of(std::uint64_t needed, std::uint64_t fewer = 1) {
+  return in_studies() ? needed : kSanitized ? 1 : fewer;
+}
+
+/// The bound from above that a statistic of draws_of() is held to: three times as much for few
+/// draws, which scatter, none under the sanitizers. What holds for each draw is judged everywhere.
+inline double bound_of(double bound) {
+  if (kSanitized) return std::numeric_limits<double>::infinity();
+  return in_studies() ? bound : 3.0 * bound;
+}
+
+/// The same from below, of a share that is held: a third of it for few draws.
+inline double least_of(double share) {
+  if (kSanitized) return 0.0;
+  return in_studies() ? share : share / 3.0;
 }
 
 }  // namespace microslip::test

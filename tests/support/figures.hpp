@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "support/effort.hpp"
 #include "validation/bounds.hpp"
 
 /// @file
@@ -62,6 +63,16 @@ inline void record_largest(const std::string& name, double value) {
 inline void record_smallest(const std::string& name, double value) {
   record_figure(name, value, [](double a, double b) { return std::min(a, b); });
   expect_at_least(name, value);
+}
+
+/// The largest of a statistic of draws_of(): no figure but of all of them.
+inline void record_largest_of_draws(const std::string& name, double value) {
+  if (in_studies()) record_largest(name, value);
+}
+
+/// The smallest of it.
+inline void record_smallest_of_draws(const std::string& name, double value) {
+  if (in_studies()) record_smallest(name, value);
 }
 
 /// The sum of what is given in the test.
