@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -14,6 +13,11 @@
 /// @file
 /// What the subcommands share. Each lives in a file of its own, adds itself to the program by one
 /// function, and does its work by calls to the library.
+
+// Only those who make or read one need CLI11, which takes the compiler long.
+namespace CLI {
+class App;
+}
 
 namespace microslip::app {
 

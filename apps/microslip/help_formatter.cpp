@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "help_formatter.hpp"
+#include <CLI/CLI.hpp>
 
 #include <sys/ioctl.h>
 #include <unistd.h>

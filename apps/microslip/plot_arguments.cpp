@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "plot_arguments.hpp"
+#include <CLI/CLI.hpp>
 
 #include <fmt/format.h>
 

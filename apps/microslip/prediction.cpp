@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "prediction.hpp"
+#include <CLI/CLI.hpp>
 
 #include <fmt/format.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ringdown_arguments.hpp"
+#include <CLI/CLI.hpp>
 
 #include <optional>
 #include <string_view>

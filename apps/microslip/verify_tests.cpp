@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "verify_tests.hpp"
+#include <CLI/CLI.hpp>
 
 #include <fmt/format.h>
 

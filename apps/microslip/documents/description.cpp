@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "documents/description.hpp"
+#include <CLI/CLI.hpp>
 
 #include <fmt/format.h>
 
