@@ -7,14 +7,15 @@
 # of its name: the headers themselves lie beside their sources, public and private in one folder.
 
 # microslip_add_folder(<name>
-#   [LIGHT]                 its own work takes no time to speak of: optimised less, as that takes long
+#   [NUMERIC]               its loops take the time of users: optimised most, which takes the compiler longest
+#   [LIGHT]                 its own work takes no time to speak of: optimised least
 #   [USES <folder>...]      whose public headers this one may include
 #   [LINKS <target>...]     libraries outside of this project, for the folder alone
 #   PUBLIC <header>...      installed, and seen by who uses the folder
 #   [INTERNAL <header>...]  seen by other folders, but not installed
 #   PRIVATE <file>...)      sources, and headers for the folder alone
 function(microslip_add_folder name)
-  cmake_parse_arguments(PARSE_ARGV 1 folder "LIGHT" "" "USES;LINKS;PUBLIC;INTERNAL;PRIVATE")
+  cmake_parse_arguments(PARSE_ARGV 1 folder "NUMERIC;LIGHT" "" "USES;LINKS;PUBLIC;INTERNAL;PRIVATE")
   set(tree "${PROJECT_BINARY_DIR}/include/${name}")
 
   set(private_headers ${folder_PRIVATE})
@@ -40,8 +41,9 @@ function(microslip_add_folder name)
   # Clang does.
   target_compile_options(microslip_folder_${name}
                          PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
-  if(folder_LIGHT)
-    target_compile_options(microslip_folder_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  if("${CMAKE_CXX_FLAGS_RELEASE}" MATCHES "-O3" AND NOT folder_NUMERIC) # less only than what was asked for
+    target_compile_options(microslip_folder_${name}
+                           PRIVATE $<$<CONFIG:Release>:$<IF:$<BOOL:${folder_LIGHT}>,-O1,-O2>>)
   endif()
   set_target_properties(
     microslip_folder_${name}
