@@ -70,8 +70,7 @@ for (const part of ['displacement, mode 12 to 500 µm, 25 levels', 'amplitude of
 const drawn = (await tools.plotted(page, '#figure-0')).map(({name}) => name);
 for (const name of ['wall', 'middle', 'wall: band', 'middle: band']) assert.ok(drawn.includes(name), `${name} in ${drawn}`);
 assert.deepEqual(faults, []);
-await tools.takePictures(browser, apart, `${artefacts}/apart`);
-await tools.checkFirstScreen(browser, apart, [], `${artefacts}/apart`);
+await tools.takePictures(browser, apart, `${artefacts}/apart`, []);
 
 // What cannot be told apart comes before the densities that it spoils.
 const alike = reportOf('alike', model.replace(/^shape = \[0\.0, 1\.41.*\]/m,
@@ -85,8 +84,7 @@ assert.match(await phone.page.locator('#section-0-summary p.text').first().textC
 assert.equal(await phone.page.locator('#section-0-summary tr.marked').count(), 2);
 assert.match(await phone.page.locator('tr.marked').last().textContent(), /known only together$/);
 assert.deepEqual(phone.faults, []);
-await tools.takePictures(browser, alike, `${artefacts}/alike`);
-await tools.checkFirstScreen(browser, alike, ['known_only_together'], `${artefacts}/alike`);
+await tools.takePictures(browser, alike, `${artefacts}/alike`, ['known_only_together']);
 await browser.close();
 console.log(`measured: ${JSON.stringify({bytes})}`);
 console.log('ok');

@@ -71,8 +71,7 @@ for (const shown of ['.facts.prominent', '#figure-0 .canvas', '#section-0-summar
 assert.deepEqual((await tools.plotted(page, '#figure-0')).map(({name}) => name),
     ['95 % band', 'identified joint']);
 assert.deepEqual(faults, []);
-await tools.takePictures(browser, good, `${artefacts}/good`);
-await tools.checkFirstScreen(browser, good, [], `${artefacts}/good`);
+await tools.takePictures(browser, good, `${artefacts}/good`, []);
 
 // On a phone nothing is wider than the screen, and the figures that matter come first.
 const broken = reportOf('broken', 1.5);
@@ -84,8 +83,7 @@ assert.equal(await phone.page.locator('#section-0-summary tr.marked').count(), 1
 assert.match(await phone.page.locator('tr.marked').first().textContent(), /^rate/);
 assert.match(await phone.page.locator('.verdict').textContent(), /Not a joint of sliders.*rate: force follows velocity/);
 assert.deepEqual(phone.faults, []);
-await tools.takePictures(browser, broken, `${artefacts}/broken`);
-await tools.checkFirstScreen(browser, broken, ['rate_dependent'], `${artefacts}/broken`);
+await tools.takePictures(browser, broken, `${artefacts}/broken`, ['rate_dependent']);
 await browser.close();
 console.log(`measured: ${JSON.stringify({bytes})}`);
 console.log('ok');
