@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Each local link of the Markdown files below ROOT leads to a file or folder of the tree, and its #anchor
 # to a heading there, as GitHub names them; no network. A path from a top folder between backticks,
-# `docs/validation.md`, is there too, unless only links are asked for.
+# `docs/validation.md`, is there too, and so is a document that a source below src or apps cites, unless only
+# links are asked for.
 # Usage: check_links.sh ROOT [links]
 set -euo pipefail
 export LC_ALL=C.UTF-8 # letters of all alphabets
@@ -89,6 +90,11 @@ while IFS=$'\t' read -r file line path; do
   paths=$((paths + 1))
   [[ -e $path ]] || offend "$file" "$line" "is not there: $path"
 done < <(of_kind code)
+while IFS=: read -r file line path; do
+  [[ $only != links ]] || continue
+  paths=$((paths + 1))
+  [[ -e $path ]] || offend "$file" "$line" "is not there: $path"
+done < <(grep -rnoE --binary-files=without-match --exclude-dir=__pycache__ '\<docs/[A-Za-z0-9_/]+\.md\>' src apps 2>/dev/null || true)
 
 echo "${#files[@]} files, $links links, ${#anchors[@]} anchors, $paths paths: $offences wrong"
 ((offences == 0))

@@ -43,6 +43,8 @@ markdown built "is not there: ../build/made.md" '[a](../build/made.md)\n'
 markdown without_target "docs/test.md:1: a link without a target" '[a]()\n'
 markdown path "" '`src/a/code.cpp`, `docs/`, `src/<folder>/*.cpp`\n'
 markdown missing_path "docs/test.md:2: is not there: src/a/none.cpp" 'a\n`src/a/none.cpp`\n'
+printf '# see docs/other.md\n# see docs/none.md\n' >"$tree/src/a/code.py"
+markdown cited_by_source "src/a/code.py:2: is not there: docs/none.md" 'a\n'
 expect links_alone "" bash "$here/check_links.sh" "$tree" links
 expect no_markdown "no Markdown file" bash "$here/check_links.sh" "$tree/src"
 

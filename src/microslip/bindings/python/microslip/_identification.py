@@ -76,7 +76,7 @@ class Identification(Shown):
     verdicts : tuple of Verdict
         Whether the levels are those of such a joint.
     warnings : tuple of Note
-        What must be known, see docs/warnings.md.
+        What must be known; docs/file_formats.md explains the codes under joint.json.
     summary : Summary
         How the method ended.
     """

@@ -295,4 +295,5 @@ def _warnings_of_flags(flags: list[Any], count: int) -> list[tuple[str, str]]:
     if not having:
         return []
     text = ", ".join(f"{word} ({having[word]} of {count})" for word in sorted(having))
-    return [("levels_flagged", f"levels carry flags: {text}; docs/warnings.md says what they mean.")]
+    return [("levels_flagged", f"levels carry flags: {text}; docs/file_formats.md explains them under"
+             " levels.csv.")]  # fmt: skip

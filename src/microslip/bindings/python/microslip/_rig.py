@@ -290,7 +290,7 @@ class Reduction(Shown):
         The columns of levels.csv, ``"amplitude [m]"``, ..., ``"flags"``: of the levels with a
         dissipation of 0 or more, in the order of the records.
     flags : tuple of str
-        Of each level, codes between blanks, see docs/warnings.md.
+        Of each level, codes between blanks; docs/file_formats.md explains them under levels.csv.
     rejected : tuple of (int, str)
         With `skip_faulty`: which records were left out, from 0, and why.
     warnings : tuple of Note

@@ -59,7 +59,7 @@ class RingDownLevels(Shown):
     damping_ratio, damping_ratio_std : ndarray
         Of the mode, linear part included, 1.
     flags : tuple of str
-        Codes between blanks, see docs/warnings.md.
+        Codes between blanks; docs/file_formats.md explains them under levels.csv.
     warnings : tuple of Note
         What was left out, and why.
     """
