@@ -28,6 +28,7 @@ from ._arguments import progress as progress_of
 from ._draws import JointDraws
 from ._errors import InputError
 from ._joint import Joint
+from ._plot import plot_identification
 from ._records import Estimate
 from ._results import Note, Shown, Summary, notes, outcome, si, summary_of, told
 from ._structure import Structure
@@ -263,9 +264,11 @@ class CalibratedJoint(Shown):
 
     def plot(self, ax: Optional[Axes] = None, **style: Any) -> Axes:
         """Draws the density with its band, by matplotlib."""
-        from ._plot import plot_identification
-
-        return plot_identification(self, ax, **style)
+        return plot_identification(
+            ax, style, self.slip_force, self.density, self.joint._atoms(),
+            band=(self.lower, self.upper), covered_from=self.covered_from,
+            up_to=max(self.covered_to, 1.05 * self.joint._core.largest_slip_force),
+        )  # fmt: skip
 
     def _facts(self) -> tuple[str, list[tuple[str, str]]]:
         k = self.stiffness

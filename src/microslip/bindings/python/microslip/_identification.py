@@ -25,6 +25,7 @@ from ._draws import JointDraws, draws_or_none
 from ._errors import InputError
 from ._joint import Joint
 from ._levels import Levels
+from ._plot import plot_identification
 from ._results import Note, Shown, Summary, notes, outcome, si, summary_of, told
 
 if TYPE_CHECKING:
@@ -113,9 +114,14 @@ class Identification(Shown):
 
     def plot(self, ax: Optional[Axes] = None, **style: Any) -> Axes:
         """Draws the density with its band, by matplotlib."""
-        from ._plot import plot_identification
-
-        return plot_identification(self, ax, **style)
+        band = None
+        if self.lower is not None and self.upper is not None:
+            band = self.lower, self.upper
+        return plot_identification(
+            ax, style, self.slip_force, self.density, self.joint._atoms(), band=band,
+            covered_from=self.covered_from,
+            up_to=max(self.covered_to, 1.05 * self.joint._core.largest_slip_force),
+        )  # fmt: skip
 
     def _facts(self) -> tuple[str, list[tuple[str, str]]]:
         rows = [

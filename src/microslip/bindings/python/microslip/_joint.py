@@ -26,6 +26,7 @@ from ._arguments import (
 from ._arguments import path as path_of
 from ._core import Joint as CoreJoint
 from ._errors import InputError
+from ._plot import plot_density
 from ._results import Shown, si, warn
 
 if TYPE_CHECKING:
@@ -392,9 +393,13 @@ class Joint(Shown):
 
     def plot(self, ax: Optional[Axes] = None, **style: Any) -> Axes:
         """Draws the density over the slip force, by matplotlib."""
-        from ._plot import plot_density
+        largest = self._core.largest_slip_force or 1.0
+        force = np.linspace(0.0, 1.05 * largest, 2001)[1:]
+        return plot_density(ax, style, force, self.density_at(force), self._atoms())
 
-        return plot_density(self, ax, **style)
+    def _atoms(self) -> list[tuple[RealArray, RealArray]]:
+        """Slip forces and weights of each part of atoms."""
+        return [(part[1], part[2]) for part in self._core.parts() if part[0] == "atoms"]
 
     @staticmethod
     def _each(function: Any, at: Any, name: str) -> Any:

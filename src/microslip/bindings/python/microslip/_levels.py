@@ -16,6 +16,7 @@ from . import _core
 from ._arguments import ArrayLike, Path, RealArray, flag, one_of, optional_array, real_array
 from ._arguments import path as path_of
 from ._errors import InputError
+from ._plot import plot_levels
 from ._results import Note, Shown, fix, notes, si, warn_of
 
 if TYPE_CHECKING:
@@ -187,9 +188,8 @@ class Levels(Shown):
 
     def plot(self, ax: Optional[Axes] = None, **style: Any) -> Axes:
         """Draws D over A on logarithmic axes, by matplotlib."""
-        from ._plot import plot_levels
-
-        return plot_levels(self, ax, **style)
+        return plot_levels(ax, style, self.amplitude, self.dissipation, self.amplitude_std,
+                           self.dissipation_std)  # fmt: skip
 
     def __len__(self) -> int:
         return len(self.amplitude)

@@ -25,6 +25,7 @@ from ._arguments import (
 )
 from ._arguments import progress as progress_of
 from ._errors import InputError
+from ._plot import plot_march
 from ._results import Note, Shown, Summary, notes, outcome, si, summary_of, told
 from ._structure import Structure
 
@@ -124,9 +125,8 @@ class MarchResult(Shown):
 
     def plot(self, ax: Optional[Axes] = None, **style: Any) -> Axes:
         """Draws the displacements over time, by matplotlib."""
-        from ._plot import plot_march
-
-        return plot_march(self, ax, **style)
+        displacements = {name: motion.displacement for name, motion in self.points.items()}
+        return plot_march(ax, style, self.time, displacements)
 
     def _facts(self) -> tuple[str, list[tuple[str, str]]]:
         rows = [("reached", si(self.reached, "s")), ("steps", str(self.steps))]

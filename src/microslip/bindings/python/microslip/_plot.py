@@ -1,25 +1,29 @@
 # SPDX-License-Identifier: MIT
-"""Pictures, by matplotlib, which is needed for them alone."""
+"""Pictures of arrays, by matplotlib, which is needed for them alone.
+
+Each function draws on `ax`, or on a figure of its own where that is None; `style` holds the keywords
+that users give for the lines.
+"""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Optional, Union
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
+import numpy.typing as npt
 
+from ._arguments import RealArray
 from ._errors import Error
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from ._calibration import CalibratedJoint
-    from ._identification import Identification
-    from ._joint import Joint
-    from ._levels import Levels
-    from ._march import MarchResult
-    from ._recordings import Recording
-    from ._ring_down import RingDown
-    from ._vibration import ResponseCurve
+Style = Mapping[str, Any]
+#: Lower and upper end at each point of a curve.
+Band = tuple[RealArray, RealArray]
+#: Slip forces, N, and weights, 1.
+Atoms = tuple[RealArray, RealArray]
 
 
 def _axes(ax: Optional[Axes], x: str, y: str) -> Axes:
@@ -35,107 +39,103 @@ def _axes(ax: Optional[Axes], x: str, y: str) -> Axes:
     return ax
 
 
-def plot_density(joint: Joint, ax: Optional[Axes] = None, **style: Any) -> Axes:
-    """The density of a joint, its atoms as stems on an axis of their own scale."""
-    ax = _axes(ax, "slip force [N]", "density [1/N]")
-    largest = joint._core.largest_slip_force or 1.0
-    force = np.linspace(0.0, 1.05 * largest, 2001)[1:]
-    ax.plot(force, joint.density_at(force), **style)
-    ax.set_ylim(bottom=0.0)
-    ax.set_xlim(0.0, 1.05 * largest)
-    _draw_atoms(joint, ax)
-    return ax
+def _draw_band(ax: Axes, x: RealArray, band: Optional[Band], line: Any, **style: Any) -> None:
+    if band is not None:
+        ax.fill_between(x, *band, alpha=0.25, linewidth=0, color=line.get_color(), **style)
 
 
-def _draw_atoms(joint: Joint, ax: Axes) -> None:
-    atoms = [part for part in joint._core.parts() if part[0] == "atoms"]
+def _draw_atoms(ax: Axes, atoms: Sequence[Atoms]) -> None:
+    """Stems on an axis of their own scale."""
     if not atoms:
         return
     weights = ax.twinx()
     weights.set_ylabel("weight of atoms [1]")
-    for part in atoms:
-        weights.stem(part[1], part[2], linefmt="C1-", markerfmt="C1o", basefmt=" ")
+    for slip_force, weight in atoms:
+        weights.stem(slip_force, weight, linefmt="C1-", markerfmt="C1o", basefmt=" ")
     weights.set_ylim(bottom=0.0)
 
 
-def plot_identification(found: Union[Identification, CalibratedJoint], ax: Optional[Axes] = None, **style: Any) -> Axes:
-    """The identified density with its band, and where the levels tell of it."""
+def plot_density(ax: Optional[Axes], style: Style, slip_force: RealArray, density: RealArray,
+                 atoms: Sequence[Atoms]) -> Axes:  # fmt: skip
+    """A density with its atoms, N and 1/N, up to the last slip force."""
     ax = _axes(ax, "slip force [N]", "density [1/N]")
-    (line,) = ax.plot(found.slip_force, found.density, **{"label": "identified", **style})
-    if found.lower is not None:
-        ax.fill_between(found.slip_force, found.lower, found.upper, alpha=0.25, linewidth=0,
-                        color=line.get_color(), label="95 % of the draws")  # fmt: skip
-    ax.axvspan(0.0, found.covered_from, color="0.5", alpha=0.12, linewidth=0,
+    ax.plot(slip_force, density, **style)
+    ax.set_ylim(bottom=0.0)
+    ax.set_xlim(0.0, slip_force[-1])
+    _draw_atoms(ax, atoms)
+    return ax
+
+
+def plot_identification(ax: Optional[Axes], style: Style, slip_force: RealArray, density: RealArray,
+                        atoms: Sequence[Atoms], *, band: Optional[Band], covered_from: float,
+                        up_to: float) -> Axes:  # fmt: skip
+    """An identified density with its band, and from which slip force on the levels determine it.
+    The axis reaches `up_to` at least."""
+    ax = _axes(ax, "slip force [N]", "density [1/N]")
+    (line,) = ax.plot(slip_force, density, **{"label": "identified", **style})
+    _draw_band(ax, slip_force, band, line, label="95 % of the draws")
+    ax.axvspan(0.0, covered_from, color="0.5", alpha=0.12, linewidth=0,
                label="below the lowest level")  # fmt: skip
     ax.set_ylim(bottom=0.0)
-    largest = found.joint._core.largest_slip_force
-    ax.set_xlim(0.0, max(found.slip_force[-1], found.covered_to, 1.05 * largest))
-    _draw_atoms(found.joint, ax)
+    ax.set_xlim(0.0, max(slip_force[-1], up_to))
+    _draw_atoms(ax, atoms)
     ax.legend(frameon=False)
     return ax
 
 
-def plot_levels(levels: Levels, ax: Optional[Axes] = None, **style: Any) -> Axes:
+def plot_levels(ax: Optional[Axes], style: Style, amplitude: RealArray, dissipation: RealArray,
+                amplitude_std: Optional[RealArray],
+                dissipation_std: Optional[RealArray]) -> Axes:  # fmt: skip
     """D over A, with standard deviations where they are known."""
     ax = _axes(ax, "amplitude [m]", "dissipation per cycle [J]")
-    style.setdefault("fmt", "o")
-    style.setdefault("markersize", 4)
-    style.setdefault("yerr", levels.dissipation_std)
-    style.setdefault("xerr", levels.amplitude_std)
-    ax.errorbar(levels.amplitude, levels.dissipation, **style)
+    deviations = {"xerr": amplitude_std, "yerr": dissipation_std}
+    ax.errorbar(amplitude, dissipation, **{"fmt": "o", "markersize": 4, **deviations, **style})
     ax.set_xscale("log")
     ax.set_yscale("log")
     return ax
 
 
-def plot_curve(curve: ResponseCurve, ax: Optional[Axes] = None, **style: Any) -> Axes:
-    """The response over the frequency, with its peaks."""
-    ax = _axes(ax, "frequency [Hz]", f"{curve._kind} [{curve.unit}]")
-    (line,) = ax.plot(curve.frequency, curve.response, **style)
-    _draw_band(curve, ax, line)
-    ax.plot(curve.peaks.frequency, curve.peaks.response, "o", color=line.get_color(), markersize=4)
+def plot_curve(ax: Optional[Axes], style: Style, frequency: RealArray, response: RealArray,
+               label: str, *, peaks: tuple[RealArray, RealArray],
+               band: Optional[Band]) -> Axes:  # fmt: skip
+    """A response over the frequency, with its peaks."""
+    ax = _axes(ax, "frequency [Hz]", label)
+    (line,) = ax.plot(frequency, response, **style)
+    _draw_band(ax, frequency, band, line)
+    ax.plot(*peaks, "o", color=line.get_color(), markersize=4)
     return ax
 
 
-def _draw_band(curve: ResponseCurve, ax: Axes, line: Any) -> None:
-    from ._vibration import ResponseBand
-
-    if isinstance(curve, ResponseBand) and not curve._of_force:
-        ax.fill_between(curve.frequency, curve.lower, curve.upper, alpha=0.25, linewidth=0,
-                        color=line.get_color())  # fmt: skip
-
-
-def plot_march(result: MarchResult, ax: Optional[Axes] = None, **style: Any) -> Axes:
-    """The displacements of all recorded points over time."""
+def plot_march(ax: Optional[Axes], style: Style, time: RealArray,
+               displacements: Mapping[str, RealArray]) -> Axes:  # fmt: skip
+    """Displacements of points by name over time."""
     ax = _axes(ax, "time [s]", "displacement [m]")
-    for name, motion in result.points.items():
-        ax.plot(result.time, motion.displacement, **{"label": name, **style})
-    if result.points:
+    for name, displacement in displacements.items():
+        ax.plot(time, displacement, **{"label": name, **style})
+    if displacements:
         ax.legend(frameon=False)
     return ax
 
 
-def plot_recording(recording: Recording, ax: Optional[Axes] = None, **style: Any) -> Axes:
-    """The channels over the axis; of complex ones the magnitude."""
-    units = {channel.unit or "" for channel in recording.channels}
-    what = {"s": "time [s]", "Hz": "frequency [Hz]"}.get(recording.axis.unit, recording.axis.unit)
-    ax = _axes(ax, what, f"[{units.pop()}]" if len(units) == 1 else "in SI")
-    points = recording.axis.points(len(recording))
-    for channel in recording.channels:
-        values = np.asarray(channel.values)
+def plot_signals(ax: Optional[Axes], style: Style, points: RealArray, unit: str,
+                 signals: Sequence[tuple[str, str, npt.NDArray[Any]]]) -> Axes:  # fmt: skip
+    """Signals of a name and a unit over points of an axis; of complex ones the magnitude."""
+    units = {of for _, of, _ in signals}
+    over = {"s": "time [s]", "Hz": "frequency [Hz]"}.get(unit, unit)
+    ax = _axes(ax, over, f"[{units.pop()}]" if len(units) == 1 else "in SI")
+    for name, _, values in signals:
         ax.plot(points, np.abs(values) if np.iscomplexobj(values) else values,
-                **{"label": channel.name, **style})  # fmt: skip
+                **{"label": name, **style})  # fmt: skip
     ax.legend(frameon=False)
     return ax
 
 
-def plot_ring_down(decay: RingDown, ax: Optional[Axes] = None, **style: Any) -> Axes:
+def plot_ring_down(ax: Optional[Axes], style: Style, amplitude: RealArray, damping_ratio: RealArray,
+                   damping_ratio_std: RealArray) -> Axes:  # fmt: skip
     """The damping ratio over the amplitude, with standard deviations."""
     ax = _axes(ax, "amplitude [m]", "damping ratio [1]")
-    style.setdefault("fmt", "o")
-    style.setdefault("markersize", 3)
-    style.setdefault("yerr", decay.damping_ratio_std)
-    ax.errorbar(decay.amplitude, decay.damping_ratio, **style)
+    ax.errorbar(amplitude, damping_ratio,
+                **{"fmt": "o", "markersize": 3, "yerr": damping_ratio_std, **style})  # fmt: skip
     ax.set_xscale("log")
     ax.set_ylim(bottom=0.0)
     return ax

@@ -29,6 +29,7 @@ from ._arguments import (
 from ._arguments import path as path_of
 from ._arguments import progress as progress_of
 from ._errors import InputError
+from ._plot import plot_signals
 from ._results import Shown, si, warn_of
 
 if TYPE_CHECKING:
@@ -365,9 +366,8 @@ class Recording(Shown):
 
     def plot(self, ax: Optional[Axes] = None, **style: Any) -> Axes:
         """Draws the channels over the axis, by matplotlib; of complex ones the magnitude."""
-        from ._plot import plot_recording
-
-        return plot_recording(self, ax, **style)
+        signals = [(c.name, c.unit or "", np.asarray(c.values)) for c in self.channels]
+        return plot_signals(ax, style, self.axis.points(len(self)), self.axis.unit, signals)
 
     def _points(self, unit: str, what: str) -> RealArray:
         if self.axis.unit != unit:

@@ -21,6 +21,7 @@ from ._arguments import (
 )
 from ._errors import InputError
 from ._levels import Levels
+from ._plot import plot_ring_down
 from ._recordings import Recording
 from ._results import Note, Shown, Summary, notes, outcome, si, summary_of, told, warn_of
 
@@ -241,9 +242,7 @@ class RingDown(Shown):
 
     def plot(self, ax: Optional[Axes] = None, **style: Any) -> Axes:
         """Draws the damping ratio over the amplitude, by matplotlib."""
-        from ._plot import plot_ring_down
-
-        return plot_ring_down(self, ax, **style)
+        return plot_ring_down(ax, style, self.amplitude, self.damping_ratio, self.damping_ratio_std)
 
     def __len__(self) -> int:
         return len(self.time)

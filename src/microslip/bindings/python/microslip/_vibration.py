@@ -25,6 +25,7 @@ from ._arguments import (
 )
 from ._arguments import progress as progress_of
 from ._errors import InputError
+from ._plot import plot_curve
 from ._results import Note, Shown, Summary, notes, outcome, si, summary_of, told
 from ._spread import Band, DrawsOfJoints, PeakBand, Spread, drawn
 from ._structure import Structure
@@ -177,9 +178,14 @@ class ResponseCurve(Shown):
 
     def plot(self, ax: Optional[Axes] = None, **style: Any) -> Axes:
         """Draws the response over the frequency, by matplotlib."""
-        from ._plot import plot_curve
+        return plot_curve(
+            ax, style, self.frequency, self.response, f"{self._kind} [{self.unit}]",
+            peaks=(self.peaks.frequency, self.peaks.response), band=self._response_band(),
+        )  # fmt: skip
 
-        return plot_curve(self, ax, **style)
+    def _response_band(self) -> Optional[Band]:
+        """Of the response, where there are draws of it."""
+        return None
 
     def _facts(self) -> tuple[str, list[tuple[str, str]]]:
         rows = [("points", str(len(self.points)))]
@@ -214,6 +220,9 @@ class ResponseBand(ResponseCurve):
     peak_bands: tuple[PeakBand, ...]
     failures: tuple[tuple[str, int], ...]
     _of_force: bool
+
+    def _response_band(self) -> Optional[Band]:
+        return None if self._of_force else (self.lower, self.upper)
 
 
 @dataclass(frozen=True, repr=False, eq=False)
