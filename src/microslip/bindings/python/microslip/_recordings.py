@@ -349,10 +349,14 @@ class Recording(Shown):
         return cls(channels, axis, named)
 
     def to_uff(self) -> list[dict[str, Any]]:
-        """Dictionaries of datasets 58 as pyuff has them, one a channel."""
-        from ._uff import functions_of
-
-        return functions_of(self)
+        """Dictionaries of datasets 58 as pyuff has them, one a channel; ``x`` holds all abscissae."""
+        functions = _core.functions_of_recording(self._dict())
+        points = self.axis.points(len(self))
+        for function in functions:
+            function["x"] = points
+            empty = [key for key, value in function.items() if isinstance(value, str) and not value]
+            function.update(dict.fromkeys(empty, "NONE"))
+        return functions
 
     def to_pandas(self) -> pandas.DataFrame:
         """A DataFrame with a column a channel, over the axis."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Datasets 58 of universal files as the dictionaries that pyuff reads and writes."""
+"""Recordings of datasets 58 of universal files, as the dictionaries that pyuff reads."""
 
 from __future__ import annotations
 
@@ -19,18 +19,6 @@ _WHOLE = ("func_type", "func_id", "ver_num", "load_case_id", "rsp_node", "rsp_di
           "ref_dir")  # fmt: skip
 _QUANTITIES = ("abscissa", "ordinate", "orddenom", "z_axis")
 _WHOLE_OF_QUANTITY = ("spec_data_type", "len_unit_exp", "force_unit_exp", "temp_unit_exp")
-
-
-def functions_of(recording: Recording) -> list[dict[str, Any]]:
-    """A dictionary a channel; ``x`` holds all abscissae, as pyuff has it."""
-    functions = _core.functions_of_recording(recording._dict())
-    points = recording.axis.points(len(recording))
-    for function in functions:
-        function["x"] = points
-        for key, value in function.items():
-            if isinstance(value, str) and not value:
-                function[key] = "NONE"
-    return functions
 
 
 def recordings_from_uff(functions: Union[Mapping[str, Any], Sequence[Mapping[str, Any]]], *,
