@@ -156,12 +156,16 @@ IdentifiedRecords identify_records(const RecordsIdentification& options) {
   return done;
 }
 
-std::string joint_text(const RecordsIdentification& options, const IdentifiedRecords& done,
-                       std::string_view command) {
+JointFile identified_joint(const RecordsIdentification& options, const IdentifiedRecords& done,
+                           std::string_view command) {
   NamedValues identification = record_of_identification(done.found);
   add_sources(options, done, identification);
-  return format_joint(
-      {done.found.joint, records_provenance(options, done, command), std::move(identification)});
+  return {done.found.joint, records_provenance(options, done, command), std::move(identification)};
+}
+
+std::string joint_text(const RecordsIdentification& options, const IdentifiedRecords& done,
+                       std::string_view command) {
+  return format_joint(identified_joint(options, done, command));
 }
 
 std::string samples_bytes(const RecordsIdentification& options, const IdentifiedRecords& done,

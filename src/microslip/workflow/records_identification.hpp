@@ -9,6 +9,7 @@
 
 #include "microslip/identify/identification.hpp"
 #include "microslip/identify/record_start.hpp"
+#include "microslip/io/joint_file.hpp"
 #include "microslip/io/named_values.hpp"
 #include "microslip/io/recordings.hpp"
 #include "microslip/workflow/force_records.hpp"
@@ -53,10 +54,14 @@ struct IdentifiedRecords {
 /// @throws Cancelled   as the progress of the options says.
 [[nodiscard]] IdentifiedRecords identify_records(const RecordsIdentification& options);
 
-/// The text of joint.json.
+/// What joint.json holds.
 /// @param options  that it was found with.
 /// @param done     what was found.
 /// @param command  that the file is made by.
+[[nodiscard]] JointFile identified_joint(const RecordsIdentification& options,
+                                         const IdentifiedRecords& done, std::string_view command);
+
+/// The text of joint.json; the rest as of identified_joint().
 [[nodiscard]] std::string joint_text(const RecordsIdentification& options,
                                      const IdentifiedRecords& done, std::string_view command);
 

@@ -3,9 +3,8 @@
 
 #include <pybind11/pybind11.h>
 
-#include <string>
-
 #include "microslip/identify/identification.hpp"
+#include "microslip/io/joint_file.hpp"
 #include "microslip/observe/levels.hpp"
 
 namespace microslip::python {
@@ -14,8 +13,8 @@ namespace microslip::python {
 [[nodiscard]] Levels levels_of_columns(const pybind11::dict& columns);
 
 /// An identification as the package takes it.
-/// @param json  its joint.json, whose provenance the draws take over.
+/// @param file  its joint.json, whose provenance is that of the draws.
 [[nodiscard]] pybind11::dict identification_dict(const Identification& found,
-                                                 const std::string& json);
+                                                 const JointFile& file);
 
 }  // namespace microslip::python

@@ -132,11 +132,6 @@ py::dict dict_of(const Identification& found, const Provenance& provenance) {
       "warnings"_a = python::list_of(found.warnings), "summary"_a = python::dict_of(found.summary));
 }
 
-/// As in joint.json of the program: that its readers do not see a difference.
-Provenance provenance_of(const std::string& text) {
-  return parse_joint(text, "joint.json").provenance.value_or(Provenance{});
-}
-
 /// @param notes  what the reader of the levels had to say: it belongs to what is found of them.
 py::dict identify_levels(const py::dict& columns, double stiffness, const py::dict& given,
                          const std::string& command,
@@ -152,8 +147,8 @@ py::dict identify_levels(const py::dict& columns, double stiffness, const py::di
       },
       listener);
   for (const auto& [code, words] : notes) found.warnings.push_back({code, words});
-  const std::string text = joint_text(found, of.options, input_of(levels), command, of.texts);
-  return identification_dict(found, text);
+  return identification_dict(
+      found, identified_joint(found, of.options, {input_of(levels)}, command, of.texts));
 }
 
 /// Those of a file that an identification takes, and what it says of the others.
@@ -196,7 +191,7 @@ JointSamples draws_of(const py::dict& state) {
       .linear_damping = numbers("linear_damping"),
       .viscous = numbers("viscous")};
   if (const auto origin = state["origin"].cast<std::optional<std::string>>()) {
-    of.provenance = provenance_of(*origin);
+    of.provenance = parse_joint(*origin, "origin").provenance;
   }
   of.check();
   return of;
@@ -232,9 +227,9 @@ void add_draws(py::class_<JointSamples>& draws) {
 
 Levels levels_of_columns(const py::dict& columns) { return levels_of(columns); }
 
-py::dict identification_dict(const Identification& found, const std::string& json) {
-  py::dict all = dict_of(found, provenance_of(json));
-  all["json"] = json;
+py::dict identification_dict(const Identification& found, const JointFile& file) {
+  py::dict all = dict_of(found, file.provenance.value());
+  all["json"] = format_joint(file);
   return all;
 }
 

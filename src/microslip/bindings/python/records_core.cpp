@@ -145,7 +145,7 @@ py::dict identify_records(const std::vector<GivenRecord>& records,
         return identified(evidence, options);
       },
       listener);
-  py::dict all = identification_dict(done.found, joint_text(options, done, command));
+  py::dict all = identification_dict(done.found, identified_joint(options, done, command));
   const RecordInversionResult& found = *done.found.records();
   all["stiffness"] = estimate_tuple(found.stiffness);
   all["elastic_stiffness"] = estimate_tuple(found.elastic_stiffness);
