@@ -152,8 +152,24 @@ def test_pictures(structure, joint, dissipation):
     found = microslip.identify(A, dissipation, stiffness=1e5, samples=20)
     curve = microslip.frequency_response(structure, 5.0, 40, 60)
     result = microslip.march(structure, np.linspace(0, 0.1, 200), {"drive": np.ones(200)})
-    for thing in (joint, found, curve, result, microslip.Levels(A, dissipation)):
+    t = np.arange(8192) / 1024
+    free = np.exp(-0.01 * 2 * np.pi * 50 * t) * np.cos(2 * np.pi * 50 * t)
+    recording = microslip.Recording.of({"free": free}, {"free": "m"}, fs=1024.0)
+    decay = microslip.ring_down(recording)
+    levels = microslip.Levels(A, dissipation)
+    for thing in (joint, found, curve, result, levels, recording, decay):
         ax = thing.plot()
         assert ax.get_xlabel().endswith("]") and ax.get_ylabel().endswith("]")
         assert thing.plot(ax=ax) is ax
         pyplot.close(ax.figure)
+
+
+def test_pictures_have_bands_of_the_response(structure, dissipation):
+    figures = pytest.importorskip("matplotlib.figure")
+    draws = microslip.identify(A, dissipation, stiffness=1e5, samples=20).draws
+    balance, asked = microslip.HarmonicBalance(structure), {"draws": draws, "samples": 40}
+    of_response = balance.frequency_response(5.0, 40, 60, **asked)
+    of_force = balance.constant_response(1e-5, 40, 60, **asked)  # its band is no response
+    for curve, bands in ((of_response, 1), (of_force, 0)):
+        assert isinstance(curve, microslip.ResponseBand)
+        assert len(curve.plot(figures.Figure().subplots()).collections) == bands
