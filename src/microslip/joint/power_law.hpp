@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "microslip/joint/density.hpp"
+#include "microslip/joint/density_parts.hpp"
 
 /// @file
 /// Integrals of one power law φ = R f*^χ on [from, to], all accurate to a few rounding errors of
