@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "microslip/dynamics/bordered_factors.hpp"
 #include "microslip/dynamics/static_equilibrium.hpp"
 #include "microslip/dynamics/trigonometric_basis.hpp"
 
@@ -452,14 +451,8 @@ VectorXd BalanceEquations::unknowns(const SteadyVibration& vibration) const {
   return z;
 }
 
-double BalanceEquations::lag_rise() {
-  const VectorXd scale = this->scale();
-  BorderedFactors factors;
-  factors.compute(*this, scale, log_response_gradient() * scale.asDiagonal(),
-                  RowVectorXd::Unit(count_ + 2, count_));
-  const VectorXd change = factors.solve(VectorXd::Unit(count_ + 2, count_ + 1));
-  const RowVectorXd lag = -(response_gradient() / values_.response).imag() * scale.asDiagonal();
-  return lag * change;
+RowVectorXd BalanceEquations::lag_gradient() {
+  return -(response_gradient() / values_.response).imag();
 }
 
 SteadyVibration BalanceEquations::vibration() {

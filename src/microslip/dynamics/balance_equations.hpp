@@ -123,9 +123,8 @@ class BalanceEquations {
   /// z of a vibration of the structure in these harmonics.
   [[nodiscard]] Eigen::VectorXd unknowns(const SteadyVibration& vibration) const;
 
-  /// d lag/d ln ω of the response at constant response amplitude, rad: positive where the phase
-  /// passes as it does through a resonance, negative where it goes back, as at an antiresonance.
-  [[nodiscard]] double lag_rise();
+  /// ∂lag/∂z of the phase lag of the response, rad over the unit of z.
+  [[nodiscard]] Eigen::RowVectorXd lag_gradient();
 
   /// The solution at z, with its energies.
   [[nodiscard]] SteadyVibration vibration();

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "microslip/dynamics/march.hpp"
+#include "microslip/dynamics/jointed_structure.hpp"
+#include "microslip/dynamics/load_history.hpp"
 
 namespace microslip {
 

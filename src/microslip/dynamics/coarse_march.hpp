@@ -6,7 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "microslip/dynamics/jointed_structure.hpp"
+#include "microslip/dynamics/load_history.hpp"
 #include "microslip/dynamics/march_loads.hpp"
+#include "microslip/dynamics/march_options.hpp"
 #include "microslip/dynamics/march_state.hpp"
 #include "microslip/dynamics/march_weights.hpp"
 

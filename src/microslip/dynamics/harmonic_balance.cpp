@@ -12,7 +12,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/stopwatch.hpp"
 #include "microslip/base/work_size.hpp"
-#include "microslip/dynamics/continuation.hpp"
+#include "microslip/dynamics/balance_run.hpp"
 #include "microslip/dynamics/level_walk.hpp"
 #include "microslip/dynamics/resonance_curve.hpp"
 #include "microslip/dynamics/trigonometric_basis.hpp"
@@ -102,15 +102,6 @@ void check_targets(const Target& first, const Target& second, Forcing forcing) {
   if (forcing == Forcing::kModal) check_modal_targets(first, second);
 }
 
-double stuck_frequency(const JointedStructure& structure, std::size_t mode) {
-  const std::vector<double> frequencies = structure.stuck_frequencies();
-  require(mode < frequencies.size(), "mode", static_cast<double>(mode),
-          "must be below the number of modes");
-  if (frequencies[mode] > 0.0) return frequencies[mode];
-  throw InputError("mode", static_cast<double>(mode),
-                   "must be one that vibrates; this is a rigid body", "Take a higher mode.");
-}
-
 double product(const std::vector<double>& one, std::span<const double> other) {
   return std::inner_product(one.begin(), one.end(), other.begin(), 0.0);
 }
@@ -144,59 +135,7 @@ void check_modal_mode(const JointedStructure& structure, const ResponsePoint& re
                    "Take another mode.");
 }
 
-/// Equations and options of one call.
-struct Run {
-  Run(const JointedStructure& structure, const ResponsePoint& response,
-      const HarmonicBalanceOptions& options)
-      : equations(structure, response, options.harmonics, options.samples, options.forcing),
-        newton_options{options.tolerance, options.max_iterations} {}
-
-  struct Outcome {
-    NewtonResult newton;
-    VectorXd z;
-  };
-
-  /// From the linear vibration at ω; if Newton's method fails, through growing levels.
-  Outcome from_stuck(const Target& kept, const Target& level, double angular_frequency) {
-    VectorXd z = scaled(equations, stuck_vibration(equations, angular_frequency), level);
-    NewtonResult direct = newton(equations, kept, level, newton_options, z);
-    if (direct.converged) return {direct, z};
-    LevelWalk walk(equations, newton_options, kept, level.quantity);
-    NewtonResult result = walk.start(angular_frequency, level.value);
-    if (result.converged) result = walk.go_to(level.value);
-    return {result, walk.z()};
-  }
-
-  /// Up the level at this phase until the frequency is passed.
-  Outcome at_frequency(const Target& phase, const Target& frequency, double stuck) {
-    constexpr double kRatio = 1.2;
-    constexpr int kMostSteps = 150;  // a factor 1e12
-    LevelWalk walk(equations, newton_options, phase, Quantity::kResponse);
-    NewtonResult result = walk.start(stuck, HUGE_VAL);
-    const Index n = equations.balance_count();
-    const double side = walk.z()[n] - frequency.value;
-    for (int step = 0; step < kMostSteps && result.converged; ++step) {
-      result = walk.go_to(kRatio * walk.level());
-      if (!result.converged || side * (walk.z()[n] - frequency.value) > 0.0) continue;
-      const double before = walk.previous()[n] - frequency.value;
-      const double after = walk.z()[n] - frequency.value;
-      VectorXd z = walk.previous() + (walk.z() - walk.previous()) * (before / (before - after));
-      return {newton(equations, phase, frequency, newton_options, z), z};
-    }
-    result.converged = false;
-    result.reason = fmt::format(
-        "no level up to {:.6g} of the response has this phase there; from "
-        "{} it went to {}",
-        walk.level(), describe({Quantity::kAngularFrequency, stuck}),
-        describe({Quantity::kAngularFrequency, walk.z()[n]}));
-    return {result, walk.z()};
-  }
-
-  BalanceEquations equations;
-  NewtonOptions newton_options;
-};
-
-VibrationResult to_result(Run& run, const Run::Outcome& outcome, const Target& first,
+VibrationResult to_result(BalanceRun& run, const BalanceRun::Outcome& outcome, const Target& first,
                           const Target& second, const Stopwatch& watch) {
   VibrationResult result;
   run.equations.evaluate(outcome.z);
@@ -220,29 +159,6 @@ VibrationResult to_result(Run& run, const Run::Outcome& outcome, const Target& f
   s.iterations = outcome.newton.iterations;
   s.wall_seconds = watch.seconds();
   return result;
-}
-
-/// Frequency first, then phase.
-void sort_targets(Target& first, Target& second) {
-  const auto rank = [](const Target& t) {
-    if (t.quantity == Quantity::kAngularFrequency) return 0;
-    return t.quantity == Quantity::kPhaseLag ? 1 : 2;
-  };
-  if (rank(second) < rank(first)) std::swap(first, second);
-}
-
-Run::Outcome solve_from_stuck(Run& run, Target first, Target second, std::size_t mode) {
-  sort_targets(first, second);
-  if (first.quantity == Quantity::kAngularFrequency) {
-    if (second.quantity != Quantity::kPhaseLag) return run.from_stuck(first, second, first.value);
-    return run.at_frequency(second, first, stuck_frequency(run.equations.structure(), mode));
-  }
-  if (first.quantity == Quantity::kPhaseLag) {
-    return run.from_stuck(first, second, stuck_frequency(run.equations.structure(), mode));
-  }
-  throw InputError("targets", "force amplitude and response",
-                   "leave two frequencies, below and above resonance, to choose from",
-                   "Give a vibration near the one that is wanted as the start.");
 }
 
 VectorXd to_unknowns(const SteadyVibration& start, const BalanceEquations& equations,
@@ -275,16 +191,16 @@ VibrationResult HarmonicBalance::solve(const Target& first, const Target& second
                                        std::size_t mode) const {
   const Stopwatch watch;
   check_targets(first, second, options_.forcing);
-  Run run(structure_, response_, options_);
-  return to_result(run, solve_from_stuck(run, first, second, mode), first, second, watch);
+  BalanceRun run(structure_, response_, options_);
+  return to_result(run, run.solve(first, second, mode), first, second, watch);
 }
 
 VibrationResult HarmonicBalance::solve(const Target& first, const Target& second,
                                        const SteadyVibration& near) const {
   const Stopwatch watch;
   check_targets(first, second, options_.forcing);
-  Run run(structure_, response_, options_);
-  Run::Outcome outcome{{}, to_unknowns(near, run.equations, options_.harmonics)};
+  BalanceRun run(structure_, response_, options_);
+  BalanceRun::Outcome outcome{{}, to_unknowns(near, run.equations, options_.harmonics)};
   outcome.newton = newton(run.equations, first, second, run.newton_options, outcome.z);
   return to_result(run, outcome, first, second, watch);
 }
@@ -299,24 +215,8 @@ ResponseCurve HarmonicBalance::follow(const Target& kept, Quantity along, double
   check_target({along, to});
   require(from != to, "end of the range", to, "must be another than its start");
   check_points("frequencies of `at`", options_.frequencies.size(), structure_, options_);
-  Run run(structure_, response_, options_);
-  const Run::Outcome first = solve_from_stuck(run, kept, {along, from}, mode);
-  ResponseCurve curve;
-  curve.summary.method = fmt::format("{}, continuation", kMethod);
-  curve.summary.residual = first.newton.residual;
-  curve.summary.iterations = first.newton.iterations;
-  if (first.newton.converged) {
-    const ContinuationOptions options{run.newton_options,    options_.largest_change,
-                                      options_.least_points, options_.max_points,
-                                      options_.accuracy,     options_.frequencies};
-    Continuation(run.equations, options, kept, along, from, to).run(first.z, curve, progress);
-  } else {
-    curve.summary.stop = Stop::kNoProgress;
-    curve.summary.reason =
-        fmt::format("the first point was not found: {} with {}: {}",
-                    describe({along, from}, structure_.base_driven()),
-                    describe(kept, structure_.base_driven()), first.newton.reason);
-  }
+  ResponseCurve curve =
+      follow_from_stuck(structure_, response_, options_, kept, along, from, to, mode, progress);
   curve.summary.wall_seconds = watch.seconds();
   return curve;
 }
@@ -339,13 +239,13 @@ ResponseCurve HarmonicBalance::backbone(std::span<const double> responses, std::
   require(!responses.empty(), "number of responses", 0.0, "must be at least 1");
   check_points("number of responses", responses.size(), structure_, options_);
   for (const double response : responses) check_target({Quantity::kResponse, response});
-  Run run(structure_, response_, options_);
+  BalanceRun run(structure_, response_, options_);
   ResponseCurve curve;
   Summary& s = curve.summary;
   s.method = fmt::format("{}, backbone", kMethod);
   LevelWalk walk(run.equations, run.newton_options, kPhaseResonance, Quantity::kResponse);
   const Target first{Quantity::kResponse, responses.front()};
-  const Run::Outcome begin =
+  const BalanceRun::Outcome begin =
       run.from_stuck(kPhaseResonance, first, stuck_frequency(structure_, mode));
   NewtonResult result = begin.newton;
   if (result.converged) result = walk.start_at(first.value, begin.z);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 
+#include "microslip/dynamics/cycle_motion.hpp"
 #include "microslip/joint/joint.hpp"
 
 namespace microslip {
@@ -44,12 +45,7 @@ class HarmonicForce {
   HarmonicForce(HarmonicForce&&) noexcept;
   HarmonicForce& operator=(HarmonicForce&&) noexcept;  ///< As the constructor.
 
-  /// What the displacement of the joint did over the cycle.
-  struct Cycle {
-    double lowest;          ///< min x, m
-    double highest;         ///< max x, m
-    std::size_t reversals;  ///< in a cycle; 2 without inner loops, 0 at rest
-  };
+  using Cycle = CycleMotion;  ///< what evaluate() tells of the displacement
 
   /// f_n of the displacement x_n, with the derivatives.
   /// @param joint         any.
@@ -72,11 +68,7 @@ class HarmonicForce {
   /// @param gradient  ∂reach/∂displacement_j at j, 1; 2H + 1 values.
   void reach_gradient(std::size_t rank, std::span<double> gradient) const;
 
-  /// Where the motion evaluated last turned.
-  struct Turn {
-    double angle;         ///< τ in the period, rad
-    double displacement;  ///< x there, m
-  };
+  using Turn = CycleTurn;  ///< where the motion evaluated last turned
   /// How often it turned in a period: 0 at rest, else even.
   [[nodiscard]] std::size_t turns() const;
   /// One of them, in the order of time. @param i  below turns().

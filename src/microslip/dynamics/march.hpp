@@ -12,67 +12,11 @@
 #include "microslip/base/progress.hpp"
 #include "microslip/base/summary.hpp"
 #include "microslip/dynamics/jointed_structure.hpp"
-#include "microslip/joint/jenkins_network.hpp"
+#include "microslip/dynamics/load_history.hpp"
+#include "microslip/dynamics/march_energy.hpp"
+#include "microslip/dynamics/march_options.hpp"
 
 namespace microslip {
-
-/// The force at a point, or the acceleration of a base, over time.
-struct PointForce {
-  std::string point;          ///< of the modal model, or a base of it; no two the same
-  std::vector<double> force;  ///< N, m/s² of a base; one a time
-};
-
-/// The normal load of a joint over time, p(t) = P_N(t)/P_0 [AR14 App. B].
-struct JointNormalLoad {
-  std::string joint;                                ///< of the structure; no two the same
-  std::vector<double> load;                         ///< p, 1; ≥ 0; one a time
-  NormalLoadLaw law = NormalLoadLaw::kIncremental;  ///< how its elements answer the load
-};
-
-/// What acts on a structure; linear in time between the given times. The excitations of the
-/// structure itself, which are periodic, do not act; its static loads do.
-struct LoadHistory {
-  std::vector<double> time;                        ///< s; at least 2, rising, even or not
-  std::vector<PointForce> forces;                  ///< may be none: free vibration
-  std::vector<JointNormalLoad> normal_loads = {};  ///< joints that are not named keep p = 1
-};
-
-/// The state at the first time; empty vectors are zeros, or, where there are static loads, the
-/// equilibrium under them. The joints are virgin but for the way to there.
-struct InitialState {
-  std::vector<double> displacement = {};  ///< q_i, kg^½ m; one a mode; none with static loads
-  std::vector<double> velocity = {};      ///< q̇_i, kg^½ m/s
-};
-
-/// How march() integrates, and what it records.
-struct MarchOptions {
-  /// Longest step, s; ≥ 0, and at least 1e-10 of the time axis. Each interval of the time axis is
-  /// cut into the least number of equal steps that are not longer, an even one where the error is
-  /// estimated. 0: a twentieth of the shortest period of the stuck structure, an eightieth where a
-  /// density has more than 16 atoms, a four-hundredth where a normal load varies.
-  double step = 0.0;
-  /// Every n-th time of the axis is recorded, from the first on, and the last; ≥ 1.
-  std::size_t every = 1;
-  /// Points of the modal model whose motion is recorded; no two the same.
-  std::vector<std::string> points = {};
-  InitialState start = {};  ///< where it begins
-  /// What the implicit equations of a step may leave, over the largest joint force so far, 1; from
-  /// 1e-14 to 1e-4.
-  double tolerance = 1e-8;
-  /// Evaluations of the joints that one step may take; ≥ 2.
-  int max_iterations = 50;
-  /// The energy imbalance above which the march does not count as converged, 1; > 0.
-  double largest_imbalance = 1e-4;
-  /// Whether the error is estimated: each interval of the time axis is then cut into an even number
-  /// of steps, and marched beside it with half as many, for half the time again. Linear structures
-  /// are exact, and need none.
-  bool estimate_error = true;
-  /// The estimated error above which the march does not count as converged, 1; > 0.
-  double largest_error = 1e-2;
-  /// Jenkins elements that stand for a joint whose normal load varies; ≥ 1, and more than its
-  /// density has atoms.
-  std::size_t elements = 1000;
-};
 
 /// The motion of a point, one value a recorded time.
 struct PointMotion {
@@ -87,55 +31,6 @@ struct JointMotion {
   std::string joint;                 ///< its name in the structure
   std::vector<double> displacement;  ///< u, m: between the ends of the joint itself
   std::vector<double> force;         ///< F, N: the restoring force
-};
-
-/// What became of the energy in one joint, J.
-struct JointEnergy {
-  std::string joint;  ///< its name in the structure
-  /// Σ ∫ f_i d|z_i| of the sliders, by the closed form on each branch (Memory::dissipation).
-  double dissipation = 0.0;
-  /// Σ ½κ_i(x − z_i)² of the springs at the end (Memory::stored_energy), and ½cF² of what is in
-  /// series.
-  double stored = 0.0;
-  /// Of the damper beside F that stands for the linear damping of the joint, ∫ c u̇² dt by
-  /// quadrature.
-  double linear_dissipation = 0.0;
-};
-
-/// Where the energy went, J, from the first time to the last that was reached:
-///
-///     initial + input = kinetic + elastic + linear dissipation
-///                       + Σ_joints (stored + dissipation + its own linear dissipation)
-///
-/// Each by itself, never as the rest of the others: the work of the forces ∫ f ẇ dt and Σ η_i ω_i ∫
-/// q̇_i² dt by quadrature, with velocities inside of the steps or, where steps are cut, of fourth
-/// order over the states at the ends of the pieces; the joints from the displacements at which they
-/// turned. So the imbalance measures the error of the integration.
-///
-/// For a joint whose normal load varies stored and lost energy cannot be told apart from the work
-/// of the load; its `dissipation` then holds ∫ F du, `stored` ½cF² alone.
-struct MarchEnergy {
-  double initial = 0.0;             ///< of the initial state
-  double at_rest = 0.0;             ///< what of it the static loads hold, where there are any
-  double input = 0.0;               ///< ∫ Σ f ẇ dt
-  double linear_dissipation = 0.0;  ///< Σ_i η_i ω_i ∫ q̇_i² dt
-  double kinetic = 0.0;             ///< ½ Σ q̇_i², at the end
-  double elastic = 0.0;  ///< ½ Σ ω_i² q_i² − ½ Σ_j k_s,j (ψ_j·q)², at the end
-  std::vector<JointEnergy> joints;  ///< in the order of the structure
-
-  /// Of all joints.
-  [[nodiscard]] double joint_dissipation() const;
-  /// Of all joints.
-  [[nodiscard]] double joint_stored() const;
-  /// Of all joints.
-  [[nodiscard]] double joint_linear_dissipation() const;
-
-  /// Less than this of the rest under static loads is no motion, but rounding.
-  static constexpr double kLeastOfRest = 1e-6;
-
-  /// |left − right|/max(|left|, |right|) of the balance, without the energy at rest (of which 1e-6
-  /// count), 1; 0 where nothing moves.
-  [[nodiscard]] double imbalance() const;
 };
 
 /// What is recorded at one time. The values hold until the call returns.

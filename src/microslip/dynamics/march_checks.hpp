@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "microslip/dynamics/march.hpp"
+#include "microslip/dynamics/jointed_structure.hpp"
+#include "microslip/dynamics/load_history.hpp"
+#include "microslip/dynamics/march_options.hpp"
 
 namespace microslip {
 

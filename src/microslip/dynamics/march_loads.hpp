@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "microslip/dynamics/march.hpp"
+#include "microslip/dynamics/jointed_structure.hpp"
+#include "microslip/dynamics/load_history.hpp"
+#include "microslip/dynamics/march_options.hpp"
 #include "microslip/dynamics/march_state.hpp"
 
 namespace microslip {

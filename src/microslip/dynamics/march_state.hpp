@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "microslip/dynamics/joint_way.hpp"
-#include "microslip/dynamics/march.hpp"
+#include "microslip/dynamics/jointed_structure.hpp"
+#include "microslip/dynamics/march_energy.hpp"
 #include "microslip/dynamics/march_loops.hpp"
+#include "microslip/dynamics/march_options.hpp"
 #include "microslip/dynamics/march_weights.hpp"
 #include "microslip/dynamics/marched_joint.hpp"
 #include "microslip/dynamics/step_cubic.hpp"

@@ -11,11 +11,14 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/dynamics/balance_run.hpp"
+#include "microslip/dynamics/bordered_factors.hpp"
 
 namespace microslip {
 namespace {
 
 using Eigen::Index;
+using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 using std::numbers::pi;
 
@@ -54,6 +57,20 @@ const ResonanceTracer::Place& lowest_of(const ResonanceTracer::Piece& piece) {
 
 double hertz_of(const ResonanceTracer::Place& place) {
   return kHertz * place.z[place.z.size() - 2];
+}
+
+/// d lag/d ln ω of the response at constant response amplitude, rad: positive where the phase
+/// passes as it does through a resonance, negative where it goes back, as at an antiresonance.
+double lag_rise(BalanceEquations& equations) {
+  const VectorXd scale = equations.scale();
+  const Index frequency = equations.balance_count();
+  const Index unknowns = equations.unknown_count();
+  BorderedFactors factors;
+  factors.compute(equations, scale, equations.log_response_gradient() * scale.asDiagonal(),
+                  RowVectorXd::Unit(unknowns, frequency));
+  const VectorXd change = factors.solve(VectorXd::Unit(unknowns, unknowns - 1));
+  const RowVectorXd lag = equations.lag_gradient() * scale.asDiagonal();
+  return lag * change;
 }
 
 }  // namespace
@@ -114,7 +131,7 @@ bool ResonanceCurve::is_resonance(const Place& place, double frequency, double d
   BalanceEquations& equations = tracer_.equations();
   equations.evaluate(place.z);
   const double offset = std::abs(equations.value(Quantity::kAngularFrequency) / frequency - 1.0);
-  return offset <= width_about(damping) && equations.lag_rise() > 0.0;
+  return offset <= width_about(damping) && lag_rise(equations) > 0.0;
 }
 
 /// At the responses above what was reached, until there is no more.
@@ -202,8 +219,9 @@ std::optional<ResonanceCurve::Place> ResonanceCurve::sweep(const Mode& mode, dou
   const double width = width_about(mode.damping);
   const double from = mode.frequency * (1.0 - width);
   const double to = mode.frequency * (1.0 + width);
-  const HarmonicBalance balance(structure_, response_, options_);
-  const ResponseCurve curve = balance.constant_response(response, from, to, ticking());
+  const ResponseCurve curve =
+      follow_from_stuck(structure_, response_, options_, {Quantity::kResponse, response},
+                        Quantity::kAngularFrequency, from, to, 0, ticking());
   double nearest = pi;  // distance from π/2
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     const SteadyVibration& here = curve.points[i];

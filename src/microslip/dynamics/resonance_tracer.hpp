@@ -11,7 +11,7 @@
 #include "microslip/base/progress.hpp"
 #include "microslip/dynamics/balance_equations.hpp"
 #include "microslip/dynamics/continuation.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/dynamics/harmonic_balance_options.hpp"
 #include "microslip/dynamics/newton.hpp"
 
 namespace microslip {

@@ -54,8 +54,8 @@ SteadyCycle::SteadyCycle(std::size_t harmonics, std::size_t samples)
       moments_(coefficient_count(2 * harmonics)),
       through_reversals_(coefficient_count(harmonics), coefficient_count(harmonics)) {}
 
-HarmonicForce::Cycle SteadyCycle::evaluate(const Joint& joint, std::span<const double> displacement,
-                                           std::span<double> force, std::span<double> jacobian) {
+CycleMotion SteadyCycle::evaluate(const Joint& joint, std::span<const double> displacement,
+                                  std::span<double> force, std::span<double> jacobian) {
   begin(displacement);
   if (extremes_.size() == 0) {
     at_rest(joint);

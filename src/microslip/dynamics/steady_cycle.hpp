@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "microslip/dynamics/cycle_extremes.hpp"
-#include "microslip/dynamics/harmonic_force.hpp"
+#include "microslip/dynamics/cycle_motion.hpp"
 #include "microslip/dynamics/kink_correction.hpp"
 #include "microslip/dynamics/trigonometric_basis.hpp"
+#include "microslip/joint/joint.hpp"
 
 namespace microslip {
 
@@ -30,15 +31,15 @@ class SteadyCycle {
 
   [[nodiscard]] Eigen::Index coefficients() const { return coefficient_count(basis_.harmonics()); }
 
-  HarmonicForce::Cycle evaluate(const Joint& joint, std::span<const double> displacement,
-                                std::span<double> force, std::span<double> jacobian);
+  CycleMotion evaluate(const Joint& joint, std::span<const double> displacement,
+                       std::span<double> force, std::span<double> jacobian);
 
   [[nodiscard]] std::size_t reaches() const { return reaches_.size(); }
   [[nodiscard]] double reach(std::size_t rank) const { return reaches_[rank].half; }
   void reach_gradient(std::size_t rank, std::span<double> gradient) const;
 
   [[nodiscard]] std::size_t turns() const { return extremes_.size(); }
-  [[nodiscard]] HarmonicForce::Turn turn(std::size_t i) const {
+  [[nodiscard]] CycleTurn turn(std::size_t i) const {
     return {extremes_[i].tau, extremes_[i].displacement};
   }
   void turn_gradient(std::size_t i, std::span<double> gradient) const;
