@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <string_view>
 
 #include "microslip/base/error.hpp"
 #include "microslip/structure/beam_modes.hpp"
@@ -24,43 +23,12 @@ constexpr double kLargestFirstWavenumber = 4.74;
 /// Rounding of the spring of a pinned beam, over EI/L; its static value is 4.
 constexpr double kNoSpring = 1e-12;
 
-/// Above it squares of shear forces leave the range of a double.
-constexpr double kLargestMass = 1e50;  // over that of the beam
-
-void require_positive(std::string_view name, double value) {
-  if (!(std::isfinite(value) && value > 0.0)) {
-    throw InputError(name, value, "must be positive and finite");
-  }
-}
-
 double first_frequency_with(Beam beam, double tip_stiffness) {
   beam.tip_stiffness = tip_stiffness;
   return BeamModes(beam, 1).frequency(0);
 }
 
 }  // namespace
-
-void check_beam(const Beam& beam) {
-  require_positive("length", beam.length);
-  require_positive("bending_stiffness", beam.bending_stiffness);
-  require_positive("mass_per_length", beam.mass_per_length);
-  if (!(beam.tip_stiffness >= 0.0)) {
-    throw InputError("tip_stiffness", beam.tip_stiffness, "must be 0 or more",
-                     "0 is a pinned end, infinity a clamped one.");
-  }
-  for (std::size_t i = 0; i < beam.masses.size(); ++i) {
-    const auto [position, mass] = beam.masses[i];
-    if (!(position >= 0.0 && position <= beam.length)) {
-      throw InputError(fmt::format("masses[{}].position", i), position,
-                       fmt::format("must be on the beam, from 0 to {} m", beam.length));
-    }
-    if (!(mass >= 0.0 && mass <= kLargestMass * beam.mass_per_length * beam.length)) {
-      throw InputError(fmt::format("masses[{}].mass", i), mass,
-                       fmt::format("must be 0 or more, and at most {} times the mass of the beam",
-                                   kLargestMass));
-    }
-  }
-}
 
 std::size_t natural_frequencies_below(const Beam& beam, double angular_frequency) {
   check_beam(beam);
@@ -79,7 +47,9 @@ std::size_t natural_frequencies_below(const Beam& beam, double angular_frequency
 double spring_for_first_frequency(const Beam& beam, double first_frequency) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   check_beam(beam);
-  require_positive("first_frequency", first_frequency);
+  if (!(std::isfinite(first_frequency) && first_frequency > 0.0)) {
+    throw InputError("first_frequency", first_frequency, "must be positive and finite");
+  }
   Beam clamped = beam;
   clamped.tip_stiffness = kInfinity;
   const double lambda = wavenumber(beam, 2.0 * std::numbers::pi * first_frequency);

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "microslip/structure/beam.hpp"
+#include "microslip/structure/uniform_beam.hpp"
 
 namespace microslip {
 

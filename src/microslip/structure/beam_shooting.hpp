@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "microslip/structure/beam.hpp"
+#include "microslip/structure/uniform_beam.hpp"
 
 /// @file
 /// The exact solutions of the beam equation at a frequency, from the clamp to the spring. Lengths
