@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "microslip/signal/fourier_fit.hpp"
+#include "microslip/signal/fourier_fit_options.hpp"
 #include "microslip/signal/harmonic_regression.hpp"
 
 namespace microslip {

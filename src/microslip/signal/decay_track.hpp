@@ -9,7 +9,8 @@
 
 #include "microslip/signal/decay_spread.hpp"
 #include "microslip/signal/decay_walk.hpp"
-#include "microslip/signal/ring_down.hpp"
+#include "microslip/signal/ring_down_options.hpp"
+#include "microslip/signal/ring_down_result.hpp"
 #include "microslip/signal/second_oscillation.hpp"
 
 /// @file

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "microslip/base/summary.hpp"
-#include "microslip/signal/fourier_fit.hpp"
+#include "microslip/signal/fourier_fit_options.hpp"
 #include "microslip/signal/frequency_descent.hpp"
 #include "microslip/signal/harmonic_regression.hpp"
 

@@ -16,7 +16,7 @@
 #include "microslip/base/stopwatch.hpp"
 #include "microslip/base/units.hpp"
 #include "microslip/signal/decay_track.hpp"
-#include "microslip/signal/ring_down_result.hpp"
+#include "microslip/signal/ring_down_reading.hpp"
 #include "microslip/signal/ring_down_sensors.hpp"
 
 namespace microslip {

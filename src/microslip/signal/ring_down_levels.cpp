@@ -13,7 +13,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/plausibility.hpp"
-#include "microslip/signal/ring_down_result.hpp"
+#include "microslip/signal/ring_down_reading.hpp"
 
 namespace microslip {
 namespace {

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "microslip/base/median.hpp"
-#include "microslip/signal/ring_down_result.hpp"
+#include "microslip/signal/ring_down_reading.hpp"
 #include "microslip/signal/sensor_means.hpp"
 
 namespace microslip {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "microslip/signal/decay_track.hpp"
-#include "microslip/signal/ring_down.hpp"
+#include "microslip/signal/ring_down_result.hpp"
 
 /// @file
 /// One decay seen by several sensors. Internal to signal.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/signal/ring_down_result.hpp"
+#include "microslip/signal/ring_down_reading.hpp"
 
 #include <fmt/format.h>
 
