@@ -5,10 +5,11 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "microslip/rig/joints_observer.hpp"
-#include "microslip/rig/modal_reduction.hpp"
+#include "microslip/rig/structure_test.hpp"
 #include "microslip/signal/fourier_series.hpp"
 
 /// @file

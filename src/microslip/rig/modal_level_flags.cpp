@@ -23,27 +23,27 @@ constexpr double kTakesPart = 0.1;
 /// Share of a resonance's frequency that is rounding.
 constexpr double kSameFrequency = 1e-9;
 
-const std::string& name_of(const ModalReducer& reducer, std::size_t joint) {
-  return reducer.test().structure.joints()[joint].name;
+const std::string& name_of(const ModalRecord& record, std::size_t joint) {
+  return record.test.structure.joints()[joint].name;
 }
 
 /// "0.8 of 'joint1' with 0.6 of 'joint2'".
-std::string direction_text(const UnseenDirection& direction, const ModalReducer& reducer) {
+std::string direction_text(const UnseenDirection& direction, const ModalRecord& record) {
   std::string text;
   std::size_t count = 0;
   for (std::size_t j = 0; j < direction.participant.size(); ++j) {
     if (direction.participant[j] < kTakesPart) continue;
     text += count++ == 0 ? "" : " with ";
-    text += fmt::format("{:.2g} of '{}'", direction.participant[j], name_of(reducer, j));
+    text += fmt::format("{:.2g} of '{}'", direction.participant[j], name_of(record, j));
   }
   return text;
 }
 
-void flag_unseen(ModalLevel& level, const ModalRecord& record, const ModalReducer& reducer) {
+void flag_unseen(ModalLevel& level, const ModalRecord& record) {
   std::string text;
   for (const UnseenDirection& direction : record.observer.unseen()) {
     if (direction.harmonic > 1) continue;
-    text += (text.empty() ? "" : "; ") + direction_text(direction, reducer);
+    text += (text.empty() ? "" : "; ") + direction_text(direction, record);
   }
   if (text.empty()) return;
   add_flag_once(
@@ -53,7 +53,7 @@ void flag_unseen(ModalLevel& level, const ModalRecord& record, const ModalReduce
           "noise is {}. There the joint is taken to stick, with the standard deviation of "
           "not knowing; D of all joints together does not need it. Add accelerometers that "
           "move with those joints, or calibrate by the model.",
-          reducer.test().accelerometers.size(), level.joints.size(), text));
+          record.test.accelerometers.size(), level.joints.size(), text));
 }
 
 void flag_joint(ModalLevel& level, std::size_t index, const StructuralJoint& joint) {
@@ -118,15 +118,15 @@ void flag_balance(ModalLevel& level) {
                   level.dissipation.value + difference.value, level.dissipation.value));
 }
 
-void flag_frequency(ModalLevel& level, const ModalReducer& reducer, bool resonance_found) {
-  const double stuck = reducer.stuck_frequencies()[level.mode - 1];
+void flag_frequency(ModalLevel& level, const ModalRecord& record) {
+  const double stuck = record.stuck_frequency;
   if (std::abs(level.drive_frequency / stuck - 1.0) > kFarFromStuck) {
     add_flag_once(level.flags, "far_from_mode",
                   fmt::format("{:.5g} Hz is far from {:.5g} Hz of mode {} with stuck joints. Check "
                               "the frequencies of the model, or which mode it is.",
                               level.drive_frequency, stuck, level.mode));
   }
-  if (!resonance_found) {
+  if (!record.resonance_found) {
     add_flag_once(level.flags, "resonance_not_found",
                   fmt::format("No phase resonance of the response point is near {:.6g} Hz: the "
                               "frequency is that of the drive.",
@@ -144,31 +144,32 @@ void flag_frequency(ModalLevel& level, const ModalReducer& reducer, bool resonan
                             level.drive_frequency, off, level.frequency.std));
 }
 
-void flag_model(ModalLevel& level, const ModalReducer& reducer, const std::vector<double>& misfit) {
-  const double most = reducer.options().most_misfit;
+void flag_model(ModalLevel& level, const ModalRecord& record) {
+  const double most = record.options.most_misfit;
   if (level.misfit <= most) return;
-  const auto worst = static_cast<std::size_t>(std::ranges::max_element(misfit) - misfit.begin());
+  const auto worst =
+      static_cast<std::size_t>(std::ranges::max_element(record.misfit) - record.misfit.begin());
   add_flag_once(
       level.flags, "model_misfit",
       fmt::format("The model leaves {} of channel '{}' unexplained, more than {:.2g} %. Check "
                   "point, sign and unit of the accelerometers, and the modes.",
-                  percent_text(level.misfit), reducer.test().accelerometers[worst].channel,
+                  percent_text(level.misfit), record.test.accelerometers[worst].channel,
                   100.0 * most));
 }
 
 }  // namespace
 
-void add_flags(ModalLevel& level, const ModalRecord& record, const ModalReducer& reducer) {
-  flag_unseen(level, record, reducer);
+void add_flags(ModalLevel& level, const ModalRecord& record) {
+  flag_unseen(level, record);
   for (std::size_t j = 0; j < level.joints.size(); ++j) {
-    flag_joint(level, j, reducer.test().structure.joints()[j]);
+    flag_joint(level, j, record.test.structure.joints()[j]);
   }
   flag_energy(level);
   if (!level.has_flag(kJointNotSeen)) flag_balance(level);
-  flag_frequency(level, reducer, record.resonance_found);
-  flag_model(level, reducer, record.misfit);
-  flag_force_distortion(level.flags, level.force_distortion, reducer.options().most_distortion);
-  flag_record(level.flags, record.record, reducer.options().most_phase);
+  flag_frequency(level, record);
+  flag_model(level, record);
+  flag_force_distortion(level.flags, level.force_distortion, record.options.most_distortion);
+  flag_record(level.flags, record.record, record.options.most_phase);
 }
 
 }  // namespace microslip

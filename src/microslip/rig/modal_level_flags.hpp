@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "microslip/rig/fitted_record.hpp"
 #include "microslip/rig/joints_observer.hpp"
-#include "microslip/rig/modal_reduction.hpp"
+#include "microslip/rig/modal_level.hpp"
+#include "microslip/rig/modal_reduction_options.hpp"
+#include "microslip/rig/structure_test.hpp"
 
 /// @file
 /// What is to be looked at in a modal level. Internal to rig.
@@ -15,10 +19,13 @@ struct ModalRecord {
   const FittedRecord& record;
   const JointsObserver& observer;
   const std::vector<double>& misfit;  ///< one an accelerometer
-  bool resonance_found = true;
+  bool resonance_found;
+  const StructureTest& test;
+  const ModalReductionOptions& options;
+  double stuck_frequency;  ///< of the mode of the level with stuck joints, Hz
 };
 
 /// Adds the flags that ModalReducer documents to a level whose values are set.
-void add_flags(ModalLevel& level, const ModalRecord& record, const ModalReducer& reducer);
+void add_flags(ModalLevel& level, const ModalRecord& record);
 
 }  // namespace microslip

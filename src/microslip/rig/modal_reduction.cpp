@@ -212,10 +212,6 @@ void require_finite(const ModalLevel& level) {
 
 }  // namespace
 
-bool ModalLevel::has_flag(std::string_view code) const {
-  return std::ranges::find(flags, code, &Warning::code) != flags.end();
-}
-
 ModalReducer::ModalReducer(StructureTest test, ModalReductionOptions options)
     : test_(std::move(test)),
       options_(options),
@@ -264,8 +260,7 @@ ModalLevel ModalReducer::reduce(const Recording& recording) const {
   require_finite(level);
   add_flags(level,
             {analysis.record, analysis.reduction.observer(), cycle.motion.misfit,
-             cycle.resonance.has_value()},
-            *this);
+             cycle.resonance.has_value(), test_, options_, stuck_frequencies_[level.mode - 1]});
   return level;
 }
 

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "microslip/base/summary.hpp"
+#include "microslip/rig/reduced_level.hpp"
+#include "microslip/rig/reduction_options.hpp"
 #include "microslip/rig/rig.hpp"
 #include "microslip/rig/stick_state.hpp"
 #include "microslip/signal/fourier_fit.hpp"
@@ -17,55 +13,6 @@
 /// From a steady record to a level: what the joint dissipated in a cycle, and at which amplitude.
 
 namespace microslip {
-
-/// Flags that decide whether a level is used.
-inline constexpr std::string_view kInnerReversals = "inner_reversals";
-inline constexpr std::string_view kNegativeDissipation = "dissipation_negative";  ///< D < 0
-
-/// A value with its standard deviation.
-struct Measured {
-  double value = 0.0;  ///< in the unit of what is measured
-  double std = 0.0;    ///< 0 where nothing is known of it
-};
-
-/// What one record tells.
-struct ReducedLevel {
-  std::string source;                ///< of the record
-  double frequency = 0.0;            ///< of the cycle, as fitted, Hz
-  double resonance_frequency = 0.0;  ///< of the structure at this amplitude, Hz
-  double force_amplitude = 0.0;      ///< |F_1|, N
-  double response_amplitude = 0.0;   ///< |A_1| at the exciter, m/s²
-  Measured amplitude;                ///< A, half of the joint displacement peak to peak, m
-  Measured dissipation;              ///< D = W_ext − W_lin, J [AR14 (15)]
-  Measured input_energy;             ///< W_ext, J [AR14 (16)]
-  /// W_ext by the sum over the samples, J [AR14 (17)]; where an accelerometer is at the exciter.
-  std::optional<Measured> input_energy_by_sum = {};
-  double linear_dissipation = 0.0;  ///< W_lin, J [AR14 (18), harmonic n counted n times]
-  std::optional<Measured> secant_stiffness = {};  ///< k_eq, N/m; nothing where k is not known
-  /// Harmonics 2 … H of the force over the first, 1; less what the noise of the channel alone
-  /// shows.
-  double force_distortion = 0.0;
-  std::size_t reversals = 2;  ///< of the joint displacement in a cycle
-  double cycles = 0.0;        ///< in the record
-  double misfit = 0.0;        ///< the worst of the accelerometers against the rig's motion, 1
-  /// What is to be looked at, each once; `code` is what the column `flags` of levels.csv shows.
-  std::vector<Warning> flags = {};
-
-  /// Whether one of the flags has this code.
-  [[nodiscard]] bool has_flag(std::string_view code) const;
-};
-
-/// How Reducer reduces, and what it flags.
-struct ReductionOptions {
-  /// Order 10 as a rule. In a test at resonance the strongest line is the fundamental.
-  FourierFitOptions fit = {.seek_longer_period = false};
-  std::size_t modes = 0;       ///< see stick_state()
-  bool use_vibrometer = true;  ///< false: the joint displacement from the kinematics all the same
-  double most_distortion = 0.01;  ///< of the force without the flag force_distortion, 1; above 0
-  double most_misfit = 0.05;      ///< without the flag model_misfit, 1; above 0
-  double most_mismatch = 0.2;  ///< of vibrometer and kinematics without a flag, relative; above 0
-  double most_phase = 0.05;    ///< rad; of a cycle against the whole record without a flag; above 0
-};
 
 /// Reduces the records of one test. Shared by threads.
 ///

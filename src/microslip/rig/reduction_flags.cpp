@@ -132,14 +132,13 @@ void flag_vibrometer(ReducedLevel& level, const Rig& rig, const CycleResult& cyc
 
 }  // namespace
 
-void add_flags(ReducedLevel& level, const RecordAnalysis& record, const Reducer& reducer) {
-  const ReductionOptions& options = reducer.options();
-  const StickState& state = reducer.state();
+void add_flags(ReducedLevel& level, const RecordAnalysis& record, const Rig& rig,
+               const StickState& state, const ReductionOptions& options) {
   flag_reversals(level);
   flag_frequency(level, state);
-  flag_misfit(level, reducer.rig(), record.whole.motion.misfit, options.most_misfit);
+  flag_misfit(level, rig, record.whole.motion.misfit, options.most_misfit);
   if (record.layout.vibrometer) {
-    flag_vibrometer(level, reducer.rig(), record.whole, options.most_mismatch);
+    flag_vibrometer(level, rig, record.whole, options.most_mismatch);
   }
   flag_dissipation(level, state.stiffness);
   flag_values(level);

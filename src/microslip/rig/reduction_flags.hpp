@@ -2,7 +2,10 @@
 #pragma once
 
 #include "microslip/rig/record_analysis.hpp"
-#include "microslip/rig/reduction.hpp"
+#include "microslip/rig/reduced_level.hpp"
+#include "microslip/rig/reduction_options.hpp"
+#include "microslip/rig/rig.hpp"
+#include "microslip/rig/stick_state.hpp"
 
 /// @file
 /// What is to be looked at in a level. Internal to rig.
@@ -11,6 +14,7 @@ namespace microslip {
 
 /// Adds the flags that Reducer documents to a level whose values are set. Those of what makes D and
 /// k_eq wrong come first; a k_eq that is not positive is taken out.
-void add_flags(ReducedLevel& level, const RecordAnalysis& record, const Reducer& reducer);
+void add_flags(ReducedLevel& level, const RecordAnalysis& record, const Rig& rig,
+               const StickState& state, const ReductionOptions& options);
 
 }  // namespace microslip

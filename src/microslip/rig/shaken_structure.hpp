@@ -10,10 +10,10 @@
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/joint/joint.hpp"
 #include "microslip/rig/broyden.hpp"
+#include "microslip/rig/driven_vibration.hpp"
 #include "microslip/rig/rig.hpp"
 #include "microslip/rig/rig_structure.hpp"
 #include "microslip/rig/stick_state.hpp"
-#include "microslip/rig/virtual_measurement.hpp"
 
 namespace microslip {
 

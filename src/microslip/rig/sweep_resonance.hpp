@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "microslip/base/summary.hpp"
-#include "microslip/rig/stepped_sine.hpp"
+#include "microslip/rig/stepped_sine_sweep.hpp"
 
 /// @file
 /// The phase resonance of a stepped-sine sweep, between two of its steps.

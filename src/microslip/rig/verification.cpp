@@ -15,7 +15,7 @@
 #include "microslip/identify/covered_range.hpp"
 #include "microslip/rig/channel_harmonics.hpp"
 #include "microslip/rig/record_analysis.hpp"
-#include "microslip/rig/reduced_level.hpp"
+#include "microslip/rig/record_level.hpp"
 #include "microslip/rig/rig_structure.hpp"
 
 namespace microslip {
@@ -244,7 +244,7 @@ Verification Verifier::verify(const Recording& recording) const {
   const RecordAnalysis record = analyse_record(recording, rig, state, reducer_.options().fit,
                                                reducer_.options().use_vibrometer);
   Verification result;
-  result.recorded = reduced_level(record, reducer_);
+  result.recorded = reduced_level(record, rig, state, reducer_.options());
   result.phase = std::arg(record.whole.exciter_acceleration.c(1));
   result.setting = setting_of(record, result.recorded, options_.sine);
 

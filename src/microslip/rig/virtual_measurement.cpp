@@ -344,14 +344,6 @@ std::vector<VirtualLevel> levels_to_find(const RigTest& test) {
 
 }  // namespace
 
-double force_distortion(const DrivenVibration& driven, std::size_t harmonics) {
-  double largest = 0.0;
-  for (std::size_t n = 2; n < driven.force.size() && n <= harmonics; ++n) {
-    largest = std::max(largest, std::abs(driven.force[n]));
-  }
-  return driven.force.size() > 1 ? largest / std::abs(driven.force[1]) : 0.0;
-}
-
 std::vector<double> response_levels(const RigTest& test) {
   std::vector<double> responses;
   for (std::size_t i = 0; i < test.count; ++i) {

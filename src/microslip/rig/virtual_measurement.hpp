@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <complex>
 #include <cstddef>
 #include <string_view>
 #include <vector>
@@ -9,8 +8,8 @@
 #include "microslip/base/execution.hpp"
 #include "microslip/base/progress.hpp"
 #include "microslip/base/summary.hpp"
-#include "microslip/dynamics/steady_vibration.hpp"
 #include "microslip/joint/joint.hpp"
+#include "microslip/rig/driven_vibration.hpp"
 #include "microslip/rig/rig.hpp"
 
 /// @file
@@ -25,17 +24,6 @@ inline constexpr std::string_view kMacroSlip = "macro_slip";
 inline constexpr std::string_view kForceNotControlled = "force_not_controlled";
 /// H could not be measured.
 inline constexpr std::string_view kTransferNotMeasured = "transfer_not_measured";
-
-/// A steady vibration and what drives it. Harmonics are factors of e^{inωt}, entry n that of
-/// harmonic n, entry 0 is 0; the phase of F_1 is 0.
-struct DrivenVibration {
-  SteadyVibration vibration;                  ///< of structure and joint
-  std::vector<std::complex<double>> force;    ///< F_n at the exciter, N
-  std::vector<std::complex<double>> voltage;  ///< V_n of the shaker, V; empty without one
-};
-
-/// The largest |F_n|/|F_1| of a force, n = 2 … harmonics, 1. [AR14 Fig. 7]
-[[nodiscard]] double force_distortion(const DrivenVibration& driven, std::size_t harmonics);
 
 /// One level of the test.
 struct VirtualLevel {
