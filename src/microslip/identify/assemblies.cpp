@@ -6,21 +6,49 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <set>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/stopwatch.hpp"
-#include "microslip/identify/assemblies_check.hpp"
 #include "microslip/identify/assemblies_reading.hpp"
 #include "microslip/identify/assembly_chain.hpp"
 #include "microslip/identify/assembly_start.hpp"
+#include "microslip/identify/assembly_stiffness.hpp"
 
 namespace microslip {
 namespace {
 
-constexpr std::size_t kFewestDrawsOfAssemblies = 100;
 /// Draws of a chain: enough that its start is worth its time.
 constexpr std::size_t kAssemblyChain = 250;
+
+void check_names(std::span<const Assembly> assemblies) {
+  std::set<std::string> names;
+  for (const Assembly& one : assemblies) {
+    if (one.name.empty())
+      throw InputError("name of an assembly", InputState{"empty"}, "must be given");
+    if (!names.insert(one.name).second) {
+      throw InputError("name of an assembly", fmt::format("'{}' twice", one.name),
+                       "must be its own", "Name assemblies, or files, differently.");
+    }
+  }
+}
+
+/// What all must have, or none.
+template <typename Has>
+void check_alike(std::span<const Assembly> assemblies, std::string_view what, const Has& has) {
+  const bool first = has(assemblies.front().levels);
+  for (const Assembly& one : assemblies) {
+    if (has(one.levels) == first) continue;
+    throw InputError(fmt::format("{} of assembly '{}'", what, one.name),
+                     InputState{first ? "missing" : "given"},
+                     fmt::format("must be given of all assemblies or of none; that of '{}' is{}",
+                                 assemblies.front().name, first ? "" : " not"),
+                     "Leave the column out, or complete it.");
+  }
+}
 
 /// Draws of all chains, in their order.
 std::vector<AssemblyDraw> draw_assemblies(const StartOfAssemblies& found,
@@ -49,15 +77,32 @@ std::vector<AssemblyDraw> draw_assemblies(const StartOfAssemblies& found,
 
 }  // namespace
 
-void AssembliesOptions::check() const {
-  if (coefficients < 10) throw InputError("coefficients", coefficients, "must be 10 or more");
-  if (draws < kFewestDrawsOfAssemblies) {
-    throw InputError("number of draws", static_cast<double>(draws), "must be 100 or more",
-                     "1000 give smooth bands.");
+void check_assemblies(std::span<const Assembly> assemblies, std::optional<double> stiffness) {
+  if (assemblies.size() < kFewestAssemblies) {
+    throw InputError("number of assemblies", static_cast<double>(assemblies.size()),
+                     fmt::format("must be {} or more: fewer tell hardly by how much the next one "
+                                 "may differ",
+                                 kFewestAssemblies),
+                     "Measure more assemblies, or identify the levels together as of one joint.");
   }
-  if (!(confidence > 0.0 && confidence < 1.0)) {
-    throw InputError("confidence", confidence, "must be between 0 and 1");
+  check_names(assemblies);
+  check_alike(assemblies, "dissipation_std",
+              [](const LevelEvidence& levels) { return levels.dissipation_std_given(); });
+  check_alike(assemblies, "secant_stiffness", [](const LevelEvidence& levels) {
+    return !levels.levels().secant_stiffness.empty();
+  });
+  check_alike(assemblies, "secant_stiffness_std",
+              [](const LevelEvidence& levels) { return levels.secant_std_given(); });
+  for (const Assembly& one : assemblies) {
+    const CommonErrors& common = one.levels.common_errors();
+    if (common.dissipation_gain_std == 0.0 && common.amplitude_gain_std == 0.0 &&
+        common.loss_factor_std == 0.0) {
+      continue;
+    }
+    throw InputError("errors that all levels share", InputState{"given"},
+                     "are not among what is drawn of several assemblies", "Leave them out.");
   }
+  (void)stiffness_of_assemblies(assemblies, stiffness);
 }
 
 AssembliesResult identify_assemblies(std::span<const Assembly> assemblies,

@@ -5,9 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "microslip/identify/assemblies.hpp"
+#include "microslip/identify/assemblies_options.hpp"
+#include "microslip/identify/assemblies_result.hpp"
+#include "microslip/identify/assembly.hpp"
 #include "microslip/identify/assembly_chain.hpp"
 #include "microslip/identify/assembly_start.hpp"
+#include "microslip/identify/assembly_stiffness.hpp"
 
 /// @file
 /// What draws of assemblies say. Internal: Eigen stays out of the installed headers.

@@ -6,21 +6,15 @@
 #include <span>
 #include <vector>
 
-#include "microslip/identify/assemblies.hpp"
+#include "microslip/identify/assembly.hpp"
 #include "microslip/identify/assembly_chain.hpp"
 #include "microslip/identify/assembly_model.hpp"
+#include "microslip/identify/assembly_stiffness.hpp"
 
 /// @file
 /// Where draws of assemblies start. Internal: Eigen stays out of the installed headers.
 
 namespace microslip {
-
-/// What is known of the stiffnesses before anything is fitted.
-struct StiffnessOfAssemblies {
-  AssemblyStiffness from = AssemblyStiffness::kGiven;
-  double middle = 0.0;            ///< kₘ, geometric mean, N/m
-  Eigen::VectorXd log_stiffness;  ///< ln κ of each, as known or as its k_eq begin with
-};
 
 /// The levels of all assemblies over each other, and the model of them with its weights.
 struct StartOfAssemblies {

@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "microslip/identify/inversion.hpp"
 #include "microslip/identify/inversion_basis.hpp"
 #include "microslip/identify/smoothing_path.hpp"
 #include "microslip/observe/level_evidence.hpp"

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <optional>
 
+#include "microslip/identify/evidence_verdicts.hpp"
 #include "microslip/identify/joint_evidence.hpp"
-#include "microslip/identify/record_inversion.hpp"
 
 /// @file
 /// Whether a table of levels is of the joint of the records, or without any of all other tables.

@@ -6,7 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "microslip/identify/parametric.hpp"
+#include "microslip/base/summary.hpp"
+#include "microslip/identify/parametric_model.hpp"
+#include "microslip/joint/joint.hpp"
+#include "microslip/observe/levels.hpp"
 
 /// @file
 /// The densities of parametric.hpp as the search sees them. Internal: not installed.

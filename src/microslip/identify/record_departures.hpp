@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "microslip/identify/record_inversion.hpp"
+#include "microslip/identify/evidence_verdicts.hpp"
 #include "microslip/identify/record_settling.hpp"
 
 /// @file

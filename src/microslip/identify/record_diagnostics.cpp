@@ -18,9 +18,8 @@ namespace {
 /// there comes out at 2 of them, as it cannot be negative.
 constexpr double kLeastLossTold = 3.0;
 
-/// What a departure is called, is, and calls for.
+/// What a departure is, and what it calls for.
 struct DepartureText {
-  std::string_view code;
   std::string_view what;
   std::string_view remedy;
 };
@@ -28,29 +27,29 @@ struct DepartureText {
 DepartureText text_of(RecordDeparture departure) {
   switch (departure) {
     case RecordDeparture::kRate:
-      return {"rate_dependent", "follows the velocity",
+      return {"follows the velocity",
               "`viscous fit` finds a viscous part beside the friction; a slower test shows less "
               "of it."};
     case RecordDeparture::kAsymmetry:
-      return {"asymmetric", "is other to one side than to the other",
+      return {"is other to one side than to the other",
               "Look for a contact that opens, or a load that is not central; no symmetric joint "
               "has such loops."};
     case RecordDeparture::kDeadZone:
-      return {"dead_zone", "is missing about zero: backlash or pinching",
+      return {"is missing about zero: backlash or pinching",
               "Take up the play, or measure the displacement behind it."};
     case RecordDeparture::kDrift:
-      return {"drifts", "grows or falls over the record: wear, temperature or a load that moves",
+      return {"grows or falls over the record: wear, temperature or a load that moves",
               "Identify its parts by themselves, or run the joint in first."};
     case RecordDeparture::kOffset:
-      return {"offset_drifts", "has a zero that moves",
+      return {"has a zero that moves",
               "Balance the force sensor, or take a shorter part of the record."};
     case RecordDeparture::kOther:
-      return {"records_contradict", "is not that of the joint of the other records",
+      return {"is not that of the joint of the other records",
               "Compare units, gains and channels of the files, or identify from each by itself."};
     case RecordDeparture::kRange:
       break;
   }
-  return {"not_masing", "has branches of different ranges that do not lie on one curve",
+  return {"has branches of different ranges that do not lie on one curve",
           "Identify from motions of one size by themselves."};
 }
 
@@ -102,8 +101,6 @@ void warn_of_no_slip(const RecordInversionResult& result, std::vector<Warning>& 
 
 }  // namespace
 
-std::string_view to_string(RecordDeparture departure) { return text_of(departure).code; }
-
 std::vector<Warning> diagnose(const RecordInversionResult& result, const JointEvidence& evidence) {
   std::vector<Warning> warnings;
   for (std::size_t r = 0; r < result.records.size(); ++r) {
@@ -113,7 +110,7 @@ std::vector<Warning> diagnose(const RecordInversionResult& result, const JointEv
       const std::string which =
           result.records.size() > 1 ? evidence.name_of_record(r) + ": " : std::string();
       warnings.push_back(
-          {std::string(text.code),
+          {std::string(to_string(verdict.departure)),
            fmt::format("{}not a joint of this kind: {} of the force {}, where noise would make "
                        "{}. {}",
                        which, percent_text(verdict.share), text.what, percent_text(verdict.noise),

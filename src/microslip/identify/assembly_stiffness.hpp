@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <span>
 
-#include "microslip/identify/assemblies.hpp"
-#include "microslip/identify/assembly_start.hpp"
+#include "microslip/identify/assembly.hpp"
 
 /// @file
-/// What assemblies must be. Internal: Eigen stays out of the installed headers.
+/// What is known of the stiffnesses of assemblies. Internal: Eigen stays out of the installed
+/// headers.
 
 namespace microslip {
+
+/// What is known of the stiffnesses before anything is fitted.
+struct StiffnessOfAssemblies {
+  AssemblyStiffness from = AssemblyStiffness::kGiven;
+  double middle = 0.0;            ///< kₘ, geometric mean, N/m
+  Eigen::VectorXd log_stiffness;  ///< ln κ of each, as known or as its k_eq begin with
+};
 
 /// k of each assembly, and where it comes from.
 /// @param stiffness  of those that have none of their own.
