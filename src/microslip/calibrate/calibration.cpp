@@ -10,15 +10,13 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/stopwatch.hpp"
-#include "microslip/calibrate/calibration_result.hpp"
+#include "microslip/calibrate/calibration_reading.hpp"
 #include "microslip/calibrate/evidence_chain.hpp"
 #include "microslip/calibrate/growing_range.hpp"
 
 namespace microslip {
 namespace {
 
-constexpr int kFewestCoefficients = 10;
-constexpr std::size_t kFewestDraws = 100;
 /// Of the frequency of a level over that of its mode with all joints stuck.
 constexpr double kLeastFrequencyRatio = 0.2;
 constexpr double kMostFrequencyRatio = 2.0;
@@ -130,37 +128,6 @@ CalibrationEvidence evidence_of(const JointedStructure& structure, const ModalLe
 }
 
 }  // namespace
-
-std::string_view to_string(FrequencyUse use) {
-  switch (use) {
-    case FrequencyUse::kChange:
-      return "change";
-    case FrequencyUse::kAbsolute:
-      return "absolute";
-    case FrequencyUse::kIgnore:
-      return "ignore";
-  }
-  return "";
-}
-
-void CalibrationOptions::check() const {
-  if (coefficients < kFewestCoefficients) {
-    throw InputError("coefficients", coefficients,
-                     fmt::format("must be {} or more", kFewestCoefficients));
-  }
-  if (draws < kFewestDraws) {
-    throw InputError("number of draws", static_cast<double>(draws),
-                     fmt::format("must be {} or more", kFewestDraws), "1000 give smooth bands.");
-  }
-  if (!(confidence > 0.0 && confidence < 1.0)) {
-    throw InputError("confidence", confidence, "must be between 0 and 1");
-  }
-  if (fit_stiffness && frequency != FrequencyUse::kAbsolute) {
-    throw InputError("use of the frequencies", to_string(frequency),
-                     "must be absolute to find stiffnesses: nothing else tells them",
-                     "Take the stiffnesses as given, or the frequencies as absolute.");
-  }
-}
 
 CalibrationResult calibrate(const JointedStructure& structure,
                             const std::vector<std::size_t>& sought, const std::string& response,

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "microslip/calibrate/calibration.hpp"
+#include "microslip/calibrate/calibration_options.hpp"
 #include "microslip/calibrate/linearisation.hpp"
 
 /// @file

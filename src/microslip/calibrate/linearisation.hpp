@@ -5,11 +5,12 @@
 #include <cstddef>
 #include <vector>
 
-#include "microslip/calibrate/calibration.hpp"
+#include "microslip/calibrate/calibration_options.hpp"
 #include "microslip/calibrate/joint_unknowns.hpp"
 #include "microslip/calibrate/level_sensitivity.hpp"
 #include "microslip/calibrate/level_states.hpp"
 #include "microslip/calibrate/linear_evidence.hpp"
+#include "microslip/observe/modal_levels.hpp"
 
 /// @file
 /// What levels say of the joints, about the joints as they are known so far. Internal to calibrate.

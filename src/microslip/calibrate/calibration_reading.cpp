@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/calibrate/calibration_result.hpp"
+#include "microslip/calibrate/calibration_reading.hpp"
 
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
