@@ -11,7 +11,7 @@
 
 #include "io/damaged_binary.hpp"
 #include "io/support.hpp"
-#include "microslip/io/mat_tree.hpp"
+#include "microslip/io/mat_file.hpp"
 
 namespace microslip::mat_value_test {
 namespace {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <unordered_map>
 #include <utility>
 
 #include "microslip/io/csv_cells.hpp"
@@ -15,49 +14,18 @@
 #include "microslip/io/text.hpp"
 
 namespace microslip {
-namespace {
-
-constexpr std::string_view kExampleHeader = "'amplitude [m],dissipation [J]'";
-
-/// Parentheses are part of a name, as in "D (left)", unless they hold a unit.
-std::optional<CsvColumn> column_of(std::string_view text) {
-  if (text.find('[') == std::string_view::npos) {
-    std::optional<CsvColumn> column = parse_column(text, true);
-    if (column && column->unit && find_unit(*column->unit) && !column->name.empty()) return column;
-  }
-  return parse_column(text, false);
-}
-
-}  // namespace
 
 /// One pass over the text. Cells that from_chars can read in place are numbers at once; the others
 /// are marked as text.
 class CsvTable::Parser {
  public:
-  explicit Parser(CsvTable& table)
+  /// @param begin  where the rows begin in the text.
+  Parser(CsvTable& table, std::size_t begin)
       : table_(table),
         text_(table.text_),
         end_(text_.data() + text_.size()),
-        position_(text_.data()),
-        scanner_(text_, table.file_, ',') {}
-
-  /// @param names_differ  whether two columns of one name are refused.
-  void parse_header(bool names_differ = true) {
-    names_differ_ = names_differ;
-    if (text_.starts_with(kByteOrderMark)) position_ += kByteOrderMark.size();
-    while (position_ != end_ && skip_blank_or_comment()) {
-    }
-    if (position_ == end_) {
-      throw FormatError({table_.file_, 0, 0}, fmt::format("a header such as {}", kExampleHeader),
-                        text_.empty() ? "an empty file" : "nothing but blanks and comments",
-                        "Was it written to its end?");
-    }
-    table_.header_start_ = offset(position_);
-    const std::string_view rest = text_.substr(table_.header_start_);
-    table_.separator_ = find_separator(rest.substr(0, rest.find('\n')));
-    scanner_ = CellScanner(text_, table_.file_, table_.separator_);
-    read_columns();
-  }
+        position_(text_.data() + begin),
+        scanner_(text_, table.file_, table.separator_) {}
 
   void parse_rows() {
     const char* start = position_;
@@ -82,69 +50,10 @@ class CsvTable::Parser {
     return static_cast<std::size_t>(p - text_.data());
   }
 
-  bool skip_blank_or_comment() {
-    const char* p = position_;
-    while (p != end_ && (*p == ' ' || *p == '\t')) ++p;
-    if (p != end_ && *p == '#') {
-      const std::string_view rest = text_.substr(offset(p) + 1);
-      std::string_view comment = rest.substr(0, rest.find('\n'));
-      p = comment.data() + comment.size();
-      if (comment.ends_with('\r')) comment.remove_suffix(1);
-      table_.comments_.emplace_back(trimmed(comment));
-    }
-    if (!scanner_.at_line_end(p)) return false;
-    position_ = scanner_.skip_line_end(p);
-    return true;
-  }
-
-  void read_columns() {
-    std::unordered_map<std::string, std::size_t> seen;
-    bool all_numbers = true;
-    for (;;) {
-      const RawCell cell = scanner_.scan(position_);
-      const bool last = scanner_.at_line_end(cell.next);
-      const bool trailing = last && cell.begin == cell.end && !table_.columns_.empty();
-      if (!trailing) {
-        all_numbers = all_numbers && parse_number(cell.view()).has_value();
-        add_column(cell, seen);
-      }
-      position_ = last ? scanner_.skip_line_end(cell.next) : cell.next + 1;
-      if (last) break;
-    }
-    if (all_numbers) {
-      throw FormatError(place_at(text_, table_.header_start_, table_.file_),
-                        fmt::format("a header such as {}", kExampleHeader), "a row of numbers",
-                        "Add a first line that names each column with its unit.");
-    }
-  }
-
-  void add_column(const RawCell& cell, std::unordered_map<std::string, std::size_t>& seen) {
-    const std::string text = unescaped(cell);
-    const std::size_t number = table_.columns_.size() + 1;
-    if (trimmed(text.substr(0, text.find('['))).empty()) {
-      throw FormatError(scanner_.place(cell.begin), fmt::format("a name for column {}", number),
-                        text.empty() ? "an empty cell" : in_quotes(text));
-    }
-    std::optional<CsvColumn> column = column_of(text);
-    if (!column) {
-      throw FormatError(scanner_.place(cell.begin),
-                        fmt::format("'name [unit]' as the header of column {}", number),
-                        in_quotes(text));
-    }
-    const auto [first, is_new] = seen.emplace(column->name, number);
-    if (!is_new && names_differ_) {
-      throw FormatError(scanner_.place(cell.begin), "columns with different names",
-                        fmt::format("{} as column {} and as column {}", in_quotes(column->name),
-                                    first->second, number),
-                        "Rename or remove one of them.");
-    }
-    table_.columns_.push_back(std::move(*column));
-  }
-
   /// False where a decimal comma turns up in a table that was read with decimal points so far.
   bool read_rows() {
     while (position_ != end_) {
-      if (skip_blank_or_comment()) continue;
+      if (scanner_.skip_blank_or_comment(position_, table_.comments_)) continue;
       if (!read_row()) return false;
     }
     return true;
@@ -217,7 +126,6 @@ class CsvTable::Parser {
   const char* end_;
   const char* position_;
   CellScanner scanner_;
-  bool names_differ_ = true;
 };
 
 namespace {
@@ -241,9 +149,12 @@ CsvTable::CsvTable(std::string text, std::string_view file) : text_(std::move(te
         {file_, 0, 0}, "a table of comma-separated values", other,
         is_other ? std::string_view("Is it the right file?") : remedy_for_signature(other));
   }
-  Parser parser(*this);
-  parser.parse_header();
-  parser.parse_rows();
+  CsvHeader header = parse_csv_header(text_, file_);
+  separator_ = header.separator;
+  header_start_ = header.start;
+  columns_ = std::move(header.columns);
+  comments_ = std::move(header.comments);
+  Parser(*this, header.end).parse_rows();
 }
 
 std::optional<std::size_t> CsvTable::find(std::string_view name) const {
@@ -368,24 +279,6 @@ void CsvTable::reject_number(std::size_t row, std::size_t column) const {
     remedy = "This table has decimal commas elsewhere: write all numbers one way.";
   }
   reject(row, columns_[column].name, "a finite number", remedy);
-}
-
-std::vector<CsvColumn> csv_columns(std::string_view head) {
-  if (!signature(head).empty()) return {};
-  CsvTable table;
-  table.text_ = head;
-  try {
-    CsvTable::Parser(table).parse_header(false);
-  } catch (const FormatError&) {
-    return {};
-  }
-  return std::move(table.columns_);
-}
-
-std::vector<std::string> csv_column_names(std::string_view head) {
-  std::vector<std::string> names;
-  for (CsvColumn& column : csv_columns(head)) names.push_back(std::move(column.name));
-  return names;
 }
 
 }  // namespace microslip

@@ -8,16 +8,11 @@
 #include <string_view>
 #include <vector>
 
-#include "microslip/base/error.hpp"
 #include "microslip/base/units.hpp"
+#include "microslip/io/csv_column.hpp"
+#include "microslip/io/csv_header.hpp"
 
 namespace microslip {
-
-/// One column of a table, from its header `name [unit]` or `name (unit)`.
-struct CsvColumn {
-  std::string name;                 ///< without outer blanks
-  std::optional<std::string> unit;  ///< as written; nothing where the header has no brackets
-};
 
 /// A table with named columns in comma-separated text.
 ///
@@ -77,9 +72,6 @@ class CsvTable {
  private:
   class Parser;
 
-  CsvTable() = default;
-  friend std::vector<CsvColumn> csv_columns(std::string_view head);
-
   [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
   [[nodiscard]] std::size_t require(std::string_view name, std::string_view header) const;
   [[nodiscard]] Unit unit_of(std::size_t column, const Dimension& expected) const;
@@ -97,12 +89,5 @@ class CsvTable {
   std::vector<double> values_;           ///< row by row; 0 where the cell is no finite number
   std::vector<std::size_t> text_cells_;  ///< indices into values_ of those cells, rising
 };
-
-/// The columns of a table of which only the beginning is given, one that stands twice too: what
-/// kind of table it is to be tells who will refuse it. Empty where it is none.
-[[nodiscard]] std::vector<CsvColumn> csv_columns(std::string_view head);
-
-/// Their names.
-[[nodiscard]] std::vector<std::string> csv_column_names(std::string_view head);
 
 }  // namespace microslip

@@ -151,6 +151,21 @@ void append_text_cell(std::string& text, std::string_view cell) {
   text += '"';
 }
 
+bool CellScanner::skip_blank_or_comment(const char*& p, std::vector<std::string>& comments) const {
+  const char* at = p;
+  while (at != end_ && (*at == ' ' || *at == '\t')) ++at;
+  if (at != end_ && *at == '#') {
+    const std::string_view rest = text_.substr(static_cast<std::size_t>(at - text_.data()) + 1);
+    std::string_view comment = rest.substr(0, rest.find('\n'));
+    at = comment.data() + comment.size();
+    if (comment.ends_with('\r')) comment.remove_suffix(1);
+    comments.emplace_back(trimmed(comment));
+  }
+  if (!at_line_end(at)) return false;
+  p = skip_line_end(at);
+  return true;
+}
+
 TextPlace CellScanner::place(const char* p) const {
   TextPlace place = place_at(text_, static_cast<std::size_t>(p - text_.data()), file_);
   place.line += first_line_ - 1;

@@ -5,9 +5,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/io/csv.hpp"
+#include "microslip/io/csv_column.hpp"
 #include "microslip/io/text.hpp"
 
 /// @file
@@ -98,6 +99,11 @@ class CellScanner {
     if (p != end_ && *p == '\n') ++p;
     return p;
   }
+
+  /// Whether there is nothing but blanks or a comment in the line at `p`, which then goes to the
+  /// next one. @param comments  gets the comment, without `#` and outer blanks.
+  [[nodiscard]] bool skip_blank_or_comment(const char*& p,
+                                           std::vector<std::string>& comments) const;
 
   [[nodiscard]] RawCell scan(const char* p) const {
     p = skip_blanks(p);

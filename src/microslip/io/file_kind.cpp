@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/io/csv.hpp"
+#include "microslip/io/csv_header.hpp"
 #include "microslip/io/input_stream.hpp"
 #include "microslip/io/signature.hpp"
 #include "microslip/io/text.hpp"

@@ -33,8 +33,6 @@ std::string read_all(InputStream& file, std::size_t limit) {
 
 }  // namespace
 
-std::string input_name(const std::string& path) { return path == "-" ? "standard input" : path; }
-
 std::string read_file(const std::string& path, std::size_t limit) {
   InputStream file(path);
   if (file.size().value_or(0) > limit) fail_too_large(file.name(), limit);

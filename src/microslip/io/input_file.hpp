@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <string>
 
+#include "microslip/io/input_name.hpp"
+
 namespace microslip {
 
 /// No table or model that this library is meant for comes near it; a device without an end does.
@@ -17,8 +19,5 @@ inline constexpr std::size_t kLargestFile = std::size_t{16} << 30U;
 
 /// The first bytes of a file, at most `size` of them. @throws FileError  as read_file().
 [[nodiscard]] std::string read_file_head(const std::string& path, std::size_t size);
-
-/// How messages call a file: its path, or "standard input" for "-".
-[[nodiscard]] std::string input_name(const std::string& path);
 
 }  // namespace microslip

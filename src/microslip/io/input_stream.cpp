@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <string_view>
 
-#include "microslip/io/input_file.hpp"
+#include "microslip/io/input_name.hpp"
 #include "microslip/io/open_input.hpp"
 
 namespace microslip {

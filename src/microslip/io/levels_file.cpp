@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "microslip/base/error.hpp"
 #include "microslip/base/units.hpp"
 #include "microslip/io/column_rules.hpp"
 #include "microslip/io/csv.hpp"

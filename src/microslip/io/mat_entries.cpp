@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
+#include "microslip/io/mat_file.hpp"
 #include "microslip/io/mat_path.hpp"
-#include "microslip/io/mat_tree.hpp"
 #include "microslip/io/sampling.hpp"
 #include "microslip/io/text.hpp"
 

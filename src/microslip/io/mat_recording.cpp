@@ -7,9 +7,9 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/hdf5_layout.hpp"
+#include "microslip/io/mat_file.hpp"
 #include "microslip/io/mat_foreign.hpp"
 #include "microslip/io/mat_path.hpp"
-#include "microslip/io/mat_tree.hpp"
 #include "microslip/io/text.hpp"
 
 namespace microslip {

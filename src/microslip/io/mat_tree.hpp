@@ -62,13 +62,6 @@ struct MatReadOptions {
   Progress progress = {};
 };
 
-/// Reads a file of version 5 (compressed or not) or 7.3; or one of HDF5 that another program wrote:
-/// groups are structs, datasets of numbers arrays, transposed, and a group with `data`, `indices`
-/// and `indptr`, as SciPy has them, is a sparse matrix, transposed where its rows are compressed.
-/// @throws FileError    where it cannot be read.
-/// @throws FormatError  where it is no such file or is damaged.
-[[nodiscard]] MatTree read_mat_tree(const std::string& path, const MatReadOptions& options = {});
-
 /// Values of one file may not be more than these, nor nested deeper: no measurement is, and a
 /// damaged file must not exhaust the memory.
 inline constexpr std::size_t kMostMatValues = 1'000'000;

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/io/mat_file.hpp"
 #include "microslip/io/mat_path.hpp"
-#include "microslip/io/mat_tree.hpp"
 #include "microslip/io/text.hpp"
 
 namespace microslip {

@@ -1,28 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <string>
-#include <vector>
 
-#include "microslip/structure/meshed_structure.hpp"
+#include "microslip/io/mesh_contents.hpp"
 
 /// @file
 /// Nodes of a mesh, and named sets of them.
 
 namespace microslip {
-
-/// Nodes under a name.
-struct NodeSet {
-  std::string name;                 ///< as in the file; CalculiX does not tell capitals apart
-  std::vector<std::int64_t> nodes;  ///< rising, each once
-};
-
-/// What a file tells of a mesh.
-struct MeshFile {
-  std::vector<MeshNode> nodes;  ///< in the order of the file
-  std::vector<NodeSet> sets;    ///< in the order of the file
-};
 
 /// Told by their content: an input of CalculiX or Abaqus (`*NODE`, `*NSET`, with GENERATE and sets
 /// of sets, `*INCLUDE`; other keywords are passed over), a universal file (datasets 15 and 2411,

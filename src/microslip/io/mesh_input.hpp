@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "microslip/io/mesh_file.hpp"
+#include "microslip/io/mesh_contents.hpp"
 
 namespace microslip {
 

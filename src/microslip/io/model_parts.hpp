@@ -7,7 +7,7 @@
 
 #include "microslip/dynamics/jointed_structure.hpp"
 #include "microslip/dynamics/structure_draws.hpp"
-#include "microslip/io/model_file.hpp"
+#include "microslip/io/model_contents.hpp"
 #include "microslip/joint/joint.hpp"
 #include "microslip/rig/point_sensor.hpp"
 #include "microslip/structure/modal_model.hpp"

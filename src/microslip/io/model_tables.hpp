@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/io/model_file.hpp"
+#include "microslip/io/model_contents.hpp"
 #include "microslip/io/model_parts.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/io/toml_input.hpp"

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "microslip/base/units.hpp"
+#include "microslip/io/frequency_response.hpp"
 #include "microslip/io/uff58_header.hpp"
-#include "microslip/io/uff_responses.hpp"
 #include "microslip/signal/recording.hpp"
 
 /// @file

@@ -12,7 +12,7 @@
 #include <system_error>
 
 #include "microslip/base/error.hpp"
-#include "microslip/io/input_file.hpp"
+#include "microslip/io/input_name.hpp"
 
 namespace microslip {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "microslip/base/summary.hpp"
-#include "microslip/io/uff55.hpp"
 #include "microslip/io/uff_envelope.hpp"
+#include "microslip/io/uff_mode_shape.hpp"
 
 /// @file
 /// One dataset 2414, "analysis data". Internal to io.

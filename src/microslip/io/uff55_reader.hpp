@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "microslip/io/uff55.hpp"
 #include "microslip/io/uff_envelope.hpp"
+#include "microslip/io/uff_mode_shape.hpp"
 
 /// @file
 /// One dataset 55. Internal to io.

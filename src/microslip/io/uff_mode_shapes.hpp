@@ -6,8 +6,8 @@
 
 #include "microslip/base/summary.hpp"
 #include "microslip/io/uff164.hpp"
-#include "microslip/io/uff55.hpp"
 #include "microslip/io/uff_envelope.hpp"
+#include "microslip/io/uff_mode_shape.hpp"
 
 /// @file
 /// Mode shapes of whichever dataset. Internal to io.

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "microslip/io/uff55.hpp"
 #include "microslip/io/uff_envelope.hpp"
+#include "microslip/io/uff_mode_shape.hpp"
 
 /// @file
 /// What datasets 55 and 2414 have in common. Internal to io.

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "microslip/io/mesh_file.hpp"
+#include "microslip/io/mesh_contents.hpp"
 
 namespace microslip {
 

@@ -1,28 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <complex>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "microslip/base/summary.hpp"
-#include "microslip/structure/structural_matrices.hpp"
+#include "microslip/io/frequency_response.hpp"
 
 /// @file
 /// Frequency responses from universal files: datasets 58 and 58b of the function type 4.
 
 namespace microslip {
-
-/// A response over a force, both as factors of e^{iωt}.
-struct FrequencyResponse {
-  std::string name;          ///< as messages call it: "dataset 3 (node 5 x by a force at node 1 x)"
-  DegreeOfFreedom response;  ///< along the positive direction, whatever the file has
-  DegreeOfFreedom reference;                      ///< of the force, or of the moment, likewise
-  int derivatives = 0;                            ///< 0 receptance, 1 mobility, 2 accelerance
-  std::vector<double> frequency = {};             ///< Hz, above 0, rising
-  std::vector<std::complex<double>> values = {};  ///< SI; one a frequency
-};
 
 /// A system of units.
 struct UnitSystem {
