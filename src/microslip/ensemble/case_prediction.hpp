@@ -7,7 +7,7 @@
 
 #include "microslip/base/summary.hpp"
 #include "microslip/dynamics/structure_draws.hpp"
-#include "microslip/ensemble/ensemble_jobs.hpp"
+#include "microslip/ensemble/planned_jobs.hpp"
 #include "microslip/io/ensemble_plan_file.hpp"
 #include "microslip/io/model_file.hpp"
 

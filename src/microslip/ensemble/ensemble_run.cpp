@@ -23,6 +23,7 @@
 #include "microslip/io/output_files.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/workflow/nothing_found.hpp"
+#include "microslip/workflow/summary_text.hpp"
 
 namespace microslip {
 namespace {
@@ -361,6 +362,37 @@ std::optional<FinishedEnsemble> run_ensemble(const EnsembleRun& run, Team& team)
       });
   if (!coordinator) return std::nullopt;
   return coordinator->finish();
+}
+
+std::string describe_ensemble(const EnsembleRun& run, const FinishedEnsemble& done) {
+  std::string text = line("jobs", fmt::format("{}", done.jobs));
+  if (done.done_before > 0) {
+    text += line("done before", fmt::format("{}, from journals", done.done_before));
+  }
+  text +=
+      line("done now",
+           done.done_now == 0
+               ? std::string("0")
+               : fmt::format("{} in {:.3g} s, {:.4g} a second", done.done_now, done.wall_seconds,
+                             static_cast<double>(done.done_now) / done.wall_seconds));
+  text += line("failed", fmt::format("{}", done.failed));
+  if (!done.journal.empty()) {
+    text += line("journal", done.journal);
+    return text + line("next", "`merge` when all shards are done");
+  }
+  for (const GroupResult& group : done.result.groups) {
+    std::size_t at = 0;
+    for (const EnsembleOutput& output : group.group.outputs) {
+      const ColumnStatistics& s = group.values[at];
+      at += output.size();
+      if (output.size() != 1 || !group.group.grid.empty()) continue;
+      text += line(group.group.name,
+                   fmt::format("{} {:.5g}, {:.5g} to {:.5g} {}", output.name, s.median, s.lower,
+                               s.upper, si_unit(output.dimension)));
+    }
+  }
+  text += line("result", run.out);
+  return text + line("table", run.table);
 }
 
 }  // namespace microslip

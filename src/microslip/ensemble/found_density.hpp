@@ -3,8 +3,9 @@
 
 #include <vector>
 
-#include "microslip/ensemble/ensemble_jobs.hpp"
 #include "microslip/identify/inversion.hpp"
+#include "microslip/io/ensemble_plan_file.hpp"
+#include "microslip/io/ensemble_result_file.hpp"
 
 namespace microslip {
 

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "microslip/ensemble/case_prediction.hpp"
-#include "microslip/ensemble/ensemble_jobs.hpp"
 #include "microslip/ensemble/input_hashes.hpp"
+#include "microslip/ensemble/planned_jobs.hpp"
+#include "microslip/io/ensemble_plan_file.hpp"
 
 namespace microslip {
 

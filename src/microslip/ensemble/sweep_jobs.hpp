@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "microslip/ensemble/case_prediction.hpp"
-#include "microslip/ensemble/ensemble_jobs.hpp"
+#include "microslip/ensemble/planned_jobs.hpp"
+#include "microslip/io/ensemble_plan_file.hpp"
 
 namespace microslip {
 
