@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "microslip/report/figure.hpp"
+#include "microslip/report/figure_content.hpp"
 
 /// @file
 /// What of a layer is drawn on given axes. Internal to report.

@@ -142,42 +142,6 @@ void check_panel(const std::string& prefix, const Figure& figure) {
 
 }  // namespace
 
-std::string axis_text(const FigureAxis& axis) {
-  return axis.unit.empty() ? axis.label : fmt::format("{} [{}]", axis.label, axis.unit);
-}
-
-const std::string& legend_of(const Layer& layer) {
-  return std::visit(
-      [](const auto& concrete) -> const std::string& {
-        if constexpr (requires { concrete.legend; }) {
-          return concrete.legend;
-        } else {
-          return concrete.label;
-        }
-      },
-      layer);
-}
-
-const std::string& name_of(const Layer& layer) {
-  return std::visit(
-      [&](const auto& concrete) -> const std::string& {
-        if constexpr (requires { concrete.name; }) {
-          if (!concrete.name.empty()) return concrete.name;
-        }
-        return legend_of(layer);
-      },
-      layer);
-}
-
-bool is_shown(const Layer& layer) {
-  return std::visit(
-      [](const auto& concrete) {
-        if constexpr (requires { concrete.shown; }) return concrete.shown;
-        return true;
-      },
-      layer);
-}
-
 void check_layers(const std::string& prefix, const std::vector<Layer>& layers, bool gaps) {
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const std::string name = fmt::format("{}layers[{}]", prefix, i);

@@ -92,12 +92,6 @@ std::string footer() {
 
 }  // namespace
 
-std::function<std::string(const Figure&, int, int)> HtmlReportOptions::default_picture() {
-  return [](const Figure& figure, int width, int height) {
-    return draw(figure, PictureFormat::kSvg, {width, height});
-  };
-}
-
 std::string html_report(const ReportDocument& document, const HtmlReportOptions& options) {
   check_report(document);
   std::string before = head(document);

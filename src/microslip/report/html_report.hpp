@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
 #include <string>
 
+#include "microslip/report/html_report_options.hpp"
 #include "microslip/report/report_document.hpp"
 
 /// @file
 /// A report as one HTML file that needs nothing else: no network, no other file, no program.
 
 namespace microslip {
-
-/// How html_report() draws.
-struct HtmlReportOptions {
-  /// Draws the SVG pictures for paper and for browsers without scripts. By default draw() by
-  /// gnuplot; empty for a file without such pictures: the browser then makes those that are
-  /// printed.
-  std::function<std::string(const Figure&, int width, int height)> picture = default_picture();
-
-  /// What draws them by gnuplot.
-  [[nodiscard]] static std::function<std::string(const Figure&, int, int)> default_picture();
-};
 
 /// The file. Charts are drawn by plotly.js and uPlot, which are part of it with their licences. Its
 /// content security policy lets the browser run these scripts alone, by their SHA-256, and load

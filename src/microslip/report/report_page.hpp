@@ -4,7 +4,8 @@
 #include <cstddef>
 #include <string>
 
-#include "microslip/report/html_report.hpp"
+#include "microslip/report/html_report_options.hpp"
+#include "microslip/report/report_document.hpp"
 
 /// @file
 /// The sections of a report as HTML, complete without any script. Internal to report.
