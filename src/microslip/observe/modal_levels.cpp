@@ -8,10 +8,10 @@
 #include <cmath>
 #include <set>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/gather.hpp"
 
 namespace microslip {
 namespace {
@@ -113,10 +113,7 @@ void append(const ModalLevels& more, ModalLevels& levels) {
 
 ModalLevels some_levels(const ModalLevels& levels, std::span<const std::size_t> which) {
   const auto some = [&](const auto& values) {
-    std::remove_cvref_t<decltype(values)> kept;
-    if (values.empty()) return kept;
-    for (const std::size_t i : which) kept.push_back(values[i]);
-    return kept;
+    return values.empty() ? values : gather(values, which);
   };
   ModalLevels kept{.mode = some(levels.mode), .session = some(levels.session)};
   for (const auto& column : kModalColumns) kept.*column.values = some(levels.*column.values);

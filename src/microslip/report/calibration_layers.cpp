@@ -8,6 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "microslip/base/gather.hpp"
+
 namespace microslip {
 namespace {
 
@@ -39,13 +41,6 @@ void for_stretches(const DensityFound& joint, const Add& add) {
 std::vector<double> part(const std::vector<double>& values, std::size_t begin, std::size_t end) {
   return {values.begin() + static_cast<std::ptrdiff_t>(begin),
           values.begin() + static_cast<std::ptrdiff_t>(end)};
-}
-
-std::vector<double> at_rows(const std::vector<double>& values,
-                            const std::vector<std::size_t>& rows) {
-  std::vector<double> picked;
-  for (const std::size_t row : rows) picked.push_back(values[row]);
-  return picked;
 }
 
 }  // namespace
@@ -100,9 +95,9 @@ void add_marks(std::vector<Layer>& layers, const LevelsOfModes& levels,
     std::vector<std::size_t> rows = modes[m].rows;
     std::erase_if(rows, [&](std::size_t row) { return !std::isfinite(values[row]); });
     if (rows.empty()) continue;
-    layers.emplace_back(PointLayer{.x = at_rows(levels.displacement, rows),
-                                   .y = at_rows(values, rows),
-                                   .y_error = std.empty() ? std : at_rows(std, rows),
+    layers.emplace_back(PointLayer{.x = gather(levels.displacement, rows),
+                                   .y = gather(values, rows),
+                                   .y_error = std.empty() ? std : gather(std, rows),
                                    .legend = name_of_mode(modes[m].mode),
                                    .colour = stroke_of(m).colour,
                                    .open = true,
@@ -115,8 +110,8 @@ void add_lines(std::vector<Layer>& layers, const LevelsOfModes& levels,
   if (values.empty()) return;
   const std::vector<RowsOfMode> modes = rows_by_mode(levels);
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    layers.emplace_back(LineLayer{.x = at_rows(levels.displacement, modes[m].rows),
-                                  .y = at_rows(values, modes[m].rows),
+    layers.emplace_back(LineLayer{.x = gather(levels.displacement, modes[m].rows),
+                                  .y = gather(values, modes[m].rows),
                                   .legend = name_of_mode(modes[m].mode),
                                   .stroke = stroke_of(m),
                                   .name = name_of_mode(modes[m].mode) + ", found"});
@@ -129,9 +124,9 @@ void add_bands(std::vector<Layer>& layers, const LevelsOfModes& levels,
   const std::vector<RowsOfMode> modes = rows_by_mode(levels);
   for (std::size_t m = 0; m < modes.size(); ++m) {
     if (modes[m].rows.size() < 2) continue;
-    layers.emplace_back(BandLayer{.x = at_rows(levels.displacement, modes[m].rows),
-                                  .lower = at_rows(lower, modes[m].rows),
-                                  .upper = at_rows(upper, modes[m].rows),
+    layers.emplace_back(BandLayer{.x = gather(levels.displacement, modes[m].rows),
+                                  .lower = gather(lower, modes[m].rows),
+                                  .upper = gather(upper, modes[m].rows),
                                   .colour = stroke_of(m).colour,
                                   .name = name_of_mode(modes[m].mode) + ", band"});
   }

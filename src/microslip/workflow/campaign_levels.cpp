@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/gather.hpp"
 #include "microslip/io/csv.hpp"
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/input_file.hpp"
@@ -141,10 +142,7 @@ CampaignLevels campaign_levels(const CampaignFile& campaign, const std::string& 
 
 Levels some_levels(const Levels& levels, std::span<const std::size_t> which) {
   const auto some = [&](const std::vector<double>& values) {
-    std::vector<double> kept;
-    if (values.empty()) return kept;
-    for (const std::size_t i : which) kept.push_back(values[i]);
-    return kept;
+    return values.empty() ? values : gather(values, which);
   };
   Levels kept{.amplitude = some(levels.amplitude), .dissipation = some(levels.dissipation)};
   for (const OptionalValues& one : kOptional) kept.*one.values = some(levels.*one.values);
@@ -163,10 +161,7 @@ std::vector<std::string> names_of_levels(const CampaignFile& campaign,
 
 std::vector<std::string> names_of_levels(const CampaignFile& campaign, const CampaignLevels& levels,
                                          std::span<const std::size_t> which) {
-  const std::vector<std::string> all = names_of_levels(campaign, levels);
-  std::vector<std::string> names;
-  for (const std::size_t i : which) names.push_back(all[i]);
-  return names;
+  return gather(names_of_levels(campaign, levels), which);
 }
 
 std::string pooled_levels_text(const CampaignLevels& levels, const CampaignFile& campaign,

@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "microslip/base/gather.hpp"
 #include "microslip/io/csv.hpp"
 #include "microslip/io/csv_writer.hpp"
 #include "microslip/io/file_kind.hpp"
@@ -17,6 +18,7 @@
 #include "microslip/io/recording_file.hpp"
 #include "microslip/workflow/calibration.hpp"
 #include "microslip/workflow/campaign_test_kinds.hpp"
+#include "microslip/workflow/provenance.hpp"
 
 namespace microslip {
 namespace {
@@ -51,14 +53,6 @@ std::vector<std::string> flags_of_modal_table(const NamedInput& input, std::size
   return table.has("flags") ? table.text("flags") : std::vector<std::string>(count);
 }
 
-/// Those of some levels.
-std::vector<std::string> some_texts(const std::vector<std::string>& all,
-                                    const std::vector<std::size_t>& which) {
-  std::vector<std::string> some;
-  for (const std::size_t i : which) some.push_back(all[i]);
-  return some;
-}
-
 /// A vector of one value a level, NaN where it was not measured.
 std::vector<double> whole(const std::vector<double>& values, std::size_t count) {
   return values.empty() ? std::vector<double>(count, std::numeric_limits<double>::quiet_NaN())
@@ -87,9 +81,9 @@ void append_modal_test(const CampaignFile& campaign, std::size_t number, const M
   CampaignLevels& levels = all.levels;
   for (const std::size_t mode : more.mode) levels.mode.push_back(mode + 1);
   levels.test.insert(levels.test.end(), count, number);
-  std::ranges::copy(some_texts(sources_of_modal(input, whole_table.size()), asked),
+  std::ranges::copy(gather(sources_of_modal(input, whole_table.size()), asked),
                     std::back_inserter(levels.source));
-  std::ranges::copy(some_texts(flags_of_modal_table(input, whole_table.size()), asked),
+  std::ranges::copy(gather(flags_of_modal_table(input, whole_table.size()), asked),
                     std::back_inserter(levels.flags));
   levels.reversals.insert(levels.reversals.end(), count, 2.0);
   std::ranges::copy(more.displacement, std::back_inserter(levels.levels.amplitude));

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace microslip {
+
+/// The values at some places, in the order of these: values[which[0]], values[which[1]], …
+/// Internal to the library.
+/// @param which  each below the number of values.
+template <typename Value>
+[[nodiscard]] std::vector<Value> gather(const std::vector<Value>& values,
+                                        std::span<const std::size_t> which) {
+  std::vector<Value> gathered;
+  gathered.reserve(which.size());
+  for (const std::size_t i : which) gathered.push_back(values[i]);
+  return gathered;
+}
+
+}  // namespace microslip
