@@ -9,21 +9,12 @@
 #include "microslip/base/progress.hpp"
 #include "microslip/base/summary.hpp"
 #include "microslip/io/joint_file.hpp"
-#include "microslip/observe/record_evidence.hpp"
 #include "microslip/workflow/experiment_results.hpp"
 
 /// @file
 /// The records that a joint was identified from, beside what the joint makes of their paths.
 
 namespace microslip {
-
-/// The force of a joint at each sample of a record, N, with the offset of its group: the mean of
-/// what was measured more than the joint has. NaN where the state of the joint is not known.
-/// @param evidence  of the record.
-/// @param joint     that was identified.
-/// @param viscous   c of a viscous part beside it, N s/m; 0 for none.
-[[nodiscard]] std::vector<double> found_force(const RecordEvidence& evidence, const Joint& joint,
-                                              double viscous);
 
 /// The records that were found, and what kept others from it.
 struct ForcePaths {

@@ -18,7 +18,7 @@
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 #include "microslip/observe/record_cycles.hpp"
-#include "microslip/workflow/force_paths.hpp"
+#include "microslip/observe/record_force.hpp"
 #include "microslip/workflow/model_text.hpp"
 
 namespace microslip {
