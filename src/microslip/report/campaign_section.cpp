@@ -14,6 +14,7 @@
 #include "microslip/report/scales.hpp"
 #include "microslip/report/sections.hpp"
 #include "microslip/report/shown_unit.hpp"
+#include "microslip/workflow/campaign_conditions.hpp"
 #include "microslip/workflow/summary_text.hpp"
 
 namespace microslip {

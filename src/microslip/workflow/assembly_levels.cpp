@@ -12,7 +12,6 @@
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/sha256.hpp"
 #include "microslip/io/text.hpp"
-#include "microslip/workflow/assembly_tables.hpp"
 #include "microslip/workflow/distinct_files.hpp"
 #include "microslip/workflow/level_table.hpp"
 

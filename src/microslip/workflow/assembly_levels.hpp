@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "microslip/base/summary.hpp"
@@ -13,6 +14,11 @@
 /// Tables of levels of several assemblies of a joint.
 
 namespace microslip {
+
+/// How densities.csv calls the middle of the assemblies and the one that comes next. No assembly is
+/// called so.
+inline constexpr std::string_view kCommonDensity = "common";
+inline constexpr std::string_view kNextAssembly = "next";
 
 /// What tells the assemblies apart.
 enum class AssembliesBy {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string_view>
 
 #include "microslip/identify/assemblies.hpp"
 #include "microslip/io/csv_writer.hpp"
@@ -14,11 +13,6 @@
 /// Assemblies in files.
 
 namespace microslip {
-
-/// How densities.csv calls the middle of the assemblies and the one that comes next. No assembly is
-/// called so.
-inline constexpr std::string_view kCommonDensity = "common";
-inline constexpr std::string_view kNextAssembly = "next";
 
 /// What joint.json of the middle says: spreads, assumptions, warnings.
 [[nodiscard]] NamedValues record_of_assemblies(const AssembliesResult& found);

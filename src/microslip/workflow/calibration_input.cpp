@@ -11,7 +11,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/csv.hpp"
-#include "microslip/workflow/assembly_tables.hpp"
+#include "microslip/workflow/assembly_levels.hpp"
 #include "microslip/workflow/record_entries.hpp"
 #include "microslip/workflow/sampled_curves.hpp"
 

@@ -391,6 +391,17 @@ bool DoneCampaign::converged() const {
          std::ranges::all_of(left_out, &LeftOut::converged);
 }
 
+std::vector<ResultFile> planned_files(const CampaignRun& run) {
+  if (run.out.empty() || run.out == "-") {
+    throw InputError("out", in_quotes(run.out), "must be a folder", "Name it.");
+  }
+  const CampaignFile plan = read_plan(run);
+  check_campaign(run, plan);
+  std::vector<ResultFile> files = files_of(run, plan);
+  check_not_replaced(run, plan, files);
+  return files;
+}
+
 DoneCampaign run_campaign(const CampaignRun& run) {
   check_campaign(run, read_plan(run));
   return CampaignWork(run).done();

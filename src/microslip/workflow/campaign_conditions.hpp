@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
-#include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "microslip/base/summary.hpp"
 #include "microslip/io/campaign_file.hpp"
+#include "microslip/workflow/campaign_effects.hpp"
 #include "microslip/workflow/campaign_levels.hpp"
 #include "microslip/workflow/campaign_sessions.hpp"
 
@@ -16,41 +14,6 @@
 /// What the conditions of tests, a torque or an order of amplitudes, differ by.
 
 namespace microslip {
-
-/// A mean with its standard deviation. NaN where it is not known.
-struct ConditionMean {
-  double mean = std::numeric_limits<double>::quiet_NaN();   ///< 1
-  double sigma = std::numeric_limits<double>::quiet_NaN();  ///< 1
-};
-
-/// The levels of tests in which a condition has one value, against the joint identified from all.
-struct ConditionGroup {
-  std::string value = {};             ///< as text
-  std::optional<double> number = {};  ///< nothing of a text
-  std::size_t tests = 0;              ///< with levels
-  std::size_t levels = 0;             ///< of these
-  double least = 0.0;                 ///< amplitude, m
-  double largest = 0.0;               ///< likewise
-  ConditionMean dissipation = {};     ///< of r = ln(D/D̂)
-  /// Of y = ln(f/f̂) less the offset of the session and, of a model, what is wrong with the mode.
-  ConditionMean frequency = {};
-};
-
-/// One condition of the tests to identify from.
-struct ConditionEffect {
-  std::string name = {};  ///< torque_Nm
-  std::vector<ConditionGroup> groups =
-      {};  ///< by rising number, texts in alphabetical order behind
-  /// Slope of r over the condition by weighted least squares of the means, 1 a unit of the
-  /// condition; NaN where a value is no number, there is one, or a σ is not known.
-  ConditionMean dissipation_trend = {};
-  ConditionMean frequency_trend = {};  ///< the same of y
-  bool overlap = true;                 ///< whether the amplitudes of all groups do
-  bool common_modes = true;            ///< whether all groups have levels of one mode
-
-  /// Whether tests of different values are of one joint here.
-  [[nodiscard]] bool pooled() const { return groups.size() > 1; }
-};
 
 /// Of each condition of tests with levels, those that do not say it left out.
 ///

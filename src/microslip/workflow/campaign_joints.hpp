@@ -9,7 +9,8 @@
 #include "microslip/base/progress.hpp"
 #include "microslip/io/joint_samples_file.hpp"
 #include "microslip/io/model_file.hpp"
-#include "microslip/workflow/campaign.hpp"
+#include "microslip/workflow/campaign_result.hpp"
+#include "microslip/workflow/campaign_run.hpp"
 
 /// @file
 /// How the joints of a campaign are found, whatever it is of. Internal to workflow.

@@ -85,21 +85,6 @@ bool has_conditions(const CampaignFile& plan) {
   });
 }
 
-void check_not_replaced(const CampaignRun& run, const CampaignFile& plan,
-                        const std::vector<ResultFile>& files) {
-  std::vector<std::string> inputs{run.campaign, plan.structure};
-  for (const CampaignTest& test : plan.tests) inputs.push_back(part_of_file(test.file).file);
-  for (const ResultFile& file : files) {
-    for (const std::string& input : inputs) {
-      std::error_code none;
-      if (!fs::equivalent(file.path, input, none)) continue;
-      throw InputError("out", in_quotes(run.out),
-                       fmt::format("must not be the folder of {}, which would be replaced", input),
-                       "Choose another folder.");
-    }
-  }
-}
-
 }  // namespace
 
 CampaignFile read_plan(const CampaignRun& run) {
@@ -162,15 +147,19 @@ std::vector<ResultFile> files_of(const CampaignRun& run, const CampaignFile& pla
   return files;
 }
 
-std::vector<ResultFile> planned_files(const CampaignRun& run) {
-  if (run.out.empty() || run.out == "-") {
-    throw InputError("out", in_quotes(run.out), "must be a folder", "Name it.");
+void check_not_replaced(const CampaignRun& run, const CampaignFile& plan,
+                        const std::vector<ResultFile>& files) {
+  std::vector<std::string> inputs{run.campaign, plan.structure};
+  for (const CampaignTest& test : plan.tests) inputs.push_back(part_of_file(test.file).file);
+  for (const ResultFile& file : files) {
+    for (const std::string& input : inputs) {
+      std::error_code none;
+      if (!fs::equivalent(file.path, input, none)) continue;
+      throw InputError("out", in_quotes(run.out),
+                       fmt::format("must not be the folder of {}, which would be replaced", input),
+                       "Choose another folder.");
+    }
   }
-  const CampaignFile plan = read_plan(run);
-  check_campaign(run, plan);
-  std::vector<ResultFile> files = files_of(run, plan);
-  check_not_replaced(run, plan, files);
-  return files;
 }
 
 }  // namespace microslip

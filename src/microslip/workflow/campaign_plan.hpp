@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "microslip/workflow/campaign.hpp"
+#include "microslip/io/campaign_file.hpp"
+#include "microslip/workflow/calibration.hpp"
+#include "microslip/workflow/campaign_run.hpp"
 
 /// @file
 /// What a campaign.toml asks for: the tests and the structure that it names, and the files that
@@ -31,5 +33,10 @@ void check_campaign(const CampaignRun& run, const CampaignFile& plan);
 
 /// The paths and kinds of all files of the results.
 [[nodiscard]] std::vector<ResultFile> files_of(const CampaignRun& run, const CampaignFile& plan);
+
+/// Checks that no file of the results would take the place of an input.
+/// @throws InputError  naming the input.
+void check_not_replaced(const CampaignRun& run, const CampaignFile& plan,
+                        const std::vector<ResultFile>& files);
 
 }  // namespace microslip

@@ -12,36 +12,13 @@
 #include "microslip/io/campaign_file.hpp"
 #include "microslip/joint/joint.hpp"
 #include "microslip/rig/stick_state.hpp"
+#include "microslip/workflow/campaign_effects.hpp"
 #include "microslip/workflow/campaign_levels.hpp"
 
 /// @file
 /// What the sessions of a campaign differ by.
 
 namespace microslip {
-
-/// A mode in a session against the joints that were identified from all. NaN where the levels do
-/// not tell. Of a rig there is one mode.
-struct SessionEffect {
-  std::string name = {};   ///< of the session
-  std::size_t mode = 1;    ///< from 1
-  std::size_t tests = 0;   ///< with levels
-  std::size_t levels = 0;  ///< of these
-  /// Mean of y less that of the first session that has levels of the mode, 1.
-  double frequency_difference = std::numeric_limits<double>::quiet_NaN();
-  /// σ of that, 1; NaN also where no session has two levels.
-  double frequency_difference_std = std::numeric_limits<double>::quiet_NaN();
-  double frequency_offset = 0.0;      ///< δ: the difference where offsets are fitted, else 0, 1
-  double frequency_offset_std = 0.0;  ///< σ of that, 1
-  /// Of y about its mean over the session, rms, 1.
-  double frequency_scatter = std::numeric_limits<double>::quiet_NaN();
-  double dissipation_offset = std::numeric_limits<double>::quiet_NaN();   ///< mean of r, 1
-  double dissipation_scatter = std::numeric_limits<double>::quiet_NaN();  ///< of r about it, rms, 1
-  /// Whether its amplitudes lie all below or all above those of the first session, and by how much
-  /// the mean of ln f̂ over it is off that of the first, 1: what the joint softens by in between is
-  /// then part of the offset, with no level that holds the two apart.
-  bool apart = false;
-  double softening = 0.0;  ///< 0 without frequencies
-};
 
 /// With y = ln(f/f̂) of each level, f̂ the natural frequency with the secant stiffness that the
 /// joint has at its amplitude, and r = ln(D/D̂), D̂ of joint and linear damping there; where ζ was

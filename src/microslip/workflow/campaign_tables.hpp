@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "microslip/workflow/campaign.hpp"
+#include "microslip/workflow/campaign_result.hpp"
 
 /// @file
 /// The tables of a campaign. Internal to workflow.

@@ -24,7 +24,6 @@
 #include "microslip/io/text.hpp"
 #include "microslip/rig/stick_state.hpp"
 #include "microslip/signal/ring_down_levels.hpp"
-#include "microslip/workflow/campaign_levels.hpp"
 #include "microslip/workflow/decay_reduction.hpp"
 #include "microslip/workflow/loops_comparison.hpp"
 #include "microslip/workflow/modal_decay.hpp"

@@ -9,7 +9,7 @@
 #include "microslip/base/progress.hpp"
 #include "microslip/base/summary.hpp"
 #include "microslip/io/campaign_file.hpp"
-#include "microslip/workflow/tests_verification.hpp"
+#include "microslip/workflow/test_reading.hpp"
 
 /// @file
 /// A test of a campaign by its kind: what it may be, its levels, how it is read to be predicted.

@@ -12,6 +12,7 @@
 #include "microslip/io/csv.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/io/warning_comment.hpp"
+#include "microslip/workflow/campaign_conditions.hpp"
 #include "microslip/workflow/campaign_leave_out.hpp"
 #include "microslip/workflow/comparison_table.hpp"
 #include "microslip/workflow/comparison_text.hpp"

@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "microslip/base/summary.hpp"
-#include "microslip/workflow/campaign_conditions.hpp"
-#include "microslip/workflow/campaign_sessions.hpp"
+#include "microslip/workflow/campaign_effects.hpp"
 #include "microslip/workflow/test_comparison.hpp"
 
 /// @file

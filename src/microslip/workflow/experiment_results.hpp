@@ -11,32 +11,16 @@
 #include "microslip/base/summary.hpp"
 #include "microslip/identify/identification.hpp"
 #include "microslip/joint/joint.hpp"
-#include "microslip/observe/levels.hpp"
 #include "microslip/rig/rig.hpp"
 #include "microslip/workflow/calibration_results.hpp"
 #include "microslip/workflow/comparison_results.hpp"
+#include "microslip/workflow/measured_levels.hpp"
 #include "microslip/workflow/predicted_curves.hpp"
 
 /// @file
 /// What a test and its evaluation left behind. All values are SI.
 
 namespace microslip {
-
-/// The levels of a test. Each vector but those of `levels` is empty or has one entry a level.
-struct MeasuredLevels {
-  Levels levels;                                 ///< that the others belong to
-  std::vector<std::string> source = {};          ///< of the record
-  std::vector<std::string> flags = {};           ///< with blanks between them
-  std::vector<double> frequency = {};            ///< of the drive, Hz
-  std::vector<double> resonance_frequency = {};  ///< Hz
-  std::vector<double> force_amplitude = {};      ///< N
-  std::vector<double> response_amplitude = {};   ///< m/s²
-  std::vector<double> input_energy = {};         ///< J
-  std::vector<double> linear_dissipation = {};   ///< J
-  std::vector<double> force_distortion = {};     ///< 1
-  std::vector<double> damping_ratio = {};        ///< of the mode, by a ring-down, 1
-  std::vector<bool> left_out = {};               ///< of the identification: inner reversals
-};
 
 /// A departure from the kind of joint, as it was looked for in a record or in levels.
 struct DepartureFound {

@@ -2,65 +2,20 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "microslip/base/progress.hpp"
 #include "microslip/base/summary.hpp"
 #include "microslip/identify/level_design.hpp"
+#include "microslip/workflow/level_planning.hpp"
 #include "microslip/workflow/provenance.hpp"
 
 /// @file
 /// levels.csv to the levels that are to be measured next.
 
 namespace microslip {
-
-// g++ 12 says that scoped enumerators hide names of other types, which they do not.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wshadow"
-
-/// What further levels are to tell.
-enum class PlanTarget {
-  kDensity,  ///< φ over a range of slip forces
-  kArea,     ///< ∫φ df* over it, the share of k that slips there
-  kPeak,     ///< the height of a resonance peak of a structure with the joint
-};
-
-#pragma GCC diagnostic pop
-
-/// The peak that is to be predicted: the highest of a frequency response.
-struct PlannedPeak {
-  std::string model =
-      {};  ///< path of model.toml; the joint that is measured takes the place of its
-           ///< own
-  std::string joint = {};  ///< name of that; needed where there are several
-  double force = 0.0;      ///< amplitude of the force, N
-  double from = 0.0;       ///< Hz
-  double to = 0.0;         ///< Hz
-};
-
-/// What is to be planned, and how.
-struct LevelPlanning {
-  std::string levels = {};                   ///< path of levels.csv; "-" is standard input
-  double stiffness = 0.0;                    ///< k of the stuck joint, N/m; > 0
-  PlanTarget target = PlanTarget::kDensity;  ///< what levels are to tell
-  PlannedPeak peak = {};                     ///< of kPeak
-  std::size_t count = 5;                     ///< how many levels are sought; 1 to kMostDesigned
-  /// Between which they may lie, m; without it the lowest and highest that are there.
-  std::optional<std::pair<double, double>> amplitude = {};
-  /// Of slip forces, N, of kDensity and kArea; without it k times those amplitudes.
-  std::optional<std::pair<double, double>> range = {};
-  std::size_t draws = 1000;  ///< of the posterior; 100 to kMostDraws
-  std::uint64_t seed = 1;    ///< of them
-  Progress progress = {};    ///< told of the draws, and of those of a peak; may cancel
-
-  /// More are a mistake.
-  static constexpr std::size_t kMostDraws = 100'000;
-};
 
 /// Levels to be measured next.
 struct LevelPlan {

@@ -6,7 +6,7 @@
 
 #include "microslip/base/summary.hpp"
 #include "microslip/joint/joint.hpp"
-#include "microslip/workflow/level_plan.hpp"
+#include "microslip/workflow/level_planning.hpp"
 
 namespace microslip {
 

@@ -20,7 +20,6 @@
 #include "microslip/workflow/named_rig.hpp"
 #include "microslip/workflow/recordings_provenance.hpp"
 #include "microslip/workflow/reduction_text.hpp"
-#include "microslip/workflow/result_tables.hpp"
 
 namespace microslip {
 namespace {

@@ -10,7 +10,7 @@
 #include "microslip/io/recordings.hpp"
 #include "microslip/rig/reduction.hpp"
 #include "microslip/rig/reduction_batch.hpp"
-#include "microslip/workflow/experiment_results.hpp"
+#include "microslip/workflow/measured_levels.hpp"
 #include "microslip/workflow/provenance.hpp"
 
 /// @file

@@ -16,9 +16,6 @@
 
 namespace microslip {
 
-/// levels.csv, truth.csv. @throws FormatError, InputError
-[[nodiscard]] MeasuredLevels levels_of(const NamedInput& input);
-
 /// What is not in the file is "not told by the file".
 /// @throws InputError  where the lists of the band are not of one length.
 [[nodiscard]] IdentifiedJoint joint_of(const JointFile& file, const std::string& path);

@@ -3,7 +3,8 @@
 
 #include <span>
 
-#include "microslip/workflow/tests_verification.hpp"
+#include "microslip/workflow/test_reading.hpp"
+#include "microslip/workflow/tests_verification_options.hpp"
 
 /// @file
 /// Options of a verification that no test of it uses are refused, not ignored. Internal to
