@@ -7,7 +7,6 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/identify/bands.hpp"
-#include "microslip/identify/covered_range.hpp"
 #include "microslip/identify/density_comparison.hpp"
 #include "microslip/identify/diagnostics.hpp"
 #include "microslip/identify/differences.hpp"
@@ -185,12 +184,6 @@ TEST(AnyArgument, OfComparisons) {
   methods.inversion.free = {};
   EXPECT_THROW((void)inversion_with(methods, 1.0), InputError);
   EXPECT_THROW((void)compare_methods(Levels{}, kStiffness, options), InputError);
-
-  const Joint joint(kStiffness, truth);
-  EXPECT_FALSE(beyond_identification(joint, kNaN, 10.0));
-  EXPECT_FALSE(beyond_identification(joint, 1.0, kNaN));
-  EXPECT_FALSE(beyond_identification(joint, 1.0, std::nullopt));
-  EXPECT_TRUE(beyond_identification(joint, kInfinity, 10.0));
 }
 
 }  // namespace

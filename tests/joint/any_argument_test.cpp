@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "microslip/base/error.hpp"
+#include "microslip/joint/covered_range.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/jenkins_network.hpp"
 #include "microslip/joint/joint.hpp"
@@ -229,6 +231,15 @@ TEST(AnyArgument, OfPowerLaws) {
   for (const double s : {-kInfinity, -1.0, 0.0, 0.5}) {
     EXPECT_EQ(power_law_weight(part, s), 0.0);
     EXPECT_EQ(power_law_slip_energy(part, s), 0.0);
+  }
+}
+
+TEST(AnyArgument, OfTheCoveredRange) {
+  for (const Joint& joint : joints()) {
+    EXPECT_FALSE(beyond_identification(joint, kNaN, 10.0));
+    EXPECT_FALSE(beyond_identification(joint, 1.0, kNaN));
+    EXPECT_FALSE(beyond_identification(joint, 1.0, std::nullopt));
+    EXPECT_TRUE(beyond_identification(joint, kInfinity, 10.0));
   }
 }
 

@@ -1,20 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
+#include "microslip/joint/covered_range.hpp"
 
-#include "microslip/base/summary.hpp"
-#include "microslip/joint/joint.hpp"
-
-namespace microslip {
-
-/// A warning, `beyond_identification`, where a joint moves more than in the levels that it was
-/// identified by: kA of a cycle of amplitude A exceeds what they cover by more than 2 %. What slips
-/// there is an assumption. A level predicted a little high is not beyond itself.
-/// @param joint       as identified.
-/// @param amplitude   A, m; ≥ 0.
-/// @param covered_to  kA of the highest level, N; nothing where that is not known: no warning.
-[[nodiscard]] std::optional<Warning> beyond_identification(const Joint& joint, double amplitude,
-                                                           std::optional<double> covered_to);
-
-}  // namespace microslip
+/// @file
+/// For programs that include beyond_identification() by the name that its header had.

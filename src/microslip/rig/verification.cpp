@@ -12,7 +12,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/percent.hpp"
-#include "microslip/identify/covered_range.hpp"
+#include "microslip/joint/covered_range.hpp"
 #include "microslip/rig/channel_harmonics.hpp"
 #include "microslip/rig/record_analysis.hpp"
 #include "microslip/rig/record_level.hpp"

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/identify/covered_range.hpp"
 #include "microslip/identify/record_inversion.hpp"
+#include "microslip/joint/covered_range.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 #include "microslip/observe/record_cycles.hpp"

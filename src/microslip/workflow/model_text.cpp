@@ -16,10 +16,10 @@
 #include "microslip/dynamics/damping_twice.hpp"
 #include "microslip/dynamics/missing_modes.hpp"
 #include "microslip/dynamics/truncation.hpp"
-#include "microslip/identify/covered_range.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/march_file.hpp"
 #include "microslip/io/response_file.hpp"
+#include "microslip/joint/covered_range.hpp"
 #include "microslip/workflow/provenance.hpp"
 #include "microslip/workflow/summary_text.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/covered_range.hpp"
+#include "microslip/joint/covered_range.hpp"
 
 #include <gtest/gtest.h>
 
