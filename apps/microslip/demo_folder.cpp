@@ -8,11 +8,11 @@
 
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/output_files.hpp"
+#include "microslip/io/provenance.hpp"
 #include "microslip/io/recording_file.hpp"
 #include "microslip/workflow/experiment_folder.hpp"
 #include "microslip/workflow/identification_text.hpp"
 #include "microslip/workflow/levels_identification.hpp"
-#include "microslip/workflow/provenance.hpp"
 #include "progress_bar.hpp"
 #include "report_html.hpp"
 

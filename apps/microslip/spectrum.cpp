@@ -15,8 +15,8 @@
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/output_files.hpp"
+#include "microslip/io/provenance.hpp"
 #include "microslip/signal/response_spectrum.hpp"
-#include "microslip/workflow/provenance.hpp"
 #include "microslip/workflow/quantity_text.hpp"
 
 namespace microslip::app {

@@ -10,7 +10,7 @@
 
 #include "microslip/ensemble/sweep_jobs.hpp"
 #include "microslip/io/csv_writer.hpp"
-#include "microslip/workflow/provenance.hpp"
+#include "microslip/io/provenance.hpp"
 #include "microslip/workflow/summary_text.hpp"
 
 namespace microslip {

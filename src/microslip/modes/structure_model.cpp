@@ -11,10 +11,10 @@
 
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/model_writer.hpp"
+#include "microslip/io/path_from.hpp"
+#include "microslip/io/provenance.hpp"
 #include "microslip/io/structure_file.hpp"
 #include "microslip/modes/tested_structure_modes.hpp"
-#include "microslip/workflow/path_from.hpp"
-#include "microslip/workflow/provenance.hpp"
 
 namespace microslip {
 namespace {

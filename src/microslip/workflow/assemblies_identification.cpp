@@ -15,10 +15,10 @@
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/joint_file.hpp"
 #include "microslip/io/joint_samples_file.hpp"
+#include "microslip/io/provenance.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/workflow/assembly_tables.hpp"
 #include "microslip/workflow/model_text.hpp"
-#include "microslip/workflow/provenance.hpp"
 #include "microslip/workflow/summary_text.hpp"
 
 namespace microslip {

@@ -19,6 +19,8 @@
 #include "microslip/io/joint_samples_file.hpp"
 #include "microslip/io/modal_levels_file.hpp"
 #include "microslip/io/model_writer.hpp"
+#include "microslip/io/path_from.hpp"
+#include "microslip/io/provenance.hpp"
 #include "microslip/io/sha256.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/workflow/calibration_tables.hpp"
@@ -26,8 +28,6 @@
 #include "microslip/workflow/model_draws.hpp"
 #include "microslip/workflow/model_rules.hpp"
 #include "microslip/workflow/model_text.hpp"
-#include "microslip/workflow/path_from.hpp"
-#include "microslip/workflow/provenance.hpp"
 #include "microslip/workflow/summary_text.hpp"
 
 namespace microslip {

@@ -6,8 +6,8 @@
 
 #include "microslip/io/calibration_file.hpp"
 #include "microslip/io/joint_file.hpp"
+#include "microslip/io/provenance.hpp"
 #include "microslip/workflow/calibration_results.hpp"
-#include "microslip/workflow/provenance.hpp"
 
 /// @file
 /// The files that calibrate writes, and modal_levels.csv, as results. Internal to workflow.

@@ -15,10 +15,10 @@
 #include "microslip/io/file_kind.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/modal_levels_file.hpp"
+#include "microslip/io/provenance.hpp"
 #include "microslip/io/recording_file.hpp"
 #include "microslip/workflow/calibration.hpp"
 #include "microslip/workflow/campaign_test_kinds.hpp"
-#include "microslip/workflow/provenance.hpp"
 
 namespace microslip {
 namespace {

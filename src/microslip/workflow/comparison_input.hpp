@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "microslip/io/provenance.hpp"
 #include "microslip/workflow/comparison_results.hpp"
-#include "microslip/workflow/provenance.hpp"
 
 /// @file
 /// The tables of verify and of campaign as results. Internal to workflow.

@@ -13,9 +13,9 @@
 #include "microslip/base/units.hpp"
 #include "microslip/io/csv.hpp"
 #include "microslip/io/csv_writer.hpp"
+#include "microslip/io/provenance.hpp"
 #include "microslip/workflow/comparison_text.hpp"
 #include "microslip/workflow/model_text.hpp"
-#include "microslip/workflow/provenance.hpp"
 #include "microslip/workflow/summary_text.hpp"
 #include "microslip/workflow/table_cells.hpp"
 

@@ -10,12 +10,12 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/levels_file.hpp"
+#include "microslip/io/provenance.hpp"
 #include "microslip/io/recording_file.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/workflow/decay_signal.hpp"
 #include "microslip/workflow/decay_text.hpp"
 #include "microslip/workflow/model_text.hpp"
-#include "microslip/workflow/provenance.hpp"
 #include "microslip/workflow/summary_text.hpp"
 
 namespace microslip {

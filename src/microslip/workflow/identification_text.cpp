@@ -13,7 +13,7 @@
 #include "microslip/base/percent.hpp"
 #include "microslip/io/density_file.hpp"
 #include "microslip/io/joint_file.hpp"
-#include "microslip/workflow/provenance.hpp"
+#include "microslip/io/provenance.hpp"
 #include "microslip/workflow/record_entries.hpp"
 #include "microslip/workflow/summary_text.hpp"
 

@@ -16,11 +16,11 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/work_size.hpp"
 #include "microslip/io/csv_writer.hpp"
+#include "microslip/io/provenance.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/memory.hpp"
 #include "microslip/joint/secant.hpp"
 #include "microslip/workflow/model_text.hpp"
-#include "microslip/workflow/provenance.hpp"
 
 namespace microslip {
 namespace {

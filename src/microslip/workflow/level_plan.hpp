@@ -9,8 +9,8 @@
 
 #include "microslip/base/summary.hpp"
 #include "microslip/identify/level_design.hpp"
+#include "microslip/io/provenance.hpp"
 #include "microslip/workflow/level_planning.hpp"
-#include "microslip/workflow/provenance.hpp"
 
 /// @file
 /// levels.csv to the levels that are to be measured next.

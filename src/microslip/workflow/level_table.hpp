@@ -7,7 +7,7 @@
 
 #include "microslip/base/summary.hpp"
 #include "microslip/io/levels_file.hpp"
-#include "microslip/workflow/provenance.hpp"
+#include "microslip/io/provenance.hpp"
 
 /// @file
 /// A levels.csv as an identification takes it.

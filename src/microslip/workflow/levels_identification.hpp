@@ -9,8 +9,8 @@
 
 #include "microslip/identify/identification.hpp"
 #include "microslip/io/joint_file.hpp"
+#include "microslip/io/provenance.hpp"
 #include "microslip/workflow/level_table.hpp"
-#include "microslip/workflow/provenance.hpp"
 #include "microslip/workflow/recorded_options.hpp"
 
 /// @file

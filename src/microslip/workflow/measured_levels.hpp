@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "microslip/io/provenance.hpp"
 #include "microslip/observe/levels.hpp"
-#include "microslip/workflow/provenance.hpp"
 
 namespace microslip {
 

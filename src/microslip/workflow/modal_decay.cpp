@@ -15,12 +15,12 @@
 #include "microslip/base/execution.hpp"
 #include "microslip/io/csv_writer.hpp"
 #include "microslip/io/model_file.hpp"
+#include "microslip/io/provenance.hpp"
 #include "microslip/io/recording_file.hpp"
 #include "microslip/workflow/decay_signal.hpp"
 #include "microslip/workflow/decay_text.hpp"
 #include "microslip/workflow/model_text.hpp"
 #include "microslip/workflow/point_sensors.hpp"
-#include "microslip/workflow/provenance.hpp"
 #include "microslip/workflow/summary_text.hpp"
 
 namespace microslip {

@@ -6,9 +6,9 @@
 
 #include "microslip/base/progress.hpp"
 #include "microslip/base/summary.hpp"
+#include "microslip/io/provenance.hpp"
 #include "microslip/io/recordings.hpp"
 #include "microslip/rig/modal_reduction.hpp"
-#include "microslip/workflow/provenance.hpp"
 
 /// @file
 /// Recordings of a structure with several joints to modal_levels.csv.

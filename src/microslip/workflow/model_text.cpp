@@ -18,9 +18,9 @@
 #include "microslip/dynamics/truncation.hpp"
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/march_file.hpp"
+#include "microslip/io/provenance.hpp"
 #include "microslip/io/response_file.hpp"
 #include "microslip/joint/covered_range.hpp"
-#include "microslip/workflow/provenance.hpp"
 #include "microslip/workflow/summary_text.hpp"
 
 namespace microslip {

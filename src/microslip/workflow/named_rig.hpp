@@ -9,9 +9,9 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/input_file.hpp"
+#include "microslip/io/provenance.hpp"
 #include "microslip/io/rig_file.hpp"
 #include "microslip/rig/reduction_batch.hpp"
-#include "microslip/workflow/provenance.hpp"
 
 /// @file
 /// Errors that name the files of a test. Internal to workflow.

@@ -11,10 +11,10 @@
 #include "microslip/base/error.hpp"
 #include "microslip/identify/record_inversion.hpp"
 #include "microslip/io/levels_file.hpp"
+#include "microslip/io/provenance.hpp"
 #include "microslip/workflow/distinct_files.hpp"
 #include "microslip/workflow/flag_meanings.hpp"
 #include "microslip/workflow/model_text.hpp"
-#include "microslip/workflow/provenance.hpp"
 #include "microslip/workflow/summary_text.hpp"
 
 namespace microslip {

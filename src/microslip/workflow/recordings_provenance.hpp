@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "microslip/workflow/provenance.hpp"
+#include "microslip/io/provenance.hpp"
 
 /// @file
 /// What a table of levels says of the recordings it was made of. Internal to workflow.

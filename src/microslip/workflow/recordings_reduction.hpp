@@ -7,11 +7,11 @@
 
 #include "microslip/base/progress.hpp"
 #include "microslip/base/summary.hpp"
+#include "microslip/io/provenance.hpp"
 #include "microslip/io/recordings.hpp"
 #include "microslip/rig/reduction.hpp"
 #include "microslip/rig/reduction_batch.hpp"
 #include "microslip/workflow/measured_levels.hpp"
-#include "microslip/workflow/provenance.hpp"
 
 /// @file
 /// Recordings of a test to levels.csv.

@@ -10,11 +10,11 @@
 #include "microslip/base/progress.hpp"
 #include "microslip/base/summary.hpp"
 #include "microslip/io/output_files.hpp"
+#include "microslip/io/provenance.hpp"
 #include "microslip/io/recordings.hpp"
 #include "microslip/rig/verification.hpp"
 #include "microslip/rig/verification_batch.hpp"
 #include "microslip/workflow/experiment_results.hpp"
-#include "microslip/workflow/provenance.hpp"
 #include "microslip/workflow/verification_draws.hpp"
 
 /// @file

@@ -8,8 +8,8 @@
 
 #include "microslip/io/density_file.hpp"
 #include "microslip/io/joint_file.hpp"
+#include "microslip/io/provenance.hpp"
 #include "microslip/workflow/experiment_results.hpp"
-#include "microslip/workflow/provenance.hpp"
 
 /// @file
 /// The files of a test as its results. Internal to workflow.

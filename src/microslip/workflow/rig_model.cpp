@@ -12,11 +12,11 @@
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/joint_file.hpp"
 #include "microslip/io/model_writer.hpp"
+#include "microslip/io/path_from.hpp"
+#include "microslip/io/provenance.hpp"
 #include "microslip/io/text.hpp"
 #include "microslip/rig/rig_structure.hpp"
 #include "microslip/workflow/named_rig.hpp"
-#include "microslip/workflow/path_from.hpp"
-#include "microslip/workflow/provenance.hpp"
 
 namespace microslip {
 namespace {

@@ -9,7 +9,7 @@
 #include "microslip/base/summary.hpp"
 #include "microslip/io/joint_file.hpp"
 #include "microslip/io/model_file.hpp"
-#include "microslip/workflow/provenance.hpp"
+#include "microslip/io/provenance.hpp"
 
 namespace microslip {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/path_from.hpp"
+#include "microslip/io/path_from.hpp"
 
 #include <filesystem>
 

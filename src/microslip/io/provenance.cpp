@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/provenance.hpp"
+#include "microslip/io/provenance.hpp"
 
 #include <fmt/format.h>
 
