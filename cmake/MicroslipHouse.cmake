@@ -9,13 +9,14 @@
 # microslip_add_folder(<name>
 #   [NUMERIC]               its loops take the time of users: optimised most, which takes the compiler longest
 #   [LIGHT]                 its own work takes no time to speak of: optimised least
+#   [JOBS <count>]          with CMAKE_UNITY_BUILD: compiled as so many files, 1 unless given
 #   [USES <folder>...]      whose public headers this one may include
 #   [LINKS <target>...]     libraries outside of this project, for the folder alone
 #   PUBLIC <header>...      installed, and seen by who uses the folder
 #   [INTERNAL <header>...]  seen by other folders, but not installed
 #   PRIVATE <file>...)      sources, and headers for the folder alone
 function(microslip_add_folder name)
-  cmake_parse_arguments(PARSE_ARGV 1 folder "NUMERIC;LIGHT" "" "USES;LINKS;PUBLIC;INTERNAL;PRIVATE")
+  cmake_parse_arguments(PARSE_ARGV 1 folder "NUMERIC;LIGHT" "JOBS" "USES;LINKS;PUBLIC;INTERNAL;PRIVATE")
   set(tree "${PROJECT_BINARY_DIR}/include/${name}")
 
   set(private_headers ${folder_PRIVATE})
@@ -45,10 +46,17 @@ function(microslip_add_folder name)
     target_compile_options(microslip_folder_${name}
                            PRIVATE $<$<CONFIG:Release>:$<IF:$<BOOL:${folder_LIGHT}>,-O1,-O2>>)
   endif()
+  set(batch 0) # all
+  if(folder_JOBS)
+    set(sources ${folder_PRIVATE})
+    list(FILTER sources INCLUDE REGEX "\\.cpp$")
+    list(LENGTH sources count)
+    math(EXPR batch "(${count} + ${folder_JOBS} - 1) / ${folder_JOBS}")
+  endif()
   set_target_properties(
     microslip_folder_${name}
     PROPERTIES POSITION_INDEPENDENT_CODE ON
-               UNITY_BUILD_BATCH_SIZE 0 # with CMAKE_UNITY_BUILD the folder is compiled as one
+               UNITY_BUILD_BATCH_SIZE ${batch}
                MICROSLIP_PUBLIC_HEADERS "${public_headers}")
   set_property(GLOBAL APPEND PROPERTY MICROSLIP_FOLDERS ${name})
 endfunction()

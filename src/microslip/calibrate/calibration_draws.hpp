@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/calibrate/growing_range.hpp"
 
 /// @file

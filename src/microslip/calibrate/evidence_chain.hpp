@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/calibrate/linear_evidence.hpp"
 
 /// @file

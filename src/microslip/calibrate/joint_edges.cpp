@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/calibrate/joint_edges.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "microslip/algebra/cholesky.hpp"
 #include "microslip/base/median.hpp"
 #include "microslip/identify/quadratic_program.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/identify/inversion_basis.hpp"
 #include "microslip/joint/joint.hpp"
 

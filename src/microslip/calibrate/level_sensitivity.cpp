@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/calibrate/level_sensitivity.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <span>
 
+#include "microslip/algebra/lu.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <complex>
 #include <string_view>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/dynamics/jointed_structure.hpp"
 #include "microslip/dynamics/steady_vibration.hpp"
 #include "microslip/dynamics/target.hpp"

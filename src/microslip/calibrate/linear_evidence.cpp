@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/calibrate/linear_evidence.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "microslip/algebra/cholesky.hpp"
 #include "microslip/identify/quadratic_program.hpp"
 
 namespace microslip {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <limits>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/identify/quadratic_program.hpp"
 
 /// @file

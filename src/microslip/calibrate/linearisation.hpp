@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/calibrate/calibration_options.hpp"
 #include "microslip/calibrate/joint_unknowns.hpp"
 #include "microslip/calibrate/level_sensitivity.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <complex>
 #include <cstddef>
 #include <memory>
@@ -9,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/dynamics/harmonic_force.hpp"
 #include "microslip/dynamics/jointed_structure.hpp"
 #include "microslip/dynamics/steady_vibration.hpp"

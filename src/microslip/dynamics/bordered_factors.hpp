@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/LU>
 #include <optional>
 #include <vector>
 
+#include "microslip/algebra/lu.hpp"
 #include "microslip/dynamics/balance_equations.hpp"
 
 namespace microslip {

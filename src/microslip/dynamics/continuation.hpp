@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -10,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/base/progress.hpp"
 #include "microslip/dynamics/balance_equations.hpp"
 #include "microslip/dynamics/hermite.hpp"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/dynamics/trigonometric_basis.hpp"
 
 namespace microslip {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
 #include <span>
+
+#include "microslip/algebra/core.hpp"
 
 namespace microslip {
 

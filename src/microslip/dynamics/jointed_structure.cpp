@@ -3,12 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "microslip/algebra/eigenvalues.hpp"
 #include "microslip/base/error.hpp"
 
 namespace microslip {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <span>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/dynamics/trigonometric_basis.hpp"
 
 namespace microslip {

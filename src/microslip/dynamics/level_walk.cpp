@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/dynamics/level_walk.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -10,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "microslip/algebra/lu.hpp"
 #include "microslip/dynamics/trigonometric_basis.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/dynamics/march_damper.hpp"
 
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
+
+#include "microslip/algebra/eigenvalues.hpp"
 
 namespace microslip {
 

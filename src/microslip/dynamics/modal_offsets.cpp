@@ -3,12 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "microslip/algebra/eigenvalues.hpp"
+#include "microslip/algebra/qr.hpp"
 #include "microslip/base/error.hpp"
 
 namespace microslip {

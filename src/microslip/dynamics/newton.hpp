@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/dynamics/balance_equations.hpp"
 #include "microslip/dynamics/bordered_factors.hpp"
 

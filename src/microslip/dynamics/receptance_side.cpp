@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <cmath>
 
+#include "microslip/algebra/eigenvalues.hpp"
+#include "microslip/algebra/lu.hpp"
 #include "microslip/dynamics/structure_side.hpp"
 #include "microslip/dynamics/trigonometric_basis.hpp"
 
@@ -117,8 +117,8 @@ class ReceptanceSide final : public StructureSide {
   static MatrixXd inverse_of_held(const MatrixXd& stiffness) {
     VectorXd scale = stiffness.diagonal();
     for (double& value : scale) value = value > 0.0 ? 1.0 / std::sqrt(value) : 0.0;
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(scale.asDiagonal() * stiffness *
-                                                         scale.asDiagonal());
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(
+        (scale.asDiagonal() * stiffness * scale.asDiagonal()).eval());
     VectorXd inverse = solver.eigenvalues();
     for (double& value : inverse) value = value > 1e-12 ? 1.0 / value : 0.0;
     const MatrixXd vectors = scale.asDiagonal() * solver.eigenvectors();

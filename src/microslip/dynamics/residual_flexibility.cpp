@@ -3,13 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
 
+#include "microslip/algebra/eigenvalues.hpp"
 #include "microslip/base/error.hpp"
 
 namespace microslip {
@@ -102,8 +101,8 @@ std::vector<FurtherMode> static_modes(const JointedStructure& structure,
   std::vector<FurtherMode> modes;
   if (size.isZero(0.0)) return modes;
   const Eigen::VectorXd inverse = size.unaryExpr([](double s) { return s > 0.0 ? 1.0 / s : 0.0; });
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(inverse.asDiagonal() * matrix *
-                                                              inverse.asDiagonal());
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+      (inverse.asDiagonal() * matrix * inverse.asDiagonal()).eval());
   const Eigen::VectorXd& eigenvalues = solver.eigenvalues();
   if (eigenvalues.minCoeff() < -kRounded) {
     throw InputError("compliance of the residual",

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/base/progress.hpp"
 #include "microslip/dynamics/balance_equations.hpp"
 #include "microslip/dynamics/continuation.hpp"

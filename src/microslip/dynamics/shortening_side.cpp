@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <Eigen/LU>
 
+#include "microslip/algebra/lu.hpp"
 #include "microslip/dynamics/structure_side.hpp"
 #include "microslip/dynamics/trigonometric_basis.hpp"
 

@@ -3,11 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Core>
-#include <Eigen/QR>
 #include <cmath>
 #include <string>
 
+#include "microslip/algebra/qr.hpp"
 #include "microslip/base/error.hpp"
 
 namespace microslip {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/dynamics/cycle_extremes.hpp"
 #include "microslip/dynamics/cycle_motion.hpp"
 #include "microslip/dynamics/kink_correction.hpp"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <complex>
 #include <cstddef>
 #include <memory>
 #include <string_view>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/dynamics/jointed_structure.hpp"
 #include "microslip/dynamics/target.hpp"
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "microslip/algebra/core.hpp"
 
 /// @file
 /// Periodic functions by their harmonics, in real numbers. Internal to dynamics.

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Cholesky>
-#include <Eigen/Core>
 #include <vector>
 
+#include "microslip/algebra/cholesky.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/identify/assembly_model.hpp"
 #include "microslip/identify/posterior_chain.hpp"

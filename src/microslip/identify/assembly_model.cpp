@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/identify/assembly_model.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
+#include "microslip/algebra/eigenvalues.hpp"
 #include "microslip/identify/eigen_view.hpp"
 #include "microslip/observe/level_rows.hpp"
 

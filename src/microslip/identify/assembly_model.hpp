@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/identify/inversion_model.hpp"
 #include "microslip/observe/level_evidence.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/identify/assembly.hpp"
 #include "microslip/identify/assembly_chain.hpp"
 #include "microslip/identify/assembly_model.hpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
 #include <span>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/identify/assembly.hpp"
 
 /// @file

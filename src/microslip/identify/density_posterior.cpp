@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <mutex>
@@ -11,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/interpolation.hpp"
 #include "microslip/base/random.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/identify/edge_search.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/tools/minima.hpp>
@@ -9,6 +8,8 @@
 #include <cstdint>
 #include <functional>
 #include <utility>
+
+#include "microslip/algebra/cholesky.hpp"
 
 namespace microslip {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <limits>
 #include <optional>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/identify/inversion_basis.hpp"
 
 /// @file

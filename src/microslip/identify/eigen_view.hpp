@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
+
+#include "microslip/algebra/core.hpp"
 
 /// @file
 /// Plain numbers as Eigen sees them. Internal: Eigen stays out of the installed headers.

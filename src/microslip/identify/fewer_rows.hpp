@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/QR>
 #include <algorithm>
+
+#include "microslip/algebra/qr.hpp"
 
 namespace microslip {
 

@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "microslip/algebra/cholesky.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/median.hpp"
 #include "microslip/base/stopwatch.hpp"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
+
+#include "microslip/algebra/core.hpp"
 
 /// @file
 /// The unknowns of the inversion and what they do to D and k_eq. Internal: Eigen stays out of the

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/identify/level_agreement.hpp"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <vector>
 
+#include "microslip/algebra/cholesky.hpp"
 #include "microslip/identify/record_model.hpp"
 #include "microslip/identify/record_settling.hpp"
 #include "microslip/observe/level_rows.hpp"

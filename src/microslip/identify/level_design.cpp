@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string_view>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/identify/eigen_view.hpp"
 

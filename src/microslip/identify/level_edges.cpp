@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/identify/level_edges.hpp"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <utility>
 
+#include "microslip/algebra/cholesky.hpp"
 #include "microslip/identify/edge_search.hpp"
 
 namespace microslip {
@@ -89,7 +89,7 @@ HeldBends EdgedLevels::bends(const EdgedFit& fit) {
   inner_.add(point.solution);
   const std::vector<Eigen::Index> free = free_coefficients(point.solution);
   const Eigen::MatrixXd penalty = problem.penalty()(Eigen::all, free);
-  const Eigen::LLT<Eigen::MatrixXd> factor(problem.hessian(lambda)(free, free));
+  const Eigen::LLT<Eigen::MatrixXd> factor(problem.hessian(lambda)(free, free).eval());
   return {.bend = problem.penalty() * point.solution.x,
           .bound = lambda * penalty * factor.solve(penalty.transpose()),
           .middles = model.basis().middles()};

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -11,6 +10,7 @@
 #include <limits>
 #include <string>
 
+#include "microslip/algebra/cholesky.hpp"
 #include "microslip/base/percent.hpp"
 #include "microslip/identify/eigen_view.hpp"
 #include "microslip/joint/dissipation.hpp"
@@ -98,7 +98,7 @@ LevelDepartureVerdict order_of(const Directions& of, const std::vector<double>& 
   Eigen::MatrixXd columns(n, 5);
   columns << Eigen::VectorXd::Ones(n), x, x.cwiseAbs2(), rising, rising.cwiseProduct(x);
   const Eigen::MatrixXd weighted = weight.asDiagonal() * columns;
-  const Eigen::LDLT<Eigen::MatrixXd> normal(weighted.transpose() * weighted);
+  const Eigen::LDLT<Eigen::MatrixXd> normal((weighted.transpose() * weighted).eval());
   const Eigen::VectorXd target = weight.cwiseProduct(y);
   const Eigen::VectorXd solution = normal.solve(weighted.transpose() * target);
   const double freedom = std::max(1.0, static_cast<double>(n) - 5.0);

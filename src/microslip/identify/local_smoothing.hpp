@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
-
+#include "microslip/algebra/core.hpp"
 #include "microslip/base/random.hpp"
 
 /// @file

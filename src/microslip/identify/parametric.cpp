@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "microslip/algebra/svd.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/percent.hpp"
 #include "microslip/base/stopwatch.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/identify/posterior_chain.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "microslip/algebra/cholesky.hpp"
 #include "microslip/identify/chi_squared.hpp"
 
 namespace microslip {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/identify/local_smoothing.hpp"
 #include "microslip/identify/quadratic_program.hpp"

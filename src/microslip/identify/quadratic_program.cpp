@@ -3,11 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include "microslip/algebra/cholesky.hpp"
 
 namespace microslip {
 namespace {

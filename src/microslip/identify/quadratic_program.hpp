@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <string_view>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/base/summary.hpp"
 
 /// @file

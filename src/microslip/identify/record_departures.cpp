@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/identify/record_departures.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
+
+#include "microslip/algebra/cholesky.hpp"
 
 namespace microslip {
 namespace {

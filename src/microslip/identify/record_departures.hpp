@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/identify/evidence_verdicts.hpp"
 #include "microslip/identify/record_settling.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/identify/inversion_basis.hpp"
 #include "microslip/identify/joint_evidence.hpp"
 #include "microslip/identify/smoothing_path.hpp"

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/identify/smoothing_path.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include "microslip/algebra/cholesky.hpp"
+#include "microslip/algebra/eigenvalues.hpp"
 
 namespace microslip {
 namespace {

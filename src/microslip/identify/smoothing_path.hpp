@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <memory>
 #include <mutex>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/identify/quadratic_program.hpp"
 #include "microslip/identify/smoothing_rule.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/identify/truncated_gaussian.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "microslip/algebra/cholesky.hpp"
 #include "microslip/base/error.hpp"
 
 namespace microslip {

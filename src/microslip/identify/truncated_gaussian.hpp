@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <limits>
 #include <utility>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/base/random.hpp"
 
 /// @file

@@ -4,7 +4,6 @@
 #include <Spectra/SymGEigsShiftSolver.h>
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -14,6 +13,8 @@
 #include <string>
 #include <utility>
 
+#include "microslip/algebra/cholesky.hpp"
+#include "microslip/algebra/eigenvalues.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/base/stopwatch.hpp"
@@ -150,7 +151,7 @@ MatrixXd dense_shapes(const VibratingSystem& system, double shift) {
   if (with_mass == system.size()) {
     return Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(stiffness, mass).eigenvectors();
   }
-  const Eigen::LLT<MatrixXd> factor(stiffness - shift * mass);
+  const Eigen::LLT<MatrixXd> factor((stiffness - shift * mass).eval());
   const MatrixXd half = factor.matrixL().solve(mass);
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(
       factor.matrixL().solve(half.transpose()).eval());

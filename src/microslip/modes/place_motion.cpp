@@ -3,10 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <utility>
 
+#include "microslip/algebra/eigenvalues.hpp"
 #include "microslip/base/error.hpp"
 
 namespace microslip {

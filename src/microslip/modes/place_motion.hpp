@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/structure/meshed_structure.hpp"
 
 namespace microslip {

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +10,8 @@
 #include <string>
 #include <utility>
 
+#include "microslip/algebra/cholesky.hpp"
+#include "microslip/algebra/qr.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/stopwatch.hpp"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <complex>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/base/summary.hpp"
 #include "microslip/structure/modal_model.hpp"
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/modes/static_attachment.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <utility>
+
+#include "microslip/algebra/eigenvalues.hpp"
 
 namespace microslip {
 namespace {
@@ -89,7 +90,8 @@ StaticAttachment attach_statically(const VibratingSystem& system, const NaturalM
     if (found.compliance(j) > 0.0) beside.col(j) /= std::sqrt(found.compliance(j));
   }
   const MatrixXd energy = beside.transpose() * system.stiffness_times(beside);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> shares(0.5 * (energy + energy.transpose()));
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> shares(
+      (0.5 * (energy + energy.transpose())).eval());
   const auto kept = static_cast<Index>((shares.eigenvalues().array() > kLeastShare).count());
   found.massless = VectorXd::Zero(load.cols());
   if (kept == 0) return found;
@@ -99,7 +101,7 @@ StaticAttachment attach_statically(const VibratingSystem& system, const NaturalM
   }
   // Of unit strain energy now: their modal masses are 1/ω².
   const MatrixXd masses = basis.transpose() * (system.mass * basis);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> ritz(0.5 * (masses + masses.transpose()));
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> ritz((0.5 * (masses + masses.transpose())).eval());
   const double least = std::pow(2.0 * std::numbers::pi * kHighestFrequency, -2.0);
   const auto moving = static_cast<Index>((ritz.eigenvalues().array() > least).count());
   const MatrixXd all = basis * ritz.eigenvectors();

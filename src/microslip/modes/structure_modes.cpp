@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "microslip/algebra/qr.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/modes/natural_modes.hpp"
 #include "microslip/modes/static_attachment.hpp"

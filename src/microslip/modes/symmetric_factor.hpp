@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <cstddef>
 #include <memory>
+
+#include "microslip/algebra/core.hpp"
 
 namespace microslip {
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "microslip/algebra/svd.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/modes/place_motion.hpp"
 

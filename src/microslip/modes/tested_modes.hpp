@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/base/summary.hpp"
 #include "microslip/io/tested_structure.hpp"
 #include "microslip/structure/modal_model.hpp"

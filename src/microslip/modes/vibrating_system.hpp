@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <cstddef>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/modes/symmetric_factor.hpp"
 
 namespace microslip {

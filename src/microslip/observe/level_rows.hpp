@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
+
+#include "microslip/algebra/core.hpp"
 
 /// @file
 /// What levels are of a density: D and k_eq are linear in it. Scaled: amplitude a = A/A_max, slip

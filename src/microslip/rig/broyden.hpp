@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#pragma once
 
-#include <Eigen/Core>
+#include "microslip/algebra/core.hpp"
+#pragma once
 
 namespace microslip {
 

@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <optional>
 
+#include "microslip/algebra/cholesky.hpp"
+#include "microslip/algebra/lu.hpp"
+#include "microslip/algebra/svd.hpp"
 #include "microslip/base/error.hpp"
 
 namespace microslip {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/rig/modal_cycle.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "microslip/algebra/lu.hpp"
 #include "microslip/rig/loop_stiffness.hpp"
 #include "microslip/signal/turning_points.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/rig/modal_observer.hpp"
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <complex>
 #include <numbers>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/base/error.hpp"
 
 namespace microslip {

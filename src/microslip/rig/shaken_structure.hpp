@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <complex>
 #include <cstddef>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/base/summary.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/joint/joint.hpp"

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "microslip/algebra/eigenvalues.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/structure/beam.hpp"
 #include "microslip/structure/beam_modes.hpp"

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include <span>
 #include <utility>
 
+#include "microslip/algebra/qr.hpp"
 #include "microslip/base/error.hpp"
 
 namespace microslip {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
-
+#include "microslip/algebra/core.hpp"
 #include "microslip/signal/fourier_fit_options.hpp"
 #include "microslip/signal/harmonic_regression.hpp"
 

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -13,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "microslip/algebra/cholesky.hpp"
 #include "microslip/base/error.hpp"
 
 namespace microslip {
@@ -100,7 +99,7 @@ std::vector<FourierSeries> fit_block(const Axis& axis, const Eigen::MatrixXd& si
   const double origin = 0.5 * (axis.at(first) + axis.at(last - 1));
   const Eigen::MatrixXd a = columns(axis, first, last, omega, origin, order);
   const auto y = signals.middleRows(static_cast<Index>(first), a.rows());
-  const Eigen::LDLT<Eigen::MatrixXd> gram(a.transpose() * a);
+  const Eigen::LDLT<Eigen::MatrixXd> gram((a.transpose() * a).eval());
   const Eigen::MatrixXd x = gram.solve(a.transpose() * y);
   std::vector<FourierSeries> result;
   for (Index j = 0; j < x.cols(); ++j) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/signal/decay_spread.hpp"
 
-#include <Eigen/Core>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -10,6 +8,8 @@
 #include <numbers>
 #include <numeric>
 #include <vector>
+
+#include "microslip/algebra/qr.hpp"
 
 namespace microslip {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/signal/decay_window.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -9,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "microslip/algebra/cholesky.hpp"
 #include "microslip/signal/tapered_transform.hpp"
 
 namespace microslip {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/signal/decay_leakage.hpp"
 #include "microslip/signal/mode_peak.hpp"
 

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -12,6 +10,7 @@
 #include <numbers>
 #include <utility>
 
+#include "microslip/algebra/cholesky.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/stopwatch.hpp"
 #include "microslip/signal/coefficient_errors.hpp"
@@ -114,7 +113,7 @@ Prepared prepare(const RecordTimes& times, Signals signals, Index degree) {
   const Eigen::MatrixXd p = legendre_at(
       Eigen::VectorXd::NullaryExpr(points, [&times](Index i) { return times.s(i); }), degree);
   Prepared result;
-  result.polynomial = (p.transpose() * p).ldlt().solve(p.transpose() * values);
+  result.polynomial = (p.transpose() * p).eval().ldlt().solve(p.transpose() * values);
   values.noalias() -= p * result.polynomial;
   result.scale = values.colwise().norm().transpose() / std::sqrt(static_cast<double>(points));
   Index moving = 0;

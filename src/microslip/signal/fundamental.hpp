@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/base/summary.hpp"
 #include "microslip/signal/fourier_fit_options.hpp"
 #include "microslip/signal/frequency_descent.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/signal/recording.hpp"
 
 namespace microslip {

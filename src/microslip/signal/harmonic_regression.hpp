@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Cholesky>
-#include <Eigen/Core>
 #include <cstddef>
 
+#include "microslip/algebra/cholesky.hpp"
 #include "microslip/signal/harmonic_basis.hpp"
 
 namespace microslip {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/signal/harmonic_basis.hpp"
 
 namespace microslip {

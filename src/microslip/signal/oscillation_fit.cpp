@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/signal/oscillation_fit.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
+
+#include "microslip/algebra/cholesky.hpp"
 
 namespace microslip {
 namespace {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <cmath>
 #include <complex>
 #include <vector>
+
+#include "microslip/algebra/core.hpp"
 
 /// @file
 /// Least squares of one or two damped oscillations on the transforms of short windows along a

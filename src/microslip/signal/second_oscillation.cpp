@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/signal/second_oscillation.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -11,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/base/median.hpp"
 #include "microslip/signal/oscillation_fit.hpp"
 #include "microslip/signal/tapered_transform.hpp"

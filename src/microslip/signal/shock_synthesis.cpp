@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
+#include "microslip/algebra/cholesky.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/stopwatch.hpp"
 #include "microslip/signal/load_shapes.hpp"

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#include "microslip/algebra/core.hpp"
 
 /// @file
 /// The wavelets that a shock is made of. Internal to signal.

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
@@ -12,6 +11,7 @@
 #include <limits>
 #include <numbers>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/structure/beam_shooting.hpp"
 
