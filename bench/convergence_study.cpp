@@ -20,10 +20,10 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/report/gnuplot.hpp"
 #include "support/reference_csv.hpp"
+#include "support/structures.hpp"
 
 namespace microslip::bench {
 namespace {

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "band_limited_path.hpp"
-#include "dynamics/structures.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/dynamics/harmonic_force.hpp"
 #include "microslip/rig/rig_structure.hpp"
 #include "support/rigs.hpp"
+#include "support/structures.hpp"
 
 namespace microslip::bench {
 namespace {

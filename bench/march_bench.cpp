@@ -7,10 +7,10 @@
 #include <numbers>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "largest_error.hpp"
 #include "microslip/dynamics/march.hpp"
 #include "newmark_march.hpp"
+#include "support/structures.hpp"
 
 namespace microslip::bench {
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "microslip/workflow/response_draws.hpp"
+#include "support/structures.hpp"
 
 namespace microslip::bench {
 namespace {

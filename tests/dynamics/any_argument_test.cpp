@@ -4,10 +4,10 @@
 #include <limits>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/dynamics/harmonic_force.hpp"
+#include "support/structures.hpp"
 
 /// @file
 /// Public functions of dynamics/ with arguments that mean nothing: a documented value or

@@ -3,14 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
 
+#include "microslip/algebra/lu.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/dynamics/trigonometric_basis.hpp"
 #include "support/densities.hpp"

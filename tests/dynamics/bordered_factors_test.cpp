@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/dynamics/trigonometric_basis.hpp"
+#include "support/structures.hpp"
 
 namespace microslip::bordered_factors_test {
 namespace {

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
+#include "support/structures.hpp"
 
 namespace microslip::curve_heights_test {
 namespace {

@@ -4,9 +4,9 @@
 #include <numbers>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/joint/dissipation.hpp"
+#include "support/structures.hpp"
 
 namespace microslip::damping_ratio_test {
 namespace {

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "microslip/dynamics/march.hpp"
+#include "support/structures.hpp"
 
 namespace microslip::density_corners_test {
 namespace {

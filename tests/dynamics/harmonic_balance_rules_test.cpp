@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "support/messages.hpp"
+#include "support/structures.hpp"
 
 namespace microslip::harmonic_balance_rules_test {
 namespace {

@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 #include "support/figures.hpp"
 #include "support/reference_csv.hpp"
+#include "support/structures.hpp"
 
 namespace microslip::harmonic_balance_test {
 namespace {

@@ -3,8 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Core>
 #include <vector>
+
+#include "microslip/algebra/core.hpp"
 
 namespace microslip::hermite_test {
 namespace {

@@ -12,11 +12,11 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/joint/memory.hpp"
 #include "support/figures.hpp"
+#include "support/structures.hpp"
 
 /// @file
 /// Nonlinear modes through internal resonances: while a joint softens a mode, three times its

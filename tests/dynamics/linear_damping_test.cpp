@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "microslip/dynamics/damping_twice.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "support/figures.hpp"
+#include "support/structures.hpp"
 
 namespace microslip::linear_damping_test {
 namespace {

@@ -6,9 +6,9 @@
 #include <numbers>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "microslip/dynamics/march.hpp"
 #include "support/messages.hpp"
+#include "support/structures.hpp"
 
 namespace microslip::march_damping_test {
 namespace {

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "microslip/dynamics/march.hpp"
 #include "support/largest_difference.hpp"
+#include "support/structures.hpp"
 
 namespace microslip::march_normal_load_test {
 namespace {

@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/dynamics/march.hpp"
 #include "support/messages.hpp"
+#include "support/structures.hpp"
 
 namespace microslip::march_rules_test {
 namespace {

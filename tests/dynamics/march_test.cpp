@@ -13,12 +13,12 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/joint/memory.hpp"
 #include "support/figures.hpp"
+#include "support/structures.hpp"
 
 namespace microslip::march_test {
 namespace {

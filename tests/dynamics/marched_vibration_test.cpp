@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/joint/memory.hpp"
+#include "support/structures.hpp"
 
 namespace microslip::marched_vibration_test {
 namespace {

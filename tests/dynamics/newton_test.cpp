@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
-
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -12,11 +10,12 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/structures.hpp"
+#include "microslip/algebra/lu.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/dynamics/bordered_factors.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "support/figures.hpp"
+#include "support/structures.hpp"
 
 /// @file Where there are many unknowns the factors of a step of Newton's method serve the next
 ///     ones.

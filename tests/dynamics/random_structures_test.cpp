@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "support/figures.hpp"
+#include "support/structures.hpp"
 
 namespace microslip::random_structures_test {
 namespace {

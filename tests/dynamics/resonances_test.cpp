@@ -12,12 +12,12 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/dynamics/march.hpp"
 #include "support/figures.hpp"
+#include "support/structures.hpp"
 
 namespace microslip::resonances_test {
 namespace {

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "microslip/base/error.hpp"
+#include "support/structures.hpp"
 
 namespace microslip::structure_draws_test {
 namespace {

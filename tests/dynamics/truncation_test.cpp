@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "support/figures.hpp"
+#include "support/structures.hpp"
 
 namespace microslip::truncation_test {
 namespace {

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Core>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -12,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "microslip/algebra/lu.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/identify/inversion.hpp"

@@ -3,13 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
+
+#include "microslip/algebra/cholesky.hpp"
+#include "microslip/algebra/eigenvalues.hpp"
 
 #include "support/densities.hpp"
 

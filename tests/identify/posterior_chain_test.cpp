@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Core>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/base/random.hpp"
 #include "support/effort.hpp"
 #include "support/figures.hpp"

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -12,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "microslip/algebra/cholesky.hpp"
 #include "microslip/base/random.hpp"
 
 namespace microslip::quadratic_program_test {

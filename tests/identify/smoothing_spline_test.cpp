@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "microslip/algebra/cholesky.hpp"
+#include "microslip/algebra/lu.hpp"
+#include "microslip/algebra/qr.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
 #include "support/figures.hpp"

@@ -3,14 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Core>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <vector>
 
+#include "microslip/algebra/lu.hpp"
 #include "microslip/base/random.hpp"
 
 namespace microslip::truncated_gaussian_test {

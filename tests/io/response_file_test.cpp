@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/io/csv.hpp"
 #include "microslip/io/file_kind.hpp"
+#include "support/structures.hpp"
 
 namespace microslip::response_file_test {
 namespace {

@@ -2,6 +2,7 @@
 
 // The eight layouts of dataset 58, as text and binary, in the formats and byte orders of 58b.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>

@@ -2,6 +2,7 @@
 
 // What is written reads back: 58b to the bit, 58 within its digits.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <bit>

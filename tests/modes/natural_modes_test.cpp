@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <numbers>
 #include <string>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/modes/system_assembly.hpp"
 #include "support/mass_chain.hpp"

@@ -3,11 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
 #include "support/messages.hpp"

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
 #include <cmath>
 
+#include "microslip/algebra/core.hpp"
 #include "microslip/modes/system_assembly.hpp"
 #include "support/mass_chain.hpp"
 

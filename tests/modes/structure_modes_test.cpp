@@ -3,12 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include "microslip/algebra/eigenvalues.hpp"
 #include "microslip/dynamics/harmonic_balance.hpp"
 #include "microslip/io/matrix_market.hpp"
 #include "support/figures.hpp"

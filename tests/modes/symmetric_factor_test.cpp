@@ -3,9 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
 #include <cstdint>
 
+#include "microslip/algebra/eigenvalues.hpp"
+#include "microslip/algebra/lu.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
 #include "support/messages.hpp"

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
 #include <string>
 
+#include "microslip/algebra/eigenvalues.hpp"
 #include "microslip/base/error.hpp"
 #include "support/mass_chain.hpp"
 #include "support/messages.hpp"

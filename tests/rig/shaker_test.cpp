@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <complex>
 #include <vector>
 
+#include "microslip/algebra/lu.hpp"
 #include "microslip/base/random.hpp"
 
 namespace microslip::shaker_test {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
@@ -20,60 +17,21 @@ inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 using Signals = std::vector<std::vector<double>>;
 
-inline std::vector<std::span<const double>> spans(const Signals& signals) {
-  return {signals.begin(), signals.end()};
-}
+std::vector<std::span<const double>> spans(const Signals& signals);
 
-inline Axis even_axis(double rate, double start = 0.0) {
-  Axis axis;
-  axis.start = start;
-  axis.step = 1.0 / rate;
-  return axis;
-}
+Axis even_axis(double rate, double start = 0.0);
 
 /// The same times, each moved by up to `jitter` steps.
-inline Axis jittered_axis(const Axis& even, std::size_t points, double jitter, std::uint64_t seed) {
-  RandomStream random(seed, 77);
-  Axis axis;
-  for (std::size_t i = 0; i < points; ++i) {
-    axis.values.push_back(even.at(i) + jitter * even.step * (2.0 * random.uniform() - 1.0));
-  }
-  return axis;
-}
+Axis jittered_axis(const Axis& even, std::size_t points, double jitter, std::uint64_t seed);
 
 /// Harmonics a·share^(n−1) with phases that have no pattern.
-inline FourierSeries series_of(double frequency, std::size_t order, double amplitude, double share,
-                               double phase) {
-  FourierSeries series;
-  series.omega = kTwoPi * frequency;
-  for (std::size_t n = 1; n <= order; ++n) {
-    const double number = static_cast<double>(n);
-    series.harmonic.push_back(
-        std::polar(amplitude * std::pow(share, number - 1.0), phase + number * number));
-  }
-  return series;
-}
+FourierSeries series_of(double frequency, std::size_t order, double amplitude, double share,
+                        double phase);
 
-inline std::vector<double> sampled(const FourierSeries& series, const Axis& axis,
-                                   std::size_t points, double noise = 0.0, std::uint64_t seed = 1,
-                                   std::uint64_t stream = 0) {
-  std::vector<double> result = values(series, axis, points);
-  RandomStream random(seed, stream);
-  if (noise > 0.0) {
-    for (double& value : result) value += noise * random.normal();
-  }
-  return result;
-}
+std::vector<double> sampled(const FourierSeries& series, const Axis& axis, std::size_t points,
+                            double noise = 0.0, std::uint64_t seed = 1, std::uint64_t stream = 0);
 
 /// Largest |c_n| difference over the largest |c_n| of the truth.
-inline double coefficient_error(const FourierSeries& found, const FourierSeries& truth) {
-  double error = 0.0;
-  double largest = 0.0;
-  for (std::size_t n = 1; n <= std::max(found.order(), truth.order()); ++n) {
-    error = std::max(error, std::abs(found.c(n) - truth.c(n)));
-    largest = std::max(largest, std::abs(truth.c(n)));
-  }
-  return error / largest;
-}
+double coefficient_error(const FourierSeries& found, const FourierSeries& truth);
 
 }  // namespace microslip::test

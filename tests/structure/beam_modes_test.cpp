@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "io/support.hpp"
+#include "microslip/algebra/core.hpp"
 #include "microslip/base/error.hpp"
 #include "structure/beams.hpp"
 #include "structure/exact_beam.hpp"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
+#include "microslip/algebra/eigenvalues.hpp"
 #include "microslip/structure/beam.hpp"
 
 namespace microslip::testing {

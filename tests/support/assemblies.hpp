@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
-#include <string>
 #include <vector>
 
 #include "microslip/base/interpolation.hpp"
@@ -28,53 +24,16 @@ struct KnownSpread {
 /// An assembly of a joint: φ_j(f) = φ(f/S)/S · e^g(f/S) with g = c₀ + c₁cos πt + c₂sin πt, t the
 /// root of f over the end of the density: not what the identification assumes of shapes, but as
 /// smooth.
-inline Joint assembly_of(const Joint& middle, const KnownSpread& spread, std::uint64_t seed,
-                         std::uint64_t number) {
-  constexpr std::size_t kKnots = 1500;
-  RandomStream random(seed, number);
-  const double k = middle.stiffness() * std::exp(spread.stiffness * random.normal());
-  const double scale = std::exp(spread.slip_force * random.normal());
-  const double each = spread.shape / std::sqrt(2.0);
-  const double constant = each * random.normal();
-  const double cosine = each * random.normal();
-  const double sine = each * random.normal();
-  const double end = middle.density().largest_slip_force();
-  PiecewiseLinearPart part;
-  for (std::size_t i = 0; i <= kKnots; ++i) {
-    const double t = static_cast<double>(i) / kKnots;
-    const double f = end * std::max(t * t, 1e-8) * (i == kKnots ? 1.0 - 1e-12 : 1.0);
-    const double g =
-        constant + cosine * std::cos(std::numbers::pi * t) + sine * std::sin(std::numbers::pi * t);
-    part.slip_force.push_back(i == 0 ? 0.0 : scale * f);
-    part.density.push_back(middle.density().density(f) / scale * std::exp(g));
-  }
-  const double area = integral(part.slip_force, part.density);
-  for (double& value : part.density) value /= std::max(1.0, area);
-  return {k, SlipDensity({part})};
-}
+Joint assembly_of(const Joint& middle, const KnownSpread& spread, std::uint64_t seed,
+                  std::uint64_t number);
 
 /// What a campaign measures: D of `count` levels from 5 % of the largest amplitude, with scatter.
-inline Levels measured_levels(const Joint& joint, std::size_t count, double scatter,
-                              std::uint64_t seed, std::uint64_t number) {
-  Levels levels =
-      levels_at(joint, equal_ratios(count, 0.03 * kLargestAmplitude, kLargestAmplitude));
-  RandomStream random(seed, 1000 + number);
-  for (double& d : levels.dissipation) d *= 1.0 + scatter * random.normal();
-  return levels;
-}
+Levels measured_levels(const Joint& joint, std::size_t count, double scatter, std::uint64_t seed,
+                       std::uint64_t number);
 
 /// Assemblies numbered from 0, named "a", "b", …, with k given.
-inline std::vector<Assembly> measured_assemblies(const Joint& middle, const KnownSpread& spread,
-                                                 std::size_t count, std::uint64_t seed,
-                                                 std::size_t levels = 30, double scatter = 0.01) {
-  std::vector<Assembly> all;
-  for (std::size_t j = 0; j < count; ++j) {
-    const Joint joint = assembly_of(middle, spread, seed, j);
-    all.push_back({std::string(1, static_cast<char>('a' + j)),
-                   LevelEvidence(measured_levels(joint, levels, scatter, seed, j)),
-                   joint.stiffness()});
-  }
-  return all;
-}
+std::vector<Assembly> measured_assemblies(const Joint& middle, const KnownSpread& spread,
+                                          std::size_t count, std::uint64_t seed,
+                                          std::size_t levels = 30, double scatter = 0.01);
 
 }  // namespace microslip::testing

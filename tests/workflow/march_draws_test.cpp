@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "microslip/base/error.hpp"
+#include "support/structures.hpp"
 
 namespace microslip::march_draws_test {
 namespace {

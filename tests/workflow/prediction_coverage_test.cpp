@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/identify/identification.hpp"
 #include "microslip/joint/dissipation.hpp"
@@ -18,6 +17,7 @@
 #include "microslip/workflow/response_draws.hpp"
 #include "support/effort.hpp"
 #include "support/figures.hpp"
+#include "support/structures.hpp"
 
 namespace microslip::prediction_coverage_test {
 namespace {

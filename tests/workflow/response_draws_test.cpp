@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/structures.hpp"
 #include "microslip/base/error.hpp"
 #include "support/effort.hpp"
+#include "support/structures.hpp"
 
 namespace microslip::response_draws_test {
 namespace {

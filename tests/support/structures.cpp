@@ -1,49 +1,36 @@
 // SPDX-License-Identifier: MIT
-#pragma once
+#include "support/structures.hpp"
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include "microslip/base/random.hpp"
-#include "microslip/dynamics/jointed_structure.hpp"
-#include "microslip/rig/rig_structure.hpp"
-#include "support/densities.hpp"
-#include "support/rigs.hpp"
-
-/// @file Structures whose vibration is known from elsewhere.
-
 namespace microslip::testing {
 
-/// A mass of 1 kg on a spring of 0.75 N/m with a damper of 0.01 N s/m and a joint.
-inline JointedStructure one_mass(Joint joint, double spring = 0.75, double damper = 0.01) {
+JointedStructure one_mass(Joint joint, double spring, double damper) {
   const double omega = std::sqrt(spring);
   ModalModel linear({{omega, damper / omega}}, {{"mass", {1.0}}});
   return JointedStructure(std::move(linear), {{"joint", std::move(joint), {1.0}}}, {{"mass"}});
 }
 
-/// Segalman's joint and a Jenkins element, 0.25 N/m both, macro-slip at 0.2 N.
-inline Joint iwan_joint() { return Joint::four_parameter(0.2, 0.25, -0.5, 0.0); }
-inline Joint jenkins_joint() { return Joint(0.25, SlipDensity({AtomsPart{{0.2}, {1.0}}})); }
+Joint iwan_joint() { return Joint::four_parameter(0.2, 0.25, -0.5, 0.0); }
 
-/// Joints of a kind each: atoms, a power law, uniform with an elastic remainder, piecewise linear.
-inline std::vector<Joint> joints_of_each_kind() {
+Joint jenkins_joint() { return Joint(0.25, SlipDensity({AtomsPart{{0.2}, {1.0}}})); }
+
+std::vector<Joint> joints_of_each_kind() {
   return {jenkins_joint(), iwan_joint(), Joint(1.0, SlipDensity({UniformPart{0.0, 0.5, 0.9}})),
           Joint(2.0, SlipDensity({PiecewiseLinearPart{{0.0, 0.1, 0.5}, {1.0, 2.5, 1.0}}}))};
 }
 
-/// The reference rig with the joint of reference_rig_levels.csv; driven at the point "force".
-inline JointedStructure friction_rig(std::size_t modes = 7) {
+JointedStructure friction_rig(std::size_t modes) {
   const Rig rig = reference_rig();
   return rig_structure(rig, stick_state(rig, modes), reference_joint());
 }
 
-/// Modes and joints of four-parameter densities or of atoms, driven at "a"; seen there or at "b".
-inline JointedStructure random_structure(std::uint64_t seed, std::uint64_t stream,
-                                         std::size_t count, std::size_t joint_count) {
+JointedStructure random_structure(std::uint64_t seed, std::uint64_t stream, std::size_t count,
+                                  std::size_t joint_count) {
   RandomStream random(seed, stream);
   const auto uniform = [&] { return 2.0 * random.uniform() - 1.0; };
   std::vector<Mode> modes;
