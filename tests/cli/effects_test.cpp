@@ -35,7 +35,6 @@
 #include "support/effort.hpp"
 #include "support/jointed_records.hpp"
 #include "support/tested_chain.hpp"
-#include "support/thinned_table.hpp"
 
 namespace microslip::cli_test::effects_test {
 namespace {
@@ -76,9 +75,30 @@ void put_all(const std::string& folder, const Files& files) {
   }
 }
 
+/// Whether a text names a file, or the folder that it is in.
+bool is_named(const std::string& text, const std::string& file) {
+  return text.find(file.substr(0, file.find('/'))) != std::string::npos;
+}
+
+/// The files that a call may come upon: those that it names, and those that these name. To write
+/// and to read again all of the inputs takes longer than most calls.
+Files reached(const Files& inputs, const std::string& call) {
+  Files found;
+  std::vector<std::string> texts{call};
+  while (!texts.empty()) {
+    const std::string text = texts.back();
+    texts.pop_back();
+    for (const auto& [name, content] : inputs) {
+      if (!is_named(text, name) || !found.emplace(name, content).second) continue;
+      if (name.ends_with(".toml") || name.ends_with(".json")) texts.push_back(content);
+    }
+  }
+  return found;
+}
+
 Run run(const Files& inputs, const Arguments& arguments) {
   const Sandbox box;
-  put_all(box.path(), inputs);
+  put_all(box.path(), reached(inputs, fmt::format("{}", fmt::join(arguments, " "))));
   Run result;
   result.outcome = box.run(arguments);
   for (const auto& [path, content] : box.content()) {
@@ -102,6 +122,12 @@ std::string full_levels() {
                         0.4 * d, i == 7 ? 4 : 2, i == 3 ? "dissipation_in_noise" : "");
   }
   return text;
+}
+
+std::string first_lines(const std::string& text, int count) {
+  std::size_t end = 0;
+  while (count-- > 0) end = text.find('\n', end) + 1;
+  return text.substr(0, end);
 }
 
 /// Of three assemblies whose k and slip forces differ; with repeated levels that turn inside.
@@ -373,6 +399,28 @@ void add_kinds(Files& all) {
       edited(all.at("campaign.toml"), "use = \"predict\" -> use = \"predict\"\nkind = \"sweep\"");
 }
 
+/// Fewer draws and tests than the documents show: what a row compares is there with few, too.
+void take_few(Files& all) {
+  const auto take = [&all](const char* name, const char* edit) {
+    all[name] = edited(all.at(name), edit);
+  };
+  take("predict.toml", "draws = 40 -> draws = 10");
+  take("design.toml", "count = 20 -> count = 4");
+  take("bootstrap.toml", "count = 40 -> count = 10");
+  take("campaign.toml", "draws = 100 -> draws = 40");
+}
+
+/// Eight levels, of two modes: the fewest from which two joints are found.
+std::string eight_levels(const std::string& table) {
+  std::istringstream lines(table);
+  std::string result;
+  std::size_t number = 0;
+  for (std::string line; std::getline(lines, line); ++number) {
+    if (number == 0 || (number % 6 == 4 && !line.starts_with("3,"))) result += line + "\n";
+  }
+  return result;
+}
+
 /// The example of two joints, measured on three days, and what a campaign of it says otherwise.
 void add_days(Files& all) {
   const std::string folder = MICROSLIP_EXAMPLES "/two_joints/";
@@ -385,7 +433,8 @@ void add_days(Files& all) {
     if (line.starts_with("mode")) {
       for (const std::string& name : names) all[name] = line + "\n";
     } else {
-      all[names.at(row++ % names.size())] += line + "\n";
+      if (row % 2 == 0) all[names.at(row / 2 % names.size())] += line + "\n";
+      ++row;
     }
   }
   all["absolute_joints.toml"] = edited(edited(all.at("joints.toml"), "\"change\" -> \"absolute\""),
@@ -394,12 +443,15 @@ void add_days(Files& all) {
 
 Files made_inputs() {
   Files all = documented_files();
+  take_few(all);
   all["full_levels.csv"] = full_levels();
   all["assembled_levels.csv"] = assembled_levels();
   for (const char* name : {"first.csv", "second.csv", "third.csv"}) {
     all[name] = all.at("full_levels.csv");
   }
   all["watched/levels.csv"] = full_levels();
+  // Too few to plan the next level, which takes longest.
+  all["early/levels.csv"] = first_lines(full_levels(), 7);
   all["driven_levels.csv"] = heard_levels({"frequency"});
   all["heard_levels.csv"] = heard_levels({"frequency", "resonance_frequency"});
   all["decay.csv"] = sample_decay_text();
@@ -409,9 +461,9 @@ Files made_inputs() {
   add_days(all);
   const std::string two_joints = MICROSLIP_TEST_DATA "/two_joints/";
   all["two_joints.toml"] = test::get(two_joints + "model.toml");
-  all["two_joints.csv"] = testing::every_third_row(test::get(two_joints + "modal_levels.csv"));
-  all["sensed_joints.csv"] = sensed_levels(
-      all.at("two_joints.csv"), testing::every_third_row(test::get(two_joints + "truth.csv")));
+  all["two_joints.csv"] = eight_levels(test::get(two_joints + "modal_levels.csv"));
+  all["sensed_joints.csv"] =
+      sensed_levels(all.at("two_joints.csv"), eight_levels(test::get(two_joints + "truth.csv")));
   const Files found = run(all, words("calibrate two_joints.toml two_joints.csv --samples 100 "
                                      "--out c --quiet"))
                           .files;
@@ -629,11 +681,12 @@ TEST(EffectInputs, AreMade) {
 
 class Effects : public ::testing::TestWithParam<std::string> {};
 
-/// Whether the call takes seconds. Of these every third row is run, but in the studies: rows of a
-/// subject run much the same code.
+/// Whether the call takes seconds, as finding two joints does. Of these every third row is run, but
+/// in the studies: rows of a subject run much the same code.
 bool is_slow(const EffectRow& row) {
-  return std::ranges::any_of(std::array{"calibrate ", "campaign ", "ensemble "},
-                             [&](const char* call) { return row.base.starts_with(call); });
+  return std::ranges::any_of(
+      std::array{"calibrate ", "campaign joints", "campaign absolute_joints"},
+      [&](const char* call) { return row.base.starts_with(call); });
 }
 
 // Under the sanitizers every third row: what is compared is that of the release build.
