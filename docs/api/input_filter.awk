@@ -60,9 +60,9 @@ FNR == 1 {
 markdown { $0 = without_links($0) }
 
 # The namespace itself is of no group.
-/^\/\/ SPDX/ { $0 = "/** @addtogroup " group " */ /** @{ */" }
+/^\/\/ SPDX/ { $0 = "/** @addtogroup " group " */ /** @{ */"; open = 1 }
 /^namespace microslip \{/ { $0 = "/** @} */ " $0 " /** @addtogroup " group " */ /** @{ */" }
-/^\}  \/\/ namespace microslip/ { $0 = "/** @} */ " $0 }
+/^\}  \/\/ namespace microslip/ { $0 = "/** @} */ " $0; open = 0 }
 
 /\/\/\// && !/^ *\/\/\/     / {
   at = index($0, "///")
@@ -76,3 +76,6 @@ markdown { $0 = without_links($0) }
 /^ private:$/ { private = 1 }
 /^};/ { private = 0 }
 { print private ? "" : $0 }
+
+# A header that only includes another has no namespace, at whose end the group would end.
+END { if (open) print "/** @} */" }

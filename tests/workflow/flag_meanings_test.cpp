@@ -40,7 +40,7 @@ std::set<std::string> codes_in_the_source() {
     }
   }
   for (const char* file :
-       {"identify/covered_range.cpp", "observe/record_cycles.hpp", "workflow/modal_decay.cpp"}) {
+       {"joint/covered_range.cpp", "observe/record_cycles.hpp", "workflow/modal_decay.cpp"}) {
     collect(test::get((kRoot / "src/microslip" / file).string()), codes);
   }
   return codes;

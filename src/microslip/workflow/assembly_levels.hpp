@@ -15,9 +15,10 @@
 
 namespace microslip {
 
-/// How densities.csv calls the middle of the assemblies and the one that comes next. No assembly is
-/// called so.
+/// How densities.csv calls the middle of the assemblies. No assembly is called so.
 inline constexpr std::string_view kCommonDensity = "common";
+
+/// How densities.csv calls the assembly that comes next. No assembly is called so.
 inline constexpr std::string_view kNextAssembly = "next";
 
 /// What tells the assemblies apart.
