@@ -15,6 +15,10 @@ TEST(Gather, TakesValuesInTheOrderOfTheirPlaces) {
   EXPECT_EQ(gather(values, which), (std::vector<std::string>{"c", "a", "c"}));
 }
 
+TEST(Gather, TakesNothingOfAColumnThatIsNotThere) {
+  EXPECT_TRUE(gather(std::vector<double>{}, std::vector<std::size_t>{2, 0}).empty());
+}
+
 TEST(Gather, TakesNothingOfNoPlaces) { EXPECT_TRUE(gather(std::vector<double>{1.0}, {}).empty()); }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/report/shown_samples.hpp"
 
+#include "microslip/base/gather.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,7 +45,7 @@ TEST(ShownSamples, KeepWhatStandsOut) {
   EXPECT_TRUE(std::ranges::is_sorted(samples));
   EXPECT_TRUE(std::ranges::binary_search(samples, kCount / 3)) << "the spike";
   for (const auto* values : {&path.displacement, &path.force, &path.found}) {
-    const std::vector<double> shown = values_at(*values, samples);
+    const std::vector<double> shown = gather(*values, samples);
     EXPECT_EQ(std::ranges::max(shown), std::ranges::max(*values));
     EXPECT_EQ(std::ranges::min(shown), std::ranges::min(*values));
   }

@@ -7,13 +7,14 @@
 
 namespace microslip {
 
-/// The values at some places, in the order of these: values[which[0]], values[which[1]], …
-/// Internal to the library.
-/// @param which  each below the number of values.
+/// The values at some places, in the order of these: values[which[0]], values[which[1]], … Of a
+/// column that is not there, which has no values, none. Internal to the library.
+/// @param which  each below the number of values, where there are any.
 template <typename Value>
 [[nodiscard]] std::vector<Value> gather(const std::vector<Value>& values,
                                         std::span<const std::size_t> which) {
   std::vector<Value> gathered;
+  if (values.empty()) return gathered;
   gathered.reserve(which.size());
   for (const std::size_t i : which) gathered.push_back(values[i]);
   return gathered;

@@ -112,9 +112,7 @@ void append(const ModalLevels& more, ModalLevels& levels) {
 }
 
 ModalLevels some_levels(const ModalLevels& levels, std::span<const std::size_t> which) {
-  const auto some = [&](const auto& values) {
-    return values.empty() ? values : gather(values, which);
-  };
+  const auto some = [&](const auto& values) { return gather(values, which); };
   ModalLevels kept{.mode = some(levels.mode), .session = some(levels.session)};
   for (const auto& column : kModalColumns) kept.*column.values = some(levels.*column.values);
   for (const JointLevels& joint : levels.joints) {

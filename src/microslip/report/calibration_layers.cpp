@@ -97,7 +97,7 @@ void add_marks(std::vector<Layer>& layers, const LevelsOfModes& levels,
     if (rows.empty()) continue;
     layers.emplace_back(PointLayer{.x = gather(levels.displacement, rows),
                                    .y = gather(values, rows),
-                                   .y_error = std.empty() ? std : gather(std, rows),
+                                   .y_error = gather(std, rows),
                                    .legend = name_of_mode(modes[m].mode),
                                    .colour = stroke_of(m).colour,
                                    .open = true,

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/gather.hpp"
 #include "microslip/report/shown_unit.hpp"
 #include "microslip/workflow/experiment_results.hpp"
 
@@ -36,13 +37,6 @@ std::vector<std::size_t> drawn_order(const ComparedCurve& curve) {
   }
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return curve.at[i]; });
   return order;
-}
-
-std::vector<double> picked(const std::vector<double>& values,
-                           const std::vector<std::size_t>& order) {
-  std::vector<double> result;
-  for (const std::size_t i : order) result.push_back(values[i]);
-  return result;
 }
 
 /// Those values inside of the band, or outside; all of them inside where there is none.
@@ -122,13 +116,13 @@ std::string title_of(const ComparedTest& test) {
 Figure curve_layers(const ComparedTest& test, const ComparedCurve& curve,
                     const std::vector<std::size_t>& order) {
   Figure panel{.title = title_of(test)};
-  const std::vector<double> at = picked(curve.at, order);
+  const std::vector<double> at = gather(curve.at, order);
   if (curve.has_band()) {
-    panel.layers.emplace_back(BandLayer{at, picked(curve.lower, order), picked(curve.upper, order),
+    panel.layers.emplace_back(BandLayer{at, gather(curve.lower, order), gather(curve.upper, order),
                                         "band of draws", kBlue});
   }
   panel.layers.emplace_back(
-      LineLayer{at, picked(curve.predicted, order), "predicted", {.colour = kBlue}});
+      LineLayer{at, gather(curve.predicted, order), "predicted", {.colour = kBlue}});
   for (const bool inside : {true, false}) {
     PointLayer points = measured_points(curve, order, inside);
     if (!points.x.empty()) panel.layers.emplace_back(std::move(points));

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "microslip/base/gather.hpp"
 #include "microslip/report/shown_samples.hpp"
 
 namespace microslip {
@@ -99,20 +100,20 @@ PointLayer some_samples(const ForcePath& path, const std::vector<double>& residu
 
 std::vector<Layer> force_layers(const ForcePath& path, std::size_t most) {
   const std::vector<std::size_t> samples = shown_samples(path, {0, path.time.size()}, most);
-  const std::vector<double> time = values_at(path.time, samples);
+  const std::vector<double> time = gather(path.time, samples);
   std::vector<Layer> layers;
-  add_line(layers, time, values_at(path.force, samples), "measured", kMeasuredForce);
-  add_line(layers, time, values_at(path.found, samples), "identified joint", kFoundForce);
+  add_line(layers, time, gather(path.force, samples), "measured", kMeasuredForce);
+  add_line(layers, time, gather(path.found, samples), "identified joint", kFoundForce);
   return layers;
 }
 
 std::vector<Layer> loop_layers(const ForcePath& path, std::size_t most) {
   const std::vector<std::size_t> samples = shown_samples(path, part_for_loops(path, most), most);
   std::vector<Layer> layers;
-  add_line(layers, values_at(path.displacement, samples), values_at(path.force, samples),
-           "measured", kMeasuredForce);
-  add_line(layers, values_at(path.path, samples), values_at(path.found, samples),
-           "identified joint", kFoundForce);
+  add_line(layers, gather(path.displacement, samples), gather(path.force, samples), "measured",
+           kMeasuredForce);
+  add_line(layers, gather(path.path, samples), gather(path.found, samples), "identified joint",
+           kFoundForce);
   return layers;
 }
 
@@ -120,7 +121,7 @@ std::vector<Layer> residual_layers(const ForcePath& path, std::optional<double> 
                                    std::size_t most) {
   const std::vector<std::size_t> samples = shown_samples(path, {0, path.time.size()}, most);
   std::vector<Layer> layers;
-  add_line(layers, values_at(path.time, samples), values_at(residual_of(path), samples), "residual",
+  add_line(layers, gather(path.time, samples), gather(residual_of(path), samples), "residual",
            kResidual);
   add_scatter(layers, scatter, path.time.front(), path.time.back());
   return layers;

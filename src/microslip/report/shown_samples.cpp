@@ -70,14 +70,6 @@ RecordPart part_for_loops(const ForcePath& path, std::size_t most) {
   return {begin, begin + shown};
 }
 
-std::vector<double> values_at(const std::vector<double>& values,
-                              const std::vector<std::size_t>& samples) {
-  std::vector<double> chosen;
-  chosen.reserve(samples.size());
-  for (const std::size_t i : samples) chosen.push_back(values[i]);
-  return chosen;
-}
-
 std::vector<double> residual_of(const ForcePath& path) {
   std::vector<double> residual(path.force.size());
   for (std::size_t i = 0; i < residual.size(); ++i) residual[i] = path.force[i] - path.found[i];

@@ -28,10 +28,6 @@ struct RecordPart {
 /// largest displacement of as many cycles as they draw.
 [[nodiscard]] RecordPart part_for_loops(const ForcePath& path, std::size_t most);
 
-/// The values at samples.
-[[nodiscard]] std::vector<double> values_at(const std::vector<double>& values,
-                                            const std::vector<std::size_t>& samples);
-
 /// Measured less found force, N; NaN where that is.
 [[nodiscard]] std::vector<double> residual_of(const ForcePath& path);
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/gather.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/workflow/joint_draws.hpp"
@@ -81,9 +82,7 @@ std::vector<double> noise_of(const LeftOut& part, const CampaignLevels& all,
   const LevelRows noise = levels.measured_deviations(
       {levels.predict(found.joint, damping), levels.amplitude_change(found.joint, damping)},
       {.dissipation = scatter});
-  std::vector<double> of_part;
-  for (const std::size_t i : part.levels) of_part.push_back(noise.dissipation[i]);
-  return of_part;
+  return gather(noise.dissipation, part.levels);
 }
 
 /// The levels that were left out as a test.

@@ -141,9 +141,7 @@ CampaignLevels campaign_levels(const CampaignFile& campaign, const std::string& 
 }
 
 Levels some_levels(const Levels& levels, std::span<const std::size_t> which) {
-  const auto some = [&](const std::vector<double>& values) {
-    return values.empty() ? values : gather(values, which);
-  };
+  const auto some = [&](const std::vector<double>& values) { return gather(values, which); };
   Levels kept{.amplitude = some(levels.amplitude), .dissipation = some(levels.dissipation)};
   for (const OptionalValues& one : kOptional) kept.*one.values = some(levels.*one.values);
   return kept;

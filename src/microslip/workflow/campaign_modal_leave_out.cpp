@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/gather.hpp"
 #include "microslip/workflow/modal_levels_comparison.hpp"
 #include "microslip/workflow/model_draws.hpp"
 
@@ -233,16 +234,15 @@ class ModalPartsLeftOut {
   /// D of levels at their displacements, nothing compared.
   [[nodiscard]] ComparedCurve uncompared(const std::vector<std::size_t>& levels) const {
     const std::vector<double> none(levels.size(), kNotCompared);
-    ComparedCurve curve{.quantity = "dissipation",
-                        .dimension = kEnergy,
-                        .axis = "displacement",
-                        .axis_dimension = kLength,
-                        .measured = none,
-                        .predicted = none,
-                        .lower = none,
-                        .upper = none};
-    for (const std::size_t i : levels) curve.at.push_back(what_.modal.displacement[i]);
-    return curve;
+    return {.quantity = "dissipation",
+            .dimension = kEnergy,
+            .axis = "displacement",
+            .axis_dimension = kLength,
+            .at = gather(what_.modal.displacement, levels),
+            .measured = none,
+            .predicted = none,
+            .lower = none,
+            .upper = none};
   }
 
   const ModalLeaveOut& what_;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "microslip/base/gather.hpp"
 #include "microslip/bindings/python/arguments.hpp"
 #include "microslip/bindings/python/core.hpp"
 #include "microslip/bindings/python/long_work.hpp"
@@ -209,9 +210,7 @@ py::dict draw_march(const std::shared_ptr<ModelFile>& structure, const std::stri
       },
       listener);
   py::dict all = march_dict(drawn.march);
-  std::vector<double> times;
-  for (const std::size_t i : drawn.times) times.push_back(loads.time[i]);
-  all["time"] = array_of(std::move(times));
+  all["time"] = array_of(gather(loads.time, drawn.times));
   all["signals"] = signals_of(drawn);
   all["failures"] = list_of_failures(drawn.taken);
   return all;
