@@ -16,10 +16,8 @@ MICROSLIP_INSTANCE template void LLT<MatrixXd>::_solve_impl(const MatrixXd&, Mat
 MICROSLIP_INSTANCE template LLT<Ref<MatrixXd>>& LLT<Ref<MatrixXd>>::compute(
     const EigenBase<MatrixXd>&);
 MICROSLIP_INSTANCE template void LLT<Ref<MatrixXd>>::_solve_impl(const VectorXd&, VectorXd&) const;
-MICROSLIP_INSTANCE template void LLT<Ref<MatrixXd>>::_solve_impl(const MatrixXd&, MatrixXd&) const;
 
 MICROSLIP_INSTANCE template LLT<MatrixXcd>& LLT<MatrixXcd>::compute(const EigenBase<MatrixXcd>&);
-MICROSLIP_INSTANCE template void LLT<MatrixXcd>::_solve_impl(const VectorXcd&, VectorXcd&) const;
 
 MICROSLIP_INSTANCE template LDLT<MatrixXd>& LDLT<MatrixXd>::compute(const EigenBase<MatrixXd>&);
 MICROSLIP_INSTANCE template void LDLT<MatrixXd>::_solve_impl(const VectorXd&, VectorXd&) const;
