@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/requirement.hpp"
 #include "microslip/dynamics/continuation.hpp"
 #include "microslip/dynamics/level_walk.hpp"
 
@@ -84,9 +85,8 @@ BalanceRun::Outcome BalanceRun::solve(Target first, Target second, std::size_t m
 
 double stuck_frequency(const JointedStructure& structure, std::size_t mode) {
   const std::vector<double> frequencies = structure.stuck_frequencies();
-  if (mode >= frequencies.size()) {
-    throw InputError("mode", static_cast<double>(mode), "must be below the number of modes");
-  }
+  require(mode < frequencies.size(), "mode", static_cast<double>(mode),
+          "must be below the number of modes");
   if (frequencies[mode] > 0.0) return frequencies[mode];
   throw InputError("mode", static_cast<double>(mode),
                    "must be one that vibrates; this is a rigid body", "Take a higher mode.");

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/requirement.hpp"
 #include "microslip/base/stopwatch.hpp"
 #include "microslip/base/work_size.hpp"
 #include "microslip/dynamics/balance_run.hpp"
@@ -24,10 +25,6 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr const char* kMethod = "harmonic balance";
-
-void require(bool holds, const char* what, double value, const char* rule) {
-  if (!holds) throw InputError(what, value, rule);
-}
 
 void check_options(const HarmonicBalanceOptions& o, const JointedStructure& structure) {
   (void)HarmonicForce(o.harmonics, o.samples);  // throws where one is out of its range
@@ -70,12 +67,12 @@ void check_response(const JointedStructure& structure, const ResponsePoint& resp
 }
 
 void check_target(const Target& target) {
-  const std::string what(to_string(target.quantity));
+  const std::string_view what = to_string(target.quantity);
   if (target.quantity == Quantity::kPhaseLag) {
-    require(target.value > 0.0 && target.value < std::numbers::pi, what.c_str(), target.value,
+    require(target.value > 0.0 && target.value < std::numbers::pi, what, target.value,
             "must be above 0 and below π rad; π/2 is resonance");
   } else {
-    require(std::isfinite(target.value) && target.value > 0.0, what.c_str(), target.value,
+    require(std::isfinite(target.value) && target.value > 0.0, what, target.value,
             "must be positive and finite");
   }
 }

@@ -10,16 +10,13 @@
 #include <string_view>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/requirement.hpp"
 
 namespace microslip {
 namespace {
 
 /// Squares of the motions it makes must stay numbers.
 constexpr double kLargestForce = 1e12;  // N
-
-void require(bool holds, std::string_view what, double value, std::string_view rule) {
-  if (!holds) throw InputError(what, value, rule);
-}
 
 void check_time(const std::vector<double>& time) {
   require(time.size() >= 2, "number of times", static_cast<double>(time.size()),

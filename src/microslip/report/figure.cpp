@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/requirement.hpp"
 #include "microslip/report/drawn.hpp"
 
 namespace microslip {
@@ -17,11 +18,6 @@ namespace {
 constexpr double kLargest = 1e100;
 // Length of a range relative to its ends; numbers at ticks have up to 15 digits.
 constexpr double kShortestRange = 1e-9;
-
-void require(bool holds, const std::string& what, double value, std::string_view rule,
-             std::string_view remedy = {}) {
-  if (!holds) throw InputError(what, value, rule, remedy);
-}
 
 void check_number(const std::string& what, double value) {
   require(std::abs(value) <= kLargest, what, value, "must be finite, at most 1e100 in magnitude");

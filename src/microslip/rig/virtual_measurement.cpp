@@ -12,6 +12,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/percent.hpp"
+#include "microslip/base/requirement.hpp"
 #include "microslip/base/stopwatch.hpp"
 #include "microslip/rig/force_control.hpp"
 #include "microslip/rig/shaken_structure.hpp"
@@ -37,9 +38,6 @@ const RigTest& test_of(const Rig& rig) {
 }
 
 void check_options(const VirtualMeasurementOptions& options) {
-  const auto require = [](bool holds, std::string_view name, double value, std::string_view rule) {
-    if (!holds) throw InputError(name, value, rule);
-  };
   require(options.controlled_harmonics >= 2 && options.controlled_harmonics <= 100,
           "controlled_harmonics", static_cast<double>(options.controlled_harmonics),
           "must be from 2 to 100");

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/requirement.hpp"
 #include "microslip/structure/beam_modes.hpp"
 #include "microslip/structure/beam_shooting.hpp"
 
@@ -47,9 +48,8 @@ std::size_t natural_frequencies_below(const Beam& beam, double angular_frequency
 double spring_for_first_frequency(const Beam& beam, double first_frequency) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   check_beam(beam);
-  if (!(std::isfinite(first_frequency) && first_frequency > 0.0)) {
-    throw InputError("first_frequency", first_frequency, "must be positive and finite");
-  }
+  require(std::isfinite(first_frequency) && first_frequency > 0.0, "first_frequency",
+          first_frequency, "must be positive and finite");
   Beam clamped = beam;
   clamped.tip_stiffness = kInfinity;
   const double lambda = wavenumber(beam, 2.0 * std::numbers::pi * first_frequency);
