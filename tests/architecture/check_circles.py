@@ -65,7 +65,7 @@ def _included(header: str, by: Path, root: Path) -> Optional[Path]:
 
 
 def modules(root: Path) -> Graph:
-    """Modules by their full name, the compiled one by its stub."""
+    """Modules by their full name, the compiled one by its interface file `_core.pyi`."""
     package = root / "src/microslip/bindings/python/microslip"
     files = [file for file in sorted(package.rglob("*")) if file.suffix in (".py", ".pyi")]
     module_of = {}

@@ -84,17 +84,18 @@ while IFS=$'\t' read -r file line name; do
   [[ -n ${defined["$file#${name,,}"]:-} ]] || offend "$file" "$line" "[$name] is not defined"
 done < <(of_kind reference)
 
+# The documents that sources cite, as of_kind prints them.
+cited_by_sources() {
+  grep -rnoE --binary-files=without-match --exclude-dir=__pycache__ '\<docs/[A-Za-z0-9_/]+\.md\>' src apps 2>/dev/null |
+    tr ':' '\t'
+}
+
 paths=0
 while IFS=$'\t' read -r file line path; do
   [[ $only != links && $path =~ ^(apps|bench|cmake|docs|examples|scripts|src|tests|third_party)/[A-Za-z0-9_./-]*$ ]] || continue
   paths=$((paths + 1))
   [[ -e $path ]] || offend "$file" "$line" "is not there: $path"
-done < <(of_kind code)
-while IFS=: read -r file line path; do
-  [[ $only != links ]] || continue
-  paths=$((paths + 1))
-  [[ -e $path ]] || offend "$file" "$line" "is not there: $path"
-done < <(grep -rnoE --binary-files=without-match --exclude-dir=__pycache__ '\<docs/[A-Za-z0-9_/]+\.md\>' src apps 2>/dev/null || true)
+done < <(of_kind code; cited_by_sources)
 
 echo "${#files[@]} files, $links links, ${#anchors[@]} anchors, $paths paths: $offences wrong"
 ((offences == 0))

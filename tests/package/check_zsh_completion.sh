@@ -8,9 +8,9 @@ command -v zsh >/dev/null || { echo "no zsh" >&2; exit 77; }
 
 folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT
-mkdir "$folder/functions" "$folder/work" "$folder/work/results"
+mkdir "$folder/functions" "$folder/lab" "$folder/lab/results"
 cp "$script" "$folder/functions/_microslip"
-cd "$folder/work"
+cd "$folder/lab"
 touch levels.csv LOUD.CSV joint.json rig.toml test.uff notes.txt
 
 # An interactive zsh that notes what its completion would add to the line, and ends after that.
