@@ -16,7 +16,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/bulk_data.hpp"
 #include "microslip/io/input_file.hpp"
-#include "microslip/io/recording_file.hpp"
+#include "microslip/io/part_of_file.hpp"
 #include "microslip/io/symmetric_entries.hpp"
 #include "microslip/io/text.hpp"
 

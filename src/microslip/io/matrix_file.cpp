@@ -5,7 +5,7 @@
 #include "microslip/io/input_file.hpp"
 #include "microslip/io/mat_entries.hpp"
 #include "microslip/io/matrix_market.hpp"
-#include "microslip/io/recording_file.hpp"
+#include "microslip/io/part_of_file.hpp"
 #include "microslip/io/signature.hpp"
 #include "microslip/io/symmetric_entries.hpp"
 #include "microslip/io/text.hpp"

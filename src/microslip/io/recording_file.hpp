@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "microslip/io/output_files.hpp"
+#include "microslip/io/part_of_file.hpp"
 #include "microslip/io/recordings.hpp"
 #include "microslip/signal/recording.hpp"
 
@@ -43,14 +44,6 @@ enum class RecordingFormat {
 
 /// The kind (file_kind.hpp) that files of a format have; empty for CSV, where the columns tell it.
 [[nodiscard]] std::string_view recording_kind(RecordingFormat format);
-
-/// `FILE:VARIABLE`, a part of a file, where there is no file of the whole name; or the file alone.
-struct PartOfFile {
-  std::string file;      ///< of the file alone
-  std::string variable;  ///< empty for the whole file
-};
-/// Takes such a name apart, at the last colon before which there is a file.
-[[nodiscard]] PartOfFile part_of_file(const std::string& path);
 
 /// Reads a file of any format and gives channels without unit those that the options assume.
 /// @param path     a file; or `FILE:VARIABLE` for a part of a MATLAB file, where there is no file

@@ -12,7 +12,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/input_file.hpp"
-#include "microslip/io/recording_file.hpp"
+#include "microslip/io/part_of_file.hpp"
 
 namespace microslip {
 namespace {
