@@ -233,20 +233,6 @@ JointFile read_joint(const std::string& path) {
   return parse_joint(read_file(path, kLargestJointFile), input_name(path));
 }
 
-std::vector<std::string> texts_of(const JsonText& list) {
-  std::vector<std::string> texts;
-  const Json json = Json::parse(list.text, nullptr, false);
-  if (!json.is_array()) return texts;
-  for (const Json& item : json) {
-    if (item.is_string()) texts.push_back(item.get<std::string>());
-  }
-  return texts;
-}
-
-JsonText list_of_texts(const std::vector<std::string>& texts) {
-  return {Json(texts).dump(-1, ' ', false, Json::error_handler_t::replace)};
-}
-
 std::string format_joint(const JointFile& file) {
   std::string text =
       fmt::format("{{\n  \"schema\": \"{}\",\n  \"stiffness_N_per_m\": ", kJointKind);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "microslip/io/json_texts.hpp"
 #include "microslip/io/named_values.hpp"
 #include "microslip/joint/joint.hpp"
 
@@ -50,13 +51,6 @@ inline constexpr std::string_view kViscousKey = "viscous_N_s_per_m";
 
 /// parse_joint() of a file; "-" is standard input. @throws FileError, FormatError, InputError
 [[nodiscard]] JointFile read_joint(const std::string& path);
-
-/// The texts of a JSON list, as of the warnings in an identification; what is no text is left out.
-/// Empty for what is no list.
-[[nodiscard]] std::vector<std::string> texts_of(const JsonText& list);
-
-/// The JSON list of texts that texts_of() reads back; what is no UTF-8 in them is replaced.
-[[nodiscard]] JsonText list_of_texts(const std::vector<std::string>& texts);
 
 /// The text that parse_joint() reads back as the same: numbers are the shortest that read back as
 /// the same double, keys come in a fixed order, nothing depends on the clock or the locale.

@@ -3,7 +3,7 @@
 
 #include <variant>
 
-#include "microslip/io/joint_file.hpp"
+#include "microslip/io/json_texts.hpp"
 
 namespace microslip {
 namespace {
