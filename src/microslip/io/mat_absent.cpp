@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: MIT
 
 // In place of what reads and writes files of MATLAB, see CMakeLists.txt.
+#include "microslip/io/mat_absent.hpp"
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/hdf5_contents.hpp"
-#include "microslip/io/mat_entries.hpp"
 #include "microslip/io/mat_recording.hpp"
 #include "microslip/io/mat_value.hpp"
 
 namespace microslip {
-namespace {
 
-[[noreturn]] void refuse_matlab(const std::string& path) {
+void refuse_matlab(const std::string& path) {
   throw FileError(path, "is a file of MATLAB, without which this microslip was built",
                   "Take another format, or build it with -DMICROSLIP_WITH_MAT=ON.");
 }
-
-}  // namespace
 
 Recordings read_recordings_mat(const std::string& path, std::string_view /*variable*/,
                                const RecordingReadOptions& /*options*/) {
@@ -32,10 +29,6 @@ MatTree mat73_tree(const std::string& path, const MatReadOptions& /*options*/) {
 }
 
 std::vector<double> read_mat_numbers(const std::string& path, std::string_view /*variable*/) {
-  refuse_matlab(path);
-}
-
-MatrixEntries read_mat_entries(const std::string& path, std::string_view /*variable*/) {
   refuse_matlab(path);
 }
 
