@@ -24,6 +24,7 @@
 #include "microslip/report/verification_figure.hpp"
 #include "microslip/workflow/recordings_verification.hpp"
 #include "microslip/workflow/verification_text.hpp"
+#include "microslip/workflow/verified_results.hpp"
 #include "picture_argument.hpp"
 #include "progress_bar.hpp"
 #include "recording_arguments.hpp"

@@ -14,7 +14,7 @@
 #include "figures.hpp"
 #include "microslip/report/verification_figure.hpp"
 #include "microslip/rig/verification.hpp"
-#include "microslip/workflow/recordings_verification.hpp"
+#include "microslip/workflow/verified_results.hpp"
 
 namespace ahmadian_rajaei {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/workflow/recordings_verification.hpp"
+#include "microslip/workflow/verified_results.hpp"
 #include "report/support.hpp"
 
 namespace microslip::verification_figure_test {

@@ -14,7 +14,6 @@
 #include "microslip/io/recordings.hpp"
 #include "microslip/rig/verification.hpp"
 #include "microslip/rig/verification_batch.hpp"
-#include "microslip/workflow/experiment_results.hpp"
 #include "microslip/workflow/verification_draws.hpp"
 
 /// @file
@@ -59,10 +58,6 @@ struct VerifiedRecordings {
 ///                                             as samples_for() and verification_spread().
 /// @throws Cancelled  as the progress says.
 [[nodiscard]] VerifiedRecordings verify_recordings(const RecordingsVerification& options);
-
-/// Adds predictions and comparisons as the tables hold them, with finer histories of the prediction
-/// and the standard errors of the harmonics beside them.
-void add_verified(std::span<const Verification> records, ExperimentResults& results);
 
 /// The tables that are written; "-" is standard output, an empty path none.
 struct VerificationTables {
