@@ -13,7 +13,6 @@
 
 #include "microslip/report/harmonic_parts.hpp"
 #include "microslip/report/scales.hpp"
-#include "microslip/report/sections.hpp"
 #include "microslip/report/shown_unit.hpp"
 
 namespace microslip {
