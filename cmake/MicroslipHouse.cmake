@@ -3,6 +3,9 @@
 # against the order, or another folder's private header, is a file that the compiler does not find. Parts
 # are what is linked: one library of one or more folders.
 #
+# A folder below another is called by both, as io/uff, and is one like any other: what lies in io/ is no folder
+# itself then, but io stands for all of its folders where a part or a test names it. Target names have `_` for `/`.
+#
 # What lies on the include paths are files of one line in the build tree, each of which includes the header
 # of its name: the headers themselves lie beside their sources, public and private in one folder.
 
@@ -11,13 +14,17 @@
 #   [LIGHT]                 its own work takes no time to speak of: optimised least
 #   [JOBS <count>]          with CMAKE_UNITY_BUILD: compiled as so many files, 1 unless given
 #   [USES <folder>...]      whose public headers this one may include
+#   [WAS <folder>]          where its public headers were: who links the library still finds them there
+#   [MOVED <header> <path> ...]  that header was there, under another name or in another folder
 #   [LINKS <target>...]     libraries outside of this project, for the folder alone
 #   PUBLIC <header>...      installed, and seen by who uses the folder
 #   [INTERNAL <header>...]  seen by other folders, but not installed
 #   PRIVATE <file>...)      sources, and headers for the folder alone
 function(microslip_add_folder name)
-  cmake_parse_arguments(PARSE_ARGV 1 folder "NUMERIC;LIGHT" "JOBS" "USES;LINKS;PUBLIC;INTERNAL;PRIVATE")
-  set(tree "${PROJECT_BINARY_DIR}/include/${name}")
+  cmake_parse_arguments(PARSE_ARGV 1 folder "NUMERIC;LIGHT" "JOBS;WAS"
+                        "USES;MOVED;LINKS;PUBLIC;INTERNAL;PRIVATE")
+  string(REPLACE "/" "_" target "${name}")
+  set(tree "${PROJECT_BINARY_DIR}/include/${target}")
 
   set(private_headers ${folder_PRIVATE})
   list(FILTER private_headers INCLUDE REGEX "\\.hpp$")
@@ -29,21 +36,25 @@ function(microslip_add_folder name)
   _microslip_forward_headers("${tree}/public/microslip/${name}" ${public_headers} ${internal_headers})
   _microslip_forward_headers("${tree}/private/microslip/${name}" ${private_headers})
 
-  add_library(microslip_headers_${name} INTERFACE)
-  target_compile_features(microslip_headers_${name} INTERFACE cxx_std_20)
-  target_include_directories(microslip_headers_${name} INTERFACE "${tree}/public")
-  list(TRANSFORM folder_USES PREPEND microslip_headers_)
-  target_link_libraries(microslip_headers_${name} INTERFACE ${folder_USES})
+  _microslip_former_headers(former_headers "${tree}/former" ${name} "${folder_WAS}" "${folder_PUBLIC}"
+                            "${folder_MOVED}")
 
-  add_library(microslip_folder_${name} OBJECT ${folder_PRIVATE} ${folder_PUBLIC} ${folder_INTERNAL})
-  target_include_directories(microslip_folder_${name} PRIVATE "${tree}/private")
-  target_link_libraries(microslip_folder_${name} PRIVATE microslip_headers_${name} ${folder_LINKS})
+  add_library(microslip_headers_${target} INTERFACE)
+  target_compile_features(microslip_headers_${target} INTERFACE cxx_std_20)
+  target_include_directories(microslip_headers_${target} INTERFACE "${tree}/public")
+  list(TRANSFORM folder_USES REPLACE "/" "_")
+  list(TRANSFORM folder_USES PREPEND microslip_headers_)
+  target_link_libraries(microslip_headers_${target} INTERFACE ${folder_USES})
+
+  add_library(microslip_folder_${target} OBJECT ${folder_PRIVATE} ${folder_PUBLIC} ${folder_INTERNAL})
+  target_include_directories(microslip_folder_${target} PRIVATE "${tree}/private")
+  target_link_libraries(microslip_folder_${target} PRIVATE microslip_headers_${target} ${folder_LINKS})
   # Nobody replaces a function of the library by one of another: GCC may inline position-independent ones, as
   # Clang does.
-  target_compile_options(microslip_folder_${name}
+  target_compile_options(microslip_folder_${target}
                          PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
   if("${CMAKE_CXX_FLAGS_RELEASE}" MATCHES "-O3" AND NOT folder_NUMERIC) # less only than what was asked for
-    target_compile_options(microslip_folder_${name}
+    target_compile_options(microslip_folder_${target}
                            PRIVATE $<$<CONFIG:Release>:$<IF:$<BOOL:${folder_LIGHT}>,-O1,-O2>>)
   endif()
   set(batch 0) # all
@@ -54,21 +65,25 @@ function(microslip_add_folder name)
     math(EXPR batch "(${count} + ${folder_JOBS} - 1) / ${folder_JOBS}")
   endif()
   set_target_properties(
-    microslip_folder_${name}
+    microslip_folder_${target}
     PROPERTIES POSITION_INDEPENDENT_CODE ON
+               LINKER_LANGUAGE CXX # of one that holds headers alone, too
                UNITY_BUILD_BATCH_SIZE ${batch}
-               MICROSLIP_PUBLIC_HEADERS "${public_headers}")
+               MICROSLIP_PUBLIC_HEADERS "${public_headers}"
+               MICROSLIP_FORMER_HEADERS "${former_headers}")
   set_property(GLOBAL APPEND PROPERTY MICROSLIP_FOLDERS ${name})
 endfunction()
 
 # microslip_add_part(<name>
-#   FOLDERS <folder>...
+#   FOLDERS <folder>...     or what lies above folders: all of them
 #   [USES <part>...]        linked by who links this part
 #   [LINKS <target>...])    libraries outside of this project that have to be linked
 # The library microslip_<name>, as microslip::<name> here and where it is installed.
 function(microslip_add_part name)
   cmake_parse_arguments(PARSE_ARGV 1 part "" "" "FOLDERS;USES;LINKS")
   set(library microslip_${name})
+  microslip_folders_below(part_FOLDERS ${part_FOLDERS})
+  list(TRANSFORM part_FOLDERS REPLACE "/" "_")
   list(TRANSFORM part_FOLDERS REPLACE "(.+)" "$<TARGET_OBJECTS:microslip_folder_\\1>"
                               OUTPUT_VARIABLE objects)
   add_library(${library} ${objects})
@@ -87,7 +102,8 @@ function(microslip_add_part name)
                SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
   foreach(folder IN LISTS part_FOLDERS)
     target_include_directories(
-      ${library} INTERFACE "$<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include/${folder}/public>")
+      ${library} INTERFACE "$<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include/${folder}/public>"
+                           "$<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include/${folder}/former>")
   endforeach()
   if(BUILD_SHARED_LIBS)
     set_target_properties(${library} PROPERTIES INSTALL_RPATH "$ORIGIN") # the other parts lie beside it
@@ -126,6 +142,28 @@ function(microslip_link_into_shared target)
   set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS "${CMAKE_CURRENT_BINARY_DIR}/${target}.map")
 endfunction()
 
+# microslip_folders_below(<variable> <name>...)
+# The folders of these names, and those that lie in one of them, in the order in which they were added.
+function(microslip_folders_below variable)
+  get_property(all GLOBAL PROPERTY MICROSLIP_FOLDERS)
+  set(folders "")
+  foreach(name IN LISTS ARGN)
+    set(below ${all})
+    list(FILTER below INCLUDE REGEX "^${name}(/|$)")
+    list(APPEND folders ${below})
+  endforeach()
+  set(${variable} ${folders} PARENT_SCOPE)
+endfunction()
+
+# microslip_private_trees(<variable> <name>...)
+# The include paths of the private headers of these folders, for their tests.
+function(microslip_private_trees variable)
+  microslip_folders_below(folders ${ARGN})
+  list(TRANSFORM folders REPLACE "/" "_")
+  list(TRANSFORM folders REPLACE "(.+)" "${PROJECT_BINARY_DIR}/include/\\1/private")
+  set(${variable} ${folders} PARENT_SCOPE)
+endfunction()
+
 # microslip_private_headers(<target> <folder> <header>...)
 # Headers of a folder below bindings, for that target alone.
 function(microslip_private_headers target folder)
@@ -162,6 +200,34 @@ function(_microslip_forward_headers into)
   if(stale)
     file(REMOVE ${stale})
   endif()
+endfunction()
+
+# Writes a file of one line at each path where a public header of a folder was, and removes those of headers that
+# are no more. `list` takes the paths as they are included.
+function(_microslip_former_headers list into name was headers moved)
+  set(paths "")
+  file(GLOB_RECURSE stale RELATIVE "${into}" "${into}/*")
+  if(was)
+    foreach(header IN LISTS headers)
+      list(FIND moved "${header}" at)
+      if(at EQUAL -1)
+        list(APPEND moved "${header}" "${was}/${header}")
+      endif()
+    endforeach()
+  endif()
+  while(moved)
+    list(POP_FRONT moved header path)
+    file(CONFIGURE OUTPUT "${into}/microslip/${path}" CONTENT "#include \"microslip/${name}/${header}\"\n")
+    list(APPEND paths "microslip/${path}")
+  endwhile()
+  if(stale AND paths)
+    list(REMOVE_ITEM stale ${paths})
+  endif()
+  list(TRANSFORM stale PREPEND "${into}/")
+  if(stale)
+    file(REMOVE ${stale})
+  endif()
+  set(${list} ${paths} PARENT_SCOPE)
 endfunction()
 
 function(_microslip_make_absolute list)

@@ -34,11 +34,21 @@ if(MICROSLIP_WITH_HDF5)
 endif()
 get_property(microslip_folders GLOBAL PROPERTY MICROSLIP_FOLDERS)
 foreach(folder IN LISTS microslip_folders)
-  get_property(headers TARGET microslip_folder_${folder} PROPERTY MICROSLIP_PUBLIC_HEADERS)
+  string(REPLACE "/" "_" target "${folder}")
+  get_property(headers TARGET microslip_folder_${target} PROPERTY MICROSLIP_PUBLIC_HEADERS)
   install(
     FILES ${headers}
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/microslip/${folder}"
     COMPONENT library)
+  # Where they were before.
+  get_property(headers TARGET microslip_folder_${target} PROPERTY MICROSLIP_FORMER_HEADERS)
+  foreach(header IN LISTS headers)
+    cmake_path(GET header PARENT_PATH former)
+    install(
+      FILES "${PROJECT_BINARY_DIR}/include/${target}/former/${header}"
+      DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/${former}"
+      COMPONENT library)
+  endforeach()
 endforeach()
 
 # The C interface: a shared library, whatever the others are, as those who load it from other languages need.

@@ -8,7 +8,7 @@ set(missing 0)
 file(
   GLOB folders
   RELATIVE "${ROOT}"
-  "${ROOT}/src/microslip/*" "${ROOT}/src/microslip/bindings/*")
+  "${ROOT}/src/microslip/*" "${ROOT}/src/microslip/*/*")
 list(REMOVE_ITEM folders src/microslip/bindings)
 foreach(folder IN LISTS folders ITEMS apps/microslip apps/microslip-mpi bench tests tests/fuzz)
   if(NOT EXISTS "${ROOT}/${folder}/CMakeLists.txt")
@@ -25,6 +25,9 @@ foreach(folder IN LISTS folders ITEMS apps/microslip apps/microslip-mpi bench te
     # Headers are listed where they are installed from.
     if(file MATCHES "^install/" OR (folder STREQUAL "tests" AND file MATCHES "^fuzz/") OR (file MATCHES "\\.hpp$" AND NOT folder MATCHES "^src/"))
       continue()
+    endif()
+    if(folder MATCHES "^src/" AND file MATCHES "^([^/]+)/" AND EXISTS "${ROOT}/${folder}/${CMAKE_MATCH_1}/CMakeLists.txt")
+      continue() # of that folder
     endif()
     if(NOT file IN_LIST list)
       message("${folder}/${file}: not named in ${folder}/CMakeLists.txt")

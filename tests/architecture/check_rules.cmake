@@ -1,8 +1,9 @@
 # Checks the rules of the house in every file under ROOT/src/microslip that no compiler checks:
 #   - an installed header (PUBLIC in the CMakeLists.txt of its folder) includes no other library, so that a
 #     user of the package needs nothing else;
-#   - only io touches files; workflow may look which there are;
+#   - only io touches files, and documents, which are files by io; workflow may look which there are;
 #   - only base/execution names the library of threads, and base/attended_work a thread;
+#   - headers are included from where they are, in apps, bench, examples and tests, too;
 #   - nothing prints (but io, which may be told to write to standard output), ends the process, or
 #     draws from a generator other than base/random.
 # Which folder may include which is kept by the build itself, see cmake/MicroslipHouse.cmake.
@@ -40,7 +41,8 @@ set(installed microslip/base/version.hpp)
 file(
   GLOB lists
   RELATIVE "${ROOT}/src"
-  "${ROOT}/src/microslip/*/CMakeLists.txt")
+  "${ROOT}/src/microslip/*/CMakeLists.txt" "${ROOT}/src/microslip/*/*/CMakeLists.txt")
+list(FILTER lists EXCLUDE REGEX "^microslip/bindings/")
 foreach(list IN LISTS lists)
   file(READ "${ROOT}/src/${list}" headers)
   string(FIND "${headers}" " PUBLIC" from)
@@ -99,10 +101,10 @@ foreach(file IN LISTS files)
         offend("${file}" ${number} "an installed header includes no other library: ${included}")
       endif()
     endif()
-    if(NOT folder STREQUAL "io" AND code MATCHES "${disk}")
+    if(NOT folder MATCHES "^(io|documents)$" AND code MATCHES "${disk}")
       offend("${file}" ${number} "only io touches files: ${code}")
     endif()
-    if(NOT folder MATCHES "^(io|workflow)$" AND code MATCHES "${look}")
+    if(NOT folder MATCHES "^(io|documents|workflow)$" AND code MATCHES "${look}")
       offend("${file}" ${number} "only io touches files: ${code}")
     endif()
     if(NOT folder STREQUAL "io" AND code MATCHES "${print}")
@@ -116,6 +118,25 @@ foreach(file IN LISTS files)
     endif()
     if(code MATCHES "${random}")
       offend("${file}" ${number} "random numbers come from base/random alone: ${code}")
+    endif()
+  endforeach()
+endforeach()
+
+# Who links the library finds public headers where they were before, too; that is for others.
+file(
+  GLOB_RECURSE users
+  RELATIVE "${ROOT}"
+  "${ROOT}/apps/*.[ch]pp" "${ROOT}/bench/*.[ch]pp" "${ROOT}/examples/*.[ch]pp" "${ROOT}/tests/*.[ch]pp")
+list(FILTER users EXCLUDE REGEX "^tests/install/")
+foreach(file IN LISTS users)
+  file(STRINGS "${ROOT}/${file}" includes REGEX "^ *# *include *\"microslip/")
+  foreach(include IN LISTS includes)
+    string(REGEX REPLACE "^[^\"]*\"([^\"]*)\".*$" "\\1" included "${include}")
+    if(NOT EXISTS "${ROOT}/src/${included}" AND NOT included STREQUAL "microslip/base/version.hpp")
+      file(STRINGS "${ROOT}/${file}" lines)
+      list(FIND lines "${include}" number)
+      math(EXPR number "${number} + 1")
+      offend("${file}" ${number} "include headers from where they are: ${included}")
     endif()
   endforeach()
 endforeach()

@@ -1,4 +1,4 @@
-# The folder io compiles without HDF5 and zlib, and then asks for neither.
+# What reads and writes files compiles without HDF5 and zlib, and then asks for neither.
 execute_process(
   COMMAND
     "${CMAKE_COMMAND}" -S "${ROOT}" -B "${WORK_DIR}" -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_UNITY_BUILD=ON
@@ -6,9 +6,18 @@ execute_process(
     -DMICROSLIP_BUILD_TESTS=OFF -DMICROSLIP_BUILD_BENCH=OFF -DCMAKE_DISABLE_FIND_PACKAGE_ZLIB=ON
     -DCMAKE_DISABLE_FIND_PACKAGE_Hdf5Library=ON COMMAND_ERROR_IS_FATAL ANY
   OUTPUT_QUIET)
-execute_process(COMMAND "${CMAKE_COMMAND}" --build "${WORK_DIR}" --target microslip_folder_io
+set(targets "")
+file(GLOB_RECURSE lists "${ROOT}/src/microslip/io/CMakeLists.txt" "${ROOT}/src/microslip/documents/CMakeLists.txt")
+foreach(list IN LISTS lists)
+  file(READ "${list}" content)
+  if(content MATCHES "microslip_add_folder\\([ \n]*([a-z0-9_/]+)")
+    string(REPLACE "/" "_" folder "${CMAKE_MATCH_1}")
+    list(APPEND targets microslip_folder_${folder})
+  endif()
+endforeach()
+execute_process(COMMAND "${CMAKE_COMMAND}" --build "${WORK_DIR}" --target ${targets}
                         COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
-file(GLOB_RECURSE objects "${WORK_DIR}/src/microslip/io/*.o")
+file(GLOB_RECURSE objects "${WORK_DIR}/src/microslip/io/*.o" "${WORK_DIR}/src/microslip/documents/*.o")
 execute_process(COMMAND nm --undefined-only ${objects} OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
 if(NOT symbols MATCHES "microslip" OR symbols MATCHES " (H5[A-Z]|inflate|deflate|gz)")
   message(FATAL_ERROR "wrong symbols are asked for: ${CMAKE_MATCH_0}")

@@ -10,6 +10,8 @@ function(expect name script file content pattern)
   file(REMOVE_RECURSE "${root}")
   file(WRITE "${root}/src/microslip/base/CMakeLists.txt" "listed: listed.cpp # comment.cpp\n")
   file(WRITE "${root}/src/microslip/joint/CMakeLists.txt" " PUBLIC installed.hpp\n PRIVATE a.cpp\n")
+  file(WRITE "${root}/src/microslip/io/CMakeLists.txt" "add_subdirectory(uff)\n")
+  file(WRITE "${root}/src/microslip/io/uff/CMakeLists.txt" " PUBLIC installed.hpp\n PRIVATE listed.cpp\n")
   file(WRITE "${root}/${file}" "${content}")
   execute_process(
     COMMAND "${CMAKE_COMMAND}" "-DROOT=${root}" -P "${script}"
@@ -39,6 +41,8 @@ expect(exposed_in_c "${CHECK}" ${src}/joint/installed.hpp "#include <zlib.h>\n"
        "joint/installed.hpp:1: an installed header includes no other library: zlib.h")
 expect(exposed_by_another "${CHECK}" ${src}/joint/installed.hpp "#include \"microslip/joint/a.hpp\"\n"
        "joint/installed.hpp:1: an installed header includes only such: microslip/joint/a.hpp")
+expect(exposed_below "${CHECK}" ${src}/io/uff/installed.hpp "#include <Eigen/Core>\n"
+       "io/uff/installed.hpp:1: an installed header includes no other library: Eigen/Core")
 expect(version "${CHECK}" ${src}/joint/installed.hpp "#include \"microslip/base/version.hpp\"\n" "")
 expect(private "${CHECK}" ${src}/joint/a.hpp "#include <Eigen/Core>\n" "")
 expect(stream "${CHECK}" ${src}/report/a.cpp "\n#include <fstream>\n"
@@ -60,10 +64,15 @@ expect(threads "${CHECK}" ${src}/rig/a.cpp "#include <tbb/parallel_for.h>\n"
        "rig/a.cpp:1: threads come from base/execution and base/attended_work alone")
 expect(threads_at_home "${CHECK}" ${src}/base/execution.cpp "#include <tbb/parallel_for.h>\n" "")
 expect(stray "${CHECK}" ${src}/a.cpp "\n" "src/microslip/a.cpp:1: a source lies in")
+expect(former_place "${CHECK}" tests/joint/a.cpp "#include <vector>\n#include \"microslip/joint/gone.hpp\"\n"
+       "tests/joint/a.cpp:2: include headers from where they are: microslip/joint/gone.hpp")
 expect(empty "${CHECK}" README.md "\n" "No source under")
 
 expect(listed "${CHECK_LISTS}" ${src}/base/listed.cpp "\n" "")
 expect(unlisted "${CHECK_LISTS}" ${src}/base/forgotten.hpp "\n"
        "src/microslip/base/forgotten.hpp: not named")
+expect(listed_below "${CHECK_LISTS}" ${src}/io/uff/listed.cpp "\n" "")
+expect(unlisted_below "${CHECK_LISTS}" ${src}/io/uff/forgotten.cpp "\n"
+       "src/microslip/io/uff/forgotten.cpp: not named")
 expect(listed_in_comment "${CHECK_LISTS}" ${src}/base/comment.cpp "\n"
        "src/microslip/base/comment.cpp: not named")
