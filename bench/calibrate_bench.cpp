@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "microslip/calibrate/calibration.hpp"
-#include "microslip/io/input_file.hpp"
-#include "microslip/io/modal_levels_file.hpp"
-#include "microslip/io/model_file.hpp"
+#include "microslip/documents/levels/modal_levels_file.hpp"
+#include "microslip/documents/structure/model_file.hpp"
+#include "microslip/io/bytes/input_file.hpp"
 
 namespace microslip::bench {
 namespace {

@@ -20,8 +20,8 @@
 #include <utility>
 #include <vector>
 
-#include "microslip/dynamics/harmonic_balance.hpp"
-#include "microslip/report/gnuplot.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
+#include "microslip/report/drawing/gnuplot.hpp"
 #include "support/reference_csv.hpp"
 #include "support/structures.hpp"
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "band_limited_path.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
-#include "microslip/dynamics/harmonic_force.hpp"
-#include "microslip/rig/rig_structure.hpp"
+#include "microslip/dynamics/cycle/harmonic_force.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
+#include "microslip/rig/setup/rig_structure.hpp"
 #include "support/rigs.hpp"
 #include "support/structures.hpp"
 

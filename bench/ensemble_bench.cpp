@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "microslip/documents/levels/levels_file.hpp"
+#include "microslip/documents/study/journal_file.hpp"
 #include "microslip/ensemble/ensemble_jobs.hpp"
 #include "microslip/ensemble/team.hpp"
-#include "microslip/io/journal_file.hpp"
-#include "microslip/io/levels_file.hpp"
-#include "microslip/io/output_files.hpp"
+#include "microslip/io/output/output_files.hpp"
 #include "support/densities.hpp"
 
 namespace microslip::bench {

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "microslip/dynamics/jointed_structure.hpp"
+#include "microslip/dynamics/structure/jointed_structure.hpp"
 
 namespace microslip::bench {
 

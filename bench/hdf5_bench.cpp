@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "microslip/io/hdf5_recording.hpp"
-#include "microslip/io/mat_recording.hpp"
+#include "microslip/io/hdf5/hdf5_recording.hpp"
+#include "microslip/io/mat/mat_recording.hpp"
 
 namespace microslip::bench {
 namespace {

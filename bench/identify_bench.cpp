@@ -4,11 +4,11 @@
 
 #include <vector>
 
-#include "microslip/identify/assemblies.hpp"
-#include "microslip/identify/bands.hpp"
-#include "microslip/identify/further_levels.hpp"
-#include "microslip/identify/inversion.hpp"
-#include "microslip/identify/inverted_joint.hpp"
+#include "microslip/identify/assemblies/assemblies.hpp"
+#include "microslip/identify/inversion/bands.hpp"
+#include "microslip/identify/inversion/further_levels.hpp"
+#include "microslip/identify/inversion/inversion.hpp"
+#include "microslip/identify/inversion/inverted_joint.hpp"
 #include "support/assemblies.hpp"
 #include "support/densities.hpp"
 

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "microslip/base/random.hpp"
-#include "microslip/dynamics/march.hpp"
+#include "microslip/dynamics/march/march.hpp"
 
 namespace microslip::bench {
 

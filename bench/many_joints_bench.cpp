@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "friction_rod.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
 
 /// @file Frequency responses of structures with many joints: what their number costs, and that of
 /// the harmonics.

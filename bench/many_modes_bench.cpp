@@ -11,7 +11,7 @@
 #include "largest_error.hpp"
 #include "low_passed_noise.hpp"
 #include "microslip/base/random.hpp"
-#include "microslip/dynamics/march.hpp"
+#include "microslip/dynamics/march/march.hpp"
 
 /// @file Marches of structures with many modes and joints.
 

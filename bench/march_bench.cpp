@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "largest_error.hpp"
-#include "microslip/dynamics/march.hpp"
+#include "microslip/dynamics/march/march.hpp"
 #include "newmark_march.hpp"
 #include "support/structures.hpp"
 

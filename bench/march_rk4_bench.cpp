@@ -14,7 +14,7 @@
 #include "largest_error.hpp"
 #include "low_passed_noise.hpp"
 #include "microslip/base/random.hpp"
-#include "microslip/dynamics/march.hpp"
+#include "microslip/dynamics/march/march.hpp"
 #include "microslip/joint/jenkins_network.hpp"
 #include "rk4_sliders.h"
 

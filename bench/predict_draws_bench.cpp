@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "microslip/workflow/response_draws.hpp"
+#include "microslip/workflow/predict/response_draws.hpp"
 #include "support/structures.hpp"
 
 namespace microslip::bench {

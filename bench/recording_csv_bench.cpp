@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "microslip/base/random.hpp"
-#include "microslip/io/recording_csv.hpp"
+#include "microslip/io/recordings/recording_csv.hpp"
 
 namespace microslip::bench {
 namespace {

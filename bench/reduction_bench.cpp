@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "microslip/base/random.hpp"
-#include "microslip/rig/reduction.hpp"
-#include "microslip/rig/reduction_batch.hpp"
+#include "microslip/rig/reduction/reduction.hpp"
+#include "microslip/rig/reduction/reduction_batch.hpp"
 #include "support/rigs.hpp"
 
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "microslip/base/random.hpp"
-#include "microslip/signal/fourier_fit.hpp"
+#include "microslip/signal/harmonic/fourier_fit.hpp"
 
 namespace microslip::bench {
 namespace {

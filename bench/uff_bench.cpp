@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "microslip/base/random.hpp"
-#include "microslip/io/uff_recording.hpp"
+#include "microslip/io/uff/uff_recording.hpp"
 
 namespace microslip::bench {
 namespace {

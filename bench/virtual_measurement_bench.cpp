@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <benchmark/benchmark.h>
 
-#include "microslip/rig/virtual_measurement.hpp"
-#include "microslip/rig/virtual_record.hpp"
+#include "microslip/rig/virtual_test/virtual_measurement.hpp"
+#include "microslip/rig/virtual_test/virtual_record.hpp"
 #include "support/densities.hpp"
 #include "support/rigs.hpp"
 

@@ -37,7 +37,7 @@ function(microslip_add_web_assets output)
   string(JSON uplot GET "${package}" dependencies uplot)
   set(MICROSLIP_WEB_LIBRARIES "plotly.js ${plotly}, uPlot ${uplot}")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${third_party}/package.json")
-  configure_file("${PROJECT_SOURCE_DIR}/src/microslip/report/web_assets.cpp.in" "${output}" @ONLY)
+  configure_file("${PROJECT_SOURCE_DIR}/src/microslip/report/page/web_assets.cpp.in" "${output}" @ONLY)
 endfunction()
 
 # The texts of some files one after the other. A browser takes a carriage return for a line feed, and

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "command.hpp"
+#include "arguments/command.hpp"
 #include "microslip/base/error.hpp"
 #include "mpi_team.hpp"
 

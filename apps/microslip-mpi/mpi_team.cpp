@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
-#include "microslip/io/text.hpp"
+#include "microslip/io/bytes/text.hpp"
 
 namespace microslip::app {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "microslip/base/units.hpp"
-#include "microslip/io/csv_writer.hpp"
+#include "microslip/io/cells/csv_writer.hpp"
 #include "microslip/joint/joint.hpp"
 
 /// @file

@@ -7,10 +7,10 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
-#include "microslip/io/joint_file.hpp"
-#include "microslip/io/rig_file.hpp"
-#include "microslip/rig/reduction_batch.hpp"
-#include "microslip/rig/virtual_record.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/documents/structure/rig_file.hpp"
+#include "microslip/rig/reduction/reduction_batch.hpp"
+#include "microslip/rig/virtual_test/virtual_record.hpp"
 
 namespace ahmadian_rajaei {
 namespace {

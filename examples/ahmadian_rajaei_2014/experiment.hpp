@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "microslip/identify/identification.hpp"
+#include "microslip/identify/methods/identification.hpp"
 #include "microslip/joint/joint.hpp"
 #include "microslip/observe/levels.hpp"
-#include "microslip/rig/reduction.hpp"
-#include "microslip/rig/stick_state.hpp"
-#include "microslip/rig/virtual_measurement.hpp"
-#include "microslip/signal/recording.hpp"
+#include "microslip/rig/reduction/reduction.hpp"
+#include "microslip/rig/setup/stick_state.hpp"
+#include "microslip/rig/virtual_test/virtual_measurement.hpp"
+#include "microslip/signal/recording/recording.hpp"
 #include "reproduction.hpp"
 
 /// @file

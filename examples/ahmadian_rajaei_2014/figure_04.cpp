@@ -10,7 +10,7 @@
 #include "curves.hpp"
 #include "figures.hpp"
 #include "microslip/base/error.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 

@@ -4,8 +4,8 @@
 
 #include "figures.hpp"
 #include "microslip/base/units.hpp"
-#include "microslip/report/level_figures.hpp"
-#include "microslip/workflow/recordings_reduction.hpp"
+#include "microslip/report/figures/level_figures.hpp"
+#include "microslip/workflow/reduce/recordings_reduction.hpp"
 
 namespace ahmadian_rajaei {
 namespace {

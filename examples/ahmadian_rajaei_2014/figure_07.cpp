@@ -10,9 +10,9 @@
 
 #include "curves.hpp"
 #include "figures.hpp"
-#include "microslip/report/rig_figures.hpp"
-#include "microslip/rig/virtual_record.hpp"
-#include "microslip/signal/fourier_fit.hpp"
+#include "microslip/report/figures/rig_figures.hpp"
+#include "microslip/rig/virtual_test/virtual_record.hpp"
+#include "microslip/signal/harmonic/fourier_fit.hpp"
 
 namespace ahmadian_rajaei {
 namespace {

@@ -7,8 +7,8 @@
 #include "curves.hpp"
 #include "figures.hpp"
 #include "microslip/joint/dissipation.hpp"
-#include "microslip/report/level_figures.hpp"
-#include "microslip/workflow/recordings_reduction.hpp"
+#include "microslip/report/figures/level_figures.hpp"
+#include "microslip/workflow/reduce/recordings_reduction.hpp"
 
 namespace ahmadian_rajaei {
 namespace {

@@ -9,10 +9,10 @@
 
 #include "curves.hpp"
 #include "figures.hpp"
-#include "microslip/identify/density_comparison.hpp"
-#include "microslip/identify/differences.hpp"
-#include "microslip/identify/spline_density.hpp"
-#include "microslip/io/density_file.hpp"
+#include "microslip/documents/joint/density_file.hpp"
+#include "microslip/identify/methods/density_comparison.hpp"
+#include "microslip/identify/smoothing/differences.hpp"
+#include "microslip/identify/smoothing/spline_density.hpp"
 #include "microslip/joint/dissipation.hpp"
 
 namespace ahmadian_rajaei {

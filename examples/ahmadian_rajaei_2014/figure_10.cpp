@@ -8,7 +8,7 @@
 
 #include "curves.hpp"
 #include "figures.hpp"
-#include "microslip/identify/spline_density.hpp"
+#include "microslip/identify/smoothing/spline_density.hpp"
 
 namespace ahmadian_rajaei {
 namespace {

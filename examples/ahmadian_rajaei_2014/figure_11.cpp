@@ -12,9 +12,9 @@
 
 #include "curves.hpp"
 #include "figures.hpp"
-#include "microslip/report/verification_figure.hpp"
-#include "microslip/rig/verification.hpp"
-#include "microslip/workflow/verified_results.hpp"
+#include "microslip/report/figures/verification_figure.hpp"
+#include "microslip/rig/verification/verification.hpp"
+#include "microslip/workflow/results/verified_results.hpp"
 
 namespace ahmadian_rajaei {
 namespace {

@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "microslip/base/error.hpp"
-#include "microslip/io/output_files.hpp"
+#include "microslip/io/output/output_files.hpp"
 
 namespace ahmadian_rajaei {
 namespace {

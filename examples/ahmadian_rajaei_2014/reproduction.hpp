@@ -7,9 +7,9 @@
 #include <variant>
 #include <vector>
 
-#include "microslip/io/csv_writer.hpp"
-#include "microslip/report/figure.hpp"
-#include "microslip/report/gnuplot.hpp"
+#include "microslip/io/cells/csv_writer.hpp"
+#include "microslip/report/drawing/figure.hpp"
+#include "microslip/report/drawing/gnuplot.hpp"
 
 /// @file
 /// What becomes of a figure of [AR14]: data, a picture, and numbers beside what the paper reports.

@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include "microslip/identify/inversion.hpp"
+#include "microslip/identify/inversion/inversion.hpp"
 #include "microslip/joint/dissipation.hpp"
 
 int main() {

@@ -27,7 +27,7 @@ string(JOIN "|" threads "# *include *<(oneapi/|tbb/|thread>|future>|execution>|o
        "std::(jthread|thread|async|execution)" "# *pragma +omp +parallel")
 
 # What may end a process all the same: the copy of this process that it started itself.
-set(may_end src/microslip/io/reading_worker.cpp)
+set(may_end src/microslip/io/hdf5/reading_worker.cpp)
 
 set(offences 0)
 function(offend file number text)

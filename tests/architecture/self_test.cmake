@@ -58,7 +58,7 @@ expect(prints "${CHECK}" ${src}/joint/a.cpp "std::cout << 1;\n" "joint/a.cpp:1: 
 expect(prints_to_stream "${CHECK}" ${src}/joint/a.cpp "fmt::print(stderr, text);\n"
        "joint/a.cpp:1: the library never prints")
 expect(aborts "${CHECK}" ${src}/io/a.cpp "std::abort();\n" "io/a.cpp:1: the library never ends")
-expect(ends_its_child "${CHECK}" ${src}/io/reading_worker.cpp "_exit(0);\n" "")
+expect(ends_its_child "${CHECK}" ${src}/io/hdf5/reading_worker.cpp "_exit(0);\n" "")
 expect(draws "${CHECK}" ${src}/joint/a.cpp "std::mt19937 generator;\n" "joint/a.cpp:1: random numbers")
 expect(threads "${CHECK}" ${src}/rig/a.cpp "#include <tbb/parallel_for.h>\n"
        "rig/a.cpp:1: threads come from base/execution and base/attended_work alone")

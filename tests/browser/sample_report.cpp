@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "microslip/report/html_report.hpp"
+#include "microslip/report/page/html_report.hpp"
 
 namespace {
 

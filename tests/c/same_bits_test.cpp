@@ -12,15 +12,15 @@
 #include <vector>
 
 #include "c/handle.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
-#include "microslip/dynamics/march.hpp"
-#include "microslip/identify/identification.hpp"
-#include "microslip/io/joint_file.hpp"
-#include "microslip/io/model_file.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/documents/structure/model_file.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
+#include "microslip/dynamics/march/march.hpp"
+#include "microslip/identify/methods/identification.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/memory.hpp"
 #include "microslip/joint/secant.hpp"
-#include "microslip/workflow/levels_identification.hpp"
+#include "microslip/workflow/identify/levels_identification.hpp"
 
 namespace microslip::test::same_bits {
 namespace {

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 #include "support/chain_structure.hpp"

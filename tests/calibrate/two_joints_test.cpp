@@ -10,9 +10,9 @@
 
 #include "microslip/base/random.hpp"
 #include "microslip/calibrate/calibration.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
-#include "microslip/io/joint_file.hpp"
-#include "microslip/io/model_file.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/documents/structure/model_file.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
 #include "support/effort.hpp"
 #include "support/figures.hpp"
 #include "support/reference_csv.hpp"

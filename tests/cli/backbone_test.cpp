@@ -9,8 +9,8 @@
 
 #include "cli/models.hpp"
 #include "cli/run_program.hpp"
-#include "microslip/io/csv.hpp"
-#include "microslip/io/joint_file.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/io/tables/csv.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 

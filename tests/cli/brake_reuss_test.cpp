@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "cli/run_program.hpp"
-#include "microslip/io/csv.hpp"
-#include "microslip/io/model_file.hpp"
+#include "microslip/documents/structure/model_file.hpp"
+#include "microslip/io/tables/csv.hpp"
 #include "support/figures.hpp"
 #include "support/replaced.hpp"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "cli/run_program.hpp"
-#include "microslip/io/model_file.hpp"
+#include "microslip/documents/structure/model_file.hpp"
 
 namespace microslip::cli_test::calculix_test {
 namespace {

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "cli/run_program.hpp"
-#include "microslip/io/csv.hpp"
-#include "microslip/io/joint_file.hpp"
-#include "microslip/io/joint_samples_file.hpp"
-#include "microslip/io/model_file.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/documents/joint/joint_samples_file.hpp"
+#include "microslip/documents/structure/model_file.hpp"
+#include "microslip/io/tables/csv.hpp"
 #include "support/effort.hpp"
 #include "support/thinned_table.hpp"
 

@@ -13,8 +13,8 @@
 
 #include "cli/run_program.hpp"
 #include "microslip/base/random.hpp"
-#include "microslip/io/csv.hpp"
-#include "microslip/io/joint_file.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/io/tables/csv.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 #include "support/replaced.hpp"

@@ -12,11 +12,11 @@
 #include <string>
 
 #include "cli/run_program.hpp"
-#include "microslip/io/density_file.hpp"
-#include "microslip/io/joint_file.hpp"
-#include "microslip/io/levels_file.hpp"
-#include "microslip/io/recording_file.hpp"
-#include "microslip/io/rig_file.hpp"
+#include "microslip/documents/joint/density_file.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/documents/levels/levels_file.hpp"
+#include "microslip/documents/structure/rig_file.hpp"
+#include "microslip/io/open/recording_file.hpp"
 #include "support/built_file.hpp"
 #include "support/effort.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "cli/run_program.hpp"
 #include "cli/samples.hpp"
-#include "microslip/io/csv.hpp"
+#include "microslip/io/tables/csv.hpp"
 #include "microslip/joint/secant.hpp"
 
 namespace microslip::cli_test::dissipation_test {

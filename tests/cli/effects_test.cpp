@@ -20,16 +20,16 @@
 #include <utility>
 #include <vector>
 
+#include "arguments/command.hpp"
 #include "cli/effects_table.hpp"
 #include "cli/run_program.hpp"
 #include "cli/samples.hpp"
-#include "command.hpp"
 #include "documents/description.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
-#include "microslip/dynamics/march.hpp"
-#include "microslip/io/csv.hpp"
-#include "microslip/io/csv_writer.hpp"
-#include "microslip/io/model_file.hpp"
+#include "microslip/documents/structure/model_file.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
+#include "microslip/dynamics/march/march.hpp"
+#include "microslip/io/cells/csv_writer.hpp"
+#include "microslip/io/tables/csv.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 #include "support/effort.hpp"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "cli/run_program.hpp"
-#include "microslip/io/csv.hpp"
+#include "microslip/io/tables/csv.hpp"
 #include "support/figures.hpp"
 #include "support/reference_csv.hpp"
 

@@ -9,9 +9,9 @@
 
 #include "cli/run_program.hpp"
 #include "cli/samples.hpp"
-#include "microslip/io/csv.hpp"
-#include "microslip/io/joint_file.hpp"
-#include "microslip/io/joint_samples_file.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/documents/joint/joint_samples_file.hpp"
+#include "microslip/io/tables/csv.hpp"
 
 namespace microslip::cli_test::identify_assemblies_test {
 namespace {

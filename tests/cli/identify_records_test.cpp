@@ -13,9 +13,9 @@
 
 #include "cli/run_program.hpp"
 #include "cli/samples.hpp"
-#include "microslip/io/density_file.hpp"
-#include "microslip/io/joint_samples_file.hpp"
-#include "microslip/io/sha256.hpp"
+#include "microslip/documents/joint/density_file.hpp"
+#include "microslip/documents/joint/joint_samples_file.hpp"
+#include "microslip/io/bytes/sha256.hpp"
 #include "support/force_records.hpp"
 
 namespace microslip::cli_test::identify_records_test {

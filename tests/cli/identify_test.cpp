@@ -10,10 +10,10 @@
 #include "cli/run_program.hpp"
 #include "cli/samples.hpp"
 #include "microslip/base/version.hpp"
-#include "microslip/identify/identification.hpp"
-#include "microslip/io/density_file.hpp"
-#include "microslip/io/joint_samples_file.hpp"
-#include "microslip/io/sha256.hpp"
+#include "microslip/documents/joint/density_file.hpp"
+#include "microslip/documents/joint/joint_samples_file.hpp"
+#include "microslip/identify/methods/identification.hpp"
+#include "microslip/io/bytes/sha256.hpp"
 #include "microslip/joint/secant.hpp"
 
 namespace microslip::cli_test::identify_test {

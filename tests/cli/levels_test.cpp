@@ -13,7 +13,7 @@
 
 #include "cli/run_program.hpp"
 #include "cli/samples.hpp"
-#include "microslip/io/csv.hpp"
+#include "microslip/io/tables/csv.hpp"
 #include "microslip/joint/secant.hpp"
 #include "support/force_records.hpp"
 

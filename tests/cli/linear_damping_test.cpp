@@ -11,7 +11,7 @@
 #include "cli/run_program.hpp"
 #include "cli/samples.hpp"
 #include "microslip/base/units.hpp"
-#include "microslip/io/csv.hpp"
+#include "microslip/io/tables/csv.hpp"
 #include "support/replaced.hpp"
 
 /// @file

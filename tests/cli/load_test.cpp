@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cli/run_program.hpp"
-#include "microslip/io/csv.hpp"
+#include "microslip/io/tables/csv.hpp"
 #include "support/replaced.hpp"
 
 /// @file Shaken and loaded structures as a user has them: `load`, `frf --acceleration`, `march`,

@@ -7,7 +7,7 @@
 
 #include "cli/run_program.hpp"
 #include "cli/samples.hpp"
-#include "microslip/io/csv.hpp"
+#include "microslip/io/tables/csv.hpp"
 #include "microslip/joint/jenkins_network.hpp"
 #include "microslip/joint/memory.hpp"
 

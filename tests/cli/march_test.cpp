@@ -9,10 +9,10 @@
 
 #include "cli/models.hpp"
 #include "cli/run_program.hpp"
-#include "microslip/dynamics/march.hpp"
-#include "microslip/io/csv.hpp"
-#include "microslip/io/csv_writer.hpp"
-#include "microslip/io/model_file.hpp"
+#include "microslip/documents/structure/model_file.hpp"
+#include "microslip/dynamics/march/march.hpp"
+#include "microslip/io/cells/csv_writer.hpp"
+#include "microslip/io/tables/csv.hpp"
 
 namespace microslip::cli_test::march_test {
 namespace {

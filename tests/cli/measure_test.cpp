@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cli/run_program.hpp"
-#include "microslip/io/csv.hpp"
+#include "microslip/io/tables/csv.hpp"
 
 namespace microslip::cli_test::measure_test {
 namespace {

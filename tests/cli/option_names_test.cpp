@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "option_names.hpp"
+#include "arguments/option_names.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 
 #include "cli/run_program.hpp"
 #include "cli/samples.hpp"
-#include "microslip/io/csv.hpp"
+#include "microslip/io/tables/csv.hpp"
 
 namespace microslip::cli_test::plan_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/run_program.hpp"
-#include "microslip/io/csv.hpp"
+#include "microslip/io/tables/csv.hpp"
 
 namespace microslip::cli_test::reduce_model_test {
 namespace {

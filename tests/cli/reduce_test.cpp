@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "cli/run_program.hpp"
-#include "microslip/io/csv.hpp"
-#include "microslip/io/joint_file.hpp"
-#include "microslip/io/sha256.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/io/bytes/sha256.hpp"
+#include "microslip/io/tables/csv.hpp"
 #include "microslip/joint/joint.hpp"
 #include "support/replaced.hpp"
 

@@ -12,7 +12,7 @@
 
 #include "cli/run_program.hpp"
 #include "cli/samples.hpp"
-#include "microslip/io/csv.hpp"
+#include "microslip/io/tables/csv.hpp"
 #include "support/effort.hpp"
 #include "support/figures.hpp"
 #include "support/replaced.hpp"

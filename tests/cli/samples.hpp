@@ -5,9 +5,9 @@
 #include <string>
 
 #include "microslip/base/units.hpp"
-#include "microslip/io/csv_writer.hpp"
-#include "microslip/io/joint_file.hpp"
-#include "microslip/io/levels_file.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/documents/levels/levels_file.hpp"
+#include "microslip/io/cells/csv_writer.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/observe/levels.hpp"
 #include "support/force_records.hpp"

@@ -10,8 +10,8 @@
 #include "cli/run_program.hpp"
 #include "cli/samples.hpp"
 #include "io/support.hpp"
-#include "microslip/io/csv.hpp"
-#include "microslip/io/model_file.hpp"
+#include "microslip/documents/structure/model_file.hpp"
+#include "microslip/io/tables/csv.hpp"
 #include "support/replaced.hpp"
 #include "support/tested_chain.hpp"
 

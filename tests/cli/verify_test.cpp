@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cli/run_program.hpp"
-#include "microslip/io/csv.hpp"
+#include "microslip/io/tables/csv.hpp"
 #include "support/replaced.hpp"
 
 namespace microslip::cli_test::verify_test {

@@ -12,7 +12,7 @@
 #include "cli/run_program.hpp"
 #include "cli/samples.hpp"
 #include "microslip/base/random.hpp"
-#include "microslip/io/csv.hpp"
+#include "microslip/io/tables/csv.hpp"
 #include "support/virtual_lap_joint.hpp"
 
 namespace microslip::cli_test::verify_tests_test {

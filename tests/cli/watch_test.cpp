@@ -11,7 +11,7 @@
 
 #include "cli/run_program.hpp"
 #include "cli/samples.hpp"
-#include "microslip/io/sha256.hpp"
+#include "microslip/io/bytes/sha256.hpp"
 
 /// A test that is running: records come one by one, some of them broken, and it is stopped.
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "cli/samples.hpp"
-#include "microslip/io/csv_writer.hpp"
+#include "microslip/io/cells/csv_writer.hpp"
 #include "support/replaced.hpp"
 
 namespace microslip::cli_test {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
-#include "microslip/dynamics/harmonic_force.hpp"
+#include "microslip/dynamics/cycle/harmonic_force.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
 #include "support/structures.hpp"
 
 /// @file

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/dynamics/balance_equations.hpp"
+#include "microslip/dynamics/harmonic/balance_equations.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 
 #include "microslip/algebra/lu.hpp"
 #include "microslip/base/random.hpp"
-#include "microslip/dynamics/trigonometric_basis.hpp"
+#include "microslip/dynamics/cycle/trigonometric_basis.hpp"
 #include "support/densities.hpp"
 #include "support/figures.hpp"
 

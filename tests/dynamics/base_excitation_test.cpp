@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "microslip/base/random.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
-#include "microslip/dynamics/march.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
+#include "microslip/dynamics/march/march.hpp"
 #include "support/figures.hpp"
 #include "support/messages.hpp"
 #include "support/shaken_chain.hpp"

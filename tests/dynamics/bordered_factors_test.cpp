@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/dynamics/bordered_factors.hpp"
+#include "microslip/dynamics/harmonic/bordered_factors.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "microslip/base/random.hpp"
-#include "microslip/dynamics/trigonometric_basis.hpp"
+#include "microslip/dynamics/cycle/trigonometric_basis.hpp"
 #include "support/structures.hpp"
 
 namespace microslip::bordered_factors_test {

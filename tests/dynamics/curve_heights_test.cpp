@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/dynamics/curve_heights.hpp"
+#include "microslip/dynamics/harmonic/curve_heights.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
 #include "support/structures.hpp"
 
 namespace microslip::curve_heights_test {

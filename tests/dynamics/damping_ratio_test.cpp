@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "support/structures.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/dynamics/density_corners.hpp"
+#include "microslip/dynamics/structure/density_corners.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "microslip/dynamics/march.hpp"
+#include "microslip/dynamics/march/march.hpp"
 #include "support/structures.hpp"
 
 namespace microslip::density_corners_test {

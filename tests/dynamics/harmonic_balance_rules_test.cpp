@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
 #include "support/messages.hpp"
 #include "support/structures.hpp"
 

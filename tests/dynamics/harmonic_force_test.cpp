@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/dynamics/harmonic_force.hpp"
+#include "microslip/dynamics/cycle/harmonic_force.hpp"
 
 #include <gtest/gtest.h>
 

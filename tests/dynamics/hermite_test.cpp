@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/dynamics/hermite.hpp"
+#include "microslip/dynamics/structure/hermite.hpp"
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "microslip/base/random.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
 #include "microslip/joint/memory.hpp"
 #include "support/figures.hpp"
 #include "support/structures.hpp"

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "microslip/dynamics/damping_twice.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
+#include "microslip/dynamics/structure/damping_twice.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "support/figures.hpp"
 #include "support/structures.hpp"

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "microslip/dynamics/march.hpp"
+#include "microslip/dynamics/march/march.hpp"
 #include "support/messages.hpp"
 #include "support/structures.hpp"
 

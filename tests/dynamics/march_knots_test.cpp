@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "microslip/base/random.hpp"
-#include "microslip/dynamics/joint_way.hpp"
-#include "microslip/dynamics/march.hpp"
-#include "microslip/dynamics/march_loops.hpp"
-#include "microslip/dynamics/step_cubic.hpp"
-#include "microslip/dynamics/step_knots.hpp"
+#include "microslip/dynamics/march/joint_path.hpp"
+#include "microslip/dynamics/march/march.hpp"
+#include "microslip/dynamics/march/march_loops.hpp"
+#include "microslip/dynamics/march/step_breakpoints.hpp"
+#include "microslip/dynamics/march/step_cubic.hpp"
 #include "support/largest_difference.hpp"
 #include "support/quadrature.hpp"
 

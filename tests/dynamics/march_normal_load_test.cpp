@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "microslip/dynamics/march.hpp"
+#include "microslip/dynamics/march/march.hpp"
 #include "support/largest_difference.hpp"
 #include "support/structures.hpp"
 

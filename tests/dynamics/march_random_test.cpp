@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "microslip/base/random.hpp"
-#include "microslip/dynamics/march.hpp"
+#include "microslip/dynamics/march/march.hpp"
 #include "support/figures.hpp"
 
 /// @file Random structures under random forces. MICROSLIP_MARCH_DRAWS models (20) are marched for

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/dynamics/march.hpp"
+#include "microslip/dynamics/march/march.hpp"
 #include "support/messages.hpp"
 #include "support/structures.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/dynamics/march.hpp"
+#include "microslip/dynamics/march/march.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
 #include "microslip/joint/memory.hpp"
 #include "support/figures.hpp"
 #include "support/structures.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/dynamics/march_weights.hpp"
+#include "microslip/dynamics/march/march_weights.hpp"
 
 #include <gtest/gtest.h>
 

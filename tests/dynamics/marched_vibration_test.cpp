@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
 #include "microslip/joint/memory.hpp"
 #include "support/structures.hpp"
 

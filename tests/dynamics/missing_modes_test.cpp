@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/dynamics/missing_modes.hpp"
+#include "microslip/dynamics/harmonic/missing_modes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "microslip/dynamics/residual_flexibility.hpp"
+#include "microslip/dynamics/structure/residual_flexibility.hpp"
 #include "support/messages.hpp"
 
 namespace microslip::missing_modes_test {

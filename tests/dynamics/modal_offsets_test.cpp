@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Offsets of a structure that move its modes, with joints, as measured: against its eigenvalues.
-#include "microslip/dynamics/modal_offsets.hpp"
+#include "microslip/dynamics/structure/modal_offsets.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/dynamics/newton.hpp"
+#include "microslip/dynamics/harmonic/newton.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 
 #include "microslip/algebra/lu.hpp"
 #include "microslip/base/random.hpp"
-#include "microslip/dynamics/bordered_factors.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/dynamics/harmonic/bordered_factors.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
 #include "support/figures.hpp"
 #include "support/structures.hpp"
 

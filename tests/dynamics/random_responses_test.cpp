@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "microslip/base/random.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
 #include "support/figures.hpp"
 
 /// @file

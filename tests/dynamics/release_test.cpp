@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/dynamics/release.hpp"
+#include "microslip/dynamics/march/release.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "microslip/dynamics/harmonic_balance.hpp"
-#include "microslip/dynamics/march.hpp"
-#include "microslip/dynamics/static_equilibrium.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
+#include "microslip/dynamics/march/march.hpp"
+#include "microslip/dynamics/structure/static_equilibrium.hpp"
 #include "microslip/joint/memory.hpp"
 #include "support/messages.hpp"
 #include "support/shaken_chain.hpp"

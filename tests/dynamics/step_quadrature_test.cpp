@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/dynamics/step_quadrature.hpp"
+#include "microslip/dynamics/march/step_quadrature.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "microslip/base/random.hpp"
-#include "microslip/dynamics/march.hpp"
-#include "microslip/dynamics/step_cubic.hpp"
+#include "microslip/dynamics/march/march.hpp"
+#include "microslip/dynamics/march/step_cubic.hpp"
 #include "support/quadrature.hpp"
 
 namespace microslip::step_quadrature_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/dynamics/structure_draws.hpp"
+#include "microslip/dynamics/draws/structure_draws.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "microslip/base/random.hpp"
-#include "microslip/identify/quantiles.hpp"
+#include "microslip/identify/posterior/quantiles.hpp"
 
 namespace microslip::column_statistics_test {
 namespace {

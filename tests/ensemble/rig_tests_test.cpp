@@ -10,8 +10,8 @@
 
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
+#include "microslip/documents/study/ensemble_plan_file.hpp"
 #include "microslip/ensemble/ensemble_jobs.hpp"
-#include "microslip/io/ensemble_plan_file.hpp"
 #include "support/replaced.hpp"
 
 /// Designs by virtual records of the reference rig: three accelerometers and a vibrometer.

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "io/support.hpp"
-#include "microslip/io/csv.hpp"
+#include "microslip/io/tables/csv.hpp"
 #include "support/figures.hpp"
 #include "support/reference_csv.hpp"
 

@@ -14,12 +14,12 @@
 #include <string>
 #include <vector>
 
-#include "microslip/io/hdf5_recording.hpp"
-#include "microslip/io/joint_samples_file.hpp"
-#include "microslip/io/journal_file.hpp"
-#include "microslip/io/mat_recording.hpp"
-#include "microslip/io/output_files.hpp"
-#include "microslip/io/uff_recording.hpp"
+#include "microslip/documents/joint/joint_samples_file.hpp"
+#include "microslip/documents/study/journal_file.hpp"
+#include "microslip/io/hdf5/hdf5_recording.hpp"
+#include "microslip/io/mat/mat_recording.hpp"
+#include "microslip/io/output/output_files.hpp"
+#include "microslip/io/uff/uff_recording.hpp"
 
 namespace microslip::fuzz {
 namespace {

@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/identify/bands.hpp"
-#include "microslip/identify/density_comparison.hpp"
-#include "microslip/identify/diagnostics.hpp"
-#include "microslip/identify/differences.hpp"
-#include "microslip/identify/identification.hpp"
-#include "microslip/identify/method_comparison.hpp"
-#include "microslip/identify/parametric.hpp"
-#include "microslip/identify/spline_density.hpp"
+#include "microslip/identify/inversion/bands.hpp"
+#include "microslip/identify/methods/density_comparison.hpp"
+#include "microslip/identify/methods/diagnostics.hpp"
+#include "microslip/identify/methods/identification.hpp"
+#include "microslip/identify/methods/method_comparison.hpp"
+#include "microslip/identify/parametric/parametric.hpp"
+#include "microslip/identify/smoothing/differences.hpp"
+#include "microslip/identify/smoothing/spline_density.hpp"
 #include "microslip/joint/dissipation.hpp"
 
 /// @file

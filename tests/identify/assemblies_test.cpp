@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/assemblies.hpp"
+#include "microslip/identify/assemblies/assemblies.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/identify/inversion.hpp"
+#include "microslip/identify/inversion/inversion.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "support/assemblies.hpp"
 #include "support/densities.hpp"

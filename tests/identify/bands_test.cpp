@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/bands.hpp"
+#include "microslip/identify/inversion/bands.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/density_comparison.hpp"
+#include "microslip/identify/methods/density_comparison.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/density_posterior.hpp"
+#include "microslip/identify/posterior/density_posterior.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "microslip/algebra/lu.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
-#include "microslip/identify/inversion.hpp"
+#include "microslip/identify/inversion/inversion.hpp"
 #include "support/densities.hpp"
 #include "support/effort.hpp"
 #include "support/figures.hpp"

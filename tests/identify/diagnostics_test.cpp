@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/diagnostics.hpp"
+#include "microslip/identify/methods/diagnostics.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/differences.hpp"
+#include "microslip/identify/smoothing/differences.hpp"
 
 #include <gtest/gtest.h>
 

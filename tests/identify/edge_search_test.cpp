@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "microslip/base/random.hpp"
-#include "microslip/identify/bands.hpp"
-#include "microslip/identify/inversion.hpp"
+#include "microslip/identify/inversion/bands.hpp"
+#include "microslip/identify/inversion/inversion.hpp"
 #include "microslip/observe/common_errors.hpp"
 #include "support/densities.hpp"
 #include "support/effort.hpp"

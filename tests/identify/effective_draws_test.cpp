@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/effective_draws.hpp"
+#include "microslip/identify/posterior/effective_draws.hpp"
 
 #include <gtest/gtest.h>
 

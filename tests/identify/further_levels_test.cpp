@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/further_levels.hpp"
+#include "microslip/identify/inversion/further_levels.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/identify/inverted_joint.hpp"
+#include "microslip/identify/inversion/inverted_joint.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 #include "support/densities.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/identification.hpp"
+#include "microslip/identify/methods/identification.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/inversion_basis.hpp"
+#include "microslip/identify/inversion/inversion_basis.hpp"
 #include "microslip/observe/level_rows.hpp"
 
 #include <gtest/gtest.h>

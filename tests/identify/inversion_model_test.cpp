@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/inversion_model.hpp"
+#include "microslip/identify/inversion/inversion_model.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/inversion.hpp"
+#include "microslip/identify/inversion/inversion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,8 +17,8 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
-#include "microslip/identify/diagnostics.hpp"
-#include "microslip/identify/inversion_model.hpp"
+#include "microslip/identify/inversion/inversion_model.hpp"
+#include "microslip/identify/methods/diagnostics.hpp"
 #include "support/densities.hpp"
 #include "support/effort.hpp"
 #include "support/figures.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/joint_evidence.hpp"
+#include "microslip/identify/evidence/joint_evidence.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/identify/identification.hpp"
-#include "microslip/identify/level_agreement.hpp"
-#include "microslip/identify/record_inversion.hpp"
+#include "microslip/identify/methods/identification.hpp"
+#include "microslip/identify/records/level_agreement.hpp"
+#include "microslip/identify/records/record_inversion.hpp"
 #include "support/densities.hpp"
 #include "support/effort.hpp"
 #include "support/force_records.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/level_design.hpp"
+#include "microslip/identify/inversion/level_design.hpp"
 
 #include <gtest/gtest.h>
 

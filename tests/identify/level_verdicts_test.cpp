@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/level_verdicts.hpp"
+#include "microslip/identify/evidence/level_verdicts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "microslip/base/random.hpp"
-#include "microslip/identify/identification.hpp"
+#include "microslip/identify/methods/identification.hpp"
 #include "microslip/joint/secant.hpp"
 #include "support/densities.hpp"
 #include "support/effort.hpp"

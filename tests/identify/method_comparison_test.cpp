@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/method_comparison.hpp"
+#include "microslip/identify/methods/method_comparison.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/parametric.hpp"
+#include "microslip/identify/parametric/parametric.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/posterior_chain.hpp"
+#include "microslip/identify/posterior/posterior_chain.hpp"
 
 #include <gtest/gtest.h>
 

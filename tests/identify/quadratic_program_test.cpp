@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/quadratic_program.hpp"
+#include "microslip/identify/smoothing/quadratic_program.hpp"
 
 #include <gtest/gtest.h>
 

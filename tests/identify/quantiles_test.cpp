@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/quantiles.hpp"
+#include "microslip/identify/posterior/quantiles.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/record_inversion.hpp"
+#include "microslip/identify/records/record_inversion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,10 +15,10 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/interpolation.hpp"
 #include "microslip/base/random.hpp"
-#include "microslip/identify/diagnostics.hpp"
-#include "microslip/identify/identification.hpp"
-#include "microslip/identify/record_model.hpp"
-#include "microslip/identify/record_start.hpp"
+#include "microslip/identify/methods/diagnostics.hpp"
+#include "microslip/identify/methods/identification.hpp"
+#include "microslip/identify/records/record_model.hpp"
+#include "microslip/identify/records/record_start.hpp"
 #include "support/densities.hpp"
 #include "support/effort.hpp"
 #include "support/figures.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/serial_correlation.hpp"
+#include "microslip/identify/posterior/serial_correlation.hpp"
 
 #include <gtest/gtest.h>
 

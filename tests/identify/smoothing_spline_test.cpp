@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/smoothing_spline.hpp"
+#include "microslip/identify/smoothing/smoothing_spline.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/spline_density.hpp"
+#include "microslip/identify/smoothing/spline_density.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/stiffness_evidence.hpp"
+#include "microslip/identify/evidence/stiffness_evidence.hpp"
 
 #include <gtest/gtest.h>
 

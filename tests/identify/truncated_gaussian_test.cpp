@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/truncated_gaussian.hpp"
+#include "microslip/identify/posterior/truncated_gaussian.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/assumed_units.hpp"
+#include "microslip/io/recordings/assumed_units.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/calculix_matrices.hpp"
+#include "microslip/io/matrices/calculix_matrices.hpp"
 
 #include <gtest/gtest.h>
 

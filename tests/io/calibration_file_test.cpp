@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/calibration_file.hpp"
+#include "microslip/documents/study/calibration_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <string>
 
 #include "microslip/base/error.hpp"
-#include "microslip/io/file_kind.hpp"
-#include "microslip/io/joint_file.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/io/kinds/file_kind.hpp"
 
 namespace microslip::calibration_file_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/campaign_file.hpp"
+#include "microslip/documents/study/campaign_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/character_set.hpp"
+#include "microslip/io/bytes/character_set.hpp"
 
 #include <gtest/gtest.h>
 

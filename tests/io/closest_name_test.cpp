@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/closest_name.hpp"
+#include "microslip/io/bytes/closest_name.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/csv.hpp"
+#include "microslip/io/tables/csv.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "microslip/base/error.hpp"
-#include "microslip/io/file_kind.hpp"
+#include "microslip/io/kinds/file_kind.hpp"
 #include "support/figures.hpp"
 
 /// @file

@@ -11,10 +11,10 @@
 #include "io/damage.hpp"
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
-#include "microslip/io/file_kind.hpp"
-#include "microslip/io/joint_file.hpp"
-#include "microslip/io/levels_file.hpp"
-#include "microslip/io/rig_file.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/documents/levels/levels_file.hpp"
+#include "microslip/documents/structure/rig_file.hpp"
+#include "microslip/io/kinds/file_kind.hpp"
 #include "microslip/observe/levels.hpp"
 
 namespace microslip::damaged_files_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/density_file.hpp"
+#include "microslip/documents/joint/density_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/dmig_matrices.hpp"
+#include "microslip/io/matrices/dmig_matrices.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/ensemble_plan_file.hpp"
+#include "microslip/documents/study/ensemble_plan_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
-#include "microslip/io/changed_number.hpp"
+#include "microslip/io/config/changed_number.hpp"
 #include "support/replaced.hpp"
 
 namespace microslip::ensemble_plan_file_test {

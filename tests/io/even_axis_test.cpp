@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/even_axis.hpp"
+#include "microslip/io/recordings/even_axis.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -16,7 +16,7 @@
 
 #include "io/sample_recordings.hpp"
 #include "microslip/base/error.hpp"
-#include "microslip/io/reading_worker.hpp"
+#include "microslip/io/hdf5/reading_worker.hpp"
 
 namespace microslip {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/file_kind.hpp"
+#include "microslip/io/kinds/file_kind.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/hdf5_recording.hpp"
+#include "microslip/io/hdf5/hdf5_recording.hpp"
 
 #include <gtest/gtest.h>
 #include <hdf5.h>

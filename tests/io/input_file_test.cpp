@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/input_file.hpp"
+#include "microslip/io/bytes/input_file.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/joint_file.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/joint_samples_file.hpp"
+#include "microslip/documents/joint/joint_samples_file.hpp"
 
 #include <gtest/gtest.h>
 #include <hdf5.h>
@@ -16,9 +16,9 @@
 
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
-#include "microslip/io/file_kind.hpp"
-#include "microslip/io/input_file.hpp"
-#include "microslip/io/output_files.hpp"
+#include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/kinds/file_kind.hpp"
+#include "microslip/io/output/output_files.hpp"
 
 namespace microslip::joint_samples_file_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/journal_file.hpp"
+#include "microslip/documents/study/journal_file.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -16,7 +16,7 @@
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
-#include "microslip/io/write_error.hpp"
+#include "microslip/io/output/write_error.hpp"
 
 namespace microslip::journal_file_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/levels_file.hpp"
+#include "microslip/documents/levels/levels_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/load_file.hpp"
+#include "microslip/documents/response/load_file.hpp"
 
 #include <gtest/gtest.h>
 

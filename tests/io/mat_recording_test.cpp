@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/mat_recording.hpp"
+#include "microslip/io/mat/mat_recording.hpp"
 
 #include <gtest/gtest.h>
 #include <matio.h>
@@ -22,7 +22,7 @@
 #include "io/damaged_binary.hpp"
 #include "io/sample_recordings.hpp"
 #include "io/support.hpp"
-#include "microslip/io/mat5_writer.hpp"
+#include "microslip/io/mat/mat5_writer.hpp"
 
 namespace microslip::mat_recording_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/mat_value.hpp"
+#include "microslip/io/mat/mat_value.hpp"
 
 #include <gtest/gtest.h>
 #include <matio.h>
@@ -11,7 +11,7 @@
 
 #include "io/damaged_binary.hpp"
 #include "io/support.hpp"
-#include "microslip/io/mat_file.hpp"
+#include "microslip/io/mat/mat_file.hpp"
 
 namespace microslip::mat_value_test {
 namespace {

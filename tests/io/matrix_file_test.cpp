@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/matrix_file.hpp"
+#include "microslip/io/open/matrix_file.hpp"
 
 #include <gtest/gtest.h>
 #include <hdf5.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/matrix_market.hpp"
+#include "microslip/io/matrices/matrix_market.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/mesh_file.hpp"
+#include "microslip/io/open/mesh_file.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

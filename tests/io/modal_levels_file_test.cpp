@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/modal_levels_file.hpp"
+#include "microslip/documents/levels/modal_levels_file.hpp"
 
 #include <gtest/gtest.h>
 

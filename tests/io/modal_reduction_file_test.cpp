@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/modal_reduction_file.hpp"
+#include "microslip/documents/levels/modal_reduction_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
-#include "microslip/io/file_kind.hpp"
+#include "microslip/io/kinds/file_kind.hpp"
 
 namespace microslip::modal_reduction_file_test {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "io/support.hpp"
-#include "microslip/io/uff55.hpp"
+#include "microslip/io/uff/uff55.hpp"
 
 /// @file
 /// Mode shapes in universal files, datasets 55 and 2414: two modes that both are written with.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/model_file.hpp"
+#include "microslip/documents/structure/model_file.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 #include "io/support.hpp"
 #include "io/toml_pairs.hpp"
 #include "microslip/base/error.hpp"
-#include "microslip/io/file_kind.hpp"
+#include "microslip/io/kinds/file_kind.hpp"
 
 namespace microslip::model_file_test {
 namespace {

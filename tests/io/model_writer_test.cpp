@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/model_writer.hpp"
+#include "microslip/documents/structure/model_writer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
-#include "microslip/io/joint_file.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
 
 namespace microslip::model_writer_test {
 namespace {

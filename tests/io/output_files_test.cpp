@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/output_files.hpp"
+#include "microslip/io/output/output_files.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "io/support.hpp"
-#include "microslip/io/file_kind.hpp"
-#include "microslip/io/table_stream.hpp"
-#include "microslip/io/temporaries.hpp"
+#include "microslip/io/kinds/file_kind.hpp"
+#include "microslip/io/output/table_stream.hpp"
+#include "microslip/io/output/temporaries.hpp"
 
 namespace microslip::output_files_test {
 namespace {

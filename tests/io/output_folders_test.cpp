@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/output_folders.hpp"
+#include "microslip/io/output/output_folders.hpp"
 
 #include <gtest/gtest.h>
 

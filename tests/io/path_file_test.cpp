@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/path_file.hpp"
+#include "microslip/documents/levels/path_file.hpp"
 
 #include <gtest/gtest.h>
 

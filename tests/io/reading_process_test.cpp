@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/reading_process.hpp"
+#include "microslip/io/sandbox/reading_process.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -14,8 +14,8 @@
 #include "io/sample_recordings.hpp"
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
-#include "microslip/io/hdf5_reader.hpp"
-#include "microslip/io/hdf5_recording.hpp"
+#include "microslip/io/hdf5/hdf5_reader.hpp"
+#include "microslip/io/hdf5/hdf5_recording.hpp"
 #include "support/built_file.hpp"
 #include "support/effort.hpp"
 

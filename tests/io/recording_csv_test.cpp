@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/recording_csv.hpp"
+#include "microslip/io/recordings/recording_csv.hpp"
 
 #include <gtest/gtest.h>
 

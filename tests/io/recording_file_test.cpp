@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/recording_file.hpp"
+#include "microslip/io/open/recording_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
-#include "microslip/io/recording_csv.hpp"
+#include "microslip/io/recordings/recording_csv.hpp"
 #include "support/figures.hpp"
 
 namespace microslip::recording_file_test {

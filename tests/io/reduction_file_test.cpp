@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/reduction_file.hpp"
+#include "microslip/documents/levels/reduction_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
-#include "microslip/io/levels_file.hpp"
+#include "microslip/documents/levels/levels_file.hpp"
 
 namespace microslip::reduction_file_test {
 namespace {

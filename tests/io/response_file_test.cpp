@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/response_file.hpp"
+#include "microslip/documents/response/response_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
-#include "microslip/io/csv.hpp"
-#include "microslip/io/file_kind.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
+#include "microslip/io/kinds/file_kind.hpp"
+#include "microslip/io/tables/csv.hpp"
 #include "support/structures.hpp"
 
 namespace microslip::response_file_test {

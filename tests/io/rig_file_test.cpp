@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/rig_file.hpp"
+#include "microslip/documents/structure/rig_file.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -13,9 +13,9 @@
 #include "io/support.hpp"
 #include "io/toml_pairs.hpp"
 #include "microslip/base/error.hpp"
-#include "microslip/io/file_kind.hpp"
-#include "microslip/io/joint_file.hpp"
-#include "microslip/io/rig_writer.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/documents/structure/rig_writer.hpp"
+#include "microslip/io/kinds/file_kind.hpp"
 
 namespace microslip::rig_file_test {
 namespace {

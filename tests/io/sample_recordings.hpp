@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "microslip/signal/recording.hpp"
+#include "microslip/signal/recording/recording.hpp"
 
 namespace microslip::test {
 

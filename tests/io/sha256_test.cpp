@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/sha256.hpp"
+#include "microslip/io/bytes/sha256.hpp"
 
 #include <gtest/gtest.h>
 

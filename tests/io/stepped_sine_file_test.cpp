@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/stepped_sine_file.hpp"
+#include "microslip/documents/levels/stepped_sine_file.hpp"
 
 #include <gtest/gtest.h>
 #include <matio.h>
@@ -15,9 +15,9 @@
 
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
-#include "microslip/io/levels_file.hpp"
-#include "microslip/io/rig_file.hpp"
-#include "microslip/rig/reduction.hpp"
+#include "microslip/documents/levels/levels_file.hpp"
+#include "microslip/documents/structure/rig_file.hpp"
+#include "microslip/rig/reduction/reduction.hpp"
 
 namespace microslip::stepped_sine_file_test {
 namespace {

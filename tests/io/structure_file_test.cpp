@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/structure_file.hpp"
+#include "microslip/documents/structure/structure_file.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

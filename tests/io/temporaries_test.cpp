@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/temporaries.hpp"
+#include "microslip/io/output/temporaries.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

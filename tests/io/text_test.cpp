@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/text.hpp"
+#include "microslip/io/bytes/text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/toml_input.hpp"
+#include "microslip/io/config/toml_input.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include "io/mode_shapes.hpp"
 #include "io/uff_support.hpp"
-#include "microslip/io/uff55.hpp"
+#include "microslip/io/uff/uff55.hpp"
 #include "support/messages.hpp"
 #include "support/replaced.hpp"
 

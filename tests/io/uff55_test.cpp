@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/uff55.hpp"
+#include "microslip/io/uff/uff55.hpp"
 
 #include <gtest/gtest.h>
 

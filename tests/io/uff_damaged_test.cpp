@@ -12,7 +12,7 @@
 #include <string>
 
 #include "io/uff_support.hpp"
-#include "microslip/io/uff55.hpp"
+#include "microslip/io/uff/uff55.hpp"
 #include "support/figures.hpp"
 
 namespace microslip::uff_damaged_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/uff_fields.hpp"
+#include "microslip/io/uff/uff_fields.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/uff_floats.hpp"
+#include "microslip/io/uff/uff_floats.hpp"
 
 #include <gtest/gtest.h>
 

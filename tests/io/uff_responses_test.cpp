@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/uff_responses.hpp"
+#include "microslip/io/responses/uff_responses.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "io/uff_support.hpp"
-#include "microslip/io/uff55.hpp"
+#include "microslip/io/uff/uff55.hpp"
 
 namespace microslip::uff_samples_test {
 namespace {

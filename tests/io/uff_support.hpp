@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "io/support.hpp"
-#include "microslip/io/uff_recording.hpp"
+#include "microslip/io/uff/uff_recording.hpp"
 
 /// @file
 /// Universal files put together by hand, column by column as the format has them.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/verification_file.hpp"
+#include "microslip/documents/response/verification_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@
 
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
-#include "microslip/io/csv.hpp"
-#include "microslip/io/file_kind.hpp"
+#include "microslip/io/kinds/file_kind.hpp"
+#include "microslip/io/tables/csv.hpp"
 
 namespace microslip::verification_file_test {
 namespace {

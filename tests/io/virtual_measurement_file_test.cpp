@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/io/virtual_measurement_file.hpp"
+#include "microslip/documents/response/virtual_measurement_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/io/csv.hpp"
-#include "microslip/io/levels_file.hpp"
+#include "microslip/documents/levels/levels_file.hpp"
+#include "microslip/io/tables/csv.hpp"
 #include "microslip/joint/secant.hpp"
 #include "support/densities.hpp"
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "microslip/algebra/eigenvalues.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
-#include "microslip/io/matrix_market.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
+#include "microslip/io/matrices/matrix_market.hpp"
 #include "support/figures.hpp"
 #include "support/mass_chain.hpp"
 #include "support/messages.hpp"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "io/support.hpp"
-#include "microslip/io/uff55.hpp"
-#include "microslip/io/uff_responses.hpp"
+#include "microslip/io/responses/uff_responses.hpp"
+#include "microslip/io/uff/uff55.hpp"
 #include "support/tested_chain.hpp"
 
 namespace microslip::tested_modes_test {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "command.hpp"
+#include "arguments/command.hpp"
 #include "documents/description.hpp"
 
 namespace microslip::app::examples_test {

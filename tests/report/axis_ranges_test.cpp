@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/axis_ranges.hpp"
+#include "microslip/report/drawing/axis_ranges.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/axis_ticks.hpp"
+#include "microslip/report/drawing/axis_ticks.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "microslip/report/axis_ranges.hpp"
+#include "microslip/report/drawing/axis_ranges.hpp"
 
 namespace microslip::axis_ticks_test {
 namespace {

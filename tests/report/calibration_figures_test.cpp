@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/calibration_figures.hpp"
+#include "microslip/report/figures/calibration_figures.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/child_process.hpp"
+#include "microslip/report/drawing/child_process.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

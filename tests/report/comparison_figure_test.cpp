@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/comparison_figure.hpp"
+#include "microslip/report/figures/comparison_figure.hpp"
 
 #include <gtest/gtest.h>
 

@@ -14,7 +14,7 @@
 
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
-#include "microslip/report/experiment_report.hpp"
+#include "microslip/report/sections/experiment_report.hpp"
 #include "report/support.hpp"
 
 namespace microslip::experiment_report_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/figure.hpp"
+#include "microslip/report/drawing/figure.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "microslip/report/drawn.hpp"
+#include "microslip/report/drawing/drawn.hpp"
 #include "report/support.hpp"
 
 namespace microslip::figure_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/gnuplot.hpp"
+#include "microslip/report/drawing/gnuplot.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/report/child_process.hpp"
+#include "microslip/report/drawing/child_process.hpp"
 #include "report/support.hpp"
 
 namespace microslip::gnuplot_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/html_report.hpp"
+#include "microslip/report/page/html_report.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/io/file_kind.hpp"
-#include "microslip/io/sha256.hpp"
-#include "microslip/report/html_text.hpp"
+#include "microslip/io/bytes/sha256.hpp"
+#include "microslip/io/kinds/file_kind.hpp"
+#include "microslip/report/page/html_text.hpp"
 
 namespace microslip::html_report_test {
 namespace {

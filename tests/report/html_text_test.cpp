@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/html_text.hpp"
+#include "microslip/report/page/html_text.hpp"
 
 #include <gtest/gtest.h>
 

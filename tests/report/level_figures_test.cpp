@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/level_figures.hpp"
+#include "microslip/report/figures/level_figures.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/report/density_figure.hpp"
-#include "microslip/report/loops_figure.hpp"
-#include "microslip/report/rig_figures.hpp"
+#include "microslip/report/figures/density_figure.hpp"
+#include "microslip/report/figures/loops_figure.hpp"
+#include "microslip/report/figures/rig_figures.hpp"
 #include "report/support.hpp"
 
 namespace microslip::level_figures_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/panel_layout.hpp"
+#include "microslip/report/drawing/panel_layout.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/paper_picture.hpp"
+#include "microslip/report/drawing/paper_picture.hpp"
 
 #include <gtest/gtest.h>
 

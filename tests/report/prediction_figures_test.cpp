@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/prediction_figures.hpp"
+#include "microslip/report/figures/prediction_figures.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/record_figures.hpp"
+#include "microslip/report/figures/record_figures.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/report_data.hpp"
+#include "microslip/report/page/report_data.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/report_document.hpp"
+#include "microslip/report/document/report_document.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/rig_figures.hpp"
+#include "microslip/report/figures/rig_figures.hpp"
 
 #include <gtest/gtest.h>
 

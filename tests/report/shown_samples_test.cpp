@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/shown_samples.hpp"
+#include "microslip/report/figures/shown_samples.hpp"
 
 #include "microslip/base/gather.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/shown_unit.hpp"
+#include "microslip/report/document/shown_unit.hpp"
 
 #include <gtest/gtest.h>
 

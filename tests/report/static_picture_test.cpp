@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/static_picture.hpp"
+#include "microslip/report/document/static_picture.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "microslip/report/legend_layout.hpp"
+#include "microslip/report/drawing/legend_layout.hpp"
 
 namespace microslip::static_picture_test {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "microslip/report/figure.hpp"
+#include "microslip/report/drawing/figure.hpp"
 #include "support/messages.hpp"
 
 namespace microslip::test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/text_layout.hpp"
+#include "microslip/report/drawing/text_layout.hpp"
 
 #include <gtest/gtest.h>
 

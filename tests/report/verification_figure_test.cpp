@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/report/verification_figure.hpp"
+#include "microslip/report/figures/verification_figure.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/workflow/verified_results.hpp"
+#include "microslip/workflow/results/verified_results.hpp"
 #include "report/support.hpp"
 
 namespace microslip::verification_figure_test {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "microslip/base/random.hpp"
-#include "microslip/rig/reduction.hpp"
+#include "microslip/rig/reduction/reduction.hpp"
 #include "support/rigs.hpp"
 
 /// @file Records whose joint displacement turns more than twice a cycle, from samples to the flag.

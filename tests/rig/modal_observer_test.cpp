@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/rig/modal_observer.hpp"
+#include "microslip/rig/setup/modal_observer.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/rig/modal_reduction.hpp"
+#include "microslip/rig/reduction/modal_reduction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
-#include "microslip/io/model_file.hpp"
-#include "microslip/io/recording_file.hpp"
+#include "microslip/documents/structure/model_file.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
+#include "microslip/io/open/recording_file.hpp"
 #include "support/effort.hpp"
 #include "support/figures.hpp"
 #include "support/jointed_records.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/rig/reduction_batch.hpp"
+#include "microslip/rig/reduction/reduction_batch.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/rig/reduction.hpp"
+#include "microslip/rig/reduction/reduction.hpp"
 #include "support/rigs.hpp"
 
 namespace microslip::reduction_flags_test {

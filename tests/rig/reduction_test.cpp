@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/rig/reduction.hpp"
+#include "microslip/rig/reduction/reduction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/identify/density_comparison.hpp"
-#include "microslip/identify/identification.hpp"
+#include "microslip/identify/methods/density_comparison.hpp"
+#include "microslip/identify/methods/identification.hpp"
 #include "microslip/joint/secant.hpp"
 #include "support/densities.hpp"
 #include "support/figures.hpp"

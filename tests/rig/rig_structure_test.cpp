@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/rig/rig_structure.hpp"
+#include "microslip/rig/setup/rig_structure.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "microslip/dynamics/harmonic_balance.hpp"
-#include "microslip/io/model_file.hpp"
-#include "microslip/io/rig_file.hpp"
+#include "microslip/documents/structure/model_file.hpp"
+#include "microslip/documents/structure/rig_file.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
 #include "support/densities.hpp"
 #include "support/reference_csv.hpp"
 #include "support/rigs.hpp"

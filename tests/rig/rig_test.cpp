@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/rig/rig.hpp"
+#include "microslip/rig/setup/rig.hpp"
 
 #include <gtest/gtest.h>
 

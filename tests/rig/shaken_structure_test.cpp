@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/rig/shaken_structure.hpp"
+#include "microslip/rig/virtual_test/shaken_structure.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/rig/shaker.hpp"
+#include "microslip/rig/setup/shaker.hpp"
 
 #include <gtest/gtest.h>
 

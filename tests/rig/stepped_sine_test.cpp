@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/rig/stepped_sine.hpp"
+#include "microslip/rig/reduction/stepped_sine.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/rig/stick_state.hpp"
+#include "microslip/rig/setup/stick_state.hpp"
 
 #include <gtest/gtest.h>
 

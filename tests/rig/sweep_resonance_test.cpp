@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/rig/sweep_resonance.hpp"
+#include "microslip/rig/reduction/sweep_resonance.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "microslip/base/random.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
 #include "support/figures.hpp"
 #include "support/messages.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/rig/verification_batch.hpp"
+#include "microslip/rig/verification/verification_batch.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/rig/verification.hpp"
+#include "microslip/rig/verification/verification.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,8 +16,8 @@
 
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
-#include "microslip/identify/identification.hpp"
-#include "microslip/rig/stick_state.hpp"
+#include "microslip/identify/methods/identification.hpp"
+#include "microslip/rig/setup/stick_state.hpp"
 #include "support/densities.hpp"
 #include "support/rigs.hpp"
 

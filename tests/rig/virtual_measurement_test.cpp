@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/rig/virtual_measurement.hpp"
+#include "microslip/rig/virtual_test/virtual_measurement.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/joint/dissipation.hpp"
-#include "microslip/rig/shaker.hpp"
-#include "microslip/rig/stick_state.hpp"
+#include "microslip/rig/setup/shaker.hpp"
+#include "microslip/rig/setup/stick_state.hpp"
 #include "support/densities.hpp"
 #include "support/figures.hpp"
 #include "support/reference_csv.hpp"

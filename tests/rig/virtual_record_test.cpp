@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/rig/virtual_record.hpp"
+#include "microslip/rig/virtual_test/virtual_record.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/rig/reduction.hpp"
-#include "microslip/signal/fourier_fit.hpp"
+#include "microslip/rig/reduction/reduction.hpp"
+#include "microslip/signal/harmonic/fourier_fit.hpp"
 #include "support/densities.hpp"
 #include "support/rigs.hpp"
 

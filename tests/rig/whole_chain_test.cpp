@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "microslip/base/units.hpp"
-#include "microslip/identify/density_comparison.hpp"
-#include "microslip/identify/identification.hpp"
-#include "microslip/rig/reduction_batch.hpp"
-#include "microslip/rig/verification.hpp"
-#include "microslip/rig/virtual_measurement.hpp"
-#include "microslip/rig/virtual_record.hpp"
+#include "microslip/identify/methods/density_comparison.hpp"
+#include "microslip/identify/methods/identification.hpp"
+#include "microslip/rig/reduction/reduction_batch.hpp"
+#include "microslip/rig/verification/verification.hpp"
+#include "microslip/rig/virtual_test/virtual_measurement.hpp"
+#include "microslip/rig/virtual_test/virtual_record.hpp"
 #include "support/densities.hpp"
 #include "support/effort.hpp"
 #include "support/figures.hpp"

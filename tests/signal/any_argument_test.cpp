@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/signal/cycle_energy.hpp"
-#include "microslip/signal/cycle_scatter.hpp"
-#include "microslip/signal/fourier_fit.hpp"
-#include "microslip/signal/ring_down.hpp"
-#include "microslip/signal/signal_quality.hpp"
-#include "microslip/signal/turning_points.hpp"
+#include "microslip/signal/decay/ring_down.hpp"
+#include "microslip/signal/harmonic/cycle_energy.hpp"
+#include "microslip/signal/harmonic/cycle_scatter.hpp"
+#include "microslip/signal/harmonic/fourier_fit.hpp"
+#include "microslip/signal/harmonic/signal_quality.hpp"
+#include "microslip/signal/harmonic/turning_points.hpp"
 
 /// @file
 /// Public functions of signal/ with arguments that mean nothing: a documented value or InputError.

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "microslip/signal/fourier_fit.hpp"
+#include "microslip/signal/harmonic/fourier_fit.hpp"
 #include "signal/synthetic.hpp"
 #include "support/effort.hpp"
 

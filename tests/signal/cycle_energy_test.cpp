@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/signal/cycle_energy.hpp"
+#include "microslip/signal/harmonic/cycle_energy.hpp"
 
 #include <gtest/gtest.h>
 

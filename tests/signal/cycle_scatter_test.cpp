@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/signal/cycle_scatter.hpp"
+#include "microslip/signal/harmonic/cycle_scatter.hpp"
 
 #include <gtest/gtest.h>
 

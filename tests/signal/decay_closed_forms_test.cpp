@@ -6,9 +6,9 @@
 #include <functional>
 #include <numbers>
 
-#include "microslip/signal/decay_leakage.hpp"
-#include "microslip/signal/decay_spread.hpp"
-#include "microslip/signal/decay_window.hpp"
+#include "microslip/signal/decay/decay_leakage.hpp"
+#include "microslip/signal/decay/decay_spread.hpp"
+#include "microslip/signal/decay/decay_window.hpp"
 
 /// Closed forms and figures of the fit under cos⁴(πt), |t| < ½, against quadrature.
 

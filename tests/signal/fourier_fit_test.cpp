@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/signal/fourier_fit.hpp"
+#include "microslip/signal/harmonic/fourier_fit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/signal/fourier_series.hpp"
+#include "microslip/signal/harmonic/fourier_series.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "microslip/base/error.hpp"
-#include "microslip/signal/turning_points.hpp"
+#include "microslip/signal/harmonic/turning_points.hpp"
 #include "signal/synthetic.hpp"
 
 namespace microslip::fourier_series_test {

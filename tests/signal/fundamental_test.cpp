@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "microslip/signal/fourier_fit.hpp"
+#include "microslip/signal/harmonic/fourier_fit.hpp"
 #include "signal/synthetic.hpp"
 #include "support/effort.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/signal/load_shapes.hpp"
+#include "microslip/signal/shock/load_shapes.hpp"
 
 #include <gtest/gtest.h>
 

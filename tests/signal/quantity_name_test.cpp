@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/signal/quantity_name.hpp"
+#include "microslip/signal/recording/quantity_name.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
 #include "microslip/base/error.hpp"
-#include "microslip/signal/recording.hpp"
+#include "microslip/signal/recording/recording.hpp"
 #include "support/messages.hpp"
 
 namespace microslip::quantity_name_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/signal/response_spectrum.hpp"
+#include "microslip/signal/shock/response_spectrum.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/signal/ring_down.hpp"
+#include "microslip/signal/decay/ring_down.hpp"
 
 #include <gtest/gtest.h>
 

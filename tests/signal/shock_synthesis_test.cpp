@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/signal/shock_synthesis.hpp"
+#include "microslip/signal/shock/shock_synthesis.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "microslip/signal/response_spectrum.hpp"
+#include "microslip/signal/shock/response_spectrum.hpp"
 #include "support/figures.hpp"
 #include "support/messages.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/signal/signal_quality.hpp"
+#include "microslip/signal/harmonic/signal_quality.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "microslip/base/random.hpp"
-#include "microslip/signal/fourier_series.hpp"
-#include "microslip/signal/recording.hpp"
+#include "microslip/signal/harmonic/fourier_series.hpp"
+#include "microslip/signal/recording/recording.hpp"
 
 namespace microslip::test {
 

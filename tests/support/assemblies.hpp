@@ -7,7 +7,7 @@
 
 #include "microslip/base/interpolation.hpp"
 #include "microslip/base/random.hpp"
-#include "microslip/identify/assemblies.hpp"
+#include "microslip/identify/assemblies/assemblies.hpp"
 #include "support/densities.hpp"
 
 /// @file Assemblies of a known joint, which differ by known spreads, and levels "measured" on them.

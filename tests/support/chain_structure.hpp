@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "microslip/dynamics/jointed_structure.hpp"
+#include "microslip/dynamics/structure/jointed_structure.hpp"
 
 namespace microslip::testing {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "microslip/base/random.hpp"
-#include "microslip/io/joint_file.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
 #include "microslip/joint/joint.hpp"
 #include "microslip/joint/memory.hpp"
 #include "microslip/observe/force_record.hpp"

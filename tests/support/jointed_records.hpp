@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "microslip/base/random.hpp"
-#include "microslip/dynamics/jointed_structure.hpp"
-#include "microslip/dynamics/steady_vibration.hpp"
-#include "microslip/signal/recording.hpp"
+#include "microslip/dynamics/harmonic/steady_vibration.hpp"
+#include "microslip/dynamics/structure/jointed_structure.hpp"
+#include "microslip/signal/recording/recording.hpp"
 
 /// @file Structures with several joints, and what sensors record of their vibrations.
 

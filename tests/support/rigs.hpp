@@ -10,8 +10,8 @@
 
 #include "microslip/base/random.hpp"
 #include "microslip/joint/joint.hpp"
-#include "microslip/rig/rig.hpp"
-#include "microslip/signal/recording.hpp"
+#include "microslip/rig/setup/rig.hpp"
+#include "microslip/signal/recording/recording.hpp"
 #include "support/reference_csv.hpp"
 
 /// @file Rigs whose joint is known, and records of them.

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "microslip/dynamics/jointed_structure.hpp"
+#include "microslip/dynamics/structure/jointed_structure.hpp"
 
 /// @file Three masses on a shaken support, in physical coordinates that stand still: an integration
 /// that knows no modes, no participation and no memory of a joint but its sliders.

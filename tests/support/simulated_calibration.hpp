@@ -7,7 +7,7 @@
 
 #include "microslip/base/random.hpp"
 #include "microslip/calibrate/calibration.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
 #include "support/chain_structure.hpp"
 
 /// @file

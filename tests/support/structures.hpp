@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "microslip/base/random.hpp"
-#include "microslip/dynamics/jointed_structure.hpp"
-#include "microslip/rig/rig_structure.hpp"
+#include "microslip/dynamics/structure/jointed_structure.hpp"
+#include "microslip/rig/setup/rig_structure.hpp"
 #include "support/densities.hpp"
 #include "support/rigs.hpp"
 

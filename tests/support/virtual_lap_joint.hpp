@@ -5,7 +5,7 @@
 
 #include "microslip/base/random.hpp"
 #include "microslip/base/units.hpp"
-#include "microslip/io/csv.hpp"
+#include "microslip/io/tables/csv.hpp"
 
 /// @file
 /// A beam with a lap joint whose first mode and joint are known, and its tests as they would be

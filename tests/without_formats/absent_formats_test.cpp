@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/io/hdf5_contents.hpp"
-#include "microslip/io/hdf5_reader.hpp"
-#include "microslip/io/hdf5_recording.hpp"
-#include "microslip/io/joint_samples_file.hpp"
-#include "microslip/io/mat_recording.hpp"
-#include "microslip/io/mat_value.hpp"
+#include "microslip/documents/joint/joint_samples_file.hpp"
+#include "microslip/io/hdf5/hdf5_contents.hpp"
+#include "microslip/io/hdf5/hdf5_reader.hpp"
+#include "microslip/io/hdf5/hdf5_recording.hpp"
+#include "microslip/io/mat/mat_recording.hpp"
+#include "microslip/io/mat/mat_value.hpp"
 
 namespace microslip::absent_formats_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/backbone_draws.hpp"
+#include "microslip/workflow/predict/backbone_draws.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Warnings of levels by their tests: a wrong test is one finding.
-#include "microslip/workflow/campaign_outliers.hpp"
+#include "microslip/workflow/campaign/campaign_outliers.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,12 +12,12 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
-#include "microslip/io/text.hpp"
+#include "microslip/io/bytes/text.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
-#include "microslip/workflow/campaign_conditions.hpp"
-#include "microslip/workflow/campaign_leave_out.hpp"
-#include "microslip/workflow/campaign_sessions.hpp"
+#include "microslip/workflow/campaign/campaign_conditions.hpp"
+#include "microslip/workflow/campaign/campaign_leave_out.hpp"
+#include "microslip/workflow/campaign/campaign_sessions.hpp"
 #include "support/messages.hpp"
 
 namespace microslip::campaign_test {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/comparison_results.hpp"
+#include "microslip/workflow/results/comparison_results.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
 #include "microslip/base/error.hpp"
-#include "microslip/workflow/comparison_input.hpp"
-#include "microslip/workflow/comparison_table.hpp"
+#include "microslip/workflow/compare/comparison_table.hpp"
+#include "microslip/workflow/results/comparison_input.hpp"
 #include "support/messages.hpp"
 
 namespace microslip::comparison_results_test {

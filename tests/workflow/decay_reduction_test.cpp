@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/decay_reduction.hpp"
+#include "microslip/workflow/reduce/decay_reduction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
-#include "microslip/io/csv.hpp"
-#include "microslip/io/recording_csv.hpp"
+#include "microslip/io/recordings/recording_csv.hpp"
+#include "microslip/io/tables/csv.hpp"
 #include "support/messages.hpp"
 
 namespace microslip::decay_reduction_test {

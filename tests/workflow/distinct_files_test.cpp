@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/distinct_files.hpp"
+#include "microslip/workflow/text/distinct_files.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/flag_meanings.hpp"
+#include "microslip/workflow/text/flag_meanings.hpp"
 
 #include <gtest/gtest.h>
 
@@ -39,8 +39,8 @@ std::set<std::string> codes_in_the_source() {
       collect(test::get(file.path().string()), codes);
     }
   }
-  for (const char* file :
-       {"joint/covered_range.cpp", "observe/record_cycles.hpp", "workflow/modal_decay.cpp"}) {
+  for (const char* file : {"joint/covered_range.cpp", "observe/record_cycles.hpp",
+                           "workflow/reduce/modal_decay.cpp"}) {
     collect(test::get((kRoot / "src/microslip" / file).string()), codes);
   }
   return codes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/folder_watch.hpp"
+#include "microslip/workflow/measure/folder_watch.hpp"
 
 #include <gtest/gtest.h>
 

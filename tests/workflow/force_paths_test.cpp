@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Records beside the joint that was identified from them.
 
-#include "microslip/workflow/force_paths.hpp"
+#include "microslip/workflow/results/force_paths.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "io/support.hpp"
-#include "microslip/io/output_files.hpp"
-#include "microslip/workflow/found_by_records.hpp"
-#include "microslip/workflow/records_identification.hpp"
+#include "microslip/io/output/output_files.hpp"
+#include "microslip/workflow/identify/records_identification.hpp"
+#include "microslip/workflow/results/found_by_records.hpp"
 #include "support/force_records.hpp"
 #include "support/messages.hpp"
 

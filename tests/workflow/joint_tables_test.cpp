@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/joint_tables.hpp"
+#include "microslip/workflow/predict/joint_tables.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/dynamics/structure_draws.hpp"
-#include "microslip/io/csv.hpp"
+#include "microslip/dynamics/draws/structure_draws.hpp"
+#include "microslip/io/tables/csv.hpp"
 #include "microslip/joint/virgin_curve.hpp"
 #include "workflow/results.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/level_plan.hpp"
+#include "microslip/workflow/identify/level_plan.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,8 +17,8 @@
 
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
-#include "microslip/identify/inversion.hpp"
-#include "microslip/io/levels_file.hpp"
+#include "microslip/documents/levels/levels_file.hpp"
+#include "microslip/identify/inversion/inversion.hpp"
 #include "support/densities.hpp"
 #include "support/effort.hpp"
 #include "support/figures.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/level_quantities.hpp"
+#include "microslip/workflow/results/level_quantities.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/level_records.hpp"
+#include "microslip/workflow/results/level_records.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/loops_comparison.hpp"
+#include "microslip/workflow/compare/loops_comparison.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/march_draws.hpp"
+#include "microslip/workflow/predict/march_draws.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/modal_decay.hpp"
+#include "microslip/workflow/reduce/modal_decay.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,11 +14,11 @@
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
-#include "microslip/dynamics/march.hpp"
-#include "microslip/io/csv.hpp"
-#include "microslip/io/model_file.hpp"
-#include "microslip/io/recording_csv.hpp"
+#include "microslip/documents/structure/model_file.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
+#include "microslip/dynamics/march/march.hpp"
+#include "microslip/io/recordings/recording_csv.hpp"
+#include "microslip/io/tables/csv.hpp"
 #include "support/jointed_records.hpp"
 #include "support/messages.hpp"
 

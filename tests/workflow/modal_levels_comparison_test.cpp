@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/modal_levels_comparison.hpp"
+#include "microslip/workflow/compare/modal_levels_comparison.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "microslip/base/random.hpp"
-#include "microslip/identify/identification.hpp"
+#include "microslip/identify/methods/identification.hpp"
 #include "microslip/joint/dissipation.hpp"
-#include "microslip/workflow/joint_draws.hpp"
-#include "microslip/workflow/response_draws.hpp"
+#include "microslip/workflow/predict/joint_draws.hpp"
+#include "microslip/workflow/predict/response_draws.hpp"
 #include "support/effort.hpp"
 #include "support/figures.hpp"
 #include "support/structures.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/quantity_text.hpp"
+#include "microslip/workflow/text/quantity_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
-#include "microslip/workflow/smoothing_text.hpp"
+#include "microslip/workflow/identify/smoothing_text.hpp"
 
 namespace microslip::quantity_text_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/recording_conversion.hpp"
+#include "microslip/workflow/reduce/recording_conversion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/response_draws.hpp"
+#include "microslip/workflow/predict/response_draws.hpp"
 
 #include <gtest/gtest.h>
 

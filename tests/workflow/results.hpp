@@ -3,7 +3,7 @@
 
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
-#include "microslip/workflow/experiment_results.hpp"
+#include "microslip/workflow/results/experiment_results.hpp"
 
 namespace microslip::test {
 

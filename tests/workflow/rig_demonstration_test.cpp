@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/rig_demonstration.hpp"
+#include "microslip/workflow/measure/rig_demonstration.hpp"
 
 #include <gtest/gtest.h>
 
-#include "microslip/identify/density_comparison.hpp"
+#include "microslip/identify/methods/density_comparison.hpp"
 #include "support/rigs.hpp"
 
 namespace microslip::rig_demonstration_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/sampled_curves.hpp"
+#include "microslip/workflow/results/sampled_curves.hpp"
 
 #include <gtest/gtest.h>
 

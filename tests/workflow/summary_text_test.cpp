@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/summary_text.hpp"
+#include "microslip/workflow/text/summary_text.hpp"
 
 #include <gtest/gtest.h>
 

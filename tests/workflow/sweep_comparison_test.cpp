@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/sweep_comparison.hpp"
+#include "microslip/workflow/compare/sweep_comparison.hpp"
 
 #include <gtest/gtest.h>
 

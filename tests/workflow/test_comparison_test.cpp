@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/test_comparison.hpp"
+#include "microslip/workflow/compare/test_comparison.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/verdict.hpp"
+#include "microslip/workflow/results/verdict.hpp"
 
 #include <gtest/gtest.h>
 

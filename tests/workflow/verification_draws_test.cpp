@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/verification_draws.hpp"
+#include "microslip/workflow/compare/verification_draws.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
-#include "microslip/io/csv.hpp"
-#include "microslip/io/verification_file.hpp"
+#include "microslip/documents/response/verification_file.hpp"
+#include "microslip/io/tables/csv.hpp"
 #include "microslip/joint/normal_load_scale.hpp"
 #include "support/densities.hpp"
 #include "support/rigs.hpp"

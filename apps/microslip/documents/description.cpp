@@ -12,7 +12,7 @@
 #include <string_view>
 #include <utility>
 
-#include "command.hpp"
+#include "arguments/command.hpp"
 
 namespace microslip::app {
 namespace {

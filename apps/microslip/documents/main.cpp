@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "command.hpp"
+#include "arguments/command.hpp"
 #include "documents/documents.hpp"
 #include "microslip/base/version.hpp"
 

@@ -8,7 +8,7 @@
 #include "microslip/base/summary.hpp"
 #include "microslip/calibrate/calibration_options.hpp"
 #include "microslip/calibrate/calibration_result.hpp"
-#include "microslip/dynamics/jointed_structure.hpp"
+#include "microslip/dynamics/structure/jointed_structure.hpp"
 #include "microslip/observe/modal_levels.hpp"
 
 namespace microslip {

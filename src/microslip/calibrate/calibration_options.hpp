@@ -9,7 +9,7 @@
 
 #include "microslip/base/execution.hpp"
 #include "microslip/base/progress.hpp"
-#include "microslip/dynamics/harmonic_balance_options.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance_options.hpp"
 
 namespace microslip {
 

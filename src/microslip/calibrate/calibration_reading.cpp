@@ -11,7 +11,7 @@
 #include "microslip/base/interpolation.hpp"
 #include "microslip/base/median.hpp"
 #include "microslip/calibrate/calibration_draws.hpp"
-#include "microslip/identify/quantiles.hpp"
+#include "microslip/identify/posterior/quantiles.hpp"
 #include "microslip/joint/dissipation.hpp"
 
 namespace microslip {

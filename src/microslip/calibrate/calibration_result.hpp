@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "microslip/base/summary.hpp"
-#include "microslip/identify/record_inversion.hpp"
+#include "microslip/identify/records/record_inversion.hpp"
 #include "microslip/joint/joint.hpp"
 
 namespace microslip {

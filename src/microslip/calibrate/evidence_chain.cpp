@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "microslip/base/random.hpp"
-#include "microslip/identify/posterior_chain.hpp"
-#include "microslip/identify/truncated_gaussian.hpp"
+#include "microslip/identify/posterior/posterior_chain.hpp"
+#include "microslip/identify/posterior/truncated_gaussian.hpp"
 
 namespace microslip {
 namespace {

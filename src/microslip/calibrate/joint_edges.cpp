@@ -9,7 +9,7 @@
 
 #include "microslip/algebra/cholesky.hpp"
 #include "microslip/base/median.hpp"
-#include "microslip/identify/quadratic_program.hpp"
+#include "microslip/identify/smoothing/quadratic_program.hpp"
 
 namespace microslip {
 namespace {

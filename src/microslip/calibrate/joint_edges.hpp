@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "microslip/calibrate/linearisation.hpp"
-#include "microslip/identify/edge_search.hpp"
+#include "microslip/identify/inversion/edge_search.hpp"
 
 /// @file
 /// Edges of the density of one joint among several. Internal to calibrate.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "microslip/algebra/core.hpp"
-#include "microslip/identify/inversion_basis.hpp"
+#include "microslip/identify/inversion/inversion_basis.hpp"
 #include "microslip/joint/joint.hpp"
 
 /// @file

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "microslip/algebra/core.hpp"
-#include "microslip/dynamics/jointed_structure.hpp"
-#include "microslip/dynamics/steady_vibration.hpp"
-#include "microslip/dynamics/target.hpp"
+#include "microslip/dynamics/harmonic/steady_vibration.hpp"
+#include "microslip/dynamics/harmonic/target.hpp"
+#include "microslip/dynamics/structure/jointed_structure.hpp"
 
 /// @file
 /// How the resonance of a level answers to its joints. Internal to calibrate.

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "microslip/base/execution.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
 #include "microslip/observe/modal_levels.hpp"
 
 /// @file

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "microslip/algebra/cholesky.hpp"
-#include "microslip/identify/quadratic_program.hpp"
+#include "microslip/identify/smoothing/quadratic_program.hpp"
 
 namespace microslip {
 namespace {

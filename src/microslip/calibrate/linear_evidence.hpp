@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "microslip/algebra/core.hpp"
-#include "microslip/identify/quadratic_program.hpp"
+#include "microslip/identify/smoothing/quadratic_program.hpp"
 
 /// @file
 /// Levels about the joints as they are known so far, linear in what is sought, and how it is

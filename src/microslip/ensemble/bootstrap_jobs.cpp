@@ -9,8 +9,8 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
-#include "microslip/io/sha256.hpp"
-#include "microslip/workflow/level_table.hpp"
+#include "microslip/io/bytes/sha256.hpp"
+#include "microslip/workflow/reduce/level_table.hpp"
 
 namespace microslip {
 namespace {

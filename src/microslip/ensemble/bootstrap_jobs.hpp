@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "microslip/documents/study/ensemble_plan_file.hpp"
 #include "microslip/ensemble/found_density.hpp"
 #include "microslip/ensemble/planned_jobs.hpp"
-#include "microslip/identify/inversion.hpp"
-#include "microslip/io/ensemble_plan_file.hpp"
+#include "microslip/identify/inversion/inversion.hpp"
 #include "microslip/observe/level_evidence.hpp"
 
 namespace microslip {

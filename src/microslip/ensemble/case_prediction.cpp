@@ -9,13 +9,13 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
-#include "microslip/dynamics/march.hpp"
-#include "microslip/io/load_file.hpp"
-#include "microslip/workflow/backbone_draws.hpp"
-#include "microslip/workflow/march_draws.hpp"
-#include "microslip/workflow/model_text.hpp"
-#include "microslip/workflow/response_draws.hpp"
+#include "microslip/documents/response/load_file.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
+#include "microslip/dynamics/march/march.hpp"
+#include "microslip/workflow/predict/backbone_draws.hpp"
+#include "microslip/workflow/predict/march_draws.hpp"
+#include "microslip/workflow/predict/model_text.hpp"
+#include "microslip/workflow/predict/response_draws.hpp"
 
 namespace microslip {
 namespace {

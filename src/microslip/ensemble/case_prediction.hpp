@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "microslip/base/summary.hpp"
-#include "microslip/dynamics/structure_draws.hpp"
+#include "microslip/documents/structure/model_file.hpp"
+#include "microslip/documents/study/ensemble_plan_file.hpp"
+#include "microslip/dynamics/draws/structure_draws.hpp"
 #include "microslip/ensemble/planned_jobs.hpp"
-#include "microslip/io/ensemble_plan_file.hpp"
-#include "microslip/io/model_file.hpp"
 
 namespace microslip {
 

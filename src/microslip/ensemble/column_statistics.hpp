@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "microslip/io/ensemble_result_file.hpp"
+#include "microslip/documents/study/ensemble_result_file.hpp"
 
 namespace microslip {
 

@@ -10,11 +10,11 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
 #include "microslip/ensemble/input_hashes.hpp"
-#include "microslip/identify/bands.hpp"
-#include "microslip/identify/density_comparison.hpp"
-#include "microslip/identify/inverted_joint.hpp"
-#include "microslip/io/joint_file.hpp"
+#include "microslip/identify/inversion/bands.hpp"
+#include "microslip/identify/inversion/inverted_joint.hpp"
+#include "microslip/identify/methods/density_comparison.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 

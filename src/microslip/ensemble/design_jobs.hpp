@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "microslip/documents/study/ensemble_plan_file.hpp"
 #include "microslip/ensemble/found_density.hpp"
 #include "microslip/ensemble/planned_jobs.hpp"
 #include "microslip/ensemble/rig_tests.hpp"
-#include "microslip/io/ensemble_plan_file.hpp"
 #include "microslip/joint/joint.hpp"
 #include "microslip/observe/levels.hpp"
 

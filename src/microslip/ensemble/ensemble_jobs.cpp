@@ -10,7 +10,7 @@
 #include "microslip/ensemble/design_jobs.hpp"
 #include "microslip/ensemble/predict_jobs.hpp"
 #include "microslip/ensemble/sweep_jobs.hpp"
-#include "microslip/io/text.hpp"
+#include "microslip/io/bytes/text.hpp"
 
 namespace microslip {
 namespace {

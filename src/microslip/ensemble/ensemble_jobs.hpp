@@ -3,8 +3,8 @@
 
 #include <memory>
 
+#include "microslip/documents/study/ensemble_plan_file.hpp"
 #include "microslip/ensemble/planned_jobs.hpp"
-#include "microslip/io/ensemble_plan_file.hpp"
 
 /// @file
 /// From the plan of an ensemble to its jobs.

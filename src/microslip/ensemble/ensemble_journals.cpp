@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
-#include "microslip/io/text.hpp"
+#include "microslip/io/bytes/text.hpp"
 
 namespace microslip {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "microslip/documents/study/ensemble_result_file.hpp"
+#include "microslip/documents/study/journal_file.hpp"
 #include "microslip/ensemble/block_layout.hpp"
-#include "microslip/io/ensemble_result_file.hpp"
-#include "microslip/io/journal_file.hpp"
 
 namespace microslip {
 

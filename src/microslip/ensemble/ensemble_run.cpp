@@ -19,11 +19,11 @@
 #include "microslip/ensemble/ensemble_journals.hpp"
 #include "microslip/ensemble/ensemble_tables.hpp"
 #include "microslip/ensemble/grid_effects.hpp"
-#include "microslip/io/file_kind.hpp"
-#include "microslip/io/output_files.hpp"
-#include "microslip/io/text.hpp"
-#include "microslip/workflow/nothing_found.hpp"
-#include "microslip/workflow/summary_text.hpp"
+#include "microslip/io/bytes/text.hpp"
+#include "microslip/io/kinds/file_kind.hpp"
+#include "microslip/io/output/output_files.hpp"
+#include "microslip/workflow/text/nothing_found.hpp"
+#include "microslip/workflow/text/summary_text.hpp"
 
 namespace microslip {
 namespace {

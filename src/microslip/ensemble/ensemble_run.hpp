@@ -8,8 +8,8 @@
 
 #include "microslip/base/progress.hpp"
 #include "microslip/base/summary.hpp"
+#include "microslip/documents/study/ensemble_result_file.hpp"
 #include "microslip/ensemble/team.hpp"
-#include "microslip/io/ensemble_result_file.hpp"
 
 /// @file
 /// An ensemble from its plan to its result. What is finished stands in a journal beside the result,

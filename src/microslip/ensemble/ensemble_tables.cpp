@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "microslip/ensemble/sweep_jobs.hpp"
-#include "microslip/io/csv_writer.hpp"
-#include "microslip/io/provenance.hpp"
-#include "microslip/workflow/summary_text.hpp"
+#include "microslip/io/cells/csv_writer.hpp"
+#include "microslip/io/output/provenance.hpp"
+#include "microslip/workflow/text/summary_text.hpp"
 
 namespace microslip {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "microslip/base/summary.hpp"
-#include "microslip/io/ensemble_result_file.hpp"
+#include "microslip/documents/study/ensemble_result_file.hpp"
 
 namespace microslip {
 

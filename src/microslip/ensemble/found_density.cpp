@@ -2,8 +2,8 @@
 #include "microslip/ensemble/found_density.hpp"
 
 #include "microslip/base/interpolation.hpp"
-#include "microslip/identify/identification.hpp"
-#include "microslip/identify/inverted_joint.hpp"
+#include "microslip/identify/inversion/inverted_joint.hpp"
+#include "microslip/identify/methods/identification.hpp"
 #include "microslip/joint/dissipation.hpp"
 
 namespace microslip {

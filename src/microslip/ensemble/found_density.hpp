@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "microslip/identify/inversion.hpp"
-#include "microslip/io/ensemble_plan_file.hpp"
-#include "microslip/io/ensemble_result_file.hpp"
+#include "microslip/documents/study/ensemble_plan_file.hpp"
+#include "microslip/documents/study/ensemble_result_file.hpp"
+#include "microslip/identify/inversion/inversion.hpp"
 
 namespace microslip {
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "microslip/io/input_file.hpp"
-#include "microslip/io/sha256.hpp"
+#include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/bytes/sha256.hpp"
 
 namespace microslip {
 

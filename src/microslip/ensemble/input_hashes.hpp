@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "microslip/documents/structure/model_file.hpp"
 #include "microslip/ensemble/case_prediction.hpp"
-#include "microslip/io/model_file.hpp"
-#include "microslip/io/named_values.hpp"
+#include "microslip/io/config/named_values.hpp"
 
 namespace microslip {
 

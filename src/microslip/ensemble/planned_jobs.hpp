@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "microslip/base/summary.hpp"
-#include "microslip/io/ensemble_result_file.hpp"
-#include "microslip/io/named_values.hpp"
+#include "microslip/documents/study/ensemble_result_file.hpp"
+#include "microslip/io/config/named_values.hpp"
 
 /// @file
 /// What the jobs of an ensemble are, whatever they compute and wherever that is done.

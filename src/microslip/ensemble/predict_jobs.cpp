@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "microslip/base/error.hpp"
-#include "microslip/workflow/model_draws.hpp"
+#include "microslip/workflow/predict/model_draws.hpp"
 
 namespace microslip {
 namespace {

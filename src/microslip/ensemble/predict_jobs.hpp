@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "microslip/documents/study/ensemble_plan_file.hpp"
 #include "microslip/ensemble/case_prediction.hpp"
 #include "microslip/ensemble/input_hashes.hpp"
 #include "microslip/ensemble/planned_jobs.hpp"
-#include "microslip/io/ensemble_plan_file.hpp"
 
 namespace microslip {
 

@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
-#include "microslip/io/input_file.hpp"
-#include "microslip/io/rig_file.hpp"
-#include "microslip/io/text.hpp"
-#include "microslip/rig/virtual_record.hpp"
-#include "microslip/workflow/measurement_run.hpp"
-#include "microslip/workflow/recordings_reduction.hpp"
+#include "microslip/documents/structure/rig_file.hpp"
+#include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/bytes/text.hpp"
+#include "microslip/rig/virtual_test/virtual_record.hpp"
+#include "microslip/workflow/measure/measurement_run.hpp"
+#include "microslip/workflow/reduce/recordings_reduction.hpp"
 
 namespace microslip {
 namespace {

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "microslip/base/summary.hpp"
-#include "microslip/io/ensemble_plan_file.hpp"
-#include "microslip/io/joint_file.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/documents/study/ensemble_plan_file.hpp"
 #include "microslip/observe/levels.hpp"
-#include "microslip/rig/reduction.hpp"
-#include "microslip/rig/stick_state.hpp"
-#include "microslip/rig/virtual_measurement.hpp"
+#include "microslip/rig/reduction/reduction.hpp"
+#include "microslip/rig/setup/stick_state.hpp"
+#include "microslip/rig/virtual_test/virtual_measurement.hpp"
 
 /// @file
 /// Virtual tests of a rig: what its sensors record, reduced to levels.

@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
 #include "microslip/ensemble/input_hashes.hpp"
-#include "microslip/io/changed_number.hpp"
-#include "microslip/io/input_file.hpp"
-#include "microslip/io/joint_file.hpp"
-#include "microslip/io/text.hpp"
+#include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/bytes/text.hpp"
+#include "microslip/io/config/changed_number.hpp"
 
 namespace microslip {
 namespace {

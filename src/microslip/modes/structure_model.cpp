@@ -9,11 +9,11 @@
 #include <optional>
 #include <utility>
 
-#include "microslip/io/input_file.hpp"
-#include "microslip/io/model_writer.hpp"
-#include "microslip/io/path_from.hpp"
-#include "microslip/io/provenance.hpp"
-#include "microslip/io/structure_file.hpp"
+#include "microslip/documents/structure/model_writer.hpp"
+#include "microslip/documents/structure/structure_file.hpp"
+#include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/bytes/relative_path.hpp"
+#include "microslip/io/output/provenance.hpp"
 #include "microslip/modes/tested_structure_modes.hpp"
 
 namespace microslip {

@@ -6,7 +6,7 @@
 
 #include "microslip/base/progress.hpp"
 #include "microslip/base/summary.hpp"
-#include "microslip/io/model_file.hpp"
+#include "microslip/documents/structure/model_file.hpp"
 #include "microslip/modes/structure_modes.hpp"
 
 /// @file

@@ -8,7 +8,7 @@
 
 #include "microslip/algebra/core.hpp"
 #include "microslip/base/summary.hpp"
-#include "microslip/io/tested_structure.hpp"
+#include "microslip/documents/structure/tested_structure.hpp"
 #include "microslip/structure/modal_model.hpp"
 #include "microslip/structure/structural_matrices.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "microslip/io/structure_file.hpp"
+#include "microslip/documents/structure/structure_file.hpp"
 #include "microslip/modes/structure_modes.hpp"
 #include "microslip/structure/modal_model.hpp"
 

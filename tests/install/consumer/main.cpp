@@ -3,8 +3,8 @@
 #include <string>
 
 #include "microslip/base/error.hpp"
-#include "microslip/identify/inversion.hpp"
-#include "microslip/io/recording_file.hpp"
+#include "microslip/identify/inversion/inversion.hpp"
+#include "microslip/io/recording_file.hpp"  // where it was once
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/joint.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "microslip/bindings/c/errors.hpp"
 #include "microslip/bindings/c/handles.hpp"
-#include "microslip/workflow/model_text.hpp"
+#include "microslip/workflow/predict/model_text.hpp"
 
 namespace c = microslip::c;
 

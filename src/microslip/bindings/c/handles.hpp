@@ -10,13 +10,13 @@
 
 #include <microslip.h>
 #include "microslip/base/summary.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
-#include "microslip/dynamics/march.hpp"
-#include "microslip/io/joint_file.hpp"
-#include "microslip/io/model_file.hpp"
-#include "microslip/io/model_parts.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/documents/structure/model_file.hpp"
+#include "microslip/documents/structure/model_parts.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
+#include "microslip/dynamics/march/march.hpp"
 #include "microslip/joint/memory.hpp"
-#include "microslip/workflow/levels_identification.hpp"
+#include "microslip/workflow/identify/levels_identification.hpp"
 
 /// @file
 /// What the handles of the C interface hold. Each holds what it needs itself or shares it, so that

@@ -9,10 +9,10 @@
 #include "microslip/base/execution.hpp"
 #include "microslip/bindings/c/errors.hpp"
 #include "microslip/bindings/c/handles.hpp"
-#include "microslip/io/text.hpp"
-#include "microslip/workflow/identification_text.hpp"
-#include "microslip/workflow/level_table.hpp"
-#include "microslip/workflow/smoothing_text.hpp"
+#include "microslip/io/bytes/text.hpp"
+#include "microslip/workflow/identify/identification_text.hpp"
+#include "microslip/workflow/identify/smoothing_text.hpp"
+#include "microslip/workflow/reduce/level_table.hpp"
 
 namespace c = microslip::c;
 

@@ -10,7 +10,7 @@
 #include "microslip/base/version.hpp"
 #include "microslip/bindings/c/errors.hpp"
 #include "microslip/bindings/c/handles.hpp"
-#include "microslip/io/output_files.hpp"
+#include "microslip/io/output/output_files.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 

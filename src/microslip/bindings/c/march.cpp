@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/dynamics/march.hpp"
+#include "microslip/dynamics/march/march.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 
 #include "microslip/bindings/c/errors.hpp"
 #include "microslip/bindings/c/handles.hpp"
-#include "microslip/workflow/model_text.hpp"
+#include "microslip/workflow/predict/model_text.hpp"
 
 namespace c = microslip::c;
 

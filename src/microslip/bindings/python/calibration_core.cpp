@@ -14,13 +14,13 @@
 #include "microslip/bindings/python/results.hpp"
 #include "microslip/bindings/python/structure.hpp"
 #include "microslip/calibrate/calibration.hpp"
-#include "microslip/io/input_file.hpp"
-#include "microslip/io/modal_levels_file.hpp"
-#include "microslip/io/model_file.hpp"
-#include "microslip/io/output_files.hpp"
-#include "microslip/io/output_folders.hpp"
-#include "microslip/io/sha256.hpp"
-#include "microslip/workflow/calibration.hpp"
+#include "microslip/documents/levels/modal_levels_file.hpp"
+#include "microslip/documents/structure/model_file.hpp"
+#include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/bytes/sha256.hpp"
+#include "microslip/io/output/output_files.hpp"
+#include "microslip/io/output/output_folders.hpp"
+#include "microslip/workflow/identify/calibration.hpp"
 
 namespace py = pybind11;
 

@@ -14,10 +14,10 @@
 #include "microslip/bindings/python/march.hpp"
 #include "microslip/bindings/python/results.hpp"
 #include "microslip/bindings/python/vibration.hpp"
-#include "microslip/workflow/backbone_draws.hpp"
-#include "microslip/workflow/march_draws.hpp"
-#include "microslip/workflow/model_draws.hpp"
-#include "microslip/workflow/response_draws.hpp"
+#include "microslip/workflow/predict/backbone_draws.hpp"
+#include "microslip/workflow/predict/march_draws.hpp"
+#include "microslip/workflow/predict/model_draws.hpp"
+#include "microslip/workflow/predict/response_draws.hpp"
 
 namespace py = pybind11;
 

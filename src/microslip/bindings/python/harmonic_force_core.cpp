@@ -6,7 +6,7 @@
 
 #include "microslip/bindings/python/arguments.hpp"
 #include "microslip/bindings/python/core.hpp"
-#include "microslip/dynamics/harmonic_force.hpp"
+#include "microslip/dynamics/cycle/harmonic_force.hpp"
 
 namespace py = pybind11;
 

@@ -3,8 +3,8 @@
 
 #include <pybind11/pybind11.h>
 
-#include "microslip/identify/identification.hpp"
-#include "microslip/io/joint_file.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/identify/methods/identification.hpp"
 #include "microslip/observe/levels.hpp"
 
 namespace microslip::python {

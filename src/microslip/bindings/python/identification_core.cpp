@@ -11,15 +11,15 @@
 #include "microslip/bindings/python/identification.hpp"
 #include "microslip/bindings/python/long_work.hpp"
 #include "microslip/bindings/python/results.hpp"
-#include "microslip/identify/identification.hpp"
-#include "microslip/io/joint_file.hpp"
-#include "microslip/io/joint_samples_file.hpp"
-#include "microslip/io/levels_file.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/documents/joint/joint_samples_file.hpp"
+#include "microslip/documents/levels/levels_file.hpp"
+#include "microslip/identify/methods/identification.hpp"
 #include "microslip/observe/level_evidence.hpp"
-#include "microslip/workflow/joint_draws.hpp"
-#include "microslip/workflow/level_table.hpp"
-#include "microslip/workflow/levels_identification.hpp"
-#include "microslip/workflow/smoothing_text.hpp"
+#include "microslip/workflow/identify/levels_identification.hpp"
+#include "microslip/workflow/identify/smoothing_text.hpp"
+#include "microslip/workflow/predict/joint_draws.hpp"
+#include "microslip/workflow/reduce/level_table.hpp"
 
 namespace py = pybind11;
 

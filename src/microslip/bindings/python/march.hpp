@@ -4,7 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include "microslip/bindings/python/arguments.hpp"
-#include "microslip/dynamics/march.hpp"
+#include "microslip/dynamics/march/march.hpp"
 
 namespace microslip::python {
 

@@ -10,8 +10,8 @@
 #include "microslip/bindings/python/march.hpp"
 #include "microslip/bindings/python/results.hpp"
 #include "microslip/bindings/python/structure.hpp"
-#include "microslip/dynamics/march.hpp"
-#include "microslip/workflow/model_text.hpp"
+#include "microslip/dynamics/march/march.hpp"
+#include "microslip/workflow/predict/model_text.hpp"
 
 namespace py = pybind11;
 

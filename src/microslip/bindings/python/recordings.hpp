@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "microslip/base/units.hpp"
-#include "microslip/signal/recording.hpp"
+#include "microslip/signal/recording/recording.hpp"
 
 /// @file
 /// Recordings as the package hands them over: a dict of `source`, `axis` (unit, start, step, values

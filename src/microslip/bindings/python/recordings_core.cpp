@@ -9,10 +9,10 @@
 #include "microslip/bindings/python/long_work.hpp"
 #include "microslip/bindings/python/recordings.hpp"
 #include "microslip/bindings/python/results.hpp"
-#include "microslip/io/output_files.hpp"
-#include "microslip/io/recording_file.hpp"
-#include "microslip/io/uff_functions.hpp"
-#include "microslip/workflow/recording_conversion.hpp"
+#include "microslip/io/open/recording_file.hpp"
+#include "microslip/io/output/output_files.hpp"
+#include "microslip/io/uff/uff_functions.hpp"
+#include "microslip/workflow/reduce/recording_conversion.hpp"
 
 namespace py = pybind11;
 

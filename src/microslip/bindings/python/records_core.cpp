@@ -13,10 +13,10 @@
 #include "microslip/bindings/python/long_work.hpp"
 #include "microslip/bindings/python/recordings.hpp"
 #include "microslip/bindings/python/results.hpp"
-#include "microslip/identify/joint_evidence.hpp"
-#include "microslip/io/sha256.hpp"
-#include "microslip/workflow/force_records.hpp"
-#include "microslip/workflow/records_identification.hpp"
+#include "microslip/identify/evidence/joint_evidence.hpp"
+#include "microslip/io/bytes/sha256.hpp"
+#include "microslip/workflow/identify/records_identification.hpp"
+#include "microslip/workflow/reduce/force_records.hpp"
 
 namespace py = pybind11;
 

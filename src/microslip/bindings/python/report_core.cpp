@@ -11,11 +11,11 @@
 #include "microslip/bindings/python/core.hpp"
 #include "microslip/bindings/python/long_work.hpp"
 #include "microslip/bindings/python/results.hpp"
-#include "microslip/io/file_kind.hpp"
-#include "microslip/io/output_files.hpp"
-#include "microslip/report/experiment_report.hpp"
-#include "microslip/report/html_report.hpp"
-#include "microslip/workflow/experiment_folder.hpp"
+#include "microslip/io/kinds/file_kind.hpp"
+#include "microslip/io/output/output_files.hpp"
+#include "microslip/report/page/html_report.hpp"
+#include "microslip/report/sections/experiment_report.hpp"
+#include "microslip/workflow/results/experiment_folder.hpp"
 
 namespace py = pybind11;
 

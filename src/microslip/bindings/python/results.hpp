@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "microslip/base/summary.hpp"
-#include "microslip/identify/record_inversion.hpp"
+#include "microslip/identify/records/record_inversion.hpp"
 
 namespace microslip::python {
 

@@ -10,8 +10,8 @@
 #include "microslip/bindings/python/long_work.hpp"
 #include "microslip/bindings/python/recordings.hpp"
 #include "microslip/bindings/python/results.hpp"
-#include "microslip/signal/ring_down.hpp"
-#include "microslip/signal/ring_down_levels.hpp"
+#include "microslip/signal/decay/ring_down.hpp"
+#include "microslip/signal/decay/ring_down_levels.hpp"
 
 namespace py = pybind11;
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "microslip/io/model_file.hpp"
+#include "microslip/documents/structure/model_file.hpp"
 
 namespace microslip::python {
 

@@ -11,8 +11,8 @@
 #include "microslip/bindings/python/long_work.hpp"
 #include "microslip/bindings/python/results.hpp"
 #include "microslip/bindings/python/structure.hpp"
-#include "microslip/dynamics/jointed_structure.hpp"
-#include "microslip/io/model_file.hpp"
+#include "microslip/documents/structure/model_file.hpp"
+#include "microslip/dynamics/structure/jointed_structure.hpp"
 #include "microslip/modes/structure_modes.hpp"
 #include "microslip/structure/modal_model.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "microslip/base/units.hpp"
 #include "microslip/bindings/python/arguments.hpp"
-#include "microslip/io/csv.hpp"
+#include "microslip/io/tables/csv.hpp"
 
 namespace py = pybind11;
 

@@ -8,7 +8,7 @@
 
 #include "microslip/base/progress.hpp"
 #include "microslip/bindings/python/structure.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
 
 namespace microslip::python {
 

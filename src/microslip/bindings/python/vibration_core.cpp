@@ -16,8 +16,8 @@
 #include "microslip/bindings/python/results.hpp"
 #include "microslip/bindings/python/structure.hpp"
 #include "microslip/bindings/python/vibration.hpp"
-#include "microslip/dynamics/harmonic_balance.hpp"
-#include "microslip/workflow/model_text.hpp"
+#include "microslip/dynamics/harmonic/harmonic_balance.hpp"
+#include "microslip/workflow/predict/model_text.hpp"
 
 namespace py = pybind11;
 

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "arguments/draw_arguments.hpp"
+#include <CLI/CLI.hpp>
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <limits>
+
+#include "arguments/progress_bar.hpp"
+#include "arguments/recording_arguments.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/base/units.hpp"
+#include "microslip/workflow/text/quantity_text.hpp"
+
+namespace microslip::app {
+
+void add_draw_arguments(CLI::App& command, DrawArguments& arguments, const std::string& columns) {
+  CLI::Option* draws = command.add_option(
+      "--draws", arguments.count,
+      "Predict by so many draws of what is uncertain as well, and write between which values they "
+      "lie: " +
+          columns);
+  command.add_option("--seed", arguments.seed, "Of the draws: the same seed, the same draws")
+      ->needs(draws)
+      ->capture_default_str();
+  command
+      .add_option("--confidence", arguments.confidence,
+                  "Share of the draws that lies between the two, as much below as above")
+      ->needs(draws)
+      ->capture_default_str();
+}
+
+void add_correlation_argument(CLI::App& command, DrawArguments& arguments) {
+  command
+      .add_option(
+          "--correlation", arguments.correlation,
+          "Of the draws of several joints: those of the same number together, each joint by "
+          "itself, or together where one calibration drew them")
+      ->needs(command.get_option("--draws"))
+      ->check(CLI::IsMember({"auto", "together", "independent"}))
+      ->capture_default_str();
+}
+
+void add_joint_draw_arguments(CLI::App& command, JointDrawArguments& arguments,
+                              const std::string& columns) {
+  add_draw_arguments(command, arguments, columns);
+  CLI::Option* draws = command.get_option("--draws");
+  command
+      .add_option("--samples", arguments.samples,
+                  "Draws of the joint, joint_samples.h5: of identify --samples-out or calibrate")
+      ->needs(draws)
+      ->type_name(kHdf5Value);
+  command
+      .add_option("--normal-load-std", arguments.normal_load_std,
+                  "Relative standard deviation of the normal load, which scales all slip forces "
+                  "and leaves k: 0.1 or 10%")
+      ->needs(draws)
+      ->capture_default_str();
+}
+
+double parse_spread(std::string_view option, const std::string& text) {
+  const double spread = parse_quantity(option, text, kDimensionless);
+  if (spread >= 0.0 && spread <= DrawnJoints::kLargestSpread) return spread;
+  throw InputError(option, spread,
+                   fmt::format("must be from 0 to {:g}", DrawnJoints::kLargestSpread),
+                   "It is relative: 0.1 or 10%.");
+}
+
+JointUncertainty uncertainty_of(const JointDrawArguments& arguments) {
+  return {arguments.samples, parse_spread("--normal-load-std", arguments.normal_load_std)};
+}
+
+std::optional<LoneJointDraws> draws_of(const JointFile& file, const JointDrawArguments& arguments,
+                                       bool quiet) {
+  if (!arguments.any()) return std::nullopt;
+  LoneJointDraws draws =
+      microslip::draws_of(file, uncertainty_of(arguments), draw_options(arguments));
+  draws.progress = progress_bar("draws", quiet);
+  return draws;
+}
+
+DrawOptions draw_options(const DrawArguments& arguments) {
+  DrawOptions options{.count = DrawOptions::kMostDraws};  // until the confidence is known
+  options.seed =
+      parse_whole_number("--seed", arguments.seed, 0, std::numeric_limits<std::uint64_t>::max());
+  options.confidence = parse_quantity("--confidence", arguments.confidence, kDimensionless);
+  if (arguments.correlation == "together") options.correlation = Correlation::kTogether;
+  if (arguments.correlation == "independent") options.correlation = Correlation::kIndependent;
+  try {
+    options.check();
+  } catch (const InputError& error) {
+    throw error.renamed("--" + error.name());
+  }
+  options.count = parse_whole_number(
+      "--draws", arguments.count, DrawOptions::fewest(options.confidence), DrawOptions::kMostDraws,
+      fmt::format(
+          "Of fewer none lies beyond each edge of a band of {:g} %, and 1000 tell its edges "
+          "to some 5 % of its width. Leave it out for a prediction without bands.",
+          100.0 * options.confidence));
+  return options;
+}
+
+}  // namespace microslip::app

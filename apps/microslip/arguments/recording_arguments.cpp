@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "arguments/recording_arguments.hpp"
+#include <CLI/CLI.hpp>
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <utility>
+
+#include "arguments/option_names.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/base/units.hpp"
+#include "microslip/io/recordings/assumed_units.hpp"
+#include "microslip/workflow/text/quantity_text.hpp"
+
+namespace microslip::app {
+
+void add_recording_arguments(CLI::App& command, RecordingArguments& arguments) {
+  command
+      .add_option("--assume-units", arguments.assumed_units,
+                  "CHANNEL=UNIT: what a channel without unit is in; may be repeated. SI: each one "
+                  "whose quantity the file or its name tells (force, acc1, tip_disp, x, time, ...) "
+                  "is in SI")
+      ->allow_extra_args(false);
+  command.add_flag("--allow-truncated", arguments.allow_truncated,
+                   "Take what is there of a file that was cut");
+}
+
+RecordingReadOptions read_options(const RecordingArguments& arguments, Progress progress) {
+  return {.allow_truncated = arguments.allow_truncated,
+          .progress = std::move(progress),
+          .assumed_units = parse_assumed_units(arguments.assumed_units)};
+}
+
+std::optional<double> frequency_guess(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const double guess = parse_quantity("--frequency", text, kFrequency);
+  if (!(guess > 0.0)) throw InputError("--frequency", guess, "must be above 0 Hz");
+  return guess;
+}
+
+void show_warnings(const std::vector<Warning>& warnings) {
+  for (const Warning& warning : warnings) {
+    const std::string text =
+        fmt::format("microslip: warning: {}\n", with_option_names(warning.text));
+    std::fwrite(text.data(), 1, text.size(), stderr);
+  }
+}
+
+}  // namespace microslip::app

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "microslip/base/summary.hpp"
+#include "microslip/io/recordings/recordings.hpp"
+#include "microslip/workflow/reduce/named_recordings.hpp"
+
+/// @file
+/// What the subcommands that read recordings share.
+
+namespace microslip::app {
+
+struct RecordingArguments {
+  std::vector<std::string> assumed_units;
+  bool allow_truncated = false;
+};
+
+/// Adds --assume-units and --allow-truncated.
+void add_recording_arguments(CLI::App& command, RecordingArguments& arguments);
+
+/// @throws InputError  where a unit is none.
+[[nodiscard]] RecordingReadOptions read_options(const RecordingArguments& arguments,
+                                                Progress progress = {});
+
+/// --frequency: nothing where it is empty.
+/// @throws InputError  where it is no frequency above 0.
+[[nodiscard]] std::optional<double> frequency_guess(const std::string& text);
+
+/// On standard error. Nobody may listen: that is no error.
+void show_warnings(const std::vector<Warning>& warnings);
+
+}  // namespace microslip::app

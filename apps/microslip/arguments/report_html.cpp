@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "arguments/report_html.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "arguments/option_names.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/base/version.hpp"
+#include "microslip/report/page/html_report.hpp"
+#include "microslip/report/sections/experiment_report.hpp"
+
+namespace microslip::app {
+
+namespace {
+
+/// The reader knows options as they are typed.
+void name_options(ExperimentResults& results) {
+  for (Warning& warning : results.warnings) warning.text = with_option_names(warning.text);
+  if (results.calibration) {
+    for (Warning& warning : results.calibration->warnings) {
+      warning.text = with_option_names(warning.text);
+    }
+  }
+  if (!results.joint) return;
+  for (std::string& text : results.joint->warning_texts) text = with_option_names(text);
+}
+
+}  // namespace
+
+std::string report_html(ExperimentResults results, const Call& call, bool pictures) {
+  name_options(results);
+  results.provenance.insert(results.provenance.begin(),
+                            {{"report made by", fmt::format("microslip {}", kVersion)},
+                             {"report command", call.command_line}});
+  if (pictures) {
+    try {
+      return html_report(experiment_report(results));
+    } catch (const Error& error) {
+      const std::string text = fmt::format(
+          "The pictures for paper are missing; the browser makes those that are printed: {}",
+          error.what());
+      results.warnings.push_back({"pictures_missing", text});
+      std::string html =
+          html_report(experiment_report(results), {.picture = {}});  // may fail as before
+      if (!call.quiet) fmt::print(stderr, "microslip: warning: {}\n", text);
+      return html;
+    }
+  }
+  return html_report(experiment_report(results), {.picture = {}});
+}
+
+}  // namespace microslip::app

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arguments/command.hpp"
+#include "arguments/progress_bar.hpp"
+#include "microslip/io/output/output_files.hpp"
+#include "microslip/io/output/output_folders.hpp"
+#include "microslip/workflow/identify/calibration.hpp"
+#include "microslip/workflow/text/quantity_text.hpp"
+
+namespace microslip::app {
+namespace {
+
+struct CalibrateArguments {
+  ModelCalibration calibration;
+  std::string frequency = "change";
+  std::string stiffness = "given";
+  std::string shapes = "found";
+  std::string edges = "sought";
+  std::string forcing = "excitation";
+  std::string harmonics = "5";
+  std::string samples = "1000";
+  std::string seed = "1";
+};
+
+FrequencyUse frequency_use(const std::string& text) {
+  if (text == "absolute") return FrequencyUse::kAbsolute;
+  return text == "ignore" ? FrequencyUse::kIgnore : FrequencyUse::kChange;
+}
+
+CalibrationOptions library_options(const CalibrateArguments& arguments, bool quiet) {
+  constexpr std::uint64_t kFewestDraws = 100;
+  constexpr std::uint64_t kMostDraws = 100'000;  // more memory than use
+  constexpr std::uint64_t kMostHarmonics = 100;
+  CalibrationOptions options;
+  options.frequency = frequency_use(arguments.frequency);
+  options.fit_stiffness = arguments.stiffness == "fit";
+  options.stuck_shapes = arguments.shapes == "stuck";
+  options.edges = arguments.edges == "sought";
+  options.balance.forcing = arguments.forcing == "modal" ? Forcing::kModal : Forcing::kExcitation;
+  options.balance.harmonics =
+      parse_whole_number("--harmonics", arguments.harmonics, 1, kMostHarmonics);
+  options.draws = parse_whole_number("--samples", arguments.samples, kFewestDraws, kMostDraws);
+  options.seed =
+      parse_whole_number("--seed", arguments.seed, 0, std::numeric_limits<std::uint64_t>::max());
+  options.progress = progress_bar("calibrating", quiet);
+  return options;
+}
+
+void check_planned(const std::vector<ResultFile>& files) {
+  std::vector<PlannedOutput> outputs;
+  outputs.reserve(files.size());
+  for (const ResultFile& file : files) outputs.push_back({file.path, file.kind});
+  check_outputs(outputs);
+}
+
+int run(const CalibrateArguments& arguments, const Call& call) {
+  ModelCalibration calibration = arguments.calibration;
+  calibration.options = library_options(arguments, call.quiet);
+  calibration.options.check();
+  calibration.command = call.command_line;
+  const std::vector<ResultFile> planned = planned_files(calibration);
+  OutputFolders folders;
+  folders.make(calibration.out);
+  check_planned(planned);
+  const CalibratedModel done = calibrate_model(calibration);
+  OutputFiles outputs;
+  for (const ResultFile& file : done.files) outputs.add(file.path, file.content);
+  outputs.commit();
+  if (!call.quiet) fmt::print("{}", describe_calibration(calibration, done));
+  return done.found.summary.converged() ? kDone : kNotConverged;
+}
+
+void add_method_options(CLI::App& command, CalibrateArguments& arguments) {
+  command
+      .add_option("--frequency", arguments.frequency,
+                  "What frequencies of the levels count for. change: their change over the levels "
+                  "of each mode, as the model may be off by an offset; absolute: themselves; "
+                  "ignore: nothing")
+      ->check(CLI::IsMember({"change", "absolute", "ignore"}))
+      ->capture_default_str();
+  command
+      .add_option("--stiffness", arguments.stiffness,
+                  "Of the joints to be found. given: stiffness_N_per_m of the model; fit: found "
+                  "too, which needs --frequency absolute")
+      ->check(CLI::IsMember({"given", "fit"}))
+      ->capture_default_str();
+  command
+      .add_option("--shapes", arguments.shapes,
+                  "Displacements of the joints that no sensor shows. found: of the model with the "
+                  "joints found; stuck: of the stuck structure, which is wrong where joints slip, "
+                  "for comparison")
+      ->check(CLI::IsMember({"found", "stuck"}))
+      ->capture_default_str();
+  command
+      .add_option(
+          "--edges", arguments.edges,
+          "Forces at which the density of a joint may jump, where the levels make them very "
+          "likely: 20 for each joint are needed; none goes without")
+      ->check(CLI::IsMember({"sought", "none"}))
+      ->capture_default_str();
+  command
+      .add_option("--forcing", arguments.forcing,
+                  "What drove the levels: excitation, that of the model, at phase resonance; "
+                  "modal, nothing, as in a free decay")
+      ->check(CLI::IsMember({"excitation", "modal"}))
+      ->capture_default_str();
+  command.add_option("--harmonics", arguments.harmonics, "Harmonics of the vibrations")
+      ->type_name("UINT")
+      ->capture_default_str();
+  command
+      .add_option("--samples", arguments.samples,
+                  "Draws of what the levels leave possible: their mean is what is found, and they "
+                  "give the bands")
+      ->type_name("UINT")
+      ->capture_default_str();
+  command.add_option("--seed", arguments.seed, "Seed of the draws")
+      ->type_name("UINT")
+      ->capture_default_str();
+  command.add_flag(
+      "--keep-samples", arguments.calibration.keep_draws,
+      "Write the draws of each joint too, NAME_samples.h5; draw i of one joint belongs "
+      "to draw i of the others");
+}
+
+}  // namespace
+
+void add_calibrate(CLI::App& program, Call& call) {
+  auto arguments = std::make_shared<CalibrateArguments>();
+  CLI::App* command = program.add_subcommand(
+      "calibrate",
+      "Slip-force densities of several joints of a structure from levels of its modes");
+  command
+      ->add_option("model", arguments->calibration.model,
+                   "Model of the structure, model.toml; joints to be found have stiffness_N_per_m "
+                   "in place of file")
+      ->required()
+      ->type_name(kTomlValue);
+  command
+      ->add_option("levels", arguments->calibration.levels,
+                   "Levels, one row each: mode [1], displacement [m] at the response point, "
+                   "dissipation [J] of all joints or damping_ratio [1]; used when there: frequency "
+                   "[Hz], amplitude_NAME [m], dissipation_NAME [J] of a joint, and _std of each")
+      ->required()
+      ->type_name(kCsvValue);
+  command
+      ->add_option("--out", arguments->calibration.out,
+                   "Folder to write to, made where it is missing: NAME.json of each joint, "
+                   "model.toml that predicts, calibration.csv, identifiability.csv")
+      ->required()
+      ->type_name(kFolderValue);
+  add_method_options(*command, *arguments);
+  command->add_flag("--quiet", call.quiet, "No summary, no progress");
+  add_examples(*command,
+               {"microslip calibrate model.toml modal_levels.csv --out found",
+                "microslip backbone found/model.toml --response 1um:0.1mm:30:log --out b.csv",
+                "microslip calibrate model.toml mode1.csv mode2.csv --frequency absolute \\",
+                "          --stiffness fit --out found"});
+  command->callback(
+      [arguments, &call] { call.run = [arguments, &call] { return run(*arguments, call); }; });
+}
+
+}  // namespace microslip::app

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "arguments/command.hpp"
+#include "arguments/progress_bar.hpp"
+#include "arguments/recording_arguments.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/io/kinds/file_kind.hpp"
+#include "microslip/io/output/output_files.hpp"
+#include "microslip/workflow/reduce/modal_levels_reduction.hpp"
+#include "microslip/workflow/reduce/recordings_reduction.hpp"
+#include "microslip/workflow/reduce/reduction_text.hpp"
+
+namespace microslip::app {
+namespace {
+
+struct ReduceOptions : RecordingsReduction {
+  std::string force;
+  std::vector<std::string> sensors;
+  std::size_t mode = 0;
+  std::string out;
+  std::string frequency;
+  std::size_t order = 10;
+  bool no_vibrometer = false;
+  RecordingArguments arguments;
+};
+
+void refuse(std::string_view option, std::string_view value, std::string_view of_what) {
+  throw InputError(option, value, fmt::format("must not be given {}", of_what));
+}
+
+/// Options that only one of the two descriptions of a test has a use for.
+void check_use(const ReduceOptions& options, bool is_model) {
+  if (is_model) {
+    const std::string_view with = "with a model.toml, which has its modes and no vibrometer";
+    if (options.reduction.modes > 0) {
+      refuse("--modes", std::to_string(options.reduction.modes), with);
+    }
+    if (options.no_vibrometer) refuse("--no-vibrometer", "given", with);
+    return;
+  }
+  const std::string_view with = "with a rig.toml, which names its channels";
+  if (!options.sensors.empty()) refuse("--sensor", options.sensors.front(), with);
+  if (!options.force.empty()) refuse("--force", options.force, with);
+  if (options.mode > 0) refuse("--mode", std::to_string(options.mode), with);
+}
+
+int run_of_model(const ReduceOptions& options, const Call& call) {
+  check_output(options.out, kModalLevelsKind);
+  ModalLevelsReduction reduction{.model = options.rig,
+                                 .recordings = options.recordings,
+                                 .force = options.force,
+                                 .sensors = options.sensors,
+                                 .reading = options.reading,
+                                 .skip_faulty = options.skip_faulty,
+                                 .progress = options.progress};
+  reduction.reduction.fit = options.reduction.fit;
+  if (options.mode > 0) reduction.reduction.mode = options.mode;
+  const ReducedModalLevels reduced = reduce_modal_levels(reduction);
+  if (!call.quiet) std::ranges::for_each(reduced.warnings, show_warnings);
+  write_file(options.out, modal_levels_text(reduced, call.command_line));
+  if (!call.quiet) {
+    fmt::print(options.out == "-" ? stderr : stdout, "{}", describe_modal_levels(reduced));
+  }
+  return kDone;
+}
+
+int run(ReduceOptions options, const Call& call) {
+  options.reduction.fit.order = static_cast<int>(options.order);
+  options.reduction.use_vibrometer = !options.no_vibrometer;
+  options.reduction.fit.frequency_guess = frequency_guess(options.frequency);
+  options.reading = read_options(options.arguments);
+  options.progress = progress_bar("records", call.quiet);
+  // What comes through a pipe can be read only once: it is a rig.
+  const bool is_model = options.rig != "-" && file_kind(read_kind_head(options.rig)) == kModelKind;
+  check_use(options, is_model);
+  if (is_model) return run_of_model(options, call);
+  check_output(options.out, kLevelsKind);
+  const ReducedRecordings reduced = reduce_recordings(options);
+  if (!call.quiet) std::ranges::for_each(reduced.warnings, show_warnings);
+  write_file(options.out, levels_text(reduced, call.command_line));
+  if (!call.quiet) {
+    fmt::print(options.out == "-" ? stderr : stdout, "{}",
+               describe_reduction(reduced.reducer, reduced.batch));
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_reduce(CLI::App& program, Call& call) {
+  auto options = std::make_shared<ReduceOptions>();
+  CLI::App* command =
+      program.add_subcommand("reduce",
+                             "Levels from steady recordings: of a frictional-support test, or of "
+                             "the modes of a structure with several joints");
+  command
+      ->add_option(
+          "rig", options->rig,
+          "Description of the test, rig.toml; or a structure with joints, model.toml, told "
+          "by its schema: then modal levels with what each joint does are written")
+      ->required()
+      ->type_name(kTomlValue);
+  command
+      ->add_option("recordings", options->recordings,
+                   "Steady records, one a level (CSV, UFF, MAT, HDF5), or stepped-sine tables: CSV "
+                   "with frequency [Hz], force [N], acceleration [m/s^2], phase [rad], or "
+                   "FILE.mat:VARIABLE with such fields")
+      ->required()
+      ->type_name(kRecordingValue);
+  command
+      ->add_option("--out", options->out,
+                   "levels.csv to write, or modal_levels.csv of a model; - is standard output")
+      ->required()
+      ->type_name(kCsvValue);
+  command->add_option("--frequency", options->frequency,
+                      "Frequency of the drive, to 3 %, in Hz; found if it is not given");
+  command->add_option("--order", options->order, "Harmonics that are fitted")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  command
+      ->add_option("--modes", options->reduction.modes,
+                   "Modes of the beam [default: those of the rig's [test], or 30]")
+      ->check(CLI::Range(1, 200));
+  command->add_flag("--no-vibrometer", options->no_vibrometer,
+                    "Joint displacement from the accelerometers even if there is a vibrometer");
+  command
+      ->add_option("--sensor", options->sensors,
+                   "CHANNEL=POINT: the accelerometer of a channel is at that point of the model; "
+                   "repeated, in place of [[accelerometer]] of model.toml. As many as joints, or "
+                   "more, where the joints move them")
+      ->allow_extra_args(false);
+  command->add_option("--force", options->force,
+                      "Channel of the force, with a model; else that of its [excitation], or the "
+                      "only one of a force");
+  command
+      ->add_option("--mode", options->mode,
+                   "Mode of the model, from 1; else the one whose frequency with stuck joints "
+                   "is nearest to that of the record")
+      ->check(CLI::Range(1, 100000));
+  add_recording_arguments(*command, options->arguments);
+  command->add_flag("--skip-faulty", options->skip_faulty,
+                    "Leave out what cannot be read or reduced, and say so");
+  command->add_flag("--quiet", call.quiet, "No summary, no progress");
+  add_examples(*command, {"microslip reduce rig.toml level_*.csv --out levels.csv",
+                          "microslip reduce rig.toml test.h5 --no-vibrometer --out levels.csv",
+                          "microslip reduce modes.toml sweep.csv --out levels.csv",
+                          "microslip reduce model.toml mode1_*.csv --sensor acc1=drive \\",
+                          "          --sensor acc2=p2 --out modal_levels.csv"});
+  command->callback(
+      [options, &call] { call.run = [options, &call] { return run(*options, call); }; });
+}
+
+}  // namespace microslip::app

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "arguments/command.hpp"
+#include "arguments/option_names.hpp"
+#include "arguments/prediction.hpp"
+#include "arguments/report_html.hpp"
+#include "arguments/stiffness_argument.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/io/output/output_files.hpp"
+#include "microslip/workflow/measure/watched_test.hpp"
+#include "microslip/workflow/results/experiment_folder.hpp"
+#include "microslip/workflow/text/quantity_text.hpp"
+
+namespace microslip::app {
+namespace {
+
+using std::chrono::milliseconds;
+
+struct WatchArguments {
+  std::string folder;
+  std::optional<std::string> stiffness;
+  std::string target = "density";
+  std::string amplitude;
+  std::string interval = "2s";
+  bool once = false;
+  bool no_report = false;
+};
+
+volatile std::sig_atomic_t stop_asked = 0;
+
+extern "C" void ask_to_stop(int) { stop_asked = 1; }
+
+/// While it lives, the first Ctrl-C or SIGTERM asks to stop; another one ends the program as ever.
+class StopOnSignal {
+ public:
+  StopOnSignal() {
+    stop_asked = 0;
+    for (Former& former : former_) {
+      struct sigaction ask {};
+      ask.sa_handler = ask_to_stop;
+      ask.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+      ::sigaction(former.signal, nullptr, &former.action);
+      if (former.action.sa_handler != SIG_IGN) ::sigaction(former.signal, &ask, nullptr);
+    }
+  }
+  StopOnSignal(const StopOnSignal&) = delete;
+  StopOnSignal& operator=(const StopOnSignal&) = delete;
+  ~StopOnSignal() {
+    for (const Former& former : former_) ::sigaction(former.signal, &former.action, nullptr);
+  }
+
+  [[nodiscard]] static bool asked() { return stop_asked != 0; }
+
+ private:
+  struct Former {
+    int signal;
+    struct sigaction action;
+  };
+  Former former_[2] = {{SIGINT, {}}, {SIGTERM, {}}};
+};
+
+/// Sleeps in pieces: a signal is heard at once.
+void rest(milliseconds time) {
+  constexpr milliseconds kPiece{50};
+  for (milliseconds left = time; left.count() > 0 && !StopOnSignal::asked(); left -= kPiece) {
+    std::this_thread::sleep_for(std::min(left, kPiece));
+  }
+}
+
+milliseconds interval_of(const std::string& text) {
+  const double seconds = parse_quantity("--interval", text, kTime);
+  if (!(seconds >= 0.05 && seconds <= 3600.0)) {
+    throw InputError("--interval", seconds, "must be from 0.05 to 3600 s");
+  }
+  return milliseconds(static_cast<milliseconds::rep>(1000.0 * seconds));
+}
+
+void say(std::FILE* stream, const std::string& text) {
+  std::string line = with_option_names(text);
+  std::ranges::replace_if(
+      line, [](char c) { return static_cast<unsigned char>(c) < 0x20; }, '?');
+  fmt::print(stream, "{}\n", line);
+  std::fflush(stream);
+}
+
+void tell(WatchedNews news, const std::string& text) {
+  switch (news) {
+    case WatchedNews::kFault:
+      say(stderr, "microslip: warning: " + text);
+      return;
+    case WatchedNews::kJoint:
+      say(stdout, "joint: " + text);
+      return;
+    case WatchedNews::kNext:
+      say(stdout, "next: " + text);
+      return;
+    case WatchedNews::kRecord:
+      say(stdout, text);
+  }
+}
+
+WatchedTestOptions options_of(const WatchArguments& arguments, const Call& call) {
+  WatchedTestOptions options;
+  options.folder = arguments.folder;
+  if (arguments.stiffness) options.stiffness = parse_stiffness(arguments.stiffness);
+  if (arguments.target == "area") options.target = PlanTarget::kArea;
+  if (!arguments.amplitude.empty()) {
+    options.amplitude = parse_displacements("--amplitude", arguments.amplitude);
+  }
+  options.command = call.command_line;
+  options.tell = [quiet = call.quiet](WatchedNews news, const std::string& text) {
+    if (!quiet || news == WatchedNews::kFault) tell(news, text);
+  };
+  options.progress = [](std::size_t, std::size_t) { return !StopOnSignal::asked(); };
+  return options;
+}
+
+/// A folder may hold what no report can show: that is no reason to stop.
+void write_watch_report(const WatchArguments& arguments, const WatchedTest& test,
+                        const Call& call) {
+  try {
+    ExperimentResults results =
+        read_experiment(arguments.folder, kRecordsOverTime,
+                        [](std::size_t, std::size_t) { return !StopOnSignal::asked(); });
+    write_file(test.report_path(), report_html(std::move(results), call, false));
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& error) {
+    say(stderr,
+        fmt::format("microslip: warning: {} is not written: {}", test.report_path(), error.what()));
+  }
+}
+
+/// Until it is asked to stop, or, once, until all that is there is whole and done.
+void watch(const WatchArguments& arguments, const Call& call) {
+  const milliseconds interval = interval_of(arguments.interval);
+  WatchedTest test(options_of(arguments, call));
+  FolderWatch folder(arguments.folder, interval,
+                     [&](const std::string& name) { return test.reads(name); });
+  bool told = call.quiet;
+  while (!StopOnSignal::asked() && std::ferror(stdout) == 0) {
+    const FolderChange change = folder.look();
+    if (!told && !change.any() && !change.waiting) {
+      say(stdout, fmt::format("{}: no record yet", arguments.folder));
+    }
+    told = true;
+    if (change.any() && test.evaluate(change) && !arguments.no_report) {
+      write_watch_report(arguments, test, call);
+    }
+    if (arguments.once && !change.waiting) return;
+    rest(interval);
+  }
+}
+
+int run(const WatchArguments& arguments, const Call& call) {
+  const StopOnSignal stop;
+  try {
+    watch(arguments, call);
+  } catch (const Cancelled&) {
+    if (!StopOnSignal::asked()) throw;
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_watch(CLI::App& program, Call& call) {
+  auto options = std::make_shared<WatchArguments>();
+  CLI::App* command = program.add_subcommand(
+      "watch",
+      "Beside the shaker: evaluates the records of a folder as they come, and tells the "
+      "next level");
+  command
+      ->add_option("DIR", options->folder,
+                   "Folder into which records come, also into recordings/ of it: those of the "
+                   "rig.toml that it holds; without one levels.csv or recordings of force and "
+                   "displacement. levels.csv (of a rig), joint.json, density.csv, next_levels.csv "
+                   "and the report watch.html are written into it")
+      ->required()
+      ->type_name(kFolderValue);
+  command->add_option(
+      "--stiffness", options->stiffness,
+      "k of the stuck joint, in N/m or with a unit; a rig.toml tells it, and records "
+      "of force and displacement do");
+  command
+      ->add_option("--target", options->target,
+                   "What the next level is to tell, as of microslip plan")
+      ->check(CLI::IsMember({"density", "area"}))
+      ->capture_default_str();
+  command->add_option(
+      "--amplitude", options->amplitude,
+      "FROM:TO, between which the next level may be, in m or with units; without it "
+      "the lowest and the highest that are there");
+  command
+      ->add_option("--interval", options->interval,
+                   "Between two looks; so long a file must not have changed to be whole")
+      ->capture_default_str();
+  command->add_flag("--once", options->once, "Evaluate what is there, and end");
+  command->add_flag("--no-report", options->no_report, "Without the report");
+  command->add_flag("--quiet", call.quiet, "No lines but of what is at fault");
+  add_examples(*command, {"microslip watch test",
+                          "microslip watch test --stiffness 1.7e5 --amplitude 2um:400um",
+                          "microslip watch test --once --no-report"});
+  command->callback(
+      [options, &call] { call.run = [options, &call] { return run(*options, call); }; });
+}
+
+}  // namespace microslip::app

@@ -1,8 +1,0 @@
-// SPDX-License-Identifier: MIT
-
-#include "command.hpp"
-
-int main(int argc, char** argv) {
-  microslip::app::Call call;
-  return microslip::app::run_program(argc, argv, call, microslip::app::make_program);
-}

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "arguments/command.hpp"
+#include "arguments/option_names.hpp"
+#include "arguments/progress_bar.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/ensemble/ensemble_run.hpp"
+#include "microslip/workflow/predict/model_text.hpp"
+#include "microslip/workflow/text/quantity_text.hpp"
+
+namespace microslip::app {
+namespace {
+
+constexpr std::uint64_t kMostThreads = 4096;
+
+struct EnsembleArguments {
+  std::string plan;
+  std::string out;
+  std::string table;
+  std::string shard;
+  std::string threads;
+  bool merge = false;
+  bool keep_journals = false;
+};
+
+/// "result.csv" of "result.h5".
+std::string table_beside(const std::string& out) {
+  return std::filesystem::path(out).replace_extension(".csv").string();
+}
+
+EnsembleRun run_of(const EnsembleArguments& arguments, const Call& call) {
+  if (arguments.out == "-") {
+    throw InputError("--out", "'-'", "must be a file: HDF5 has no stream");
+  }
+  EnsembleRun run{.plan = arguments.plan,
+                  .out = arguments.out,
+                  .table = arguments.table.empty() ? table_beside(arguments.out) : arguments.table,
+                  .merge = arguments.merge,
+                  .keep_journals = arguments.keep_journals,
+                  .command = call.command_line,
+                  .progress = progress_bar("jobs", call.quiet)};
+  if (arguments.shard.empty()) return run;
+  try {
+    run.shard = EnsembleShard::parse(arguments.shard);
+  } catch (const InputError& error) {
+    throw error.renamed("--shard");
+  }
+  return run;
+}
+
+int run(const EnsembleArguments& arguments, const Call& call) {
+  const EnsembleRun run = run_of(arguments, call);
+  const std::size_t threads =
+      arguments.threads.empty()
+          ? 0
+          : parse_whole_number("--threads", arguments.threads, 1, kMostThreads);
+  const std::unique_ptr<Team> team = call.make_team(threads);
+  const std::optional<FinishedEnsemble> done = run_ensemble(run, *team);
+  if (done && !call.quiet) {
+    fmt::print(
+        "{}", with_option_names(describe_ensemble(run, *done)) + describe_warnings(done->warnings));
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_ensemble(CLI::App& program, Call& call) {
+  auto arguments = std::make_shared<EnsembleArguments>();
+  CLI::App* command = program.add_subcommand(
+      "ensemble",
+      "Any number of predictions, identifications or virtual tests of a plan, on all processors");
+  command
+      ->add_option("plan", arguments->plan,
+                   "What is to be done, plan.toml: kind predict, bootstrap, design or sweep")
+      ->required()
+      ->type_name(kTomlValue);
+  command
+      ->add_option(
+          "--out", arguments->out,
+          "HDF5 to write: of each output count, mean, std, minimum, lower, median, upper, "
+          "maximum, and values that the plan keeps. What is done stands in journals beside "
+          "it until it is whole, and a run goes on with them")
+      ->required()
+      ->type_name(kHdf5Value);
+  command
+      ->add_option("--table", arguments->table,
+                   "CSV to write: the same statistics; of a sweep its values. Without it the name "
+                   "of --out with .csv")
+      ->type_name(kCsvValue);
+  CLI::Option* shard = command->add_option("--shard", arguments->shard,
+                                           "NUMBER/COUNT: only this share of the jobs, and no "
+                                           "result yet, for job arrays; --merge makes it");
+  command
+      ->add_flag("--merge", arguments->merge,
+                 "Make the result of what the shards have done; an error where jobs are missing")
+      ->excludes(shard);
+  command->add_option("--threads", arguments->threads,
+                      "As many at most; without it all processors, of an MPI rank 1");
+  command->add_flag("--keep-journals", arguments->keep_journals,
+                    "Leave the journals: then other values can be kept, or another confidence "
+                    "taken, without a job done again");
+  command->add_flag("--quiet", call.quiet, "No summary, no progress");
+  add_examples(*command,
+               {"microslip ensemble plan.toml --out result.h5",
+                "microslip ensemble plan.toml --out result.h5 --shard 3/20   # by each of 20 jobs",
+                "microslip ensemble plan.toml --out result.h5 --merge        # then",
+                "mpirun -n 64 microslip-mpi ensemble plan.toml --out result.h5"});
+  command->callback(
+      [arguments, &call] { call.run = [arguments, &call] { return run(*arguments, call); }; });
+}
+
+}  // namespace microslip::app

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "microslip/io/config/json_texts.hpp"
+#include "microslip/io/config/named_values.hpp"
+#include "microslip/joint/joint.hpp"
+
+/// @file
+/// joint.json, schema microslip.joint/1: a joint, how it came to be, and what its identification
+/// knows.
+
+namespace microslip {
+
+/// What a joint.json holds.
+struct JointFile {
+  Joint joint;                           ///< the joint itself
+  std::optional<Provenance> provenance;  ///< how the file came to be; nothing where it does not say
+  NamedValues identification;  ///< range covered, remainder, bands…; empty where the file has none
+};
+
+/// kA of the highest level that the joint was identified by, N; nothing where the file does not
+/// say.
+[[nodiscard]] std::optional<double> covered_to(const JointFile& file);
+
+/// The key of β in an identification.
+inline constexpr std::string_view kLinearDampingKey = "linear_damping_J_per_m2";
+/// The largest β that is read, J/m²: beyond all that joins.
+inline constexpr double kLargestLinearDamping = 1e15;
+
+/// The key of c in an identification, N s/m: a viscous part that was found beside the friction.
+inline constexpr std::string_view kViscousKey = "viscous_N_s_per_m";
+
+/// β of D = … + βA², J/m²: the loss beside slip that the identification found with the joint;
+/// nothing where the file does not say. A prediction by the joint adds it
+/// (StructuralJoint::linear_damping).
+/// @throws InputError  where it found a viscous part c > 0, too: no prediction has that yet, and
+///                     one without it would be wrong without a word.
+[[nodiscard]] std::optional<double> identified_damping(const JointFile& file);
+
+/// A joint from the text of a joint.json.
+/// @throws FormatError  for text that is no JSON, another schema, keys unknown or missing.
+/// @throws InputError   naming `file: density[i].key` for a value of a wrong type or one that
+///                      breaks a rule of SlipDensity or Joint; for a β in the identification that
+///                      is no number from 0 to kLargestLinearDamping.
+[[nodiscard]] JointFile parse_joint(std::string_view text, std::string_view file);
+
+/// parse_joint() of a file; "-" is standard input. @throws FileError, FormatError, InputError
+[[nodiscard]] JointFile read_joint(const std::string& path);
+
+/// The text that parse_joint() reads back as the same: numbers are the shortest that read back as
+/// the same double, keys come in a fixed order, nothing depends on the clock or the locale.
+/// @throws InputError  where a value of the records is not finite or no JSON.
+[[nodiscard]] std::string format_joint(const JointFile& file);
+
+}  // namespace microslip

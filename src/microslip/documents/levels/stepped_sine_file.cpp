@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/documents/levels/stepped_sine_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <initializer_list>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/base/units.hpp"
+#include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/bytes/input_stream.hpp"
+#include "microslip/io/bytes/text.hpp"
+#include "microslip/io/kinds/file_kind.hpp"
+#include "microslip/io/mat/mat_value.hpp"
+#include "microslip/io/open/recording_file.hpp"
+#include "microslip/io/tables/column_rules.hpp"
+#include "microslip/io/tables/csv.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr std::array<Dimension, 4> kDimensions{kFrequency, kForce, kAcceleration, kAngle};
+
+bool has_all(const std::vector<std::string>& names,
+             std::initializer_list<std::string_view> wanted) {
+  return std::ranges::all_of(
+      wanted, [&](std::string_view name) { return std::ranges::find(names, name) != names.end(); });
+}
+
+/// The name of the field with the acceleration; empty where there is none.
+std::string_view acceleration_field(const std::vector<std::string>& fields) {
+  if (has_all(fields, {"acceleration"})) return "acceleration";
+  return has_all(fields, {"amplitude"}) ? "amplitude" : "";
+}
+
+/// Whether names are those of a sweep, or of one that lacks a part: steps of frequency and force
+/// with a motion or a phase, and not over time.
+bool are_of_sweep(const std::vector<std::string>& names) {
+  const auto has_any = [&](std::initializer_list<std::string_view> wanted) {
+    return std::ranges::any_of(wanted,
+                               [&](std::string_view name) { return has_all(names, {name}); });
+  };
+  return has_all(names, {"frequency", "force"}) && !has_any({"time"}) &&
+         has_any({"acceleration", "amplitude", "velocity", "displacement", "phase"});
+}
+
+/// What becomes of a motion that is none of acceleration.
+std::string motion_remedy(const std::vector<std::string>& names) {
+  for (const auto& [name, factor] :
+       {std::pair{"displacement", "(2 pi frequency)^2"}, std::pair{"velocity", "2 pi frequency"}}) {
+    if (has_all(names, {name})) {
+      return fmt::format("It has the {}: multiplied by {} that is the acceleration.", name, factor);
+    }
+  }
+  return {};
+}
+
+/// @param place  of the names. @param source  of them: "columns".
+/// @throws FormatError  where a part of the sweep is missing.
+void require_parts(const std::vector<std::string>& names, const TextPlace& place,
+                   std::string_view source) {
+  const bool moves = !acceleration_field(names).empty();
+  const bool lags = has_all(names, {"phase"});
+  if (moves && lags) return;
+  const std::string missing = moves  ? "phase [rad]"
+                              : lags ? "acceleration [m/s^2]"
+                                     : "acceleration [m/s^2] and phase [rad]";
+  std::string remedy = moves ? std::string() : motion_remedy(names);
+  if (!lags) {
+    remedy += fmt::format(
+        "{}The phase is that of the acceleration against the force; the resonance "
+        "is where it passes a quarter turn.",
+        remedy.empty() ? "" : " ");
+  }
+  throw FormatError(place, fmt::format("{} of a stepped sine with {}", source, missing),
+                    in_quotes(fmt::format("{}", fmt::join(names, ", ")), 120), remedy);
+}
+
+/// The units of frequency, force, acceleration and phase.
+std::array<Unit, 4> units_of(const PartOfFile& part, const std::string& variable, bool stated) {
+  if (!stated) return {};  // SI
+  const std::string text = read_mat_text(part.file, variable + ".units");
+  const auto fail = [&](std::string_view reason) {
+    throw InputError(fmt::format("{}: {}.units", part.file, variable), in_quotes(text),
+                     "must be units of frequency, force, acceleration and phase between commas",
+                     reason);
+  };
+  std::array<Unit, 4> units;
+  std::string_view rest = text;
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    const std::size_t end = std::min(rest.find(','), rest.size());
+    try {
+      units[i] = parse_unit(trimmed(rest.substr(0, end)), kDimensions[i]);
+    } catch (const InputError& error) {
+      fail(error.what());
+    }
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  if (!trimmed(rest).empty()) fail("There are more than four.");
+  return units;
+}
+
+SteppedSine read_element(const PartOfFile& part, const std::string& variable,
+                         const std::vector<std::string>& fields) {
+  const std::array<Unit, 4> units = units_of(part, variable, has_all(fields, {"units"}));
+  const auto numbers = [&](std::string_view field, const Unit& unit) {
+    std::vector<double> values = read_mat_numbers(part.file, fmt::format("{}.{}", variable, field));
+    for (double& value : values) value = unit.to_si(value);
+    return values;
+  };
+  return {.source = fmt::format("{}:{}", part.file, variable),
+          .frequency = numbers("frequency", units[0]),
+          .force = numbers("force", units[1]),
+          .acceleration = numbers(acceleration_field(fields), units[2]),
+          .phase = numbers("phase", units[3])};
+}
+
+std::vector<SteppedSine> read_mat_sweeps(const PartOfFile& part) {
+  const std::vector<std::string> fields = mat_fields(part.file, part.variable);
+  require_parts(fields, {.file = fmt::format("{}: {}", part.file, part.variable)}, "fields");
+  const std::size_t count = mat_count(part.file, part.variable);
+  if (count == 0) {
+    throw InputError(fmt::format("{}: {}", part.file, part.variable), "an empty array",
+                     "must hold a sweep at least");
+  }
+  std::vector<SteppedSine> sweeps;
+  for (std::size_t i = 1; i <= count; ++i) {
+    const std::string element =
+        count == 1 ? part.variable : fmt::format("{}({})", part.variable, i);
+    sweeps.push_back(read_element(part, element, fields));
+  }
+  return sweeps;
+}
+
+SteppedSine read_csv_sweep(const std::string& path) {
+  const CsvTable table(read_file(path), input_name(path));
+  std::vector<std::string> names;
+  for (const CsvColumn& column : table.columns()) names.push_back(column.name);
+  require_parts(names, {.file = input_name(path)}, "columns");
+  const auto positive = [&](std::string_view name, const Dimension& dimension) {
+    std::vector<double> values = table.numbers(name, dimension);
+    require_positive(table, name, values);
+    return values;
+  };
+  return {.source = input_name(path),
+          .frequency = positive("frequency", kFrequency),
+          .force = positive("force", kForce),
+          .acceleration = positive("acceleration", kAcceleration),
+          .phase = table.numbers("phase", kAngle)};
+}
+
+/// The first bytes; none of a pipe, which is not even opened. Standard input is left where it was.
+std::string head_of(const std::string& path) {
+  std::error_code ignored;  // what is not there is no pipe
+  if (std::filesystem::is_fifo(path, ignored)) return {};
+  InputStream file(path);
+  if (!file.rewind()) return {};
+  std::string head(peek_kind_head(file));
+  file.rewind();
+  return head;
+}
+
+}  // namespace
+
+bool is_stepped_sine(const std::string& path) {
+  try {
+    const PartOfFile part = part_of_file(path);
+    if (!part.variable.empty()) {
+      return are_of_sweep(mat_fields(part.file, part.variable));
+    }
+    const std::string head = head_of(path);
+    const std::vector<std::string> names = csv_column_names(head);
+    const KnownKind* const known = known_kind_of(head);
+    return are_of_sweep(names) && (known == nullptr || known->is_recording);
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+std::vector<SteppedSine> read_stepped_sines(const std::string& path) {
+  const PartOfFile part = part_of_file(path);
+  if (!part.variable.empty()) return read_mat_sweeps(part);
+  return {read_csv_sweep(path)};
+}
+
+}  // namespace microslip

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "microslip/rig/reduction/stepped_sine.hpp"
+
+/// @file
+/// Tables of stepped-sine sweeps.
+///
+///   * CSV: `frequency [Hz], force [N], acceleration [m/s^2], phase [rad]`, a row a step, one sweep
+///     a file.
+///   * `FILE.mat:VARIABLE`: a struct with the fields `frequency`, `force`, `acceleration` or
+///     `amplitude`, and `phase`, vectors of one length; a struct array holds a sweep an element.
+///     They are in Hz, N, m/s² and rad, or in what a field `units` says in this order: "Hz, N, g,
+///     deg".
+
+namespace microslip {
+
+/// Whether a path names such a table, by its columns or fields; also one that lacks a part of it,
+/// as the phase, which read_stepped_sines() says. False for a file that cannot be read, and for a
+/// pipe, of which nothing is taken: it could be read only once.
+[[nodiscard]] bool is_stepped_sine(const std::string& path);
+
+/// The sweeps of a path that is_stepped_sine().
+/// @throws FileError, FormatError, InputError  naming the place, where something is missing, no
+///                                             number or of another unit.
+[[nodiscard]] std::vector<SteppedSine> read_stepped_sines(const std::string& path);
+
+}  // namespace microslip

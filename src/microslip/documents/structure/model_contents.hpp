@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "microslip/dynamics/draws/structure_draws.hpp"
+#include "microslip/dynamics/structure/jointed_structure.hpp"
+#include "microslip/rig/setup/point_sensor.hpp"
+
+/// @file
+/// What a model.toml holds; model_file.hpp says how it is written.
+
+namespace microslip {
+
+/// What a model.toml holds.
+struct ModelFile {
+  JointedStructure structure;            ///< with its joints and excitations
+  std::string response;                  ///< the point where the response is measured
+  std::vector<std::string> joint_files;  ///< one a joint, as they were opened
+  /// covered_to() of each joint's file, N; fewer where they are not known.
+  std::vector<std::optional<double>> covered_to = {};
+  /// identified_damping() of each joint's file, J/m²; fewer where they are not known. What the
+  /// model uses is linear_damping of its joints.
+  std::vector<std::optional<double>> identified_damping = {};
+  /// Indices of the joints that have a stiffness and no file, rising: springs that do not slip
+  /// stand in for them, and their joint_files are empty.
+  std::vector<std::size_t> to_find = {};
+  /// Files of the draws of each joint, empty where it has none; fewer where they are not known.
+  std::vector<std::string> joint_samples = {};
+  /// Whether the model says the linear damping of each joint itself; fewer: it does not.
+  std::vector<bool> damping_said = {};
+  StructureSpread spread = {};  ///< of its numbers
+  /// How many of its modes, the last, stand for the static flexibility of those that are left out,
+  /// those of a residual among them; 0 where none is left out, nothing where that is not told.
+  std::optional<std::size_t> static_attachments = {};
+  /// Of recordings: the channel of the force of each excitation, empty where it is not told.
+  std::vector<std::string> force_channels = {};
+  std::vector<PointSensor> accelerometers = {};  ///< of recordings; predictions do not use them
+};
+
+/// Whether a model may hold joints that are still to be found.
+enum class JointsToFind {
+  kRefused,  ///< a prediction needs them
+  kAllowed,  ///< for those who find them
+};
+
+}  // namespace microslip

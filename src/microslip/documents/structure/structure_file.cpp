@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/documents/structure/structure_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/base/units.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/documents/structure/model_tables.hpp"
+#include "microslip/documents/structure/structure_places.hpp"
+#include "microslip/documents/structure/tested_structure_table.hpp"
+#include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/bytes/text.hpp"
+#include "microslip/io/config/structured_input.hpp"
+#include "microslip/io/config/toml_input.hpp"
+#include "microslip/io/kinds/file_kind.hpp"
+#include "microslip/io/matrices/calculix_matrices.hpp"
+#include "microslip/io/matrices/dmig_matrices.hpp"
+#include "microslip/io/open/matrix_file.hpp"
+#include "microslip/io/open/mesh_file.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr std::size_t kLargestStructureFile = std::size_t{16} << 20U;
+constexpr std::string_view kAttachmentKey = "attachment";
+
+/// What the matrices of a file are in.
+struct MatrixUnits {
+  double length = 1.0;  ///< m
+  double force = 1.0;   ///< N
+};
+
+bool turns(const DegreeOfFreedom& degree) { return degree.direction >= NodalDirection::kTurnX; }
+
+/// Energy is force times length; a rotation has no unit. Of rows that nobody's are told, all are
+/// translations.
+void convert(SymmetricEntries& matrix, const std::vector<DegreeOfFreedom>& degrees,
+             const MatrixUnits& units) {
+  if (units.length == 1.0 && units.force == 1.0) return;
+  const auto scale = [&](std::int32_t row) {
+    const auto i = static_cast<std::size_t>(row);
+    return i < degrees.size() && turns(degrees[i]) ? 1.0 : units.length;
+  };
+  const double energy = units.force * units.length;
+  for (std::size_t i = 0; i < matrix.value.size(); ++i) {
+    matrix.value[i] *= energy / (scale(matrix.row[i]) * scale(matrix.column[i]));
+  }
+}
+
+StructuralMatrices read_matrix_files(const TomlTable& table, std::string_view file) {
+  if (table.has("calculix")) {
+    for (const std::string_view key : {"stiffness", "mass", "degrees_of_freedom"}) {
+      if (!table.has(key)) continue;
+      throw FormatError(table.place(key), "calculix, or stiffness and mass", "both");
+    }
+    const std::string job = path_beside(table, "calculix", "a job of CalculiX", file);
+    return read_named(table, "calculix", job, read_calculix_matrices);
+  }
+  StructuralMatrices matrices;
+  const std::string stiffness = path_beside(table, "stiffness", "a matrix", file);
+  const std::string mass = path_beside(table, "mass", "a matrix", file);
+  if (read_named(table, "stiffness", stiffness, is_dmig_file)) {
+    if (table.has("degrees_of_freedom")) {
+      throw FormatError(table.place("degrees_of_freedom"), "no such key beside entries DMIG",
+                        "it: they name points and components themselves");
+    }
+    return read_named(table, "mass", mass,
+                      [&](const std::string& its) { return read_dmig_matrices(stiffness, its); });
+  }
+  matrices.stiffness = read_named(table, "stiffness", stiffness, read_matrix_file);
+  matrices.mass = read_named(table, "mass", mass, read_matrix_file);
+  if (table.has("degrees_of_freedom")) {
+    const std::string degrees = path_beside(table, "degrees_of_freedom", "a file", file);
+    matrices.degrees = read_named(table, "degrees_of_freedom", degrees, read_degrees);
+  }
+  return matrices;
+}
+
+StructuralMatrices read_matrices(const TomlTable& table, std::string_view file,
+                                 const MatrixUnits& units) {
+  StructuralMatrices matrices = read_matrix_files(table, file);
+  if (matrices.mass.size != matrices.stiffness.size) {
+    throw InputError(table.name(table.has("mass") ? "mass" : "calculix"),
+                     fmt::format("{} rows", matrices.mass.size),
+                     fmt::format("must have {}, as the stiffness matrix", matrices.stiffness.size));
+  }
+  if (!matrices.degrees.empty() && matrices.degrees.size() != matrices.stiffness.size) {
+    throw InputError(table.name("degrees_of_freedom"),
+                     fmt::format("{} lines", matrices.degrees.size()),
+                     fmt::format("must be {}, one a row of the matrices", matrices.stiffness.size));
+  }
+  convert(matrices.stiffness, matrices.degrees, units);
+  convert(matrices.mass, matrices.degrees, units);
+  return matrices;
+}
+
+MeshFile read_nodes(const TomlTable& top, std::string_view file, double length_unit) {
+  MeshFile all;
+  if (!top.has("nodes")) return all;
+  const TomlTable table = top.table("nodes");
+  table.allow_only({"file"});
+  std::vector<std::string> names;
+  if (table.is_text("file")) {
+    names.push_back(table.text("file"));
+  } else {
+    names = table.texts("file");
+  }
+  for (const std::string& name : names) {
+    const std::string path = (std::filesystem::path(file).parent_path() / name).string();
+    MeshFile mesh = read_named(table, "file", path,
+                               [&](const std::string& its) { return read_mesh(its, length_unit); });
+    all.nodes.insert(all.nodes.end(), mesh.nodes.begin(), mesh.nodes.end());
+    for (NodeSet& set : mesh.sets) all.sets.push_back(std::move(set));
+  }
+  return all;
+}
+
+/// The keys of a place, and others. A test has no rows, and nothing that a spider could bind.
+std::vector<std::string_view> place_keys(bool of_test, std::vector<std::string_view> others = {}) {
+  others.insert(others.end(), {kNodeKey, kNodesKey, kSetKey, kAtKey});
+  if (!of_test) others.insert(others.end(), {kRowKey, kSpiderKey});
+  return others;
+}
+
+MeshPoint read_mesh_point(const TomlTable& table, const NodeSets& sets, bool of_test,
+                          const std::vector<MeshPoint>& before) {
+  table.allow_only(place_keys(of_test, {"name", "direction"}));
+  MeshPoint point{.name = table.text("name"), .place = {.name = {}, .nodes = {}}};
+  check_name(table, point.name, before, "point");
+  point.place = read_place(table, sets);
+  point.direction = read_direction(table, !point.place.row);
+  return point;
+}
+
+MeshPlace read_side(const TomlTable& joint, std::string_view key, const NodeSets& sets,
+                    bool of_test) {
+  const TomlTable side = joint.table(key);
+  side.allow_only(place_keys(of_test));
+  return read_place(side, sets);
+}
+
+MeshJoint read_mesh_joint(const TomlTable& table, const std::string& name, double stiffness,
+                          const NodeSets& sets, bool of_test) {
+  MeshJoint joint{
+      .name = name, .to = read_side(table, "to", sets, of_test), .stiffness = stiffness};
+  if (table.has("from")) joint.from = read_side(table, "from", sets, of_test);
+  const bool rows = joint.to.row && (!joint.from || joint.from->row);
+  joint.direction = read_direction(table, !rows);
+  return joint;
+}
+
+/// @return their names.
+std::vector<std::string> read_bases(const TomlTable& top, MeshedStructure& structure) {
+  std::vector<std::string> names;
+  if (!top.has("base")) return names;
+  for (const TomlTable& table : top.tables("base")) {
+    table.allow_only({"name", "direction", kRowsKey});
+    MeshBase base{.name = table.text("name")};
+    check_name(table, base.name, structure.points, "point");
+    check_name(table, base.name, structure.bases, "base");
+    if (table.has(kRowsKey)) base.rows = read_rows(table);
+    base.direction = read_direction(table, base.rows.empty());
+    names.push_back(base.name);
+    structure.bases.push_back(std::move(base));
+  }
+  return names;
+}
+
+void read_joints(const TomlTable& top, std::string_view file, const NodeSets& sets,
+                 StructureFile& read) {
+  if (!top.has("joint")) return;
+  const std::vector<TomlTable> tables = top.tables("joint");
+  for (const TomlTable& table : tables) {
+    table.allow_only({"name", "to", "from", "direction", "file", kStiffnessKey, kSamplesKey,
+                      kNormalLoadSpreadKey, kLinearDampingKey});
+    const std::string name = joint_name(table, read.sources.size(), tables.size());
+    check_name(table, name, read.structure.joints, "joint");
+    read.sources.push_back(read_joint_source(table, file, JointsToFind::kAllowed));
+    const double stiffness = read.sources.back().joint.stiffness();
+    read.structure.joints.push_back(
+        read_mesh_joint(table, name, stiffness, sets, read.test.has_value()));
+  }
+}
+
+void read_mode_range(const TomlTable& modes, StructureFile& read) {
+  const bool told = modes.has("count") || modes.has("up_to_Hz");
+  if (modes.has("count") == modes.has("up_to_Hz") && (told || !read.test)) {
+    throw FormatError(modes.place("up_to_Hz"), "in modes one of the keys count and up_to_Hz",
+                      told ? "both" : "neither");
+  }
+  if (modes.has("count")) {
+    read.count = modes.whole("count");
+    if (*read.count == 0 || *read.count > kMostModes) {
+      throw InputError(modes.name("count"), static_cast<double>(*read.count),
+                       fmt::format("must be from 1 to {}", kMostModes));
+    }
+  }
+  if (modes.has("up_to_Hz")) {
+    read.highest_frequency = modes.number("up_to_Hz");
+    if (!(*read.highest_frequency > 0.0 && *read.highest_frequency <= kHighestFrequency)) {
+      throw InputError(modes.name("up_to_Hz"), *read.highest_frequency,
+                       fmt::format("must be above 0, to {:g}", kHighestFrequency));
+    }
+  }
+}
+
+void read_joints_in_modes(const TomlTable& modes, StructureFile& read) {
+  const std::string joints = modes.text("joints");
+  if (joints != "free" && joints != "stuck") {
+    throw InputError(modes.name("joints"), in_quotes(joints), "must be free or stuck");
+  }
+  read.joints = joints == "stuck" ? JointsInModes::kStuck : JointsInModes::kFree;
+}
+
+void read_modal_damping(const TomlTable& modes, StructureFile& read) {
+  ModalDamping damping = read_damping(modes, "modes", "count");
+  if (damping.loss_factor.empty()) {
+    throw wrong_count(modes, damping.key, 0, "must have one at least");
+  }
+  read.loss_factor = std::move(damping.loss_factor);
+  read.law = damping.law;
+}
+
+void read_modes(const TomlTable& modes, StructureFile& read) {
+  modes.allow_only({"count", "up_to_Hz", "joints", kAttachmentKey, "loss_factor", "damping_ratio"});
+  read_mode_range(modes, read);
+  if (modes.has("joints")) read_joints_in_modes(modes, read);
+  if (modes.has(kAttachmentKey)) read.attachment = modes.boolean(kAttachmentKey);
+  read_modal_damping(modes, read);
+}
+
+/// What a test tells by itself may be left out; whether joints were stuck in it nobody can guess.
+void read_tested_modes(const TomlTable& top, StructureFile& read) {
+  const bool joints = top.has("joint");
+  const std::string rule = "free or stuck: whether joints were there in the test";
+  if (!top.has("modes")) {
+    if (!joints) return;
+    throw FormatError(top.place("joint"), "in modes the key joints, " + rule, "no [modes]");
+  }
+  const TomlTable modes = top.table("modes");
+  if (modes.has(kAttachmentKey)) {
+    throw FormatError(modes.place(kAttachmentKey), "attachment beside [matrices]", "a test",
+                      "Leave it out: static shapes take matrices.");
+  }
+  modes.allow_only({"count", "up_to_Hz", "joints", "loss_factor", "damping_ratio"});
+  if (modes.has("count") && !read.test->start_frequency.empty()) {
+    throw FormatError(modes.place("count"), "count, or start_frequency_Hz of each mode", "both",
+                      "Leave it out.");
+  }
+  read_mode_range(modes, read);
+  if (modes.has("joints") != joints) {
+    throw FormatError(modes.place("joints"), joints ? "the key joints, " + rule : "[[joint]]",
+                      joints ? "none" : "joints without one");
+  }
+  if (joints) read_joints_in_modes(modes, read);
+  if (modes.has("loss_factor") || modes.has("damping_ratio")) read_modal_damping(modes, read);
+}
+
+void read_support_tables(const TomlTable& top, const NodeSets& sets, StructureFile& read) {
+  if (!top.has("support")) return;
+  for (const TomlTable& table : top.tables("support")) {
+    read.structure.supports.push_back(read_support(table, sets));
+  }
+}
+
+/// The tables that name places.
+void read_places(const TomlTable& top, std::string_view file, const NodeSets& sets,
+                 StructureFile& read) {
+  std::vector<std::string> names;
+  for (const TomlTable& table : top.tables("point")) {
+    read.structure.points.push_back(
+        read_mesh_point(table, sets, read.test.has_value(), read.structure.points));
+    names.push_back(read.structure.points.back().name);
+  }
+  read_joints(top, file, sets, read);
+  read.driven = read_driven_points(top, names, read_bases(top, read.structure));
+}
+
+StructureFile read_with_matrices(const TomlTable& top, std::string_view file) {
+  top.allow_only({"schema", "matrices", "test", "nodes", "set", "support", "point", "joint",
+                  "modes", "base", "excitation", "static_load", "response", "accelerometer"});
+  StructureFile read;
+  const TomlTable matrices = top.table("matrices");
+  matrices.allow_only(
+      {"stiffness", "mass", "degrees_of_freedom", "calculix", "length_unit", "force_unit"});
+  const MatrixUnits units{.length = read_unit_factor(matrices, "length_unit", kLength),
+                          .force = read_unit_factor(matrices, "force_unit", kForce)};
+  // The short tables first: a slip in them need not wait for millions of entries.
+  read_modes(top.table("modes"), read);
+  MeshFile mesh = read_nodes(top, file, units.length);
+  const NodeSets sets(top, mesh);
+  read_support_tables(top, sets, read);
+  read_places(top, file, sets, read);
+  read.structure.matrices = read_matrices(matrices, file, units);
+  read.structure.nodes = std::move(mesh.nodes);
+  return read;
+}
+
+StructureFile read_with_test(const TomlTable& top, std::string_view file) {
+  top.allow_only({"schema", "test", "nodes", "set", "point", "joint", "modes", "excitation",
+                  "static_load", "response", "accelerometer"});
+  StructureFile read;
+  read.test = read_tested_structure(top.table("test"), file);
+  read.attachment = false;
+  read_tested_modes(top, read);
+  MeshFile mesh = read_nodes(top, file, read.test->units ? read.test->units->length : 1.0);
+  read_places(top, file, NodeSets(top, mesh), read);
+  read.structure.nodes = std::move(mesh.nodes);
+  return read;
+}
+
+StructureFile read_tables(const TomlTable& top, std::string_view file) {
+  if (top.has("test") && top.has("matrices")) {
+    throw FormatError(top.place("test"), "one of the tables matrices and test", "both");
+  }
+  return top.has("test") ? read_with_test(top, file) : read_with_matrices(top, file);
+}
+
+}  // namespace
+
+StructureFile parse_structure(std::string_view text, std::string_view file) {
+  const toml::table content = parse_toml(text, file);
+  const TomlTable top(content, file);
+  check_schema(top.place("schema"), top.text("schema"), kStructureKind, "a structure");
+  return read_tables(top, file);
+}
+
+StructureFile read_structure_file(const std::string& path) {
+  return parse_structure(read_file(path, kLargestStructureFile), input_name(path));
+}
+
+}  // namespace microslip

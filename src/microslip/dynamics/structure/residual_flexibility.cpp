@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/dynamics/structure/residual_flexibility.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+#include "microslip/algebra/eigenvalues.hpp"
+#include "microslip/base/error.hpp"
+
+namespace microslip {
+namespace {
+
+using Eigen::Index;
+
+constexpr double kAboveAllModes = 10.0;
+constexpr double kRounded = 1e-6;   // of √(R_pp R_qq): a table may have seven digits
+constexpr double kNothing = 1e-12;  // of a λ, of which the largest is between 1 and their number
+
+const Mode& highest_mode(const JointedStructure& structure) {
+  const std::span<const Mode> modes = structure.linear().modes();
+  return *std::ranges::max_element(modes.first(structure.linear().vibrations()), {},
+                                   &Mode::angular_frequency);
+}
+
+/// Where each name stands in a list.
+template <typename Named>
+std::vector<std::size_t> indices_of(const std::vector<std::string>& names,
+                                    std::span<const Named> there, const char* what) {
+  std::vector<std::size_t> indices;
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find(there, name, &Named::name);
+    const std::string key = fmt::format("{} of the residual", what);
+    if (found == there.end()) {
+      throw InputError(key, fmt::format("'{}'", name),
+                       fmt::format("must be a {} of the model", what));
+    }
+    const auto index = static_cast<std::size_t>(found - there.begin());
+    if (std::ranges::find(indices, index) != indices.end()) {
+      throw InputError(key, fmt::format("'{}'", name), "must not stand twice");
+    }
+    indices.push_back(index);
+  }
+  return indices;
+}
+
+/// What gives way nowhere by itself does not by others either.
+void check_diagonal(const Eigen::MatrixXd& matrix, Index i) {
+  const bool alone =
+      matrix(i, i) == 0.0 && !(matrix.row(i).isZero(0.0) && matrix.col(i).isZero(0.0));
+  if (matrix(i, i) >= 0.0 && !alone) return;
+  throw InputError(
+      fmt::format("compliance of the residual[{}, {}]", i, i), matrix(i, i),
+      alone ? "must be above 0 where others in its row are not 0" : "must be 0 or more");
+}
+
+Eigen::MatrixXd checked_matrix(const ResidualFlexibility& residual) {
+  const std::size_t places = residual.points.size() + residual.joints.size();
+  if (places == 0 || residual.compliance.size() != places * places) {
+    throw InputError("compliance of the residual",
+                     fmt::format("{} values", residual.compliance.size()),
+                     fmt::format("must have {}, by rows, one a point and joint that it names",
+                                 std::max<std::size_t>(places * places, 1)));
+  }
+  const auto size = static_cast<Index>(places);
+  const Eigen::Map<const Eigen::MatrixXd> matrix(residual.compliance.data(), size, size);
+  if (!matrix.allFinite()) {
+    throw InputError("compliance of the residual", "not a number", "must be finite");
+  }
+  for (Index i = 0; i < size; ++i) {
+    check_diagonal(matrix, i);
+    for (Index j = 0; j < i; ++j) {
+      const double scale = std::sqrt(matrix(i, i) * matrix(j, j));
+      if (std::abs(matrix(i, j) - matrix(j, i)) <= kRounded * scale) continue;
+      throw InputError(fmt::format("compliance of the residual[{}, {}]", j, i), matrix(i, j),
+                       fmt::format("must be that of [{}, {}], {:g}", i, j, matrix(j, i)));
+    }
+  }
+  return 0.5 * (matrix + matrix.transpose());
+}
+
+}  // namespace
+
+double static_mode_frequency(const JointedStructure& structure) {
+  const double highest = highest_mode(structure).angular_frequency;
+  if (highest > 0.0) return kAboveAllModes * highest;
+  throw InputError("modes of the structure", "all of rigid bodies",
+                   "must be elastic in one at least where what is left out gives way");
+}
+
+std::vector<FurtherMode> static_modes(const JointedStructure& structure,
+                                      const ResidualFlexibility& residual) {
+  const std::vector<std::size_t> points =
+      indices_of(residual.points, structure.linear().points(), "point");
+  const std::vector<std::size_t> joints = indices_of(residual.joints, structure.joints(), "joint");
+  const Eigen::MatrixXd matrix = checked_matrix(residual);
+  const Eigen::VectorXd size = matrix.diagonal().cwiseSqrt();
+  std::vector<FurtherMode> modes;
+  if (size.isZero(0.0)) return modes;
+  const Eigen::VectorXd inverse = size.unaryExpr([](double s) { return s > 0.0 ? 1.0 / s : 0.0; });
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+      (inverse.asDiagonal() * matrix * inverse.asDiagonal()).eval());
+  const Eigen::VectorXd& eigenvalues = solver.eigenvalues();
+  if (eigenvalues.minCoeff() < -kRounded) {
+    throw InputError("compliance of the residual",
+                     fmt::format("a negative eigenvalue, {:.4g} over the roots of its diagonal",
+                                 eigenvalues.minCoeff()),
+                     "must have none: no structure gives way towards a force",
+                     "Subtract the elastic modes of the model alone from the static compliance.");
+  }
+  const double frequency = static_mode_frequency(structure);
+  for (Index m = 0; m < eigenvalues.size(); ++m) {
+    if (eigenvalues(m) <= kNothing) continue;
+    const Eigen::VectorXd shape =
+        frequency * std::sqrt(eigenvalues(m)) * size.cwiseProduct(solver.eigenvectors().col(m));
+    FurtherMode mode{.mode = {frequency, highest_mode(structure).loss_factor},
+                     .points = std::vector<double>(structure.linear().points().size(), 0.0),
+                     .joints = std::vector<double>(structure.joints().size(), 0.0)};
+    const auto count = static_cast<Index>(points.size());
+    for (Index p = 0; p < count; ++p) mode.points[points[static_cast<std::size_t>(p)]] = shape(p);
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      mode.joints[joints[j]] = shape(count + static_cast<Index>(j));
+    }
+    modes.push_back(std::move(mode));
+  }
+  return modes;
+}
+
+}  // namespace microslip

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "microslip/base/summary.hpp"
+#include "microslip/identify/inversion/bands.hpp"
+#include "microslip/identify/inversion/inversion.hpp"
+#include "microslip/identify/records/record_inversion.hpp"
+#include "microslip/observe/level_evidence.hpp"
+
+namespace microslip {
+
+/// What levels alone give reason to say, before any method:
+///   * `few_levels`          fewer than 10 different amplitudes;
+///   * `narrow_range`        the highest amplitude is below 1.5 times the lowest;
+///   * `amplitudes_merged`   equal amplitudes became one level each;
+///   * `repeats_differ`      D of equal amplitudes differs far more than its mean does from a
+///                           smooth curve;
+///   * `exponent_below_two`  D grows less than A² in the lower half of the range and in all of it;
+///   * `std_ignored`         a standard deviation of zero somewhere, so none of that column is
+///                           used; or deviations of A without those of D;
+///   * `implausible_value`   a displacement or a loss that no structure survives, see
+///                           plausibility.hpp.
+[[nodiscard]] std::vector<Warning> diagnose(const LevelEvidence& evidence);
+
+/// What an inversion gives reason to say:
+///   * `density_negative`        without the limit φ would be significantly negative
+///                               [AR14 Fig. B1];
+///   * `data_not_convex`         three neighbouring levels bend D the wrong way, beyond their
+///                               scatter;
+///   * `stiffness_inconsistent`  the area would exceed 1: more stiffness slips than k has;
+///   * `secant_contradicts`      k_eq, of unknown deviation, bends the fit off a D that is smooth
+///                               by itself;
+///   * `secant_inconsistent`     measured secant stiffnesses do not belong to D and k, see
+///                               stiffness_evidence.hpp;
+///   * `stiffness_unchecked`     less than 1 % of k slips, and no secant stiffness tells whether k
+///                               is right;
+///   * `extrapolation`           much of the area lies below the lowest amplitude;
+///   * `damping_suspected`       βA² alone fits D as well, and D grows as A²: it may be no slip
+///                               at all;
+///   * `damping_ambiguous`       linear damping takes most of D at the lowest level;
+///   * `scatter_large`           the levels scatter more than a usable measurement, or than was
+///                               said;
+///   * `scatter_small`           they scatter much less than was said;
+///   * `inner_not_converged`     solutions that λ, the atom or these warnings rest on did not
+///                               converge;
+///   * `macroslip_not_reached`   no atom was found.
+/// @param result     of invert().
+/// @param evidence   that it was found from.
+/// @param stiffness  k, N/m.
+/// @param options    that it was found with.
+/// @throws InputError  where the result is none of invert() or has another number of levels.
+[[nodiscard]] std::vector<Warning> diagnose(const InversionResult& result,
+                                            const LevelEvidence& evidence, double stiffness,
+                                            const InversionOptions& options);
+
+/// What records and levels together give reason to say. Of each record that is not of a joint of
+/// the kind that is sought:
+///   * `rate_dependent`  the force follows the velocity;
+///   * `asymmetric`      it is other to one side than to the other;
+///   * `dead_zone`       it is missing about zero;
+///   * `drifts`          it grows or falls over the record;
+///   * `offset_drifts`   its zero moves;
+///   * `not_masing`      branches of different ranges do not lie on one curve;
+/// and of each table of levels that is of another joint than all else:
+///   * `levels_contradict`  D differs, by more than four times the noise and 3 %;
+///   * `secant_differs`     k_eq does, by as much of the noise and 1 %.
+/// @param result    of the records. @param evidence  that it was found from: its names.
+[[nodiscard]] std::vector<Warning> diagnose(const RecordInversionResult& result,
+                                            const JointEvidence& evidence);
+
+/// What bands give reason to say: `bands_not_converged`, where so many are alike that
+/// they tell no more than 3 in 100 independent ones would.
+[[nodiscard]] std::vector<Warning> diagnose(const DensityBands& bands);
+
+}  // namespace microslip

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/identify/records/record_departures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "microslip/algebra/cholesky.hpp"
+
+namespace microslip {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// A departure is there where it explains more of the force than so many times what noise would,
+constexpr double kOverNoise = 5.0;
+/// and more than this share of it: paths are not known better.
+constexpr double kLeastDeparture = 4e-3;
+
+/// Columns describe a departure in the small; what they leave of a large one looks like others. So
+/// beside it another counts where it explains so much of what that does.
+constexpr double kBesideAnother = 0.25;
+
+/// A record is of another joint where taking it with others costs it more of its force than this.
+constexpr double kLeastContradiction = 3e-2;
+
+/// The rows of a record as the departures see them, each of largest absolute value 1.
+struct RowSignals {
+  VectorXd force;  // of the joint that was found
+  VectorXd velocity;
+  VectorXd time;   // from −1 to 1
+  VectorXd work;   // that the joint has taken, likewise
+  VectorXd range;  // of the stretch from the last turn over the largest
+};
+
+VectorXd normalised(VectorXd values) {
+  const double largest = values.cwiseAbs().maxCoeff();
+  return largest > 0.0 ? VectorXd(values / largest) : values;
+}
+
+/// From −1 to 1.
+VectorXd from_end_to_end(VectorXd values) {
+  const double low = values.minCoeff();
+  const double width = values.maxCoeff() - low;
+  if (width > 0.0) values = (2.0 / width * (values.array() - low) - 1.0).matrix();
+  return values;
+}
+
+RowSignals signals_of(const SettledRecords& settled, const RecordEvidence& record, std::size_t r) {
+  const std::vector<PathRow>& rows = record.rows().rows;
+  const auto n = static_cast<Index>(rows.size());
+  RowSignals all;
+  all.force = normalised(settled.model.found(r, settled.best.solution.x));
+  all.velocity.resize(n);
+  all.time.resize(n);
+  all.work.resize(n);
+  all.range.resize(n);
+  double work = 0.0;
+  for (Index i = 0; i < n; ++i) {
+    const PathRow& row = rows[static_cast<std::size_t>(i)];
+    all.velocity(i) = row.velocity;
+    all.time(i) = static_cast<double>(row.first) + 0.5 * static_cast<double>(row.count);
+    if (i > 0) {
+      const PathRow& before = rows[static_cast<std::size_t>(i) - 1];
+      work += 0.5 * (all.force(i) + all.force(i - 1)) * (row.displacement - before.displacement);
+    }
+    all.work(i) = work;
+    all.range(i) = row.last.half_range / record.rows().reach;
+  }
+  all.velocity = normalised(all.velocity);
+  all.time = from_end_to_end(all.time);
+  all.work = from_end_to_end(all.work);
+  return all;
+}
+
+MatrixXd columns_of(RecordDeparture departure, const RowSignals& of) {
+  const auto g = of.force.array();
+  MatrixXd columns;
+  switch (departure) {
+    case RecordDeparture::kRate:
+      columns = of.velocity;
+      break;
+    case RecordDeparture::kAsymmetry:
+      columns.resize(g.size(), 2);
+      columns << g.abs().matrix(), g.square().matrix();
+      break;
+    case RecordDeparture::kDeadZone: {
+      constexpr double kWidth = 0.1;
+      columns.resize(g.size(), 2);
+      columns << (g / kWidth).tanh().matrix(),
+          (of.velocity.array().sign() * (-(g / kWidth).square()).exp()).matrix();
+      break;
+    }
+    case RecordDeparture::kDrift:
+      columns.resize(g.size(), 2);
+      columns << of.time.cwiseProduct(of.force), of.work.cwiseProduct(of.force);
+      break;
+    case RecordDeparture::kOffset:
+      columns.resize(g.size(), 2);
+      columns << of.time, of.time.cwiseAbs2();
+      break;
+    case RecordDeparture::kRange:
+      columns = of.velocity.array().sign() * of.range.array().square();
+      break;
+    case RecordDeparture::kOther:  // no column: against_others()
+      break;
+  }
+  return columns;
+}
+
+/// The joint's columns as far as they are free, and those of departures that were found.
+class Joined {
+ public:
+  explicit Joined(const SettledRecords& settled) {
+    const SmoothingProblem& problem = settled.model.problem();
+    const QuadraticProgram::Solution& solution = settled.best.solution;
+    const std::vector<Index> free = free_coefficients(solution);
+    design_ = problem.design()(Eigen::all, free);
+    ridge_ = problem.hessian(settled.best.lambda)(free, free) - design_.transpose() * design_;
+    residual_ = problem.data() - problem.design() * solution.x;
+    factor();
+  }
+
+  void add(const MatrixXd& columns) {
+    const Index before = design_.cols();
+    MatrixXd wider(design_.rows(), before + columns.cols());
+    wider << design_, columns;
+    design_ = std::move(wider);
+    MatrixXd ridge = MatrixXd::Zero(design_.cols(), design_.cols());
+    ridge.topLeftCorner(before, before) = ridge_;
+    ridge_ = std::move(ridge);
+    factor();
+  }
+
+  /// What columns would explain.
+  struct Explained {
+    VectorXd coefficients;
+    MatrixXd covariance;  // of coefficients, by noise
+    double gain = 0.0;    // of the weighted sum of squares, in those of noise
+  };
+  [[nodiscard]] Explained explain(const MatrixXd& columns) const {
+    const MatrixXd beside = columns - design_ * normal_.solve(design_.transpose() * columns);
+    const MatrixXd gram = beside.transpose() * columns;
+    const Eigen::LDLT<MatrixXd> own(gram);
+    Explained found;
+    const VectorXd score = beside.transpose() * residual_;
+    found.coefficients = own.solve(score);
+    const double explained = found.coefficients.dot(score);
+    const double variance =
+        std::max(left_ - explained, 0.0) / static_cast<double>(residual_.size());
+    found.covariance = variance * own.solve(MatrixXd::Identity(gram.rows(), gram.rows()));
+    found.gain = variance > 0.0 ? explained / variance : 0.0;
+    return found;
+  }
+
+ private:
+  void factor() {
+    normal_.compute(design_.transpose() * design_ + ridge_);
+    left_ = (residual_ - design_ * normal_.solve(design_.transpose() * residual_)).squaredNorm();
+  }
+
+  MatrixXd design_;
+  MatrixXd ridge_;
+  VectorXd residual_;
+  Eigen::LDLT<MatrixXd> normal_;  // of them
+  double left_ = 0.0;             // weighted sum of squares, without further columns
+};
+
+/// The columns of one record among the rows of all.
+MatrixXd among_all(const SettledRecords& settled, const ScaledRecords& records, std::size_t record,
+                   MatrixXd columns) {
+  Index first = 0;
+  for (std::size_t r = 0; r < record; ++r) {
+    first += static_cast<Index>(records.records[r].rows().rows.size());
+  }
+  settled.model.weight(record, columns);
+  MatrixXd all = MatrixXd::Zero(settled.model.problem().rows(), columns.cols());
+  all.middleRows(first, columns.rows()) = columns;
+  return all;
+}
+
+struct Judged {
+  RecordVerdict verdict;
+  MatrixXd columns;  // among the rows of all
+  double gain = 0.0;
+};
+
+Judged judge(const SettledRecords& settled, const ScaledRecords& records, std::size_t record,
+             RecordDeparture departure, const RowSignals& signals, const Joined& joined) {
+  Judged judged;
+  MatrixXd columns = columns_of(departure, signals);
+  judged.columns = among_all(settled, records, record, columns);
+  const Joined::Explained explained = joined.explain(judged.columns);
+  settled.model.centre(record, columns);
+  const double force = settled.model.force_norm(record);
+  judged.gain = explained.gain;
+  RecordVerdict& verdict = judged.verdict;
+  verdict.departure = departure;
+  verdict.share = (columns * explained.coefficients).norm() / force;
+  verdict.noise = std::sqrt((columns.transpose() * columns * explained.covariance).trace()) / force;
+  verdict.broken = verdict.share > std::max(kOverNoise * verdict.noise, kLeastDeparture);
+  return judged;
+}
+
+/// What the joint of all records leaves of one beyond what its own joint does, against what
+/// noise makes of the coefficients of that.
+RecordVerdict against_others(const SettledRecords& settled, const ScaledRecords& records,
+                             std::size_t record) {
+  std::optional<double> known;
+  if (records.stiffness_known) known = records.stiffness;
+  const ScaledRecords itself({.records = records.records.subspan(record, 1)}, known,
+                             records.coefficients);
+  const SettledRecords own = settle_records(itself, settled.settings.viscous);
+  const double own_share =
+      own.model.residual(0, own.best.solution.x).norm() / own.model.force_norm(0);
+  const double share = settled.model.residual(record, settled.best.solution.x).norm() /
+                       settled.model.force_norm(record);
+  const auto rows = static_cast<double>(itself.records.front().rows().rows.size());
+  RecordVerdict verdict;
+  verdict.departure = RecordDeparture::kOther;
+  verdict.share = std::sqrt(std::max(0.0, share * share - own_share * own_share));
+  verdict.noise = own_share * std::sqrt(own.best.edf / rows);
+  verdict.broken = verdict.share > std::max(kOverNoise * verdict.noise, kLeastContradiction);
+  return verdict;
+}
+
+/// What is there of the departures that have columns; the weightiest first.
+std::vector<RecordVerdict> departures_of(const SettledRecords& settled,
+                                         const ScaledRecords& records, std::size_t record) {
+  const RowSignals signals = signals_of(settled, records.records[record], record);
+  Joined joined(settled);
+  std::vector<RecordVerdict> verdicts;
+  std::vector<RecordDeparture> open(kRecordDepartures.begin(), kRecordDepartures.end() - 1);
+  double least = 0.0;
+  while (!open.empty()) {
+    std::vector<Judged> judged;
+    for (const RecordDeparture departure : open) {
+      judged.push_back(judge(settled, records, record, departure, signals, joined));
+      RecordVerdict& verdict = judged.back().verdict;
+      verdict.broken = verdict.broken && verdict.share > least;
+    }
+    const auto most = std::ranges::max_element(
+        judged, {}, [](const Judged& one) { return one.verdict.broken ? one.gain : 0.0; });
+    if (!most->verdict.broken) {
+      for (const Judged& one : judged) verdicts.push_back(one.verdict);
+      break;
+    }
+    verdicts.push_back(most->verdict);
+    least = std::max(least, kBesideAnother * most->verdict.share);
+    joined.add(most->columns);
+    open.erase(open.begin() + (most - judged.begin()));
+  }
+  return verdicts;
+}
+
+}  // namespace
+
+std::vector<RecordVerdict> judge_record(const SettledRecords& settled, const ScaledRecords& records,
+                                        std::size_t record) {
+  std::vector<RecordVerdict> verdicts = departures_of(settled, records, record);
+  if (records.records.size() < 2) return verdicts;
+  const RecordVerdict other = against_others(settled, records, record);
+  if (!other.broken) {
+    verdicts.push_back(other);
+    return verdicts;
+  }
+  for (RecordVerdict& verdict : verdicts) verdict.broken = false;
+  verdicts.insert(verdicts.begin(), other);
+  return verdicts;
+}
+
+}  // namespace microslip

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/identify/records/record_inversion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/base/interpolation.hpp"
+#include "microslip/base/random.hpp"
+#include "microslip/base/stopwatch.hpp"
+#include "microslip/identify/posterior/posterior_chain.hpp"
+#include "microslip/identify/posterior/quantiles.hpp"
+#include "microslip/identify/records/level_agreement.hpp"
+#include "microslip/identify/records/record_departures.hpp"
+#include "microslip/identify/records/record_model.hpp"
+#include "microslip/identify/records/record_settling.hpp"
+#include "microslip/identify/smoothing/fewer_rows.hpp"
+#include "microslip/identify/smoothing/signed_density.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr std::size_t kFewestReversals = 2;
+constexpr std::size_t kFewestDraws = 100;
+/// A record may give back this share of the work that goes to and fro: noise.
+constexpr double kMostGiven = 1e-2;
+
+/// A joint takes work, and its force pulls back.
+void check_sign(const RecordEvidence& evidence) {
+  const std::vector<double>& u = evidence.path().displacement;
+  const std::vector<double>& f = evidence.measured().force;
+  double work = 0.0;
+  double moved = 0.0;
+  double mean = 0.0;
+  for (const double value : f) mean += value / static_cast<double>(f.size());
+  for (std::size_t i = 1; i < u.size(); ++i) {
+    const double step = (0.5 * (f[i] + f[i - 1]) - mean) * (u[i] - u[i - 1]);
+    work += step;
+    moved += std::abs(step);
+  }
+  double together = 0.0;
+  for (std::size_t i = 0; i < u.size(); ++i) together += (f[i] - mean) * (u[i] - u.front());
+  if (!(together > 0.0)) {
+    throw InputError("covariance of force and displacement, N m",
+                     together / static_cast<double>(u.size()),
+                     "must be positive: the force of a joint rises with the displacement",
+                     "Change the sign of one channel, or take the channels of this joint.");
+  }
+  if (work > -kMostGiven * moved) return;
+  throw InputError("work over the record, J", work, "must be positive: a joint takes energy",
+                   "Force and displacement may be exchanged, or the force be recorded ahead of the "
+                   "displacement: take each by its channel, without delay.");
+}
+
+/// Reads coefficients as joints.
+class DrawReader {
+ public:
+  DrawReader(const RecordModel& model, const ScaledRecords& records)
+      : records_(records),
+        density_(model.density_matrix() * (records.stiffness / records.length)),
+        area_(records.stiffness * model.area_row()),
+        elastic_(records.stiffness * model.elastic_row()),
+        viscous_(records.stiffness * model.viscous_row()) {}
+
+  [[nodiscard]] StiffnessDraw read(const Eigen::VectorXd& x) const {
+    StiffnessDraw draw;
+    const Eigen::VectorXd psi = density_ * x;
+    draw.density.push_back(psi(0));
+    draw.density.insert(draw.density.end(), psi.begin(), psi.end());
+    draw.stiffness = records_.stiffness_known ? records_.stiffness : (area_ + elastic_).dot(x);
+    draw.viscous = viscous_.dot(x);
+    return draw;
+  }
+
+  [[nodiscard]] double elastic(const Eigen::VectorXd& x) const {
+    return records_.stiffness_known ? records_.stiffness - area_.dot(x) : elastic_.dot(x);
+  }
+
+ private:
+  const ScaledRecords& records_;
+  Eigen::MatrixXd density_;
+  Eigen::VectorXd area_;
+  Eigen::VectorXd elastic_;
+  Eigen::VectorXd viscous_;
+};
+
+/// Where limits or the smoothing act, nearly all draws may lie on one side of the estimate.
+Estimate within_band(double value, std::vector<double> draws, double confidence) {
+  const auto [lower, upper] = shortest_interval(draws, confidence);
+  return {value, std::min(lower, value), std::max(upper, value)};
+}
+
+/// λ stays between the ends of a path.
+ChainTarget chain_target(const SettledRecords& settled) {
+  const SmoothingProblem& problem = settled.model.problem();
+  Eigen::MatrixXd rows(problem.rows(), problem.size() + 1);
+  rows << problem.design(), problem.data();
+  const Eigen::MatrixXd fewer = fewer_rows(rows);
+  ChainTarget target;
+  target.rows.push_back({.design = fewer.leftCols(problem.size()),
+                         .data = fewer.rightCols(1),
+                         .count = static_cast<double>(problem.rows())});
+  target.penalty = problem.penalty();
+  target.limits = {problem.size(), problem.area()};
+  const std::vector<double> ends = problem.lambda_grid(2);
+  target.least_lambda = std::min(ends.back(), settled.best.lambda);
+  target.most_lambda = std::max(ends.front(), settled.best.lambda);
+  return target;
+}
+
+/// Joints that the evidence leaves possible, and K_e of each.
+std::vector<double> draw_all(const SettledRecords& settled, const DrawReader& reader,
+                             const RecordInversionOptions& options, RecordInversionResult& result) {
+  const ChainTarget target = chain_target(settled);
+  PosteriorChain chain(target, {settled.best.solution.x, settled.best.lambda, {1.0}});
+  RandomStream random(options.seed, 0);
+  chain.settle(random);
+  std::vector<double> elastic;
+  for (std::size_t i = 0; i < options.draws; ++i) {
+    chain.next(random);
+    const QuadraticProgram::Solution drawn = chain.projected(random);
+    if (!drawn.optimal() && drawn.kkt_residual >= result.summary.residual) {
+      read_optimality(drawn, "optimality conditions of a draw", result.summary);
+    }
+    result.draws.push_back(reader.read(drawn.x));
+    elastic.push_back(reader.elastic(drawn.x));
+    if (options.progress && !options.progress(i + 1, options.draws)) throw Cancelled();
+  }
+  return elastic;
+}
+
+/// The estimate is the likeliest joint, the bands are those of the draws.
+void read_joint(const StiffnessDraw& best, const RecordInversionOptions& options,
+                RecordInversionResult& result) {
+  std::vector<double> values(result.draws.size());
+  const auto read_draws = [&](const auto& read) {
+    std::ranges::transform(result.draws, values.begin(), read);
+  };
+  for (std::size_t j = 0; j < result.slip_displacement.size(); ++j) {
+    read_draws([j](const StiffnessDraw& draw) { return draw.density[j]; });
+    const auto [lower, upper] = quantile_pair_above_zero(values, options.confidence);
+    result.density.push_back(best.density[j]);
+    result.lower.push_back(std::min(lower, best.density[j]));
+    result.upper.push_back(std::max(upper, best.density[j]));
+  }
+  read_draws([](const StiffnessDraw& draw) { return draw.stiffness; });
+  result.stiffness = within_band(best.stiffness, values, options.confidence);
+  if (!options.viscous) return;
+  read_draws([](const StiffnessDraw& draw) { return draw.viscous; });
+  result.viscous = within_band(best.viscous, values, options.confidence);
+}
+
+void read_records(const SettledRecords& settled, const ScaledRecords& records,
+                  const Eigen::VectorXd& x, RecordInversionResult& result) {
+  const double force = records.stiffness * records.length;
+  for (std::size_t r = 0; r < records.records.size(); ++r) {
+    RecordFit fit;
+    fit.start = records.records[r].start();
+    fit.scatter = force * settled.settings.scatter[r];
+    fit.correlation = settled.settings.correlation[r];
+    const Eigen::VectorXd left = force * settled.model.residual(r, x);
+    fit.residual.assign(left.begin(), left.end());
+    fit.unexplained = left.norm() / (force * settled.model.force_norm(r));
+    const Eigen::VectorXd offset = force * settled.model.offsets(r, x);
+    fit.offset.assign(offset.begin(), offset.end());
+    fit.verdicts = judge_record(settled, records, r);
+    result.records.push_back(std::move(fit));
+  }
+}
+
+void read_levels(const SettledRecords& settled, const JointEvidence& evidence,
+                 const Eigen::VectorXd& x, std::optional<double> stiffness,
+                 const RecordInversionOptions& options, RecordInversionResult& result) {
+  for (std::size_t t = 0; t < evidence.levels.size(); ++t) {
+    LevelFit fit;
+    fit.scatter = settled.settings.levels[t].scatter;
+    fit.scatter_is_relative = !evidence.levels[t].dissipation_std_given();
+    fit.value = settled.model.levels_of(t, x);
+    fit.deviation = settled.model.level_deviations(t);
+    const LevelAgreement agreement =
+        agreement_of_levels(evidence, t, stiffness, options.coefficients);
+    fit.dissipation_verdict = agreement.dissipation;
+    fit.secant_verdict = agreement.secant;
+    result.levels.push_back(std::move(fit));
+  }
+}
+
+/// Levels alone tell no k, nor a viscous part.
+void check_evidence(const JointEvidence& evidence, std::optional<double> stiffness,
+                    const RecordInversionOptions& options) {
+  if (!evidence.records.empty() || evidence.levels.empty()) {
+    check_records(evidence.records, options);
+    return;
+  }
+  if (!stiffness) {
+    throw InputError("stiffness", InputState{"missing"},
+                     "must be given with levels alone: slip forces are k times A",
+                     "Give k, or a record of force and displacement, which tells it.");
+  }
+  if (options.viscous) {
+    throw InputError("viscous part", InputState{"sought"}, "needs a record of force over time");
+  }
+}
+
+void summarise(const JointEvidence& evidence, const SmoothingPoint& best, Summary& summary) {
+  summary.method = evidence.levels.empty()    ? "posterior of force–displacement records"
+                   : evidence.records.empty() ? "posterior of tables of levels"
+                                              : "posterior of records and levels";
+  summary.iterations = best.solution.exchanges;
+  read_optimality(best.solution, "optimality conditions", summary);
+}
+
+}  // namespace
+
+void RecordInversionOptions::check() const {
+  if (coefficients < 10) throw InputError("coefficients", coefficients, "must be 10 or more");
+  if (draws < kFewestDraws) {
+    throw InputError("number of draws", static_cast<double>(draws),
+                     fmt::format("must be {} or more", kFewestDraws), "1000 give smooth bands.");
+  }
+  if (!(confidence > 0.0 && confidence < 1.0)) {
+    throw InputError("confidence", confidence, "must be between 0 and 1");
+  }
+}
+
+Joint RecordInversionResult::joint() const {
+  const double k = stiffness.value;
+  PiecewiseLinearPart part;
+  for (std::size_t j = 0; j < density.size(); ++j) {
+    part.slip_force.push_back(k * slip_displacement[j]);
+    part.density.push_back(density[j] / (k * k));
+  }
+  return {k, SlipDensity({std::move(part)})};
+}
+
+DensityBand RecordInversionResult::density_band() const {
+  std::vector<std::vector<double>> densities(slip_displacement.size());
+  for (const StiffnessDraw& draw : draws) {
+    const double k = draw.stiffness;
+    for (std::size_t j = 0; j < slip_displacement.size(); ++j) {
+      const double at = slip_displacement[j] * stiffness.value / k;
+      densities[j].push_back(interpolate(slip_displacement, draw.density, at) / (k * k));
+    }
+  }
+  DensityBand band;
+  for (std::size_t j = 0; j < densities.size(); ++j) {
+    const auto [from, to] = quantile_pair_above_zero(densities[j], confidence);
+    const double found = density[j] / (stiffness.value * stiffness.value);
+    band.lower.push_back(std::min(from, found));
+    band.upper.push_back(std::max(to, found));
+  }
+  return band;
+}
+
+void check_records(std::span<const RecordEvidence> evidence,
+                   const RecordInversionOptions& options) {
+  if (evidence.empty()) throw InputError("number of records", 0.0, "must be 1 or more");
+  for (const RecordEvidence& one : evidence) {
+    const auto reversals = static_cast<double>(one.rows().reversals);
+    if (one.rows().reversals < kFewestReversals) {
+      throw InputError(
+          "number of reversals of the displacement", reversals,
+          fmt::format("must be {} or more: slip shows where a path turns back", kFewestReversals),
+          "Record a cycle at least.");
+    }
+    if (one.rows().rows.size() < kFewestRecordSamples) {
+      throw InputError("number of samples after the first turns",
+                       static_cast<double>(one.rows().rows.size()),
+                       fmt::format("must be {} or more", kFewestRecordSamples),
+                       "Record more cycles, or begin with a joint that has not slipped.");
+    }
+    check_sign(one);
+    if (options.viscous && one.measured().time_step == 0.0) {
+      throw InputError("time step", 0.0, "must be known to find a viscous part");
+    }
+  }
+}
+
+RecordInversionResult invert_records(std::span<const RecordEvidence> evidence,
+                                     std::optional<double> stiffness,
+                                     const RecordInversionOptions& options) {
+  return invert_together({.records = evidence}, stiffness, options);
+}
+
+RecordInversionResult invert_together(const JointEvidence& evidence,
+                                      std::optional<double> stiffness,
+                                      const RecordInversionOptions& options) {
+  Stopwatch watch;
+  options.check();
+  if (stiffness) check_stiffness(*stiffness);
+  check_evidence(evidence, stiffness, options);
+  const ScaledRecords records(evidence, stiffness, options.coefficients);
+  const SettledRecords settled = settle_records(records, options.viscous);
+
+  RecordInversionResult result;
+  summarise(evidence, settled.best, result.summary);
+  result.summary.timings.push_back(watch.lap("noise and smoothing"));
+  result.confidence = options.confidence;
+  result.stiffness_known = stiffness.has_value();
+  result.resolved_from = records.length * records.lowest;
+  result.reference_exponent = settled.settings.exponent;
+  result.slip_displacement.push_back(0.0);
+  for (const double s : settled.model.basis().knots()) {
+    result.slip_displacement.push_back(records.length * s);
+  }
+  const Eigen::VectorXd& best = settled.best.solution.x;
+  const DrawReader reader(settled.model, records);
+  std::vector<double> elastic = draw_all(settled, reader, options, result);
+  read_joint(reader.read(best), options, result);
+  result.elastic_stiffness =
+      within_band(reader.elastic(best), std::move(elastic), options.confidence);
+  result.summary.timings.push_back(watch.lap("draws"));
+  read_records(settled, records, best, result);
+  read_levels(settled, evidence, best, stiffness, options, result);
+  result.summary.timings.push_back(watch.lap("verdicts"));
+  result.summary.wall_seconds = watch.seconds();
+  return result;
+}
+
+}  // namespace microslip

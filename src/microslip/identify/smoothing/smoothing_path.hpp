@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "microslip/algebra/core.hpp"
+#include "microslip/identify/smoothing/quadratic_program.hpp"
+#include "microslip/identify/smoothing/smoothing_rule.hpp"
+
+/// @file
+/// The constrained smoothing problem over the smoothing parameter λ. Internal: Eigen stays out of
+/// the installed headers.
+
+namespace microslip {
+
+/// A solution for one λ.
+struct SmoothingPoint {
+  double lambda = 0.0;     ///< 1
+  double edf = 0.0;        ///< effective degrees of freedom, on the free coefficients
+  double residual = 0.0;   ///< ‖W(Kθ − d)‖²
+  double roughness = 0.0;  ///< ‖Lθ‖²
+  double gcv = 0.0;        ///< generalised cross-validation score; infinite where edf is too high
+  /// −2 log restricted likelihood, up to a constant; of path() and solve_unlimited() alone
+  double likelihood = 0.0;
+  QuadraticProgram::Solution solution;
+};
+
+/// minimise ½‖W(Kθ − d)‖² + ½λ‖Lθ‖²  subject to  θ ≥ 0, mᵀθ ≤ 1, for any λ > 0.
+class SmoothingProblem {
+ public:
+  /// @param design       WK: rows × coefficients.
+  /// @param data         Wd: one a row.
+  /// @param penalty      L: penalty rows × coefficients.
+  /// @param area         m: one a coefficient.
+  /// @param unpenalised  q, dimension of the null space of L.
+  SmoothingProblem(Eigen::MatrixXd design, Eigen::VectorXd data, Eigen::MatrixXd penalty,
+                   Eigen::VectorXd area, Eigen::Index unpenalised);
+
+  [[nodiscard]] const Eigen::MatrixXd& design() const { return design_; }
+  [[nodiscard]] const Eigen::VectorXd& data() const { return data_; }
+  [[nodiscard]] const Eigen::MatrixXd& penalty() const { return penalty_; }
+  [[nodiscard]] const Eigen::VectorXd& area() const { return area_; }
+  [[nodiscard]] const Eigen::VectorXd& linear() const { return linear_; }
+  [[nodiscard]] Eigen::Index rows() const { return data_.size(); }
+  [[nodiscard]] Eigen::Index size() const { return linear_.size(); }
+  [[nodiscard]] Eigen::Index unpenalised() const { return unpenalised_; }
+
+  /// WKᵀWK + λLᵀL.
+  [[nodiscard]] Eigen::MatrixXd hessian(double lambda) const;
+
+  /// ln det(WKᵀWK + λLᵀL + diag(p)) − ln det⁺(λLᵀL), det⁺ over what L penalises. By factors, which
+  /// is quick, and right to 1e−4 up to stiffest().
+  /// @param lambda     not above that.
+  /// @param precision  p.
+  [[nodiscard]] double log_volume(double lambda, const Eigen::VectorXd& precision) const;
+
+  /// Largest λ with λLᵀL at most 1e12 times WKᵀWK, by their traces.
+  [[nodiscard]] double stiffest() const { return 1e12 * normal_.trace() / roughness_.trace(); }
+
+  /// λ in equal ratios, from almost only the null space of L to as many degrees of freedom as 0.85
+  /// of the rows or coefficients, or as almost all that the data tell; both without the
+  /// constraints.
+  [[nodiscard]] std::vector<double> lambda_grid(std::size_t count) const;
+
+  /// @param start  free coefficients of a neighbour's solution, or all.
+  [[nodiscard]] SmoothingPoint solve(double lambda, std::vector<bool> start) const;
+
+  /// The same without the limits; edf and likelihood are then those of a linear smoother.
+  [[nodiscard]] SmoothingPoint solve_unlimited(double lambda) const;
+
+  /// ∂(fitted datum)/∂(datum) of each row at a solution of solve(); their sum is its edf.
+  [[nodiscard]] Eigen::VectorXd leverage(const SmoothingPoint& point) const;
+
+  /// All of a grid, each started from the one before it.
+  [[nodiscard]] std::vector<SmoothingPoint> path(const std::vector<double>& lambdas) const;
+
+ private:
+  /// In the basis that makes both diagonal: WKᵀWK ~ data, LᵀL ~ penalty.
+  struct Spectrum {
+    Eigen::ArrayXd data;
+    Eigen::ArrayXd penalty;
+  };
+  struct LazySpectrum {
+    std::once_flag found;
+    Spectrum value;
+  };
+
+  [[nodiscard]] Spectrum find_spectrum() const;
+  /// Found when it is first asked for: comparing models does without.
+  [[nodiscard]] const Spectrum& spectrum() const;
+  [[nodiscard]] double unconstrained_edf(double lambda) const;
+  [[nodiscard]] double likelihood(const SmoothingPoint& point) const;
+  void score(SmoothingPoint& point) const;
+  [[nodiscard]] double free_edf(const QuadraticProgram::Solution& solution,
+                                const Eigen::MatrixXd& hessian, double lambda) const;
+
+  Eigen::MatrixXd design_;
+  Eigen::VectorXd data_;
+  Eigen::MatrixXd penalty_;
+  Eigen::VectorXd area_;
+  Eigen::Index unpenalised_;
+  Eigen::MatrixXd normal_;         // WKᵀWK
+  Eigen::MatrixXd normal_ridged_;  // with a ridge at rounding level
+  Eigen::MatrixXd roughness_;      // LᵀL
+  Eigen::VectorXd linear_;         // WKᵀWd
+  double log_penalty_;             // ln det LLᵀ
+  std::shared_ptr<LazySpectrum> spectrum_ = std::make_shared<LazySpectrum>();  // of all copies
+};
+
+/// The inner solutions of an inversion: the result rests on them, though it is none of them.
+struct InnerSolutions {
+  std::size_t count = 0;
+  std::size_t not_converged = 0;
+
+  void add(const QuadraticProgram::Solution& solution) {
+    ++count;
+    if (!solution.optimal()) ++not_converged;
+  }
+};
+
+/// The guard of both rules: more degrees of freedom than this are not supported by so many rows.
+[[nodiscard]] double most_degrees_of_freedom(Eigen::Index rows, Eigen::Index unpenalised);
+
+/// Index of the chosen point of a path. @param path  not empty.
+[[nodiscard]] std::size_t choose(const std::vector<SmoothingPoint>& path, SmoothingRule rule,
+                                 double most_edf);
+
+}  // namespace microslip

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/bytes/input_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/bytes/input_stream.hpp"
+
+namespace microslip {
+namespace {
+
+[[noreturn]] void fail_too_large(const std::string& name, std::size_t limit) {
+  throw FileError(name, fmt::format("is larger than {} bytes", limit), "Is it the right file?");
+}
+
+std::string read_all(InputStream& file, std::size_t limit) {
+  std::string content;
+  std::size_t done = 0;
+  // One byte more than expected, so that the end is seen without another round.
+  for (std::size_t size = std::max<std::size_t>(file.size().value_or(0), 65535) + 1;;
+       size = 2 * size) {
+    content.resize(std::min(size, limit + 1));
+    done += file.read(content.data() + done, content.size() - done);
+    if (done > limit) fail_too_large(file.name(), limit);
+    if (done < content.size()) break;
+  }
+  content.resize(done);
+  return content;
+}
+
+}  // namespace
+
+std::string read_file(const std::string& path, std::size_t limit) {
+  InputStream file(path);
+  if (file.size().value_or(0) > limit) fail_too_large(file.name(), limit);
+  try {
+    return read_all(file, limit);
+  } catch (const std::bad_alloc&) {
+    throw FileError(file.name(), "does not fit into memory");
+  }
+}
+
+std::string read_file_head(const std::string& path, std::size_t size) {
+  InputStream file(path);
+  std::string content(size, '\0');
+  content.resize(file.read(content.data(), size));
+  return content;
+}
+
+}  // namespace microslip

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "microslip/io/bytes/input_name.hpp"
+
+namespace microslip {
+
+/// No table or model that this library is meant for comes near it; a device without an end does.
+inline constexpr std::size_t kLargestFile = std::size_t{16} << 30U;
+
+/// The whole content of a file, whatever it holds. Pipes are read to their end.
+/// @param path   its path, or "-" for standard input.
+/// @param limit  the largest size taken, in bytes.
+/// @throws FileError  where it does not exist, is a folder, may not be read or is too large.
+[[nodiscard]] std::string read_file(const std::string& path, std::size_t limit = kLargestFile);
+
+/// The first bytes of a file, at most `size` of them. @throws FileError  as read_file().
+[[nodiscard]] std::string read_file_head(const std::string& path, std::size_t size);
+
+}  // namespace microslip

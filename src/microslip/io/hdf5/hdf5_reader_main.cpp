@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+
+// microslip-hdf5-reader VERSION recordings|joint_samples|matlab FILE [VARIABLE]: the program that
+// reads files of HDF5 for the library, see hdf5_reader.hpp.
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "microslip/base/error.hpp"
+#include "microslip/base/version.hpp"
+#include "microslip/io/hdf5/hdf5_contents.hpp"
+#include "microslip/io/hdf5/hdf5_handle.hpp"
+#include "microslip/io/hdf5/hdf5_joint_samples.hpp"
+#include "microslip/io/hdf5/reading_worker.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr int kWrongCall = 2;
+
+/// Reads by `read` and sends the value that it returns.
+template <class Read>
+int serve(const std::string& version, const std::string& path, const Read& read) {
+  decltype(read(Progress{})) result;
+  const auto read_checked = [&](const Progress& told) {
+    if (version != kVersion) {
+      throw FileError(path, "cannot be read: microslip-hdf5-reader is of another version",
+                      "Install microslip and its library anew, together.");
+    }
+    const Hdf5Session session;
+    result = read(told);
+  };
+  return run_reading_worker(path, {read_checked, [&](ParcelWriter& to) { pass(to, result); }});
+}
+
+int run(const std::vector<std::string>& arguments) {
+  if (arguments.size() == 3 && arguments[1] == "recordings") {
+    return serve(arguments[0], arguments[2],
+                 [&](const Progress& told) { return hdf5_recordings(arguments[2], told); });
+  }
+  if (arguments.size() == 3 && arguments[1] == "joint_samples") {
+    return serve(arguments[0], arguments[2],
+                 [&](const Progress& told) { return hdf5_joint_samples(arguments[2], told); });
+  }
+  if ((arguments.size() == 3 || arguments.size() == 4) && arguments[1] == "matlab") {
+    return serve(arguments[0], arguments[2], [&](const Progress& told) {
+      MatReadOptions options{.progress = told};
+      if (arguments.size() == 4) options.only = arguments[3];
+      return mat73_tree(arguments[2], options);
+    });
+  }
+  std::fputs("microslip-hdf5-reader is started by microslip and its library, not by hand.\n",
+             stderr);
+  return kWrongCall;
+}
+
+}  // namespace
+}  // namespace microslip
+
+int main(int argc, char** argv) { return microslip::run({argv + 1, argv + argc}); }

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/hdf5/hdf5_recording.hpp"
+
+#include <new>
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/hdf5/hdf5_reader.hpp"
+
+namespace microslip {
+
+Recordings read_recordings_hdf5(const std::string& path, const RecordingReadOptions& options) {
+  if (path == "-") throw FileError("standard input", "cannot hold an HDF5 file", "Name a file.");
+  (void)read_file_head(path, 1);  // says what hinders the reading better than the library does
+  try {
+    return read_hdf5_recordings(path, options.progress);
+  } catch (const std::bad_alloc&) {
+    throw FileError(path, "does not fit into memory");
+  }
+}
+
+}  // namespace microslip

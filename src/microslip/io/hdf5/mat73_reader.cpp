@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/hdf5/hdf5_contents.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/bytes/mat_text.hpp"
+#include "microslip/io/bytes/text.hpp"
+#include "microslip/io/hdf5/hdf5_foreign.hpp"
+#include "microslip/io/hdf5/hdf5_handle.hpp"
+#include "microslip/io/hdf5/hdf5_values.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr std::array<std::string_view, 11> kNumberClasses{"double", "single", "int8",   "uint8",
+                                                          "int16",  "uint16", "int32",  "uint32",
+                                                          "int64",  "uint64", "logical"};
+
+/// How a sparse matrix lies in a group.
+struct SparseNames {
+  const char* row;
+  const char* start;
+};
+constexpr SparseNames kOfMatlab{"ir", "jc"};
+constexpr SparseNames kOfSciPy{"indices", "indptr"};
+constexpr const char* kSparseRows = "MATLAB_sparse";
+
+/// The largest whole number up to which a double has all.
+constexpr double kLargestIndex = 9007199254740992.0;
+
+class Mat73Reader {
+ public:
+  Mat73Reader(std::string path, const MatReadOptions& options, hid_t file)
+      : path_(std::move(path)), options_(options), file_(file), progress_(file, options.progress) {}
+
+  MatTree read() {
+    MatTree tree;
+    tree.root.kind = MatValue::Kind::kStruct;
+    tree.root.sizes = {1, 1};
+    if (!options_.only && is_of_scipy(file_)) {
+      tree.root = read_group(file_, path_, 0);
+      return tree;
+    }
+    for (const std::string& name : hdf5_members(file_, path_)) {
+      if (name.starts_with('#')) continue;  // #refs#, #subsystem#
+      MatValue value;
+      if (!options_.only || *options_.only == name) {
+        value = read_object(open_hdf5_object(file_, name), path_ + ":/" + printable(name), 0);
+      }
+      tree.root.fields.push_back(name);
+      tree.root.children.push_back(std::move(value));
+    }
+    return tree;
+  }
+
+ private:
+  void count_value(const std::string& place, int depth) {
+    if (depth <= kDeepestMatValue && ++values_ <= kMostMatValues) return;
+    throw FormatError(
+        {.file = place},
+        fmt::format("at most {} arrays, nested {} deep", kMostMatValues, kDeepestMatValue), "more",
+        "The file is damaged; save or copy it anew.");
+  }
+
+  MatValue read_object(const Hdf5Handle& object, const std::string& place, int depth) {
+    count_value(place, depth);
+    if (!object.valid()) fail_hdf5(place, "a variable");
+    const H5I_type_t type = H5Iget_type(object.id());
+    if (type != H5I_GROUP && type != H5I_DATASET) fail_hdf5(place, "a group or a dataset");
+    const std::string name = hdf5_text(object.id(), "MATLAB_class", place).value_or("");
+    if (type == H5I_GROUP) return read_group(object.id(), place, depth);
+    MatValue value;
+    value.sizes = sizes_of(object.id(), place);
+    const bool empty = hdf5_number(object.id(), "MATLAB_empty", place).value_or(0.0) != 0.0;
+    if (empty) value.sizes = {0, 0};
+    if (name == "struct" || (name.empty() && empty)) {
+      value.kind = MatValue::Kind::kStruct;
+      if (value.count() > kMostMatValues) count_value(place, kDeepestMatValue + 1);
+    } else if (name == "cell") {
+      value.kind = MatValue::Kind::kCell;
+      if (!empty) value.children = read_references(object.id(), value.count(), place, depth);
+    } else if (name == "char") {
+      value.kind = MatValue::Kind::kText;
+      if (!empty) read_text(object.id(), value, place);
+    } else if (std::ranges::find(kNumberClasses, name) != kNumberClasses.end()) {
+      value.kind = MatValue::Kind::kNumbers;
+      if (!empty) read_numbers(object.id(), value, place);
+    } else if (const Hdf5Content content = hdf5_content(object.id());
+               name.empty() &&
+               (content == Hdf5Content::kReal || content == Hdf5Content::kComplex)) {
+      value.kind = MatValue::Kind::kNumbers;
+      read_numbers(object.id(), value, place);
+    } else {
+      value.kind = MatValue::Kind::kOther;
+      value.other = name.empty() ? "a dataset without MATLAB_class" : "of class " + in_quotes(name);
+    }
+    return value;
+  }
+
+  /// In MATLAB's order: HDF5 counts the dimensions the other way round.
+  static std::vector<std::size_t> sizes_of(hid_t dataset, const std::string& place) {
+    const std::vector<hsize_t> sizes = hdf5_sizes(dataset);
+    (void)check_hdf5_storage(dataset, place);
+    std::vector<std::size_t> result(sizes.rbegin(), sizes.rend());
+    while (result.size() < 2) result.push_back(1);
+    return result;
+  }
+
+  MatValue read_group(hid_t group, const std::string& place, int depth) {
+    if (const auto rows = hdf5_number(group, kSparseRows, place)) {
+      MatValue value = read_sparse(group, kOfMatlab, place);
+      value.sizes = {static_cast<std::size_t>(checked_index(*rows, place)),
+                     value.column_start.size() - 1};
+      return checked(std::move(value), place);
+    }
+    if (is_of_scipy(group)) {
+      MatValue value = read_sparse(group, kOfSciPy, place);
+      value.sizes = {sparse_rows(group, value, place), value.column_start.size() - 1};
+      return checked(std::move(value), place);
+    }
+    return read_struct(group, place, depth);
+  }
+
+  static bool has_member(hid_t group, const char* name) {
+    return H5Lexists(group, name, H5P_DEFAULT) > 0;
+  }
+
+  static bool is_of_scipy(hid_t group) {
+    return has_member(group, "data") && has_member(group, kOfSciPy.row) &&
+           has_member(group, kOfSciPy.start);
+  }
+
+  static MatValue checked(MatValue value, const std::string& place) {
+    const std::string fault = checked_sparse(value);
+    if (fault.empty()) return value;
+    throw FormatError({.file = place}, "a sparse matrix", fault,
+                      "The file is damaged; save or copy it anew.");
+  }
+
+  static std::int64_t checked_index(double value, const std::string& place) {
+    if (value >= 0.0 && value < kLargestIndex && value == std::floor(value)) {
+      return static_cast<std::int64_t>(value);
+    }
+    throw FormatError({.file = place}, "indices of a sparse matrix", fmt::format("{}", value),
+                      "The file is damaged; save or copy it anew.");
+  }
+
+  static std::vector<std::int64_t> read_indices(hid_t group, const char* name,
+                                                const std::string& place) {
+    const Hdf5Handle object = open_hdf5_object(group, name);
+    const std::string inside = fmt::format("{}/{}", place, name);
+    const bool dataset = object.valid() && H5Iget_type(object.id()) == H5I_DATASET;
+    if (!dataset || hdf5_content(object.id()) != Hdf5Content::kReal) {
+      fail_hdf5(inside, "indices of a sparse matrix");
+    }
+    std::vector<double> numbers;
+    read_hdf5_real(object.id(), numbers, inside);
+    std::vector<std::int64_t> indices(numbers.size());
+    std::ranges::transform(numbers, indices.begin(),
+                           [&](double value) { return checked_index(value, inside); });
+    return indices;
+  }
+
+  /// Without its sizes. MATLAB leaves out what is empty.
+  MatValue read_sparse(hid_t group, const SparseNames& names, const std::string& place) {
+    MatValue value;
+    value.kind = MatValue::Kind::kSparse;
+    value.column_start = read_indices(group, names.start, place);
+    if (value.column_start.empty()) fail_hdf5(place, "starts of columns");
+    if (!has_member(group, "data")) return value;
+    value.row = read_indices(group, names.row, place);
+    const Hdf5Handle data = open_hdf5_object(group, "data");
+    if (!data.valid() || H5Iget_type(data.id()) != H5I_DATASET) fail_hdf5(place, "numbers");
+    read_numbers(data.id(), value, place + "/data");
+    return value;
+  }
+
+  /// Of SciPy's: by the dataset `shape`; square where there is none. What is
+  /// compressed are its rows or its columns, so that either size may be that of the starts.
+  static std::size_t sparse_rows(hid_t group, const MatValue& value, const std::string& place) {
+    const std::size_t compressed = value.column_start.size() - 1;
+    if (!has_member(group, "shape")) return compressed;
+    const std::vector<std::int64_t> shape = read_indices(group, "shape", place);
+    if (shape.size() == 2) {
+      const auto first = static_cast<std::size_t>(shape[0]);
+      const auto second = static_cast<std::size_t>(shape[1]);
+      if (first == compressed) return second;
+      if (second == compressed) return first;
+    }
+    throw FormatError({.file = place}, fmt::format("a shape with {}", compressed), "another one",
+                      "The file is damaged, or of another form.");
+  }
+
+  void read_numbers(hid_t dataset, MatValue& value, const std::string& place) {
+    const Hdf5Content content = hdf5_content(dataset);
+    if (content == Hdf5Content::kReal) {
+      read_hdf5_real(dataset, value.real, place);
+    } else if (content == Hdf5Content::kComplex) {
+      read_hdf5_complex(dataset, value.real, value.imaginary, place);
+    } else {
+      fail_hdf5(place, "numbers");
+    }
+    progress_.add(value.real.size() + value.imaginary.size());
+  }
+
+  static void read_text(hid_t dataset, MatValue& value, const std::string& place) {
+    std::vector<double> numbers;
+    if (hdf5_content(dataset) != Hdf5Content::kReal) fail_hdf5(place, "characters");
+    read_hdf5_real(dataset, numbers, place);
+    std::u16string units;
+    for (const double number : numbers) {
+      if (!(number >= 0 && number < 65536)) fail_hdf5(place, "characters");
+      units += static_cast<char16_t>(number);
+    }
+    value.texts = text_rows(units, value.sizes.front());
+  }
+
+  std::vector<MatValue> read_references(hid_t dataset, std::size_t count, const std::string& place,
+                                        int depth) {
+    if (hdf5_content(dataset) != Hdf5Content::kReferences) fail_hdf5(place, "references");
+    if (count > kMostMatValues) count_value(place, kDeepestMatValue + 1);
+    std::vector<hobj_ref_t> references(count);
+    if (count > 0 &&
+        H5Dread(dataset, H5T_STD_REF_OBJ, H5S_ALL, H5S_ALL, H5P_DEFAULT, references.data()) < 0) {
+      fail_hdf5(place, "references");
+    }
+    std::vector<MatValue> values;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Hdf5Handle object(H5Rdereference2(dataset, H5P_DEFAULT, H5R_OBJECT, &references[i]),
+                              H5Oclose);
+      values.push_back(read_object(object, fmt::format("{}({})", place, i + 1), depth + 1));
+    }
+    return values;
+  }
+
+  static bool is_references(const Hdf5Handle& object, const std::string& place) {
+    return object.valid() && H5Iget_type(object.id()) == H5I_DATASET &&
+           hdf5_content(object.id()) == Hdf5Content::kReferences &&
+           !hdf5_text(object.id(), "MATLAB_class", place);
+  }
+
+  /// A struct of one element has its fields as members; of several, members that refer to one value
+  /// per element.
+  MatValue read_struct(hid_t group, const std::string& place, int depth) {
+    MatValue value;
+    value.kind = MatValue::Kind::kStruct;
+    value.sizes = {1, 1};
+    value.fields = hdf5_members(group, place);
+    std::vector<std::vector<MatValue>> columns;
+    std::size_t count = 1;
+    for (const std::string& field : value.fields) {
+      const std::string inside = place + "/" + printable(field);
+      const Hdf5Handle object = open_hdf5_object(group, field);
+      std::vector<MatValue> column;
+      if (is_references(object, inside)) {
+        value.sizes = sizes_of(object.id(), inside);
+        column = read_references(object.id(), value.count(), inside, depth);
+      } else {
+        column.push_back(read_object(object, inside, depth + 1));
+      }
+      if (columns.empty()) count = column.size();
+      if (column.size() != count) fail_hdf5(inside, fmt::format("{} elements", count));
+      columns.push_back(std::move(column));
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      for (auto& column : columns) value.children.push_back(std::move(column[i]));
+    }
+    return value;
+  }
+
+  std::string path_;
+  const MatReadOptions& options_;
+  hid_t file_;
+  Hdf5Progress progress_;
+  std::size_t values_ = 0;
+};
+
+}  // namespace
+
+MatTree mat73_tree(const std::string& path, const MatReadOptions& options) {
+  const Hdf5Handle file = open_hdf5(path);
+  return Mat73Reader(path, options, file.id()).read();
+}
+
+}  // namespace microslip

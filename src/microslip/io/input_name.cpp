@@ -1,8 +1,0 @@
-// SPDX-License-Identifier: MIT
-#include "microslip/io/input_name.hpp"
-
-namespace microslip {
-
-std::string input_name(const std::string& path) { return path == "-" ? "standard input" : path; }
-
-}  // namespace microslip

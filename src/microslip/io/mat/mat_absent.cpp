@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+
+// In place of what reads and writes files of MATLAB, see CMakeLists.txt.
+#include "microslip/io/mat/mat_absent.hpp"
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/hdf5/hdf5_contents.hpp"
+#include "microslip/io/mat/mat_recording.hpp"
+#include "microslip/io/mat/mat_value.hpp"
+
+namespace microslip {
+
+void refuse_matlab(const std::string& path) {
+  throw FileError(path, "is a file of MATLAB, without which this microslip was built",
+                  "Take another format, or build it with -DMICROSLIP_WITH_MAT=ON.");
+}
+
+Recordings read_recordings_mat(const std::string& path, std::string_view /*variable*/,
+                               const RecordingReadOptions& /*options*/) {
+  refuse_matlab(path);
+}
+
+void write_recordings_mat(const std::string& path, std::span<const Recording> /*recordings*/) {
+  refuse_matlab(path);
+}
+
+MatTree mat73_tree(const std::string& path, const MatReadOptions& /*options*/) {
+  refuse_matlab(path);
+}
+
+std::vector<double> read_mat_numbers(const std::string& path, std::string_view /*variable*/) {
+  refuse_matlab(path);
+}
+
+MatArray read_mat_array(const std::string& path, std::string_view /*variable*/) {
+  refuse_matlab(path);
+}
+
+std::string read_mat_text(const std::string& path, std::string_view /*variable*/) {
+  refuse_matlab(path);
+}
+
+std::vector<std::string> mat_fields(const std::string& path, std::string_view /*variable*/) {
+  refuse_matlab(path);
+}
+
+std::size_t mat_count(const std::string& path, std::string_view /*variable*/) {
+  refuse_matlab(path);
+}
+
+}  // namespace microslip

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "microslip/io/recordings/mat_tree.hpp"
+
+/// @file
+/// MAT files, whatever their version. Internal to io.
+
+namespace microslip {
+
+/// Reads a file of version 5 (compressed or not) or 7.3; or one of HDF5 that another program wrote:
+/// groups are structs, datasets of numbers arrays, transposed, and a group with `data`, `indices`
+/// and `indptr`, as SciPy has them, is a sparse matrix, transposed where its rows are compressed.
+/// @throws FileError    where it cannot be read.
+/// @throws FormatError  where it is no such file or is damaged.
+[[nodiscard]] MatTree read_mat_tree(const std::string& path, const MatReadOptions& options = {});
+
+}  // namespace microslip

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/mat/mat_foreign.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/bytes/text.hpp"
+#include "microslip/io/mat/mat_path.hpp"
+#include "microslip/io/mat/mat_units.hpp"
+#include "microslip/io/recordings/sampling.hpp"
+
+namespace microslip {
+namespace {
+
+using Kind = MatValue::Kind;
+
+constexpr std::array kNamesNames{"names", "channel_names", "labels"};
+constexpr std::array kValuesNames{"values", "data"};
+constexpr std::array kNameNames{"name", "channel_name", "label"};
+
+/// An array of a struct that could be a channel, several, or the axis.
+struct Array {
+  std::string name;
+  MatValue* value;
+  std::string unit;
+  std::vector<std::string> units = {};  ///< of its channels, where they differ
+};
+
+template <class Names>
+MatValue* first_field(MatValue& value, std::size_t element, const Names& names) {
+  for (const char* name : names) {
+    if (MatValue* found = field_of(value, element, name)) return found;
+  }
+  return nullptr;
+}
+
+bool is_numbers(const MatValue& value) {
+  return value.kind == Kind::kNumbers && value.sizes.size() == 2 && value.count() > 1;
+}
+
+/// What the numbers of a struct say of its points, else what was known before.
+Sampling sampling_of(MatValue& value, std::size_t element, Sampling known,
+                     const std::string& place) {
+  const auto number = [&](const auto& names) -> const double* {
+    const MatValue* found = first_field(value, element, names);
+    return found != nullptr && found->real.size() == 1 ? found->real.data() : nullptr;
+  };
+  if (const double* step = number(kStepNames)) {
+    known.step = *step;
+  } else if (const double* rate = number(kRateNames)) {
+    known.step = step_of_rate(*rate, place);
+  }
+  if (const double* start = number(kStartNames)) known.start = *start;
+  return known;
+}
+
+/// The columns of a matrix, or its rows where they are longer, as arrays of their own.
+std::vector<MatValue> parts_of(MatValue& value) {
+  std::vector<MatValue> parts;
+  if (value.is_vector()) {
+    parts.push_back(std::move(value));
+    return parts;
+  }
+  const std::size_t rows = value.sizes[0];
+  const std::size_t columns = value.sizes[1];
+  const bool by_row = columns > rows;
+  const auto take = [&](const std::vector<double>& from, std::size_t part) {
+    std::vector<double> to(from.empty() ? 0 : std::max(rows, columns));
+    for (std::size_t i = 0; i < to.size(); ++i) {
+      to[i] = by_row ? from[i * rows + part] : from[part * rows + i];
+    }
+    return to;
+  };
+  for (std::size_t part = 0; part < std::min(rows, columns); ++part) {
+    MatValue& added = parts.emplace_back();
+    added.kind = Kind::kNumbers;
+    added.real = take(value.real, part);
+    added.imaginary = take(value.imaginary, part);
+  }
+  return parts;
+}
+
+/// A struct as its arrays see it.
+struct Scope {
+  std::string inside;  ///< its path in the file
+  std::string place;   ///< with the file's name, for messages
+  Sampling sampling;
+  std::optional<PointsAxis> axis;
+  std::vector<std::string> names;  ///< of channels
+};
+
+/// Structs with values, but not over points of their own.
+bool is_channels(MatValue& value) {
+  if (value.kind != Kind::kStruct || value.count() == 0) return false;
+  for (std::size_t i = 0; i < value.count(); ++i) {
+    const MatValue* values = first_field(value, i, kValuesNames);
+    if (values == nullptr || !is_numbers(*values)) return false;
+    if (first_field(value, i, kTimeNames) != nullptr) return false;
+  }
+  return true;
+}
+
+/// Vectors and matrices of a struct, and structs in it that describe a channel.
+std::vector<Array> arrays_of(MatValue& value, std::size_t element) {
+  std::vector<Array> arrays;
+  for (std::size_t index = 0; index < value.fields.size(); ++index) {
+    const std::string& name = value.fields[index];
+    MatValue* field = field_at(value, element, index);
+    if (field == nullptr) continue;
+    if (is_numbers(*field)) arrays.push_back({name, field, {}});
+    if (!is_channels(*field)) continue;
+    for (std::size_t i = 0; i < field->count(); ++i) {
+      const std::string own = mat_text(first_field(*field, i, kNameNames));
+      const std::string number = field->count() == 1 ? "" : fmt::format("_{}", i + 1);
+      arrays.push_back({own.empty() ? name + number : own, first_field(*field, i, kValuesNames),
+                        mat_text(first_field(*field, i, kUnitNames))});
+    }
+  }
+  return arrays;
+}
+
+template <class Names>
+bool may_be_axis(const Array& array, const Names& names) {
+  return is_one_of(array.name, names) && array.value->is_vector() &&
+         array.value->imaginary.empty() && may_be_points(array.name, array.value->real);
+}
+
+/// The array that take_axis() will take; the number of arrays where there is none.
+std::size_t find_axis(const std::vector<Array>& arrays) {
+  const auto find = [&](const auto& names) {
+    const auto found =
+        std::ranges::find_if(arrays, [&](const Array& a) { return may_be_axis(a, names); });
+    return static_cast<std::size_t>(found - arrays.begin());
+  };
+  const std::size_t time = find(kTimeNames);
+  return time < arrays.size() ? time : find(kFrequencyNames);
+}
+
+std::size_t channels_of(const MatValue& value) {
+  return value.is_vector() ? 1 : std::min(value.sizes[0], value.sizes[1]);
+}
+
+/// Takes the points off the arrays.
+std::optional<PointsAxis> take_axis(std::vector<Array>& arrays, const Scope& scope) {
+  const auto take = [&](const auto& names, const Dimension& usual) -> std::optional<PointsAxis> {
+    const auto found =
+        std::ranges::find_if(arrays, [&](const Array& a) { return may_be_axis(a, names); });
+    if (found == arrays.end()) return std::nullopt;
+    std::vector<double> points = found->value->real;
+    const Dimension dimension = apply_axis_unit(points, found->unit, usual,
+                                                fmt::format("{}: {}", scope.place, found->name));
+    arrays.erase(found);
+    return axis_of_points(std::move(points), dimension,
+                          dimension == kTime ? scope.sampling.step : std::nullopt);
+  };
+  auto axis = take(kTimeNames, kTime);
+  return axis ? axis : take(kFrequencyNames, kFrequency);
+}
+
+class Collector {
+ public:
+  explicit Collector(const std::string& path) : path_(path) {}
+
+  /// A struct with all that lies in it. @param only  the one array to take; empty: all.
+  void read_struct(MatValue& value, std::size_t element, const Sampling& known,
+                   const std::string& inside, std::string_view only = {}) {
+    Scope scope;
+    scope.inside = inside;
+    scope.place = inside.empty() ? path_ : path_ + ":" + inside;
+    if (is_own_recording(value, element)) {
+      return keep(own_recording(value, element, scope.place));
+    }
+    scope.sampling = sampling_of(value, element, known, scope.place);
+    scope.names = mat_texts(first_field(value, element, kNamesNames));
+    std::vector<Array> arrays = arrays_of(value, element);
+    give_units(value, element, arrays, scope.place);
+    scope.axis = take_axis(arrays, scope);
+    if (!only.empty()) std::erase_if(arrays, [&](const Array& a) { return a.name != only; });
+    read_arrays(arrays, scope);
+    if (only.empty()) read_fields(value, element, scope);
+  }
+
+  void read_elements(MatValue& value, const Sampling& known, const std::string& inside) {
+    for (std::size_t i = 0; i < value.count(); ++i) {
+      read_struct(value, i, known,
+                  value.count() == 1 ? inside : fmt::format("{}({})", inside, i + 1));
+    }
+  }
+
+  Recordings finish() {
+    if (result_.recordings.empty()) fail_without_recording();
+    warn_without_rate(without_axis_, result_.warnings);
+    return std::move(result_);
+  }
+
+ private:
+  void keep(Recording recording) {
+    check_read(recording, path_);
+    result_.recordings.push_back(std::move(recording));
+  }
+
+  void give_units(MatValue& value, std::size_t element, std::vector<Array>& arrays,
+                  const std::string& place) {
+    const std::size_t axis = find_axis(arrays);
+    std::vector<UnitOfArray> units;
+    for (std::size_t i = 0; i < arrays.size(); ++i) {
+      const std::size_t channels = i == axis ? 0 : channels_of(*arrays[i].value);
+      units.push_back({arrays[i].name, channels, arrays[i].unit});
+    }
+    assign_units(value, element, first_field(value, element, kUnitNames), units, place,
+                 result_.warnings);
+    for (std::size_t i = 0; i < arrays.size(); ++i) {
+      arrays[i].unit = std::move(units[i].unit);
+      arrays[i].units = std::move(units[i].of_channels);
+    }
+  }
+
+  void read_arrays(const std::vector<Array>& arrays, const Scope& scope) {
+    std::vector<Recording> recordings;
+    for (const Array& array : arrays) {
+      const std::size_t points = std::ranges::max(array.value->sizes);
+      std::optional<Axis> axis;
+      if (scope.axis && scope.axis->points == points) {
+        axis = scope.axis->axis;
+      } else if (scope.sampling.step) {
+        axis = even_axis(scope.sampling);
+      } else {
+        without_axis_.push_back(fmt::format("{}: {}", scope.place, in_quotes(array.name)));
+        continue;
+      }
+      add_array(recordings, array, *axis, scope);
+    }
+    for (Recording& recording : recordings) keep(std::move(recording));
+  }
+
+  void add_array(std::vector<Recording>& recordings, const Array& array, const Axis& axis,
+                 const Scope& scope) {
+    const std::string source =
+        file_name(path_) + (scope.inside.empty() ? std::string{} : ":" + scope.inside);
+    std::vector<MatValue> parts = parts_of(*array.value);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      Channel channel;
+      channel.name = array.name;
+      if (parts.size() > 1) {
+        channel.name = scope.names.size() == parts.size() && !scope.names[i].empty()
+                           ? scope.names[i]
+                           : fmt::format("{}_{}", array.name, i + 1);
+      }
+      channel.values = std::move(parts[i].real);
+      channel.imaginary = std::move(parts[i].imaginary);
+      const bool listed = array.unit.empty() && i < array.units.size();
+      const std::string& unit = listed ? array.units[i] : array.unit;
+      apply_unit(channel, unit, scope.place, result_.warnings);
+      add_channel(recordings, source, axis, std::move(channel), array.name);
+    }
+  }
+
+  /// The structs in a struct, and those in its cells.
+  void read_fields(MatValue& value, std::size_t element, const Scope& scope) {
+    for (std::size_t index = 0; index < value.fields.size(); ++index) {
+      const std::string& name = value.fields[index];
+      MatValue* field = field_at(value, element, index);
+      if (field == nullptr) continue;
+      const std::string inside = scope.inside.empty() ? name : scope.inside + "." + name;
+      if (field->kind == Kind::kStruct && !is_channels(*field)) {
+        read_elements(*field, scope.sampling, inside);
+      }
+      if (field->kind != Kind::kCell) continue;
+      for (std::size_t i = 0; i < field->children.size(); ++i) {
+        MatValue& child = field->children[i];
+        if (child.kind != Kind::kStruct) continue;
+        read_elements(child, scope.sampling, fmt::format("{}{{{}}}", inside, i + 1));
+      }
+    }
+  }
+
+  [[noreturn]] void fail_without_recording() const {
+    if (without_axis_.empty()) {
+      throw FormatError({.file = path_}, "a vector of two numbers or more", "none");
+    }
+    throw FormatError({.file = without_axis_.front()}, "a sampling rate", "none",
+                      "Add a variable fs [Hz], or a vector time [s], to the struct or to the top "
+                      "of the file.");
+  }
+
+  std::string path_;
+  Recordings result_;
+  std::vector<std::string> without_axis_;
+};
+
+}  // namespace
+
+Recordings recordings_of(MatValue& root, std::string_view variable, const std::string& path) {
+  Collector collector(path);
+  if (variable.empty()) {
+    collector.read_struct(root, 0, {}, {});
+    return collector.finish();
+  }
+  const Sampling known = sampling_of(root, 0, {}, path);
+  const MatPlace place = follow(root, variable, path);
+  if (place.value->kind == Kind::kStruct && place.element) {
+    collector.read_struct(*place.value, *place.element, known, std::string(variable));
+  } else if (place.value->kind == Kind::kStruct) {
+    collector.read_elements(*place.value, known, std::string(variable));
+  } else if (is_numbers(*place.value) && !variable.ends_with('}')) {
+    const std::size_t dot = variable.rfind('.');
+    const bool top = dot == std::string_view::npos;
+    const std::string_view parent = variable.substr(0, top ? 0 : dot);
+    const MatPlace scope = follow(root, parent, path);
+    collector.read_struct(*scope.value, scope.element.value_or(0), known, std::string(parent),
+                          variable.substr(top ? 0 : dot + 1));
+  } else {
+    throw InputError(fmt::format("{}: {}", path, in_quotes(variable, 200)), describe(*place.value),
+                     "must be a struct or a vector");
+  }
+  return collector.finish();
+}
+
+}  // namespace microslip

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/mat/mat_stream.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+
+#include "microslip/io/bytes/input_file.hpp"
+
+namespace microslip {
+namespace {
+
+/// In one go, so that somebody who listens can stop the reading in between.
+constexpr std::size_t kPiece = std::size_t{64} << 20U;
+
+constexpr std::size_t kReportEvery = std::size_t{1} << 20U;
+
+/// Deflate makes no more of one byte (RFC 1951: 258 bytes of two bits, rounded up).
+constexpr std::size_t kLargestInflation = 1040;
+
+}  // namespace
+
+std::string MatStream::label() const { return fmt::format("{}, byte {}", name_, offset_); }
+
+void MatStream::fail(std::string_view expected, std::string_view found) const {
+  throw FormatError({.file = label()}, expected, found,
+                    "The file is damaged; save or copy it anew.");
+}
+
+void MatStream::fail_ended(std::string_view expected) const {
+  throw Ended({.file = label()}, expected, "the end of the file", "It is cut short; copy it anew.");
+}
+
+void MatStream::read(char* to, std::size_t size) {
+  while (size > 0) {
+    const std::size_t count = read_some(to, std::min(size, kPiece));
+    if (count == 0) fail_ended(fmt::format("{} more bytes", size));
+    offset_ += count;
+    to += count;
+    size -= count;
+  }
+}
+
+void MatStream::skip(std::size_t size) {
+  std::array<char, 4096> ignored;
+  while (size > 0) {
+    const std::size_t count = std::min(size, ignored.size());
+    read(ignored.data(), count);
+    size -= count;
+  }
+}
+
+MatFileStream::MatFileStream(const std::string& path, Progress progress)
+    : MatStream(path), progress_(std::move(progress)) {
+  (void)read_file_head(path, 1);  // says what hinders the reading better than a stream does
+  file_.open(path, std::ios::binary | std::ios::ate);
+  const std::streamoff size = file_.tellg();
+  if (size < 0) throw FileError(path, "cannot be read", "It must be a file, not a pipe.");
+  size_ = static_cast<std::size_t>(size);
+  file_.seekg(0);
+}
+
+std::size_t MatFileStream::read_some(char* to, std::size_t size) {
+  const std::streamsize count = file_.rdbuf()->sgetn(to, static_cast<std::streamsize>(size));
+  if (progress_ && offset() >= next_report_) {
+    if (!progress_(offset(), size_)) throw Cancelled();
+    next_report_ = offset() + kReportEvery;
+  }
+  return static_cast<std::size_t>(std::max<std::streamsize>(count, 0));
+}
+
+MatInflateStream::MatInflateStream(MatFileStream& file, std::size_t compressed)
+    : MatStream(file.label()), file_(file), compressed_(compressed) {
+  if (::inflateInit(&state_) != Z_OK) throw std::bad_alloc();
+}
+
+std::size_t MatInflateStream::at_most() const {
+  return (compressed_ + state_.avail_in + 1) * kLargestInflation;
+}
+
+void MatInflateStream::refill() {
+  const std::size_t count = std::min(compressed_, buffer_.size());
+  file_.read(buffer_.data(), count);
+  compressed_ -= count;
+  state_.next_in = reinterpret_cast<Bytef*>(buffer_.data());
+  state_.avail_in = static_cast<uInt>(count);
+}
+
+std::size_t MatInflateStream::read_some(char* to, std::size_t size) {
+  if (ended_) fail(fmt::format("{} more bytes", size), "the end of the compressed data");
+  state_.next_out = reinterpret_cast<Bytef*>(to);
+  state_.avail_out = static_cast<uInt>(size);
+  while (state_.avail_out == size && !ended_) {
+    if (state_.avail_in == 0) refill();
+    const int result = ::inflate(&state_, Z_NO_FLUSH);
+    ended_ = result == Z_STREAM_END;
+    if (ended_ || result == Z_OK) continue;
+    if (result == Z_BUF_ERROR && compressed_ > 0) continue;
+    if (result == Z_MEM_ERROR) throw std::bad_alloc();
+    fail("compressed data", result == Z_BUF_ERROR ? "their end" : "other bytes");
+  }
+  return size - state_.avail_out;
+}
+
+void MatInflateStream::finish() {
+  char more = 0;
+  if (!ended_ && read_some(&more, 1) != 0) fail("the end of the variable", "more bytes");
+  file_.skip(compressed_);
+}
+
+}  // namespace microslip

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/matrices/dmig_matrices.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <ranges>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/bytes/part_of_file.hpp"
+#include "microslip/io/bytes/text.hpp"
+#include "microslip/io/matrices/bulk_data.hpp"
+#include "microslip/io/matrices/symmetric_entries.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr std::size_t kDmigHead = 65536;
+constexpr std::int64_t kSquare = 1;
+constexpr std::int64_t kSymmetric = 6;
+constexpr std::size_t kColumnsField = 7;  // NCOL of a header
+constexpr std::size_t kHeadFields = 3;    // of a column: name, point and component come before
+constexpr std::size_t kLongestName =
+    16;  // the wide field's; that of eight columns has shorter ones
+constexpr std::size_t kNamesShown = 10;
+
+/// An entry as the file has it.
+struct DmigEntry {
+  DegreeOfFreedom row;
+  DegreeOfFreedom column;
+  double value;
+};
+
+struct DmigMatrix {
+  std::string name;
+  std::int64_t form = 0;    ///< 0 without a header
+  std::size_t columns = 0;  ///< as the header says; 0 where it does not
+  std::vector<DmigEntry> entries;
+};
+
+/// Of the fields i and i + 1.
+DegreeOfFreedom degree_at(const BulkData& data, std::size_t i) {
+  DegreeOfFreedom degree{.node = data.integer(i, "the number of a point")};
+  const BulkData::Field component = data.field(i + 1);
+  const std::int64_t number = component.text.empty() ? 0 : data.integer(i + 1, "a component");
+  if (number < 0 || number > static_cast<std::int64_t>(kNodalDirections)) {
+    throw FormatError(data.place(component), "a component from 0 to 6", in_quotes(component.text));
+  }
+  degree.direction = static_cast<NodalDirection>(std::max<std::int64_t>(number - 1, 0));
+  return degree;
+}
+
+/// The entries of one column: point, component, real and imaginary part each.
+void take_column(const BulkData& data, DmigMatrix& matrix) {
+  const DegreeOfFreedom column = degree_at(data, 1);
+  for (std::size_t i = kHeadFields + 1; i + 2 < data.size(); i += 4) {
+    const auto is_blank = [&](std::size_t at) { return data.field(at).text.empty(); };
+    if (is_blank(i) && is_blank(i + 1) && is_blank(i + 2) && is_blank(i + 3)) continue;
+    const DegreeOfFreedom row = degree_at(data, i);
+    const BulkData::Field imaginary = data.field(i + 3);
+    if (!imaginary.text.empty() && data.number(i + 3, "a number") != 0.0) {
+      throw FormatError(data.place(imaginary), "no imaginary part", in_quotes(imaginary.text));
+    }
+    matrix.entries.push_back({row, column, data.number(i + 2, "a number")});
+  }
+}
+
+/// The matrix that is asked for, of a file that may have several; their names in order.
+class DmigFile {
+ public:
+  explicit DmigFile(const DmigSource& source) : source_(source) {
+    BulkData data(source.text, source.file);
+    while (data.next()) {
+      if (data.name() == "DMIG") take(data);
+    }
+    if (data.name() == "DMIG" && !source.text.ends_with('\n')) {
+      throw FormatError(data.place({}), "an end of line behind the last entry",
+                        "the end of the file: is it cut?");
+    }
+  }
+
+  DmigMatrix chosen() {
+    const std::vector<std::string> candidates = this->candidates();
+    if (candidates.size() != 1) refuse(candidates.size());
+    DmigMatrix& matrix = matrices_.at(candidates.front());
+    matrix.name = candidates.front();
+    if (!is_square(matrix)) {
+      throw InputError(fmt::format("{}: {}", source_.file, matrix.name), form_text(matrix),
+                       "must be of form 6, symmetric, or 1, square");
+    }
+    if (source_.initial == 'K') require_columns(matrix);
+    return std::move(matrix);
+  }
+
+ private:
+  void take(const BulkData& data) {
+    const BulkData::Field field = data.field(0);
+    if (field.text.size() > kLongestName) {
+      throw FormatError(data.place(field),
+                        fmt::format("the name of a matrix, at most {} bytes", kLongestName),
+                        in_quotes(field.text));
+    }
+    const std::string name = in_capitals(field.text);
+    if (!wanted(name)) {
+      others_.insert(name);
+      return;
+    }
+    DmigMatrix& matrix = matrices_[name];
+    const bool heads = data.field(1).text == "0";  // GJ of a column is above 0
+    if (heads) {
+      matrix.form = data.integer(2, "the form of the matrix");
+      if (data.integer(3, "the type of the numbers") > 2) {
+        throw FormatError(data.place(data.field(3)), "real numbers, of type 1 or 2",
+                          in_quotes(data.field(3).text));
+      }
+      const bool told = !data.field(kColumnsField).text.empty();
+      if (told) {
+        matrix.columns =
+            static_cast<std::size_t>(data.integer(kColumnsField, "the number of columns"));
+      }
+    } else {
+      take_column(data, matrix);
+    }
+  }
+
+  [[nodiscard]] bool wanted(const std::string& name) const {
+    if (!source_.name.empty()) return name == in_capitals(source_.name);
+    return !name.empty() && name.front() == source_.initial;
+  }
+
+  static bool is_square(const DmigMatrix& matrix) {
+    return matrix.form == kSquare || matrix.form == kSymmetric;
+  }
+
+  static std::string form_text(const DmigMatrix& matrix) {
+    return matrix.form == 0 ? "without a header" : fmt::format("of form {}", matrix.form);
+  }
+
+  /// A stiffness has no column without entries: where some are missing the file is cut.
+  void require_columns(const DmigMatrix& matrix) const {
+    std::set<DegreeOfFreedom> columns;
+    for (const DmigEntry& entry : matrix.entries) columns.insert(entry.column);
+    if (matrix.columns == 0 || columns.size() == matrix.columns) return;
+    throw InputError(
+        fmt::format("{}: {}", source_.file, matrix.name), fmt::format("{} columns", columns.size()),
+        fmt::format("must have {}, as its header says", matrix.columns), "Is the file cut?");
+  }
+
+  /// Of those that no name was given for the square ones alone.
+  [[nodiscard]] std::vector<std::string> candidates() const {
+    std::vector<std::string> names;
+    for (const auto& [name, matrix] : matrices_) {
+      if (!source_.name.empty() || is_square(matrix)) names.push_back(name);
+    }
+    return names;
+  }
+
+  [[noreturn]] void refuse(std::size_t found) const {
+    std::set<std::string> names = others_;
+    for (const auto& [name, matrix] : matrices_) {
+      names.insert(is_square(matrix) ? name : fmt::format("{} ({})", name, form_text(matrix)));
+    }
+    std::string there;
+    for (const std::string& name : names | std::views::take(kNamesShown)) {
+      there += (there.empty() ? "" : ", ") + name;
+    }
+    if (names.size() > kNamesShown)
+      there += fmt::format(" and {} more", names.size() - kNamesShown);
+    throw InputError(source_.file,
+                     source_.name.empty() ? fmt::format("{} matrices {}…", found, source_.initial)
+                                          : fmt::format("no matrix {}", source_.name),
+                     source_.name.empty()
+                         ? "must have one whose name begins so, or be named behind a colon"
+                         : "must be one of the file",
+                     fmt::format("It has {}.", there.empty() ? "no entries DMIG" : there));
+  }
+
+  const DmigSource& source_;
+  std::map<std::string, DmigMatrix> matrices_;
+  std::set<std::string> others_;
+};
+
+void add_degrees(const DmigMatrix& matrix, std::vector<DegreeOfFreedom>& degrees) {
+  for (const DmigEntry& entry : matrix.entries) {
+    degrees.push_back(entry.row);
+    degrees.push_back(entry.column);
+  }
+  std::ranges::sort(degrees);
+  const auto [first, last] = std::ranges::unique(degrees);
+  degrees.erase(first, last);
+}
+
+/// Of one place twice, as where both triangles of a symmetric matrix are there, the sum would be
+/// taken.
+void require_single(const MatrixEntries& entries, const std::vector<DegreeOfFreedom>& degrees,
+                    const std::string& name) {
+  std::vector<std::pair<std::int32_t, std::int32_t>> places;
+  places.reserve(entries.value.size());
+  for (std::size_t i = 0; i < entries.value.size(); ++i) {
+    places.emplace_back(entries.row[i], entries.column[i]);
+  }
+  std::ranges::sort(places);
+  const auto twice = std::ranges::adjacent_find(places);
+  if (twice == places.end()) return;
+  const auto text = [&](std::int32_t i) {
+    const DegreeOfFreedom& degree = degrees[static_cast<std::size_t>(i)];
+    return fmt::format("{} of {}", kNodalDirectionNames[static_cast<std::size_t>(degree.direction)],
+                       degree.node);
+  };
+  throw InputError(name, fmt::format("{} and {}", text(twice->first), text(twice->second)),
+                   "must have one entry: a matrix of form 6 has one triangle, and none is there "
+                   "twice");
+}
+
+/// A symmetric one has each pair once, in whichever triangle.
+SymmetricEntries entries_of(const DmigMatrix& matrix, const std::vector<DegreeOfFreedom>& degrees,
+                            const std::string& file) {
+  const auto index = [&](const DegreeOfFreedom& degree) {
+    return static_cast<std::int32_t>(std::ranges::lower_bound(degrees, degree) - degrees.begin());
+  };
+  MatrixEntries entries{.size = degrees.size(), .row = {}, .column = {}, .value = {}};
+  const auto add = [&](std::int32_t row, std::int32_t column, double value) {
+    entries.row.push_back(row);
+    entries.column.push_back(column);
+    entries.value.push_back(value);
+  };
+  for (const DmigEntry& entry : matrix.entries) {
+    const std::int32_t row = index(entry.row);
+    const std::int32_t column = index(entry.column);
+    if (matrix.form == kSquare) {
+      add(row, column, entry.value);
+    } else {
+      add(std::max(row, column), std::min(row, column), entry.value);
+    }
+  }
+  const std::string name = fmt::format("{}: {}", file, matrix.name);
+  require_single(entries, degrees, name);
+  if (matrix.form == kSquare) {
+    return symmetric_of_both(entries, name, "A matrix of one triangle has form 6.");
+  }
+  return symmetric_of_triangle(std::move(entries), name);
+}
+
+}  // namespace
+
+bool is_dmig(std::string_view head) {
+  BulkData data(head.substr(0, head.rfind('\n')), "");
+  try {
+    while (data.next()) {
+      if (data.name() == "DMIG") return true;
+    }
+  } catch (const FormatError&) {  // of a tab, which is told when all is read
+    return data.name() == "DMIG";
+  }
+  return false;
+}
+
+bool is_dmig_file(const std::string& path) {
+  return is_dmig(read_file_head(part_of_file(path).file, kDmigHead));
+}
+
+StructuralMatrices read_dmig_matrices(const std::string& stiffness, const std::string& mass) {
+  const PartOfFile k = part_of_file(stiffness);
+  const PartOfFile m = part_of_file(mass);
+  const std::string text = read_file(k.file);
+  const std::string other = m.file == k.file ? std::string() : read_file(m.file);
+  return parse_dmig_matrices(
+      {.text = text, .file = input_name(k.file), .name = k.variable, .initial = 'K'},
+      {.text = m.file == k.file ? text : other,
+       .file = input_name(m.file),
+       .name = m.variable,
+       .initial = 'M'});
+}
+
+StructuralMatrices parse_dmig_matrices(const DmigSource& stiffness, const DmigSource& mass) {
+  const DmigMatrix k = DmigFile(stiffness).chosen();
+  const DmigMatrix m = DmigFile(mass).chosen();
+  StructuralMatrices matrices;
+  add_degrees(k, matrices.degrees);
+  add_degrees(m, matrices.degrees);
+  matrices.stiffness = entries_of(k, matrices.degrees, stiffness.file);
+  matrices.mass = entries_of(m, matrices.degrees, mass.file);
+  return matrices;
+}
+
+}  // namespace microslip

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/matrices/mesh_input.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/bytes/text.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr int kDeepestInclude = 16;
+/// Longer lines are none of the format; the name goes into messages.
+constexpr std::size_t kLongestInclude = 256;
+/// That GENERATE and sets in sets put there: more than the nodes of any mesh that is taken.
+constexpr std::size_t kMostInSets = kMostDegreesOfFreedom / 2;
+
+/// The cells between commas, without blanks; a comma at the end of the line begins none.
+std::vector<std::string_view> cells_of(std::string_view line) {
+  std::vector<std::string_view> cells;
+  while (true) {
+    const std::size_t comma = line.find(',');
+    cells.push_back(trimmed(line.substr(0, comma)));
+    if (comma == std::string_view::npos) break;
+    line.remove_prefix(comma + 1);
+  }
+  if (cells.back().empty()) cells.pop_back();
+  return cells;
+}
+
+template <class Number>
+std::optional<Number> number_of(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (text.empty() || error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+class InputReader {
+ public:
+  explicit InputReader(double length_unit) : length_unit_(length_unit) {}
+
+  void read(std::string_view text, const std::string& file, int depth) {
+    std::size_t number = 0;
+    Section section;
+    while (!text.empty()) {
+      const std::size_t end = text.find('\n');
+      std::string_view line = text.substr(0, end);
+      text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+      ++number;
+      if (line.ends_with('\r')) line.remove_suffix(1);
+      line = trimmed(line);
+      const TextPlace place{file, number, 0};
+      if (line.empty() || line.starts_with("**")) continue;
+      if (line.starts_with('*')) {
+        section = open_section(line, place, depth);
+      } else if (section.kind == Section::kNodes) {
+        add_node(line, place, section.set);
+      } else if (section.kind == Section::kSet) {
+        add_to_set(line, place, section);
+      }
+    }
+  }
+
+  MeshFile result() && {
+    MeshFile mesh{std::move(nodes_), {}};
+    for (const std::string& name : order_) {
+      std::vector<std::int64_t>& nodes = sets_[name];
+      std::ranges::sort(nodes);
+      nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
+      mesh.sets.push_back({name, std::move(nodes)});
+    }
+    return mesh;
+  }
+
+ private:
+  struct Section {
+    enum Kind { kOther, kNodes, kSet };
+    Kind kind = kOther;
+    std::string set;  ///< empty where nodes are in none
+    bool generate = false;
+  };
+
+  Section open_section(std::string_view line, const TextPlace& place, int depth) {
+    const std::vector<std::string_view> cells = cells_of(line);
+    const std::string keyword = in_capitals(cells.front());
+    Section section;
+    std::string include;
+    for (std::size_t i = 1; i < cells.size(); ++i) {
+      const std::size_t equals = cells[i].find('=');
+      const std::string key = in_capitals(trimmed(cells[i].substr(0, equals)));
+      const std::string_view value =
+          equals == std::string_view::npos ? "" : trimmed(cells[i].substr(equals + 1));
+      if (key == "NSET") section.set = in_capitals(value);
+      if (key == "GENERATE") section.generate = true;
+      if (key == "INPUT") include = value;
+    }
+    if (keyword == "*NODE") section.kind = Section::kNodes;
+    if (keyword == "*NSET") section.kind = Section::kSet;
+    if (section.kind == Section::kSet && section.set.empty()) {
+      throw FormatError(place, "*NSET, NSET=NAME", in_quotes(line));
+    }
+    if (keyword == "*INCLUDE") include_file(include, place, depth);
+    if (keyword == "*SYSTEM") {
+      throw FormatError(place, "nodes in global coordinates", "*SYSTEM",
+                        "Give the nodes in a table: node [1], x [m], y [m], z [m].");
+    }
+    if (section.kind != Section::kOther && !section.set.empty()) set_of(section.set);
+    return section;
+  }
+
+  void include_file(const std::string& include, const TextPlace& place, int depth) {
+    if (include.empty()) throw FormatError(place, "*INCLUDE, INPUT=FILE", "no file");
+    if (include.size() > kLongestInclude) {
+      throw FormatError(place, fmt::format("a name of at most {} bytes", kLongestInclude),
+                        in_quotes(include));
+    }
+    if (depth == kDeepestInclude) {
+      throw InputError(fmt::format("{}: INPUT", place_text(place)), in_quotes(include),
+                       fmt::format("must not be the {}th file within another", depth + 1),
+                       "Do files include each other?");
+    }
+    const std::string path = (std::filesystem::path(place.file).parent_path() / include).string();
+    read(read_file(path), path, depth + 1);
+  }
+
+  std::vector<std::int64_t>& set_of(const std::string& name) {
+    const auto [found, is_new] = sets_.try_emplace(name);
+    if (is_new) order_.push_back(name);
+    return found->second;
+  }
+
+  static std::int64_t node_number(std::string_view cell, const TextPlace& place) {
+    const std::optional<std::int64_t> number = number_of<std::int64_t>(cell);
+    if (number && *number > 0) return *number;
+    throw FormatError(place, "the number of a node", in_quotes(cell));
+  }
+
+  void add_node(std::string_view line, const TextPlace& place, const std::string& set) {
+    const std::vector<std::string_view> cells = cells_of(line);
+    MeshNode node{.number = node_number(cells.front(), place), .position = {}};
+    for (std::size_t k = 0; k < 3 && k + 1 < cells.size(); ++k) {
+      const std::optional<double> value = number_of<double>(cells[k + 1]);
+      if (!value || !std::isfinite(*value)) {
+        throw FormatError(place, "a coordinate", in_quotes(cells[k + 1]));
+      }
+      node.position[k] = *value * length_unit_;
+    }
+    if (!set.empty()) set_of(set).push_back(node.number);
+    nodes_.push_back(node);
+  }
+
+  void add_to_set(std::string_view line, const TextPlace& place, const Section& section) {
+    std::vector<std::int64_t>& set = set_of(section.set);
+    const std::vector<std::string_view> cells = cells_of(line);
+    if (section.generate) {
+      generate(cells, place, set);
+      return;
+    }
+    for (const std::string_view cell : cells) {
+      if (const auto other = sets_.find(in_capitals(cell)); other != sets_.end()) {
+        if (&other->second != &set) add_all(other->second, place, set);
+      } else {
+        set.push_back(node_number(cell, place));
+      }
+    }
+  }
+
+  /// The nodes of another set. Sets of sets grow by each of them.
+  void add_all(const std::vector<std::int64_t>& nodes, const TextPlace& place,
+               std::vector<std::int64_t>& set) {
+    count(nodes.size(), place);
+    set.insert(set.end(), nodes.begin(), nodes.end());
+  }
+
+  void count(std::size_t added, const TextPlace& place) {
+    entries_ += added;
+    if (entries_ <= kMostInSets) return;
+    throw FormatError(place, fmt::format("up to {} nodes in all sets", kMostInSets),
+                      fmt::format("{}", entries_));
+  }
+
+  void generate(const std::vector<std::string_view>& cells, const TextPlace& place,
+                std::vector<std::int64_t>& set) {
+    if (cells.size() < 2) throw FormatError(place, "the first and last node of GENERATE", "one");
+    const std::int64_t first = node_number(cells[0], place);
+    const std::int64_t last = node_number(cells[1], place);
+    const std::int64_t step = cells.size() > 2 ? node_number(cells[2], place) : 1;
+    if (last < first) {
+      throw FormatError(place, "the first node before the last",
+                        fmt::format("{} to {}", first, last));
+    }
+    const std::size_t nodes = static_cast<std::size_t>((last - first) / step) + 1;
+    count(nodes, place);
+    set.reserve(set.size() + nodes);
+    for (std::size_t i = 0; i < nodes; ++i) {
+      set.push_back(first + static_cast<std::int64_t>(i) * step);
+    }
+  }
+
+  double length_unit_;
+  std::vector<MeshNode> nodes_;
+  std::map<std::string, std::vector<std::int64_t>> sets_;
+  std::vector<std::string> order_;
+  std::size_t entries_ = 0;  // of sets, from ranges and other sets
+};
+
+}  // namespace
+
+MeshFile parse_mesh_input(std::string_view text, const std::string& file, double length_unit) {
+  InputReader reader(length_unit);
+  reader.read(text, file, 0);
+  return std::move(reader).result();
+}
+
+}  // namespace microslip

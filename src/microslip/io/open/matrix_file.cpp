@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/open/matrix_file.hpp"
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/bytes/part_of_file.hpp"
+#include "microslip/io/bytes/signature.hpp"
+#include "microslip/io/bytes/text.hpp"
+#include "microslip/io/matrices/mat_entries.hpp"
+#include "microslip/io/matrices/matrix_market.hpp"
+#include "microslip/io/matrices/symmetric_entries.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr std::size_t kSignatureSize = 128;
+
+}  // namespace
+
+SymmetricEntries read_matrix_file(const std::string& path) {
+  const PartOfFile part = part_of_file(path);
+  const std::string_view kind = signature(read_file_head(part.file, kSignatureSize));
+  if (kind == "a MATLAB file" || kind == "an HDF5 file") {
+    return symmetric_of_both(read_mat_entries(part.file, part.variable), path,
+                             "Where one triangle alone is stored, store both.");
+  }
+  if (part.variable.empty()) return read_matrix_market(path);
+  throw InputError(part.file, in_quotes(":" + part.variable),
+                   "must follow a file of MATLAB or HDF5, to name a matrix in it");
+}
+
+}  // namespace microslip

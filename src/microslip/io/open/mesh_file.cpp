@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/open/mesh_file.hpp"
+
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/base/units.hpp"
+#include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/bytes/text.hpp"
+#include "microslip/io/matrices/mesh_input.hpp"
+#include "microslip/io/matrices/uff_nodes.hpp"
+#include "microslip/io/tables/csv.hpp"
+#include "microslip/io/uff/uff_envelope.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr std::size_t kHead = 65536;
+
+/// The first line that is neither blank nor a comment of a table.
+std::string_view first_line(std::string_view head) {
+  if (head.starts_with(kByteOrderMark)) head.remove_prefix(kByteOrderMark.size());
+  while (!head.empty()) {
+    const std::size_t end = head.find('\n');
+    std::string_view line = head.substr(0, end);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (!trimmed(line).empty() && !trimmed(line).starts_with('#')) return line;
+    head.remove_prefix(end == std::string_view::npos ? head.size() : end + 1);
+  }
+  return {};
+}
+
+MeshFile parse_node_table(std::string text, const std::string& file) {
+  const CsvTable table(std::move(text), file);
+  const std::vector<double> number = table.numbers("node", kDimensionless);
+  const std::vector<double> x = table.numbers("x", kLength);
+  const std::vector<double> y = table.numbers("y", kLength);
+  const std::vector<double> z = table.numbers("z", kLength);
+  MeshFile mesh;
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    const bool whole = number[i] >= 1.0 && number[i] <= 1e15 && number[i] == std::floor(number[i]);
+    if (!whole) table.reject(i, "node", "the number of a node");
+    mesh.nodes.push_back({static_cast<std::int64_t>(number[i]), {x[i], y[i], z[i]}});
+  }
+  return mesh;
+}
+
+}  // namespace
+
+MeshFile read_mesh(const std::string& path, double length_unit) {
+  const std::string head = read_file_head(path, kHead);
+  const std::string_view line = first_line(head);
+  MeshFile mesh;
+  if (is_uff_marker(line)) {
+    mesh = read_uff_nodes(path, length_unit);
+  } else if (trimmed(line).starts_with('*')) {
+    mesh = parse_mesh_input(read_file(path), path, length_unit);
+  } else {
+    mesh = parse_node_table(read_file(path), path);
+  }
+  if (!mesh.nodes.empty() || !mesh.sets.empty()) return mesh;
+  throw FormatError({path, 0, 0},
+                    "nodes: *NODE of CalculiX, datasets 15 or 2411, or a table node, x, y, z",
+                    "none");
+}
+
+}  // namespace microslip

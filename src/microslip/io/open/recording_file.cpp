@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/open/recording_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/base/plausibility.hpp"
+#include "microslip/io/bytes/input_stream.hpp"
+#include "microslip/io/bytes/signature.hpp"
+#include "microslip/io/bytes/text.hpp"
+#include "microslip/io/hdf5/hdf5_recording.hpp"
+#include "microslip/io/kinds/file_kind.hpp"
+#include "microslip/io/mat/mat_recording.hpp"
+#include "microslip/io/output/write_error.hpp"
+#include "microslip/io/recordings/recording_csv.hpp"
+#include "microslip/io/uff/uff_recording.hpp"
+
+namespace microslip {
+namespace {
+
+struct FormatEntry {
+  std::string_view name;  ///< on the command line
+  RecordingFormat format;
+  std::string_view kind;
+};
+
+constexpr std::array kFormats{
+    FormatEntry{"csv", RecordingFormat::kCsv, ""},
+    FormatEntry{"uff", RecordingFormat::kUffBinary, "a universal file"},
+    FormatEntry{"uff-ascii", RecordingFormat::kUff, "a universal file"},
+    FormatEntry{"mat", RecordingFormat::kMat, "a MATLAB file"},
+    FormatEntry{"h5", RecordingFormat::kHdf5, "an HDF5 file"},
+};
+
+struct Ending {
+  std::string_view text;
+  RecordingFormat format;
+};
+
+constexpr std::array kEndings{
+    Ending{".csv", RecordingFormat::kCsv},       Ending{".uff", RecordingFormat::kUffBinary},
+    Ending{".unv", RecordingFormat::kUffBinary}, Ending{".uf", RecordingFormat::kUffBinary},
+    Ending{".mat", RecordingFormat::kMat},       Ending{".h5", RecordingFormat::kHdf5},
+    Ending{".hdf5", RecordingFormat::kHdf5},
+};
+
+/// HDF5 may begin after 512 bytes, 1024, and so on.
+bool is_hdf5_after_other(std::string_view head) {
+  for (std::size_t start = 512; start < head.size(); start *= 2) {
+    if (signature(head.substr(start)) == "an HDF5 file") return true;
+  }
+  return false;
+}
+
+/// Whether a line of a universal file announces binary data.
+bool has_binary_dataset(std::string_view head) {
+  return head.find("\n    58b") != std::string_view::npos;
+}
+
+constexpr std::string_view kExpected = "a recording in CSV, a universal file, MATLAB or HDF5";
+
+RecordingFormat format_of(std::string_view head, const std::string& name) {
+  const std::string_view found = signature(head);
+  if (found == "a universal file") {
+    return has_binary_dataset(head) ? RecordingFormat::kUffBinary : RecordingFormat::kUff;
+  }
+  if (found == "a MATLAB file") return RecordingFormat::kMat;
+  if (found == "an HDF5 file" || (found.empty() && is_hdf5_after_other(head))) {
+    return RecordingFormat::kHdf5;
+  }
+  if (found.empty()) return RecordingFormat::kCsv;
+  const KnownKind* const known = known_kind_of(head);
+  if (known != nullptr) {
+    throw FormatError({name, 0, 0}, kExpected, known->words, "Is it the right file?");
+  }
+  throw FormatError({name, 0, 0}, kExpected, found, remedy_for_signature(found));
+}
+
+void require_rewind(InputStream& file) {
+  if (file.rewind()) return;
+  throw FileError(file.name(), "is a pipe, which takes recordings in CSV alone",
+                  "Save them in a file and name that.");
+}
+
+Recordings read_format(InputStream& file, const PartOfFile& part,
+                       const RecordingReadOptions& options) {
+  const std::string_view head = file.peek(kKindHeadSize);
+  const RecordingFormat format = format_of(head, file.name());
+  const KnownKind* const known = known_kind_of(head);
+  if (known != nullptr && !known->is_recording) {
+    throw FormatError({file.name(), 0, 0}, kExpected, known->words, "Is it the right file?");
+  }
+  if (!part.variable.empty() && format != RecordingFormat::kMat) {
+    throw InputError(part.file, in_quotes(":" + part.variable),
+                     "must follow a MATLAB file, to name a variable in it",
+                     "Name the file alone; all its recordings are read.");
+  }
+  if (format == RecordingFormat::kCsv) return read_recordings_csv(file, options);
+  if (format == RecordingFormat::kUff || format == RecordingFormat::kUffBinary) {
+    require_rewind(file);  // "-" is read on from where it stands
+    return read_recordings_uff(part.file, options);
+  }
+  if (part.file == "-") {
+    throw FileError(file.name(), "takes recordings in CSV or a universal file alone",
+                    "Save them in a file and name that.");
+  }
+  return format == RecordingFormat::kMat ? read_recordings_mat(part.file, part.variable, options)
+                                         : read_recordings_hdf5(part.file, options);
+}
+
+void write_csv(OutputFiles& files, const std::string& path, std::span<const Recording> recordings) {
+  if (recordings.size() != 1) {
+    throw InputError(path, fmt::format("{} recordings", recordings.size()),
+                     "must be one in a CSV file",
+                     "Choose one of them, or a format that holds several: uff, mat or h5.");
+  }
+  if (path == "-") {
+    files.add(path, format_recording_csv(recordings.front()));
+  } else {
+    write_recording_csv(files.stage(path), recordings.front());
+  }
+}
+
+void write_format(OutputFiles& files, const std::string& path,
+                  std::span<const Recording> recordings, RecordingFormat format) {
+  switch (format) {
+    case RecordingFormat::kCsv:
+      return write_csv(files, path, recordings);
+    case RecordingFormat::kUff:
+    case RecordingFormat::kUffBinary:
+      return write_recordings_uff(files.stage(path), recordings,
+                                  format == RecordingFormat::kUffBinary);
+    case RecordingFormat::kMat:
+      return write_recordings_mat(files.stage(path), recordings);
+    case RecordingFormat::kHdf5:
+      return write_recordings_hdf5(files.stage(path), recordings);
+  }
+}
+
+}  // namespace
+
+RecordingFormat recording_format(const std::string& path) {
+  InputStream file(path);
+  const RecordingFormat format = format_of(file.peek(kKindHeadSize), file.name());
+  if (path == "-") require_rewind(file);
+  return format;
+}
+
+std::optional<RecordingFormat> find_recording_format_of_name(std::string_view path) {
+  std::string name(path);
+  std::ranges::transform(name, name.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  const auto* found =
+      std::ranges::find_if(kEndings, [&](const Ending& e) { return name.ends_with(e.text); });
+  if (found == kEndings.end()) return std::nullopt;
+  return found->format;
+}
+
+RecordingFormat recording_format_of_name(std::string_view path) {
+  if (path == "-") return RecordingFormat::kCsv;
+  if (const auto format = find_recording_format_of_name(path)) return *format;
+  throw InputError("name of the output", in_quotes(path),
+                   "must end in .csv, .uff, .unv, .uf, .mat, .h5 or .hdf5",
+                   "Or give the format with `format`.");
+}
+
+std::optional<RecordingFormat> find_recording_format(std::string_view name) {
+  const auto* found = std::ranges::find(kFormats, name, &FormatEntry::name);
+  if (found == kFormats.end()) return std::nullopt;
+  return found->format;
+}
+
+std::string_view recording_kind(RecordingFormat format) {
+  return std::ranges::find(kFormats, format, &FormatEntry::format)->kind;
+}
+
+Recordings read_recordings(const std::string& path, const RecordingReadOptions& options) {
+  const PartOfFile part = part_of_file(path);
+  InputStream file(part.file);
+  Recordings result = read_format(file, part, options);
+  finish_units(options.assumed_units, result);
+  return result;
+}
+
+void finish_units(const AssumedUnits& units, Recordings& recordings) {
+  assume_units(units, recordings.recordings);
+  for (const Recording& recording : recordings.recordings) {
+    for (const Channel& channel : recording.channels) {
+      if (!channel.dimension || !channel.imaginary.empty()) continue;
+      const auto [least, greatest] = std::ranges::minmax(channel.values);
+      const double amplitude = 0.5 * greatest - 0.5 * least;
+      auto warning = implausible_value(
+          fmt::format("{}: channel {}", recording.source, in_quotes(channel.name)),
+          *channel.dimension, amplitude);
+      if (warning) recordings.warnings.push_back(*std::move(warning));
+    }
+  }
+}
+
+void write_recordings(OutputFiles& files, const std::string& path,
+                      std::span<const Recording> recordings, RecordingFormat format) {
+  try {
+    write_format(files, path, recordings, format);
+  } catch (const WriteError& error) {
+    throw error.renamed(path);  // its own is that of a temporary file
+  }
+}
+
+}  // namespace microslip

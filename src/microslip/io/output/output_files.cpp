@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/output/output_files.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/bytes/file_descriptor.hpp"
+#include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/bytes/sha256.hpp"
+#include "microslip/io/kinds/file_kind.hpp"
+#include "microslip/io/output/file_output.hpp"
+#include "microslip/io/output/write_error.hpp"
+
+namespace microslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of the name that the old file has while it is replaced.
+constexpr const char* kOldSuffix = ".old";
+/// Of the name of a file until it has its own.
+constexpr std::string_view kStagedEnding = ".tmp";
+
+[[noreturn]] void fail_twice(std::string_view path) {
+  throw FileError(path, "would be written twice", "Choose different names.");
+}
+
+[[noreturn]] void fail_twice_on_standard_output() {
+  throw FileError(kStandardOutput, "would be written twice", "Name a file for one of them.");
+}
+
+std::string folder_of(const std::string& target) {
+  const std::string folder = fs::path(target).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+/// The file behind a link, so that writing to the link does not replace it.
+std::string behind_links(const std::string& path) {
+  struct stat status {};
+  if (::lstat(path.c_str(), &status) != 0 || !S_ISLNK(status.st_mode)) return path;
+  std::error_code error;
+  const fs::path target = fs::canonical(path, error);
+  if (error) throw FileError(path, "is a link to nothing", "Remove it or choose another name.");
+  return target.string();
+}
+
+/// Of two names of one file, or of one that is to be.
+bool is_same_file(const std::string& a, const std::string& b) {
+  return fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));
+}
+
+void check_folder(const std::string& path, const std::string& target) {
+  const std::string folder = folder_of(target);
+  struct stat status {};
+  if (::stat(folder.c_str(), &status) != 0) {
+    if (errno != ENOENT) fail_to_write(path, errno);
+    throw FileError(path, fmt::format("cannot be written: there is no folder '{}'", folder),
+                    "Create it first.");
+  }
+  if (!S_ISDIR(status.st_mode)) {
+    throw FileError(path, fmt::format("cannot be written: '{}' is no folder", folder),
+                    "Choose another name.");
+  }
+  if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0)
+    fail_to_write(path, errno);
+}
+
+/// Where a path leads, and what is there to be replaced.
+struct OutputTarget {
+  std::string file;
+  std::optional<struct stat> replaced;
+};
+
+void check_replaceable(const std::string& path, const OutputTarget& target) {
+  if (!target.replaced) return;
+  if (S_ISDIR(target.replaced->st_mode)) {
+    throw FileError(path, "is a folder and cannot be replaced", "Name a file in it.");
+  }
+  if (!S_ISREG(target.replaced->st_mode)) {
+    throw FileError(path, "is no regular file and cannot be replaced",
+                    "Write to - and redirect standard output.");
+  }
+  if (::faccessat(AT_FDCWD, target.file.c_str(), W_OK, AT_EACCESS) != 0) {
+    throw FileError(path, "is closed to writing", "Choose another name or change its permissions.");
+  }
+}
+
+OutputTarget checked_target(const std::string& path) {
+  if (path.empty() || path.find('\0') != std::string::npos) {
+    throw FileError(path.empty() ? "''" : path.c_str(), "is no name of a file");
+  }
+  OutputTarget target{.file = behind_links(path), .replaced = {}};
+  check_folder(path, target.file);
+  struct stat status {};
+  if (::stat(target.file.c_str(), &status) == 0) {
+    target.replaced = status;
+  } else if (errno != ENOENT) {
+    fail_to_write(path, errno);
+  }
+  check_replaceable(path, target);
+  return target;
+}
+
+void check_kind(const std::string& path, const std::string& target, std::string_view kind) {
+  const std::string old_head = read_kind_head(target);
+  if (old_head.empty()) return;
+  const std::string old_kind = file_kind(old_head);
+  if (!kind.empty() && old_kind == kind) return;
+  throw FileError(path,
+                  fmt::format("exists and holds {}; it would be replaced by {}",
+                              old_kind.empty() ? "something else" : old_kind,
+                              kind.empty() ? "something else" : kind),
+                  "Remove it or choose another name.");
+}
+
+/// Where a process of this number can be asked for: this machine and its numbering of processes, in
+/// a few letters. A folder may be one of a network.
+const std::string& place_of_processes() {
+  static const std::string place = [] {
+    std::array<char, 256> host{};
+    (void)::gethostname(host.data(), host.size() - 1);
+    std::array<char, 64> numbering{};
+    (void)::readlink("/proc/self/ns/pid", numbering.data(), numbering.size() - 1);
+    constexpr std::size_t kLetters = 8;
+    return sha256(std::string(host.data()) + numbering.data()).substr(0, kLetters);
+  }();
+  return place;
+}
+
+/// The number of the process that left a file of this name, where it is one of ours from this
+/// place.
+std::optional<pid_t> process_of(std::string_view name) {
+  const std::string prefix = ".microslip-" + place_of_processes() + "-";
+  const std::size_t end_of_staged = name.rfind(kStagedEnding);
+  if (!name.starts_with(prefix) || end_of_staged == name.npos) return std::nullopt;
+  const std::string_view suffix = name.substr(end_of_staged + kStagedEnding.size());
+  if (!suffix.empty() && suffix != kOldSuffix && suffix != kRowsSuffix) return std::nullopt;
+  name.remove_prefix(prefix.size());
+  pid_t process = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), process);
+  if (error != std::errc() || *end != '-' || process <= 0) return std::nullopt;
+  return process;
+}
+
+/// Removes what processes left that were killed before they could; once a folder.
+void remove_litter(const std::string& folder) {
+  static std::mutex mutex;
+  static std::set<std::string> looked_at;
+  {
+    const std::lock_guard lock(mutex);
+    if (!looked_at.insert(folder).second) return;
+  }
+  std::error_code unreadable;  // then there is nothing to be done about it
+  for (fs::directory_iterator at(folder, unreadable), end; !unreadable && at != end;
+       at.increment(unreadable)) {
+    const std::optional<pid_t> process = process_of(at->path().filename().string());
+    if (process && ::kill(*process, 0) != 0 && errno == ESRCH) ::unlink(at->path().c_str());
+  }
+}
+
+/// A new file in the folder of the target, with the permissions of the file it is going to replace.
+std::pair<Temporary, FileDescriptor> create_beside(const std::string& path,
+                                                   const OutputTarget& target) {
+  static std::atomic<unsigned> counter{0};
+  const std::string folder = folder_of(target.file);
+  remove_litter(folder);
+  for (;;) {
+    Temporary temporary(fmt::format("{}/.microslip-{}-{}-{}{}", folder, place_of_processes(),
+                                    ::getpid(), counter++, kStagedEnding));
+    FileDescriptor file(
+        ::open(temporary.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (file.is_open()) {
+      if (target.replaced) ::fchmod(file.number(), target.replaced->st_mode & 07777U);
+      return {std::move(temporary), std::move(file)};
+    }
+    const int error = errno;
+    temporary.keep();
+    if (error != EEXIST) fail_to_write(path, error);
+  }
+}
+
+/// To disk, or the new name could outlive the content in a power failure.
+void flush_to_disk(const std::string& path, const std::string& temporary) {
+  FileDescriptor file(::open(temporary.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file.is_open()) fail_to_write(path, errno);
+  sync_file(file.number(), path);
+  if (!file.close()) fail_to_write(path, errno);
+}
+
+/// The names, too. A folder that may be written to but not be listed cannot be opened: no harm.
+void flush_folder(const std::string& path, const std::string& target) {
+  const FileDescriptor folder(
+      ::open(folder_of(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder.is_open()) sync_file(folder.number(), path);
+}
+
+/// A file that has got its final name, and how to take that back.
+struct Placed {
+  std::string target;
+  bool replaced;
+  std::optional<Temporary> old;  ///< the file that was there, where the file system can keep it
+
+  void take_back() {
+    if (!replaced) {
+      ::unlink(target.c_str());
+    } else if (old && ::rename(old->path().c_str(), target.c_str()) == 0) {
+      old->keep();
+    }
+  }
+};
+
+std::optional<Temporary> second_name(const std::string& target, const std::string& temporary) {
+  std::optional<Temporary> old(temporary + kOldSuffix);
+  if (::link(target.c_str(), old->path().c_str()) != 0) old.reset();
+  return old;
+}
+
+}  // namespace
+
+void check_output(const std::string& path, std::string_view kind) {
+  if (path == "-") return;
+  const OutputTarget target = checked_target(path);
+  if (target.replaced && !kind.empty()) check_kind(path, target.file, kind);
+}
+
+void check_outputs(std::span<const PlannedOutput> outputs) {
+  for (auto output = outputs.begin(); output != outputs.end(); ++output) {
+    check_output(output->path, output->kind);
+    for (auto other = outputs.begin(); other != output; ++other) {
+      if (output->path == "-" && other->path == "-") fail_twice_on_standard_output();
+      if (output->path == "-" || other->path == "-") continue;
+      if (is_same_file(behind_links(output->path), behind_links(other->path))) {
+        fail_twice(output->path);
+      }
+    }
+  }
+}
+
+std::pair<OutputFiles::File*, FileDescriptor> OutputFiles::create(const std::string& path) {
+  const OutputTarget target = checked_target(path);
+  const auto same = [&](const File& file) { return is_same_file(file.target, target.file); };
+  if (std::any_of(files_.begin(), files_.end(), same)) fail_twice(path);
+  auto created = create_beside(path, target);
+  File& file = files_.emplace_back(File{path, target.file, std::move(created.first)});
+  return {&file, std::move(created.second)};
+}
+
+void OutputFiles::add(const std::string& path, std::string_view content) {
+  if (path == "-") {
+    if (standard_output_) fail_twice_on_standard_output();
+    standard_output_ = content;
+    return;
+  }
+  auto [file, descriptor] = create(path);
+  write_all(descriptor.number(), content, path);
+  if (!descriptor.close()) fail_to_write(path, errno);
+}
+
+std::string OutputFiles::stage(const std::string& path) {
+  if (path == "-") throw FileError(kStandardOutput, "cannot take this format", "Name a file.");
+  auto [file, descriptor] = create(path);
+  if (!descriptor.close()) fail_to_write(path, errno);
+  return file->temporary.path();
+}
+
+void OutputFiles::check_all() const {
+  for (const File& file : files_) {
+    const OutputTarget target = checked_target(file.path);
+    const std::string& temporary = file.temporary.path();
+    if (target.replaced) {
+      check_kind(file.path, target.file, file_kind(read_kind_head(temporary)));
+    }
+    flush_to_disk(file.path, temporary);
+  }
+}
+
+void OutputFiles::commit() {
+  check_all();
+  if (standard_output_) {
+    write_standard_output(*standard_output_);
+    finish_standard_output();
+  }
+  std::vector<Placed> placed;
+  placed.reserve(files_.size());
+  try {
+    for (File& file : files_) {
+      const bool replaced = fs::exists(fs::symlink_status(file.target));
+      auto old = replaced ? second_name(file.target, file.temporary.path()) : std::nullopt;
+      if (::rename(file.temporary.path().c_str(), file.target.c_str()) != 0) {
+        fail_to_write(file.path, errno);
+      }
+      file.temporary.keep();
+      placed.push_back({file.target, replaced, std::move(old)});
+    }
+    for (const File& file : files_) flush_folder(file.path, file.target);
+  } catch (...) {
+    for (Placed& earlier : placed) earlier.take_back();
+    throw;
+  }
+  files_.clear();
+  standard_output_.reset();
+}
+
+void write_file(const std::string& path, std::string_view content) {
+  OutputFiles files;
+  files.add(path, content);
+  files.commit();
+}
+
+void remove_file(const std::string& path) { ::unlink(path.c_str()); }
+
+}  // namespace microslip

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/recordings/even_axis.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace microslip {
+namespace {
+
+constexpr double kFloor = 1e-6;       // of the step: far below what any sampling clock keeps
+constexpr double kCeiling = 0.24;     // of the step: coarser times cannot tell even from uneven
+constexpr double kFewCeiling = 0.01;  // the same where few points could be so close by chance
+constexpr std::size_t kFew = 20;
+constexpr double kWholeRate = 1e-5;  // relative: two whole rates above 1e5 Hz are not confused
+
+struct Line {
+  double start;
+  double step;
+};
+
+/// ulp(t) for values that rise: a power of ten is only computed when t enters another decade.
+class Resolution {
+ public:
+  Resolution(const PrintedDigits& digits, double factor)
+      : factor_(factor),
+        significant_(digits.significant),
+        fixed_(std::pow(10.0, -digits.decimals)) {}
+
+  double operator()(double value) {
+    const double printed = std::abs(value / factor_);
+    if (!(printed >= from_ && printed < to_)) enter_decade(printed);
+    return ulp_;
+  }
+
+ private:
+  void enter_decade(double printed) {
+    if (printed == 0.0) {
+      ulp_ = fixed_ * factor_;
+      return;
+    }
+    const double decade = std::floor(std::log10(printed));
+    from_ = std::pow(10.0, decade);
+    to_ = std::pow(10.0, decade + 1.0);
+    ulp_ = std::max(fixed_, std::pow(10.0, decade + 1.0 - significant_)) * factor_;
+  }
+
+  double factor_;
+  double significant_;
+  double fixed_;
+  double from_ = 0.0;
+  double to_ = 0.0;
+  double ulp_ = 0.0;
+};
+
+bool explains(const Line& line, std::span<const double> values, Resolution resolution) {
+  // Doubles of the printed numbers and of start + i·step are rounded themselves.
+  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() *
+                          std::max(std::abs(values.front()), std::abs(values.back()));
+  const double end = std::max(resolution(values.front()), resolution(values.back()));
+  const double ceiling = values.size() < kFew ? kFewCeiling : kCeiling;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double off = std::abs(values[i] - (line.start + static_cast<double>(i) * line.step));
+    const double printed = 0.5 * (resolution(values[i]) + end);
+    const double tolerance =
+        std::clamp(printed, kFloor * line.step, ceiling * line.step) + rounding;
+    if (!(off <= tolerance)) return false;
+  }
+  return true;
+}
+
+Line through_ends(std::span<const double> values) {
+  return {values.front(),
+          (values.back() - values.front()) / static_cast<double>(values.size() - 1)};
+}
+
+/// step = Σ(i − m)(t_i − t_0)/Σ(i − m)², m the mean of i: rounding errors average out, as they do
+/// not between the ends.
+Line least_squares(std::span<const double> values) {
+  const auto n = static_cast<double>(values.size());
+  const double middle = 0.5 * (n - 1.0);
+  double moment = 0.0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double t = values[i] - values.front();
+    moment += (static_cast<double>(i) - middle) * t;
+    sum += t;
+  }
+  const double step = moment * 12.0 / (n * (n * n - 1.0));
+  return {values.front() + sum / n - middle * step, step};
+}
+
+/// The same start with a step of 1/n s; nothing where that is another step.
+std::optional<double> whole_rate_step(double step) {
+  const double rate = 1.0 / step;
+  const double whole = std::round(rate);
+  if (!(whole >= 1.0 && std::abs(rate - whole) <= kWholeRate * whole)) return std::nullopt;
+  return 1.0 / whole;
+}
+
+std::optional<Line> even_line(std::span<const double> values, const Dimension& dimension,
+                              const Resolution& resolution) {
+  const Line ends = through_ends(values);
+  const Line fit = least_squares(values);
+  if (dimension == kTime) {
+    for (const Line& line : {ends, fit}) {
+      const std::optional<double> step = whole_rate_step(line.step);
+      if (!step) continue;
+      const Line whole{ends.start, *step};
+      if (explains(whole, values, resolution)) return whole;
+    }
+  }
+  for (const Line& line : {ends, fit}) {
+    if (explains(line, values, resolution)) return line;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void PrintedDigits::add(std::string_view number) {
+  int after_point = 0;
+  int digits = 0;
+  bool behind_point = false;
+  std::size_t i = 0;
+  for (; i < number.size() && number[i] != 'e' && number[i] != 'E'; ++i) {
+    const char c = number[i];
+    if (c == '.' || c == ',') behind_point = true;
+    if (c < '0' || c > '9') continue;
+    if (behind_point) ++after_point;
+    if (c != '0' || digits > 0) ++digits;
+  }
+  int exponent = 0;
+  if (i < number.size()) {
+    const std::size_t skip = i + 1 < number.size() && number[i + 1] == '+' ? 2 : 1;
+    std::from_chars(number.data() + i + skip, number.data() + number.size(), exponent);
+  }
+  // No double needs more; what a damaged file holds must not run over.
+  constexpr int kMost = 400;
+  decimals = std::max(decimals,
+                      std::clamp(after_point - std::clamp(exponent, -kMost, kMost), -kMost, kMost));
+  significant = std::max(significant, std::min(digits, kMost));
+}
+
+Axis axis_from_printed(std::vector<double> values, const Unit& unit, const PrintedDigits& digits) {
+  Axis axis{.dimension = unit.dimension, .start = 0.0, .step = 0.0, .values = {}};
+  const Resolution resolution(digits, unit.factor());
+  if (const std::optional<Line> line = even_line(values, unit.dimension, resolution)) {
+    axis.start = line->start;
+    axis.step = line->step;
+  } else {
+    axis.values = std::move(values);
+  }
+  return axis;
+}
+
+}  // namespace microslip

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "microslip/base/units.hpp"
+#include "microslip/signal/recording/recording.hpp"
+
+namespace microslip {
+
+/// How finely numbers were printed: the most decimals and the most significant digits of any. A
+/// value t printed like them is off by no more than half of
+///   ulp(t) = max(10^−decimals, 10^(⌊log10|t|⌋ + 1 − significant)),
+/// whether the number of decimals was kept or that of significant digits, trailing zeros written or
+/// not.
+struct PrintedDigits {
+  int decimals = -400;
+  int significant = 0;
+
+  /// @param number  as printed, with a decimal point or comma and perhaps an exponent.
+  void add(std::string_view number);
+};
+
+/// The axis of printed values: even where a start and a step explain all of them,
+///   |t_i − (start + i·step)| ≤ max(½ ulp(t_i) + ½ ulp(t_end), 1e-6 step),
+///   at most 0.24 step, or 0.01 step where there are less than 20 points;
+/// otherwise the values themselves. The step comes from the first and last value or from a
+/// least-squares line; of times it is 1/n s with a whole number n where it comes within 1e-5 of
+/// that and 1/n explains them as well.
+/// @param values  in SI, rising, two at least.
+/// @param digits  of the numbers that were printed, in `unit`.
+[[nodiscard]] Axis axis_from_printed(std::vector<double> values, const Unit& unit,
+                                     const PrintedDigits& digits);
+
+}  // namespace microslip

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/recordings/mat_tree.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+#include "microslip/io/bytes/text.hpp"
+
+namespace microslip {
+
+std::size_t MatValue::count() const {
+  return std::accumulate(sizes.begin(), sizes.end(), std::size_t{1}, std::multiplies<>{});
+}
+
+bool MatValue::is_vector() const {
+  return std::ranges::count_if(sizes, [](std::size_t n) { return n != 1; }) <= 1;
+}
+
+std::string describe(const MatValue& value) {
+  std::string sizes;
+  for (const std::size_t n : value.sizes) {
+    sizes += fmt::format("{}{}", sizes.empty() ? "" : " × ", n);
+  }
+  switch (value.kind) {
+    case MatValue::Kind::kNumbers:
+      return fmt::format("{} numbers of {}", value.imaginary.empty() ? "real" : "complex", sizes);
+    case MatValue::Kind::kSparse:
+      return fmt::format("a sparse matrix of {} numbers of {}",
+                         value.imaginary.empty() ? "real" : "complex", sizes);
+    case MatValue::Kind::kText:
+      return fmt::format("text of {}", sizes);
+    case MatValue::Kind::kCell:
+      return fmt::format("a cell array of {}", sizes);
+    case MatValue::Kind::kStruct:
+      return fmt::format("a struct of {} with {}", sizes, list_of_names(value.fields));
+    default:
+      return value.other.empty() ? "an array of " + sizes : value.other;
+  }
+}
+
+std::string checked_sparse(MatValue& value) {
+  const std::vector<std::int64_t>& start = value.column_start;
+  if (value.sizes.size() != 2) return fmt::format("{} dimensions", value.sizes.size());
+  if (start.size() != value.sizes[1] + 1) {
+    return fmt::format("{} starts of {} columns", start.size(), value.sizes[1]);
+  }
+  const std::size_t there = std::min(value.row.size(), value.real.size());
+  if (start.front() != 0) return fmt::format("columns that start at {}", start.front());
+  for (std::size_t i = 1; i < start.size(); ++i) {
+    if (start[i] < start[i - 1]) return fmt::format("a column {} that ends before it starts", i);
+  }
+  const auto count = static_cast<std::size_t>(start.back());
+  if (count > there) return fmt::format("{} rows and numbers of {}", there, count);
+  value.row.resize(count);
+  value.real.resize(count);
+  if (!value.imaginary.empty()) value.imaginary.resize(count);
+  const auto rows = static_cast<std::int64_t>(value.sizes[0]);
+  const auto bad =
+      std::ranges::find_if(value.row, [&](auto row) { return row < 0 || row >= rows; });
+  if (bad != value.row.end()) return fmt::format("a row {} of {}", *bad + 1, rows);
+  return {};
+}
+
+std::string list_of_names(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 12;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i) {
+    list += fmt::format("{}{}", i == 0 ? "" : ", ", in_quotes(names[i]));
+  }
+  if (names.size() > kMost) list += fmt::format(", … ({} in all)", names.size());
+  return names.empty() ? "nothing" : list;
+}
+
+}  // namespace microslip

@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/recordings/recording_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/bytes/input_stream.hpp"
+#include "microslip/io/bytes/line_blocks.hpp"
+#include "microslip/io/bytes/signature.hpp"
+#include "microslip/io/bytes/text.hpp"
+#include "microslip/io/cells/csv_cells.hpp"
+#include "microslip/io/recordings/even_axis.hpp"
+#include "microslip/io/recordings/recording_csv_header.hpp"
+
+namespace microslip {
+namespace {
+
+/// How the numbers of a file are written; unknown until one has a point or a comma.
+enum class Decimal { kUnknown, kPoint, kComma };
+
+class CsvRecordingReader {
+ public:
+  CsvRecordingReader(InputStream& file, const RecordingReadOptions& options)
+      : file_(file), options_(options), blocks_(file), header_(file.name()) {}
+
+  Recordings read() {
+    while (blocks_.next()) {
+      if (blocks_.first_line() == 1) check_signature();
+      read_block();
+      report_progress();
+      reserve();
+    }
+    if (!header_.has_names()) throw_no_header();
+    if (rows_ < 2) {
+      throw FormatError({file_.name(), 0, 0}, "two rows of values below the header",
+                        fmt::format("{}", rows_));
+    }
+    return result();
+  }
+
+ private:
+  // ---- Lines. ----
+
+  void check_signature() const {
+    const std::string_view other = signature(blocks_.text());
+    if (other.empty()) return;
+    throw FormatError({file_.name(), 0, 0}, "a table of comma-separated values", other,
+                      remedy_for_signature(other));
+  }
+
+  [[noreturn]] void throw_no_header() const {
+    throw FormatError(
+        {file_.name(), 0, 0}, "a header such as 'time [s],force [N],acc1 [m/s^2]'",
+        blocks_.bytes_done() == 0 ? "an empty file" : "nothing but blanks and comments",
+        "Was it written to its end?");
+  }
+
+  void read_block() {
+    const std::string_view text = blocks_.text();
+    end_ = text.data() + text.size();
+    scanner_ = CellScanner(text, file_.name(), header_.separator(), blocks_.first_line());
+    const char* p = text.data();
+    if (blocks_.first_line() == 1 && text.starts_with(kByteOrderMark)) p += kByteOrderMark.size();
+    while (p != end_) p = read_line(p);
+  }
+
+  const char* read_line(const char* p) {
+    if (const char* next = skip_blank_or_comment(p)) return next;
+    if (header_resolved_) return read_row_to_the_end(p);
+    return read_header_line(p);
+  }
+
+  /// Nothing where the line is neither.
+  const char* skip_blank_or_comment(const char* p) {
+    if (*p >= '0' && *p <= '9') return nullptr;  // the common case
+    const char* first = p;
+    while (first != end_ && (*first == ' ' || *first == '\t')) ++first;
+    const std::string_view rest(first, static_cast<std::size_t>(end_ - first));
+    const std::size_t mark = rest.starts_with("//")                                ? 2
+                             : !rest.empty() && (rest[0] == '#' || rest[0] == '%') ? 1
+                                                                                   : 0;
+    if (mark == 0) return scanner_->at_line_end(first) ? scanner_->skip_line_end(first) : nullptr;
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    header_.add_comment(line.substr(mark, line.size() - mark - (line.ends_with('\r') ? 1 : 0)));
+    return scanner_->skip_line_end(line.data() + line.size());
+  }
+
+  const char* read_header_line(const char* p) {
+    const std::string_view rest(p, static_cast<std::size_t>(end_ - p));
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    const std::size_t number = scanner_->place(p).line;
+    if (!header_.has_names()) {
+      header_.read_names(line, number);
+    } else {
+      const bool units = header_.read_units(line, number);
+      start_rows();
+      if (!units) return p;
+    }
+    return scanner_->skip_line_end(line.data() + line.size());
+  }
+
+  /// The header is known as a whole.
+  void start_rows() {
+    header_.resolve(options_.assumed_units);
+    header_resolved_ = true;
+    values_.resize(header_.columns().size());
+    if (header_.separator() == ',') decimal_ = Decimal::kPoint;
+    scanner_ = CellScanner(blocks_.text(), file_.name(), header_.separator(), blocks_.first_line());
+  }
+
+  // ---- Rows. ----
+
+  /// A row; where the file ends within it, that may be forgiven.
+  const char* read_row_to_the_end(const char* p) {
+    if (end_[-1] == '\n') return read_row(p);
+    const std::string_view rest(p, static_cast<std::size_t>(end_ - p));
+    if (rest.find('\n') != std::string_view::npos) return read_row(p);
+    return read_last_row(p);
+  }
+
+  /// The last line has no line break. Whether its last number is whole nobody can tell.
+  const char* read_last_row(const char* p) {
+    const std::string line = std::to_string(scanner_->place(p).line);
+    if (options_.allow_truncated && rows_ > 0) {
+      warnings_.push_back({"last_row_dropped",
+                           file_.name() + ":" + line +
+                               ": the last row has no line break and was left out; the file may "
+                               "have been cut within it."});
+      return end_;
+    }
+    row_is_cut_ = true;
+    const char* next = read_row(p);
+    warnings_.push_back(
+        {"last_row_open", file_.name() + ":" + line +
+                              ": the last row has no line break; if the file was cut there, its "
+                              "last number is wrong. `allow_truncated` leaves the row out."});
+    return next;
+  }
+
+  const char* read_row(const char* p) {
+    const char* row = p;
+    const std::size_t columns = values_.size();
+    for (std::size_t column = 0;; ++column) {
+      const char* next = read_cell(p, column);
+      if (scanner_->at_line_end(next)) {
+        if (column + 1 != columns) throw_ragged(row);
+        ++rows_;
+        return scanner_->skip_line_end(next);
+      }
+      p = next + 1;
+      if (column + 1 == columns) {
+        const char* end = scanner_->skip_blanks(p);  // one separator too many may end a line
+        if (!scanner_->at_line_end(end)) throw_ragged(row);
+        ++rows_;
+        return scanner_->skip_line_end(end);
+      }
+      if (scanner_->at_line_end(scanner_->skip_blanks(p)) && column + 2 != columns) {
+        throw_ragged(row);
+      }
+    }
+  }
+
+  /// Appends a number to its column; returns where the cell ends.
+  const char* read_cell(const char* p, std::size_t column) {
+    const char* begin = scanner_->skip_blanks(p);
+    double printed = 0.0;
+    const char* next = decimal_ == Decimal::kUnknown ? nullptr : read_common_cell(begin, printed);
+    if (next == nullptr) next = read_other_cell(begin, column, printed);
+    const double value = header_.columns()[column].unit.to_si(printed);
+    if (!std::isfinite(value)) throw_no_number(begin, column);
+    if (column == header_.axis()) add_to_axis(begin, next, value);
+    values_[column].push_back(value);
+    return next;
+  }
+
+  /// Without a look for the cell's end: where the number stops, the cell must stop.
+  const char* read_common_cell(const char* p, double& value) {
+    auto [stop, error] = std::from_chars(p, end_, value);
+    if (decimal_ == Decimal::kComma) {
+      if (stop != end_ && *stop == ',') {
+        std::tie(stop, error) = read_comma_number(p, stop, value);
+      } else if (std::find(p, stop, '.') != stop) {
+        return nullptr;
+      }
+    }
+    if (error != std::errc{} || !std::isfinite(value)) return nullptr;
+    stop = scanner_->skip_blanks(stop);
+    return scanner_->at_cell_end(stop) ? stop : nullptr;
+  }
+
+  /// from_chars knows the point alone: the comma becomes one for a moment.
+  std::pair<const char*, std::errc> read_comma_number(const char* p, const char* comma,
+                                                      double& value) {
+    char& mark = blocks_.writable_text()[static_cast<std::size_t>(comma - blocks_.text().data())];
+    mark = '.';
+    const auto [stop, error] = std::from_chars(p, end_, value);
+    mark = ',';
+    return {stop, error};
+  }
+
+  const char* read_other_cell(const char* p, std::size_t column, double& value) {
+    const RawCell cell = scanner_->scan(p);
+    const std::string_view text = cell.view();
+    std::optional<double> number;
+    if (decimal_ != Decimal::kComma) number = parse_number(text);
+    if (!number && decimal_ != Decimal::kPoint) number = parse_comma_number(text);
+    if (!number) throw_no_number(p, column);
+    if (decimal_ == Decimal::kUnknown) {
+      if (text.find('.') != std::string_view::npos) decimal_ = Decimal::kPoint;
+      if (text.find(',') != std::string_view::npos) decimal_ = Decimal::kComma;
+    }
+    value = *number;
+    return cell.next;
+  }
+
+  void add_to_axis(const char* begin, const char* end, double value) {
+    std::vector<double>& axis = values_[*header_.axis()];
+    const std::string_view text(begin, static_cast<std::size_t>(end - begin));
+    if (!axis.empty() && !(value > axis.back())) {
+      throw FormatError(
+          scanner_->place(begin),
+          fmt::format("a value above that of the row before in {}", header_.label(*header_.axis())),
+          in_quotes(trimmed(text)),
+          value == axis.back() ? "Write it with more digits, or remove the row."
+                               : "Sort the rows, or split the file there.");
+    }
+    digits_.add(text);
+  }
+
+  // ---- What is wrong with a row. ----
+
+  [[noreturn]] void throw_ragged(const char* row) const {
+    std::size_t cells = 1;
+    RawCell cell = scanner_->scan(row);
+    for (; !scanner_->at_line_end(cell.next); ++cells) cell = scanner_->scan(cell.next + 1);
+    if (row_is_cut_ && cells < values_.size()) {
+      throw FormatError(scanner_->place(row),
+                        fmt::format("{} cells as in the header", values_.size()),
+                        fmt::format("{} and the end of the file", cells),
+                        "It was cut; `allow_truncated` leaves out this row.");
+    }
+    throw ragged_row(scanner_->place(row), values_.size(), cells, header_.separator());
+  }
+
+  [[noreturn]] void throw_no_number(const char* p, std::size_t column) const {
+    const RawCell cell = scanner_->scan(p);
+    const std::string_view text = cell.view();
+    std::string_view remedy = remedy_for_cell(text);
+    if (decimal_ == Decimal::kComma && text.find('.') != std::string_view::npos) {
+      remedy = "This table has decimal commas elsewhere: write all numbers one way.";
+    } else if (decimal_ == Decimal::kPoint && parse_comma_number(text)) {
+      remedy = "This table has decimal points elsewhere: write all numbers one way.";
+    } else if (row_is_cut_) {
+      remedy = "If the file was cut there, `allow_truncated` leaves out this row.";
+    }
+    throw FormatError(scanner_->place(cell.begin),
+                      fmt::format("a finite number in {}", header_.label(column)),
+                      text.empty() ? "an empty cell" : in_quotes(text), remedy);
+  }
+
+  // ---- The whole. ----
+
+  void report_progress() const {
+    if (!options_.progress || !file_.size()) return;
+    const std::size_t total = std::max(*file_.size(), blocks_.bytes_done());  // it may grow
+    if (!options_.progress(blocks_.bytes_done(), total)) throw Cancelled();
+  }
+
+  /// Room for all rows, guessed from those so far: growing step by step would copy them again and
+  /// again, and need twice the memory meanwhile.
+  void reserve() {
+    if (rows_ == 0 || !file_.size() || blocks_.bytes_done() >= *file_.size()) return;
+    const double share =
+        static_cast<double>(*file_.size()) / static_cast<double>(blocks_.bytes_done());
+    const double rows = 1.01 * share * static_cast<double>(rows_);
+    for (std::vector<double>& column : values_) {
+      if (static_cast<double>(column.capacity()) < rows) {
+        column.reserve(static_cast<std::size_t>(1.05 * rows));
+      }
+    }
+  }
+
+  Recordings result() {
+    Recording recording;
+    const std::string& name = file_.name();
+    recording.source = name.substr(name.rfind('/') + 1);
+    if (header_.axis()) {
+      const Unit& unit = header_.columns()[*header_.axis()].unit;
+      recording.axis = axis_from_printed(std::move(values_[*header_.axis()]), unit, digits_);
+      warn_of_other_rate(recording.axis);
+    } else {
+      recording.axis.step = 1.0 / *header_.sampling_rate();
+    }
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      if (i != header_.axis()) add_channel(recording, i);
+    }
+    distribute_attributes(recording);
+    check_recording(recording);
+    Recordings recordings{.recordings = {}, .warnings = std::move(warnings_)};
+    recordings.recordings.push_back(std::move(recording));
+    return recordings;
+  }
+
+  void warn_of_other_rate(const Axis& axis) {
+    constexpr double kSame = 1e-3;  // a rate is often rounded in a comment
+    if (axis.dimension != kTime || !axis.even() || !header_.sampling_rate()) return;
+    const double rate = *header_.sampling_rate();
+    if (std::abs(rate * axis.step - 1.0) <= kSame) return;
+    warnings_.push_back(
+        {"sampling_rates_differ",
+         fmt::format("{}: a comment gives the sampling rate as {:.6g} Hz, the times as {:.6g} Hz; "
+                     "the times hold.",
+                     file_.name(), rate, 1.0 / axis.step)});
+  }
+
+  /// A channel of its own, or the imaginary part of the one before it.
+  void add_channel(Recording& recording, std::size_t i) {
+    const RecordingColumn& column = header_.columns()[i];
+    if (!recording.channels.empty() && column.name.ends_with(kImaginaryMark)) {
+      Channel& last = recording.channels.back();
+      const std::string_view stem = without(column.name, kImaginaryMark);
+      if (last.name.ends_with(kRealMark) && without(last.name, kRealMark) == stem &&
+          last.dimension == column.dimension) {
+        last.name = stem;
+        last.imaginary = std::move(values_[i]);
+        return;
+      }
+    }
+    recording.channels.push_back({.name = column.name,
+                                  .dimension = column.dimension,
+                                  .values = std::move(values_[i]),
+                                  .imaginary = {},
+                                  .attributes = {}});
+  }
+
+  static std::string_view without(std::string_view name, std::string_view mark) {
+    return name.substr(0, name.size() - mark.size());
+  }
+
+  /// The channel of an attribute, and how much of its name tells that. Of names with marks in them
+  /// the longest that fits is taken.
+  static std::pair<Channel*, std::size_t> channel_of(Recording& recording, std::string_view name) {
+    std::size_t mark = name.rfind(kChannelMark);
+    while (mark != std::string_view::npos) {
+      const auto channel =
+          std::ranges::find(recording.channels, name.substr(0, mark), &Channel::name);
+      if (channel != recording.channels.end()) return {&*channel, mark + kChannelMark.size()};
+      mark = mark == 0 ? std::string_view::npos : name.rfind(kChannelMark, mark - 1);
+    }
+    return {nullptr, 0};
+  }
+
+  void distribute_attributes(Recording& recording) const {
+    for (const auto& [name, value] : header_.attributes()) {
+      const auto [channel, told] = channel_of(recording, name);
+      Attributes& target = channel != nullptr ? channel->attributes : recording.attributes;
+      target.emplace_back(name.substr(told), value);
+    }
+  }
+
+  InputStream& file_;
+  const RecordingReadOptions& options_;
+  LineBlocks blocks_;
+  RecordingCsvHeader header_;
+  bool header_resolved_ = false;
+  bool row_is_cut_ = false;
+  Decimal decimal_ = Decimal::kUnknown;
+  std::optional<CellScanner> scanner_;  ///< of the block
+  const char* end_ = nullptr;           ///< of the block
+  std::size_t rows_ = 0;
+  std::vector<std::vector<double>> values_;  ///< by column, in SI
+  PrintedDigits digits_;                     ///< of the axis
+  std::vector<Warning> warnings_;
+};
+
+}  // namespace
+
+Recordings read_recordings_csv(const std::string& path, const RecordingReadOptions& options) {
+  InputStream file(path);
+  return read_recordings_csv(file, options);
+}
+
+Recordings read_recordings_csv(InputStream& file, const RecordingReadOptions& options) {
+  return CsvRecordingReader(file, options).read();
+}
+
+}  // namespace microslip

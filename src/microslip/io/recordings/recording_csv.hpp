@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "microslip/io/recordings/recordings.hpp"
+#include "microslip/signal/recording/recording.hpp"
+
+/// @file
+/// A recording as comma-separated text: a column of times and one a channel.
+///
+/// Form: UTF-8 with or without byte order mark, or CP1252; lines end in LF or CRLF. Lines that
+/// begin with `#`, `%` or `//` are comments and may stand anywhere, blank lines too. The first
+/// other line is the header: a cell a column, `name [unit]` or `name (unit)`. Units may stand on a
+/// line of their own below it instead, with or without brackets. A column without unit, or with
+/// empty brackets, is a channel without dimension. The separator is the first of `;` `,` tab that
+/// the header has. Below, each row has a finite number a column, with a decimal point, or, between
+/// `;` or tabs, a decimal comma throughout; cells may be quoted and one separator may end a line.
+///
+/// The axis is the first column with a unit of time or frequency, or called time, t, frequency or
+/// freq (in capitals or not); one without unit is refused unless its unit is assumed. Its values
+/// rise. It is even where equal steps explain them to the digits printed (even_axis.hpp). Where
+/// there is no such column, a comment may give the rate: `# sampling_rate: 8192 Hz`, or = for the
+/// colon, or `fs`, `sampling rate`, `sample rate`, `sampling frequency` for the name, in capitals
+/// or not; without unit it is in Hz. The first point then lies at 0.
+///
+/// A comment `name: value` or `name = value` is an attribute, of a channel where it reads
+/// `channel / name: value`; others are attributes of the name "comment". Two neighbouring columns
+/// `name.real` and `name.imag` of one unit are one complex channel.
+
+namespace microslip {
+
+class InputStream;
+
+/// Reads the file from front to end, in pieces: beside the values there is no more than a few MiB
+/// in memory.
+/// @param path     "-" is standard input.
+/// @param options  see RecordingReadOptions.
+/// @throws FileError    where the file cannot be read.
+/// @throws FormatError  naming the place, where it is not of the form above: empty, binary, without
+///                      header, rows, a channel or an axis; a row with more or fewer cells than
+///                      the header, a cell that is no finite number, an unknown unit, two columns
+///                      of one name, times that do not rise. A file that was cut within a row is
+///                      read as far as it is whole where the options allow that.
+/// @throws InputError   where a unit is assumed for an axis that has one.
+/// @throws Cancelled    where the progress callback says so.
+[[nodiscard]] Recordings read_recordings_csv(const std::string& path,
+                                             const RecordingReadOptions& options);
+
+/// The same of a file that is open already.
+[[nodiscard]] Recordings read_recordings_csv(InputStream& file,
+                                             const RecordingReadOptions& options);
+
+/// Writes text that read_recordings_csv() reads back as the same recording, but for its source:
+/// each number is the shortest that reads back as the same double. Times that are evenly spaced
+/// read back as such, their start and step to rounding.
+/// @param path       it is overwritten, if it is there; see OutputFiles::stage().
+/// @param recording  over time or frequency.
+/// @throws InputError  where check_recording() does, or the axis is neither time nor frequency.
+/// @throws FileError   where the file cannot be written.
+void write_recording_csv(const std::string& path, const Recording& recording);
+
+/// The text that write_recording_csv() writes, for where it cannot be written in pieces.
+/// @throws InputError  as there.
+[[nodiscard]] std::string format_recording_csv(const Recording& recording);
+
+}  // namespace microslip

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/recordings/recording_csv_header.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "microslip/io/bytes/character_set.hpp"
+#include "microslip/io/bytes/text.hpp"
+#include "microslip/io/cells/csv_cells.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr std::string_view kExampleRecordingHeader = "'time [s],force [N],acc1 [m/s^2]'";
+constexpr std::string_view kUsualUnits = "s, Hz, N, m/s^2, g, m/s, m, um (µm), 1";
+
+/// In small letters, with _ for blanks.
+std::string plain_name(std::string_view text) {
+  std::string name(text);
+  for (char& c : name) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    if (c == ' ') c = '_';
+  }
+  return name;
+}
+
+/// Name and value of a comment that has the form of an attribute.
+std::optional<std::pair<std::string_view, std::string_view>> split_attribute(
+    std::string_view text) {
+  const std::size_t sign = text.find_first_of(":=");
+  if (sign == std::string_view::npos) return std::nullopt;
+  const std::string_view name = trimmed(text.substr(0, sign));
+  const std::string_view value = text.substr(sign + 1);
+  // A colon without a blank behind it is part of a time of day or an address.
+  const bool spaced = text[sign] == '=' || value.empty() || value.front() == ' ';
+  if (name.empty() || !spaced) return std::nullopt;
+  return std::pair{name, trimmed(value)};
+}
+
+/// A number, in Hz or with a unit of frequency behind it.
+std::optional<double> parse_rate(std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{}) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  const std::string_view unit_text = trimmed(text);
+  const std::optional<Unit> unit =
+      unit_text.empty() ? Unit{.dimension = kFrequency} : find_unit(unit_text);
+  if (!unit || unit->dimension != kFrequency) return std::nullopt;
+  const double rate = unit->to_si(value);
+  return rate > 0.0 && std::isfinite(rate) ? std::optional(rate) : std::nullopt;
+}
+
+bool is_rate_name(std::string_view name) {
+  static constexpr std::array<std::string_view, 6> kNames{
+      "sampling_rate", "sampling_rate_hz",   "fs",
+      "sample_rate",   "sampling_frequency", "sample_frequency"};
+  return std::ranges::find(kNames, plain_name(name)) != kNames.end();
+}
+
+bool is_bracketed(std::string_view text) {
+  return text.size() > 1 && ((text.front() == '[' && text.back() == ']') ||
+                             (text.front() == '(' && text.back() == ')'));
+}
+
+std::string_view without_brackets(std::string_view text) {
+  return is_bracketed(text) ? trimmed(text.substr(1, text.size() - 2)) : text;
+}
+
+/// The place of what begins behind `passed`, which begins at `known`.
+TextPlace place_behind(const TextPlace& known, std::string_view passed) {
+  TextPlace place = place_at(passed, passed.size(), known.file);
+  if (place.line == 1) place.column += known.column - 1;
+  place.line += known.line - 1;
+  return place;
+}
+
+}  // namespace
+
+void RecordingCsvHeader::add_comment(std::string_view text) {
+  const std::string comment = to_utf8(trimmed(text));
+  const auto attribute = split_attribute(comment);
+  if (!attribute) {
+    if (!comment.empty()) attributes_.emplace_back("comment", comment);
+    return;
+  }
+  const auto& [name, value] = *attribute;
+  attributes_.emplace_back(name, value);
+  if (is_rate_name(name) && !rate_) rate_ = parse_rate(value);
+}
+
+std::vector<RecordingCsvHeader::Cell> RecordingCsvHeader::read_cells(std::string_view line,
+                                                                     std::size_t number) const {
+  const CellScanner scanner(line, file_, separator_, number);
+  std::vector<Cell> cells;
+  const char* known = line.data();
+  TextPlace place{.file = file_, .line = number, .column = 1};
+  for (const char* p = line.data();;) {
+    const RawCell raw = scanner.scan(p);
+    place = place_behind(place, {known, raw.begin});
+    known = raw.begin;
+    const bool last = scanner.at_line_end(raw.next);
+    const bool trailing = last && raw.begin == raw.end && !raw.quoted && !cells.empty();
+    if (!trailing) {
+      cells.push_back({.column = {.name = to_utf8(unescaped(raw)), .unit = {}}, .place = place});
+    }
+    if (last) return cells;
+    p = raw.next + 1;
+  }
+}
+
+void RecordingCsvHeader::read_names(std::string_view line, std::size_t number) {
+  separator_ = find_separator(line);
+  cells_ = read_cells(line, number);
+  const auto is_number = [](const Cell& cell) {
+    return parse_number(cell.column.name) || parse_comma_number(cell.column.name);
+  };
+  if (std::ranges::all_of(cells_, is_number)) {
+    throw FormatError(cells_.front().place,
+                      fmt::format("a header such as {}", kExampleRecordingHeader),
+                      "a row of numbers", "Add a first line that names each column with its unit.");
+  }
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const std::string text = cells_[i].column.name;
+    const std::optional<CsvColumn> column = parse_column(text, true);
+    if (!column) {
+      throw FormatError(cells_[i].place,
+                        fmt::format("'name [unit]' as the header of column {}", i + 1),
+                        in_quotes(text));
+    }
+    if (column->name.empty()) {
+      throw FormatError(cells_[i].place, fmt::format("a name for column {}", i + 1),
+                        text.empty() ? "an empty cell" : in_quotes(text));
+    }
+    cells_[i].column = *column;
+  }
+  check_names();
+}
+
+void RecordingCsvHeader::check_names() const {
+  std::map<std::string_view, std::size_t> seen;
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const std::string& name = cells_[i].column.name;
+    const auto [first, is_new] = seen.emplace(name, i);
+    if (is_new) continue;
+    throw FormatError(
+        cells_[i].place, "columns with different names",
+        fmt::format("{} as column {} and as column {}", in_quotes(name), first->second + 1, i + 1),
+        "Rename or remove one of them.");
+  }
+}
+
+bool RecordingCsvHeader::read_units(std::string_view line, std::size_t number) {
+  const auto has_unit = [](const Cell& cell) { return cell.column.unit.has_value(); };
+  if (std::ranges::any_of(cells_, has_unit)) return false;
+  const std::vector<Cell> units = read_cells(line, number);
+  bool known = false;
+  for (const Cell& cell : units) {
+    const std::string& text = cell.column.name;
+    if (text != "1" && parse_number(text)) return false;
+    known = known || is_bracketed(text) || (text != "1" && text != "-" && find_unit(text));
+  }
+  if (!known) return false;
+  if (units.size() > cells_.size()) {
+    throw ragged_row(units.front().place, cells_.size(), units.size(), separator_);
+  }
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    cells_[i].column.unit = without_brackets(units[i].column.name);
+    cells_[i].place = units[i].place;
+  }
+  return true;
+}
+
+RecordingColumn RecordingCsvHeader::resolve_column(std::size_t i) const {
+  const auto& [name, unit_text] = cells_[i].column;
+  RecordingColumn column{.name = name, .unit = {}, .dimension = {}};
+  if (!unit_text || unit_text->empty()) return column;
+  const std::optional<Unit> unit = find_unit(*unit_text);
+  if (!unit) {
+    const std::optional<Dimension> axis = axis_dimension(name);
+    throw FormatError(
+        cells_[i].place, fmt::format("a unit for column {} {}", i + 1, in_quotes(name)),
+        fmt::format("the unknown unit {}", in_quotes(*unit_text)),
+        fmt::format("Usual units: {}.", axis ? usual_units(*axis) : std::string(kUsualUnits)));
+  }
+  column.unit = *unit;
+  column.dimension = unit->dimension;
+  return column;
+}
+
+/// With a rate in a comment, a frequency is a channel like others.
+bool RecordingCsvHeader::is_axis(std::size_t i) const {
+  const std::optional<Dimension> dimension =
+      columns_[i].dimension ? columns_[i].dimension : axis_dimension(columns_[i].name);
+  return dimension == kTime || (dimension == kFrequency && !rate_);
+}
+
+void RecordingCsvHeader::resolve(const AssumedUnits& assumed) {
+  for (std::size_t i = 0; i < cells_.size(); ++i) columns_.push_back(resolve_column(i));
+  for (std::size_t i = 0; i < columns_.size() && !axis_; ++i) {
+    if (is_axis(i)) axis_ = i;
+  }
+  if (axis_) resolve_axis(assumed);
+  if (!axis_ && !rate_) throw_no_axis();
+  if (axis_ && columns_.size() < 2) {
+    throw FormatError(cells_.front().place, "a column beside that of the axis",
+                      fmt::format("{} alone", label(0)));
+  }
+}
+
+void RecordingCsvHeader::resolve_axis(const AssumedUnits& assumed) {
+  RecordingColumn& column = columns_[*axis_];
+  if (column.dimension) {
+    if (!assumed.names(column.name)) return;
+    throw InputError(fmt::format("{}: {}", file_, label(*axis_)), dimension_name(*column.dimension),
+                     "must have no unit where one is assumed", "The unit of the file holds.");
+  }
+  const Dimension dimension = axis_dimension(column.name).value_or(kTime);
+  const std::optional<Unit> unit = assumed.find(column.name);
+  if (!unit) {
+    throw FormatError(
+        cells_[*axis_].place,
+        fmt::format("a unit of {} for column {}", dimension_name(dimension), *axis_ + 1),
+        fmt::format("{} without one", in_quotes(column.name)),
+        fmt::format("Write '{} [{}]', or say it with `assume_units {}={}`.", column.name,
+                    si_unit(dimension), column.name, si_unit(dimension)));
+  }
+  if (unit->dimension != dimension) {
+    throw InputError(fmt::format("{}: unit assumed for {}", file_, label(*axis_)),
+                     dimension_name(unit->dimension),
+                     fmt::format("must be one of {}", dimension_name(dimension)));
+  }
+  column.unit = *unit;
+  column.dimension = unit->dimension;
+}
+
+void RecordingCsvHeader::throw_no_axis() const {
+  std::string names;
+  for (const Cell& cell : cells_) names += (names.empty() ? "" : ", ") + cell.column.name;
+  throw FormatError(cells_.front().place, "a column of time such as 'time [s]'",
+                    fmt::format("the columns {}", in_quotes(names, 120)),
+                    cells_.size() == 1
+                        ? "Is this line the header? Lines above it begin with '#'."
+                        : "Name it with its unit, or give the rate in a comment line such as "
+                          "'# sampling_rate: 8192 Hz'.");
+}
+
+std::string RecordingCsvHeader::label(std::size_t i) const {
+  const auto& [name, unit] = cells_[i].column;
+  return fmt::format("column {} {}", i + 1,
+                     in_quotes(unit ? fmt::format("{} [{}]", name, *unit) : name));
+}
+
+}  // namespace microslip

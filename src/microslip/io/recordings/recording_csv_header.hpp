@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "microslip/base/error.hpp"
+#include "microslip/base/units.hpp"
+#include "microslip/io/recordings/assumed_units.hpp"
+#include "microslip/io/tables/csv.hpp"
+#include "microslip/signal/recording/recording.hpp"
+
+namespace microslip {
+
+/// Between channel and name of an attribute, and behind the name of a complex channel.
+inline constexpr std::string_view kChannelMark = " / ";
+inline constexpr std::string_view kRealMark = ".real";
+inline constexpr std::string_view kImaginaryMark = ".imag";
+
+/// A column of a recording.
+struct RecordingColumn {
+  std::string name;
+  Unit unit;                           ///< 1 where it has none
+  std::optional<Dimension> dimension;  ///< nothing where it has none
+};
+
+/// What stands above the rows of a recording: comments, names, units.
+class RecordingCsvHeader {
+ public:
+  explicit RecordingCsvHeader(std::string_view file) : file_(file) {}
+
+  /// A comment line without its mark; an attribute in UTF-8.
+  void add_comment(std::string_view text);
+
+  /// The line of names. @param number  of the line.
+  /// @throws FormatError  where a cell has no name, has it twice, or all are numbers.
+  void read_names(std::string_view line, std::size_t number);
+
+  /// The first line below it. False where that is no line of units: some names have units already,
+  /// or a cell is a number other than 1, or none is a unit or in brackets.
+  /// @throws FormatError  where it is one with more or fewer cells than the line of names.
+  bool read_units(std::string_view line, std::size_t number);
+
+  /// When both lines have been read, if the second is there.
+  /// @throws FormatError  where a unit is unknown, the axis has none, or there is no axis or
+  ///                      nothing beside it.
+  void resolve(const AssumedUnits& assumed);
+
+  [[nodiscard]] bool has_names() const { return !cells_.empty(); }
+  [[nodiscard]] char separator() const { return separator_; }
+  [[nodiscard]] const std::vector<RecordingColumn>& columns() const { return columns_; }
+  /// The column of the axis; nothing where a comment gives the rate.
+  [[nodiscard]] std::optional<std::size_t> axis() const { return axis_; }
+  /// The rate that a comment gives, in Hz.
+  [[nodiscard]] std::optional<double> sampling_rate() const { return rate_; }
+  [[nodiscard]] const Attributes& attributes() const { return attributes_; }
+  /// For messages: "column 2 'force [N]'".
+  [[nodiscard]] std::string label(std::size_t column) const;
+
+ private:
+  struct Cell {
+    CsvColumn column;
+    TextPlace place;
+  };
+
+  [[nodiscard]] std::vector<Cell> read_cells(std::string_view line, std::size_t number) const;
+  void check_names() const;
+  [[nodiscard]] RecordingColumn resolve_column(std::size_t column) const;
+  [[nodiscard]] bool is_axis(std::size_t column) const;
+  void resolve_axis(const AssumedUnits& assumed);
+  [[noreturn]] void throw_no_axis() const;
+
+  std::string file_;
+  char separator_ = ',';
+  std::vector<Cell> cells_;
+  std::vector<RecordingColumn> columns_;
+  std::optional<std::size_t> axis_;
+  std::optional<double> rate_;
+  Attributes attributes_;
+};
+
+}  // namespace microslip

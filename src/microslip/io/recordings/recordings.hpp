@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "microslip/base/progress.hpp"
+#include "microslip/base/summary.hpp"
+#include "microslip/io/recordings/assumed_units.hpp"
+#include "microslip/signal/recording/recording.hpp"
+
+namespace microslip {
+
+/// What a file of recordings holds: channels that share an axis are one recording.
+struct Recordings {
+  std::vector<Recording> recordings;  ///< in the order of the file
+  std::vector<Warning> warnings;      ///< what the reader had to forgive
+};
+
+/// How files of recordings are read.
+struct RecordingReadOptions {
+  /// Take what a file has where it ends before all it announces, with a warning. Otherwise that is
+  /// an error.
+  bool allow_truncated = false;
+  /// Bytes done of all bytes.
+  Progress progress = {};
+  /// For what the file gives no unit. read_recordings() gives them to the channels, whatever the
+  /// format; a reader of one format uses them for the axis alone.
+  AssumedUnits assumed_units = {};
+};
+
+}  // namespace microslip

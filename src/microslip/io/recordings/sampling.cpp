@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/recordings/sampling.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/bytes/text.hpp"
+#include "microslip/io/recordings/doubtful_unit.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr double kEven = 1e-6;
+constexpr double kEvenAsStated = 0.01;
+
+bool lies_evenly(const std::vector<double>& points, double step, double tolerance) {
+  const double largest = std::max(std::abs(points.front()), std::abs(points.back()));
+  const double off = tolerance * step + 4.0 * std::numeric_limits<double>::epsilon() * largest;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double expected = points.front() + static_cast<double>(i) * step;
+    if (!(std::abs(points[i] - expected) <= off)) return false;
+  }
+  return true;
+}
+
+void scale(std::vector<double>& values, const Unit& unit) {
+  if (unit.numerator == 1.0 && unit.denominator == 1.0) return;
+  for (double& value : values) value = unit.to_si(value);
+}
+
+}  // namespace
+
+bool may_be_points(std::string_view name, std::span<const double> values) {
+  if (name.size() > 1) return true;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (!(values[i - 1] < values[i])) return false;
+  }
+  return true;
+}
+
+double step_of_rate(double rate, const std::string& place) {
+  if (!(rate > 0.0) || !std::isfinite(1.0 / rate) || !std::isfinite(rate)) {
+    throw InputError(place + ": sampling rate", rate, "must be above 0 and finite");
+  }
+  return 1.0 / rate;
+}
+
+Axis even_axis(const Sampling& sampling) {
+  Axis axis;
+  axis.start = sampling.start;
+  axis.step = sampling.step.value();
+  return axis;
+}
+
+PointsAxis axis_of_points(std::vector<double> points, const Dimension& dimension,
+                          std::optional<double> stated_step) {
+  PointsAxis result;
+  result.axis.dimension = dimension;
+  result.points = points.size();
+  const auto is_even = [&](double step, double tolerance) {
+    return points.size() > 1 && step > 0.0 && lies_evenly(points, step, tolerance);
+  };
+  const double mean =
+      points.size() < 2 ? 0.0
+                        : (points.back() - points.front()) / static_cast<double>(points.size() - 1);
+  if (stated_step && is_even(*stated_step, kEvenAsStated)) {
+    result.axis.step = *stated_step;
+  } else if (is_even(mean, kEven)) {
+    result.axis.step = mean;
+  } else {
+    result.axis.values = std::move(points);
+    return result;
+  }
+  result.axis.start = points.front();
+  return result;
+}
+
+void apply_unit(Channel& channel, std::string_view unit, const std::string& source,
+                std::vector<Warning>& warnings) {
+  if (trimmed(unit).empty()) return;
+  const std::optional<Unit> found = find_unit(unit);
+  if (!found) {
+    channel.attributes.emplace_back("unit", unit);
+    warnings.push_back(
+        {"unit_unknown", fmt::format("{}: channel {} is in {}, a unit not known; it "
+                                     "is taken as without unit",
+                                     source, in_quotes(channel.name), in_quotes(unit))});
+    return;
+  }
+  if (is_gravity(*found) && says_per_gravity(channel.attributes)) {
+    channel.attributes.emplace_back("unit", unit);
+    warnings.push_back(doubtful_gravity(source, channel.name, channel.values));
+    return;
+  }
+  channel.dimension = found->dimension;
+  scale(channel.values, *found);
+  scale(channel.imaginary, *found);
+}
+
+Dimension apply_axis_unit(std::vector<double>& points, std::string_view unit,
+                          const Dimension& usual, const std::string& place) {
+  if (trimmed(unit).empty()) return usual;
+  const std::optional<Unit> found = find_unit(unit);
+  if (!found) {
+    throw InputError(place + ": unit", in_quotes(unit), "is not known",
+                     fmt::format("Units that fit: {}.", usual_units(usual)));
+  }
+  scale(points, *found);
+  return found->dimension;
+}
+
+void add_channel(std::vector<Recording>& recordings, const std::string& source, const Axis& axis,
+                 Channel channel, std::string_view place) {
+  const auto fits = [&](const Recording& r) {
+    return r.size() == channel.values.size() && r.axis == axis;
+  };
+  auto recording = std::ranges::find_if(recordings, fits);
+  if (recording == recordings.end()) {
+    recordings.emplace_back();
+    recordings.back().source = source;
+    recordings.back().axis = axis;
+    recording = std::prev(recordings.end());
+    if (recordings.size() > 1) recording->source += fmt::format(" #{}", recordings.size());
+  }
+  const auto taken = [&](const std::string& name) {
+    return std::ranges::find(recording->channels, name, &Channel::name) !=
+           recording->channels.end();
+  };
+  if (taken(channel.name)) channel.name += fmt::format(" ({})", place);
+  recording->channels.push_back(std::move(channel));
+}
+
+void check_read(const Recording& recording, const std::string& place) {
+  try {
+    check_recording(recording);
+  } catch (const InputError& error) {
+    std::string_view name = error.name();  // begins with the source, which may be any text
+    if (name.starts_with(recording.source)) name.remove_prefix(recording.source.size());
+    if (name.starts_with(": ")) name.remove_prefix(2);
+    constexpr std::size_t kLong = 120;
+    throw error.renamed(fmt::format(
+        "{}: {}", place, name.size() > kLong ? in_quotes(name, kLong) : printable(name)));
+  }
+}
+
+void warn_without_rate(std::span<const std::string> places, std::vector<Warning>& warnings) {
+  for (const std::string& place : places) {
+    warnings.push_back(
+        {"sampling_rate_missing",
+         fmt::format("{}: left out, no sampling rate or time belongs to it", place)});
+  }
+}
+
+std::string file_name(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+
+}  // namespace microslip

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+#include "microslip/report/drawing/figure.hpp"
+
+/// @file
+/// What figures of harmonics need. Internal to report.
+
+namespace microslip {
+
+/// With room for the bars of the first and the last harmonic.
+[[nodiscard]] FigureAxis harmonic_axis(std::size_t first, std::size_t last);
+
+/// The line of the distortion that a controlled force may have, %. [AR14]
+[[nodiscard]] LineLayer one_percent(double from, double to);
+
+}  // namespace microslip

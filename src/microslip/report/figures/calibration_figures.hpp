@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "microslip/documents/joint/joint_samples_file.hpp"
+#include "microslip/report/document/figure_options.hpp"
+#include "microslip/workflow/results/experiment_results.hpp"
+
+/// @file
+/// What was found of several joints from levels of modes, and levels of modes alone. Marks are what
+/// was measured, lines what was found; modes and joints differ by colour and by mark or line. Each
+/// figure is the same on paper and on the page of a report.
+
+namespace microslip {
+
+/// The densities of all joints with their bands, grey where the levels tell next to nothing.
+/// @throws InputError  without densities.
+[[nodiscard]] Figure densities_figure(const ExperimentResults& results,
+                                      const FigureOptions& options = {});
+
+/// The density of one of them.
+/// @param joint  of `results.densities`.
+[[nodiscard]] Figure density_and_told_figure(const ExperimentResults& results, std::size_t joint);
+
+/// The share of the prior's variance that the levels took, over slip force, a line a joint.
+/// @throws InputError  where no joint tells it.
+[[nodiscard]] Figure told_figure(const ExperimentResults& results);
+
+/// For paper: both, a panel a joint.
+[[nodiscard]] FigureGrid identifiability_figure(const ExperimentResults& results,
+                                                const FigureOptions& options);
+
+// Over the displacement at the response point, one mark or line a mode.
+
+/// Loss of a cycle. @throws InputError  without a loss.
+[[nodiscard]] Figure modal_loss_figure(const ExperimentResults& results,
+                                       const FigureOptions& options = {});
+
+/// The loss as measured over that found, less 1. @throws InputError  where nothing was found.
+[[nodiscard]] Figure modal_loss_error_figure(const ExperimentResults& results,
+                                             const FigureOptions& options = {});
+
+/// Damping ratio of structure and joints. @throws InputError  without one.
+[[nodiscard]] Figure modal_damping_figure(const ExperimentResults& results,
+                                          const FigureOptions& options = {});
+
+/// Frequency over that of the lowest level of its mode, less 1; measured ones without the offset of
+/// their mode, unless frequencies were used as they are. @throws InputError  without frequencies.
+[[nodiscard]] Figure modal_frequency_figure(const ExperimentResults& results,
+                                            const FigureOptions& options = {});
+
+/// Residuals of losses over their scatter. @throws InputError  without them.
+[[nodiscard]] Figure loss_residual_figure(const ExperimentResults& results,
+                                          const FigureOptions& options = {});
+
+/// Residuals of frequencies over their scatter. @throws InputError  without them.
+[[nodiscard]] Figure frequency_residual_figure(const ExperimentResults& results,
+                                               const FigureOptions& options = {});
+
+/// Displacement of each joint over that at the response point, a panel a joint.
+/// @throws InputError  without a joint.
+[[nodiscard]] FigureGrid joint_amplitudes_figure(const ExperimentResults& results,
+                                                 const FigureOptions& options = {});
+
+/// What each joint has of the loss of all, a panel a joint. @throws InputError  without a joint.
+[[nodiscard]] FigureGrid loss_shares_figure(const ExperimentResults& results,
+                                            const FigureOptions& options = {});
+
+/// For paper: losses and their error, or the damping ratio where the losses were not measured.
+[[nodiscard]] FigureGrid modal_losses_figure(const ExperimentResults& results,
+                                             const FigureOptions& options);
+
+/// For paper: both residuals, or the one that there is.
+[[nodiscard]] FigureGrid modal_residuals_figure(const ExperimentResults& results,
+                                                const FigureOptions& options);
+
+/// Draws of a joint as thin lines, with their mean and band.
+[[nodiscard]] Figure draws_figure(const JointSamples& samples, const FigureOptions& options = {});
+
+// Whether the results have what these need.
+[[nodiscard]] bool has_told(const ExperimentResults& results);
+[[nodiscard]] bool has_modal_losses(const ExperimentResults& results);
+[[nodiscard]] bool has_modal_damping(const ExperimentResults& results);
+[[nodiscard]] bool has_modal_frequencies(const ExperimentResults& results);
+[[nodiscard]] bool has_modal_residuals(const ExperimentResults& results);
+[[nodiscard]] bool has_joint_amplitudes(const ExperimentResults& results);
+[[nodiscard]] bool has_loss_shares(const ExperimentResults& results);
+
+}  // namespace microslip

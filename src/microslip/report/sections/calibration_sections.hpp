@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "microslip/report/document/report_document.hpp"
+#include "microslip/report/document/scales.hpp"
+#include "microslip/workflow/results/experiment_results.hpp"
+
+/// @file
+/// The sections of the report of joints that were found from levels of modes. Internal to report.
+
+namespace microslip {
+
+/// Whether the results have any part of a calibration.
+[[nodiscard]] bool has_calibration(const ExperimentResults& results);
+
+/// What was found, what to worry about, and the densities of all joints.
+[[nodiscard]] ReportSection calibration_summary_section(const ExperimentResults& results);
+
+/// Losses, damping ratios and frequencies, measured and found, their residuals, and the modes.
+[[nodiscard]] ReportSection modes_section(const ExperimentResults& results);
+
+/// What each joint does at the levels.
+[[nodiscard]] ReportSection joints_at_levels_section(const ExperimentResults& results);
+
+/// What the levels tell of each joint, and which joints they do not tell apart.
+[[nodiscard]] ReportSection told_section(const ExperimentResults& results);
+
+}  // namespace microslip

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/report/sections/left_out.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace microslip {
+namespace {
+
+constexpr double kContradictByChance = 0.05;
+constexpr std::string_view kLevelOfTest = ": level ";
+
+/// "test", "mode" or "level", by the names; "part" where some are one mode of a test.
+std::string_view noun_of_parts(const std::vector<PartLeftOut>& parts, const CampaignFound& found) {
+  const auto all = [&](const auto& holds) {
+    return std::ranges::all_of(parts, holds, &PartLeftOut::name);
+  };
+  if (all([&](const std::string& name) {
+        return std::ranges::find(found.entries, name, &CampaignEntry::test) != found.entries.end();
+      })) {
+    return "test";
+  }
+  if (all([](const std::string& name) { return name.starts_with("mode "); })) return "mode";
+  if (all([](const std::string& name) { return name.find(kLevelOfTest) != std::string::npos; })) {
+    return "level";
+  }
+  return "part";
+}
+
+/// How many of what, and of how many.
+struct Contradictions {
+  std::vector<PartLeftOut> parts;  ///< that contradict
+  std::size_t judged = 0;          ///< with those that do not
+  std::string_view noun;           ///< what each is
+};
+
+Contradictions contradictions_in(const CampaignFound& found) {
+  Contradictions all;
+  const std::vector<PartLeftOut> parts = parts_left_out(found);
+  for (const PartLeftOut& part : parts) {
+    if (!part.judged || part.compared == 0) continue;
+    ++all.judged;
+    if (part.contradicts) all.parts.push_back(part);
+  }
+  all.noun = noun_of_parts(parts, found);
+  return all;
+}
+
+std::string count_text(const Contradictions& all) {
+  return fmt::format("{} of {} {}s", all.parts.size(), all.judged, all.noun);
+}
+
+/// "s2m2, D +20 %; s2m1, D -3 %; and 4 more".
+std::string list_text(const std::vector<PartLeftOut>& parts) {
+  constexpr std::size_t kMost = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kMost, parts.size()); ++i) {
+    text += fmt::format("{}{}, D {:+.2g} %", i == 0 ? "" : "; ", parts[i].name,
+                        100.0 * std::expm1(parts[i].mean_deviation));
+  }
+  return parts.size() <= kMost ? text : fmt::format("{}; and {} more", text, parts.size() - kMost);
+}
+
+}  // namespace
+
+std::vector<PartLeftOut> parts_left_out(const CampaignFound& found) {
+  std::vector<PartLeftOut> parts;
+  for (const LeftOutEntry& entry : found.left_out) {
+    if (parts.empty() || parts.back().name != entry.left_out) {
+      parts.push_back({.name = entry.left_out,
+                       .mean_deviation = entry.mean_deviation,
+                       .chance = entry.chance,
+                       .judged = entry.judged,
+                       .contradicts = entry.contradicts});
+    }
+    const bool inside = entry.verdict == "inside";
+    ++parts.back().levels;
+    parts.back().inside += inside ? 1 : 0;
+    parts.back().compared += inside || entry.verdict == "outside" ? 1 : 0;
+  }
+  return parts;
+}
+
+std::string count_that_contradict(const CampaignFound& found) {
+  const Contradictions all = contradictions_in(found);
+  return all.judged == 0 ? "" : count_text(all);
+}
+
+void put_contradictions(const ExperimentResults& results, ReportVerdict& verdict) {
+  if (!results.campaign) return;
+  const Contradictions all = contradictions_in(*results.campaign);
+  if (all.parts.empty()) return;
+  const double by_chance = kContradictByChance * static_cast<double>(all.judged);
+  const bool more = static_cast<double>(all.parts.size()) > by_chance;
+  verdict.doubtful = verdict.doubtful || more || all.noun != "level";
+  verdict.text =
+      fmt::format("{} contradict{} the others, {:.2g} would by chance: {}. {}", count_text(all),
+                  all.parts.size() == 1 ? "s" : "", by_chance, list_text(all.parts), verdict.text);
+}
+
+std::string unknown_repeatability(const ExperimentResults& results) {
+  const bool told = results.campaign && !results.campaign->repeatability.empty();
+  return told ? "" : ", and whether the test repeats";
+}
+
+}  // namespace microslip

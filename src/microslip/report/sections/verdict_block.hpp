@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "microslip/report/document/report_document.hpp"
+#include "microslip/workflow/results/experiment_results.hpp"
+
+/// @file
+/// What a report says first. Internal to report.
+
+namespace microslip {
+
+/// A departure from the kind of joint in words, by its code; the code itself of one that is not
+/// known here.
+[[nodiscard]] std::string departure_text(const std::string& code);
+
+/// The codes of warnings, each once.
+[[nodiscard]] std::vector<std::string> codes_of(const std::vector<Warning>& warnings);
+
+/// Whether a joint is to be believed: what was looked for and found, and how the solver ended.
+/// @param status  as IdentifiedJoint has it.
+/// @param looked_for  a departure may stand there several times, once a record.
+/// @param warnings  those that the section shows.
+[[nodiscard]] ReportVerdict verdict_on_joint(std::span<const DepartureFound> looked_for,
+                                             const std::string& status,
+                                             const std::vector<Warning>& warnings);
+
+}  // namespace microslip

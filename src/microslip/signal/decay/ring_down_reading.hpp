@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "microslip/signal/decay/decay_track.hpp"
+#include "microslip/signal/decay/ring_down_result.hpp"
+
+/// @file
+/// From what was followed to what is told. Internal to signal.
+
+namespace microslip {
+
+/// The windows of a track with other points: those of several sensors together.
+/// @param points  one a window.
+/// @param flags   one a window, codes between blanks; those of the windows themselves are added.
+[[nodiscard]] RingDown ring_down_of(const DecayTrack& track, const std::vector<DecayPoint>& points,
+                                    std::vector<std::string> flags, const Dimension& measured,
+                                    bool banded);
+
+/// Of a second oscillation near the mode; nothing where there is none that counts.
+[[nodiscard]] std::optional<Warning> warning_of_second(const DecayTrack& track);
+
+/// Adds a code to the flags of a window.
+void add_flag(std::string& flags, std::string_view code);
+
+}  // namespace microslip

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/signal/recording/recording.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "microslip/base/error.hpp"
+#include "microslip/signal/recording/quantity_name.hpp"
+
+namespace microslip {
+namespace {
+
+std::string name_of(const Recording& recording, std::string_view channel) {
+  return fmt::format("{}: channel '{}'", recording.source, channel);
+}
+
+[[noreturn]] void throw_missing(const Recording& recording, std::string_view name) {
+  throw InputError(name_of(recording, name), InputState{"missing"},
+                   fmt::format("the recording has {}", names_of_channels(recording)),
+                   "Give the name that it has there.");
+}
+
+/// A name that tells of another quantity than the one that is sought is a hint that another channel
+/// was meant: obeying must not make metres of an acceleration.
+[[noreturn]] void throw_without_unit(const Recording& recording, std::string_view name,
+                                     const Dimension& expected) {
+  const Dimension likely = quantity_of_name(name).value_or(expected);
+  std::string rule = "must have a unit";
+  std::string remedy =
+      fmt::format("Say what it is in with `assume_units {}={}`", name, si_unit(likely));
+  if (likely == expected) {
+    rule += " of " + dimension_name(expected);
+  } else {
+    remedy += fmt::format(", if it is {} as its name says", dimension_name(likely));
+  }
+  throw InputError(name_of(recording, name), InputState{"without unit"}, rule, remedy + ".");
+}
+
+void check_finite(const Recording& recording, std::string_view name,
+                  std::span<const double> values) {
+  const auto bad = std::ranges::find_if_not(values, [](double v) { return std::isfinite(v); });
+  if (bad == values.end()) return;
+  throw InputError(
+      fmt::format("{}, point {}", name_of(recording, name), std::distance(values.begin(), bad) + 1),
+      *bad, "must be finite", "Cut the record where it is whole.");
+}
+
+void check_axis(const Recording& recording) {
+  const Axis& axis = recording.axis;
+  if (axis.even()) {
+    if (!(axis.step > 0.0 && std::isfinite(axis.step) && std::isfinite(axis.start))) {
+      throw InputError(recording.source + ": step of the axis", axis.step,
+                       "must be above 0 and finite");
+    }
+    return;
+  }
+  check_finite(recording, "axis", axis.values);
+  const auto fall = std::ranges::adjacent_find(axis.values, std::greater_equal<>{});
+  if (fall == axis.values.end()) return;
+  throw InputError(fmt::format("{}: point {} of the axis", recording.source,
+                               std::distance(axis.values.begin(), fall) + 2),
+                   *std::next(fall), fmt::format("must be above {}, the point before it", *fall));
+}
+
+void check_channel(const Recording& recording, const Channel& channel, std::size_t points) {
+  if (channel.name.empty()) {
+    throw InputError(recording.source + ": name of a channel", "''", "must not be empty");
+  }
+  if (channel.values.size() != points ||
+      (!channel.imaginary.empty() && channel.imaginary.size() != points)) {
+    throw InputError(name_of(recording, channel.name) + " length",
+                     fmt::format("{}", channel.values.size()),
+                     fmt::format("must be {}, that of the others", points));
+  }
+  check_finite(recording, channel.name, channel.values);
+  check_finite(recording, channel.name, channel.imaginary);
+}
+
+}  // namespace
+
+std::string names_of_channels(const Recording& recording) {
+  std::string names;
+  for (const Channel& channel : recording.channels) {
+    names += (names.empty() ? "'" : ", '") + channel.name + "'";
+  }
+  return names.empty() ? "none" : names;
+}
+
+const Channel& Recording::channel(std::string_view name) const {
+  const auto found = std::ranges::find(channels, name, &Channel::name);
+  if (found == channels.end()) throw_missing(*this, name);
+  return *found;
+}
+
+std::span<const double> Recording::signal(std::string_view name, const Dimension& expected) const {
+  const Channel& found = channel(name);
+  if (axis.dimension != kTime) {
+    throw InputError(name_of(*this, name), InputState{"over " + dimension_name(axis.dimension)},
+                     "must be over time");
+  }
+  if (!found.imaginary.empty()) {
+    throw InputError(name_of(*this, name), InputState{"complex"}, "must be real");
+  }
+  if (!found.dimension) throw_without_unit(*this, name, expected);
+  if (*found.dimension != expected) {
+    throw InputError(
+        name_of(*this, name), dimension_name(*found.dimension),
+        fmt::format("must be {}, in {}", dimension_name(expected), usual_units(expected)));
+  }
+  return found.values;
+}
+
+void Recording::assume_unit(std::string_view name, const Unit& unit) {
+  const auto found = std::ranges::find(channels, name, &Channel::name);
+  if (found == channels.end()) throw_missing(*this, name);
+  if (found->dimension) {
+    throw InputError(name_of(*this, name), dimension_name(*found->dimension),
+                     "must have no unit where one is assumed", "The unit of the file holds.");
+  }
+  found->dimension = unit.dimension;
+  for (double& value : found->values) value = unit.to_si(value);
+  for (double& value : found->imaginary) value = unit.to_si(value);
+}
+
+void check_recording(const Recording& recording) {
+  if (recording.channels.empty()) {
+    throw InputError(recording.source, "no channel", "must have one at least");
+  }
+  const std::size_t points =
+      recording.axis.even() ? recording.size() : recording.axis.values.size();
+  if (points < 2) {
+    throw InputError(recording.source, fmt::format("{} points", points), "must have 2 at least");
+  }
+  check_axis(recording);
+  std::vector<std::string_view> names;
+  for (const Channel& channel : recording.channels) {
+    check_channel(recording, channel, points);
+    names.push_back(channel.name);
+  }
+  std::ranges::sort(names);
+  const auto twice = std::ranges::adjacent_find(names);
+  if (twice == names.end()) return;
+  throw InputError(name_of(recording, *twice), "there twice", "must have a name of its own");
+}
+
+}  // namespace microslip

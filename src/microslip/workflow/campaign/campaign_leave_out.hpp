@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "microslip/base/execution.hpp"
+#include "microslip/base/progress.hpp"
+#include "microslip/base/summary.hpp"
+#include "microslip/documents/study/campaign_file.hpp"
+#include "microslip/identify/methods/identification.hpp"
+#include "microslip/observe/common_errors.hpp"
+#include "microslip/workflow/campaign/campaign_levels.hpp"
+#include "microslip/workflow/compare/test_comparison.hpp"
+
+/// @file
+/// Leave-one-out: which of the tests of a campaign, or of their levels, contradict the others.
+
+namespace microslip {
+
+/// In place of a verdict where the others do not know each joint by itself.
+inline constexpr std::string_view kNotJudged = "not_judged";
+
+/// What was left out, and what the others predict of it.
+struct LeftOut {
+  std::string name = {};                 ///< of the test, or of test and level
+  std::vector<std::size_t> levels = {};  ///< their numbers among those of the campaign, from 0
+  std::vector<double> measured = {};     ///< D of each, J
+  /// D of each at its amplitude, by the joint that the others give. `measured` in it is NaN where
+  /// the amplitude is beyond those of the others, which predict nothing there.
+  ComparedCurve curve = {};
+  DrawsTaken taken = {};  ///< what became of the draws
+  bool converged = true;  ///< the identification without it
+  /// Why the others give nothing, of a model; then no level is compared. Empty where they do.
+  std::string failure = {};
+  std::vector<Warning> warnings = {};  ///< of a model, of the identification without it
+  /// Why it is not judged: the others do not know each joint by itself, and where that is so their
+  /// bands are not to be believed. Empty where it is.
+  std::string not_judged = {};
+
+  /// ln of the mean of D/D̂, weighted by (D̂/σ)², over the levels that are compared, 1; NaN where
+  /// there is none.
+  [[nodiscard]] double mean_deviation() const;
+  /// Whether it is judged, and so few levels lie in the band as of 1 − P of the draws, or fewer.
+  [[nodiscard]] bool contradicts() const;
+  /// Measured less predicted of value i over the distance of the edge of the band on that side, 1:
+  /// beyond 1 and −1 it is outside. NaN where it is not compared.
+  [[nodiscard]] double deviation(std::size_t i) const;
+};
+
+/// How the others are identified.
+struct LeaveOutOptions {
+  double stiffness = 0.0;                      ///< k, N/m
+  IdentificationOptions identification = {};   ///< with bands, whose draws predict
+  CommonErrors errors = {};                    ///< of the levels
+  Execution execution = Execution::threads();  ///< of the draws
+  Progress progress = {};                      ///< told of the identifications; may cancel
+};
+
+/// Before all work: that a density can be identified without each of them.
+/// @param campaign  says whether tests or levels. @param levels  of its tests.
+/// @throws InputError  where fewer than kFewestLevels different amplitudes are left of as many or
+///                     more.
+void check_leave_out(const CampaignFile& campaign, const CampaignLevels& levels);
+
+/// Leaves out one after the other, identifies the joint from what is left, and predicts D at the
+/// amplitudes that were left out. Bands are those of what would be read: the draws of the joint and
+/// of its linear damping; noise of each level, its standard deviation with what that of the
+/// amplitude makes of D, times what the others scatter by where that is more, or what they scatter
+/// by where none is given; and for a test that is left out gains of its own of the standard
+/// deviations that all have; those of a level are those of the others, of which it is one.
+/// @param campaign  says whether tests or levels.
+/// @param levels    of its tests.
+/// @param options   of the identifications.
+/// @throws InputError  as identify(), naming what was left out.
+/// @throws Cancelled   as the progress says.
+[[nodiscard]] std::vector<LeftOut> leave_one_out(const CampaignFile& campaign,
+                                                 const CampaignLevels& levels,
+                                                 const LeaveOutOptions& options);
+
+}  // namespace microslip

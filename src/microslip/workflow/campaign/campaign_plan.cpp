@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/workflow/campaign/campaign_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include "microslip/base/error.hpp"
+#include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/bytes/text.hpp"
+#include "microslip/io/kinds/file_kind.hpp"
+#include "microslip/io/open/recording_file.hpp"
+#include "microslip/workflow/campaign/campaign_joints.hpp"
+#include "microslip/workflow/campaign/campaign_tables.hpp"
+#include "microslip/workflow/campaign/campaign_test_kinds.hpp"
+#include "microslip/workflow/compare/comparison_table.hpp"
+#include "microslip/workflow/identify/smoothing_text.hpp"
+#include "microslip/workflow/text/distinct_files.hpp"
+
+namespace microslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+void check_structure(const CampaignFile& plan) {
+  const std::string_view asked = plan.of_model() ? kModelKind : kRigKind;
+  const std::string kind = file_kind(read_kind_head(plan.structure));
+  if (kind == asked) return;
+  if (plan.of_model()) {
+    throw InputError("model", in_quotes(plan.structure), "must be a model.toml",
+                     kind == kRigKind ? "A rig.toml, of one joint, is given as structure."
+                                      : "The subcommand modes makes one from matrices or a test.");
+  }
+  throw InputError("structure", in_quotes(plan.structure), "must be a rig.toml, of one joint",
+                   kind == kModelKind
+                       ? "Give a model.toml, whose joints are found from levels of its modes, as "
+                         "model in place of structure."
+                       : "A structure known by its modes has [modes] there.");
+}
+
+/// In the words of campaign.toml: only the inversion has draws, and p is of another method.
+void check_smoothing(const CampaignRun& run, const CampaignFile& plan) {
+  const std::string place = fmt::format("{}: identification.smoothing", printable(run.campaign));
+  IdentificationOptions none;
+  try {
+    if (!plan.smoothing.starts_with("p=")) return set_smoothing(plan.smoothing, std::nullopt, none);
+  } catch (const InputError& error) {
+    throw error.renamed(place);
+  }
+  throw InputError(place, in_quotes(plan.smoothing), "must be gcv or lambda=X",
+                   "p is of the method spline of identify, which has no draws.");
+}
+
+/// All levels are taken to be driven alike: nothing drives a decay, and a steady record is driven.
+void check_forcing(const CampaignFile& plan) {
+  if (!plan.of_model()) return;
+  for (const CampaignTest& test : plan.tests) {
+    if (!test.identifies()) continue;
+    const bool decay = test.kind == CampaignKind::kRingDown;
+    if (decay && !plan.modal_forcing) {
+      throw InputError(
+          fmt::format("test '{}': kind", test.name), in_quotes("ringdown"),
+          "must not be identified from beside forcing = \"excitation\": nothing drives "
+          "a decay",
+          "Give forcing = \"modal\", and driven levels in a campaign of their own.");
+    }
+    if (!decay && plan.modal_forcing && !is_modal_levels_table(test.file)) {
+      throw InputError(fmt::format("test '{}'", test.name), in_quotes(test.file),
+                       "must not be identified from beside forcing = \"modal\": the excitation "
+                       "drives a steady record",
+                       "Give forcing = \"excitation\", and decays in a campaign of their own.");
+    }
+  }
+}
+
+/// Conditions of tests that are predicted alone are columns, no more.
+bool has_conditions(const CampaignFile& plan) {
+  return std::ranges::any_of(plan.tests, [](const CampaignTest& test) {
+    return test.identifies() && !test.conditions.empty();
+  });
+}
+
+}  // namespace
+
+CampaignFile read_plan(const CampaignRun& run) {
+  if (run.campaign == "-") {
+    throw InputError("campaign", "standard input", "must be a file: its folder has the tests");
+  }
+  return parse_campaign(read_file(run.campaign), input_name(run.campaign));
+}
+
+void check_campaign(const CampaignRun& run, const CampaignFile& plan) {
+  check_structure(plan);
+  check_smoothing(run, plan);
+  std::vector<std::string> files;
+  for (const CampaignTest& test : plan.tests) files.push_back(test.file);
+  check_distinct_files(files);
+  for (const CampaignTest& test : plan.tests) check_campaign_test(test, plan.subject);
+  check_forcing(plan);
+}
+
+std::vector<std::string> sessions_with_model(const CampaignFile& plan) {
+  std::vector<std::string> names;
+  if (!plan.session_offsets) return names;
+  const std::string first = plan.sessions().front();
+  for (const CampaignTest& test : plan.tests) {
+    if (!test.predicted() || test.session == first) continue;
+    if (std::ranges::count(names, test.session) == 0) names.push_back(test.session);
+  }
+  return names;
+}
+
+std::string model_name(const std::string& session) { return fmt::format("model_{}.toml", session); }
+
+std::string in_folder(const CampaignRun& run, const std::string& name) {
+  return (fs::path(run.out) / name).string();
+}
+
+std::vector<ResultFile> files_of(const CampaignRun& run, const CampaignFile& plan) {
+  std::vector<ResultFile> files;
+  const auto add = [&](const std::string& name, std::string_view kind) {
+    files.push_back({in_folder(run, name), kind});
+  };
+  const std::string_view levels = plan.of_model() ? kModalLevelsKind : kLevelsKind;
+  for (const CampaignTest& test : plan.tests) {
+    const bool table =
+        plan.of_model() ? is_modal_levels_table(test.file) : is_levels_table(test.file);
+    if (test.identifies() && !table) files.push_back({levels_path(run.out, test), levels});
+  }
+  std::ranges::move(
+      plan.of_model() ? planned_files_of_model(run, plan) : planned_files_of_rig(run, plan),
+      std::back_inserter(files));
+  add("model.toml", kModelKind);
+  for (const std::string& session : sessions_with_model(plan)) add(model_name(session), kModelKind);
+  if (std::ranges::any_of(plan.tests, &CampaignTest::predicted)) {
+    add("comparison.csv", kComparisonKind);
+  }
+  add("campaign.csv", kCampaignTableKind);
+  add("sessions.csv", kSessionsKind);
+  if (has_conditions(plan)) add("conditions.csv", kConditionsKind);
+  if (plan.leave_out != LeaveOut::kNothing) add("leave_one_out.csv", kLeftOutKind);
+  return files;
+}
+
+void check_not_replaced(const CampaignRun& run, const CampaignFile& plan,
+                        const std::vector<ResultFile>& files) {
+  std::vector<std::string> inputs{run.campaign, plan.structure};
+  for (const CampaignTest& test : plan.tests) inputs.push_back(part_of_file(test.file).file);
+  for (const ResultFile& file : files) {
+    for (const std::string& input : inputs) {
+      std::error_code none;
+      if (!fs::equivalent(file.path, input, none)) continue;
+      throw InputError("out", in_quotes(run.out),
+                       fmt::format("must not be the folder of {}, which would be replaced", input),
+                       "Choose another folder.");
+    }
+  }
+}
+
+}  // namespace microslip

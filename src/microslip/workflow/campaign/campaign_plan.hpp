@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "microslip/documents/study/campaign_file.hpp"
+#include "microslip/workflow/campaign/campaign_run.hpp"
+#include "microslip/workflow/identify/calibration.hpp"
+
+/// @file
+/// What a campaign.toml asks for: the tests and the structure that it names, and the files that
+/// come of it. Internal to workflow.
+
+namespace microslip {
+
+/// @throws FileError, FormatError, InputError  as parse_campaign(); for standard input.
+[[nodiscard]] CampaignFile read_plan(const CampaignRun& run);
+
+/// Before anything is computed.
+/// @throws FileError, FormatError, InputError  where a test or the structure is no file of its
+///     kind, or tests do not go together.
+void check_campaign(const CampaignRun& run, const CampaignFile& plan);
+
+/// The sessions, but for the first with levels, whose predicted tests have a model of their own.
+[[nodiscard]] std::vector<std::string> sessions_with_model(const CampaignFile& plan);
+
+/// The name of that.
+[[nodiscard]] std::string model_name(const std::string& session);
+
+/// The path of a file in the folder of the results.
+[[nodiscard]] std::string in_folder(const CampaignRun& run, const std::string& name);
+
+/// The paths and kinds of all files of the results.
+[[nodiscard]] std::vector<ResultFile> files_of(const CampaignRun& run, const CampaignFile& plan);
+
+/// Checks that no file of the results would take the place of an input.
+/// @throws InputError  naming the input.
+void check_not_replaced(const CampaignRun& run, const CampaignFile& plan,
+                        const std::vector<ResultFile>& files);
+
+}  // namespace microslip

@@ -1,0 +1,479 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/workflow/identify/identification_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "microslip/base/percent.hpp"
+#include "microslip/documents/joint/density_file.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/io/config/named_value_access.hpp"
+#include "microslip/io/output/provenance.hpp"
+#include "microslip/workflow/text/summary_text.hpp"
+
+namespace microslip {
+namespace {
+
+std::string method_name(const Identification& found) {
+  if (found.parametric) {
+    return fmt::format("fit of the model {}", to_string(found.parametric->model));
+  }
+  return found.summary.method;
+}
+
+/// Of D, and of k_eq where it has standard deviations.
+std::string describe_scatter(const InversionResult& result) {
+  const double d = result.dissipation_scatter;
+  const std::string of_d = result.scatter_is_relative
+                               ? percent_text(d) + " of D about the fit (estimated)"
+                               : fmt::format("{:.2f} of the standard deviations given", d);
+  if (!result.secant_scatter) return line("scatter", of_d);
+  const double k = *result.secant_scatter;
+  return line("scatter of D", of_d) +
+         line("scatter of k_eq", fmt::format("{:.2f} of those given{}", k,
+                                             k < 0.7 ? ", which hold more than scatter" : ""));
+}
+
+/// Where the joint's own secant stiffnesses lie against the measured ones.
+std::string describe_offset(const Identification& found) {
+  if (!found.stiffness.secant) return {};
+  const SecantEvidence& secant = *found.stiffness.secant;
+  const double k = found.joint.stiffness();
+  return line(
+      "k_eq of the joint",
+      fmt::format("{} of k {} the measured, ± {}", percent_text(std::abs(secant.offset) / k),
+                  secant.offset > 0.0 ? "below" : "above", percent_text(secant.offset_std / k)));
+}
+
+/// Which assumptions are broken, before anything is said of a density.
+std::string describe_broken(const Identification& found) {
+  std::vector<std::string> codes;
+  const auto add = [&](std::string_view code) {
+    if (std::ranges::find(codes, code) == codes.end()) codes.emplace_back(code);
+  };
+  for (const LevelDepartureVerdict& verdict : found.verdicts) {
+    if (verdict.broken) add(to_string(verdict.departure));
+  }
+  if (found.records()) {
+    for (const RecordFit& record : found.records()->records) {
+      for (const RecordVerdict& verdict : record.verdicts) {
+        if (verdict.broken) add(to_string(verdict.departure));
+      }
+    }
+  }
+  if (codes.empty()) return {};
+  return line("verdict", fmt::format("NOT A JOINT OF THIS KIND: {}", fmt::join(codes, ", "))) +
+         line("", "what follows is the joint of the kind that is nearest; see the warnings");
+}
+
+/// What levels were tested for, each with its number and what noise makes of it.
+std::string describe_verdicts(const Identification& found) {
+  std::string text;
+  for (const LevelDepartureVerdict& verdict : found.verdicts) {
+    text += line(text.empty() ? "tested" : "",
+                 fmt::format("{}: {} of {}, noise {}, {}", to_string(verdict.departure),
+                             percent_text(verdict.share), verdict.quantity,
+                             percent_text(verdict.noise), verdict.broken ? "broken" : "held"));
+  }
+  return text;
+}
+
+/// How far the measured frequencies are from what the joint can make of a resonance.
+std::string describe_frequencies(const Identification& found) {
+  if (!found.stiffness.frequency) return {};
+  const FrequencyEvidence& frequency = *found.stiffness.frequency;
+  return line("frequencies",
+              fmt::format("explained to ± {:.2g} Hz by a share of {:.2f} of the softening",
+                          frequency.uncertainty, frequency.share)) +
+         line("", fmt::format("(to {:.2g} Hz if the joint were all of the stiffness)",
+                              frequency.equivalent_joint_error));
+}
+
+std::string describe_inversion(const Identification& found) {
+  const InversionResult& result = *found.inversion();
+  const PathPoint& point = result.path[result.chosen];
+  std::string text = describe_scatter(result);
+  text += line("smoothing",
+               fmt::format("lambda {:.3g}, {:.1f} degrees of freedom", point.lambda, point.edf));
+  text += describe_offset(found);
+  if (!result.edges.empty()) {
+    text +=
+        line("edges", fmt::format("the density jumps at {:.4g} N", fmt::join(result.edges, ", ")));
+  }
+  if (result.atom_slip_force) {
+    text += line("macro-slip at", fmt::format("{:.4g} N, by an atom of weight {:.3f}",
+                                              *result.atom_slip_force, result.atom_weight));
+  }
+  if (found.bands()) {
+    text += line("area Φ0", fmt::format("{:.3f}, {:.0f} % band {:.3f} to {:.3f}", result.area,
+                                        100.0 * found.bands()->confidence,
+                                        found.bands()->area.first, found.bands()->area.second));
+  }
+  return text;
+}
+
+std::string band_text(const Estimate& estimate, double confidence) {
+  return fmt::format("{:.0f} % band {:.5g} to {:.5g}", 100.0 * confidence, estimate.lower,
+                     estimate.upper);
+}
+
+/// What stands for the stiffness where records told it.
+std::string describe_records(const RecordInversionResult& result) {
+  std::string text = line("elastic remainder",
+                          fmt::format("{:.5g} N/m, {}", result.elastic_stiffness.value,
+                                      band_text(result.elastic_stiffness, result.confidence)));
+  if (result.viscous) {
+    text += line("viscous part", fmt::format("{:.5g} N s/m, {}", result.viscous->value,
+                                             band_text(*result.viscous, result.confidence)));
+  }
+  return text + line("draws", fmt::format("{}", result.draws.size()));
+}
+
+std::string describe_stiffness(const Identification& found) {
+  std::string text = fmt::format("{:.6g} N/m", found.joint.stiffness());
+  if (found.records() && !found.records()->stiffness_known) {
+    text += ", " + band_text(found.records()->stiffness, found.records()->confidence);
+  }
+  return line("stiffness k", text);
+}
+
+std::string_view name_of_count(const Identification& found) {
+  if (!found.records()) return "levels";
+  if (found.records()->levels.empty()) return "records";
+  return found.records()->records.empty() ? "tables of levels" : "records and tables";
+}
+
+std::string describe_parameters(const ParametricResult& fit) {
+  std::string text;
+  for (const FittedParameter& parameter : fit.parameters) {
+    const std::string unit = parameter.unit == "1" ? "" : " " + parameter.unit;
+    text += line(
+        parameter.name,
+        parameter.at_bound
+            ? fmt::format("{:.4g}{} (at the end of its range)", parameter.value, unit)
+            : fmt::format("{:.4g} ± {:.2g}{}", parameter.value, parameter.standard_error, unit));
+  }
+  text += line("misfit", percent_text(fit.misfit) + " of D, rms");
+  return text;
+}
+
+/// The density at a few slip forces, as a table.
+std::string describe_density(const Identification& found) {
+  constexpr int kRows = 7;
+  std::string text = found.lower.empty() ? "  slip force [N]   density [1/N]\n"
+                                         : "  slip force [N]   density [1/N]   band [1/N]\n";
+  const double from = std::max(found.covered_from, found.slip_force.front());
+  const double to = std::min(found.covered_to, found.slip_force.back());
+  for (int i = 0; i < kRows; ++i) {
+    const double f = from + (to - from) * i / (kRows - 1);
+    const auto near = std::ranges::min_element(found.slip_force, {},
+                                               [&](double knot) { return std::abs(knot - f); });
+    const auto j = static_cast<std::size_t>(near - found.slip_force.begin());
+    text += fmt::format("  {:14.4g}   {:13.4g}", found.slip_force[j], found.density[j]);
+    if (!found.lower.empty()) {
+      text += fmt::format("   {:.4g} to {:.4g}", found.lower[j], found.upper[j]);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+/// Of the joint that the file holds, whatever found it.
+void add_stiffness(const StiffnessEvidence& evidence, NamedValues& record) {
+  if (evidence.secant) {
+    record.emplace_back("secant_offset_N_per_m", evidence.secant->offset);
+    record.emplace_back("secant_offset_std_N_per_m", evidence.secant->offset_std);
+  }
+  if (!evidence.frequency) return;
+  const FrequencyEvidence& frequency = *evidence.frequency;
+  record.emplace_back("frequency_rise", std::max(0.0, frequency.rise.change));
+  record.emplace_back("frequency_fall_unexplained",
+                      std::max(0.0, frequency.fall.explained - frequency.fall.change));
+  record.emplace_back("softening_share", frequency.share);
+  record.emplace_back("resonance_uncertainty_Hz", frequency.uncertainty);
+  record.emplace_back("equivalent_joint_error_Hz", frequency.equivalent_joint_error);
+}
+
+void add_band_edges(const Identification& found, NamedValues& record) {
+  record.emplace_back("band_slip_force_N", found.slip_force);
+  record.emplace_back("band_lower_per_N", found.lower);
+  record.emplace_back("band_upper_per_N", found.upper);
+}
+
+void add_bands(const Identification& found, NamedValues& record) {
+  const DensityBands& bands = *found.bands();
+  const auto pair = [](const std::pair<double, double>& ends) {
+    return std::vector<double>{ends.first, ends.second};
+  };
+  record.emplace_back("band_confidence", bands.confidence);
+  record.emplace_back("band_samples", static_cast<double>(bands.samples));
+  record.emplace_back("band_samples_effective", bands.effective_samples);
+  record.emplace_back("band_area", pair(bands.area));
+  if (found.linear_damping) {
+    record.emplace_back("band_linear_damping_J_per_m2", pair(bands.linear_damping));
+  }
+  if (found.inversion()->atom_slip_force) {
+    record.emplace_back("band_atom_weight", pair(bands.atom_weight));
+  }
+  add_band_edges(found, record);
+}
+
+/// Each departure of each record, found or not.
+void add_verdicts(const RecordInversionResult& result, NamedValues& record) {
+  std::vector<std::string> departure;
+  std::vector<std::string> found;
+  std::vector<double> number;
+  std::vector<double> share;
+  std::vector<double> noise;
+  for (std::size_t r = 0; r < result.records.size(); ++r) {
+    for (const RecordVerdict& verdict : result.records[r].verdicts) {
+      departure.emplace_back(to_string(verdict.departure));
+      found.emplace_back(verdict.broken ? "broken" : "held");
+      number.push_back(static_cast<double>(r + 1));
+      share.push_back(verdict.share);
+      noise.push_back(verdict.noise);
+    }
+  }
+  record.emplace_back("verdict_departure", list_of_texts(departure));
+  record.emplace_back("verdict", list_of_texts(found));
+  record.emplace_back("verdict_record", std::move(number));
+  record.emplace_back("verdict_share", std::move(share));
+  record.emplace_back("verdict_noise", std::move(noise));
+}
+
+/// F₀ of each group of each record.
+void add_offsets(const RecordInversionResult& result, NamedValues& record) {
+  std::vector<double> offset;
+  std::vector<double> number;
+  for (std::size_t r = 0; r < result.records.size(); ++r) {
+    for (const double value : result.records[r].offset) {
+      offset.push_back(value);
+      number.push_back(static_cast<double>(r + 1));
+    }
+  }
+  record.emplace_back("offset_force_N", std::move(offset));
+  record.emplace_back("offset_record", std::move(number));
+}
+
+/// Each departure that one table of levels can show, found or not.
+void add_level_verdicts(const Identification& found, NamedValues& record) {
+  if (found.verdicts.empty()) return;
+  std::vector<std::string> departure;
+  std::vector<std::string> verdict;
+  std::vector<double> share;
+  std::vector<double> noise;
+  for (const LevelDepartureVerdict& one : found.verdicts) {
+    departure.emplace_back(to_string(one.departure));
+    verdict.emplace_back(one.broken ? "broken" : "held");
+    share.push_back(one.share);
+    noise.push_back(one.noise);
+  }
+  record.emplace_back("verdict_departure", list_of_texts(departure));
+  record.emplace_back("verdict", list_of_texts(verdict));
+  record.emplace_back("verdict_share", std::move(share));
+  record.emplace_back("verdict_noise", std::move(noise));
+}
+
+/// Tables of levels beside records, each held against all else.
+void add_tables(const RecordInversionResult& result, NamedValues& record) {
+  if (result.levels.empty()) return;
+  std::vector<double> scatter;
+  std::vector<std::string> scatter_of;
+  std::vector<double> table;
+  std::vector<std::string> quantity;
+  std::vector<std::string> found;
+  std::vector<double> share;
+  std::vector<double> noise;
+  for (std::size_t t = 0; t < result.levels.size(); ++t) {
+    const LevelFit& fit = result.levels[t];
+    scatter.push_back(fit.scatter.dissipation);
+    scatter_of.emplace_back(fit.scatter_is_relative ? "dissipation" : "dissipation_std");
+    const auto add = [&](const std::optional<LevelVerdict>& verdict, const char* name) {
+      if (!verdict) return;
+      table.push_back(static_cast<double>(t + 1));
+      quantity.emplace_back(name);
+      found.emplace_back(verdict->broken ? "broken" : "held");
+      share.push_back(verdict->share);
+      noise.push_back(verdict->noise);
+    };
+    add(fit.dissipation_verdict, "dissipation");
+    add(fit.secant_verdict, "secant_stiffness");
+  }
+  record.emplace_back("levels_scatter", std::move(scatter));
+  record.emplace_back("levels_scatter_of", list_of_texts(scatter_of));
+  record.emplace_back("levels_verdict_table", std::move(table));
+  record.emplace_back("levels_verdict_quantity", list_of_texts(quantity));
+  record.emplace_back("levels_verdict", list_of_texts(found));
+  record.emplace_back("levels_verdict_share", std::move(share));
+  record.emplace_back("levels_verdict_noise", std::move(noise));
+}
+
+/// Of the draws from the posterior of records.
+void add_records(const Identification& found, NamedValues& record) {
+  const RecordInversionResult& result = *found.records();
+  const auto add = [&](const std::string& name, const Estimate& estimate) {
+    record.emplace_back(name, estimate.value);
+    record.emplace_back("band_" + name, std::vector<double>{estimate.lower, estimate.upper});
+  };
+  if (!result.stiffness_known) add("stiffness_N_per_m", result.stiffness);
+  add("elastic_stiffness_N_per_m", result.elastic_stiffness);
+  if (result.viscous) add(std::string(kViscousKey), *result.viscous);
+  record.emplace_back("reference_exponent", result.reference_exponent);
+  const auto of_records = [&](const std::string& name, double RecordFit::*member) {
+    std::vector<double> values;
+    for (const RecordFit& fit : result.records) values.push_back(fit.*member);
+    record.emplace_back(name, std::move(values));
+  };
+  of_records("scatter_force_N", &RecordFit::scatter);
+  of_records("correlation", &RecordFit::correlation);
+  of_records("unexplained", &RecordFit::unexplained);
+  add_offsets(result, record);
+  std::vector<std::string> start;
+  for (const RecordFit& fit : result.records) {
+    start.emplace_back(to_string(fit.start));
+  }
+  record.emplace_back("start", list_of_texts(start));
+  add_verdicts(result, record);
+  add_tables(result, record);
+  record.emplace_back("band_confidence", result.confidence);
+  record.emplace_back("band_samples", static_cast<double>(result.draws.size()));
+  add_band_edges(found, record);
+}
+
+void add_path(const InversionResult& result, NamedValues& record) {
+  std::vector<double> lambda;
+  std::vector<double> edf;
+  std::vector<double> residual;
+  std::vector<double> gcv;
+  for (const PathPoint& point : result.path) {
+    if (!std::isfinite(point.gcv)) continue;
+    lambda.push_back(point.lambda);
+    edf.push_back(point.edf);
+    residual.push_back(point.residual);
+    gcv.push_back(point.gcv);
+  }
+  record.emplace_back("lambda", result.path[result.chosen].lambda);
+  record.emplace_back("degrees_of_freedom", result.edf);
+  if (!result.edges.empty()) record.emplace_back("edges_N", result.edges);
+  if (result.smoothing_trend != 0.0) {
+    record.emplace_back("smoothing_trend", result.smoothing_trend);
+  }
+  record.emplace_back("scatter", result.scatter);
+  record.emplace_back("scatter_of", result.scatter_is_relative ? "dissipation" : "dissipation_std");
+  record.emplace_back("scatter_dissipation", result.dissipation_scatter);
+  if (result.secant_scatter) record.emplace_back("scatter_secant", *result.secant_scatter);
+  if (result.inner_not_converged > 0) {
+    record.emplace_back("inner_not_converged", static_cast<double>(result.inner_not_converged));
+  }
+  record.emplace_back("path_lambda", std::move(lambda));
+  record.emplace_back("path_degrees_of_freedom", std::move(edf));
+  record.emplace_back("path_residual", std::move(residual));
+  record.emplace_back("path_gcv", std::move(gcv));
+}
+
+void add_parameters(const ParametricResult& fit, NamedValues& record) {
+  for (const FittedParameter& parameter : fit.parameters) {
+    record.emplace_back("fitted_" + parameter.name, parameter.value);
+    if (std::isfinite(parameter.standard_error)) {
+      record.emplace_back("std_" + parameter.name, parameter.standard_error);
+    }
+  }
+  // Parameters that the levels do not determine have none.
+  if (std::ranges::all_of(fit.covariance, [](double c) { return std::isfinite(c); })) {
+    record.emplace_back("covariance", fit.covariance);
+  }
+  record.emplace_back("misfit", fit.misfit);
+}
+
+}  // namespace
+
+std::string describe_identification(const Identification& found, std::size_t level_count) {
+  const Joint& joint = found.joint;
+  const SlipDensity& density = joint.density();
+  std::string text = "Identified joint\n" + describe_broken(found);
+  text += line("method", method_name(found));
+  text += line(name_of_count(found), fmt::format("{}", level_count));
+  text += describe_stiffness(found);
+  text += line("slip forces covered",
+               fmt::format("{:.4g} to {:.4g} N", found.covered_from, found.covered_to));
+  if (found.records()) {
+    text += describe_records(*found.records());
+  } else if (found.inversion() && !found.parametric) {
+    text += describe_inversion(found);
+  } else {
+    if (found.parametric) text += describe_parameters(*found.parametric);
+    text += describe_offset(found);
+  }
+  text += describe_frequencies(found);
+  text += describe_verdicts(found);
+  text += line("stiffness slipped",
+               fmt::format("{:.1f} % (elastic remainder {:.1f} %)", 100.0 * density.total().zeroth,
+                           100.0 * density.elastic_remainder()));
+  text += line("slipped part carries", fmt::format("{:.4g} N at most", joint.macroslip_force()));
+  if (found.linear_damping && !found.parametric) {
+    text += line("linear damping",
+                 fmt::format("{:.4g} J/m^2 (adds to D with A^2)", *found.linear_damping));
+  }
+  text += line("solver", fmt::format("{}: {}", found.summary.status(), found.summary.reason));
+  text += describe_density(found);
+  for (const Warning& warning : found.warnings) {
+    text += wrapped("  warning: ", warning.text, 11);
+  }
+  return text;
+}
+
+NamedValues record_of_identification(const Identification& found) {
+  NamedValues record;
+  record.emplace_back("method", std::string(to_string(found.method)));
+  if (found.parametric) {
+    record.emplace_back("model", std::string(to_string(found.parametric->model)));
+  }
+  record.emplace_back("status", std::string(found.summary.status()));
+  record.emplace_back("covered_from_N", found.covered_from);
+  record.emplace_back("covered_to_N", found.covered_to);
+  record.emplace_back("elastic_remainder", found.joint.density().elastic_remainder());
+  if (found.linear_damping) {
+    record.emplace_back("linear_damping_J_per_m2", *found.linear_damping);
+  }
+  if (found.inversion()) add_path(*found.inversion(), record);
+  if (found.spline()) {
+    record.emplace_back("lambda_m3", found.spline()->fit.lambda);
+    record.emplace_back("degrees_of_freedom", found.spline()->fit.edf);
+  }
+  if (found.parametric) add_parameters(*found.parametric, record);
+  add_stiffness(found.stiffness, record);
+  add_level_verdicts(found, record);
+  if (found.records()) add_records(found, record);
+  if (found.bands()) add_bands(found, record);
+  add_warnings(found.warnings, record);
+  return record;
+}
+
+std::string density_csv(const Identification& found) {
+  DensityTable density{found.slip_force, found.density, found.lower, found.upper};
+  for (double& value : density.density) value = std::max(value, 0.0);
+  CsvWriter table = density_table(density);
+  const AtomsPart& atoms = found.joint.density().atoms();
+  for (std::size_t i = 0; i < atoms.weight.size(); ++i) {
+    table.add_comment(fmt::format("not in the density: an atom of weight {:.6g} at {:.6g} N",
+                                  atoms.weight[i], atoms.slip_force[i]));
+  }
+  if (!density.lower.empty()) {
+    table.add_comment(
+        "lower and upper are pointwise: the lower edge as a whole is no joint, nor is the upper "
+        "one");
+  }
+  if (!found.summary.converged()) {
+    table.add_comment(fmt::format("NOT CONVERGED: {}", found.summary.reason));
+  }
+  add_warnings(found.warnings, table);
+  return table.str();
+}
+
+}  // namespace microslip

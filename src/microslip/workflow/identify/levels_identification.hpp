@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/identify/methods/identification.hpp"
+#include "microslip/io/output/provenance.hpp"
+#include "microslip/workflow/identify/recorded_options.hpp"
+#include "microslip/workflow/reduce/level_table.hpp"
+
+/// @file
+/// levels.csv to joint.json and density.csv.
+
+namespace microslip {
+
+/// What is to be identified, and how.
+struct LevelsIdentification {
+  std::string levels;                  ///< path of levels.csv; "-" is standard input
+  double stiffness = 0.0;              ///< k of the stuck joint, N/m; > 0
+  IdentificationOptions options = {};  ///< of the method
+  /// Takes levels with inner reversals, too, whose D is not that of one loop [AR14 (7)].
+  bool use_inner_reversals = false;
+  AssemblyColumn assemblies = AssemblyColumn::kUnsaid;  ///< how the column `assembly` is taken
+  OptionTexts texts = {};  ///< what joint.json tells of the options; with the common errors
+};
+
+/// What came of it.
+struct IdentifiedLevels {
+  NamedInput input;                        ///< as read
+  Identification found;                    ///< with warnings of the file, too
+  std::size_t count = 0;                   ///< levels that were used
+  std::vector<std::size_t> reversed = {};  ///< lines of those with inner reversals
+};
+
+/// Reads the levels and identifies the joint.
+/// @throws FileError, FormatError  as read_level_table().
+/// @throws InputError  as identify(); what the levels are at fault for names their file.
+/// @throws Cancelled   as the progress of the options says.
+[[nodiscard]] IdentifiedLevels identify_levels(const LevelsIdentification& options);
+
+/// The same of levels that were read before.
+/// @param table    of identify_levels(); `levels` of the options is not looked at.
+/// @param options  as of identify_levels().
+/// @throws FormatError, InputError, Cancelled  as identify_levels().
+[[nodiscard]] IdentifiedLevels identify_table(LevelTable table,
+                                              const LevelsIdentification& options);
+
+/// What joint.json holds.
+/// @param found    with its warnings.
+/// @param options  that it was found with.
+/// @param inputs   the levels; empty where they came from no file.
+/// @param command  that the file is made by.
+/// @param texts    of the options.
+[[nodiscard]] JointFile identified_joint(const Identification& found,
+                                         const IdentificationOptions& options,
+                                         const std::vector<NamedInput>& inputs,
+                                         std::string_view command, const OptionTexts& texts = {});
+
+/// The text of joint.json.
+/// @param found       with its warnings.
+/// @param options     that it was found with.
+/// @param input       the levels.
+/// @param command     that the file is made by.
+/// @param texts       of the options.
+[[nodiscard]] std::string joint_text(const Identification& found,
+                                     const IdentificationOptions& options, const NamedInput& input,
+                                     std::string_view command, const OptionTexts& texts = {});
+
+/// The bytes of joint_samples.h5.
+/// @param found    with its draws.
+/// @param options  that it was found with.
+/// @param input    the levels.
+/// @param command  that the file is made by.
+/// @param texts    of the options.
+/// @param path     of the file.
+/// @throws InputError  as joint_samples(). @throws FileError  as joint_samples_bytes().
+[[nodiscard]] std::string samples_bytes(const Identification& found,
+                                        const IdentificationOptions& options,
+                                        const NamedInput& input, std::string_view command,
+                                        const OptionTexts& texts, const std::string& path);
+
+/// The summary.
+[[nodiscard]] std::string describe_identified_levels(const LevelsIdentification& options,
+                                                     const IdentifiedLevels& done);
+
+}  // namespace microslip

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/workflow/identify/records_identification.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "microslip/base/percent.hpp"
+#include "microslip/base/version.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/io/bytes/sha256.hpp"
+#include "microslip/workflow/identify/identification_text.hpp"
+#include "microslip/workflow/predict/joint_draws.hpp"
+#include "microslip/workflow/reduce/level_table.hpp"
+#include "microslip/workflow/text/distinct_files.hpp"
+#include "microslip/workflow/text/summary_text.hpp"
+
+namespace microslip {
+namespace {
+
+RecordStart start_of(const RecordEvidence& evidence, const RecordsIdentification& options) {
+  if (options.start) return {*options.start, false, 0.0};
+  return shown_start(evidence);
+}
+
+NamedValues record_of_options(const RecordsIdentification& options) {
+  NamedValues record;
+  record.emplace_back("method", "inversion");
+  record.emplace_back("force", options.channels.force);
+  record.emplace_back("displacement", options.channels.displacement);
+  record.emplace_back("start",
+                      std::string(options.start ? to_string(*options.start) : "as it shows"));
+  record.emplace_back("viscous", options.options.viscous ? "fit" : "none");
+  record.emplace_back("samples", static_cast<double>(options.options.draws));
+  record.emplace_back("assume_units", list_of_texts(options.assumed_units));
+  record.emplace_back("allow_truncated", options.reading.allow_truncated ? "yes" : "no");
+  if (!options.levels.empty()) {
+    record.emplace_back("inner_reversals", options.use_inner_reversals ? "use" : "leave-out");
+  }
+  if (!options.samples_out.empty()) record.emplace_back("samples_out", options.samples_out);
+  return record;
+}
+
+Provenance records_provenance(const RecordsIdentification& options, const IdentifiedRecords& done,
+                              std::string_view command) {
+  Provenance provenance;
+  provenance.version = kVersion;
+  provenance.command = command;
+  provenance.inputs = done.inputs;
+  provenance.options = record_of_options(options);
+  provenance.seed = options.options.seed;
+  return provenance;
+}
+
+/// Where the start of a record is known from.
+std::string_view origin_of(const RecordStart& start, const RecordsIdentification& options) {
+  if (options.start) return "given";
+  const bool shown = start.start == PathStart::kUnknown || start.shown;
+  return shown ? "shown" : "assumed";
+}
+
+/// Which recordings the records are, and who says in which state they begin.
+void add_sources(const RecordsIdentification& options, const IdentifiedRecords& done,
+                 NamedValues& record) {
+  std::vector<std::string> start_from;
+  for (const RecordStart& start : done.start) start_from.emplace_back(origin_of(start, options));
+  record.emplace_back("start_from", list_of_texts(start_from));
+  record.emplace_back("record_source", list_of_texts(done.source));
+  record.emplace_back("record_input", done.input);
+}
+
+std::string describe_start(const RecordStart& start) {
+  if (start.start == PathStart::kUnknown) {
+    return start.early_misfit > 0.0 ? "had slipped before, as its first samples show"
+                                    : "of unknown state, as given";
+  }
+  return start.shown ? "virgin, as its first samples show" : "virgin, not shown";
+}
+
+std::string describe_record(const std::string& source, const RecordStart& start,
+                            const RecordFit& fit) {
+  return line("record", shortened(source, 56)) + line("", describe_start(start)) +
+         line("", fmt::format("force scatters by {:.2g} N a sample; {} of it unexplained",
+                              fit.scatter, percent_text(fit.unexplained)));
+}
+
+std::string describe_table(const std::string& path, std::size_t count, const LevelFit& fit) {
+  return line("levels", shortened(path, 56)) +
+         line("", fmt::format("{}, D scatters by {}", counted(count, "level"),
+                              fit.scatter_is_relative
+                                  ? percent_text(fit.scatter.dissipation)
+                                  : fmt::format("{:.2f} of the standard deviations given",
+                                                fit.scatter.dissipation)));
+}
+
+/// What was read.
+struct Gathered {
+  std::vector<RecordEvidence> records;
+  std::vector<std::string> source;
+  std::vector<double> input;
+  std::vector<RecordStart> start;
+  std::vector<LevelEvidence> levels;
+  std::vector<std::string> tables;
+  std::vector<std::size_t> counts;
+  std::vector<InputHash> inputs;
+  std::vector<Warning> warnings;
+};
+
+void gather_records(const RecordsIdentification& options, Gathered& all) {
+  check_distinct_files(options.records);
+  ForceRecords read = read_force_records(options.records, options.channels, options.reading);
+  for (NamedForceRecord& one : read.records) {
+    of_record(one.source, [&] {
+      const RecordEvidence virgin(std::move(one.record), PathStart::kVirgin);
+      all.start.push_back(start_of(virgin, options));
+      all.records.push_back(virgin.from(all.start.back().start));
+      check_records({&all.records.back(), 1}, options.options);
+    });
+    all.source.push_back(one.source);
+    all.input.push_back(one.input);
+  }
+  all.inputs = std::move(read.inputs);
+  all.warnings = std::move(read.warnings);
+}
+
+void gather_levels(const RecordsIdentification& options, Gathered& all) {
+  check_distinct_files(options.levels);
+  for (const std::string& path : options.levels) {
+    LevelTable table = read_level_table(path, {.use_inner_reversals = options.use_inner_reversals,
+                                               .assemblies = options.assemblies});
+    of_record(path, [&] { all.levels.emplace_back(table.used.levels); });
+    all.tables.push_back(path);
+    all.counts.push_back(table.used.levels.size());
+    all.inputs.push_back({path, sha256(table.input.text)});
+    for (const Warning& warning : table.warnings) {
+      all.warnings.push_back({warning.code, path + ": " + warning.text});
+    }
+  }
+}
+
+}  // namespace
+
+IdentifiedRecords identify_records(const RecordsIdentification& options) {
+  Gathered all;
+  gather_records(options, all);
+  gather_levels(options, all);
+  IdentifiedRecords done{.source = all.source,
+                         .input = std::move(all.input),
+                         .tables = all.tables,
+                         .levels = std::move(all.counts),
+                         .start = std::move(all.start),
+                         .inputs = std::move(all.inputs),
+                         .found = identify({all.records, all.levels, all.source, all.tables},
+                                           options.stiffness, options.options)};
+  done.found.warnings.insert(done.found.warnings.begin(), all.warnings.begin(), all.warnings.end());
+  return done;
+}
+
+JointFile identified_joint(const RecordsIdentification& options, const IdentifiedRecords& done,
+                           std::string_view command) {
+  NamedValues identification = record_of_identification(done.found);
+  add_sources(options, done, identification);
+  return {done.found.joint, records_provenance(options, done, command), std::move(identification)};
+}
+
+std::string joint_text(const RecordsIdentification& options, const IdentifiedRecords& done,
+                       std::string_view command) {
+  return format_joint(identified_joint(options, done, command));
+}
+
+std::string samples_bytes(const RecordsIdentification& options, const IdentifiedRecords& done,
+                          std::string_view command) {
+  return joint_samples_bytes(joint_samples(done.found, records_provenance(options, done, command)),
+                             options.samples_out);
+}
+
+std::string describe_identified_records(const IdentifiedRecords& done) {
+  std::string text = describe_identification(done.found, done.source.size() + done.tables.size());
+  std::string records;
+  for (std::size_t r = 0; r < done.source.size(); ++r) {
+    records += describe_record(done.source[r], done.start[r], done.found.records()->records[r]);
+  }
+  for (std::size_t t = 0; t < done.tables.size(); ++t) {
+    records += describe_table(done.tables[t], done.levels[t], done.found.records()->levels[t]);
+  }
+  return text + records;
+}
+
+}  // namespace microslip

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/identify/methods/identification.hpp"
+#include "microslip/identify/records/record_start.hpp"
+#include "microslip/io/config/named_values.hpp"
+#include "microslip/io/recordings/recordings.hpp"
+#include "microslip/workflow/reduce/force_records.hpp"
+#include "microslip/workflow/reduce/level_table.hpp"
+
+/// @file
+/// Recordings of force and displacement, and tables of levels with them, to joint.json and
+/// density.csv.
+
+namespace microslip {
+
+/// What is to be identified, and how.
+struct RecordsIdentification {
+  std::vector<std::string> records = {};  ///< paths of recordings of one joint
+  std::vector<std::string> levels = {};   ///< paths of tables of its levels, levels.csv
+  JointChannels channels = {};            ///< of each of them
+  std::optional<double> stiffness = {};   ///< k of the stuck joint, N/m; found without it
+  std::optional<PathStart> start = {};    ///< of each of them; by what it shows without it
+  RecordInversionOptions options = {};    ///< of the method
+  RecordingReadOptions reading = {};      ///< of the recordings
+  bool use_inner_reversals = false;       ///< of the levels, as LevelTableOptions
+  AssemblyColumn assemblies = AssemblyColumn::kUnsaid;  ///< of the levels, likewise
+  /// The texts of the units that `reading` assumes, for joint.json.
+  std::vector<std::string> assumed_units = {};
+  std::string samples_out = {};  ///< file that the draws go to; empty for none
+};
+
+/// What came of it. Vectors of records have one entry each, in the order of `found.records()`.
+struct IdentifiedRecords {
+  std::vector<std::string> source = {};  ///< of each record
+  std::vector<double> input = {};        ///< number of the file of each record, from 1
+  std::vector<std::string> tables = {};  ///< of each table of levels: its file
+  std::vector<std::size_t> levels = {};  ///< of each: how many were used
+  std::vector<RecordStart> start = {};   ///< of each record; shown where nobody said it
+  std::vector<InputHash> inputs = {};    ///< the files
+  Identification found;                  ///< with warnings of the files, too
+};
+
+/// Reads recordings and levels and identifies the joint.
+/// @throws FileError, FormatError  as read_recordings() and read_level_table().
+/// @throws InputError  as read_force_records() and identify(); where there is no recording.
+/// @throws Cancelled   as the progress of the options says.
+[[nodiscard]] IdentifiedRecords identify_records(const RecordsIdentification& options);
+
+/// What joint.json holds.
+/// @param options  that it was found with.
+/// @param done     what was found.
+/// @param command  that the file is made by.
+[[nodiscard]] JointFile identified_joint(const RecordsIdentification& options,
+                                         const IdentifiedRecords& done, std::string_view command);
+
+/// The text of joint.json; the rest as of identified_joint().
+[[nodiscard]] std::string joint_text(const RecordsIdentification& options,
+                                     const IdentifiedRecords& done, std::string_view command);
+
+/// The bytes of joint_samples.h5, for options.samples_out; the rest as of joint_text().
+/// @throws FileError  as joint_samples_bytes().
+[[nodiscard]] std::string samples_bytes(const RecordsIdentification& options,
+                                        const IdentifiedRecords& done, std::string_view command);
+
+/// The summary.
+[[nodiscard]] std::string describe_identified_records(const IdentifiedRecords& done);
+
+}  // namespace microslip

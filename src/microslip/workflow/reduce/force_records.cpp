@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/workflow/reduce/force_records.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "microslip/base/units.hpp"
+#include "microslip/workflow/reduce/named_recordings.hpp"
+
+namespace microslip {
+namespace {
+
+/// The channel of that name, or the only one of that quantity.
+std::string channel_of(const Recording& recording, const std::string& name,
+                       const Dimension& dimension, std::string_view option) {
+  if (!name.empty()) return name;
+  std::vector<std::string> fits;
+  for (const Channel& channel : recording.channels) {
+    if (channel.dimension == dimension) fits.push_back(channel.name);
+  }
+  if (fits.size() == 1) return fits.front();
+  throw InputError(
+      fmt::format("{}: channel of {}", recording.source, dimension_name(dimension)),
+      InputState{fits.empty() ? "missing" : fmt::format("there {} times", fits.size())},
+      "must be there once",
+      fmt::format("The channels are {}; choose by `{}`, and give units that the file lacks by "
+                  "`assume_units`.",
+                  names_of_channels(recording), option));
+}
+
+std::vector<double> values_of(const Recording& recording, const std::string& name,
+                              const Dimension& dimension) {
+  const std::span<const double> values = recording.signal(name, dimension);
+  return {values.begin(), values.end()};
+}
+
+}  // namespace
+
+ForceRecord force_record(const Recording& recording, const JointChannels& channels) {
+  const std::string force = channel_of(recording, channels.force, kForce, "force");
+  const std::string displacement =
+      channel_of(recording, channels.displacement, kLength, "displacement");
+  ForceRecord record;
+  record.force = values_of(recording, force, kForce);
+  record.displacement = values_of(recording, displacement, kLength);
+  if (!recording.axis.even()) {
+    throw InputError(recording.source + ": time", InputState{"not evenly spaced"},
+                     "must be evenly spaced to tell motion from noise",
+                     "Resample the recording at its mean rate.");
+  }
+  record.time_step = recording.axis.step;
+  return record;
+}
+
+ForceRecords read_force_records(const std::vector<std::string>& paths,
+                                const JointChannels& channels,
+                                const RecordingReadOptions& reading) {
+  ForceRecords all;
+  std::vector<std::vector<Warning>> warnings;
+  for (const std::string& path : paths) {
+    for (const Recording& recording :
+         read_named_recordings(path, reading, warnings.emplace_back())) {
+      all.records.push_back({recording.source, force_record(recording, channels),
+                             recording.axis.start, static_cast<double>(warnings.size())});
+    }
+    all.inputs.push_back({path, recording_sha256(path)});
+  }
+  all.warnings = joined_warnings(warnings);
+  return all;
+}
+
+}  // namespace microslip

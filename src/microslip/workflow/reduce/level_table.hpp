@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "microslip/base/summary.hpp"
+#include "microslip/documents/levels/levels_file.hpp"
+#include "microslip/io/output/provenance.hpp"
+
+/// @file
+/// A levels.csv as an identification takes it.
+
+namespace microslip {
+
+/// Far beyond every joint something else was measured or labelled, N/m.
+inline constexpr double kSmallestStiffness = 1e-6;
+inline constexpr double kLargestStiffness = 1e15;  ///< N/m
+
+/// What levels of which a column `assembly` names several are.
+enum class AssemblyColumn {
+  kUnsaid,   ///< nobody said it: refused, as the option `assemblies` says it
+  kRefused,  ///< levels of one joint are asked for, and nothing can say it
+  kIgnored,  ///< of one joint
+  kUsed,     ///< of several; the names may not be empty
+};
+
+/// What is taken of it.
+struct LevelTableOptions {
+  /// Takes levels with inner reversals, too, whose D is not that of one loop [AR14 (7)].
+  bool use_inner_reversals = false;
+  LinearLossColumn linear_dissipation = LinearLossColumn::kIgnored;  ///< how W_lin is taken
+  AssemblyColumn assemblies = AssemblyColumn::kUnsaid;  ///< how the column `assembly` is taken
+};
+
+/// The levels of a file.
+struct LevelTable {
+  NamedInput input;                        ///< as read
+  LevelsFile used = {};                    ///< those to identify from
+  std::vector<std::size_t> reversed = {};  ///< lines of those with inner reversals
+  std::vector<Warning> warnings = {};      ///< of flags; the last of inner reversals
+};
+
+/// @throws FormatError             as parse_levels(), at the cell that no joint can have, and where
+///                                 all levels have inner reversals.
+/// @throws InputError              where levels are of several assemblies and nobody said what that
+///                                 means.
+[[nodiscard]] LevelTable level_table_of(NamedInput input, const LevelTableOptions& options = {});
+
+/// The same of a file. @throws FileError, FormatError, InputError  as level_table_of().
+[[nodiscard]] LevelTable read_level_table(const std::string& path,
+                                          const LevelTableOptions& options = {});
+
+}  // namespace microslip

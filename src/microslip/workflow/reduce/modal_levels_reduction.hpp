@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "microslip/base/progress.hpp"
+#include "microslip/base/summary.hpp"
+#include "microslip/io/output/provenance.hpp"
+#include "microslip/io/recordings/recordings.hpp"
+#include "microslip/rig/reduction/modal_reduction.hpp"
+
+/// @file
+/// Recordings of a structure with several joints to modal_levels.csv.
+
+namespace microslip {
+
+/// What is to be reduced, and how.
+struct ModalLevelsReduction {
+  std::string model;                      ///< path of model.toml
+  std::vector<std::string> recordings;    ///< paths of steady records, one or more
+  std::string force = {};                 ///< channel; empty for that of the model or the only one
+  std::vector<std::string> sensors = {};  ///< CHANNEL=POINT; empty for those of the model
+  ModalReductionOptions reduction = {};   ///< of each
+  RecordingReadOptions reading = {};      ///< of their files
+  bool skip_faulty = false;               ///< leaves out what cannot be read or reduced
+  Progress progress = {};                 ///< told of the records
+};
+
+/// What came of it.
+struct ReducedModalLevels {
+  NamedInput model;                            ///< as read
+  std::vector<std::string> recordings;         ///< as asked for
+  ModalReducer reducer;                        ///< of the model
+  ModalReductionBatch batch;                   ///< may be without levels
+  std::vector<std::string> digests;            ///< SHA-256, one a recording; some may be empty
+  std::vector<std::vector<Warning>> warnings;  ///< of the readers, one list a recording
+};
+
+/// @throws FileError, FormatError, InputError  as the readers and the reduction, unless what is
+///                                             faulty is skipped; those of the model name its file.
+/// @throws Cancelled  as the progress says.
+[[nodiscard]] ReducedModalLevels reduce_modal_levels(const ModalLevelsReduction& options);
+
+/// The text of modal_levels.csv: levels with D ≥ 0, version and command, digests of what was read,
+/// and what is to be looked at.
+/// @throws InputError  where no level is left.
+[[nodiscard]] std::string modal_levels_text(const ReducedModalLevels& reduced,
+                                            const std::string& command);
+
+/// The summary: modes, levels, flags, and what was left out.
+[[nodiscard]] std::string describe_modal_levels(const ReducedModalLevels& reduced);
+
+}  // namespace microslip

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/workflow/reduce/named_recordings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/bytes/sha256.hpp"
+#include "microslip/io/open/recording_file.hpp"
+
+namespace microslip {
+
+std::vector<Recording> read_named_recordings(const std::string& path,
+                                             const RecordingReadOptions& options,
+                                             std::vector<Warning>& warnings) {
+  Recordings found = read_recordings(path, options);
+  warnings = std::move(found.warnings);
+  const bool several = found.recordings.size() > 1;
+  for (Recording& recording : found.recordings) {
+    const std::string name = input_name(path);
+    recording.source = several ? fmt::format("{}:{}", name, recording.source) : name;
+  }
+  return std::move(found.recordings);
+}
+
+std::string recording_sha256(const std::string& path) {
+  return sha256(read_file(part_of_file(path).file));
+}
+
+std::vector<Warning> joined_warnings(const std::vector<std::vector<Warning>>& warnings) {
+  constexpr std::size_t kMost = 50;
+  std::vector<Warning> all;
+  std::size_t more = 0;
+  for (const std::vector<Warning>& of_one : warnings) {
+    for (const Warning& warning : of_one) {
+      if (std::ranges::find(all, warning.text, &Warning::text) != all.end()) continue;
+      if (all.size() < kMost) {
+        all.push_back(warning);
+      } else {
+        ++more;
+      }
+    }
+  }
+  if (more > 0) all.push_back({"more_warnings", fmt::format("{} more like these", more)});
+  return all;
+}
+
+}  // namespace microslip

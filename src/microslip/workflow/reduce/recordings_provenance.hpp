@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "microslip/io/output/provenance.hpp"
+
+/// @file
+/// What a table of levels says of the recordings it was made of. Internal to workflow.
+
+namespace microslip {
+
+/// SHA-256 of a recording that was read; of standard input, which cannot be read again, nothing.
+[[nodiscard]] std::string digest_of(const std::string& path);
+
+/// Version, call, and digests of what was read. That of many recordings is what
+/// `sha256sum RECORDINGS | sha256sum` says.
+/// @param test        what describes it: rig.toml.
+/// @param recordings  paths as asked for. @param digests  one each; some may be empty.
+[[nodiscard]] std::string recordings_provenance(const std::string& command, const NamedInput& test,
+                                                const std::vector<std::string>& recordings,
+                                                const std::vector<std::string>& digests);
+
+}  // namespace microslip

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/workflow/reduce/recordings_reduction.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/documents/levels/reduction_file.hpp"
+#include "microslip/documents/levels/stepped_sine_file.hpp"
+#include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/open/recording_file.hpp"
+#include "microslip/rig/reduction/stepped_sine.hpp"
+#include "microslip/workflow/reduce/named_recordings.hpp"
+#include "microslip/workflow/reduce/recordings_provenance.hpp"
+#include "microslip/workflow/reduce/reduction_text.hpp"
+#include "microslip/workflow/text/distinct_files.hpp"
+#include "microslip/workflow/text/named_rig.hpp"
+
+namespace microslip {
+namespace {
+
+/// Stepped-sine tables have no scatter: a column that only some levels could have would be missing
+/// in all.
+[[noreturn]] void throw_mixed(const std::string& path, std::string_view found,
+                              std::string_view wanted) {
+  throw InputError(path, found, fmt::format("must be {}, as the first file is", wanted),
+                   "Reduce the two kinds one after the other.");
+}
+
+std::vector<ReducedLevel> reduce_table(const Reducer& reducer, const std::string& path) {
+  if (!is_stepped_sine(path)) {
+    (void)read_file_head(part_of_file(path).file, 1);  // no table for it is no file?
+    throw_mixed(path, "a record in time", "a stepped-sine table");
+  }
+  std::vector<ReducedLevel> levels;
+  for (const SteppedSine& sweep : read_stepped_sines(path)) {
+    levels.push_back(reduce_stepped_sine(reducer, sweep));
+  }
+  return levels;
+}
+
+ReductionBatch reduce_tables(const Reducer& reducer, const RecordingsReduction& options,
+                             std::vector<std::string>& digests) {
+  ReductionBatch batch;
+  for (std::size_t i = 0; i < options.recordings.size(); ++i) {
+    try {
+      std::ranges::move(reduce_table(reducer, options.recordings[i]),
+                        std::back_inserter(batch.levels));
+      digests[i] = digest_of(options.recordings[i]);
+    } catch (const Error& error) {
+      if (!options.skip_faulty) throw;
+      batch.rejected.push_back({i, error.what()});
+    }
+  }
+  return batch;
+}
+
+ReductionBatch reduce_records(const Reducer& reducer, const RecordingsReduction& options,
+                              std::vector<std::string>& digests,
+                              std::vector<std::vector<Warning>>& warnings) {
+  const auto read = [&](std::size_t i) {
+    const std::string& path = options.recordings[i];
+    if (is_stepped_sine(path)) throw_mixed(path, "a stepped-sine table", "a record in time");
+    std::vector<Recording> recordings = read_named_recordings(path, options.reading, warnings[i]);
+    digests[i] = digest_of(path);
+    return recordings;
+  };
+  return reduce_batch(reducer, options.recordings.size(), read,
+                      {.skip_faulty = options.skip_faulty, .progress = options.progress});
+}
+
+/// The flags say more of the cause than a D below 0.
+std::string causes(const ReducedLevel& level) {
+  std::string text;
+  for (const Warning& flag : level.flags) text += (text.empty() ? "" : " ") + flag.text;
+  return text;
+}
+
+/// A table of levels has D ≥ 0, as every reader of it expects.
+std::vector<ReducedLevel> writable_levels(const std::vector<ReducedLevel>& levels) {
+  std::vector<ReducedLevel> result;
+  std::ranges::copy_if(levels, std::back_inserter(result), [](const ReducedLevel& level) {
+    return !level.has_flag(kNegativeDissipation);
+  });
+  if (!result.empty()) return result;
+  const ReducedLevel& first = levels.front();
+  throw InputError(first.source + ": dissipation", fmt::format("{:.3g} J", first.dissipation.value),
+                   "must be above 0 in one level at least", causes(first));
+}
+
+}  // namespace
+
+MeasuredLevels measured_levels(std::span<const ReducedLevel> levels) {
+  return levels_of({"levels", reduction_table(levels).str()});
+}
+
+ReducedRecordings reduce_recordings(const RecordingsReduction& options) {
+  check_distinct_files(options.recordings);
+  constexpr std::size_t kLargestRig = std::size_t{1} << 20U;
+  NamedInput input{options.rig, read_file(options.rig, kLargestRig)};
+  const Rig rig = parse_rig(input);
+  Reducer reducer = of_rig(input, [&] { return Reducer(rig, options.reduction); });
+  const std::size_t count = options.recordings.size();
+  ReducedRecordings reduced{std::move(input), options.recordings, std::move(reducer), {}, {}, {}};
+  reduced.digests.resize(count);
+  reduced.warnings.resize(count);
+  reduced.batch = is_stepped_sine(options.recordings.front())
+                      ? reduce_tables(reduced.reducer, options, reduced.digests)
+                      : reduce_records(reduced.reducer, options, reduced.digests, reduced.warnings);
+  return reduced;
+}
+
+std::string levels_text(const ReducedRecordings& reduced, const std::string& command) {
+  const ReductionBatch& batch = reduced.batch;
+  check_any_left("reduced", reduced.recordings.size(), batch.levels.size(), batch.rejected);
+  CsvWriter table = reduction_table(writable_levels(batch.levels));
+  table.add_comment(
+      recordings_provenance(command, reduced.rig, reduced.recordings, reduced.digests));
+  add_warnings(joined_warnings(reduced.warnings), table);
+  add_warnings(reduction_warnings(batch), table);
+  return table.str();
+}
+
+}  // namespace microslip

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/documents/study/calibration_file.hpp"
+#include "microslip/io/output/provenance.hpp"
+#include "microslip/workflow/results/calibration_results.hpp"
+
+/// @file
+/// The files that calibrate writes, and modal_levels.csv, as results. Internal to workflow.
+
+namespace microslip {
+
+/// calibration.csv. @throws FormatError  where a column is missing, or a mode is none.
+[[nodiscard]] LevelsOfModes calibrated_levels_of(const NamedInput& input);
+
+/// modal_levels.csv without its model: what was measured.
+/// @throws FormatError  where a column is missing, or a mode is none.
+[[nodiscard]] LevelsOfModes modal_levels_of(const NamedInput& input);
+
+/// identifiability.csv, a density a joint in their order there; or densities.csv, one an assembly,
+/// with the band of the next one alone.
+/// @throws FormatError  where a column is missing, or slip forces of a joint do not rise.
+[[nodiscard]] std::vector<DensityFound> densities_of(const NamedInput& input);
+
+/// The density of a joint.json with its band, and what was told of it where its file has it.
+/// @throws InputError  where lists that belong together differ in length.
+[[nodiscard]] DensityFound density_found_of(const std::string& name, const JointFile& file,
+                                            const std::string& path);
+
+/// calibration.json. @throws InputError  naming a key that is missing, or a list of another length
+///                                       than those that it belongs to.
+[[nodiscard]] CalibrationSummary calibration_summary_of(const CalibrationFile& file,
+                                                        const std::string& path);
+
+}  // namespace microslip

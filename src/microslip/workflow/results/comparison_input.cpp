@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/workflow/results/comparison_input.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+#include <utility>
+
+#include "microslip/base/units.hpp"
+#include "microslip/io/bytes/text.hpp"
+#include "microslip/io/cells/warning_comment.hpp"
+#include "microslip/io/tables/csv.hpp"
+#include "microslip/workflow/campaign/campaign_conditions.hpp"
+#include "microslip/workflow/campaign/campaign_leave_out.hpp"
+#include "microslip/workflow/compare/comparison_table.hpp"
+#include "microslip/workflow/compare/comparison_text.hpp"
+#include "microslip/workflow/text/table_cells.hpp"
+
+namespace microslip {
+namespace {
+
+std::vector<Warning> warnings_in(const CsvTable& table) {
+  std::vector<Warning> warnings;
+  for (const std::string& comment : table.comments()) {
+    if (auto warning = parse_warning_comment(comment)) warnings.push_back(*std::move(warning));
+  }
+  return warnings;
+}
+
+/// The number before a text in it; nothing where the text is not there.
+std::optional<double> number_before(std::string_view text, std::string_view end) {
+  const std::size_t at = text.find(end);
+  if (at == std::string_view::npos) return std::nullopt;
+  const std::string_view before = text.substr(0, at);
+  const std::string_view number = before.substr(before.rfind(' ') + 1);
+  double value = 0.0;
+  const auto [stop, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+  if (error != std::errc() || stop != number.data() + number.size()) return std::nullopt;
+  return value;
+}
+
+/// P of a line "draws: N of seed S, P % between lower and upper; …".
+std::optional<double> confidence_in(std::string_view comment) {
+  if (!comment.starts_with("draws: ")) return std::nullopt;
+  const std::optional<double> percent = number_before(comment, " % between lower and upper");
+  return percent ? std::optional(*percent / 100.0) : std::nullopt;
+}
+
+/// Of a line "SOURCE: QUANTITY: N of M inside, E expected; C % of the draws have so few or fewer",
+/// C for its curve. @return whether it is one.
+bool take_chance(const std::string& comment, std::vector<ComparedTest>& tests) {
+  const std::optional<double> percent = number_before(comment, " % of the draws have so few or");
+  if (!percent) return false;
+  for (ComparedTest& test : tests) {
+    for (ComparedCurve& curve : test.curves) {
+      const bool whole = curve.part == TestPart::kCurve;
+      if (whole && comment.starts_with(fmt::format("{}: {}: ", test.source, shown_name(curve)))) {
+        curve.chance = *percent / 100.0;
+      }
+    }
+  }
+  return true;
+}
+
+/// How the program says what it did, and from which files: not of the tests.
+bool is_of_provenance(std::string_view comment) {
+  return comment.starts_with("microslip ") || comment.find("sha256") != std::string_view::npos;
+}
+
+struct CampaignColumns {
+  std::vector<std::string> verdicts;    ///< names of the columns of verdicts
+  std::vector<std::string> conditions;  ///< names of those of conditions
+};
+
+CampaignColumns campaign_columns(const CsvTable& table) {
+  CampaignColumns columns;
+  for (const CsvColumn& column : table.columns()) {
+    if (column.name.ends_with("_verdict")) columns.verdicts.push_back(column.name);
+    if (column.name.starts_with("condition_")) columns.conditions.push_back(column.name);
+  }
+  return columns;
+}
+
+/// Calls put(entry, cell) for each row of a column of texts.
+template <typename Entry, typename Put>
+void put_text(const CsvTable& table, const std::string& name, std::vector<Entry>& entries,
+              const Put& put) {
+  const std::vector<std::string> cells = table.text(name);
+  for (std::size_t row = 0; row < entries.size(); ++row) put(entries[row], cells[row]);
+}
+
+template <typename Entry>
+void put_numbers(const CsvTable& table, const std::string& name, std::vector<Entry>& entries,
+                 double Entry::*member) {
+  const std::vector<double> values = numbers_or_empty(table, name);
+  for (std::size_t row = 0; row < entries.size(); ++row) entries[row].*member = values[row];
+}
+
+template <typename Entry>
+void put_counts(const CsvTable& table, const std::string& name, std::vector<Entry>& entries,
+                std::size_t Entry::*member) {
+  constexpr double kMost = 1e9;
+  const std::vector<double> values = table.numbers(name, kDimensionless);
+  for (std::size_t row = 0; row < entries.size(); ++row) {
+    if (!(values[row] >= 0.0 && values[row] <= kMost)) table.reject(row, name, "a count");
+    entries[row].*member = static_cast<std::size_t>(values[row]);
+  }
+}
+
+void put_means(const CsvTable& table, const std::string& name, std::vector<ConditionGroup>& groups,
+               ConditionMean ConditionGroup::*member) {
+  const std::vector<double> means = numbers_or_empty(table, name);
+  const std::vector<double> sigmas = numbers_or_empty(table, name + "_std");
+  for (std::size_t row = 0; row < groups.size(); ++row) {
+    groups[row].*member = {means[row], sigmas[row]};
+  }
+}
+
+/// "trend: D … per unit of NAME" of the comments, without its beginning.
+std::string trend_of(const CsvTable& table, const std::string& condition) {
+  constexpr std::string_view kTrend = "trend: ";
+  for (const std::string& comment : table.comments()) {
+    if (comment.starts_with(kTrend) && comment.ends_with(" per unit of " + printable(condition))) {
+      return comment.substr(kTrend.size());
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+ComparisonFound comparison_of(const NamedInput& input) {
+  const CsvTable table(input.text, input.path);
+  ComparisonFound found{.tests = compared_tests(table), .warnings = warnings_in(table)};
+  for (const std::string& comment : table.comments()) {
+    if (const auto confidence = confidence_in(comment)) found.confidence = confidence;
+    if (is_of_provenance(comment) || parse_warning_comment(comment)) continue;
+    if (take_chance(comment, found.tests)) continue;
+    found.notes.push_back(comment);
+  }
+  return found;
+}
+
+void add_campaign_table(const NamedInput& input, CampaignFound& found) {
+  const CsvTable table(input.text, input.path);
+  const CampaignColumns columns = campaign_columns(table);
+  std::vector<CampaignEntry> entries(table.rows());
+  for (const auto& [name, member] :
+       {std::pair{"test", &CampaignEntry::test}, std::pair{"use", &CampaignEntry::use},
+        std::pair{"session", &CampaignEntry::session}, std::pair{"part", &CampaignEntry::part},
+        std::pair{"source", &CampaignEntry::source}}) {
+    put_text(
+        table, name, entries,
+        [member = member](CampaignEntry& entry, const std::string& cell) { entry.*member = cell; });
+  }
+  for (const std::string& name : columns.conditions) {
+    const std::string shown = name.substr(name.find('_') + 1);
+    put_text(table, name, entries, [&](CampaignEntry& entry, const std::string& cell) {
+      if (cell.empty()) return;
+      entry.conditions += fmt::format("{}{} {}", entry.conditions.empty() ? "" : ", ", shown, cell);
+    });
+  }
+  for (const std::string& name : columns.verdicts) {
+    put_text(table, name, entries, [](CampaignEntry& entry, const std::string& cell) {
+      entry.inside += cell == "inside" ? 1 : 0;
+      entry.outside += cell == "outside" ? 1 : 0;
+    });
+  }
+  found.of_model = table.has("mode");
+  if (found.of_model) put_numbers(table, "mode", entries, &CampaignEntry::mode);
+  put_numbers(table, "amplitude", entries, &CampaignEntry::amplitude);
+  put_numbers(table, "frequency", entries, &CampaignEntry::frequency);
+  put_numbers(table, "frequency_predicted", entries, &CampaignEntry::frequency_predicted);
+  put_numbers(table, "dissipation", entries, &CampaignEntry::dissipation);
+  put_numbers(table, "dissipation_predicted", entries, &CampaignEntry::dissipation_predicted);
+  found.entries = std::move(entries);
+  found.warnings = warnings_in(table);
+}
+
+void add_sessions(const NamedInput& input, CampaignFound& found) {
+  const CsvTable table(input.text, input.path);
+  std::vector<SessionEffect> sessions(table.rows());
+  put_text(table, "session", sessions,
+           [](SessionEffect& session, const std::string& cell) { session.name = cell; });
+  if (table.has("mode")) put_counts(table, "mode", sessions, &SessionEffect::mode);
+  put_counts(table, "tests", sessions, &SessionEffect::tests);
+  put_counts(table, "levels", sessions, &SessionEffect::levels);
+  put_numbers(table, "frequency_difference", sessions, &SessionEffect::frequency_difference);
+  put_numbers(table, "frequency_difference_std", sessions,
+              &SessionEffect::frequency_difference_std);
+  put_numbers(table, "frequency_offset", sessions, &SessionEffect::frequency_offset);
+  put_numbers(table, "frequency_offset_std", sessions, &SessionEffect::frequency_offset_std);
+  put_numbers(table, "frequency_scatter", sessions, &SessionEffect::frequency_scatter);
+  put_numbers(table, "dissipation_offset", sessions, &SessionEffect::dissipation_offset);
+  put_numbers(table, "dissipation_scatter", sessions, &SessionEffect::dissipation_scatter);
+  found.sessions = std::move(sessions);
+  constexpr std::string_view kRepeats = ", std of the means: ";
+  for (const std::string& comment : table.comments()) {
+    const std::size_t at = comment.find(kRepeats);
+    if (at == std::string::npos || !comment.starts_with("dissipation against that of")) continue;
+    found.repeatability = comment.substr(at + kRepeats.size());
+  }
+}
+
+void add_conditions(const NamedInput& input, CampaignFound& found) {
+  const CsvTable table(input.text, input.path);
+  std::vector<ConditionGroup> groups(table.rows());
+  put_text(table, "value", groups,
+           [](ConditionGroup& group, const std::string& cell) { group.value = cell; });
+  put_counts(table, "tests", groups, &ConditionGroup::tests);
+  put_counts(table, "levels", groups, &ConditionGroup::levels);
+  put_numbers(table, "least_amplitude", groups, &ConditionGroup::least);
+  put_numbers(table, "largest_amplitude", groups, &ConditionGroup::largest);
+  put_means(table, "dissipation_offset", groups, &ConditionGroup::dissipation);
+  put_means(table, "frequency_offset", groups, &ConditionGroup::frequency);
+  const std::vector<std::string> names = table.text("condition");
+  for (std::size_t row = 0; row < names.size(); ++row) {
+    if (found.conditions.empty() || found.conditions.back().effect.name != names[row]) {
+      found.conditions.push_back({{.name = names[row]}, trend_of(table, names[row])});
+    }
+    found.conditions.back().effect.groups.push_back(std::move(groups[row]));
+  }
+  for (ConditionFound& condition : found.conditions) {
+    condition.effect.overlap = amplitudes_overlap(condition.effect.groups);
+    condition.effect.common_modes =
+        std::ranges::count(table.comments(), no_common_modes_text(condition.effect.name)) == 0;
+  }
+}
+
+void add_left_out(const NamedInput& input, CampaignFound& found) {
+  const CsvTable table(input.text, input.path);
+  std::vector<LeftOutEntry> entries(table.rows());
+  put_text(table, "left_out", entries,
+           [](LeftOutEntry& entry, const std::string& cell) { entry.left_out = cell; });
+  put_text(table, "verdict", entries,
+           [](LeftOutEntry& entry, const std::string& cell) { entry.verdict = cell; });
+  put_text(table, "contradicts", entries,
+           [](LeftOutEntry& entry, const std::string& cell) { entry.contradicts = cell == "yes"; });
+  put_text(table, "contradicts", entries,
+           [](LeftOutEntry& entry, const std::string& cell) { entry.judged = cell != kNotJudged; });
+  put_numbers(table, "amplitude", entries, &LeftOutEntry::amplitude);
+  put_numbers(table, "measured", entries, &LeftOutEntry::measured);
+  put_numbers(table, "predicted", entries, &LeftOutEntry::predicted);
+  put_numbers(table, "lower", entries, &LeftOutEntry::lower);
+  put_numbers(table, "upper", entries, &LeftOutEntry::upper);
+  put_numbers(table, "mean_deviation", entries, &LeftOutEntry::mean_deviation);
+  put_numbers(table, "chance", entries, &LeftOutEntry::chance);
+  found.left_out = std::move(entries);
+}
+
+}  // namespace microslip

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "microslip/base/summary.hpp"
+#include "microslip/identify/methods/identification.hpp"
+#include "microslip/joint/joint.hpp"
+#include "microslip/rig/setup/rig.hpp"
+#include "microslip/workflow/reduce/measured_levels.hpp"
+#include "microslip/workflow/results/calibration_results.hpp"
+#include "microslip/workflow/results/comparison_results.hpp"
+#include "microslip/workflow/results/predicted_curves.hpp"
+
+/// @file
+/// What a test and its evaluation left behind. All values are SI.
+
+namespace microslip {
+
+/// A departure from the kind of joint, as it was looked for in a record or in levels.
+struct DepartureFound {
+  std::string departure = {};  ///< its code: "rate_dependent"
+  double share = 0.0;          ///< of the force, or of what the levels tell, that it explains, 1
+  double noise = 0.0;          ///< that it would of noise alone, 1
+  bool broken = false;         ///< whether it is there
+};
+
+/// What the identification says of a record of force and displacement.
+struct RecordFound {
+  std::string source = {};                    ///< its file, as its call named it
+  std::string start = {};                     ///< "virgin" or "unknown": the state it begins in
+  std::string start_from = {};                ///< who says so: "shown", "given", "assumed"
+  double scatter = 0.0;                       ///< of the force of one sample, N
+  double correlation = 0.0;                   ///< of neighbouring residuals, 1
+  double unexplained = 0.0;                   ///< rms of residuals over that of the force, 1
+  std::vector<double> offset = {};            ///< F₀ of each group of samples, N
+  std::vector<DepartureFound> verdicts = {};  ///< the weightiest first
+};
+
+/// A value with the ends of its band.
+struct BandedValue {
+  double value = 0.0;  ///< in the unit of all three
+  double lower = 0.0;  ///< end of the band
+  double upper = 0.0;  ///< the other end
+};
+
+/// What an identification from records of force and displacement says.
+struct FoundByRecords {
+  std::optional<BandedValue> stiffness = {};  ///< k, N/m; nothing where it was given
+  std::optional<BandedValue> elastic = {};    ///< K_e, N/m
+  std::optional<BandedValue> viscous = {};    ///< c, N s/m; nothing where it was not sought
+  std::optional<double> draws = {};           ///< of the posterior
+  std::vector<RecordFound> records = {};      ///< one a record
+};
+
+/// A record of force and displacement, and what the joint makes of its path. Vectors of one length.
+struct ForcePath {
+  std::size_t record = 0;                 ///< of FoundByRecords::records
+  std::string source = {};                ///< its file, with the recording where it holds several
+  std::vector<double> time = {};          ///< s
+  std::vector<double> displacement = {};  ///< as recorded, m
+  std::vector<double> path = {};          ///< without its noise, m
+  std::vector<double> force = {};         ///< as recorded, N
+  std::vector<double> found = {};         ///< of the joint with the offset, N; NaN where not known
+  double displacement_noise = 0.0;        ///< standard deviation of a sample, m
+  std::size_t reversals = 0;              ///< of the path
+};
+
+/// The status of an identification whose file does not tell it.
+inline constexpr std::string_view kStatusNotTold = "not told by the file";
+
+/// A joint with what its identification said. A joint without a method was not identified as far as
+/// its file tells, and the report does not say so.
+struct IdentifiedJoint {
+  Joint joint;                                    ///< as identified
+  std::string method = {};                        ///< "inversion"
+  std::string status = {};                        ///< "converged"
+  bool from_these_levels = false;                 ///< identified from the levels of the results
+  std::optional<double> covered_from = {};        ///< kA_min, N
+  std::optional<double> covered_to = {};          ///< kA_max, N
+  std::optional<double> linear_damping = {};      ///< β of D = … + βA², J/m²
+  std::vector<std::string> warnings = {};         ///< codes
+  std::vector<std::string> warning_texts = {};    ///< one a code, or none
+  std::optional<FoundByRecords> by_records = {};  ///< of an identification from records
+  std::vector<DepartureFound> verdicts = {};      ///< of one from levels: what they were tested for
+  std::optional<double> scatter = {};             ///< of D of its levels, in the unit that follows
+  bool scatter_is_relative = true;            ///< to D; in the standard deviations given otherwise
+  std::optional<double> secant_scatter = {};  ///< of k_eq, in the standard deviations given
+  std::optional<double> lambda = {};          ///< its smoothing, as its method scales it
+  std::string smoothing = {};                 ///< how λ was chosen: "as asked for"
+  std::optional<double> degrees_of_freedom = {};  ///< of the smoothed fit, 1
+  /// Of a parametric model: names with units, and values with their standard errors.
+  std::vector<std::pair<std::string, std::string>> parameters = {};
+  // The band, where there is one; one length.
+  double band_confidence = 0.0;              ///< 1
+  std::vector<double> band_slip_force = {};  ///< N
+  std::vector<double> band_lower = {};       ///< 1/N
+  std::vector<double> band_upper = {};       ///< 1/N
+};
+
+/// A signal over some cycles.
+struct SignalPair {
+  std::string name;              ///< its channel
+  std::string unit;              ///< SI
+  std::vector<double> time;      ///< s
+  std::vector<double> recorded;  ///< one a time
+  // Predicted, or before force control; empty where there is none.
+  std::vector<double> other_time;  ///< s
+  std::vector<double> other;       ///< one a time
+};
+
+/// The harmonics of a signal, from the first.
+struct HarmonicsPair {
+  std::string name;              ///< its channel
+  std::string unit;              ///< SI
+  std::vector<double> recorded;  ///< amplitudes
+  std::vector<double> other;     ///< empty, or as many
+  /// Of real and imaginary part; empty where it is not known.
+  std::vector<double> recorded_std = {};
+};
+
+/// What the force control did at a level. [AR14 Fig. 7]
+struct ForceControlLevel {
+  std::string level;      ///< its name or number
+  double response = 0.0;  ///< acceleration amplitude at the exciter, m/s²
+  // Harmonics of the force from the second, over the first, 1; one length.
+  std::vector<double> before;  ///< without force control
+  std::vector<double> after;   ///< with it
+};
+
+/// What was recorded at a level.
+struct LevelRecord {
+  std::string source;                    ///< its file
+  std::vector<SignalPair> signals;       ///< over some cycles
+  std::vector<HarmonicsPair> harmonics;  ///< of the signals
+};
+
+/// Force over frequency that holds the response. [AR14 Fig. 4]
+struct ConstantResponse {
+  double response = 0.0;          ///< acceleration amplitude at the exciter, m/s²
+  std::vector<double> frequency;  ///< Hz
+  std::vector<double> force;      ///< amplitude of the first harmonic, N; one a frequency
+  /// The same by the true joint of a virtual test, Hz; empty where there is none.
+  std::vector<double> true_frequency = {};
+  std::vector<double> true_force = {};  ///< N; one a true frequency
+};
+
+/// Phase resonance over the amplitude of the joint. Vectors of one length.
+struct JointBackbone {
+  std::vector<double> amplitude;      ///< A, m; rising
+  std::vector<double> frequency;      ///< Hz
+  std::vector<double> damping_ratio;  ///< of the structure with its joint, 1
+  /// W/(4πζ) with W the energy that a cycle loses, J: with it ζ follows from a measured W.
+  std::vector<double> vibration_energy = {};
+};
+
+/// How far the prediction of a channel is from its record.
+struct ChannelMisfit {
+  std::string source = {};          ///< its file
+  std::string channel = {};         ///< of the record
+  std::string status = {};          ///< "converged"
+  double frequency = 0.0;           ///< Hz
+  double response_amplitude = 0.0;  ///< m/s²
+  double nrmse = 0.0;               ///< 1
+  double noise_share = 0.0;         ///< 1
+  double amplitude_ratio = 0.0;     ///< predicted over recorded, 1
+  double phase_error = 0.0;         ///< rad
+  std::string flags = {};           ///< with blanks between them
+};
+
+/// A file that the report is made from.
+struct SourceFile {
+  std::string name;     ///< relative to the folder of the test
+  std::string sha256;   ///< of its content, hexadecimal
+  std::string made_by;  ///< command, where the file tells
+};
+
+/// What there is; sections without data say which command makes them.
+struct ExperimentResults {
+  std::string title = {};                     ///< of the report
+  std::string subtitle = {};                  ///< below it
+  std::optional<Rig> rig = {};                ///< that was tested
+  std::optional<MeasuredLevels> levels = {};  ///< as measured
+  std::optional<IdentifiedJoint> joint = {};  ///< as identified
+  /// What the joint was identified with, as far as its file tells; stiffness and bands are not
+  /// used.
+  IdentificationOptions options = {};
+  std::optional<Joint> truth = {};                 ///< of a virtual test
+  double true_linear_damping = 0.0;                ///< β of the truth, J/m²
+  std::optional<MeasuredLevels> true_levels = {};  ///< of a virtual test, without errors
+  /// The other: before force control. Some may have harmonics alone.
+  std::vector<LevelRecord> records = {};
+  std::size_t record_count = 0;  ///< of the test that can be read; `records` are some
+  std::vector<ForceControlLevel> force_control = {};   ///< one a level that was controlled
+  std::vector<ConstantResponse> responses = {};        ///< predicted by the joint
+  std::optional<JointBackbone> backbone = {};          ///< predicted by the joint
+  std::optional<JointBackbone> true_backbone = {};     ///< of a virtual test
+  std::vector<ChannelMisfit> comparisons = {};         ///< one a channel and record
+  std::vector<LevelRecord> predictions = {};           ///< recorded, and predicted as the other
+  PredictedCurves curves = {};                         ///< of a model, by frf and others
+  std::optional<ComparisonFound> comparison = {};      ///< tests against a model
+  std::optional<CampaignFound> campaign = {};          ///< several tests of one structure
+  std::optional<LevelsOfModes> modal_levels = {};      ///< of several joints, or as measured alone
+  std::vector<DensityFound> densities = {};            ///< of several joints
+  std::optional<CalibrationSummary> calibration = {};  ///< of several joints
+  std::vector<ForcePath> force_paths = {};  ///< records that the joint was identified from, or some
+  /// Whether comparisons and predictions are those of the joint and the rig of the results.
+  bool predictions_are_of_this_joint = true;
+  std::vector<SourceFile> files = {};  ///< that were read
+  /// names and values, for the last section
+  std::vector<std::pair<std::string, std::string>> provenance = {};
+  std::vector<Warning> warnings = {};  ///< of reading the files
+
+  /// Whether a report has nothing to show beside what was given of the rig or the truth.
+  [[nodiscard]] bool is_empty() const {
+    return !levels && !joint && !calibration && !modal_levels && densities.empty() &&
+           records.empty() && comparisons.empty() && predictions.empty() && force_control.empty() &&
+           !comparison && !campaign;
+  }
+};
+
+/// @throws InputError  where vectors that belong together differ in length.
+void check_results(const ExperimentResults& results);
+
+/// The last part of a path.
+[[nodiscard]] std::string_view file_name(std::string_view path);
+
+}  // namespace microslip

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "microslip/documents/joint/density_file.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/io/output/provenance.hpp"
+#include "microslip/workflow/results/experiment_results.hpp"
+
+/// @file
+/// The files of a test as its results. Internal to workflow.
+
+namespace microslip {
+
+/// What is not in the file is "not told by the file".
+/// @throws InputError  where the lists of the band are not of one length.
+[[nodiscard]] IdentifiedJoint joint_of(const JointFile& file, const std::string& path);
+
+/// verification.csv. @throws FormatError  where a column is missing.
+[[nodiscard]] std::vector<ChannelMisfit> comparisons_of(const NamedInput& input);
+
+/// force_control.csv: `level, response_amplitude [m/s^2], before_2 [1] …, after_2 [1] …`.
+/// @throws FormatError  where a column is missing.
+[[nodiscard]] std::vector<ForceControlLevel> force_control_of(const NamedInput& input);
+
+/// The hashes in lines `# FILE: sha256 HEX` at the head of a table. Empty where it has none.
+[[nodiscard]] std::vector<std::string> hashes_in(const NamedInput& input);
+
+/// That of the file of a name, in whatever folder it was; nothing where the table does not tell it.
+[[nodiscard]] std::optional<std::string> told_hash_of(const NamedInput& input,
+                                                      std::string_view name);
+
+/// Whether a table of a density is of that joint, by what it says at its points but those at steps.
+[[nodiscard]] bool is_density_of(const DensityTable& table, const Joint& joint);
+
+}  // namespace microslip
