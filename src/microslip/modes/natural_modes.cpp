@@ -153,8 +153,9 @@ MatrixXd dense_shapes(const VibratingSystem& system, double shift) {
   }
   const Eigen::LLT<MatrixXd> factor((stiffness - shift * mass).eval());
   const MatrixXd half = factor.matrixL().solve(mass);
+  // As stored by columns: of another order, the compiler would make another solver.
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(
-      factor.matrixL().solve(half.transpose()).eval());
+      MatrixXd(factor.matrixL().solve(half.transpose()).eval()));
   return factor.matrixU().solve(solver.eigenvectors().rightCols(with_mass).rowwise().reverse());
 }
 
