@@ -62,12 +62,13 @@ void write_campaign(const CampaignArguments& arguments, const DoneCampaign& done
 int run(CampaignArguments arguments, const Call& call) {
   arguments.run.command = call.command_line;
   arguments.run.progress = progress_bar("campaign", call.quiet);
-  const std::vector<ResultFile> planned = planned_files(arguments.run);
+  const OpenedCampaign opened = open_campaign(arguments.run);
+  const std::vector<ResultFile> planned = planned_files(arguments.run, opened);
   check_picture(arguments, planned);
   OutputFolders folders;
   folders.make(arguments.run.out);
   check_campaign_outputs(arguments, planned);
-  const DoneCampaign done = run_campaign(arguments.run);
+  const DoneCampaign done = run_campaign(arguments.run, opened);
   write_campaign(arguments, done);
   if (!call.quiet) fmt::print("{}", with_option_names(describe_campaign(done)));
   return done.converged() ? kDone : kNotConverged;

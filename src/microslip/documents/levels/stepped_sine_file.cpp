@@ -138,23 +138,6 @@ std::vector<SteppedSine> read_mat_sweeps(const PartOfFile& part) {
   return sweeps;
 }
 
-SteppedSine read_csv_sweep(const std::string& path) {
-  const CsvTable table(read_file(path), input_name(path));
-  std::vector<std::string> names;
-  for (const CsvColumn& column : table.columns()) names.push_back(column.name);
-  require_parts(names, {.file = input_name(path)}, "columns");
-  const auto positive = [&](std::string_view name, const Dimension& dimension) {
-    std::vector<double> values = table.numbers(name, dimension);
-    require_positive(table, name, values);
-    return values;
-  };
-  return {.source = input_name(path),
-          .frequency = positive("frequency", kFrequency),
-          .force = positive("force", kForce),
-          .acceleration = positive("acceleration", kAcceleration),
-          .phase = table.numbers("phase", kAngle)};
-}
-
 /// The first bytes; none of a pipe, which is not even opened. Standard input is left where it was.
 std::string head_of(const std::string& path) {
   std::error_code ignored;  // what is not there is no pipe
@@ -168,16 +151,39 @@ std::string head_of(const std::string& path) {
 
 }  // namespace
 
+bool is_stepped_sine_table(std::string_view head) {
+  try {
+    const KnownKind* const known = known_kind_of(head);
+    return (known == nullptr || known->is_recording) && are_of_sweep(csv_column_names(head));
+  } catch (const Error&) {  // no table
+    return false;
+  }
+}
+
+SteppedSine parse_stepped_sine(std::string text, const std::string& name) {
+  const CsvTable table(std::move(text), name);
+  std::vector<std::string> names;
+  for (const CsvColumn& column : table.columns()) names.push_back(column.name);
+  require_parts(names, {.file = name}, "columns");
+  const auto positive = [&](std::string_view column, const Dimension& dimension) {
+    std::vector<double> values = table.numbers(column, dimension);
+    require_positive(table, column, values);
+    return values;
+  };
+  return {.source = name,
+          .frequency = positive("frequency", kFrequency),
+          .force = positive("force", kForce),
+          .acceleration = positive("acceleration", kAcceleration),
+          .phase = table.numbers("phase", kAngle)};
+}
+
 bool is_stepped_sine(const std::string& path) {
   try {
     const PartOfFile part = part_of_file(path);
     if (!part.variable.empty()) {
       return are_of_sweep(mat_fields(part.file, part.variable));
     }
-    const std::string head = head_of(path);
-    const std::vector<std::string> names = csv_column_names(head);
-    const KnownKind* const known = known_kind_of(head);
-    return are_of_sweep(names) && (known == nullptr || known->is_recording);
+    return is_stepped_sine_table(head_of(path));
   } catch (const Error&) {
     return false;
   }
@@ -186,7 +192,7 @@ bool is_stepped_sine(const std::string& path) {
 std::vector<SteppedSine> read_stepped_sines(const std::string& path) {
   const PartOfFile part = part_of_file(path);
   if (!part.variable.empty()) return read_mat_sweeps(part);
-  return {read_csv_sweep(path)};
+  return {parse_stepped_sine(read_file(path), input_name(path))};
 }
 
 }  // namespace microslip

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "microslip/rig/reduction/stepped_sine.hpp"
@@ -22,6 +23,13 @@ namespace microslip {
 /// as the phase, which read_stepped_sines() says. False for a file that cannot be read, and for a
 /// pipe, of which nothing is taken: it could be read only once.
 [[nodiscard]] bool is_stepped_sine(const std::string& path);
+
+/// Whether a file of these first bytes is such a table in CSV.
+[[nodiscard]] bool is_stepped_sine_table(std::string_view head);
+
+/// The sweep of a table in CSV. @param name  of its file, for messages.
+/// @throws FormatError, InputError  as read_stepped_sines().
+[[nodiscard]] SteppedSine parse_stepped_sine(std::string text, const std::string& name);
 
 /// The sweeps of a path that is_stepped_sine().
 /// @throws FileError, FormatError, InputError  naming the place, where something is missing, no

@@ -66,15 +66,8 @@ bool has_binary_dataset(std::string_view head) {
 constexpr std::string_view kExpected = "a recording in CSV, a universal file, MATLAB or HDF5";
 
 RecordingFormat format_of(std::string_view head, const std::string& name) {
+  if (const auto format = find_recording_format_of(head)) return *format;
   const std::string_view found = signature(head);
-  if (found == "a universal file") {
-    return has_binary_dataset(head) ? RecordingFormat::kUffBinary : RecordingFormat::kUff;
-  }
-  if (found == "a MATLAB file") return RecordingFormat::kMat;
-  if (found == "an HDF5 file" || (found.empty() && is_hdf5_after_other(head))) {
-    return RecordingFormat::kHdf5;
-  }
-  if (found.empty()) return RecordingFormat::kCsv;
   const KnownKind* const known = known_kind_of(head);
   if (known != nullptr) {
     throw FormatError({name, 0, 0}, kExpected, known->words, "Is it the right file?");
@@ -86,6 +79,19 @@ void require_rewind(InputStream& file) {
   if (file.rewind()) return;
   throw FileError(file.name(), "is a pipe, which takes recordings in CSV alone",
                   "Save them in a file and name that.");
+}
+
+/// By readers that open the file themselves.
+Recordings read_by_path(const PartOfFile& part, RecordingFormat format,
+                        const RecordingReadOptions& options) {
+  switch (format) {
+    case RecordingFormat::kMat:
+      return read_recordings_mat(part.file, part.variable, options);
+    case RecordingFormat::kHdf5:
+      return read_recordings_hdf5(part.file, options);
+    default:
+      return read_recordings_uff(part.file, options);
+  }
 }
 
 Recordings read_format(InputStream& file, const PartOfFile& part,
@@ -104,14 +110,19 @@ Recordings read_format(InputStream& file, const PartOfFile& part,
   if (format == RecordingFormat::kCsv) return read_recordings_csv(file, options);
   if (format == RecordingFormat::kUff || format == RecordingFormat::kUffBinary) {
     require_rewind(file);  // "-" is read on from where it stands
-    return read_recordings_uff(part.file, options);
-  }
-  if (part.file == "-") {
+  } else if (part.file == "-") {
     throw FileError(file.name(), "takes recordings in CSV or a universal file alone",
                     "Save them in a file and name that.");
   }
-  return format == RecordingFormat::kMat ? read_recordings_mat(part.file, part.variable, options)
-                                         : read_recordings_hdf5(part.file, options);
+  return read_by_path(part, format, options);
+}
+
+Recordings read_any(const PartOfFile& part, const RecordingReadOptions& options) {
+  if (options.format && *options.format != RecordingFormat::kCsv) {
+    return read_by_path(part, *options.format, options);
+  }
+  InputStream file(part.file);
+  return read_format(file, part, options);
 }
 
 void write_csv(OutputFiles& files, const std::string& path, std::span<const Recording> recordings) {
@@ -152,6 +163,19 @@ RecordingFormat recording_format(const std::string& path) {
   return format;
 }
 
+std::optional<RecordingFormat> find_recording_format_of(std::string_view head) {
+  const std::string_view found = signature(head);
+  if (found == "a universal file") {
+    return has_binary_dataset(head) ? RecordingFormat::kUffBinary : RecordingFormat::kUff;
+  }
+  if (found == "a MATLAB file") return RecordingFormat::kMat;
+  if (found == "an HDF5 file" || (found.empty() && is_hdf5_after_other(head))) {
+    return RecordingFormat::kHdf5;
+  }
+  if (found.empty()) return RecordingFormat::kCsv;
+  return std::nullopt;
+}
+
 std::optional<RecordingFormat> find_recording_format_of_name(std::string_view path) {
   std::string name(path);
   std::ranges::transform(name, name.begin(), [](char c) {
@@ -182,9 +206,7 @@ std::string_view recording_kind(RecordingFormat format) {
 }
 
 Recordings read_recordings(const std::string& path, const RecordingReadOptions& options) {
-  const PartOfFile part = part_of_file(path);
-  InputStream file(part.file);
-  Recordings result = read_format(file, part, options);
+  Recordings result = read_any(part_of_file(path), options);
   finish_units(options.assumed_units, result);
   return result;
 }

@@ -8,6 +8,7 @@
 
 #include "microslip/io/bytes/part_of_file.hpp"
 #include "microslip/io/output/output_files.hpp"
+#include "microslip/io/recordings/recording_format.hpp"
 #include "microslip/io/recordings/recordings.hpp"
 #include "microslip/signal/recording/recording.hpp"
 
@@ -16,20 +17,14 @@
 
 namespace microslip {
 
-/// Formats that recordings are read and written in.
-enum class RecordingFormat {
-  kCsv,        ///< comma-separated text, recording_csv.hpp
-  kUff,        ///< universal file, datasets 58 in text
-  kUffBinary,  ///< universal file, datasets 58b
-  kMat,        ///< MATLAB
-  kHdf5,       ///< HDF5
-};
-
 /// The format of a file by its content, not by its name: a signature, the first line of a universal
 /// file, or else a text. Whether a text is a recording is found out by reading it.
 /// @throws FileError    where it cannot be read, or is a pipe, which could be read only once.
 /// @throws FormatError  where it has the signature of something else.
 [[nodiscard]] RecordingFormat recording_format(const std::string& path);
+
+/// The format of a file of these first bytes; nothing where they are those of something else.
+[[nodiscard]] std::optional<RecordingFormat> find_recording_format_of(std::string_view head);
 
 /// The format that a name calls for: .csv; .uff .unv .uf (binary); .mat; .h5 .hdf5, in capitals or
 /// not. Nothing where it ends otherwise.

@@ -17,7 +17,6 @@
 #include "microslip/base/error.hpp"
 #include "microslip/documents/structure/model_writer.hpp"
 #include "microslip/dynamics/structure/modal_offsets.hpp"
-#include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/bytes/sha256.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/workflow/campaign/campaign_joints.hpp"
@@ -31,7 +30,6 @@
 #include "microslip/workflow/predict/model_draws.hpp"
 #include "microslip/workflow/predict/model_rules.hpp"
 #include "microslip/workflow/predict/model_text.hpp"
-#include "microslip/workflow/reduce/recordings_provenance.hpp"
 
 namespace microslip {
 namespace {
@@ -47,17 +45,15 @@ Progress stage(const CampaignRun& run, std::size_t n, std::size_t stages) {
 }
 
 /// Campaign, structure and tests.
-CampaignComment comment_of(const CampaignRun& run, const CampaignFile& plan) {
-  const std::vector<NamedInput> inputs{{run.campaign, read_file(run.campaign)},
-                                       {plan.structure, read_file(plan.structure)}};
+CampaignComment comment_of(const CampaignRun& run, const OpenedCampaign& opened) {
+  const std::vector<NamedInput> inputs{opened.campaign, opened.structure};
   CampaignComment comment{.text = provenance_of(run.command, inputs)};
   for (const NamedInput& input : inputs) {
     comment.inputs.push_back({input.path, sha256(input.text)});
   }
-  for (const CampaignTest& test : plan.tests) {
-    comment.inputs.push_back({test.file, digest_of(test.file)});
-    comment.text +=
-        fmt::format("\n{}: sha256 {}", printable(test.file), comment.inputs.back().sha256);
+  for (const TestFile& test : opened.tests) {
+    comment.inputs.push_back({test.path, test.sha256});
+    comment.text += fmt::format("\n{}: sha256 {}", printable(test.path), test.sha256);
   }
   return comment;
 }
@@ -102,10 +98,10 @@ std::string assume_scatter(const FoundAtLevels& found, ReadTest& test) {
 /// Its work, and what all parts of it share.
 class CampaignWork {
  public:
-  explicit CampaignWork(const CampaignRun& run)
-      : run_(run), plan_(read_plan(run)), comment_(comment_of(run, plan_)) {
-    joints_ = plan_.of_model() ? joints_of_model(run_, plan_, comment_)
-                               : joints_of_rig(run_, plan_, comment_);
+  CampaignWork(const CampaignRun& run, const OpenedCampaign& opened)
+      : run_(run), opened_(opened), plan_(opened.plan), comment_(comment_of(run, opened)) {
+    joints_ = plan_.of_model() ? joints_of_model(run_, opened_, comment_)
+                               : joints_of_rig(run_, opened_, comment_);
     stages_ =
         1 + static_cast<std::size_t>(plan_.leave_out != LeaveOut::kNothing) +
         static_cast<std::size_t>(std::ranges::count_if(plan_.tests, &CampaignTest::predicted));
@@ -323,8 +319,7 @@ class CampaignWork {
       if (!plan_.tests[t].predicted()) continue;
       const ModelFile& model = models.at(plan_.tests[t].session);
       ReadTest read = of_campaign_test(plan_.tests[t], [&] {
-        return read_test(plan_.tests[t].file, &model, "model.toml",
-                         campaign_reading(plan_.tests[t]));
+        return read_test(opened_.tests[t], &model, "model.toml", campaign_reading(plan_.tests[t]));
       });
       if (std::holds_alternative<std::vector<SteppedSine>>(read.content)) {
         require_driven_by_forces(model, plan_.structure, "campaign");
@@ -355,7 +350,7 @@ class CampaignWork {
   // ---- Files. ----
 
   void compose(const ModelsOfSessions& models, DoneCampaign& all) const {
-    all.files = files_of(run_, plan_);
+    all.files = files_of(run_, opened_);
     const std::string comment = with_warnings(comment_.text, all.warnings);
     const auto put = [&](const std::string& name, const auto& text) {
       const auto file = std::ranges::find(all.files, in_folder(run_, name), &ResultFile::path);
@@ -378,11 +373,17 @@ class CampaignWork {
   }
 
   const CampaignRun& run_;
-  CampaignFile plan_;
+  const OpenedCampaign& opened_;
+  const CampaignFile& plan_;
   CampaignComment comment_;  // of each file
   std::unique_ptr<CampaignJoints> joints_;
   std::size_t stages_ = 1;
 };
+
+void require_folder(const CampaignRun& run) {
+  if (!run.out.empty() && run.out != "-") return;
+  throw InputError("out", in_quotes(run.out), "must be a folder", "Name it.");
+}
 
 }  // namespace
 
@@ -392,19 +393,21 @@ bool DoneCampaign::converged() const {
 }
 
 std::vector<ResultFile> planned_files(const CampaignRun& run) {
-  if (run.out.empty() || run.out == "-") {
-    throw InputError("out", in_quotes(run.out), "must be a folder", "Name it.");
-  }
-  const CampaignFile plan = read_plan(run);
-  check_campaign(run, plan);
-  std::vector<ResultFile> files = files_of(run, plan);
-  check_not_replaced(run, plan, files);
+  require_folder(run);
+  return planned_files(run, open_campaign(run));
+}
+
+std::vector<ResultFile> planned_files(const CampaignRun& run, const OpenedCampaign& opened) {
+  require_folder(run);
+  std::vector<ResultFile> files = files_of(run, opened);
+  check_not_replaced(run, opened.plan, files);
   return files;
 }
 
-DoneCampaign run_campaign(const CampaignRun& run) {
-  check_campaign(run, read_plan(run));
-  return CampaignWork(run).done();
+DoneCampaign run_campaign(const CampaignRun& run) { return run_campaign(run, open_campaign(run)); }
+
+DoneCampaign run_campaign(const CampaignRun& run, const OpenedCampaign& opened) {
+  return CampaignWork(run, opened).done();
 }
 
 }  // namespace microslip

@@ -14,6 +14,11 @@
 
 namespace microslip {
 
+/// Reads campaign.toml and the structure, opens the tests, and checks that they go together.
+/// @throws FileError, FormatError, InputError  as parse_campaign(); for standard input; where a
+///     test or the structure is no file of its kind.
+[[nodiscard]] OpenedCampaign open_campaign(const CampaignRun& run);
+
 /// The paths and kinds of the files that will be written, before anything is computed:
 /// NAME_levels.csv of each test that is reduced, levels.csv, joint.json, model.toml, campaign.csv,
 /// sessions.csv; with draws joint_samples.h5; of a model modal_levels.csv in place of levels.csv,
@@ -24,6 +29,9 @@ namespace microslip {
 ///                                             input, or a test or the structure is no file of its
 ///                                             kind.
 [[nodiscard]] std::vector<ResultFile> planned_files(const CampaignRun& run);
+/// The same of a campaign that was opened before.
+[[nodiscard]] std::vector<ResultFile> planned_files(const CampaignRun& run,
+                                                    const OpenedCampaign& opened);
 
 /// Reduces the tests to identify from, identifies the joint from all their levels, or the joints of
 /// a model from all levels of its modes as calibrate_model(), holds them against each session,
@@ -43,6 +51,8 @@ namespace microslip {
 /// @throws FileError, FormatError, InputError  as planned_files(), the readers, identify().
 /// @throws Cancelled                           as the progress says.
 [[nodiscard]] DoneCampaign run_campaign(const CampaignRun& run);
+/// The same of a campaign that was opened before.
+[[nodiscard]] DoneCampaign run_campaign(const CampaignRun& run, const OpenedCampaign& opened);
 
 /// The summary.
 [[nodiscard]] std::string describe_campaign(const DoneCampaign& done);

@@ -65,14 +65,14 @@ class CampaignJoints {
 [[nodiscard]] std::vector<ResultFile> planned_files_of_rig(const CampaignRun& run,
                                                            const CampaignFile& plan);
 [[nodiscard]] std::vector<ResultFile> planned_files_of_model(
-    const CampaignRun& run, const CampaignFile& plan);  ///< likewise
+    const CampaignRun& run, const OpenedCampaign& opened);  ///< likewise
 
-/// @param run      is kept by reference. @param plan  likewise.
+/// @param run      is kept by reference. @param opened  likewise.
 /// @param comment  of the files.
 [[nodiscard]] std::unique_ptr<CampaignJoints> joints_of_rig(const CampaignRun& run,
-                                                            const CampaignFile& plan,
+                                                            const OpenedCampaign& opened,
                                                             CampaignComment comment);
 [[nodiscard]] std::unique_ptr<CampaignJoints> joints_of_model(
-    const CampaignRun& run, const CampaignFile& plan, CampaignComment comment);  ///< likewise
+    const CampaignRun& run, const OpenedCampaign& opened, CampaignComment comment);  ///< likewise
 
 }  // namespace microslip

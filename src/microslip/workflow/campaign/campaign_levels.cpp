@@ -82,13 +82,14 @@ void append_levels(const Levels& more, const std::string& test, CampaignLevels& 
   std::ranges::copy(more.dissipation, std::back_inserter(all.levels.dissipation));
 }
 
-NamedInput levels_of_test(const CampaignFile& campaign, std::size_t number, const std::string& out,
-                          const std::string& command, const Progress& progress,
-                          CampaignLevels& all) {
-  const CampaignTest& test = campaign.tests[number];
-  if (is_levels_table(test.file)) return {test.file, read_file(test.file)};
+NamedInput levels_of_test(const OpenedCampaign& campaign, std::size_t number,
+                          const std::string& out, const std::string& command,
+                          const Progress& progress, CampaignLevels& all) {
+  const CampaignTest& test = campaign.plan.tests[number];
+  const TestFile& file = campaign.tests[number];
+  if (file.content == TestContent::kLevels) return {file.path, file.text};
   ReducedCampaignTest reduced = of_campaign_test(
-      test, [&] { return reduce_campaign_test(campaign, test, command, progress); });
+      test, [&] { return reduce_campaign_test(campaign, number, command, progress); });
   const std::string path = levels_path(out, test);
   all.tables.push_back({path, kLevelsKind, std::move(reduced.text)});
   all.converged = all.converged && reduced.converged;
@@ -111,29 +112,21 @@ void append_test(const CampaignFile& campaign, std::size_t number, const LevelTa
   std::ranges::copy(table.warnings, std::back_inserter(all.warnings));
 }
 
-bool is_of_kind(const std::string& path, std::string_view kind) {
-  const PartOfFile part = part_of_file(path);
-  return part.variable.empty() && file_kind(read_kind_head(part.file)) == kind;
-}
-
 }  // namespace
 
 std::string levels_path(const std::string& out, const CampaignTest& test) {
   return (std::filesystem::path(out) / (test.name + "_levels.csv")).string();
 }
 
-bool is_levels_table(const std::string& path) { return is_of_kind(path, kLevelsKind); }
-
-bool is_modal_levels_table(const std::string& path) { return is_of_kind(path, kModalLevelsKind); }
-
-CampaignLevels campaign_levels(const CampaignFile& campaign, const std::string& out,
+CampaignLevels campaign_levels(const OpenedCampaign& campaign, const std::string& out,
                                const std::string& command, const Progress& progress) {
+  const CampaignFile& plan = campaign.plan;
   CampaignLevels all;
-  for (std::size_t t = 0; t < campaign.tests.size(); ++t) {
-    if (!campaign.tests[t].identifies()) continue;
-    append_test(campaign, t,
+  for (std::size_t t = 0; t < plan.tests.size(); ++t) {
+    if (!plan.tests[t].identifies()) continue;
+    append_test(plan, t,
                 level_table_of(levels_of_test(campaign, t, out, command, progress, all),
-                               {.use_inner_reversals = campaign.use_inner_reversals,
+                               {.use_inner_reversals = plan.use_inner_reversals,
                                 .assemblies = AssemblyColumn::kRefused}),
                 all);
   }

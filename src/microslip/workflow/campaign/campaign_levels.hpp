@@ -10,6 +10,7 @@
 #include "microslip/base/summary.hpp"
 #include "microslip/documents/study/campaign_file.hpp"
 #include "microslip/observe/levels.hpp"
+#include "microslip/workflow/campaign/campaign_run.hpp"
 #include "microslip/workflow/identify/calibration.hpp"
 
 /// @file
@@ -42,21 +43,13 @@ struct CampaignLevels {
 /// Where the levels of a test that is reduced go.
 [[nodiscard]] std::string levels_path(const std::string& out, const CampaignTest& test);
 
-/// Whether the file of a test is a table of levels, which needs no reduction.
-/// @throws FileError  where it cannot be read.
-[[nodiscard]] bool is_levels_table(const std::string& path);
-
-/// Whether it is a table of levels of modes.
-/// @throws FileError  where it cannot be read.
-[[nodiscard]] bool is_modal_levels_table(const std::string& path);
-
 /// Reads levels.csv, or reduces what is none by its kind.
 /// @param campaign  whose tests. @param out  folder of the tables. @param command  of their
 ///     comment.
 /// @param progress  told of the records; may cancel.
 /// @throws FileError, FormatError, InputError, Cancelled  as reduce_campaign_test(),
 ///     level_table_of().
-[[nodiscard]] CampaignLevels campaign_levels(const CampaignFile& campaign, const std::string& out,
+[[nodiscard]] CampaignLevels campaign_levels(const OpenedCampaign& campaign, const std::string& out,
                                              const std::string& command, const Progress& progress);
 
 /// Those of some numbers, from 0.

@@ -24,12 +24,14 @@ namespace microslip {
 namespace {
 
 /// The table of a test: as it is, or reduced.
-NamedInput modal_table_of_test(const CampaignFile& campaign, const CampaignTest& test,
+NamedInput modal_table_of_test(const OpenedCampaign& campaign, std::size_t number,
                                const std::string& out, const std::string& command,
                                const Progress& progress, CampaignLevels& all) {
-  if (is_modal_levels_table(test.file)) return {test.file, read_file(test.file)};
-  ReducedCampaignTest reduced =
-      of_campaign_test(test, [&] { return reduce_modal_test(campaign, test, command, progress); });
+  const CampaignTest& test = campaign.plan.tests[number];
+  const TestFile& file = campaign.tests[number];
+  if (file.content == TestContent::kModalLevels) return {file.path, file.text};
+  ReducedCampaignTest reduced = of_campaign_test(
+      test, [&] { return reduce_modal_test(campaign, number, command, progress); });
   all.converged = all.converged && reduced.converged;
   for (const Warning& warning : reduced.warnings) {
     all.warnings.push_back({warning.code, fmt::format("{}: {}", test.name, warning.text)});
@@ -99,15 +101,13 @@ void add_column(CsvWriter& table, const std::string& name, const Dimension& dime
 
 }  // namespace
 
-CampaignModalLevels campaign_modal_levels(const CampaignFile& campaign, const ModelFile& model,
-                                          const std::string& out, const std::string& command,
-                                          const Progress& progress) {
+CampaignModalLevels campaign_modal_levels(const OpenedCampaign& campaign, const std::string& out,
+                                          const std::string& command, const Progress& progress) {
   CampaignModalLevels all;
   for (std::size_t t = 0; t < campaign.tests.size(); ++t) {
-    if (!campaign.tests[t].identifies()) continue;
-    append_modal_test(
-        campaign, t, model,
-        modal_table_of_test(campaign, campaign.tests[t], out, command, progress, all.levels), all);
+    if (!campaign.plan.tests[t].identifies()) continue;
+    append_modal_test(campaign.plan, t, *campaign.model,
+                      modal_table_of_test(campaign, t, out, command, progress, all.levels), all);
   }
   return all;
 }

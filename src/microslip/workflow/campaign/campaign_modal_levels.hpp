@@ -25,12 +25,11 @@ struct CampaignModalLevels {
 };
 
 /// Reads modal_levels.csv, or reduces what is none by its kind.
-/// @param campaign  whose tests. @param model  of it. @param out  folder of the tables.
+/// @param campaign  of a model. @param out  folder of the tables.
 /// @param command   of their comment. @param progress  told of the records; may cancel.
 /// @throws FileError, FormatError, InputError, Cancelled  as reduce_modal_test(),
 ///     parse_modal_levels().
-[[nodiscard]] CampaignModalLevels campaign_modal_levels(const CampaignFile& campaign,
-                                                        const ModelFile& model,
+[[nodiscard]] CampaignModalLevels campaign_modal_levels(const OpenedCampaign& campaign,
                                                         const std::string& out,
                                                         const std::string& command,
                                                         const Progress& progress);

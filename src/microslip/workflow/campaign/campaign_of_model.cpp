@@ -68,16 +68,16 @@ std::vector<double> of_levels(const CalibrationResult& found, const Read& read) 
 /// Any number of joints, from levels of modes.
 class ModelJoints : public CampaignJoints {
  public:
-  ModelJoints(const CampaignRun& run, const CampaignFile& plan, CampaignComment comment)
+  ModelJoints(const CampaignRun& run, const OpenedCampaign& opened, CampaignComment comment)
       : run_(run),
-        plan_(plan),
+        opened_(opened),
+        plan_(opened.plan),
         comment_(std::move(comment)),
-        calibration_(calibration_of(run, plan)),
-        done_{.model = read_model_to_calibrate(plan.structure), .inputs = comment_.inputs} {}
+        calibration_(calibration_of(run, opened.plan)),
+        done_{.model = *opened.model, .inputs = comment_.inputs} {}
 
   void identify(const Progress& progress, DoneCampaign& all) override {
-    CampaignModalLevels tests =
-        campaign_modal_levels(plan_, done_.model, run_.out, run_.command, {});
+    CampaignModalLevels tests = campaign_modal_levels(opened_, run_.out, run_.command, {});
     ModelCalibration options = calibration_;
     options.options.progress = progress;
     options.options.level_names = names_of_levels(plan_, tests.levels);
@@ -177,6 +177,7 @@ class ModelJoints : public CampaignJoints {
   }
 
   const CampaignRun& run_;
+  const OpenedCampaign& opened_;
   const CampaignFile& plan_;
   CampaignComment comment_;
   ModelCalibration calibration_;
@@ -186,16 +187,18 @@ class ModelJoints : public CampaignJoints {
 
 }  // namespace
 
-std::vector<ResultFile> planned_files_of_model(const CampaignRun& run, const CampaignFile& plan) {
-  std::vector<ResultFile> files = planned_files(calibration_of(run, plan));
+std::vector<ResultFile> planned_files_of_model(const CampaignRun& run,
+                                               const OpenedCampaign& opened) {
+  std::vector<ResultFile> files = planned_files(calibration_of(run, opened.plan), *opened.model);
   std::erase_if(files, [](const ResultFile& file) { return file.kind == kModelKind; });
   files.push_back({in_folder(run, kModalLevelsName), kModalLevelsKind});
   return files;
 }
 
-std::unique_ptr<CampaignJoints> joints_of_model(const CampaignRun& run, const CampaignFile& plan,
+std::unique_ptr<CampaignJoints> joints_of_model(const CampaignRun& run,
+                                                const OpenedCampaign& opened,
                                                 CampaignComment comment) {
-  return std::make_unique<ModelJoints>(run, plan, std::move(comment));
+  return std::make_unique<ModelJoints>(run, opened, std::move(comment));
 }
 
 }  // namespace microslip

@@ -6,7 +6,6 @@
 
 #include "microslip/documents/joint/joint_file.hpp"
 #include "microslip/documents/structure/rig_file.hpp"
-#include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/config/named_value_access.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
 #include "microslip/joint/secant.hpp"
@@ -55,16 +54,17 @@ LevelsIdentification identification_of(const CampaignRun& run, const CampaignFil
 /// One joint, from its levels.
 class RigJoint : public CampaignJoints {
  public:
-  RigJoint(const CampaignRun& run, const CampaignFile& plan, CampaignComment comment)
+  RigJoint(const CampaignRun& run, const OpenedCampaign& opened, CampaignComment comment)
       : run_(run),
-        plan_(plan),
+        opened_(opened),
+        plan_(opened.plan),
         comment_(std::move(comment)),
-        rig_{plan.structure, read_file(plan.structure)},
-        identification_(identification_of(run, plan)),
+        rig_(opened.structure),
+        identification_(identification_of(run, opened.plan)),
         state_(of_rig(rig_, [&] { return stick_state(parse_rig(rig_), kModesOfCampaign); })) {}
 
   void identify(const Progress& progress, DoneCampaign& all) override {
-    all.levels = campaign_levels(plan_, run_.out, run_.command, {});
+    all.levels = campaign_levels(opened_, run_.out, run_.command, {});
     check_leave_out(plan_, all.levels);
     const SessionEffects first = effects_by_first_joint(all.levels);
     identified_ = identify_pooled(all.levels, first, progress);
@@ -177,9 +177,10 @@ class RigJoint : public CampaignJoints {
   }
 
   const CampaignRun& run_;
+  const OpenedCampaign& opened_;
   const CampaignFile& plan_;
   CampaignComment comment_;
-  NamedInput rig_;
+  const NamedInput& rig_;
   LevelsIdentification identification_;
   StickState state_;
   std::optional<IdentifiedLevels> identified_;
@@ -195,9 +196,9 @@ std::vector<ResultFile> planned_files_of_rig(const CampaignRun& run, const Campa
   return files;
 }
 
-std::unique_ptr<CampaignJoints> joints_of_rig(const CampaignRun& run, const CampaignFile& plan,
+std::unique_ptr<CampaignJoints> joints_of_rig(const CampaignRun& run, const OpenedCampaign& opened,
                                               CampaignComment comment) {
-  return std::make_unique<RigJoint>(run, plan, std::move(comment));
+  return std::make_unique<RigJoint>(run, opened, std::move(comment));
 }
 
 }  // namespace microslip

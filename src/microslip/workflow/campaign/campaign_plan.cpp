@@ -4,17 +4,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <iterator>
 #include <optional>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
 #include "microslip/io/open/recording_file.hpp"
+#include "microslip/workflow/campaign/campaign.hpp"
 #include "microslip/workflow/campaign/campaign_joints.hpp"
 #include "microslip/workflow/campaign/campaign_tables.hpp"
 #include "microslip/workflow/campaign/campaign_test_kinds.hpp"
@@ -27,9 +30,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void check_structure(const CampaignFile& plan) {
+void check_structure(const CampaignFile& plan, const std::string& text) {
   const std::string_view asked = plan.of_model() ? kModelKind : kRigKind;
-  const std::string kind = file_kind(read_kind_head(plan.structure));
+  const std::string kind = file_kind(text);
   if (kind == asked) return;
   if (plan.of_model()) {
     throw InputError("model", in_quotes(plan.structure), "must be a model.toml",
@@ -57,9 +60,10 @@ void check_smoothing(const CampaignRun& run, const CampaignFile& plan) {
 }
 
 /// All levels are taken to be driven alike: nothing drives a decay, and a steady record is driven.
-void check_forcing(const CampaignFile& plan) {
+void check_forcing(const CampaignFile& plan, const std::vector<TestFile>& files) {
   if (!plan.of_model()) return;
-  for (const CampaignTest& test : plan.tests) {
+  for (std::size_t t = 0; t < plan.tests.size(); ++t) {
+    const CampaignTest& test = plan.tests[t];
     if (!test.identifies()) continue;
     const bool decay = test.kind == CampaignKind::kRingDown;
     if (decay && !plan.modal_forcing) {
@@ -69,7 +73,7 @@ void check_forcing(const CampaignFile& plan) {
           "a decay",
           "Give forcing = \"modal\", and driven levels in a campaign of their own.");
     }
-    if (!decay && plan.modal_forcing && !is_modal_levels_table(test.file)) {
+    if (!decay && plan.modal_forcing && files[t].content != TestContent::kModalLevels) {
       throw InputError(fmt::format("test '{}'", test.name), in_quotes(test.file),
                        "must not be identified from beside forcing = \"modal\": the excitation "
                        "drives a steady record",
@@ -87,21 +91,27 @@ bool has_conditions(const CampaignFile& plan) {
 
 }  // namespace
 
-CampaignFile read_plan(const CampaignRun& run) {
+OpenedCampaign open_campaign(const CampaignRun& run) {
   if (run.campaign == "-") {
     throw InputError("campaign", "standard input", "must be a file: its folder has the tests");
   }
-  return parse_campaign(read_file(run.campaign), input_name(run.campaign));
-}
-
-void check_campaign(const CampaignRun& run, const CampaignFile& plan) {
-  check_structure(plan);
+  NamedInput campaign{run.campaign, read_file(run.campaign)};
+  CampaignFile plan = parse_campaign(campaign.text, input_name(run.campaign));
+  NamedInput structure{plan.structure, read_file(plan.structure)};
+  check_structure(plan, structure.text);
   check_smoothing(run, plan);
-  std::vector<std::string> files;
-  for (const CampaignTest& test : plan.tests) files.push_back(test.file);
-  check_distinct_files(files);
-  for (const CampaignTest& test : plan.tests) check_campaign_test(test, plan.subject);
-  check_forcing(plan);
+  std::vector<std::string> paths;
+  for (const CampaignTest& test : plan.tests) paths.push_back(test.file);
+  check_distinct_files(paths);
+  std::vector<TestFile> files;
+  for (const CampaignTest& test : plan.tests) {
+    check_campaign_test(test, files.emplace_back(open_test(test.file)), plan.subject);
+  }
+  check_forcing(plan, files);
+  OpenedCampaign opened{std::move(plan), std::move(campaign), std::move(structure),
+                        std::move(files)};
+  if (opened.plan.of_model()) opened.model = model_to_calibrate(opened.structure);
+  return opened;
 }
 
 std::vector<std::string> sessions_with_model(const CampaignFile& plan) {
@@ -121,19 +131,22 @@ std::string in_folder(const CampaignRun& run, const std::string& name) {
   return (fs::path(run.out) / name).string();
 }
 
-std::vector<ResultFile> files_of(const CampaignRun& run, const CampaignFile& plan) {
+std::vector<ResultFile> files_of(const CampaignRun& run, const OpenedCampaign& opened) {
+  const CampaignFile& plan = opened.plan;
   std::vector<ResultFile> files;
   const auto add = [&](const std::string& name, std::string_view kind) {
     files.push_back({in_folder(run, name), kind});
   };
   const std::string_view levels = plan.of_model() ? kModalLevelsKind : kLevelsKind;
-  for (const CampaignTest& test : plan.tests) {
-    const bool table =
-        plan.of_model() ? is_modal_levels_table(test.file) : is_levels_table(test.file);
-    if (test.identifies() && !table) files.push_back({levels_path(run.out, test), levels});
+  const TestContent table = plan.of_model() ? TestContent::kModalLevels : TestContent::kLevels;
+  for (std::size_t t = 0; t < plan.tests.size(); ++t) {
+    const CampaignTest& test = plan.tests[t];
+    if (test.identifies() && opened.tests[t].content != table) {
+      files.push_back({levels_path(run.out, test), levels});
+    }
   }
   std::ranges::move(
-      plan.of_model() ? planned_files_of_model(run, plan) : planned_files_of_rig(run, plan),
+      plan.of_model() ? planned_files_of_model(run, opened) : planned_files_of_rig(run, plan),
       std::back_inserter(files));
   add("model.toml", kModelKind);
   for (const std::string& session : sessions_with_model(plan)) add(model_name(session), kModelKind);

@@ -14,14 +14,6 @@
 
 namespace microslip {
 
-/// @throws FileError, FormatError, InputError  as parse_campaign(); for standard input.
-[[nodiscard]] CampaignFile read_plan(const CampaignRun& run);
-
-/// Before anything is computed.
-/// @throws FileError, FormatError, InputError  where a test or the structure is no file of its
-///     kind, or tests do not go together.
-void check_campaign(const CampaignRun& run, const CampaignFile& plan);
-
 /// The sessions, but for the first with levels, whose predicted tests have a model of their own.
 [[nodiscard]] std::vector<std::string> sessions_with_model(const CampaignFile& plan);
 
@@ -32,7 +24,8 @@ void check_campaign(const CampaignRun& run, const CampaignFile& plan);
 [[nodiscard]] std::string in_folder(const CampaignRun& run, const std::string& name);
 
 /// The paths and kinds of all files of the results.
-[[nodiscard]] std::vector<ResultFile> files_of(const CampaignRun& run, const CampaignFile& plan);
+[[nodiscard]] std::vector<ResultFile> files_of(const CampaignRun& run,
+                                               const OpenedCampaign& opened);
 
 /// Checks that no file of the results would take the place of an input.
 /// @throws InputError  naming the input.

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <iterator>
 #include <numbers>
 #include <optional>
@@ -15,11 +14,8 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
-#include "microslip/documents/levels/stepped_sine_file.hpp"
-#include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
-#include "microslip/io/open/recording_file.hpp"
 #include "microslip/io/recordings/assumed_units.hpp"
 #include "microslip/io/tables/csv.hpp"
 #include "microslip/rig/setup/stick_state.hpp"
@@ -29,6 +25,7 @@
 #include "microslip/workflow/reduce/decay_reduction.hpp"
 #include "microslip/workflow/reduce/modal_decay.hpp"
 #include "microslip/workflow/reduce/modal_levels_reduction.hpp"
+#include "microslip/workflow/reduce/named_recordings.hpp"
 #include "microslip/workflow/reduce/point_sensors.hpp"
 #include "microslip/workflow/reduce/record_levels.hpp"
 #include "microslip/workflow/reduce/recordings_reduction.hpp"
@@ -39,41 +36,34 @@ namespace {
 
 // ---- What a test may be. ----
 
-/// What its file holds.
-enum class CampaignContent : std::uint8_t { kLevels, kModalLevels, kSweeps, kRecording };
-
-CampaignContent content_of_test(const CampaignTest& test) {
-  if (is_stepped_sine(test.file)) return CampaignContent::kSweeps;
-  const PartOfFile part = part_of_file(test.file);
-  const std::string kind = file_kind(read_kind_head(part.file));  // throws where there is no file
-  if (!part.variable.empty()) return CampaignContent::kRecording;
-  if (kind == kLevelsKind) return CampaignContent::kLevels;
-  return kind == kModalLevelsKind ? CampaignContent::kModalLevels : CampaignContent::kRecording;
-}
-
-std::string_view name_of(CampaignContent content) {
+std::string_view name_of(TestContent content) {
   switch (content) {
-    case CampaignContent::kLevels:
+    case TestContent::kLevels:
       return "a table of levels";
-    case CampaignContent::kModalLevels:
+    case TestContent::kModalLevels:
       return "a table of modal levels";
-    case CampaignContent::kSweeps:
+    case TestContent::kSteppedSine:
       return "a stepped-sine table";
-    case CampaignContent::kRecording:
+    case TestContent::kRecording:
+    case TestContent::kOther:  // which its reader refuses
       break;
   }
   return "a recording";
 }
 
-bool fits(CampaignKind kind, CampaignContent content) {
+bool may_be_recording(TestContent content) {
+  return content == TestContent::kRecording || content == TestContent::kOther;
+}
+
+bool fits(CampaignKind kind, TestContent content) {
   switch (kind) {
     case CampaignKind::kSweep:
     case CampaignKind::kConstantResponse:
-      return content == CampaignContent::kSweeps;
+      return content == TestContent::kSteppedSine;
     case CampaignKind::kRingDown:
-      return content == CampaignContent::kRecording || content == CampaignContent::kModalLevels;
+      return may_be_recording(content) || content == TestContent::kModalLevels;
     case CampaignKind::kLoops:
-      return content == CampaignContent::kRecording;
+      return may_be_recording(content);
     case CampaignKind::kTold:
       break;
   }
@@ -82,9 +72,16 @@ bool fits(CampaignKind kind, CampaignContent content) {
 
 std::string title_of(const CampaignTest& test) { return fmt::format("test '{}'", test.name); }
 
+/// A test is recognised and hashed before it is read.
+void require_file(const CampaignTest& test, const TestFile& file) {
+  if (!file.once) return;
+  throw InputError(title_of(test), in_quotes(test.file),
+                   "must be a file: a pipe can be read only once", "Write it to a file first.");
+}
+
 /// What only recordings have.
-void check_recording_keys(const CampaignTest& test, CampaignContent content) {
-  if (content == CampaignContent::kRecording) return;
+void check_recording_keys(const CampaignTest& test, TestContent content) {
+  if (may_be_recording(content)) return;
   const auto refuse = [&](const char* key) {
     throw InputError(
         fmt::format("{}: {}", title_of(test), key), InputState{"given"},
@@ -98,27 +95,25 @@ void check_recording_keys(const CampaignTest& test, CampaignContent content) {
 
 /// What of a table that is given in place of levels of modes, or of a recording, is in the way;
 /// empty of what may be a recording.
-std::string why_no_recording(const CampaignTest& test) {
-  const PartOfFile part = part_of_file(test.file);
-  if (!part.variable.empty()) return {};
-  const std::string head = read_kind_head(part.file);
+std::string why_no_recording(const TestFile& file) {
+  if (!file.part.variable.empty()) return {};
+  const std::string& head = file.text;
   if (std::ranges::all_of(head, [](char c) { return c == ' ' || (c >= '\t' && c <= '\r'); })) {
     return "is empty";
   }
-  const std::string kind = file_kind(head);
-  if (kind == kPathKind) {  // by its displacement alone
+  if (file.kind == kPathKind) {  // by its displacement alone
     const std::vector<std::string> columns = csv_column_names(head);
     const bool has_mode = std::ranges::find(columns, "mode") != columns.end();
     return has_mode ? "tells no loss" : "lacks the column 'mode [1]'";
   }
-  const KnownKind* const known = known_kind(kind);
+  const KnownKind* const known = known_kind(file.kind);
   if (known == nullptr || known->is_recording) return {};
   return fmt::format("is {}", known->words);
 }
 
 /// Before its channels are looked for.
-void check_may_be_recording(const CampaignTest& test) {
-  const std::string why = why_no_recording(test);
+void check_may_be_recording(const CampaignTest& test, const TestFile& file) {
+  const std::string why = why_no_recording(file);
   if (why.empty()) return;
   throw InputError(title_of(test), in_quotes(test.file),
                    fmt::format("must be levels of modes, or a recording, and {}", why),
@@ -126,34 +121,34 @@ void check_may_be_recording(const CampaignTest& test) {
                    "'dissipation [J]' or 'damping_ratio [1]'.");
 }
 
-void check_predictable(const CampaignTest& test, CampaignContent content) {
+void check_predictable(const CampaignTest& test, TestContent content) {
   const bool told = test.kind != CampaignKind::kTold;
-  if (content == CampaignContent::kSweeps || content == CampaignContent::kModalLevels) return;
-  if (content == CampaignContent::kRecording && told) return;
+  if (content == TestContent::kSteppedSine || content == TestContent::kModalLevels) return;
+  if (may_be_recording(content) && told) return;
   throw InputError(
       title_of(test), in_quotes(test.file),
       "must be stepped sines, modal levels, or a recording with its kind to be predicted",
-      content == CampaignContent::kLevels
+      content == TestContent::kLevels
           ? "Levels are what joints are identified from; leave_one_out predicts them."
           : "Of a recording give kind = \"ringdown\", a free decay, or \"loops\", force and "
             "displacement of the joint. The subcommand verify predicts steady records of a rig.");
 }
 
 /// Several joints are found from levels of modes.
-void check_tells_of_modes(const CampaignTest& test, CampaignContent content) {
-  if (content == CampaignContent::kModalLevels || content == CampaignContent::kRecording) return;
+void check_tells_of_modes(const CampaignTest& test, TestContent content) {
+  if (content == TestContent::kModalLevels || may_be_recording(content)) return;
   throw InputError(
       title_of(test), in_quotes(test.file),
       fmt::format("must be levels of modes to identify a model from, and is {}", name_of(content)),
-      content == CampaignContent::kLevels
+      content == TestContent::kLevels
           ? "The subcommand identify finds a joint from its own levels, which the "
             "model takes by its file."
           : "Give modal_levels.csv, or recordings: steady ones, or a free decay with "
             "kind = \"ringdown\". Stepped sines can be predicted.");
 }
 
-void check_identifiable(const CampaignTest& test, CampaignContent content) {
-  if (content != CampaignContent::kModalLevels) return;
+void check_identifiable(const CampaignTest& test, TestContent content) {
+  if (content != TestContent::kModalLevels) return;
   throw InputError(title_of(test), in_quotes(test.file),
                    "must not be modal levels to identify from: they have no amplitude of the joint",
                    "Give the recording that they are of, with kind = \"ringdown\", or levels.csv.");
@@ -272,18 +267,22 @@ RingDownLevels joint_levels(const CampaignFile& campaign, const ModalDecay& mode
   return levels;
 }
 
-ReducedCampaignTest reduce_decay_of(const CampaignFile& campaign, const CampaignTest& test,
+ReducedCampaignTest reduce_decay_of(const OpenedCampaign& opened, std::size_t number,
                                     const std::string& command) {
-  const NamedInput rig{campaign.structure, read_file(campaign.structure)};
+  const CampaignFile& campaign = opened.plan;
+  const CampaignTest& test = campaign.tests[number];
+  const NamedInput& rig = opened.structure;
   const ModelFile model = stuck_model(rig, campaign.stiffness);
   const StickState state =
       of_rig(rig, [&] { return stick_state(parse_rig(rig), kModesOfCampaign); });
+  const Recordings recordings =
+      read_recordings(opened.tests[number], campaign_reading(test).reading);
   ReducedModalDecay found = reduce_modal_decay({.recording = test.file,
                                                 .model = campaign.structure,
                                                 .sensors = test.sensors,
                                                 .modes = {1},
                                                 .reading = campaign_reading(test).reading},
-                                               model);
+                                               model, recordings);
   ModalDecay& mode = found.modes.front();
   const std::vector<PointSensor> sensors = point_sensors(test.sensors, model, campaign.structure);
   const std::span<const double> sensor =
@@ -305,10 +304,9 @@ ReducedCampaignTest reduce_decay_of(const CampaignFile& campaign, const Campaign
 // ---- Levels of others. ----
 
 /// Levels do not tell what loops do: a dead zone, or loops that are no branches of one another.
-std::vector<Warning> departures_of_records(const CampaignTest& test, const TestReading& reading) {
+std::vector<Warning> departures_of_records(const ForceRecords& read) {
   std::vector<Warning> warnings;
-  for (const NamedForceRecord& one :
-       read_force_records({test.file}, reading.channels, reading.reading).records) {
+  for (const NamedForceRecord& one : read.records) {
     if (auto warning = departures_of(RecordEvidence(one.record, PathStart::kUnknown))) {
       warnings.push_back(std::move(*warning));
     }
@@ -316,19 +314,24 @@ std::vector<Warning> departures_of_records(const CampaignTest& test, const TestR
   return warnings;
 }
 
-ReducedCampaignTest reduce_loops_of(const CampaignTest& test, const std::string& command) {
-  const TestReading reading = campaign_reading(test);
-  RecordLevels found = find_record_levels(
-      {.records = {test.file}, .channels = reading.channels, .reading = reading.reading});
-  std::ranges::move(departures_of_records(test, reading), std::back_inserter(found.warnings));
+ReducedCampaignTest reduce_loops_of(const OpenedCampaign& campaign, std::size_t number,
+                                    const std::string& command) {
+  const TestReading reading = campaign_reading(campaign.plan.tests[number]);
+  const ForceRecords read =
+      read_force_records({campaign.tests[number]}, reading.channels, reading.reading);
+  RecordLevels found = find_record_levels(read);
+  std::ranges::move(departures_of_records(read), std::back_inserter(found.warnings));
   return {.text = levels_text(found, command), .warnings = found.warnings};
 }
 
-ReducedCampaignTest reduce_by_rig(const CampaignFile& campaign, const CampaignTest& test,
+ReducedCampaignTest reduce_by_rig(const OpenedCampaign& campaign, std::size_t number,
                                   const std::string& command, const Progress& progress) {
-  const ReducedRecordings found = reduce_recordings({.rig = campaign.structure,
+  const CampaignTest& test = campaign.plan.tests[number];
+  const ReducedRecordings found = reduce_recordings({.rig = campaign.plan.structure,
                                                      .recordings = {test.file},
                                                      .reading = campaign_reading(test).reading,
+                                                     .rig_input = campaign.structure,
+                                                     .opened = {campaign.tests[number]},
                                                      .progress = progress});
   ReducedCampaignTest reduced{.text = levels_text(found, command)};
   for (const std::vector<Warning>& warnings : found.warnings) {
@@ -355,8 +358,9 @@ std::optional<TestKind> test_kind_of(CampaignKind kind) {
 
 }  // namespace
 
-void check_campaign_test(const CampaignTest& test, CampaignSubject subject) {
-  const CampaignContent content = content_of_test(test);
+void check_campaign_test(const CampaignTest& test, const TestFile& file, CampaignSubject subject) {
+  const TestContent content = file.content;
+  require_file(test, file);
   if (!fits(test.kind, content)) {
     throw InputError(fmt::format("{}: kind", title_of(test)), in_quotes(to_string(test.kind)),
                      fmt::format("must be what {} is: {}", test.file, name_of(content)),
@@ -364,7 +368,7 @@ void check_campaign_test(const CampaignTest& test, CampaignSubject subject) {
   }
   check_recording_keys(test, content);
   const bool of_model = subject == CampaignSubject::kModel;
-  if (of_model && content == CampaignContent::kRecording) check_may_be_recording(test);
+  if (of_model && may_be_recording(content)) check_may_be_recording(test, file);
   if (test.predicted()) check_predictable(test, content);
   if (!test.identifies()) return;
   if (of_model) {
@@ -374,24 +378,28 @@ void check_campaign_test(const CampaignTest& test, CampaignSubject subject) {
   }
 }
 
-ReducedCampaignTest reduce_modal_test(const CampaignFile& campaign, const CampaignTest& test,
+ReducedCampaignTest reduce_modal_test(const OpenedCampaign& campaign, std::size_t number,
                                       const std::string& command, const Progress& progress) {
+  const CampaignTest& test = campaign.plan.tests[number];
+  const TestFile& file = campaign.tests[number];
   const TestReading reading = campaign_reading(test);
   if (test.kind == CampaignKind::kRingDown) {
     const ReducedModalDecay found =
         reduce_modal_decay({.recording = test.file,
-                            .model = campaign.structure,
+                            .model = campaign.plan.structure,
                             .sensors = test.sensors,
                             .modes = reading.modes,
                             .reading = reading.reading},
-                           read_model(campaign.structure, JointsToFind::kAllowed));
+                           *campaign.model, read_recordings(file, reading.reading));
     return {.text = modal_levels_text(found, command),
             .warnings = found.warnings,
             .converged = found.converged()};
   }
-  const ReducedModalLevels found = reduce_modal_levels({.model = campaign.structure,
+  const ReducedModalLevels found = reduce_modal_levels({.model = campaign.plan.structure,
                                                         .recordings = {test.file},
                                                         .reading = reading.reading,
+                                                        .model_input = campaign.structure,
+                                                        .opened = {file},
                                                         .progress = progress});
   ReducedCampaignTest reduced{.text = modal_levels_text(found, command)};
   for (const std::vector<Warning>& warnings : found.warnings) {
@@ -400,11 +408,12 @@ ReducedCampaignTest reduce_modal_test(const CampaignFile& campaign, const Campai
   return reduced;
 }
 
-ReducedCampaignTest reduce_campaign_test(const CampaignFile& campaign, const CampaignTest& test,
+ReducedCampaignTest reduce_campaign_test(const OpenedCampaign& campaign, std::size_t number,
                                          const std::string& command, const Progress& progress) {
-  if (test.kind == CampaignKind::kRingDown) return reduce_decay_of(campaign, test, command);
-  if (test.kind == CampaignKind::kLoops) return reduce_loops_of(test, command);
-  return reduce_by_rig(campaign, test, command, progress);
+  const CampaignKind kind = campaign.plan.tests[number].kind;
+  if (kind == CampaignKind::kRingDown) return reduce_decay_of(campaign, number, command);
+  if (kind == CampaignKind::kLoops) return reduce_loops_of(campaign, number, command);
+  return reduce_by_rig(campaign, number, command, progress);
 }
 
 TestReading campaign_reading(const CampaignTest& test) {

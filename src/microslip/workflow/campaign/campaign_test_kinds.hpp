@@ -9,6 +9,7 @@
 #include "microslip/base/progress.hpp"
 #include "microslip/base/summary.hpp"
 #include "microslip/documents/study/campaign_file.hpp"
+#include "microslip/workflow/campaign/campaign_run.hpp"
 #include "microslip/workflow/compare/test_reading.hpp"
 
 /// @file
@@ -23,8 +24,7 @@ inline constexpr std::size_t kModesOfCampaign = 7;
 /// Whether what the campaign says of a test fits its file, its use and what it is of.
 /// @throws InputError  naming the test: for a kind that its file is not of, a file that cannot be
 ///                     identified from or predicted, keys that would do nothing.
-/// @throws FileError, FormatError  where the file cannot be read.
-void check_campaign_test(const CampaignTest& test, CampaignSubject subject);
+void check_campaign_test(const CampaignTest& test, const TestFile& file, CampaignSubject subject);
 
 /// The levels of a test that is no table of them.
 struct ReducedCampaignTest {
@@ -41,20 +41,19 @@ struct ReducedCampaignTest {
 /// higher than that. ω_i, η_i, ψ_i (across the joint) and c (the axial compliance) are those of the
 /// rig with its joint stuck. A frequency of the rig that is wrong is taken for slip; of a rig of
 /// one mode the shape is fixed.
-/// @param campaign  whose structure and k count. @param test  of it.
+/// @param campaign  whose structure and k count. @param number  of the test in it, from 0.
 /// @param command   of the comment in the table. @param progress  told of records; may cancel.
 /// @throws FileError, FormatError, InputError, Cancelled  as these; where all loss is that of the
 ///     rig without its joint.
-[[nodiscard]] ReducedCampaignTest reduce_campaign_test(const CampaignFile& campaign,
-                                                       const CampaignTest& test,
+[[nodiscard]] ReducedCampaignTest reduce_campaign_test(const OpenedCampaign& campaign,
+                                                       std::size_t number,
                                                        const std::string& command,
                                                        const Progress& progress);
 
 /// The same for levels of modes: of steady records as reduce_modal_levels(), of a ring-down as
 /// reduce_modal_decay(), all modes of it or the one that is named.
-[[nodiscard]] ReducedCampaignTest reduce_modal_test(const CampaignFile& campaign,
-                                                    const CampaignTest& test,
-                                                    const std::string& command,
+[[nodiscard]] ReducedCampaignTest reduce_modal_test(const OpenedCampaign& campaign,
+                                                    std::size_t number, const std::string& command,
                                                     const Progress& progress);
 
 /// What is wrong with a test names it: "test 'blow': sensor acc1=tip", without the marks of an

@@ -24,22 +24,12 @@
 namespace microslip {
 namespace {
 
-/// Kinds that files hold by their content.
-enum class Content : std::uint8_t { kSweeps, kModalLevels, kRecording };
-
 /// @param model_path  of what predicts, for messages.
-Content content_of(const std::string& path, const std::string& model_path) {
-  if (is_stepped_sine(path)) return Content::kSweeps;
-  const PartOfFile part = part_of_file(path);
-  const std::string kind = part.variable.empty() ? file_kind(read_kind_head(part.file)) : "";
-  if (kind == kModalLevelsKind) return Content::kModalLevels;
-  const KnownKind* const known = known_kind(kind);
-  if (known != nullptr && !known->is_recording) {
-    throw InputError(path, known->words,
-                     "must be a test: a stepped-sine table, modal levels, or a recording",
-                     fmt::format("What predicts comes first, and that is {} here.", model_path));
-  }
-  return Content::kRecording;
+void require_test(const TestFile& file, const std::string& model_path) {
+  if (file.content != TestContent::kLevels && file.content != TestContent::kOther) return;
+  throw InputError(file.path, known_kind(file.kind)->words,
+                   "must be a test: a stepped-sine table, modal levels, or a recording",
+                   fmt::format("What predicts comes first, and that is {} here.", model_path));
 }
 
 bool has_loops(const std::vector<Recording>& recordings) {
@@ -59,24 +49,24 @@ bool has_loops(const std::vector<Recording>& recordings) {
                    "Leave it out, or name the tests of another kind in another call.");
 }
 
-ModalLevels levels_of_table(const std::string& path, const ModelFile& model,
+ModalLevels levels_of_table(const TestFile& file, const ModelFile& model,
                             const TestReading& options) {
   std::vector<std::string> joints;
   for (const StructuralJoint& joint : model.structure.joints()) joints.push_back(joint.name);
-  const ModalLevels all = parse_modal_levels(read_file(path), input_name(path), joints,
+  const ModalLevels all = parse_modal_levels(text_of(file), input_name(file.path), joints,
                                              model.structure.linear().vibrations());
-  return some_levels(all, levels_of_modes(all, options.modes, path));
+  return some_levels(all, levels_of_modes(all, options.modes, file.path));
 }
 
-void read_decay(const ModelFile& model, const std::string& model_path, const TestReading& options,
-                ReadTest& test) {
+void read_decay(const Recordings& file, const ModelFile& model, const std::string& model_path,
+                const TestReading& options, ReadTest& test) {
   const ReducedModalDecay reduced = reduce_modal_decay({.recording = test.path,
                                                         .model = model_path,
                                                         .sensors = options.sensors,
                                                         .modes = options.modes,
                                                         .analysis = options.decay,
                                                         .reading = options.reading},
-                                                       model);
+                                                       model, file);
   test.content = levels_of(reduced);
   test.warnings = reduced.warnings;
   test.converged = reduced.converged();
@@ -91,12 +81,10 @@ void read_loops(std::vector<Recording> recordings, const TestReading& options, R
   test.content = std::move(records);
 }
 
-/// A test is looked at before it is read, and read again for its hash.
-void require_file(const std::string& path) {
-  std::error_code unknown;  // what is not there says who reads it
-  const bool once = path == "-" || std::filesystem::is_fifo(path, unknown);
-  if (!once) return;
-  throw InputError("tests", in_quotes(path), "must be files: a pipe can be read only once",
+/// A test is recognised and hashed before it is read.
+void require_file(const TestFile& file) {
+  if (!file.once) return;
+  throw InputError("tests", in_quotes(file.path), "must be files: a pipe can be read only once",
                    "Write it to a file first.");
 }
 
@@ -123,35 +111,42 @@ std::vector<std::size_t> levels_of_modes(const ModalLevels& levels,
 
 ReadTest read_test(const std::string& path, const ModelFile* model, const std::string& model_path,
                    const TestReading& options) {
-  require_file(path);
-  ReadTest test{.path = path, .digest = digest_of(path), .content = {}, .kind = options.kind};
-  const Content content = content_of(path, model_path);
-  if (content == Content::kSweeps) {
+  return read_test(open_test(path), model, model_path, options);
+}
+
+ReadTest read_test(const TestFile& file, const ModelFile* model, const std::string& model_path,
+                   const TestReading& options) {
+  require_file(file);
+  const std::string& path = file.path;
+  ReadTest test{.path = path, .digest = file.sha256, .content = {}, .kind = options.kind};
+  require_test(file, model_path);
+  if (file.content == TestContent::kSteppedSine) {
     require_model(model, model_path, path);
     if (options.kind && !is_of_sweeps(*options.kind)) {
       throw_other_kind(path, *options.kind, "a stepped-sine table");
     }
-    test.content = read_stepped_sines(path);
+    test.content = read_stepped_sines(file);
     return test;
   }
   if (options.kind && is_of_sweeps(*options.kind)) {
     throw_other_kind(path, *options.kind, "no stepped-sine table");
   }
-  if (content == Content::kModalLevels) {
+  if (file.content == TestContent::kModalLevels) {
     require_model(model, model_path, path);
     if (options.kind == TestKind::kLoops) throw_other_kind(path, *options.kind, "modal levels");
-    test.content = levels_of_table(path, *model, options);
+    test.content = levels_of_table(file, *model, options);
     return test;
   }
   test.is_recording = true;
-  std::vector<Recording> recordings = read_named_recordings(path, options.reading, test.warnings);
-  const bool loops =
-      options.kind ? options.kind == TestKind::kLoops : model == nullptr || has_loops(recordings);
+  Recordings found = read_recordings(file, options.reading);
+  const bool loops = options.kind ? options.kind == TestKind::kLoops
+                                  : model == nullptr || has_loops(found.recordings);
   if (loops) {
-    read_loops(std::move(recordings), options, test);
+    test.warnings = std::move(found.warnings);
+    read_loops(named_recordings(std::move(found.recordings), path), options, test);
   } else {
     require_model(model, model_path, path);
-    read_decay(*model, model_path, options, test);
+    read_decay(found, *model, model_path, options, test);
   }
   return test;
 }

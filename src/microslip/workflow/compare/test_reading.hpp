@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "microslip/base/summary.hpp"
+#include "microslip/documents/levels/test_file.hpp"
 #include "microslip/documents/structure/model_file.hpp"
 #include "microslip/io/recordings/recordings.hpp"
 #include "microslip/observe/modal_levels.hpp"
@@ -61,6 +62,9 @@ struct ReadTest {
 /// @throws FileError, FormatError, InputError  as the readers; where the file is not of the kind
 ///     that is asked for, is a pipe, or a joint by itself is to predict a structure.
 [[nodiscard]] ReadTest read_test(const std::string& path, const ModelFile* model,
+                                 const std::string& model_path, const TestReading& options);
+/// The same of a file that was opened before.
+[[nodiscard]] ReadTest read_test(const TestFile& file, const ModelFile* model,
                                  const std::string& model_path, const TestReading& options);
 
 }  // namespace microslip

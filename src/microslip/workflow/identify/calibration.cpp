@@ -175,6 +175,23 @@ std::string describe_pairs(const CalibrationResult& found) {
   return text;
 }
 
+void check_to_calibrate(const ModelFile& model, const std::string& path) {
+  if (model.to_find.empty()) {
+    throw InputError(fmt::format("{}: joints to find", input_name(path)), InputState{"none"},
+                     "must be one or more", "Give a [[joint]] stiffness_N_per_m in place of file.");
+  }
+  require_no_static_loads(model, path, "calibrate");
+  for (const std::size_t joint : model.to_find) {
+    check_file_name(path, model.structure.joints()[joint].name);
+  }
+  for (const StructuralJoint& joint : model.structure.joints()) check_column_name(path, joint.name);
+}
+
+void require_folder(const ModelCalibration& options) {
+  if (!options.out.empty() && options.out != "-") return;
+  throw InputError("out", in_quotes(options.out), "must be a folder", "Name it.");
+}
+
 }  // namespace
 
 std::vector<std::string> names_of_joints(const ModelFile& model) {
@@ -185,15 +202,13 @@ std::vector<std::string> names_of_joints(const ModelFile& model) {
 
 ModelFile read_model_to_calibrate(const std::string& path) {
   ModelFile model = read_model(path, JointsToFind::kAllowed);
-  if (model.to_find.empty()) {
-    throw InputError(fmt::format("{}: joints to find", input_name(path)), InputState{"none"},
-                     "must be one or more", "Give a [[joint]] stiffness_N_per_m in place of file.");
-  }
-  require_no_static_loads(model, path, "calibrate");
-  for (const std::size_t joint : model.to_find) {
-    check_file_name(path, model.structure.joints()[joint].name);
-  }
-  for (const StructuralJoint& joint : model.structure.joints()) check_column_name(path, joint.name);
+  check_to_calibrate(model, path);
+  return model;
+}
+
+ModelFile model_to_calibrate(const NamedInput& input) {
+  ModelFile model = parse_model(input.text, input_name(input.path), JointsToFind::kAllowed);
+  check_to_calibrate(model, input.path);
   return model;
 }
 
@@ -213,10 +228,13 @@ JointSamples joint_samples(const CalibratedJoint& joint, const Provenance& prove
 }
 
 std::vector<ResultFile> planned_files(const ModelCalibration& options) {
-  if (options.out.empty() || options.out == "-") {
-    throw InputError("out", in_quotes(options.out), "must be a folder", "Name it.");
-  }
-  std::vector<ResultFile> files = files_of(options, read_model_to_calibrate(options.model));
+  require_folder(options);
+  return planned_files(options, read_model_to_calibrate(options.model));
+}
+
+std::vector<ResultFile> planned_files(const ModelCalibration& options, const ModelFile& model) {
+  require_folder(options);
+  std::vector<ResultFile> files = files_of(options, model);
   std::vector<std::string> inputs = options.levels;
   inputs.push_back(options.model);
   for (const ResultFile& file : files) {

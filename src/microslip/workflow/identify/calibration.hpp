@@ -13,6 +13,7 @@
 #include "microslip/documents/joint/joint_samples_file.hpp"
 #include "microslip/documents/structure/model_file.hpp"
 #include "microslip/io/config/named_values.hpp"
+#include "microslip/io/output/provenance.hpp"
 
 /// @file
 /// A model whose joints are sought and its modal levels, to the folder of what was found.
@@ -56,6 +57,8 @@ struct CalibratedModel {
 /// @throws FileError, FormatError, InputError  as read_model(); where no joint is to be found,
 ///     loads always act, or the name of a joint is none of a file or a column.
 [[nodiscard]] ModelFile read_model_to_calibrate(const std::string& path);
+/// The same of a text. @throws FormatError, InputError  as read_model_to_calibrate().
+[[nodiscard]] ModelFile model_to_calibrate(const NamedInput& input);
 
 /// The names of the joints of a model, in its order.
 [[nodiscard]] std::vector<std::string> names_of_joints(const ModelFile& model);
@@ -91,6 +94,9 @@ void compose_calibration(const ModelCalibration& options, const ModalLevels& lev
 /// @throws FileError, FormatError, InputError  as read_model(); for a joint whose name is no name
 ///                                             of a file.
 [[nodiscard]] std::vector<ResultFile> planned_files(const ModelCalibration& options);
+/// The same of a model that was read before.
+[[nodiscard]] std::vector<ResultFile> planned_files(const ModelCalibration& options,
+                                                    const ModelFile& model);
 
 /// Reads, finds and composes the files.
 /// @throws FileError, FormatError, InputError  as the readers and calibrate().

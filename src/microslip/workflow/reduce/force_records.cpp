@@ -59,15 +59,22 @@ ForceRecord force_record(const Recording& recording, const JointChannels& channe
 ForceRecords read_force_records(const std::vector<std::string>& paths,
                                 const JointChannels& channels,
                                 const RecordingReadOptions& reading) {
+  std::vector<TestFile> files;
+  for (const std::string& path : paths) files.push_back(open_test(path));
+  return read_force_records(files, channels, reading);
+}
+
+ForceRecords read_force_records(const std::vector<TestFile>& files, const JointChannels& channels,
+                                const RecordingReadOptions& reading) {
   ForceRecords all;
   std::vector<std::vector<Warning>> warnings;
-  for (const std::string& path : paths) {
+  for (const TestFile& file : files) {
     for (const Recording& recording :
-         read_named_recordings(path, reading, warnings.emplace_back())) {
+         read_named_recordings(file, reading, warnings.emplace_back())) {
       all.records.push_back({recording.source, force_record(recording, channels),
                              recording.axis.start, static_cast<double>(warnings.size())});
     }
-    all.inputs.push_back({path, recording_sha256(path)});
+    all.inputs.push_back({file.path, file.sha256});
   }
   all.warnings = joined_warnings(warnings);
   return all;

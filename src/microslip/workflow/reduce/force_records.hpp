@@ -6,6 +6,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/summary.hpp"
+#include "microslip/documents/levels/test_file.hpp"
 #include "microslip/io/config/named_values.hpp"
 #include "microslip/io/recordings/recordings.hpp"
 #include "microslip/observe/force_record.hpp"
@@ -44,6 +45,11 @@ struct ForceRecords {
 
 /// @throws FileError, FormatError  as read_recordings(). @throws InputError  as force_record().
 [[nodiscard]] ForceRecords read_force_records(const std::vector<std::string>& paths,
+                                              const JointChannels& channels,
+                                              const RecordingReadOptions& reading);
+
+/// The same of files that were opened before.
+[[nodiscard]] ForceRecords read_force_records(const std::vector<TestFile>& files,
                                               const JointChannels& channels,
                                               const RecordingReadOptions& reading);
 

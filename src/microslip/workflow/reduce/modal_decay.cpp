@@ -317,7 +317,12 @@ ReducedModalDecay reduce_modal_decay(const ModalDecayReduction& options) {
 }
 
 ReducedModalDecay reduce_modal_decay(const ModalDecayReduction& options, const ModelFile& model) {
-  return reduce_by_model(options, model, read_recordings(options.recording, options.reading));
+  return reduce_modal_decay(options, model, read_recordings(options.recording, options.reading));
+}
+
+ReducedModalDecay reduce_modal_decay(const ModalDecayReduction& options, const ModelFile& model,
+                                     const Recordings& file) {
+  return reduce_by_model(options, model, file);
 }
 
 std::string modal_levels_text(const ReducedModalDecay& reduced, std::string_view command) {

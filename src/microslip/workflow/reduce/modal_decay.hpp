@@ -71,6 +71,9 @@ struct ReducedModalDecay {
 /// The same with a model that need not be a file; `options.model` is its name in messages.
 [[nodiscard]] ReducedModalDecay reduce_modal_decay(const ModalDecayReduction& options,
                                                    const ModelFile& model);
+/// The same of a recording that was read before. @param file  all that its file holds.
+[[nodiscard]] ReducedModalDecay reduce_modal_decay(const ModalDecayReduction& options,
+                                                   const ModelFile& model, const Recordings& file);
 
 /// The text of modal_levels.csv: `mode [1], displacement [m], frequency [Hz], damping_ratio [1]`,
 /// of the three with `_std` each, `decay_time [s], source, flags`.

@@ -72,21 +72,24 @@ std::vector<ModalLevel> writable_modal_levels(const std::vector<ModalLevel>& lev
 ReducedModalLevels reduce_modal_levels(const ModalLevelsReduction& options) {
   check_distinct_files(options.recordings);
   constexpr std::size_t kLargestModel = std::size_t{16} << 20U;
-  NamedInput input{options.model, read_file(options.model, kLargestModel)};
+  NamedInput input = options.model_input
+                         ? *options.model_input
+                         : NamedInput{options.model, read_file(options.model, kLargestModel)};
   ModalReducer reducer = reducer_of(options, input);
   const std::size_t count = options.recordings.size();
   ReducedModalLevels reduced{std::move(input), options.recordings, std::move(reducer), {}, {}, {}};
   reduced.digests.resize(count);
   reduced.warnings.resize(count);
   const auto read = [&](std::size_t i) {
-    const std::string& path = options.recordings[i];
-    if (is_stepped_sine(path)) {
-      throw InputError(path, "a stepped-sine table", "must be a record in time",
+    const TestFile file =
+        options.opened.empty() ? open_test(options.recordings[i]) : options.opened[i];
+    if (file.content == TestContent::kSteppedSine) {
+      throw InputError(file.path, "a stepped-sine table", "must be a record in time",
                        "Joints are observed in records of force and accelerations.");
     }
     std::vector<Recording> recordings =
-        read_named_recordings(path, options.reading, reduced.warnings[i]);
-    reduced.digests[i] = digest_of(path);
+        read_named_recordings(file, options.reading, reduced.warnings[i]);
+    reduced.digests[i] = file.sha256;
     return recordings;
   };
   reduced.batch = reduce_batch(reduced.reducer, count, read,

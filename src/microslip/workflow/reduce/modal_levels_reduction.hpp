@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "microslip/base/progress.hpp"
 #include "microslip/base/summary.hpp"
+#include "microslip/documents/levels/test_file.hpp"
 #include "microslip/io/output/provenance.hpp"
 #include "microslip/io/recordings/recordings.hpp"
 #include "microslip/rig/reduction/modal_reduction.hpp"
@@ -23,8 +25,10 @@ struct ModalLevelsReduction {
   std::vector<std::string> sensors = {};  ///< CHANNEL=POINT; empty for those of the model
   ModalReductionOptions reduction = {};   ///< of each
   RecordingReadOptions reading = {};      ///< of their files
-  bool skip_faulty = false;               ///< leaves out what cannot be read or reduced
-  Progress progress = {};                 ///< told of the records
+  std::optional<NamedInput> model_input = {};  ///< model.toml, where it was read before
+  std::vector<TestFile> opened = {};           ///< the recordings, where they were opened before
+  bool skip_faulty = false;                    ///< leaves out what cannot be read or reduced
+  Progress progress = {};                      ///< told of the records
 };
 
 /// What came of it.

@@ -18,12 +18,31 @@ std::vector<Recording> read_named_recordings(const std::string& path,
                                              std::vector<Warning>& warnings) {
   Recordings found = read_recordings(path, options);
   warnings = std::move(found.warnings);
-  const bool several = found.recordings.size() > 1;
-  for (Recording& recording : found.recordings) {
+  return named_recordings(std::move(found.recordings), path);
+}
+
+std::vector<Recording> read_named_recordings(const TestFile& file,
+                                             const RecordingReadOptions& options,
+                                             std::vector<Warning>& warnings) {
+  Recordings found = read_recordings(file, options);
+  warnings = std::move(found.warnings);
+  return named_recordings(std::move(found.recordings), file.path);
+}
+
+Recordings read_recordings(const TestFile& file, const RecordingReadOptions& options) {
+  RecordingReadOptions known = options;
+  known.format = file.format;
+  return read_recordings(file.path, known);
+}
+
+std::vector<Recording> named_recordings(std::vector<Recording> recordings,
+                                        const std::string& path) {
+  const bool several = recordings.size() > 1;
+  for (Recording& recording : recordings) {
     const std::string name = input_name(path);
     recording.source = several ? fmt::format("{}:{}", name, recording.source) : name;
   }
-  return std::move(found.recordings);
+  return recordings;
 }
 
 std::string recording_sha256(const std::string& path) {

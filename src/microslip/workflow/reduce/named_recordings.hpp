@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "microslip/base/summary.hpp"
+#include "microslip/documents/levels/test_file.hpp"
 #include "microslip/io/recordings/recordings.hpp"
 #include "microslip/signal/recording/recording.hpp"
 
@@ -20,6 +21,18 @@ namespace microslip {
 [[nodiscard]] std::vector<Recording> read_named_recordings(const std::string& path,
                                                            const RecordingReadOptions& options,
                                                            std::vector<Warning>& warnings);
+
+/// The same of a file that was opened before.
+[[nodiscard]] std::vector<Recording> read_named_recordings(const TestFile& file,
+                                                           const RecordingReadOptions& options,
+                                                           std::vector<Warning>& warnings);
+
+/// Reads the recordings of a file that was opened before. @throws Error  as read_recordings().
+[[nodiscard]] Recordings read_recordings(const TestFile& file, const RecordingReadOptions& options);
+
+/// The recordings of a file, named as read_named_recordings() does. @param path  of the file.
+[[nodiscard]] std::vector<Recording> named_recordings(std::vector<Recording> recordings,
+                                                      const std::string& path);
 
 /// SHA-256 of the whole file that a recording is of, or a part of.
 /// @param path  no "-". @throws FileError  where it cannot be read.

@@ -146,7 +146,10 @@ std::size_t RecordLevels::count() const {
 
 RecordLevels find_record_levels(const RecordLevelsOptions& options) {
   check_distinct_files(options.records);
-  ForceRecords read = read_force_records(options.records, options.channels, options.reading);
+  return find_record_levels(read_force_records(options.records, options.channels, options.reading));
+}
+
+RecordLevels find_record_levels(ForceRecords read) {
   RecordLevels found;
   for (NamedForceRecord& one : read.records) found.records.push_back(cycles_of(std::move(one)));
   if (found.count() == 0) throw_no_cycle(found.records);

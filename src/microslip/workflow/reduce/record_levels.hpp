@@ -45,6 +45,8 @@ struct RecordLevels {
 /// @throws InputError  as read_force_records() and check_records(), naming the record; where no
 ///                     cycle closes in any of them, or none stands out of the noise.
 [[nodiscard]] RecordLevels find_record_levels(const RecordLevelsOptions& options);
+/// The same of records that were read before. @throws InputError  where no cycle closes.
+[[nodiscard]] RecordLevels find_record_levels(ForceRecords read);
 
 /// The text of levels.csv, one row a cycle, with warnings in its comment.
 [[nodiscard]] std::string levels_text(const RecordLevels& found, std::string_view command);

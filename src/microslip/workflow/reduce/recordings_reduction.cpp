@@ -32,13 +32,22 @@ namespace {
                    "Reduce the two kinds one after the other.");
 }
 
-std::vector<ReducedLevel> reduce_table(const Reducer& reducer, const std::string& path) {
-  if (!is_stepped_sine(path)) {
-    (void)read_file_head(part_of_file(path).file, 1);  // no table for it is no file?
-    throw_mixed(path, "a record in time", "a stepped-sine table");
+/// Recording i, opened now where it was not before.
+TestFile opened(const RecordingsReduction& options, std::size_t i) {
+  return options.opened.empty() ? open_test(options.recordings[i]) : options.opened[i];
+}
+
+bool are_tables(const RecordingsReduction& options) {
+  if (!options.opened.empty()) return options.opened.front().content == TestContent::kSteppedSine;
+  return is_stepped_sine(options.recordings.front());  // what cannot be opened may be left out
+}
+
+std::vector<ReducedLevel> reduce_table(const Reducer& reducer, const TestFile& file) {
+  if (file.content != TestContent::kSteppedSine) {
+    throw_mixed(file.path, "a record in time", "a stepped-sine table");
   }
   std::vector<ReducedLevel> levels;
-  for (const SteppedSine& sweep : read_stepped_sines(path)) {
+  for (const SteppedSine& sweep : read_stepped_sines(file)) {
     levels.push_back(reduce_stepped_sine(reducer, sweep));
   }
   return levels;
@@ -49,9 +58,9 @@ ReductionBatch reduce_tables(const Reducer& reducer, const RecordingsReduction& 
   ReductionBatch batch;
   for (std::size_t i = 0; i < options.recordings.size(); ++i) {
     try {
-      std::ranges::move(reduce_table(reducer, options.recordings[i]),
-                        std::back_inserter(batch.levels));
-      digests[i] = digest_of(options.recordings[i]);
+      const TestFile file = opened(options, i);
+      std::ranges::move(reduce_table(reducer, file), std::back_inserter(batch.levels));
+      digests[i] = file.sha256;
     } catch (const Error& error) {
       if (!options.skip_faulty) throw;
       batch.rejected.push_back({i, error.what()});
@@ -64,10 +73,12 @@ ReductionBatch reduce_records(const Reducer& reducer, const RecordingsReduction&
                               std::vector<std::string>& digests,
                               std::vector<std::vector<Warning>>& warnings) {
   const auto read = [&](std::size_t i) {
-    const std::string& path = options.recordings[i];
-    if (is_stepped_sine(path)) throw_mixed(path, "a stepped-sine table", "a record in time");
-    std::vector<Recording> recordings = read_named_recordings(path, options.reading, warnings[i]);
-    digests[i] = digest_of(path);
+    const TestFile file = opened(options, i);
+    if (file.content == TestContent::kSteppedSine) {
+      throw_mixed(file.path, "a stepped-sine table", "a record in time");
+    }
+    std::vector<Recording> recordings = read_named_recordings(file, options.reading, warnings[i]);
+    digests[i] = file.sha256;
     return recordings;
   };
   return reduce_batch(reducer, options.recordings.size(), read,
@@ -102,14 +113,16 @@ MeasuredLevels measured_levels(std::span<const ReducedLevel> levels) {
 ReducedRecordings reduce_recordings(const RecordingsReduction& options) {
   check_distinct_files(options.recordings);
   constexpr std::size_t kLargestRig = std::size_t{1} << 20U;
-  NamedInput input{options.rig, read_file(options.rig, kLargestRig)};
+  NamedInput input = options.rig_input
+                         ? *options.rig_input
+                         : NamedInput{options.rig, read_file(options.rig, kLargestRig)};
   const Rig rig = parse_rig(input);
   Reducer reducer = of_rig(input, [&] { return Reducer(rig, options.reduction); });
   const std::size_t count = options.recordings.size();
   ReducedRecordings reduced{std::move(input), options.recordings, std::move(reducer), {}, {}, {}};
   reduced.digests.resize(count);
   reduced.warnings.resize(count);
-  reduced.batch = is_stepped_sine(options.recordings.front())
+  reduced.batch = are_tables(options)
                       ? reduce_tables(reduced.reducer, options, reduced.digests)
                       : reduce_records(reduced.reducer, options, reduced.digests, reduced.warnings);
   return reduced;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "microslip/base/progress.hpp"
 #include "microslip/base/summary.hpp"
+#include "microslip/documents/levels/test_file.hpp"
 #include "microslip/io/output/provenance.hpp"
 #include "microslip/io/recordings/recordings.hpp"
 #include "microslip/rig/reduction/reduction.hpp"
@@ -24,8 +26,10 @@ struct RecordingsReduction {
   std::vector<std::string> recordings;  ///< paths of records or of stepped-sine tables, one or more
   ReductionOptions reduction = {};      ///< of each
   RecordingReadOptions reading = {};    ///< of their files
-  bool skip_faulty = false;             ///< leaves out what cannot be read or reduced
-  Progress progress = {};               ///< told of the records
+  std::optional<NamedInput> rig_input = {};  ///< rig.toml, where it was read before
+  std::vector<TestFile> opened = {};         ///< the recordings, where they were opened before
+  bool skip_faulty = false;                  ///< leaves out what cannot be read or reduced
+  Progress progress = {};                    ///< told of the records
 };
 
 /// What came of it.

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "microslip/io/bytes/part_of_file.hpp"
+#include "microslip/io/recordings/recording_format.hpp"
+#include "microslip/rig/reduction/stepped_sine.hpp"
+
+/// @file
+/// The file of a test: opened, recognised and hashed once.
+
+namespace microslip {
+
+/// The content of a file of a test.
+enum class TestContent : std::uint8_t {
+  kLevels,       ///< levels.csv
+  kModalLevels,  ///< modal_levels.csv
+  kSteppedSine,  ///< a stepped-sine table, in CSV or in a variable of a MATLAB file
+  kRecording,    ///< a recording over time, or what only its reader can refuse
+  kOther,        ///< a file of this program that is no test, as a joint.json
+};
+
+/// A file of a test as open_test() found it.
+struct TestFile {
+  std::string path;                               ///< as it was named
+  PartOfFile part = {};                           ///< its file and its variable
+  TestContent content = TestContent::kRecording;  ///< by its content, not by its name
+  std::string kind = {};                          ///< file_kind() of the file; empty of a variable
+  std::optional<RecordingFormat> format = {};     ///< of a recording that is a file of its own
+  std::string text = {};    ///< all of a table that is no recording; of others the first bytes
+  std::string sha256 = {};  ///< of the whole file; empty where it can be read only once
+  bool once = false;        ///< a pipe or standard input, of which nothing was taken
+};
+
+/// Opens a file, recognises it, hashes it and, of a table of levels or of stepped sines, reads it.
+/// Of standard input that is a file the kind alone is found; a pipe counts as a recording.
+/// @param path  a file, `FILE:VARIABLE` of a MATLAB file, or "-".
+/// @throws FileError  where it does not exist, is a folder or may not be read.
+[[nodiscard]] TestFile open_test(const std::string& path);
+
+/// The text of a table.
+/// @throws FileError  where it was not read by open_test() and cannot be read.
+[[nodiscard]] std::string text_of(const TestFile& file);
+
+/// The sweeps of a file whose content is kSteppedSine.
+/// @throws FileError, FormatError, InputError  as read_stepped_sines().
+[[nodiscard]] std::vector<SteppedSine> read_stepped_sines(const TestFile& file);
+
+}  // namespace microslip

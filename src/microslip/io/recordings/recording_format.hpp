@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace microslip {
+
+/// Formats that recordings are read and written in.
+enum class RecordingFormat {
+  kCsv,        ///< comma-separated text, recording_csv.hpp
+  kUff,        ///< universal file, datasets 58 in text
+  kUffBinary,  ///< universal file, datasets 58b
+  kMat,        ///< MATLAB
+  kHdf5,       ///< HDF5
+};
+
+}  // namespace microslip
