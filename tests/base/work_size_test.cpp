@@ -24,9 +24,10 @@ std::string message_of(const Check& check) {
 TEST(WorkSize, KeepsAGibibyte) {
   EXPECT_EQ(most_kept(8.0), std::size_t{1} << 27U);
   EXPECT_NO_THROW(check_memory("`draws`", 134217728.0, 8.0, "Take fewer."));
-  EXPECT_EQ(message_of([] { check_memory("`draws`", 134217729.0, 8.0, "Take fewer."); }),
-            "`draws` = 134217729; must be 134217728 at most: each takes 8 bytes here, and 1 GiB is "
-            "what may be kept. Take fewer.");
+  EXPECT_EQ(
+      message_of([] { check_memory("`draws`", 134217729.0, 8.0, "Take fewer."); }),
+      "`draws` = 134217729; must be 134217728 at most: each takes 8 bytes here, and the limit "
+      "is 1 GiB. Take fewer.");
 }
 
 TEST(WorkSize, EndsAtStepsOfAnHour) {

@@ -319,7 +319,7 @@ TEST(JenkinsNetwork, SaysHowManyElementsADensityNeeds) {
   const auto message = [](const SlipDensity& density, std::size_t n) {
     return message_of([&] { (void)JenkinsNetwork::discretise(Joint(kStiffness, density), n); });
   };
-  const std::string rest = " for this density: one an atom, and one for the rest";
+  const std::string rest = " for this density: one per atom, and one for the rest";
   const SlipDensity uniform({UniformPart{0.0, 5.0, 1.0}});
   const SlipDensity both({UniformPart{0.0, 5.0, 0.5}, AtomsPart{{1.0, 2.0}, {0.1, 0.1}}});
   EXPECT_EQ(message(uniform, 0), "number of elements = 0; must be at least 1" + rest);
@@ -345,7 +345,7 @@ TEST(NetworkMemory, RejectsBadPathsBeforeAnyStep) {
             "length of force = 3; must be that of the displacements, 2");
   const std::string rule =
       "must be 0 or more, and finite. "
-      "It is the normal load over the one at which the joint was identified.";
+      "Give the normal load as a ratio to that at which the joint was identified.";
   EXPECT_EQ(march(x, {1.0, 1.0, -0.5}), "normal_load[2] = -0.5; " + rule);
   EXPECT_EQ(march(x, {nan, 1.0, 1.0}), "normal_load[0] = nan; " + rule);
   EXPECT_EQ(message_of([&] {

@@ -225,7 +225,7 @@ TEST(LevelEvidence, RefusesErrorsThatBreakTheirRules) {
   EXPECT_NE(message({.amplitude_gain_std = std::numeric_limits<double>::quiet_NaN()}), "accepted");
   EXPECT_EQ(message({.loss_factor_std = 0.05}),
             "loss_factor_std = 0.05; needs the linear loss of the levels, linear_dissipation. "
-            "A reduction of recordings tells it.");
+            "A reduction of recordings gives it.");
   EXPECT_THROW(LevelEvidence(Levels{}), InputError);
 }
 

@@ -96,7 +96,7 @@ TEST(ModalModel, NamesWhatIsWrong) {
             "angular_frequency[0] = nan; must be 0 or more, and finite");
   EXPECT_EQ(message({{1.0, -0.1}}, {}), "loss_factor[0] = -0.1; must be 0 or more, and finite");
   EXPECT_EQ(message({{1.0}, {2.0}}, {{"a", {1.0}}}),
-            "shape of point 'a' = 1 values; must have one value a mode, 2 in all");
+            "shape of point 'a' = 1 values; must have one value per mode, 2 in all");
   EXPECT_EQ(message({{1.0}}, {{"a", {kNan}}}), "shape[0] of point 'a' = nan; must be finite");
   const std::string rule = "; must not be empty, and no two the same";
   EXPECT_EQ(message({{1.0}}, {{"a", {1.0}}, {"a", {2.0}}}), "name of a point = 'a'" + rule);
@@ -106,13 +106,13 @@ TEST(ModalModel, NamesWhatIsWrong) {
 TEST(ModalModel, NamesThePointsThereAre) {
   const ModalModel model = two_modes();
   const std::string expected =
-      "point = 'tip'; is not one of the structure. Points there are: 'drive', 'joint'.";
+      "point = 'tip'; is not one of the structure. Available points: 'drive', 'joint'.";
   EXPECT_EQ(test::message_of<InputError>([&] { return model.shape("tip"); }), expected);
   EXPECT_EQ(test::message_of<InputError>([&] { return model.receptance("drive", "tip", 1.0); }),
             expected);
   const ModalModel without({{1.0}}, {});
   EXPECT_EQ(test::message_of<InputError>([&] { return without.shape("tip"); }),
-            "point = 'tip'; is not one of the structure. Points there are: none.");
+            "point = 'tip'; is not one of the structure. Available points: none.");
 }
 
 TEST(ModalModel, RejectsAFrequencyThatIsNone) {

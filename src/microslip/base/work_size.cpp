@@ -15,8 +15,7 @@ void check_memory(std::string_view what, double count, double bytes_each, std::s
   if (count <= static_cast<double>(most_kept(bytes_each))) return;
   throw InputError(
       what, count,
-      fmt::format("must be {} at most: each takes {:.0f} bytes here, and 1 GiB is what "
-                  "may be kept",
+      fmt::format("must be {} at most: each takes {:.0f} bytes here, and the limit is 1 GiB",
                   most_kept(bytes_each), bytes_each),
       remedy);
 }

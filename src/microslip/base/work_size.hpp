@@ -26,7 +26,7 @@ inline constexpr double kMostTimeSteps = 1e10;
 /// @param bytes_each  what each takes until it is written, its text in a table included.
 /// @param remedy      a sentence: "Take fewer."
 /// @throws InputError  for more than most_kept(): "`draws` = 2000; must be 1118 at most: each takes
-///                     960000 bytes here, and 1 GiB is what may be kept. Take fewer."
+///                     960000 bytes here, and the limit is 1 GiB. Take fewer."
 void check_memory(std::string_view what, double count, double bytes_each, std::string_view remedy);
 
 /// Nothing for kMostTimeSteps and less.

@@ -14,11 +14,11 @@ std::optional<Warning> beyond_identification(const Joint& joint, double amplitud
   if (!(reached > kBeyond * *covered_to)) return std::nullopt;
   return Warning{
       "beyond_identification",
-      fmt::format("the joint moves by {}, {:.3g} times the {} of the highest level that "
-                  "it was identified by; what slips there is not known. Identify it with higher "
-                  "levels.",
-                  length_text(amplitude), reached / *covered_to,
-                  length_text(*covered_to / joint.stiffness()))};
+      fmt::format(
+          "the joint moves by {}, {:.3g} times the {} of the highest level it was identified from; "
+          "slip beyond that is not identified. Identify it with higher levels.",
+          length_text(amplitude), reached / *covered_to,
+          length_text(*covered_to / joint.stiffness()))};
 }
 
 }  // namespace microslip

@@ -46,7 +46,7 @@ class PartChecker {
     const std::size_t n = part.slip_force.size();
     require(n >= 2, "slip_force", static_cast<double>(n), "must have at least 2 knots");
     require(part.density.size() == n, "density", static_cast<double>(part.density.size()),
-            fmt::format("must have one value a knot, {} in all", n));
+            fmt::format("must have one value per knot, {} in all", n));
     for (std::size_t i = 0; i < n; ++i) {
       require_non_negative(fmt::format("slip_force[{}]", i), part.slip_force[i]);
       require_non_negative(fmt::format("density[{}]", i), part.density[i],
@@ -62,7 +62,7 @@ class PartChecker {
     const std::size_t n = part.slip_force.size();
     require(n >= 1, "slip_force", 0.0, "must have at least one atom");
     require(part.weight.size() == n, "weight", static_cast<double>(part.weight.size()),
-            fmt::format("must have one value an atom, {} in all", n));
+            fmt::format("must have one value per atom, {} in all", n));
     for (std::size_t i = 0; i < n; ++i) {
       require_positive(fmt::format("slip_force[{}]", i), part.slip_force[i]);
       require_non_negative(fmt::format("weight[{}]", i), part.weight[i]);

@@ -191,10 +191,10 @@ JenkinsNetwork JenkinsNetwork::discretise(const Joint& joint, std::size_t n) {
   const bool has_continuous = continuous.weight() > 1e-12;
   const std::size_t needed = std::max<std::size_t>(1, atoms.weight.size() + has_continuous);
   if (n < needed) {
-    throw InputError("number of elements", static_cast<double>(n),
-                     fmt::format("must be at least {} for this density: one an atom, and one for "
-                                 "the rest",
-                                 needed));
+    throw InputError(
+        "number of elements", static_cast<double>(n),
+        fmt::format("must be at least {} for this density: one per atom, and one for the rest",
+                    needed));
   }
   if (n > kMostElements) {
     throw InputError("number of elements", static_cast<double>(n),

@@ -45,9 +45,9 @@ void check_path(std::span<const double> x, std::span<const double> normal_load,
   check_length("normal_load", normal_load.size(), x.size());
   for (std::size_t i = 0; i < normal_load.size(); ++i) {
     if (!(std::isfinite(normal_load[i]) && normal_load[i] >= 0.0)) {
-      throw InputError(fmt::format("normal_load[{}]", i), normal_load[i],
-                       "must be 0 or more, and finite",
-                       "It is the normal load over the one at which the joint was identified.");
+      throw InputError(
+          fmt::format("normal_load[{}]", i), normal_load[i], "must be 0 or more, and finite",
+          "Give the normal load as a ratio to that at which the joint was identified.");
     }
   }
 }

@@ -22,8 +22,8 @@ void check_signal(std::string_view name, const std::vector<double>& values) {
   const auto [low, high] = std::ranges::minmax(values);
   if (!(high > low)) {
     throw InputError(fmt::format("{} of the record", name), low,
-                     "must change: a joint at rest shows nothing",
-                     "Take the channel that measures it.");
+                     "must vary: a joint at rest shows no slip",
+                     "Give the channel that measures it.");
   }
 }
 
@@ -33,7 +33,7 @@ void check_force_record(const ForceRecord& record) {
   if (record.size() < kFewestRecordSamples) {
     throw InputError("number of samples", static_cast<double>(record.size()),
                      fmt::format("must be {} or more", kFewestRecordSamples),
-                     "Record a cycle at least, with tens of samples.");
+                     "Record at least one cycle, with tens of samples.");
   }
   if (record.force.size() != record.size()) {
     throw InputError("number of forces", static_cast<double>(record.force.size()),

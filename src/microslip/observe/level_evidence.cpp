@@ -89,7 +89,7 @@ void check_linear_dissipation(const Levels& levels, const CommonErrors& common) 
   if (common.loss_factor_std == 0.0 || !levels.linear_dissipation.empty()) return;
   throw InputError("loss_factor_std", common.loss_factor_std,
                    "needs the linear loss of the levels, linear_dissipation",
-                   "A reduction of recordings tells it.");
+                   "A reduction of recordings gives it.");
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ void check_column(std::string_view name, const std::vector<double>& values, std:
                   bool positive) {
   if (!values.empty() && values.size() != levels) {
     throw InputError(name, fmt::format("{} values", values.size()),
-                     fmt::format("must have {}, one a level, or none", levels));
+                     fmt::format("must have {}, one per level, or none", levels));
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::isnan(values[i])) continue;
@@ -138,7 +138,7 @@ void check_modal_levels(const ModalLevels& levels) {
   }
   if (!levels.session.empty() && levels.session.size() != levels.size()) {
     throw InputError("session", fmt::format("{} values", levels.session.size()),
-                     fmt::format("must have {}, one a level, or none", levels.size()));
+                     fmt::format("must have {}, one per level, or none", levels.size()));
   }
   for (const JointLevels& joint : levels.joints) {
     for (const auto& column : kJointColumns) {
@@ -150,11 +150,11 @@ void check_modal_levels(const ModalLevels& levels) {
   for (std::size_t i = 0; i < levels.size(); ++i) {
     if (std::isnan(ModalLevels::value(levels.displacement, i))) {
       throw InputError(fmt::format("displacement of level {}", i + 1), InputState{"missing"},
-                       "must be there");
+                       "must be given");
     }
     if (!tells_a_loss(levels, i)) {
       throw InputError(fmt::format("loss of level {}", i + 1), InputState{"missing"},
-                       "must be there as dissipation or as damping_ratio");
+                       "must be given as dissipation or as damping_ratio");
     }
     any_loss = any_loss || has_a_loss(levels, i);
   }

@@ -24,7 +24,7 @@ void check_values(std::string_view what, const std::string& whose,
                   const std::vector<double>& values, std::size_t count, std::string_view one_a) {
   if (values.size() != count) {
     throw InputError(fmt::format("{} of {}", what, whose), fmt::format("{} values", values.size()),
-                     fmt::format("must have one value a {}, {} in all", one_a, count));
+                     fmt::format("must have one value per {}, {} in all", one_a, count));
   }
   for (std::size_t i = 0; i < count; ++i) {
     if (std::isfinite(values[i])) continue;
@@ -111,7 +111,7 @@ std::size_t ModalModel::index_of(std::string_view point) const {
   const auto found = std::ranges::find(points_, point, &ModalPoint::name);
   if (found != points_.end()) return static_cast<std::size_t>(found - points_.begin());
   throw InputError("point", fmt::format("'{}'", point), "is not one of the structure",
-                   fmt::format("Points there are: {}.", names_of(points())));
+                   fmt::format("Available points: {}.", names_of(points())));
 }
 
 std::span<const double> ModalModel::load(std::string_view place) const {
@@ -122,7 +122,7 @@ std::span<const double> ModalModel::load(std::string_view place) const {
   }
   throw InputError(
       "place of a load", fmt::format("'{}'", place), "is not one of the structure",
-      fmt::format("Points there are: {}; bases: {}.", names_of(points()), names_of(bases())));
+      fmt::format("Available points: {}; bases: {}.", names_of(points()), names_of(bases())));
 }
 
 std::complex<double> ModalModel::receptance(std::string_view to, std::string_view from,
