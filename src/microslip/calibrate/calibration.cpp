@@ -97,7 +97,7 @@ void check_motion(const JointedStructure& structure, const std::vector<std::size
     if (moves) continue;
     throw InputError(fmt::format("displacement of {}", joint.name), 0.0,
                      "must not be 0 in all modes of the levels",
-                     "Measure a mode in which this joint works.");
+                     "Measure a mode that exercises this joint.");
   }
 }
 

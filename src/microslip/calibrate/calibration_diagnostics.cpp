@@ -68,10 +68,10 @@ void warn_of_missing(const CalibrationResult& result, const LevelNames& names,
   if (missing == 0) return;
   warnings.push_back(
       {"levels_not_found",
-       fmt::format("the structure has no resonance at the displacement of {} level{} ({}{}): "
-                   "their displacement is beyond what it reaches, or its modes are others than "
-                   "those measured. They were left out.",
-                   missing, missing == 1 ? "" : "s", list, missing > 5 ? ", …" : "")});
+       fmt::format(
+           "the structure has no resonance at the displacement of {} level{} ({}{}): it does not "
+           "reach their displacement, or its modes differ from those measured. They were left out.",
+           missing, missing == 1 ? "" : "s", list, missing > 5 ? ", …" : "")});
 }
 
 void warn_of_pairs(const CalibrationResult& result, std::vector<Warning>& warnings) {
@@ -80,8 +80,8 @@ void warn_of_pairs(const CalibrationResult& result, std::vector<Warning>& warnin
     warnings.push_back(
         {"known_only_together",
          fmt::format("{} and {} are known only together: the sum of their losses to {}, each to {} "
-                     "at best (one standard deviation; correlation {:.2f}). Measure a mode in "
-                     "which one of them works more than the other, or its displacement.",
+                     "at best (one standard deviation; correlation {:.2f}). Measure a mode that "
+                     "exercises one of them more than the other, or its displacement.",
                      result.joints[pair.first].name, result.joints[pair.second].name,
                      percent_text(pair.spread_together), percent_text(pair.spread_alone),
                      pair.correlation)});
@@ -94,11 +94,12 @@ void warn_of_groups(const CalibrationResult& result, std::vector<Warning>& warni
   for (const std::size_t joint : result.known_in_sum) {
     names += (names.empty() ? "" : ", ") + result.joints[joint].name;
   }
-  warnings.push_back({"known_only_together",
-                      fmt::format("{} are known only together: the loss of all joints is known far "
-                                  "better than that of each of them. Measure modes in which they "
-                                  "work differently, or their displacements.",
-                                  names)});
+  warnings.push_back(
+      {"known_only_together",
+       fmt::format(
+           "{} are known only together: the loss of all joints is known far better than that of "
+           "each of them. Measure modes that exercise them differently, or their displacements.",
+           names)});
 }
 
 void warn_of_unseen(const CalibrationResult& result, std::vector<Warning>& warnings) {
@@ -109,16 +110,15 @@ void warn_of_unseen(const CalibrationResult& result, std::vector<Warning>& warni
     if (joint.loss_told < kLeastLossTold) {
       warnings.push_back(
           {"joint_not_seen",
-           fmt::format("the loss of {} is not told from 0: it is {:.2g} of its standard deviations "
-                       "at best, over all levels. Of its density only the upper end of the band "
-                       "says something. Measure a mode in which it works.",
+           fmt::format("the loss of {} is not distinguishable from 0: it is {:.2g} times its "
+                       "standard deviation at best, over all levels. Only the upper end of its "
+                       "density's band is informative. Measure a mode that exercises it.",
                        joint.name, joint.loss_told)});
     } else if (most < kLeastTold) {
-      warnings.push_back(
-          {"joint_not_seen",
-           fmt::format("the levels tell next to nothing of {}: they took {} of what is not known "
-                       "of its density at best. Measure a mode in which it works.",
-                       joint.name, percent_text(most))});
+      warnings.push_back({"joint_not_seen",
+                          fmt::format("the levels hardly determine {}: variance reduction of its "
+                                      "density is {} at best. Measure a mode that exercises it.",
+                                      joint.name, percent_text(most))});
     }
   }
 }
@@ -127,12 +127,12 @@ void warn_of_offsets(const CalibrationResult& result, std::vector<Warning>& warn
   for (std::size_t m = 0; m < result.frequency_offset.size(); ++m) {
     const double offset = result.frequency_offset[m];
     if (std::isnan(offset) || std::abs(offset) < kLargeOffset) continue;
-    warnings.push_back({"frequency_offset",
-                        fmt::format("mode {} was measured {:+.2f} % from where the structure has "
-                                    "it: displacements of the joints rest on its shapes. Correct "
-                                    "the model, the stiffness of the joints, or what of it is in "
-                                    "the modes (spring_in_modes).",
-                                    m + 1, 100.0 * offset)});
+    warnings.push_back(
+        {"frequency_offset",
+         fmt::format("mode {} was measured {:+.2f} % off the frequency of the model: displacements "
+                     "of the joints depend on its shapes. Correct the model, the stiffness of the "
+                     "joints, or how much of it is in the modes (spring_in_modes).",
+                     m + 1, 100.0 * offset)});
   }
 }
 
@@ -149,7 +149,7 @@ std::string worst_level(const CalibrationResult& result, const LevelNames& names
     where = i;
     ratio = over;
   }
-  return fmt::format("{} has {:.3g} times the loss found", names.of(where), ratio);
+  return fmt::format("{} has {:.3g} times the fitted loss", names.of(where), ratio);
 }
 
 void warn_of_scatter(const CalibrationResult& result, const LevelNames& names,
@@ -157,13 +157,13 @@ void warn_of_scatter(const CalibrationResult& result, const LevelNames& names,
   const double scatter = result.loss_scatter;
   if (result.loss_std_given && scatter > kLargeScatterRatio) {
     warnings.push_back(
-        {"scatter_large", fmt::format("losses scatter {:.3g} times as much as their standard "
-                                      "deviations say ({}): these are too small, or the model does "
-                                      "not hold.",
-                                      scatter, worst_level(result, names))});
+        {"scatter_large",
+         fmt::format("losses scatter {:.3g} times as much as their standard deviations state ({}): "
+                     "these are too small, or the model is wrong.",
+                     scatter, worst_level(result, names))});
   } else if (!result.loss_std_given && scatter > kLargeScatter) {
     warnings.push_back(
-        {"scatter_large", fmt::format("losses scatter by {} about those found: {}.",
+        {"scatter_large", fmt::format("losses scatter by {} about the fit: {}.",
                                       percent_text(scatter), worst_level(result, names))});
   }
 }
@@ -188,8 +188,8 @@ void warn_of_outliers(const CalibrationResult& result, const LevelNames& names,
     if (!level.found || !(std::abs(level.residual) > most * typical)) continue;
     warnings.push_back(
         {"level_outlier",
-         fmt::format("{} has {:.3g} times the loss found, {:.3g} times as far off as the "
-                     "levels scatter. It counted in full: correct it, or leave it out.",
+         fmt::format("{} has {:.3g} times the fitted loss, {:.3g} times as far off as the levels "
+                     "scatter. It was weighted in full: correct it, or leave it out.",
                      names.of(i), level.measured_dissipation / level.dissipation,
                      std::abs(level.residual) / typical)});
   }
@@ -201,9 +201,9 @@ void warn_of_frequencies(const CalibrationResult& result, std::vector<Warning>& 
   if (!(scatter > most)) return;
   warnings.push_back(
       {"frequency_unexplained",
-       fmt::format("frequencies are off those of the joints found by {}: a gain of the "
-                   "displacements, the model, or a load that changed. What was found rests on the "
-                   "losses alone then.",
+       fmt::format("frequencies deviate from those of the identified joints by {}: a gain of the "
+                   "displacements, the model, or a changed load. The result then rests on the "
+                   "losses alone.",
                    result.frequency_std_given
                        ? fmt::format("{:.3g} times their standard deviations", scatter)
                        : percent_text(scatter))});
@@ -233,8 +233,8 @@ void warn_of_std(const CalibrationResult& result, const ModalLevels& levels,
       levels.joints, [](const JointLevels& joint) { return some_positive(joint.amplitude_std); });
   if (!amplitude_std && !some_positive(levels.displacement_std)) return;
   warnings.push_back({"std_ignored",
-                      "standard deviations of displacements are not used for the losses: they "
-                      "count beside those of the losses, which not every level has above 0."});
+                      "standard deviations of displacements are not used for the losses: they are "
+                      "used only with those of the losses, which not every level has above 0."});
 }
 
 void warn_of_sensors(const CalibrationResult& result, const ModalLevels& levels,
@@ -255,9 +255,8 @@ void warn_of_sensors(const CalibrationResult& result, const ModalLevels& levels,
     if (std::abs(worst) < kSensorShare) continue;
     warnings.push_back(
         {"sensor_contradicts",
-         fmt::format("the sensor of {} shows {:.0f} % {} than the structure has with "
-                     "the joints found, at {}: check its gain and the shape "
-                     "of the joint.",
+         fmt::format("the sensor of {} shows {:.0f} % {} than the structure with the identified "
+                     "joints, at {}: check its gain and the shape of the joint.",
                      joint.name, 100.0 * std::abs(worst), worst > 0.0 ? "more" : "less",
                      names.of(where))});
   }

@@ -39,7 +39,7 @@ void CalibrationOptions::check() const {
   }
   if (fit_stiffness && frequency != FrequencyUse::kAbsolute) {
     throw InputError("use of the frequencies", to_string(frequency),
-                     "must be absolute to find stiffnesses: nothing else tells them",
+                     "must be absolute to find stiffnesses: nothing else determines them",
                      "Take the stiffnesses as given, or the frequencies as absolute.");
   }
 }

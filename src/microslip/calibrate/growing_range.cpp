@@ -372,15 +372,14 @@ CalibratedState GrowingRange::converge(CalibratedState state) {
     if (!state.settled.solution.optimal()) return state;
     summary_.residual = change;
     summary_.stop = Stop::kConverged;
-    summary_.reason = fmt::format("no displacement of a joint changes by more than {:.1e} of it",
-                                  kSmallestChange);
+    summary_.reason =
+        fmt::format("no joint displacement changes by more than {:.1e}, relative", kSmallestChange);
     return state;
   }
   summary_.stop = Stop::kLimit;
-  summary_.reason = fmt::format(
-      "displacements of the joints still change by {:.1e} of them after "
-      "{} passes",
-      summary_.residual, kMostPasses);
+  summary_.reason =
+      fmt::format("joint displacements still change by {:.1e}, relative, after {} passes",
+                  summary_.residual, kMostPasses);
   return state;
 }
 
@@ -388,7 +387,7 @@ CalibratedState GrowingRange::converge(CalibratedState state) {
 void GrowingRange::require_levels(const CalibratedState& state) const {
   const std::size_t fewest = kFewestModalLevels * sought_.size();
   if (state.found >= fewest) return;
-  throw InputError("levels whose resonance the structure has", static_cast<double>(state.found),
+  throw InputError("levels with a resonance of the structure", static_cast<double>(state.found),
                    fmt::format("must be {} or more for {} joint{}", fewest, sought_.size(),
                                sought_.size() == 1 ? "" : "s"),
                    "Check the unit of the displacements, the numbers of the modes and the model.");
@@ -403,7 +402,7 @@ void GrowingRange::require_losses(const CalibratedState& state) const {
   }
   throw InputError("loss of the joints in all levels", InputState{"0 or less"},
                    "must be above 0 in one of them",
-                   "Damping ratios must hold the loss of the structure, which the model has.");
+                   "Damping ratios must include the loss of the structure, as the model does.");
 }
 
 // Stiffnesses that are sought are found last: far from the joints frequencies would be taken for
