@@ -63,7 +63,7 @@ TEST(identify_assemblies, WritesAFolder) {
   const Sandbox box = box_of(three());
   const Outcome run = expect_done(box, kCall);
   EXPECT_NE(run.out.find("spread of k"), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find("tell a spread roughly"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("determine a spread only roughly"), std::string::npos) << run.out;
   const CsvTable table(box.get("found/assemblies.csv"), "assemblies.csv");
   EXPECT_EQ(table.text("assembly"), (std::vector<std::string>{"old", "new", "b 3"}));
   EXPECT_EQ(table.numbers("stiffness", kStiffness), (std::vector<double>{170000, 175000, 168000}));
@@ -148,7 +148,7 @@ TEST(identify_assemblies, SaysWhatIsWrong) {
   refused(levels_of({{"next", "1e5"}, {"b", "1e5"}, {"c", "1e5"}}), kCall, {"'next'", "Rename"});
   refused(edited(three(), "stiffness [N/m]", "other [N/m]"), kCall, {"stiffness is missing"});
   refused(sample_levels_text(), kCall, {"column assembly is missing", "--assemblies files"});
-  refused(three(), with(kCall, {"--stiffness", "1.7e5"}), {"is given of each assembly, too"});
+  refused(three(), with(kCall, {"--stiffness", "1.7e5"}), {"is given for each assembly, too"});
   refused(three(), with(kCall, {"--loss-factor-std", "0.1"}), {"--loss-factor-std"});
   refused(three(), {"identify", "levels.csv", "--stiffness", "1.7e5", "--out", "found"},
           {"column assembly = 3 names", "--assemblies column"});

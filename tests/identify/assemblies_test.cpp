@@ -267,7 +267,7 @@ TEST(Assemblies, SayWhatTheyLack) {
   refused(bad, {}, "stiffness of assembly 'c'");
   for (Assembly& one : bad) one.stiffness.reset();
   refused(bad, {}, "stiffness");
-  refused(good, kStiffness, "is given of each assembly, too");
+  refused(good, kStiffness, "is given for each assembly, too");
   bad = good;
   Levels levels = good[1].levels.measured();
   levels.secant_stiffness.assign(levels.size(), 1e5);

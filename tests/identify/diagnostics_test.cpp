@@ -111,7 +111,7 @@ TEST(Diagnostics, OfStiffnessThatContradictsDissipation) {
   EXPECT_TRUE(has(warnings_of(levels), "secant_contradicts"));
   levels.secant_stiffness.assign(levels.size(), kStiffness);
   const std::string text = text_of(warnings_of(levels), "secant_contradicts");
-  EXPECT_NE(text.find("worse known than 0.10 % of k"), std::string::npos) << text;
+  EXPECT_NE(text.find("less accurate than 0.10 % of k"), std::string::npos) << text;
 }
 
 // Warnings that cry wolf are not read. 200 clean data sets, as they may come: any of the densities,
@@ -417,7 +417,7 @@ TEST(Diagnostics, InnerSolutionsAreCounted) {
   EXPECT_TRUE(diagnose(bands).empty());
   bands.effective_samples = 5.0;
   EXPECT_NE(text_of(diagnose(bands), "bands_not_converged")
-                .find("200 samples of the band tell as much as 5 independent ones"),
+                .find("200 samples of the band are worth 5 independent ones"),
             std::string::npos);
 }
 

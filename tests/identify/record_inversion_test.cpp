@@ -506,7 +506,7 @@ TEST(RecordInversion, RefusesWhatTellsNothing) {
   test::expect_message(refused(opposite), "sign of one channel");
   ForceRecord exchanged = reference_record("random");
   std::swap(exchanged.force, exchanged.displacement);
-  test::expect_message(refused(exchanged), "may be exchanged");
+  test::expect_message(refused(exchanged), "may be swapped");
 
   ForceRecord timeless = reference_record("random");
   timeless.time_step = 0.0;

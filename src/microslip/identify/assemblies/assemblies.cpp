@@ -30,8 +30,8 @@ void check_names(std::span<const Assembly> assemblies) {
     if (one.name.empty())
       throw InputError("name of an assembly", InputState{"empty"}, "must be given");
     if (!names.insert(one.name).second) {
-      throw InputError("name of an assembly", fmt::format("'{}' twice", one.name),
-                       "must be its own", "Name assemblies, or files, differently.");
+      throw InputError("name of an assembly", fmt::format("'{}' twice", one.name), "must be unique",
+                       "Name assemblies, or files, differently.");
     }
   }
 }
@@ -44,7 +44,7 @@ void check_alike(std::span<const Assembly> assemblies, std::string_view what, co
     if (has(one.levels) == first) continue;
     throw InputError(fmt::format("{} of assembly '{}'", what, one.name),
                      InputState{first ? "missing" : "given"},
-                     fmt::format("must be given of all assemblies or of none; that of '{}' is{}",
+                     fmt::format("must be given for all assemblies or for none; that of '{}' is{}",
                                  assemblies.front().name, first ? "" : " not"),
                      "Leave the column out, or complete it.");
   }
@@ -79,11 +79,11 @@ std::vector<AssemblyDraw> draw_assemblies(const StartOfAssemblies& found,
 
 void check_assemblies(std::span<const Assembly> assemblies, std::optional<double> stiffness) {
   if (assemblies.size() < kFewestAssemblies) {
-    throw InputError("number of assemblies", static_cast<double>(assemblies.size()),
-                     fmt::format("must be {} or more: fewer tell hardly by how much the next one "
-                                 "may differ",
-                                 kFewestAssemblies),
-                     "Measure more assemblies, or identify the levels together as of one joint.");
+    throw InputError(
+        "number of assemblies", static_cast<double>(assemblies.size()),
+        fmt::format("must be {} or more: fewer hardly determine how much the next one may differ",
+                    kFewestAssemblies),
+        "Measure more assemblies, or identify the levels together as those of one joint.");
   }
   check_names(assemblies);
   check_alike(assemblies, "dissipation_std",
@@ -100,7 +100,7 @@ void check_assemblies(std::span<const Assembly> assemblies, std::optional<double
       continue;
     }
     throw InputError("errors that all levels share", InputState{"given"},
-                     "are not among what is drawn of several assemblies", "Leave them out.");
+                     "are not sampled for several assemblies", "Leave them out.");
   }
   (void)stiffness_of_assemblies(assemblies, stiffness);
 }

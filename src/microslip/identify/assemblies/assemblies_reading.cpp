@@ -234,31 +234,30 @@ void warn_of_assemblies(const DrawnAssemblies& drawn, AssembliesResult& result) 
   if (count < kFewAssemblies) {
     result.warnings.push_back(
         {"few_assemblies",
-         fmt::format("{} assemblies tell a spread roughly: that of slip forces is {}. The band of "
-                     "the next one is wide for that, and rests on the assumption that spreads of "
-                     "any order of magnitude from {} to {} are as likely.",
+         fmt::format("{} assemblies determine a spread only roughly: that of slip forces is {}. "
+                     "The band of the next one is wide for that reason, and assumes spreads of any "
+                     "order of magnitude from {} to {} equally likely.",
                      count, in_words(result.slip_force_spread), percent_text(SpreadPrior::kNone),
                      percent_text(SpreadPrior::kUsual))});
   }
   if (drawn.stiffness.from == AssemblyStiffness::kCommon) {
     result.warnings.push_back(
         {"stiffness_spread_unknown",
-         "All assemblies are taken to have one k, and the next one the same: levels of D do not "
-         "tell it. Give k of each assembly, or measure k_eq."});
+         "All assemblies, and the next one, are assumed to have the same k: levels of D do not "
+         "determine it. Give k of each assembly, or measure k_eq."});
   }
   if (drawn.stiffness.from == AssemblyStiffness::kSought) {
     result.warnings.push_back(
         {"stiffness_by_secant",
-         fmt::format("Ratios of k between assemblies are those that k_eq tells; its level is not "
-                     "used, and the geometric mean of k is {:.6g} N/m as given.",
+         fmt::format("k_eq determines the ratios of k between assemblies; its level is not used, "
+                     "and the geometric mean of k is {:.6g} N/m as given.",
                      result.stiffness)});
   }
   if (result.effective_draws < kFewestEffective) {
     result.warnings.push_back(
-        {"few_effective_draws",
-         fmt::format("{} draws are worth {:.0f} independent ones: ends of intervals are rough. "
-                     "Ask for more.",
-                     drawn.draws.size(), result.effective_draws)});
+        {"few_effective_draws", fmt::format("{} draws are worth {:.0f} independent ones: interval "
+                                            "bounds are rough. Take more draws.",
+                                            drawn.draws.size(), result.effective_draws)});
   }
 }
 

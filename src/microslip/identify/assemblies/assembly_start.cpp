@@ -132,7 +132,7 @@ void check_scales(std::span<const Assembly> assemblies, const Eigen::VectorXd& l
     throw InputError(fmt::format("slip forces of assembly '{}' over those of all",
                                  assemblies[static_cast<std::size_t>(j)].name),
                      scale, "must be from 1/8 to 8: assemblies of one joint do not differ by more",
-                     "Check units and k, or identify it by itself.");
+                     "Check units and k, or identify it separately.");
   }
 }
 

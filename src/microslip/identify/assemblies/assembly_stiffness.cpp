@@ -29,13 +29,13 @@ StiffnessOfAssemblies stiffness_of_assemblies(std::span<const Assembly> assembli
     if (one.stiffness) check_stiffness(*one.stiffness);
     if (own == 0 || one.stiffness) continue;
     throw InputError(fmt::format("stiffness of assembly '{}'", one.name), InputState{"missing"},
-                     "must be given of all assemblies or of none", "Complete the column.");
+                     "must be given for all assemblies or for none", "Complete the column.");
   }
   StiffnessOfAssemblies known;
   known.log_stiffness = Eigen::VectorXd::Zero(std::ssize(assemblies));
   if (own > 0) {
     if (stiffness) {
-      throw InputError("stiffness", *stiffness, "is given of each assembly, too",
+      throw InputError("stiffness", *stiffness, "is given for each assembly, too",
                        "Leave one of them out.");
     }
     for (Eigen::Index j = 0; j < known.log_stiffness.size(); ++j) {
@@ -43,7 +43,7 @@ StiffnessOfAssemblies stiffness_of_assemblies(std::span<const Assembly> assembli
     }
   } else if (!stiffness) {
     throw InputError("stiffness", InputState{"missing"}, "must be given: slip forces are k times A",
-                     "Give k of each assembly, or one of all.");
+                     "Give k of each assembly, or one k for all.");
   } else if (!assemblies.front().levels.levels().secant_stiffness.empty()) {
     known.from = AssemblyStiffness::kSought;
     for (Eigen::Index j = 0; j < known.log_stiffness.size(); ++j) {

@@ -228,10 +228,11 @@ std::vector<Warning> diagnose(const std::vector<LevelDepartureVerdict>& verdicts
     if (!verdict.broken || verdict.departure != LevelDeparture::kOrder) continue;
     warnings.push_back(
         {std::string(to_string(verdict.departure)),
-         fmt::format("not a joint of this kind: {} of rising levels is off that of falling ones by "
-                     "{}, where noise would make {}. Wear, temperature or a load that moved: "
-                     "identify each direction by itself, or run the joint in first.",
-                     verdict.quantity, percent_text(verdict.share), percent_text(verdict.noise))});
+         fmt::format(
+             "not a Masing joint under constant normal load: {} of rising levels deviates from "
+             "that of falling ones by {}, where noise would give {}. Wear, temperature or a "
+             "changed load: identify each direction separately, or run the joint in first.",
+             verdict.quantity, percent_text(verdict.share), percent_text(verdict.noise))});
   }
   return warnings;
 }

@@ -171,7 +171,7 @@ std::string between(const FrequencyChange& change) {
 std::string consequence(const FrequencyEvidence& evidence) {
   return fmt::format(
       "A resonance predicted from this joint is uncertain by at least ± {:.2g} Hz, whatever the "
-      "structure; where the joint is all of its stiffness, by up to {:.2g} Hz.",
+      "structure; where the joint provides all of its stiffness, by up to {:.2g} Hz.",
       evidence.uncertainty, evidence.equivalent_joint_error);
 }
 
@@ -179,21 +179,20 @@ void diagnose_frequency(const FrequencyEvidence& evidence, std::vector<Warning>&
   if (evidence.rise.significant) {
     warnings.push_back(
         {"frequency_rises",
-         fmt::format("The frequency rises by {} {}, while a joint under a constant load only "
-                     "softens: this one explains the damping, not the stiffness. Levels of "
-                     "different sessions, or a load that changed, do this. {}",
+         fmt::format("The frequency rises by {} {}, whereas a joint under constant normal load "
+                     "only softens: this one explains the damping, not the stiffness. Levels of "
+                     "different sessions, or a changed load, cause this. {}",
                      percent_text(evidence.rise.change), between(evidence.rise),
                      consequence(evidence))});
   }
   if (evidence.fall.significant) {
     warnings.push_back(
         {"softening_unexplained",
-         fmt::format(
-             "The frequency falls by {} {}, of which the joint explains {} at most, were it "
-             "all of the stiffness: something else softens, the load changed between the "
-             "levels, or k is wrong. {}",
-             percent_text(-evidence.fall.change), between(evidence.fall),
-             percent_text(-evidence.fall.explained), consequence(evidence))});
+         fmt::format("The frequency falls by {} {}, of which the joint explains {} at most, even "
+                     "if it provided all of the stiffness: something else softens, the load "
+                     "changed between the levels, or k is wrong. {}",
+                     percent_text(-evidence.fall.change), between(evidence.fall),
+                     percent_text(-evidence.fall.explained), consequence(evidence))});
   }
 }
 
@@ -219,11 +218,11 @@ std::optional<Warning> diagnose_offset(const SecantEvidence& secant, double stif
   const double other = remainder + offset / stiffness;
   if (offset < 0.0 && other >= 0.0) {
     text += fmt::format(
-        ", or {} of k slips below the lowest amplitude beside what was found there, of which D "
-        "tells little: the elastic remainder is then {}, not {}",
+        ", or a further {} of k slips below the lowest amplitude, where D determines little: the "
+        "elastic remainder is then {}, not {}",
         percent_text(-offset / stiffness), percent_text(other), percent_text(remainder));
   }
-  text += fmt::format(". Resonances that the joint predicts are too {}.",
+  text += fmt::format(". Resonances predicted from the joint are too {}.",
                       offset > 0.0 ? "low" : "high");
   return Warning{"secant_inconsistent", std::move(text)};
 }
@@ -239,10 +238,10 @@ std::vector<Warning> diagnose(const StiffnessEvidence& evidence, const Joint& jo
     if (scatter > kMostScatter) {
       warnings.push_back(
           {"secant_misfit",
-           fmt::format("The secant stiffness changes over the amplitude otherwise than that of the "
-                       "joint: without their mean the two differ by {:.1f} times the standard "
-                       "deviations given. The load changed between the levels, the standard "
-                       "deviations are too small, or the joint is not of this kind.",
+           fmt::format("The secant stiffness varies with amplitude differently from that of the "
+                       "joint: with their mean removed, the two differ by {:.1f} times the "
+                       "standard deviations given. The load changed between the levels, the "
+                       "standard deviations are too small, or it is not a Masing joint.",
                        scatter)});
     }
   }

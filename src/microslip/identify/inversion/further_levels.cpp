@@ -129,7 +129,7 @@ LevelEvidence reaching_to(const LevelEvidence& evidence, const InversionResult& 
 
 FurtherLevels further_levels(const LevelEvidence& evidence, const InversionResult& result,
                              std::span<const Joint> joints, const std::vector<double>& amplitude) {
-  if (joints.empty()) throw InputError("draws", "none", "must be there to plan by");
+  if (joints.empty()) throw InputError("draws", "none", "must be given to plan levels");
   const LevelRows deviation = deviations_of(evidence, result, joints.front().stiffness());
   LevelRows single = deviation;
   undo_merging(evidence, single);

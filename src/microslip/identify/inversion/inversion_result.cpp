@@ -25,7 +25,7 @@ void check_count_of(std::string_view what, std::size_t length, std::size_t expec
 
 void InversionResult::check() const {
   if (chosen >= path.size() || slip_force.empty() || fitted_dissipation.empty()) {
-    throw InputError("result of the inversion", "empty", "must be one that was found",
+    throw InputError("result of the inversion", "empty", "must not be empty",
                      std::string(kUnchangedResult));
   }
   check_count_of("density", density.size(), slip_force.size());

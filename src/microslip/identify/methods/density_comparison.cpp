@@ -60,7 +60,7 @@ double density_error(const std::vector<double>& slip_force, const std::vector<do
   if (slip_force.empty() || slip_force.size() != density.size()) {
     throw InputError("density",
                      fmt::format("{} at {} slip forces", density.size(), slip_force.size()),
-                     "must have a value a slip force, and one at least");
+                     "must have one value per slip force, and at least one");
   }
   const auto between = [&](double f) { return interpolate(slip_force, density, f); };
   return relative_error(between, reach, truth, range);
@@ -74,7 +74,7 @@ double band_coverage(const Identification& found, const SlipDensity& truth, Cove
   if (found.lower.size() != knots || found.upper.size() != knots) {
     throw InputError("band of found",
                      fmt::format("{} and {} values", found.lower.size(), found.upper.size()),
-                     fmt::format("must have {}, one a slip force", knots));
+                     fmt::format("must have {}, one per slip force", knots));
   }
   const std::vector<double> points = points_of(found.covered_to, range);
   const auto inside = std::ranges::count_if(points, [&](double f) {

@@ -41,15 +41,15 @@ constexpr double kDissipationRounding = 1e-6;  // relative to D
 constexpr double kLeastEffective = 0.03;  // of the draws of a band
 
 constexpr std::string_view kGiveStd =
-    " If D of low levels is hardly more than its noise, give dissipation_std.";
+    " If D of low levels hardly exceeds its noise, give dissipation_std.";
 
 void diagnose_zero_std(std::string_view name, const std::vector<double>& deviations,
                        std::vector<Warning>& warnings) {
   const auto zero = std::ranges::find(deviations, 0.0);
   if (zero == deviations.end()) return;
   warnings.push_back(
-      {"std_ignored", fmt::format("{} is 0 at level {}, which cannot be; the whole column is left "
-                                  "out. Give the scatter of every level, or remove the column.",
+      {"std_ignored", fmt::format("{} is 0 at level {}, which is impossible; the whole column is "
+                                  "ignored. Give the scatter of every level, or remove the column.",
                                   name, zero - deviations.begin() + 1)});
 }
 
@@ -90,11 +90,10 @@ void diagnose_convexity(const Inverted& inverted, std::vector<Warning>& warnings
   if (lowest > kBendScore) return;
   warnings.push_back(
       {"data_not_convex",
-       fmt::format(
-           "D at A = {:.4g} m lies {:.1f} standard deviations above the line through its "
-           "neighbours, but D of a joint under constant load is convex. Look at that level: "
-           "a wrong amplitude, another session, or a normal load that changed.",
-           a[where], -lowest)});
+       fmt::format("D at A = {:.4g} m lies {:.1f} standard deviations above the line through its "
+                   "neighbours, but D of a joint under constant load is convex. Check that level: "
+                   "a wrong amplitude, another session, or a changed normal load.",
+                   a[where], -lowest)});
 }
 
 void diagnose_scatter(const InversionResult& result, std::vector<Warning>& warnings) {
@@ -117,16 +116,15 @@ void diagnose_scatter(const InversionResult& result, std::vector<Warning>& warni
     warnings.push_back(
         {"scatter_large",
          fmt::format(
-             "{} as much about the fit as the standard deviations say. The bands follow the "
-             "scatter found. A wrong loss factor of the structure does this too: what it "
-             "takes from D or leaves in it is no joint's. The bands then need the standard "
-             "deviation of the loss factor.",
+             "{} as much about the fit as the standard deviations state. The bands use the scatter "
+             "found. A wrong loss factor of the structure does this too: too much or too little is "
+             "subtracted from D. The bands then need the standard deviation of the loss factor.",
              found)});
   } else if (scatter < 0.3) {
-    warnings.push_back({"scatter_small",
-                        fmt::format("D scatters only {:.2f} times as much about the fit as its "
-                                    "standard deviation says. The bands follow the scatter found.",
-                                    scatter)});
+    warnings.push_back(
+        {"scatter_small", fmt::format("D scatters only {:.2f} times as much about the fit as its "
+                                      "standard deviation states. The bands use the scatter found.",
+                                      scatter)});
   }
 }
 
@@ -148,11 +146,11 @@ void diagnose_repeats(const MergedLevels& merged, std::vector<Warning>& warnings
   if (*repeats < std::max(kLeastDifference, kRepeatsDiffer * *curve)) return;
   warnings.push_back(
       {"repeats_differ",
-       fmt::format("D of levels repeated at one amplitude differs by {} ({} from amplitude to "
-                   "amplitude): the joint changed between the sessions. The bands count it as "
-                   "independent scatter, which it is not; identify each session by itself and "
-                   "compare.",
-                   percent_text(*repeats), percent_text(*curve))});
+       fmt::format(
+           "D of levels repeated at one amplitude differs by {} ({} from amplitude to amplitude): "
+           "the joint changed between the sessions. The bands count it as independent scatter, "
+           "which it is not; identify each session separately and compare.",
+           percent_text(*repeats), percent_text(*curve))});
 }
 
 /// A density has to serve both; where D by itself is smooth, k_eq is what bends the fit of it.
@@ -164,9 +162,9 @@ void diagnose_contradiction(const Inverted& inverted, std::vector<Warning>& warn
   if (!curve || missed < std::max(kLeastDifference, kRepeatsDiffer * *curve)) return;
   warnings.push_back(
       {"secant_contradicts",
-       fmt::format("The density that serves D and the secant stiffnesses misses D by {}, though D "
-                   "scatters by {} only: k_eq does not soften as D says. Give "
-                   "secant_stiffness_std if k_eq is worse known than {} of k, or leave it out.",
+       fmt::format("The density that fits both D and the secant stiffnesses misses D by {}, though "
+                   "D scatters by {} only: k_eq does not soften as D requires. Give "
+                   "secant_stiffness_std if k_eq is less accurate than {} of k, or leave it out.",
                    percent_text(missed), percent_text(*curve),
                    percent_text(LevelEvidence::kLeastSecantScatter))});
 }
@@ -178,8 +176,8 @@ void diagnose_stiffness(const InversionResult& result, double stiffness,
     if (result.area >= kLeastSlip) return;
     warnings.push_back(
         {"stiffness_unchecked",
-         fmt::format("Only {} of k = {:.4g} N/m slips, and without secant stiffnesses the "
-                     "levels cannot tell whether k is right. Check k and its unit.",
+         fmt::format("Only {} of k = {:.4g} N/m slips, and without secant stiffnesses the levels "
+                     "cannot show whether k is right. Check k and its unit.",
                      percent_text(result.area), stiffness)});
     return;
   }
@@ -242,14 +240,12 @@ void diagnose_exponent(const Levels& merged, std::vector<Warning>& warnings) {
   if (all->value >= 2.0 - exponent_margin(*all) || lower->value >= 2.0 - kExponentMargin) return;
   warnings.push_back(
       {"exponent_below_two",
-       fmt::format(
-           "D grows as A^{:.2f} (± {:.2g}), less than A²: neither linear damping (A²) nor "
-           "micro-slip in this range (more than A²) does. It is the way towards macro-slip (A^1) "
-           "of "
-           "what slips below the lowest amplitude, of whose shape D tells nothing, or an error: an "
-           "offset of D, another gain at low levels, or a load that changed. Measure at lower "
-           "levels.",
-           all->value, all->std)});
+       fmt::format("D grows as A^{:.2f} (± {:.2g}), less than A²: neither linear damping (A²) nor "
+                   "micro-slip in this range (more than A²) does. Either what slips below the "
+                   "lowest amplitude nears macro-slip (A^1), and D does not determine its density, "
+                   "or D has an error: an offset, another gain at low levels, or a changed load. "
+                   "Measure at lower levels.",
+                   all->value, all->std)});
 }
 
 /// Whether βA² alone is as near to D as the density. Measured secant stiffnesses tell slip from it.
@@ -296,10 +292,9 @@ void diagnose_damping(const Inverted& inverted, std::vector<Warning>& warnings) 
   warnings.push_back(
       {"damping_suspected",
        fmt::format(
-           "D grows as A^{:.2f} (± {:.2g}) all along, and linear damping as A², which is no "
-           "slip: D alone cannot tell them apart. Subtract the damping of the structure, "
-           "identify it beside the joint (linear damping), or give secant stiffnesses, "
-           "which slip lowers.",
+           "D grows as A^{:.2f} (± {:.2g}) throughout, as linear damping does (A²): D alone cannot "
+           "distinguish it from slip. Subtract the damping of the structure, identify it with the "
+           "joint (linear damping), or give secant stiffnesses, which slip lowers.",
            exponent->value, exponent->std)});
 }
 
@@ -312,8 +307,8 @@ void diagnose_ends(const Inverted& inverted, std::vector<Warning>& warnings) {
     warnings.push_back(
         {"extrapolation",
          fmt::format("{:.0f} % of the identified area lies below {:.3g} N, the slip force of the "
-                     "lowest amplitude, where the levels tell only two moments of the density: its "
-                     "shape there is an assumption. Measure at lower levels.",
+                     "lowest amplitude, where the levels determine only two moments of the "
+                     "density: its shape there is an assumption. Measure at lower levels.",
                      100.0 * below / result.area, lowest)});
   }
   if (!result.linear_damping) {
@@ -322,11 +317,12 @@ void diagnose_ends(const Inverted& inverted, std::vector<Warning>& warnings) {
   }
   const double share = *result.linear_damping * a * a / result.fitted_dissipation.front();
   if (share > kMostDampingShare) {
-    warnings.push_back({"damping_ambiguous",
-                        fmt::format("Linear damping takes {:.0f} % of D at the lowest level. There "
-                                    "it can hardly be told from slip at small forces; subtract "
-                                    "linear damping measured without the joint if you can.",
-                                    100.0 * share)});
+    warnings.push_back(
+        {"damping_ambiguous",
+         fmt::format("Linear damping accounts for {:.0f} % of D at the lowest level. There it can "
+                     "hardly be distinguished from slip at small forces; subtract linear damping "
+                     "measured without the joint if you can.",
+                     100.0 * share)});
   }
 }
 
@@ -347,17 +343,17 @@ std::vector<Warning> diagnose(const LevelEvidence& evidence) {
   const std::size_t distinct = merged.levels.size();
   if (distinct < kEnoughLevels) {
     warnings.push_back(
-        {"few_levels", fmt::format("Only {} different amplitudes: what is seen of the density is "
-                                   "broad features at most. 40 or more levels resolve its shape.",
+        {"few_levels", fmt::format("Only {} different amplitudes: they resolve broad features of "
+                                   "the density at most. 40 or more levels resolve its shape.",
                                    distinct)});
   }
   const std::vector<double>& amplitude = merged.levels.amplitude;
   if (distinct > 1 && amplitude.back() < kNarrowRange * amplitude.front()) {
     warnings.push_back(
-        {"narrow_range", fmt::format("The amplitudes reach from {:.4g} to {:.4g} m only: the "
-                                     "density between kA of these is all that D tells by its "
-                                     "shape. Measure at lower and higher levels.",
-                                     amplitude.front(), amplitude.back())});
+        {"narrow_range",
+         fmt::format("The amplitudes reach from {:.4g} to {:.4g} m only: the shape of D determines "
+                     "the density only between kA of these. Measure at lower and higher levels.",
+                     amplitude.front(), amplitude.back())});
   }
   if (distinct < levels.size()) {
     warnings.push_back(
@@ -370,10 +366,9 @@ std::vector<Warning> diagnose(const LevelEvidence& evidence) {
   diagnose_zero_std("secant_stiffness_std", levels.secant_stiffness_std, warnings);
   diagnose_repeats(merged, warnings);
   if (!levels.amplitude_std.empty() && levels.dissipation_std.empty()) {
-    warnings.push_back(
-        {"std_ignored",
-         "amplitude_std says something only beside dissipation_std: without that the "
-         "scatter is estimated from D. Give both, or neither."});
+    warnings.push_back({"std_ignored",
+                        "amplitude_std is used only together with dissipation_std: without that "
+                        "the scatter is estimated from D. Give both, or neither."});
   }
   warn_of_implausible("The largest amplitude", kLength, levels.amplitude, warnings);
   warn_of_implausible("The largest dissipation", kEnergy, levels.dissipation, warnings);
@@ -390,10 +385,9 @@ std::vector<Warning> diagnose(const InversionResult& result, const LevelEvidence
     warnings.push_back(
         {"density_negative",
          fmt::format(
-             "D asks for a negative density at {:.3g} N, by {:.1f} standard deviations, which "
-             "no joint under constant normal load can be. Did the normal "
-             "load vary over the cycle or between levels, or is something other than the "
-             "joint in D?{}",
+             "D requires a negative density at {:.3g} N, by {:.1f} standard deviations, which no "
+             "joint under constant normal load can have. Did the normal load vary over the cycle "
+             "or between levels, or does D contain something other than the joint?{}",
              result.lowest_at, -result.lowest_score, result.scatter_is_relative ? kGiveStd : "")});
   }
   diagnose_convexity(inverted, warnings);
@@ -412,27 +406,26 @@ std::vector<Warning> diagnose(const InversionResult& result, const LevelEvidence
   if (result.inner_not_converged > 0) {
     warnings.push_back(
         {"inner_not_converged",
-         fmt::format(
-             "{} of {} inner solutions did not converge: those that the choice of the "
-             "smoothing, the search of an atom and the warnings of a negative density or of "
-             "too much area rest on. Do not rely on these; another number of levels or "
-             "a smoothing parameter of your own may serve.",
-             result.inner_not_converged, result.inner_solutions)});
+         fmt::format("{} of {} inner solutions did not converge: the choice of the smoothing, the "
+                     "search for an atom and the warnings of a negative density or of too much "
+                     "area depend on them. Do not rely on these; another number of levels or a "
+                     "smoothing parameter that you give may help.",
+                     result.inner_not_converged, result.inner_solutions)});
   }
   if (options.atom && !result.atom_slip_force) {
     warnings.push_back({"macroslip_not_reached",
                         "No atom was identified: fewer than 20 levels, or they do not show D "
-                        "growing in a straight line, as it does in macro-slip."});
+                        "growing linearly, as it does in macro-slip."});
   }
   return warnings;
 }
 
 std::vector<Warning> diagnose(const DensityBands& bands) {
   if (bands.effective_samples >= kLeastEffective * static_cast<double>(bands.samples)) return {};
-  return {{"bands_not_converged",
-           fmt::format("the {} samples of the band tell as much as {:.0f} independent ones where "
-                       "they tell least. Take it as a rough one, and draw more.",
-                       bands.samples, bands.effective_samples)}};
+  return {
+      {"bands_not_converged", fmt::format("the {} samples of the band are worth {:.0f} independent "
+                                          "ones where fewest. The band is rough: draw more.",
+                                          bands.samples, bands.effective_samples)}};
 }
 
 }  // namespace microslip

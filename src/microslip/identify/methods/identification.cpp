@@ -96,9 +96,9 @@ Identification by_differences(const LevelEvidence& evidence, double stiffness,
                               const IdentificationOptions& options) {
   SignedDensity result = density_by_differences(evidence, stiffness);
   if (result.slip_force.size() < 2) {
-    throw InputError("number of different amplitudes",
-                     static_cast<double>(result.slip_force.size() + 2),
-                     "must be 4 or more to make a density of differences", "Measure more levels.");
+    throw InputError(
+        "number of different amplitudes", static_cast<double>(result.slip_force.size() + 2),
+        "must be 4 or more for a density by second differences", "Measure more levels.");
   }
   std::vector<Warning> warnings;
   Identification found(options.method, feasible_joint(stiffness, result, warnings));
@@ -132,7 +132,7 @@ void replace_by_fit(const LevelEvidence& levels, double stiffness,
   if (found.summary.stop != Stop::kNotRun && !found.summary.converged()) {
     found.warnings.push_back(
         {"free_density_not_converged",
-         fmt::format("What stands beside the model, by the method {}, did not converge: {}.",
+         fmt::format("The density beside the model, by the method {}, did not converge: {}.",
                      to_string(found.method), found.summary.reason)});
   }
   found.joint = fit.joint;

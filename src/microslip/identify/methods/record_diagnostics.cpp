@@ -27,37 +27,38 @@ struct DepartureText {
 DepartureText text_of(RecordDeparture departure) {
   switch (departure) {
     case RecordDeparture::kRate:
-      return {"follows the velocity",
-              "`viscous fit` finds a viscous part beside the friction; a slower test shows less "
+      return {"depends on the velocity",
+              "`viscous fit` identifies a viscous part beside the friction; a slower test has less "
               "of it."};
     case RecordDeparture::kAsymmetry:
-      return {"is other to one side than to the other",
-              "Look for a contact that opens, or a load that is not central; no symmetric joint "
-              "has such loops."};
+      return {"differs between the two directions",
+              "Look for a contact that opens, or an eccentric load; no symmetric joint has such "
+              "loops."};
     case RecordDeparture::kDeadZone:
       return {"is missing about zero: backlash or pinching",
               "Take up the play, or measure the displacement behind it."};
     case RecordDeparture::kDrift:
-      return {"grows or falls over the record: wear, temperature or a load that moves",
-              "Identify its parts by themselves, or run the joint in first."};
+      return {"grows or falls over the record: wear, temperature or a changing load",
+              "Identify its parts separately, or run the joint in first."};
     case RecordDeparture::kOffset:
-      return {"has a zero that moves",
+      return {"has a drifting zero",
               "Balance the force sensor, or take a shorter part of the record."};
     case RecordDeparture::kOther:
-      return {"is not that of the joint of the other records",
-              "Compare units, gains and channels of the files, or identify from each by itself."};
+      return {"deviates from the joint of the other records",
+              "Compare units, gains and channels of the files, or identify from each separately."};
     case RecordDeparture::kRange:
       break;
   }
-  return {"has branches of different ranges that do not lie on one curve",
-          "Identify from motions of one size by themselves."};
+  return {"has branches of different ranges that do not follow one curve",
+          "Identify from motions of one amplitude separately."};
 }
 
 Warning contradiction(const std::string& name, std::string_view what, const LevelVerdict& verdict) {
   return {what == "D" ? "levels_contradict" : "secant_differs",
-          fmt::format("{}: its {} is off that of the joint of the other files by {}, where noise "
-                      "would make {}: another joint, load or gain. Identify from each by itself.",
-                      name, what, percent_text(verdict.share), percent_text(verdict.noise))};
+          fmt::format(
+              "{}: its {} deviates from that of the joint of the other files by {}, where noise "
+              "would give {}: another joint, load or gain. Identify from each separately.",
+              name, what, percent_text(verdict.share), percent_text(verdict.noise))};
 }
 
 /// D at the largest displacement a from draw to draw: 4∫x*(a − x*)ψ dx*, by Simpson's rule, exact
@@ -92,10 +93,9 @@ void warn_of_no_slip(const RecordInversionResult& result, std::vector<Warning>& 
   if (mean >= kLeastLossTold * deviation && mean > 0.0) return;
   warnings.push_back(
       {"no_slip",
-       fmt::format("the force is that of a spring: the loss is not told from 0, {:.3g} J at the "
-                   "largest displacement with a standard deviation of {:.3g} J. Of the density "
-                   "only the upper end of the band says something. Take the joint to larger "
-                   "displacements.",
+       fmt::format("the force is that of a spring: the loss is not distinguishable from 0, {:.3g} "
+                   "J at the largest displacement with a standard deviation of {:.3g} J. Only the "
+                   "upper end of the density's band is informative. Test at larger displacements.",
                    mean, deviation)});
 }
 
@@ -109,12 +109,11 @@ std::vector<Warning> diagnose(const RecordInversionResult& result, const JointEv
       const DepartureText text = text_of(verdict.departure);
       const std::string which =
           result.records.size() > 1 ? evidence.name_of_record(r) + ": " : std::string();
-      warnings.push_back(
-          {std::string(to_string(verdict.departure)),
-           fmt::format("{}not a joint of this kind: {} of the force {}, where noise would make "
-                       "{}. {}",
-                       which, percent_text(verdict.share), text.what, percent_text(verdict.noise),
-                       text.remedy)});
+      warnings.push_back({std::string(to_string(verdict.departure)),
+                          fmt::format("{}not a Masing joint under constant normal load: {} of the "
+                                      "force {}, where noise would give {}. {}",
+                                      which, percent_text(verdict.share), text.what,
+                                      percent_text(verdict.noise), text.remedy)});
     }
   }
   warn_of_no_slip(result, warnings);

@@ -59,8 +59,9 @@ double largest_log_ratio(const Vector& a, const Vector& b) {
 void check_dissipation(const LevelEvidence& evidence) {
   const Levels& levels = evidence.levels();
   if (evidence.dissipation_std_given() || std::ranges::max(levels.dissipation) > 0.0) return;
-  throw InputError("dissipation", "0 at all levels",
-                   "must be positive at one where the standard deviations are not all given");
+  throw InputError(
+      "dissipation", "0 at all levels",
+      "must be positive at one level at least unless all standard deviations are given");
 }
 
 /// One fit from levels to result.
@@ -405,15 +406,15 @@ class Fit {
     for (const FittedParameter& p : result.parameters) {
       if (p.at_bound) {
         result.warnings.push_back(
-            {"parameter_at_bound",
-             fmt::format("{} = {} is at the end of its range: standard errors of the others hold "
-                         "for it fixed there.",
-                         p.name, with_unit(p))});
+            {"parameter_at_bound", fmt::format("{} = {} is at the end of its range: standard "
+                                               "errors of the others assume it fixed there.",
+                                               p.name, with_unit(p))});
       }
       if (std::isinf(p.standard_error)) {
         result.warnings.push_back(
-            {"not_identifiable", fmt::format("the levels do not tell {}; {} is one of many values.",
-                                             p.name, with_unit(p))});
+            {"not_identifiable",
+             fmt::format("the levels do not determine {}; {} is one of many values.", p.name,
+                         with_unit(p))});
       }
     }
     const bool unusable = !levels_.dissipation_std.empty() && !evidence_.dissipation_std_given();
@@ -434,9 +435,9 @@ class Fit {
     if (serial.deviations < kTelling) return;
     result.warnings.push_back(
         {"systematic_misfit",
-         fmt::format("the misfit, {} of D, is not scatter: levels beside each other err "
-                     "alike, with a correlation of {:.2f}. The joint is not of this model, which "
-                     "the standard errors do not count. Take the free density or another model.",
+         fmt::format("the misfit, {} of D, is not scatter: errors of neighbouring levels have a "
+                     "correlation of {:.2f}. The joint does not follow this model, which the "
+                     "standard errors do not include. Take the free density or another model.",
                      percent_text(result.misfit), serial.correlation)});
   }
 

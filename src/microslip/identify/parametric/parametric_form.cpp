@@ -97,12 +97,12 @@ class FourParameterForm final : public ParametricForm {
     const double least = range_.stiffness * a * (share_at_a * p / (p + 1.0) + (1.0 - share_at_a));
     const double farthest = psi * std::pow(1.0 / share, 1.0 / p);
     const double most = range_.stiffness * farthest * p / (p + 1.0);
-    return {
-        {"macroslip_not_reached",
-         fmt::format("the fit puts macro-slip at {:.4g} m, beyond the largest amplitude {:.4g} m; "
-                     "there the levels tell nothing: macroslip_force from {:.4g} to {:.4g} N fits "
-                     "them equally well, each with a beta of its own. Measure up to macro-slip.",
-                     psi, a, std::min(least, most), std::max(least, most))}};
+    return {{"macroslip_not_reached",
+             fmt::format(
+                 "the fit puts macro-slip at {:.4g} m, beyond the largest amplitude {:.4g} m; "
+                 "there the levels determine nothing: macroslip_force from {:.4g} to {:.4g} N fits "
+                 "them equally well, each with a beta of its own. Measure up to macro-slip.",
+                 psi, a, std::min(least, most), std::max(least, most))}};
   }
 
  private:
@@ -202,11 +202,11 @@ class UniformForm final : public ParametricForm {
 
   [[nodiscard]] std::vector<Warning> limits(std::span<const double> q) const override {
     if (q[1] < range_.force()) return {};
-    return {
-        {"macroslip_not_reached",
-         fmt::format("slip has not ended at the largest amplitude {:.4g} m: the levels tell only "
-                     "weight/to = {:.4g} 1/N; to = {:.4g} N is the largest slip force they saw.",
-                     range_.amplitude, q[0] / q[1], q[1])}};
+    return {{"macroslip_not_reached",
+             fmt::format(
+                 "slip has not ended at the largest amplitude {:.4g} m: the levels determine only "
+                 "weight/to = {:.4g} 1/N; to = {:.4g} N is the largest slip force reached.",
+                 range_.amplitude, q[0] / q[1], q[1])}};
   }
 
  private:

@@ -36,7 +36,7 @@ double bytes_of_draw(std::size_t knots) {
   return 2.0 * static_cast<double>(sizeof(DensitySample) + knots * sizeof(double));
 }
 
-constexpr std::string_view kUnchanged = "Take a posterior as invert() found it, unchanged.";
+constexpr std::string_view kUnchanged = "Take a posterior of a result of invert(), unchanged.";
 
 void check_length(std::string_view what, std::size_t length, std::size_t expected) {
   if (length == expected) return;
@@ -154,7 +154,7 @@ class DrawCounter {
 void DensityPosterior::check() const {
   const std::size_t n = area.size();
   if (n == 0 || start.empty() || slip_force.empty()) {
-    throw InputError("posterior", "empty", "must be one that was found", std::string(kUnchanged));
+    throw InputError("posterior", "empty", "must not be empty", std::string(kUnchanged));
   }
   check_shape("density", density, n, slip_force.size());
   check_length("linear_damping", linear_damping.size(), n);

@@ -50,9 +50,9 @@ void check_sign(const RecordEvidence& evidence) {
                      "Change the sign of one channel, or take the channels of this joint.");
   }
   if (work > -kMostGiven * moved) return;
-  throw InputError("work over the record, J", work, "must be positive: a joint takes energy",
-                   "Force and displacement may be exchanged, or the force be recorded ahead of the "
-                   "displacement: take each by its channel, without delay.");
+  throw InputError("work over the record, J", work, "must be positive: a joint dissipates energy",
+                   "Force and displacement may be swapped, or the force may lead the displacement: "
+                   "give each its channel, without delay.");
 }
 
 /// Reads coefficients as joints.
@@ -198,7 +198,7 @@ void check_evidence(const JointEvidence& evidence, std::optional<double> stiffne
   if (!stiffness) {
     throw InputError("stiffness", InputState{"missing"},
                      "must be given with levels alone: slip forces are k times A",
-                     "Give k, or a record of force and displacement, which tells it.");
+                     "Give k, or a record of force and displacement, which determines it.");
   }
   if (options.viscous) {
     throw InputError("viscous part", InputState{"sought"}, "needs a record of force over time");
@@ -263,11 +263,11 @@ void check_records(std::span<const RecordEvidence> evidence,
     if (one.rows().reversals < kFewestReversals) {
       throw InputError(
           "number of reversals of the displacement", reversals,
-          fmt::format("must be {} or more: slip shows where a path turns back", kFewestReversals),
-          "Record a cycle at least.");
+          fmt::format("must be {} or more: slip shows at reversals of the path", kFewestReversals),
+          "Record at least one cycle.");
     }
     if (one.rows().rows.size() < kFewestRecordSamples) {
-      throw InputError("number of samples after the first turns",
+      throw InputError("number of samples after the first reversals",
                        static_cast<double>(one.rows().rows.size()),
                        fmt::format("must be {} or more", kFewestRecordSamples),
                        "Record more cycles, or begin with a joint that has not slipped.");

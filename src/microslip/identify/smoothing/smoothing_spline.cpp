@@ -35,7 +35,7 @@ void check_values(std::string_view name, std::span<const double> values, std::si
     if (std::isfinite(values[i]) && (!positive || values[i] > 0.0)) continue;
     throw InputError(fmt::format("{} number {}", name, i + 1), values[i],
                      positive ? "must be positive and finite" : "must be finite",
-                     positive ? "Leave out what shall not count" : "");
+                     positive ? "Leave out points that shall not count" : "");
   }
 }
 
@@ -361,7 +361,7 @@ class Chooser {
     }
     if (!(std::isfinite(unit) && unit > 0.0)) {
       throw InputError("x_unit_in_metres", unit, "must be positive and finite",
-                       "p means nothing without the unit of x it was found in");
+                       "p is meaningless without the unit of x it was found in");
     }
     return given(p == 0.0 ? kInfinity : (1.0 - p) / p * unit * unit * unit, "smoothing factor p");
   }

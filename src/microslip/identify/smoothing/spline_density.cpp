@@ -31,13 +31,12 @@ void warn_of_negative(const SignedDensity& density, std::vector<Warning>& warnin
   if (count == 0) return;
   const auto lowest = std::ranges::min_element(density.density) - density.density.begin();
   const auto place = static_cast<std::size_t>(lowest);
-  warnings.push_back(
-      {"density_negative",
-       fmt::format("the density is negative at {} of {} levels, down to {:.3g} 1/N at {:.4g} N: "
-                   "too little smoothing, or a normal load that varied. The convex inversion gives "
-                   "a density that a joint can have.",
-                   count, density.density.size(), density.density[place],
-                   density.slip_force[place])});
+  warnings.push_back({"density_negative",
+                      fmt::format("the density is negative at {} of {} levels, down to {:.3g} 1/N "
+                                  "at {:.4g} N: too little smoothing, or a normal load that "
+                                  "varied. The convex inversion gives an admissible density.",
+                                  count, density.density.size(), density.density[place],
+                                  density.slip_force[place])});
 }
 
 }  // namespace
