@@ -12,7 +12,7 @@
 namespace microslip {
 namespace {
 
-/// What the thread that works and the one that waits tell each other.
+/// The state shared by the thread that works and the one that waits.
 class SharedState {
  public:
   /// The first time it waits for the answer: short work would end before anybody was asked.

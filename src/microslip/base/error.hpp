@@ -11,8 +11,8 @@
 /// it breaks and, where there is one, the remedy. The library throws these and never prints or
 /// aborts. Not converging is no error: a numerical method reports that in its Result.
 ///
-/// What a message says of an option of the caller stands in back quotes, the name with underscores
-/// and a value behind it: `assume_units force=N`. A program shows it as it spells its options.
+/// A message quotes an option of the caller in back quotes, the name with underscores and a value
+/// behind it: `assume_units force=N`. A program shows it as it spells its options.
 
 namespace microslip {
 
@@ -22,7 +22,7 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What is found where there is no value to show: "missing", "complex".
+/// The state of an argument that has no value to show: "missing", "complex".
 struct InputState {
   std::string_view text;  ///< after "is"
 };
@@ -37,7 +37,7 @@ class InputError : public Error {
   /// @param remedy  what to do about it, a sentence; may be empty.
   InputError(std::string_view what, double value, std::string_view rule,
              std::string_view remedy = {});
-  /// The same for a value that is a text.
+  /// As above, for a value that is a text.
   InputError(std::string_view what, std::string_view value, std::string_view rule,
              std::string_view remedy = {});
   /// "what is missing; rule. remedy".
@@ -61,16 +61,16 @@ struct TextPlace {
   std::size_t column = 0;  ///< from 1
 };
 
-/// As messages begin: "levels.csv:12:3", without what is not known; "input" for a text without
-/// name.
+/// The start of a message: "levels.csv:12:3", without the parts that are not known; "input" for a
+/// text without name.
 [[nodiscard]] std::string place_text(const TextPlace& place);
 
 /// A text does not have the form it must have: "place: expected …, found …. remedy".
 class FormatError : public Error {
  public:
   /// @param place     where it is.
-  /// @param expected  what should stand there: "a number".
-  /// @param found     what stands there.
+  /// @param expected  the form expected: "a number".
+  /// @param found     the text found.
   /// @param remedy    what to do about it, a sentence; may be empty.
   FormatError(const TextPlace& place, std::string_view expected, std::string_view found,
               std::string_view remedy = {});
@@ -86,7 +86,7 @@ class FormatError : public Error {
 class FileError : public Error {
  public:
   /// @param path    the file's path.
-  /// @param reason  what the system said, for instance "permission denied".
+  /// @param reason  the error of the system, for instance "permission denied".
   /// @param remedy  what to do about it, a sentence; may be empty.
   FileError(std::string_view path, std::string_view reason, std::string_view remedy = {});
 };

@@ -20,7 +20,7 @@ void on_threads(std::size_t count, const Execution::Work& work) {
   tbb::parallel_for(std::size_t{0}, count, work, tbb::simple_partitioner());
 }
 
-/// Tells the listener one at a time; stopped once it has asked for that.
+/// Calls the listener once at a time; stopped once it has asked for that.
 class ProgressCount {
  public:
   ProgressCount(const Progress& progress, std::size_t total) : progress_(progress), total_(total) {}
@@ -50,7 +50,7 @@ Execution Execution::serial() {
 
 Execution Execution::threads(std::size_t most) {
   if (most == 0) return Execution(on_threads);
-  // More wait for each other, and TBB says on standard error that it makes none.
+  // More wait for each other, and TBB reports on standard error that it makes none.
   const int processors = tbb::info::default_concurrency();
   const int threads = static_cast<int>(std::min(most, static_cast<std::size_t>(processors)));
   return Execution([threads](std::size_t count, const Work& work) {

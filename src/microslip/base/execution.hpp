@@ -8,9 +8,9 @@
 
 namespace microslip {
 
-/// Where independent pieces of work are done: one after the other, on the threads of this machine,
-/// or as the caller says. What is computed never depends on it: a piece is a function of its number
-/// alone. A value; copies do the same.
+/// How independent pieces of work are executed: one after the other, on the threads of this
+/// machine, or by a function of the caller. Results never depend on it: a piece is a function of
+/// its number alone. A value; copies do the same.
 class Execution {
  public:
   /// A piece of work, by its number. Called for several numbers at once.
@@ -24,19 +24,20 @@ class Execution {
   [[nodiscard]] static Execution serial();
 
   /// On threads, the calling one among them.
-  /// @param most  as many at most, and never more than there are processors; 0: as many as these.
+  /// @param most  the largest number of threads, limited to the number of processors; 0: one per
+  ///              processor.
   [[nodiscard]] static Execution threads(std::size_t most = 0);
 
-  /// As the caller does it: on the processes of a cluster, in the pool of another library.
+  /// By a function of the caller: on the processes of a cluster, in the pool of another library.
   /// @throws InputError  for an empty function.
   explicit Execution(ForEach for_each);
 
   /// Does all pieces. See ForEach for what they throw.
   void for_each(std::size_t count, const Work& work) const;
 
-  /// The same, telling how many are done, one call at a time. The listener does no parallel work
-  /// itself.
-  /// @throws Cancelled  as progress says; pieces that have not begun are left out.
+  /// Does all pieces and reports the number done, one call at a time. The listener does no parallel
+  /// work itself.
+  /// @throws Cancelled  when progress returns false; pieces that have not begun are left out.
   void for_each(std::size_t count, const Work& work, const Progress& progress) const;
 
  private:

@@ -7,8 +7,8 @@
 
 namespace microslip {
 
-/// The values at some places, in the order of these: values[which[0]], values[which[1]], … Of a
-/// column that is not there, which has no values, none. Internal to the library.
+/// The values at the given indices, in their order: values[which[0]], values[which[1]], … Empty
+/// for an absent column, which has no values. Internal to the library.
 /// @param which  each below the number of values, where there are any.
 template <typename Value>
 [[nodiscard]] std::vector<Value> gather(const std::vector<Value>& values,

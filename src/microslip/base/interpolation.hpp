@@ -7,9 +7,9 @@ namespace microslip {
 
 /// The value of the function that is linear between knots and constant beyond them.
 /// @param knots   rising, one at least.
-/// @param values  one a knot.
-/// @param x       where; NaN where it is not a number.
-/// @throws InputError  without knots, or where the values are not as many.
+/// @param values  one per knot.
+/// @param x       the argument; the result is NaN where x is.
+/// @throws InputError  without knots, or where the number of values differs.
 [[nodiscard]] double interpolate(const std::vector<double>& knots,
                                  const std::vector<double>& values, double x);
 

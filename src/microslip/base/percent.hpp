@@ -5,9 +5,9 @@
 
 namespace microslip {
 
-/// A share in percent for a person to read: one digit behind the point, below 1 % two digits, and
-/// no exponent from there on up: "0.57 %", "12.3 %", "140.0 %".
-/// @param share  of 1.
+/// A fraction as a percentage for messages: one decimal, below 1 % two significant digits, without
+/// an exponent above 1 %: "0.57 %", "12.3 %", "140.0 %".
+/// @param share  the fraction, 1.
 [[nodiscard]] std::string percent_text(double share);
 
 }  // namespace microslip

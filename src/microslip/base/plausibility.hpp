@@ -16,7 +16,7 @@ inline constexpr double kLargestDisplacement = 1.0;  ///< m; seismic dampers end
 /// m/s; 1 m at 160 Hz
 inline constexpr double kLargestVelocity = 1e3;
 inline constexpr double kLargestAcceleration = 1e6;  ///< m/s²; shock accelerometers end at 1e5 g
-/// J a cycle; 1 MN over ±0.25 m, more than any one damper of a building takes
+/// J per cycle; 1 MN over ±0.25 m, more than any one damper of a building takes
 inline constexpr double kLargestDissipation = 1e6;
 
 /// The warning `implausible_value` where an amplitude (an energy per cycle) is above its bound;
@@ -28,7 +28,7 @@ inline constexpr double kLargestDissipation = 1e6;
                                                        const Dimension& dimension,
                                                        double amplitude);
 
-/// The same of the largest of several amplitudes, added to the warnings.
+/// Checks the largest of several amplitudes and appends the warning, if any.
 void warn_of_implausible(std::string_view what, const Dimension& dimension,
                          std::span<const double> amplitudes, std::vector<Warning>& warnings);
 

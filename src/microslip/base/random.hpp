@@ -13,10 +13,10 @@ class RandomStream {
   /// @param stream  the number of the sample or record; streams of one seed are independent.
   RandomStream(std::uint64_t seed, std::uint64_t stream) : seed_(seed), stream_(stream) {}
 
-  /// Uniform on the open interval (0, 1); the next of the stream.
+  /// Uniform on the open interval (0, 1); the next number of the stream.
   double uniform();
 
-  /// Standard normal (mean 0, variance 1) by Box–Muller; the next of the stream.
+  /// Standard normal (mean 0, variance 1) by Box–Muller; the next number of the stream.
   double normal();
 
  private:

@@ -17,7 +17,7 @@ class Stopwatch {
  public:
   [[nodiscard]] double seconds() const { return since(began_); }
 
-  /// What was done since the last lap, or since the beginning.
+  /// The time of the part `what`, since the last lap or since the beginning.
   [[nodiscard]] Summary::Timing lap(std::string what) {
     const Summary::Timing timing{std::move(what), since(last_)};
     last_ = Clock::now();

@@ -13,15 +13,15 @@ enum class Stop {
   kConverged,   ///< its stopping rule holds
   kClosedForm,  ///< there was nothing to iterate; converged
   kLimit,       ///< iterations, evaluations or points are used up
-  kNoProgress,  ///< no step leads further; what was found until then is there
+  kNoProgress,  ///< no step leads further; the result so far is there
   kDoubtful,    ///< its stopping rule holds, but a check of the result does not
   kIncomplete,  ///< some of several results were not found; those that are there converged
 };
 
-/// What a file says of a run that converged.
+/// Status that files give for a converged run.
 inline constexpr std::string_view kConvergedStatus = "converged";
 
-/// What every numerical method says about its run. Pessimistic until filled in.
+/// Report of every numerical method on its run. Pessimistic until filled in.
 struct Summary {
   /// A part of the run.
   struct Timing {
@@ -32,10 +32,10 @@ struct Summary {
   Stop stop = Stop::kNotRun;           ///< why it stopped
   std::string method;                  ///< "regularised convex inversion"
   std::string reason = "was not run";  ///< why it stopped, in words
-  double residual = 0.0;               ///< what the stopping rule measures, relative, 1
+  double residual = 0.0;               ///< quantity of the stopping rule, relative, 1
   int iterations = 0;                  ///< that it took
   double wall_seconds = 0.0;           ///< wall time, s
-  std::vector<Timing> timings = {};    ///< what took it; need not add up to all of it
+  std::vector<Timing> timings = {};    ///< of its parts; need not add up to all of it
 
   /// Whether the stopping rule holds and no check of the result failed.
   [[nodiscard]] bool converged() const {
@@ -45,16 +45,16 @@ struct Summary {
   /// may be the best of an unfinished search.
   [[nodiscard]] bool usable() const { return stop != Stop::kNotRun && stop != Stop::kDoubtful; }
 
-  /// "not run", "converged", "not converged": what files say.
+  /// The status as files give it: "not run", "converged", "not converged".
   [[nodiscard]] std::string_view status() const;
 
   /// One line: method, status, iterations, residual, time.
   [[nodiscard]] std::string brief() const;
-  /// A line a fact.
+  /// One line per item.
   [[nodiscard]] std::string full() const;
 };
 
-/// Something in the data or the result that its user must know of. Never an error.
+/// A finding about the data or the result that the user must know. Never an error.
 struct Warning {
   std::string code;  ///< stable, for scripts: "density_negative"
   std::string text;  ///< one sentence with the figures, and what to do about it

@@ -50,7 +50,7 @@ constexpr std::array kSymbols{
     Symbol{"g", kStandardGravity, 0, kAcceleration, "um"},
 };
 
-/// What has a name, with the units that messages propose; the first one is SI.
+/// Dimensions with a name, with the units that messages propose; the first one is SI.
 struct Quantity {
   Dimension dimension;
   std::string_view name;
@@ -81,7 +81,7 @@ constexpr std::array kQuantities{
 constexpr std::string_view kDigits = "0123456789";
 constexpr int kLargestPower = 9;
 
-/// One way to write each thing: both micro signs become u, raised digits become digits.
+/// One spelling for each symbol: both micro signs become u, raised digits become digits.
 std::string plain_ascii(std::string_view text) {
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 13> kSpellings{{
       {"µ", "u"},  // U+00B5 micro sign

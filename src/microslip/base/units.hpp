@@ -6,8 +6,8 @@
 #include <string_view>
 
 /// @file
-/// Units at the borders of the program: what a file states in mm, lbf or g becomes SI on the way
-/// in.
+/// Units at the borders of the program: a value that a file gives in mm, lbf or g becomes SI when
+/// it is read.
 
 namespace microslip {
 
@@ -70,15 +70,15 @@ struct Unit {
 };
 
 /// The unit that a text names: products, quotients and powers of m, in, ft, mil, N, lbf, J, kg, s,
-/// Hz, Pa, psi, rad, deg, g, with the usual prefixes n, u (µ), m, c, k, M, G where they are in use,
-/// and `1`, `-` or `%` for a number. `g` is standard gravity, 9.80665 m/s^2; masses are in kg.
+/// Hz, Pa, psi, rad, deg, g, with the usual prefixes n, u (µ), m, c, k, M, G where they are in
+/// use, and `1`, `-` or `%` for a number. `g` is standard gravity, 9.80665 m/s^2; masses are in kg.
 /// Powers read m/s^2, m/s2 or m/s²; products N m, N*m or N·m; a quotient is read from the left;
-/// what stands in brackets, (m/s^2)^2/Hz, is one unit.
+/// an expression in brackets, (m/s^2)^2/Hz, is one unit.
 /// @return  nothing where the text is no such unit.
 [[nodiscard]] std::optional<Unit> find_unit(std::string_view text);
 
 /// find_unit() for a unit that must be of the given dimension.
-/// @throws InputError  naming the unit, what it measures, and units that would do.
+/// @throws InputError  naming the unit, its dimension, and units that would fit.
 [[nodiscard]] Unit parse_unit(std::string_view text, const Dimension& expected);
 
 /// In words: "length", or the unit where it has no name, such as "kg^2 s^-1".

@@ -8,9 +8,9 @@
 
 namespace microslip {
 
-/// A warning, `beyond_identification`, where a joint moves more than in the levels that it was
-/// identified by: kA of a cycle of amplitude A exceeds what they cover by more than 2 %. What slips
-/// there is an assumption. A level predicted a little high is not beyond itself.
+/// A warning, `beyond_identification`, where a joint moves more than in the levels it was
+/// identified from: kA of a cycle of amplitude A exceeds `covered_to` by more than 2 %. Slip beyond
+/// that is an assumption. The 2 % admit a level that is predicted a little high.
 /// @param joint       as identified.
 /// @param amplitude   A, m; ≥ 0.
 /// @param covered_to  kA of the highest level, N; nothing where that is not known: no warning.

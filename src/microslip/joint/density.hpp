@@ -9,9 +9,9 @@
 namespace microslip {
 
 /// The Iwan distribution density φ(f*) of a frictional contact: the sliders with a critical slip
-/// force between f* and f* + df* carry the share φ df* of the joint's stiffness. A sum of parts;
-/// immutable. With Φn the partial moments, 1 − Φ0(∞) is the elastic remainder: stiffness that has
-/// not slipped.
+/// force between f* and f* + df* carry the fraction φ df* of the joint's stiffness. A sum of
+/// parts; immutable. With Φn the partial moments, 1 − Φ0(∞) is the elastic remainder:
+/// stiffness that has not slipped.
 ///
 /// All parts but the power laws are merged once into segments on which φ is linear, so that every
 /// closed form costs one search and a polynomial, whatever the number of parts.

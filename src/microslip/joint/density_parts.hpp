@@ -27,13 +27,13 @@ struct PowerLawPart {
 /// φ linear between the knots and zero outside of them.
 struct PiecewiseLinearPart {
   std::vector<double> slip_force;  ///< N; at least 2, ≥ 0, strictly increasing
-  std::vector<double> density;     ///< 1/N; one a knot, ≥ 0
+  std::vector<double> density;     ///< 1/N; one per knot, ≥ 0
 };
 
 /// φ = Σ weight_i δ(f* − slip_force_i): finite shares of stiffness with one slip force.
 struct AtomsPart {
   std::vector<double> slip_force;  ///< N; > 0, any order
-  std::vector<double> weight;      ///< share of the stiffness, 1; one an atom, ≥ 0
+  std::vector<double> weight;      ///< share of the stiffness, 1; one per atom, ≥ 0
 };
 
 /// Segalman's four-parameter model: over the slip displacement ψ, Rψ^χ on [0, ψ_max] plus an atom S

@@ -13,9 +13,9 @@ namespace microslip {
 ///
 ///     s^p = 2^(ep) c^p (1 + r)^p,   r = (m − c)/c,   |r| ≤ 1/128
 ///
-/// The first two factors are tabulated, the third is its binomial series up to r^7: what follows is
-/// below 2^−56 for p ≤ 8. The relative error is below 5e-16: four times 2^−53, of the tables
-/// and of products. Internal to joint.
+/// The first two factors are tabulated, the third is its binomial series up to r^7: the remainder
+/// is below 2^−56 for p ≤ 8. The relative error is below 5e-16: four times 2^−53, of the
+/// tables and of products. Internal to joint.
 class FixedPower {
  public:
   /// @param exponent  p; a table is made for p in (0, 8].
@@ -25,7 +25,7 @@ class FixedPower {
   /// Whether s is in the range of the table, if there is one.
   [[nodiscard]] bool covers(double s) const { return s >= least_ && s <= most_; }
 
-  /// s^p. @param s  that is covered.
+  /// s^p. @param s  within covers().
   [[nodiscard]] double operator()(double s) const {
     const auto bits = std::bit_cast<std::uint64_t>(s);
     const std::size_t interval = (bits >> (kMantissa - kIntervalBits)) & (kIntervals - 1);

@@ -65,9 +65,9 @@ class ContinuousPart {
 };
 
 /// Two elements with the three moments of the weight between two slip forces. Of equal weight at
-/// mean ± standard deviation where both lie in the bin; else one at the upper edge (Gauss–Radau),
-/// which always does. In a bin as narrow as rounding the moments contradict its edges: the edges
-/// hold.
+/// mean ± standard deviation where both lie in the bin; else one at the upper edge
+/// (Gauss–Radau), which always does. In a bin as narrow as rounding the moments contradict its
+/// edges: the edges take precedence.
 void add_pair(const PartialMoments& moments, double upper, double lower, double k,
               std::vector<JenkinsElement>& elements) {
   const double mean = std::clamp(moments.first / moments.zeroth, lower, upper);

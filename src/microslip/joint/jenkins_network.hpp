@@ -15,8 +15,9 @@ struct JenkinsElement {
   double slip_force;  ///< of this element, N; > 0: it slips at the stretch slip_force/κ
 };
 
-/// A joint as a finite number of Jenkins elements in parallel, beside a linear spring: what other
-/// programs march, and what a varying normal load needs. Immutable; its state is a NetworkMemory.
+/// A joint as a finite number of Jenkins elements in parallel, beside a linear spring: the model
+/// that other programs march, and that a varying normal load needs. Immutable; its state is a
+/// NetworkMemory.
 class JenkinsNetwork {
  public:
   /// @param elements           at least one element or a spring.
@@ -24,9 +25,9 @@ class JenkinsNetwork {
   /// @throws InputError  naming the element and the value that breaks a rule.
   explicit JenkinsNetwork(std::span<const JenkinsElement> elements, double elastic_stiffness = 0.0);
 
-  /// n elements that keep the moments of a joint. Atoms stay what they are. The rest of the density
-  /// is cut into bins of equal weight, and in each bin two elements keep Φ0, Φ1 and Φ2 of that bin:
-  /// F and D of the network equal those of the joint wherever kA is at the edge of a bin, and the
+  /// n elements that keep the moments of a joint. Atoms are kept. The rest of the density is cut
+  /// into bins of equal weight, and in each bin two elements keep Φ0, Φ1 and Φ2 of that bin: F
+  /// and D of the network equal those of the joint wherever kA is at the edge of a bin, and the
   /// macro-slip force is exact. With an odd number left for the rest, one bin has a single element,
   /// which keeps Φ0 and Φ1.
   /// @param joint  any.
@@ -55,14 +56,14 @@ class JenkinsNetwork {
   friend class NetworkMemory;
 
   std::size_t size_;
-  std::vector<double> stiffness_;          // padded to whole groups of the vector loops
-  std::vector<double> slip_displacement_;  // likewise
+  std::vector<double> stiffness_;          // padded to whole groups of vector lanes
+  std::vector<double> slip_displacement_;  // padded as well
   double elastic_stiffness_;
 };
 
-/// How an element answers a normal load p(t) = P_N(t)/P_0 that varies [AR14 App. B]. Its stiffness
-/// and its slip force both scale with p; the laws differ in what a stuck element does when p
-/// changes. At constant p = 1 they are the same.
+/// The response of an element to a varying normal load p(t) = P_N(t)/P_0 [AR14 App. B]. Its
+/// stiffness and its slip force both scale with p; the laws differ in the force of a stuck element
+/// when p changes. At constant p = 1 they are the same.
 enum class NormalLoadLaw {
   /// ḟ = κ p ẋ while stuck, |f| ≤ f_i p: a change of load alone leaves the force of a stuck
   /// element.
@@ -71,11 +72,11 @@ enum class NormalLoadLaw {
   kTotal,
 };
 
-/// The state of a JenkinsNetwork in one simulation, from the virgin state at x = 0.
+/// State of a JenkinsNetwork in one simulation, from the virgin state at x = 0.
 class NetworkMemory {
  public:
   /// @param network  kept by reference; must outlive the memory.
-  /// @param law      of all its elements.
+  /// @param law      normal-load law of all its elements.
   explicit NetworkMemory(const JenkinsNetwork& network,
                          NormalLoadLaw law = NormalLoadLaw::kIncremental);
   explicit NetworkMemory(const JenkinsNetwork&&,
@@ -96,7 +97,7 @@ class NetworkMemory {
 
   /// A whole path; lengths equal. @throws InputError  as check_path() (see path.hpp).
   void march(std::span<const double> x, std::span<double> force);
-  /// The same under a normal load p of each point, 1; ≥ 0.
+  /// A whole path under a normal load p at each point, 1; ≥ 0.
   void march(std::span<const double> x, std::span<const double> normal_load,
              std::span<double> force);
 

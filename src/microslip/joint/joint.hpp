@@ -8,7 +8,7 @@ namespace microslip {
 
 /// A frictional contact as a parallel-series Iwan model: infinitely many Jenkins elements (a spring
 /// in series with a Coulomb slider) in parallel. Immutable, so one Joint serves any number of
-/// threads and simulations; what a simulation remembers lives in its Memory.
+/// threads and simulations; the state of a simulation is in its Memory.
 ///
 ///     x    relative displacement across the joint, m
 ///     k    stiffness of the fully stuck joint, N/m

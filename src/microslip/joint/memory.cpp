@@ -116,7 +116,7 @@ Memory::Response Memory::trial(double x) const {
   return {force_on(on, x), joint_->tangent_stiffness(on.reach * std::abs(x - on.displacement))};
 }
 
-/// All that a step changes but the force.
+/// Updates all of the state but the force.
 Memory::Curve Memory::move_to(double x) {
   const Step step = step_to(x);
   if (step.branch.from_present) {

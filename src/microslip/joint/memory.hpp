@@ -9,31 +9,32 @@
 
 namespace microslip {
 
-/// What a joint under constant normal load remembers of its displacement history, exactly
-/// (Madelung's rules, which Masing's rule makes explicit; the same as a play-operator
-/// Prandtl–Ishlinskii model):
+/// The memory of a joint under constant normal load of its displacement history, exact (Madelung's
+/// rules, which Masing's rule makes explicit; the same as a play-operator Prandtl–Ishlinskii
+/// model):
 ///
 ///   * first loading follows the virgin curve F;
 ///   * after a reversal at (x_r, f_r):  f = f_r ± 2F(|x − x_r|/2)                     [AR14 (3)]
 ///   * where the path passes the previous extreme of the loop it is on, that minor loop is closed
-///     and forgotten, and the path continues on the curve it was on before;
+///     and erased from the memory, and the path continues on the curve it was on before;
 ///   * where |x| exceeds the largest |x| ever reached, the virgin curve continues.
 ///
-/// The state is a stack of reversal points: O(1) amortised a step, whatever the number of sliders.
+/// The state is a stack of reversal points: O(1) amortised per step, whatever the number of
+/// sliders.
 ///
-/// A step is a straight move of x from where the joint stands. trial() evaluates a step without
+/// A step is a straight move of x from the present displacement. trial() evaluates a step without
 /// taking it, so an implicit integrator tries as many as it likes and then takes one by advance().
 /// A Memory is a value: a copy is a snapshot of several steps to return to. Displacements within
 /// reach are those that are not beyond kFarthestDisplacement (path.hpp).
 class Memory {
  public:
-  /// Where the path turned.
+  /// A reversal of the path.
   struct ReversalPoint {
     double displacement;  ///< x_r, m
     double force;         ///< f_r, N
   };
 
-  /// What a step leads to.
+  /// Force and tangent after a step.
   struct Response {
     double force;    ///< f, N
     double tangent;  ///< df/dx in the direction of the move, N/m
@@ -47,16 +48,16 @@ class Memory {
     double sign;          ///< +1 loading, −1 unloading
     double scale;         ///< ±1 on the virgin curve, ±2 after a reversal
     double reach;         ///< 1 on the virgin curve, ½ after a reversal
-    double end;           ///< sign·x at which it joins an older one; infinite on the virgin curve
+    double end;           ///< sign·x where it joins an older curve; infinite on the virgin curve
   };
 
   /// Virgin, at rest at x = 0. @param joint  kept by reference; must outlive the Memory.
   explicit Memory(const Joint& joint) : joint_(&joint) {}
   explicit Memory(const Joint&&) = delete;
 
-  /// x where the joint stands, m.
+  /// The present displacement x, m.
   [[nodiscard]] double displacement() const { return x_; }
-  /// f there, N.
+  /// The present force f, N.
   [[nodiscard]] double force() const { return force_; }
 
   /// The reversals that still matter, oldest first; empty on the virgin curve.
@@ -67,13 +68,14 @@ class Memory {
   /// @throws InputError  where x is beyond it.
   [[nodiscard]] Response trial(double x) const;
 
-  /// The curve of a motion in this direction from where the joint stands, or from x on where that
-  /// lies ahead: minor loops that close on the way there are behind it.
+  /// The curve of a motion in this direction from the present displacement, or from x on where that
+  /// lies ahead: minor loops that close before x are left behind.
   /// @param direction  +1 or −1. @param x  m, within reach.
   [[nodiscard]] Curve curve_ahead(int direction, double x) const;
 
-  /// What the sliders would take in a step to x, J: ∫ Φ1(s)|dx| along the branches, s = k|x| on the
-  /// virgin curve and ½k|x − x_r| on the others, in closed form. @param x  m, within reach.
+  /// The energy that the sliders would dissipate in a step to x, J: ∫ Φ1(s)|dx| along the
+  /// branches, s = k|x| on the virgin curve and ½k|x − x_r| on the others, in closed form.
+  /// @param x  m, within reach.
   /// @throws InputError  where x is beyond it.
   [[nodiscard]] double dissipation(double x) const;
 
@@ -104,7 +106,7 @@ class Memory {
   ///                     then no step is taken.
   void march(std::span<const double> x, std::span<double> force);
 
-  /// Back to the virgin state at x = 0.
+  /// Returns to the virgin state at x = 0.
   void reset();
 
  private:
@@ -138,7 +140,7 @@ class Memory {
   std::vector<ReversalPoint> reversals_;
   double x_ = 0.0;
   double force_ = 0.0;
-  int direction_ = 0;  ///< of the last move; 0 in the virgin state at rest
+  int direction_ = 0;  ///< of the last move; 0 in the virgin state
   double end_ = 0.0;   ///< of the curve of the last move, or of what is within reach; 0 at rest
 };
 

@@ -16,12 +16,12 @@ inline constexpr double kFarthestDisplacement = 1e100;
 /// @throws InputError  naming x, which cannot be followed, as `name`.
 [[noreturn]] void refuse_displacement(std::string_view name, double x);
 
-/// The rules on a displacement path and the forces that answer it.
+/// Checks a displacement path and the length of the forces that answer it.
 /// @throws InputError  where the lengths differ, or naming the first x (0-based) to which a joint
 ///                     cannot be followed.
 void check_path(std::span<const double> x, std::span<const double> force);
 
-/// The same with a normal load: p ≥ 0 and finite, of the length of x.
+/// Checks a normal load as well: p ≥ 0 and finite, of the length of x.
 void check_path(std::span<const double> x, std::span<const double> normal_load,
                 std::span<const double> force);
 

@@ -16,15 +16,16 @@ namespace microslip {
 /// Φ0(s) alone, at a third of the cost.
 [[nodiscard]] double power_law_weight(const PowerLawPart& part, double s);
 
-/// ∫ (s − f*) φ df* over [from, min(to, s)], N; s finite: what slip takes off the elastic force.
+/// ∫ (s − f*) φ df* over [from, min(to, s)], N; s finite: by how much slip reduces the elastic
+/// force.
 [[nodiscard]] double power_law_force_deficit(const PowerLawPart& part, double s);
 
-/// Both of these.
+/// Weight and force deficit together.
 struct PowerLawSlip {
   double weight;         ///< Φ0(s), 1
   double force_deficit;  ///< N
 };
-/// For the price of one where from = 0 and s ≤ to.
+/// Both at the cost of one where from = 0 and s ≤ to.
 [[nodiscard]] PowerLawSlip power_law_slip(const PowerLawPart& part, double s);
 
 /// ∫ f*(s − f*) φ df* over [from, min(to, s)], N²; s finite.

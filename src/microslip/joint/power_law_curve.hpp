@@ -22,11 +22,11 @@ class PowerLawCurve {
     }
     return beside(s);
   }
-  /// One of them, which takes less where the law begins above 0.
+  /// Φ0(s) alone, which is cheaper where the law begins above 0.
   [[nodiscard]] double weight(double s) const {
     return power_.covers(s) ? weight_factor_ * power_(s) : power_law_weight(part_, s);
   }
-  [[nodiscard]] double force_deficit(double s) const {  ///< likewise
+  [[nodiscard]] double force_deficit(double s) const {  ///< alone, cheaper as well
     return part_.from == 0.0 ? slip(s).force_deficit : power_law_force_deficit(part_, s);
   }
 

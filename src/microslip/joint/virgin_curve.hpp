@@ -17,8 +17,8 @@ namespace microslip {
 ///     F(s) = Φ1(s) + s[1 − Φ0(s)],    dF/ds = 1 − Φ0(s),    s ≥ 0       [AR14 (2) (4)]
 ///
 /// On a piecewise-linear density F is a cubic spline: its coefficients are tabulated, and a table
-/// of equal buckets, fine enough to hold one knot each where the knots are not wildly uneven, finds
-/// the segment without a search. Power laws add their closed form.
+/// of equal buckets, fine enough to contain one knot each where the knots are not wildly uneven,
+/// finds the segment without a search. Power laws add their closed form.
 class VirginCurve {
  public:
   /// Tabulates the curve; the density is not needed any more afterwards.
@@ -52,12 +52,12 @@ class VirginCurve {
   /// dF/ds = 1 − Φ0(s), 1, in [0, 1]. At an atom the value beyond it; s as in force().
   [[nodiscard]] double slope(double s) const;
 
-  /// Both.
+  /// Force and slope together.
   struct Response {
     double force;  ///< F, N
     double slope;  ///< dF/ds, 1
   };
-  /// For little more than one of them. @param s  as in force().
+  /// Force and slope at little more than the cost of one. @param s  as in force().
   [[nodiscard]] Response response(double s) const;
 
  private:
@@ -84,7 +84,7 @@ class VirginCurve {
     }
 
     /// The last cubic with start ≤ s. Inline and without a branch in the common case: it runs once
-    /// a sample of every simulation.
+    /// per sample of every simulation.
     [[nodiscard]] const Cubic& cubic(double s, std::int32_t bucket_of_s) const {
       std::size_t j = buckets[bucket_of_s];
       j += static_cast<std::size_t>(cubics[j + 1].start <= s);  // a sum: no branch to mispredict
@@ -105,7 +105,7 @@ class VirginCurve {
     return c.force + t * (c.slope - t * (c.half_p + t * c.sixth_q));
   }
 
-  /// Its slope.
+  /// Slope of linear_force().
   [[nodiscard]] static double linear_slope(const Cubic& c, double s) {
     const double t = s - c.start;
     return c.slope - t * (2.0 * c.half_p + 3.0 * t * c.sixth_q);
@@ -117,12 +117,12 @@ class VirginCurve {
   void fill_buckets();
   [[nodiscard]] double power_law_deficit(double s) const;
 
-  std::vector<Cubic> cubics_;  // by rising start; a sentinel that starts nowhere ends it
+  std::vector<Cubic> cubics_;  // by rising start; a sentinel at infinity ends it
   std::vector<std::uint32_t>
       buckets_;  // last cubic that starts at or below the bucket's lower edge
   double buckets_per_newton_ = 0.0;
   double last_bucket_ = 0.0;
-  bool crowded_ = false;  // some bucket holds more than one knot
+  bool crowded_ = false;  // some bucket contains more than one knot
   std::vector<PowerLawCurve> power_laws_;
 };
 

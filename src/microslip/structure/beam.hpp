@@ -16,8 +16,8 @@ namespace microslip {
 
 /// The torsional spring k_θ, N m/rad, with which the first natural frequency of the beam is f₁;
 /// k_θ = k r² then measures the stiffness k of the contact. Not a search: the spring is minus the
-/// dynamic stiffness of the beam's end against rotation at ω = 2πf₁, which one march along the beam
-/// gives. What beam.tip_stiffness is does not matter.
+/// dynamic stiffness of the beam's end against rotation at ω = 2πf₁, which one march along the
+/// beam gives. beam.tip_stiffness is not used.
 /// @param beam             as check_beam() demands.
 /// @param first_frequency  f₁, Hz; at least that of the pinned beam (k_θ = 0), below that of the
 ///                         clamped one (k_θ = ∞).

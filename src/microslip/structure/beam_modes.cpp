@@ -24,8 +24,8 @@ using Eigen::MatrixXd;
 
 constexpr std::size_t kMostModes = 1000;
 
-/// Of two modes with wavenumbers this close, relative, each holds some of the other: rounding over
-/// the distance.
+/// Of two modes with wavenumbers this close, relative, each contains some of the other: rounding
+/// over the distance.
 constexpr double kClose = 1e-3;
 
 /// λ_i of the clamped–clamped beam without masses, from above: masses and a softer spring lower it.
@@ -105,10 +105,10 @@ class WavenumberSearch {
 
 // ---- Shapes and their integrals. ----
 
-using States = std::vector<BeamState>;  // a mode a row
+using States = std::vector<BeamState>;  // one row per mode
 
-/// ∫₀¹ of products of shapes or slopes by Gauss's rule of 10 points an element: the products are
-/// entire and change by factors of e⁴ at most, which it integrates to rounding.
+/// ∫₀¹ of products of shapes or slopes by Gauss's rule of 10 points per element: the products
+/// are entire and change by factors of e⁴ at most, which it integrates to rounding.
 class ShapeIntegrals {
  public:
   ShapeIntegrals(const BeamShooting& shooting, const std::vector<double>& wavenumbers)
@@ -121,8 +121,9 @@ class ShapeIntegrals {
     }
   }
 
-  /// The values of √weight·φ and √weight·φ′ (over L), a mode a column; the products of columns are
-  /// the integrals. The rows behind those of the shapes are √mass·φ at the masses.
+  /// The values of √weight·φ and √weight·φ′ (over L), one column per mode; the products
+  /// of columns are the integrals. The rows behind those of the shapes are √mass·φ at the
+  /// masses.
   void sample(const States& states) {
     const auto modes = static_cast<Index>(wavenumbers_.size());
     const std::size_t rows = shooting_.elements() * points_.size();
@@ -175,7 +176,7 @@ class ShapeIntegrals {
   MatrixXd slope_;
 };
 
-/// Takes out of each mode what rounding left in it of a mode with almost the same frequency.
+/// Removes from each mode the part that rounding left of a mode with almost the same frequency.
 /// @return  whether there was such a pair.
 bool separate_close_modes(const std::vector<double>& wavenumbers, const ShapeIntegrals& integrals,
                           States& states) {

@@ -60,7 +60,7 @@ class BeamModes {
   std::vector<double> wavenumbers_;      // λ_i, over L
   std::vector<double> nodes_;            // where the elements start, over L; L itself at the end
   std::vector<std::array<double, 4>>
-      states_;  // (φ, φ′/λ, φ″/λ², φ‴/λ³) behind each node, a mode a row
+      states_;  // (φ, φ′/λ, φ″/λ², φ‴/λ³) behind each node, one row per mode
 };
 
 }  // namespace microslip

@@ -50,9 +50,9 @@ double pivot_diagonal(const DuncanFunctions& k, const BeamState& before, const B
          k[3] * before[1] * behind[1];
 }
 
-/// The negative eigenvalues of the 2×2 dynamic stiffness at the node before an element, of all that
-/// lies before the node and the element with its end held. That stiffness is congruent to the
-/// symmetric XᵀT⁻¹X̂, which has no pole, and det T > 0.
+/// The negative eigenvalues of the 2×2 dynamic stiffness at the node before an element, of all
+/// that lies before the node and the element with its end clamped. That stiffness is congruent to
+/// the symmetric XᵀT⁻¹X̂, which has no pole, and det T > 0.
 std::size_t negative_pivots(const DuncanFunctions& k, const Pair& before, const Pair& behind) {
   const bool reversed =
       (displacement_determinant(before) < 0.0) != (displacement_determinant(behind) < 0.0);
@@ -203,7 +203,8 @@ double BeamShooting::matching_spring() const {
 void BeamShooting::solution(BeamState* states) const {
   const auto& [a, b] = nodes_.back().solutions;
   const auto [bending, spring] = shares();
-  // Two conditions on two coordinates, of which one is redundant: the one that says more is used.
+  // Two conditions on two coordinates, of which one is redundant: the better-conditioned one is
+  // used.
   std::array<double, 2> row = {a[0], b[0]};
   const std::array<double, 2> moments = {bending * a[2] + spring * a[1],
                                          bending * b[2] + spring * b[1]};

@@ -62,7 +62,7 @@ class BeamShooting {
   [[nodiscard]] const std::vector<Segment>& segments() const { return segments_; }
   [[nodiscard]] std::size_t elements() const { return nodes_.size() - 1; }
 
-  /// All that follows is of the last λ.
+  /// The functions below refer to the last λ.
   void march(double wavenumber);
 
   /// The number of natural frequencies below λ.
@@ -74,7 +74,7 @@ class BeamShooting {
   [[nodiscard]] double matching_spring() const;
   /// The solution that meets the conditions at L, at a natural frequency: its states behind each
   /// node, from the clamp to L. Of any scale, with w′(L) < 0.
-  /// @param states  one a node, elements() + 1.
+  /// @param states  one per node, elements() + 1.
   void solution(BeamState* states) const;
 
  private:

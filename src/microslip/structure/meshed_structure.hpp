@@ -11,8 +11,7 @@
 #include "microslip/structure/structural_matrices.hpp"
 
 /// @file
-/// A discretised structure and what sits on it: supports, points, joints between nodes or sets of
-/// nodes.
+/// A discretised structure with its supports, points, and joints between nodes or sets of nodes.
 
 namespace microslip {
 
@@ -31,29 +30,30 @@ struct MeshDirection {
   bool turns = false;              ///< about the axis, rad, in place of along it, m
 };
 
-/// What holds the nodes of a place together.
+/// Coupling of the nodes of a place.
 enum class Spider : std::uint8_t {
-  kAverage,  ///< nothing: the motion is that of the rigid body nearest to the nodes, and a force is
+  kAverage,  ///< none: the motion is that of the rigid body nearest to the nodes, and a force is
              ///< shared among them without stiffening anything
   kRigid,    ///< the nodes move as one rigid body
 };
 
 /// One or more nodes, or a row of the matrices.
 struct MeshPlace {
-  std::string name;                     ///< as messages call it: "set 'left'", "node 12"
+  std::string name;                     ///< name in messages: "set 'left'", "node 12"
   std::vector<std::int64_t> nodes;      ///< each once; empty where `row` is given
   std::optional<std::size_t> row = {};  ///< of the matrices, from 0, in place of nodes
   Spider spider = Spider::kAverage;     ///< of two nodes or more
-  /// Where of the body that the nodes form, m; their centre where it is left out.
+  /// Position on the body that the nodes form, m; their centre where it is left out.
   std::optional<Vector3> at = {};
 };
 
-/// Nodes that are held.
+/// Supported nodes.
 struct MeshSupport {
-  std::string name;                    ///< as messages call it
+  std::string name;                    ///< name in messages
   std::vector<std::int64_t> nodes;     ///< may be empty
   std::vector<std::size_t> rows = {};  ///< of the matrices, from 0
-  /// Which directions of the nodes, in the order of NodalDirection; those they lack are none.
+  /// Supported directions of the nodes, in the order of NodalDirection; directions they lack are
+  /// ignored.
   std::array<bool, kNodalDirections> held = {true, true, true, true, true, true};
 };
 
@@ -73,8 +73,8 @@ struct MeshJoint {
   double stiffness = 0.0;              ///< k of the stuck joint, N/m (N m/rad where it turns); > 0
 };
 
-/// A motion of all that is held, by 1 along a direction, and of the whole structure with it: what a
-/// shaker table does. Joints and springs to the ground end on it.
+/// A motion of all supports, by 1 along a direction, and of the whole structure with them, as on a
+/// shaker table. Joints and springs to the ground end on it.
 struct MeshBase {
   std::string name;              ///< not empty; no two the same, and not that of a point
   MeshDirection direction = {};  ///< along it; without meaning where rows are given
@@ -84,19 +84,20 @@ struct MeshBase {
 
 /// The joints while modes are computed.
 enum class JointsInModes : std::uint8_t {
-  kFree,   ///< not there: the modes are of what is left, and a loss factor is of its material
+  /// Absent: the modes are of the remaining structure, and a loss factor is of its material.
+  kFree,
   kStuck,  ///< springs of their k: the modes, and losses, of a test at small amplitudes
 };
 
-/// Of a model: more are no reduction.
+/// The most modes of a model: more are no reduction.
 inline constexpr std::size_t kMostModes = 5000;
 
-/// All of it.
+/// A discretised structure with its supports, points, bases and joints.
 struct MeshedStructure {
   StructuralMatrices matrices;             ///< without the joints
   std::vector<MeshNode> nodes = {};        ///< those whose position is known
-  std::vector<MeshSupport> supports = {};  ///< what is held
-  std::vector<MeshPoint> points = {};      ///< what is driven or measured
+  std::vector<MeshSupport> supports = {};  ///< supported nodes
+  std::vector<MeshPoint> points = {};      ///< driven or measured motions
   std::vector<MeshBase> bases = {};        ///< that may be shaken
   std::vector<MeshJoint> joints = {};      ///< between places, or a place and the ground
 };

@@ -32,7 +32,7 @@ void check_values(std::string_view what, const std::string& whose,
   }
 }
 
-/// What is there, for messages.
+/// The available names, for messages.
 template <class Named>
 std::string names_of(std::span<const Named> named) {
   std::string text;

@@ -19,18 +19,19 @@ struct Mode {
 /// A place of the structure and a direction there, by the share of each mode in its displacement.
 struct ModalPoint {
   std::string name;           ///< not empty; no two the same in a model
-  std::vector<double> shape;  ///< φ_i, mass-normalised, kg^−½; one a mode
+  std::vector<double> shape;  ///< φ_i, mass-normalised, kg^−½; one per mode
 };
 
-/// A motion of all supports together, as a shaker table makes it. Modes tell then of the motion
+/// A motion of all supports together, as a shaker table makes it. Modes then describe the motion
 /// relative to it: a rigid motion r by 1 of the supports, with the whole structure on them.
 struct ModalBase {
   std::string name;                   ///< not empty; no two the same, and not that of a point
-  std::vector<double> participation;  ///< Γ_i = φ_iᵀ M r, kg^½; one a mode
-  std::vector<double> point_motion;   ///< r at each point, 1; one a point of the model
+  std::vector<double> participation;  ///< Γ_i = φ_iᵀ M r, kg^½; one per mode
+  std::vector<double> point_motion;   ///< r at each point, 1; one per point of the model
 };
 
-/// How a loss factor acts off the natural frequency; at it the two are the same.
+/// Frequency dependence of the damping of a loss factor; at the natural frequency the two are the
+/// same.
 enum class DampingLaw {
   kViscous,     ///< η_i ω_i q̇_i: i η_i ω_i ω q_i in a harmonic of ω
   kHysteretic,  ///< i η_i ω_i² q_i in each harmonic, whatever its ω
@@ -49,14 +50,14 @@ class ModalModel {
  public:
   /// @param modes   at least one, in any order.
   /// @param points  names not empty and no two the same; may be none.
-  /// @param bases   the same; may be none.
+  /// @param bases   names not empty and no two the same; may be none.
   /// @param static_modes  how many of the modes, the last, are no vibrations: they stand for the
   ///                      static flexibility of those that are left out. Fewer than all.
   /// @throws InputError  naming the mode, the point or the base and the rule it breaks.
   ModalModel(std::vector<Mode> modes, std::vector<ModalPoint> points,
              std::vector<ModalBase> bases = {}, std::size_t static_modes = 0);
 
-  /// The same places of a structure with as many other modes.
+  /// A model with the same points and bases and the same number of other modes.
   /// @throws InputError  as the constructor.
   [[nodiscard]] ModalModel with_modes(std::vector<Mode> modes) const;
 
@@ -72,18 +73,18 @@ class ModalModel {
   [[nodiscard]] std::span<const ModalPoint> points() const { return points_; }
   /// The bases, in the order given.
   [[nodiscard]] std::span<const ModalBase> bases() const { return bases_; }
-  /// Whether a base has this name: what acts there is an acceleration, m/s², and no force.
+  /// Whether a base has this name: its load is an acceleration, m/s², and no force.
   [[nodiscard]] bool is_base(std::string_view place) const;
 
   /// r of a point: how far it moves with a base that moves by 1; 0 where `place` is no base.
   /// @throws InputError  naming the points there are, where the point is missing.
   [[nodiscard]] double carried(std::string_view point, std::string_view place) const;
 
-  /// φ_i(point), one a mode.
+  /// φ_i(point), one per mode.
   /// @throws InputError  naming the points there are, where it is missing.
   [[nodiscard]] std::span<const double> shape(std::string_view point) const;
 
-  /// What 1 N at a point, or 1 m/s² of a base, does to the modes: φ_i(point), or −Γ_i(base).
+  /// Modal load of 1 N at a point, or of 1 m/s² of a base: φ_i(point), or −Γ_i(base).
   /// @throws InputError  naming the points and bases there are, where it is missing.
   [[nodiscard]] std::span<const double> load(std::string_view place) const;
 

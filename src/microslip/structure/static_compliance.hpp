@@ -8,9 +8,9 @@
 
 namespace microslip {
 
-/// Σ φ_i²/ω_i² of those of some modes that are elastic, m/N: what they give way by at a place under
-/// a constant force there.
-/// @param modes  any. @param shape  φ at the place, one a mode.
+/// Σ φ_i²/ω_i² over the elastic modes, m/N: their static compliance at a place, the
+/// displacement there under a constant unit force.
+/// @param modes  any. @param shape  φ at the place, one per mode.
 [[nodiscard]] inline double static_compliance(std::span<const Mode> modes,
                                               std::span<const double> shape) {
   double sum = 0.0;

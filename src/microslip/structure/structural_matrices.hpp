@@ -17,8 +17,8 @@ namespace microslip {
 struct SymmetricEntries {
   std::size_t size = 0;              ///< rows, and columns
   std::vector<std::int32_t> row;     ///< from 0
-  std::vector<std::int32_t> column;  ///< from 0, ≤ row; one an entry
-  std::vector<double> value;         ///< finite; one an entry
+  std::vector<std::int32_t> column;  ///< from 0, ≤ row; one per entry
+  std::vector<double> value;         ///< finite; one per entry
 };
 
 /// The largest matrix that is taken, rows: indices are of 32 bits, and a factor needs more.
@@ -33,7 +33,7 @@ inline constexpr std::size_t kNodalDirections = 6;  ///< how many there are
 inline constexpr std::array<std::string_view, kNodalDirections> kNodalDirectionNames = {
     "x", "y", "z", "rx", "ry", "rz"};
 
-/// What a row of the matrices belongs to.
+/// Degree of freedom of a row of the matrices.
 struct DegreeOfFreedom {
   std::int64_t node = 0;                          ///< its number in the mesh
   NodalDirection direction = NodalDirection::kX;  ///< translation, m, or rotation, rad
@@ -46,7 +46,7 @@ struct DegreeOfFreedom {
 struct StructuralMatrices {
   SymmetricEntries stiffness;  ///< K, N/m (N m/rad of rotations); n × n
   SymmetricEntries mass;       ///< M, kg (kg m² of rotations); n × n
-  /// One a row; empty where it is not known whose the rows are.
+  /// One per row; empty where the degrees of freedom are not known.
   std::vector<DegreeOfFreedom> degrees = {};
 };
 
