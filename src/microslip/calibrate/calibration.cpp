@@ -20,7 +20,7 @@ namespace {
 /// Of the frequency of a level over that of its mode with all joints stuck.
 constexpr double kLeastFrequencyRatio = 0.2;
 constexpr double kMostFrequencyRatio = 2.0;
-/// For the progress: as many passes are usual.
+/// For the progress: the usual number of passes.
 constexpr std::size_t kUsualPasses = 40;
 
 void check_sought(const JointedStructure& structure, const std::vector<std::size_t>& sought) {
@@ -79,7 +79,7 @@ void check_frequencies(const JointedStructure& structure, const ModalLevels& lev
   }
 }
 
-/// A joint that stands still in all modes that were measured shows nothing of itself.
+/// A joint that stands still in all measured modes cannot be identified.
 void check_motion(const JointedStructure& structure, const std::vector<std::size_t>& sought,
                   const ModalLevels& levels) {
   for (const std::size_t j : sought) {

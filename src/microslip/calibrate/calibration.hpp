@@ -27,32 +27,33 @@ namespace microslip {
 /// Prior and posterior as invert_records(): roughness of each ψ_j with a λ of its own, drawn with
 /// the scatter of losses and frequencies. The draws are of the problem linear about the solution,
 /// the estimate is their mean.
-/// @param structure  with all joints; springs without slip in place of those that are sought.
+/// @param structure  with all joints; with springs without slip for the joints sought.
 /// @param sought     their indices; not empty.
 /// @param response   the point where the displacements of the levels were measured.
 /// @param levels     at least kFewestModalLevels.
 /// @param options    how it is solved.
 /// @throws InputError  naming the joint, level or option that breaks a rule.
-/// @throws Cancelled   as the progress callback says.
+/// @throws Cancelled   when the progress callback returns false.
 [[nodiscard]] CalibrationResult calibrate(const JointedStructure& structure,
                                           const std::vector<std::size_t>& sought,
                                           const std::string& response, const ModalLevels& levels,
                                           const CalibrationOptions& options = {});
 
-/// What a calibration gives reason to say:
+/// Warnings of a calibration:
 ///   * `levels_not_found`      the structure has no resonance at the displacement of a level;
-///   * `known_only_together`   two joints work alike in all levels;
-///   * `joint_not_seen`        the levels tell next to nothing of a joint, or its loss
-///                             is not told from 0 in any of them;
-///   * `frequency_offset`      the modes of the structure are off by more than joints explain;
-///   * `frequency_unexplained` frequencies scatter about those of the joints found more than they
-///                             are known;
-///   * `scatter_large`         losses scatter about what was found more than a usable measurement,
-///                             or than was said;
-///   * `level_outlier`         the loss of a level is far off, beside the scatter of the others;
-///   * `std_ignored`           standard deviations that not every level, or every loss, has;
-///   * `sensor_contradicts`    a joint moves otherwise than its sensor shows.
-/// @param result  of calibrate(). @param levels  that it was found from.
+///   * `known_only_together`   two joints contribute alike to all levels;
+///   * `joint_not_seen`        the levels hardly determine a joint, or its loss is not
+///                             distinguishable from 0 in any of them;
+///   * `frequency_offset`      the modes of the structure deviate by more than joints explain;
+///   * `frequency_unexplained` frequencies scatter about those of the identified joints by more
+///                             than their accuracy;
+///   * `scatter_large`         losses scatter about the fit more than a usable measurement, or than
+///                             stated;
+///   * `level_outlier`         the loss of a level deviates far more than the scatter of the
+///                             others;
+///   * `std_ignored`           standard deviations given for some levels, or some losses, only;
+///   * `sensor_contradicts`    a joint moves differently from its sensor.
+/// @param result  of calibrate(). @param levels  that were calibrated.
 /// @param names   of these: see CalibrationOptions::level_names.
 [[nodiscard]] std::vector<Warning> diagnose(const CalibrationResult& result,
                                             const ModalLevels& levels,

@@ -17,29 +17,28 @@
 namespace microslip {
 namespace {
 
-/// A joint of whose density the levels took less than this share of the variance everywhere is not
-/// seen.
+/// A joint is not seen where the variance reduction of its density is below this everywhere.
 constexpr double kLeastTold = 0.5;
-/// A loss that is at no level so many of its standard deviations off 0 may as well be none: a loss
-/// that is not there comes out at 2 of them, as it cannot be negative.
+/// A loss less than so many of its standard deviations above 0 at all levels may as well be none:
+/// the estimate of a zero loss is 2 of them, as it cannot be negative.
 constexpr double kLeastLossTold = 3.0;
 /// Offsets of the frequencies beyond this are more than a model and a test usually differ by.
 constexpr double kLargeOffset = 0.01;
-/// Scatter of losses: relative, and over the deviations that were told.
+/// Scatter of losses: relative, and over the given deviations.
 constexpr double kLargeScatter = 0.15;
 constexpr double kLargeScatterRatio = 3.0;
 /// Losses without deviations scatter by this at least, relative.
 constexpr double kLeastScatter = 1e-3;
 /// Median of |N(0, 1)|.
 constexpr double kMedianOfNormal = 0.6745;
-/// In so many of all calibrations a level is called an outlier that is none.
+/// Share of all calibrations in which a level is falsely called an outlier.
 constexpr double kByChance = 1e-3;
-/// Of frequencies, relative: softening of joints is known better than that.
+/// Scatter of frequencies, relative: the softening of joints is known better than that.
 constexpr double kLargeFrequencyScatter = 5e-4;
 /// A sensor and the structure may differ by this share of the amplitude.
 constexpr double kSensorShare = 0.1;
 
-/// What levels are called.
+/// Names of the levels.
 class LevelNames {
  public:
   explicit LevelNames(const std::vector<std::string>& names) : names_(names) {}
@@ -106,7 +105,7 @@ void warn_of_unseen(const CalibrationResult& result, std::vector<Warning>& warni
   for (std::size_t j = 0; j < result.joints.size(); ++j) {
     const CalibratedJoint& joint = result.joints[j];
     const double most = std::ranges::max(joint.told);
-    if (known_only_together(result, j)) continue;  // which says more
+    if (known_only_together(result, j)) continue;  // has a warning of its own
     if (joint.loss_told < kLeastLossTold) {
       warnings.push_back(
           {"joint_not_seen",
@@ -136,7 +135,7 @@ void warn_of_offsets(const CalibrationResult& result, std::vector<Warning>& warn
   }
 }
 
-/// "level 3 has 10 times the loss found".
+/// "level 3 has 10 times the fitted loss".
 std::string worst_level(const CalibrationResult& result, const LevelNames& names) {
   double worst = 0.0;
   std::size_t where = 0;
@@ -168,8 +167,8 @@ void warn_of_scatter(const CalibrationResult& result, const LevelNames& names,
   }
 }
 
-/// Levels whose loss is far off what the other ones scatter by: their median tells it, which one or
-/// two of many do not move. Corrected for the freedom that the densities took.
+/// Levels whose loss deviates by far more than the scatter of the others, which is their median:
+/// one or two of many do not move it. Corrected for the degrees of freedom of the densities.
 void warn_of_outliers(const CalibrationResult& result, const LevelNames& names,
                       std::vector<Warning>& warnings) {
   std::vector<double> sizes;

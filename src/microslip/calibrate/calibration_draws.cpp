@@ -9,7 +9,7 @@
 namespace microslip {
 namespace {
 
-/// Draws of the prior: as its variance needs, no more.
+/// Draws of the prior: as many as its variance needs.
 constexpr std::size_t kPriorDraws = 400;
 
 /// Where a joint has edges in any of the states, m.
@@ -23,7 +23,7 @@ std::vector<double> all_edges(const std::vector<WeighedState>& states, std::size
   return all;
 }
 
-/// Coefficients by which all states can be told: of each joint those of a state that goes on as a
+/// Coefficients that can represent all states: for each joint those of a state that continues as a
 /// power law, whose knots are the finest, and the edges of all.
 AllUnknowns common_unknowns(const std::vector<WeighedState>& states) {
   const AllUnknowns& first = states.front().state.unknowns;

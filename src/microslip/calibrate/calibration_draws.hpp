@@ -10,16 +10,16 @@
 #include "microslip/calibrate/growing_range.hpp"
 
 /// @file
-/// Draws of all exponents in the same terms. Internal to calibrate.
+/// Draws of all exponents in common coefficients. Internal to calibrate.
 
 namespace microslip {
 
-/// Coefficients that draws have in common, and the draws. Those of one exponent are spread evenly
-/// over all.
+/// Common coefficients of the draws, and the draws. Those of one exponent are spread evenly over
+/// all.
 struct CalibrationDraws {
   AllUnknowns unknowns;
   std::vector<Eigen::VectorXd> posterior = {};
-  std::vector<Eigen::VectorXd> prior = {};  ///< of what is possible without the levels
+  std::vector<Eigen::VectorXd> prior = {};  ///< without the levels
 
   /// Mean of the posterior.
   [[nodiscard]] Eigen::VectorXd mean() const;

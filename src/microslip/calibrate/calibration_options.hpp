@@ -13,37 +13,37 @@
 
 namespace microslip {
 
-/// What frequencies of levels are taken for.
+/// Use of the frequencies of levels.
 enum class FrequencyUse {
-  /// Their change over the levels of each mode in each session: the structure may be off by an
+  /// Their change over the levels of each mode in each session: the structure may have a frequency
   /// offset.
   kChange,
-  kAbsolute,  ///< themselves: the modes of the structure are exact
+  kAbsolute,  ///< their values: the modes of the structure are exact
   kIgnore,    ///< nothing
 };
 
 /// "change", "absolute", "ignore".
 [[nodiscard]] std::string_view to_string(FrequencyUse use);
 
-/// The least number of levels that calibrate() takes for each joint that it seeks.
+/// The least number of levels that calibrate() needs per joint sought.
 inline constexpr std::size_t kFewestModalLevels = 4;
 
-/// How calibrate() solves.
+/// Options of calibrate().
 struct CalibrationOptions {
   FrequencyUse frequency = FrequencyUse::kChange;  ///< how frequencies are used
-  /// Finds k of the joints too; needs FrequencyUse::kAbsolute.
+  /// Identifies k of the joints too; needs FrequencyUse::kAbsolute.
   bool fit_stiffness = false;
   /// Takes the displacements of the joints from the shapes of the stuck structure. For comparison:
   /// shapes change as joints slip.
   bool stuck_shapes = false;
   /// Seeks slip forces at which a density jumps; 20 levels for each joint are needed.
   bool edges = true;
-  HarmonicBalanceOptions balance = {};  ///< harmonics and what drives
+  HarmonicBalanceOptions balance = {};  ///< harmonics and excitation
   int coefficients = 40;                ///< of the density of each joint; ≥ 10
   std::size_t draws = 1000;             ///< of the posterior; ≥ 100
   double confidence = 0.95;             ///< of the bands, in (0, 1)
   std::uint64_t seed = 1;               ///< of the draws
-  /// What warnings call each level; empty: "level 3", by their order from 1.
+  /// Names of the levels in warnings; empty: "level 3", by their order from 1.
   std::vector<std::string> level_names = {};
   Progress progress = {};                      ///< of all the work
   Execution execution = Execution::threads();  ///< of the levels

@@ -29,8 +29,8 @@ Estimate band_of(std::vector<double> values, double confidence) {
   return {mean, lower, upper};
 }
 
-/// Losses of joints lie between 0 and what all lose together: where one has next to nothing, draws
-/// of it press against 0 and those of another against the sum. The shortest interval holds both
+/// Losses of joints lie between 0 and what all lose together: where one has almost none, draws of
+/// it press against 0 and those of another against the sum. The shortest interval contains both
 /// ends; the least draw of a loss that may be 0 stands for 0.
 std::pair<double, double> band_of_loss(std::vector<double> values, double confidence) {
   auto [lower, upper] = shortest_interval(values, confidence);
@@ -38,7 +38,7 @@ std::pair<double, double> band_of_loss(std::vector<double> values, double confid
   return {lower, upper};
 }
 
-/// Sums of what a linear map makes of draws, for their variance.
+/// Sums of a linear map of draws, for their variance.
 class Spread {
  public:
   explicit Spread(Eigen::Index size)
@@ -205,7 +205,7 @@ void read_vibration(const CalibrationEvidence& evidence, const LevelStates& stat
   told.measured_dissipation = measured.value;
   if (measured.deviation > 0.0) told.measured_dissipation_std = measured.deviation;
   if (!std::isnan(told.measured_dissipation)) return;
-  told.measured_dissipation = 0.0;  // of the parts, or not a number where one is missing
+  told.measured_dissipation = 0.0;  // of the parts, or NaN where one is missing
   for (const std::size_t column : evidence.column) {
     told.measured_dissipation +=
         column == CalibrationEvidence::kNone
@@ -276,7 +276,8 @@ Moments moments_of(const std::vector<double>& a, const std::vector<double>& b) {
           product > 0.0 ? ab / product : 0.0};
 }
 
-/// Which two joints share their losses as they like. @param losses  [level][joint][draw].
+/// Finds pairs of joints whose individual losses are not determined. @param
+/// losses  [level][joint][draw].
 void read_pairs(const std::vector<std::vector<std::vector<double>>>& losses,
                 CalibrationResult& result) {
   for (std::size_t first = 0; first < result.joints.size(); ++first) {
@@ -288,7 +289,7 @@ void read_pairs(const std::vector<std::vector<std::vector<double>>>& losses,
         const Moments m = moments_of(level[first], level[second]);
         if (!(m.mean_first > 0.0 && m.mean_second > 0.0)) continue;
         correlation.push_back(m.correlation);
-        // Of the joint that is known better than the other: a small share is never known well.
+        // The better known of the two: a small share is never known well.
         alone.push_back(std::min(m.first / m.mean_first, m.second / m.mean_second));
         together.push_back(m.sum / (m.mean_first + m.mean_second));
       }
@@ -302,8 +303,8 @@ void read_pairs(const std::vector<std::vector<std::vector<double>>>& losses,
   }
 }
 
-/// Of three and more joints that work alike no pair is known together, as the others take the
-/// rest: each against the sum of all.
+/// Of three and more joints that contribute alike no pair is known together, as the others take the
+/// rest: compares each with the sum of all.
 void read_groups(const std::vector<std::vector<std::vector<double>>>& losses,
                  CalibrationResult& result) {
   for (std::size_t joint = 0; joint < result.joints.size(); ++joint) {
@@ -326,7 +327,7 @@ void read_groups(const std::vector<std::vector<std::vector<double>>>& losses,
   }
 }
 
-/// How far the loss of each joint is off 0 where it is known best.
+/// The loss of each joint over its standard deviation, where that is largest.
 /// @param losses  [level][joint][draw].
 void read_loss_told(const std::vector<std::vector<std::vector<double>>>& losses,
                     CalibrationResult& result) {
@@ -340,7 +341,7 @@ void read_loss_told(const std::vector<std::vector<std::vector<double>>>& losses,
   }
 }
 
-/// Mean over the levels of the mode and session of each level of what their frequencies are off by.
+/// Mean over the levels of the mode and session of each level of their frequency offsets.
 void read_offsets_of_levels(const ModalLevels& levels, const std::vector<double>& errors,
                             CalibrationResult& result) {
   for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -355,7 +356,7 @@ void read_offsets_of_levels(const ModalLevels& levels, const std::vector<double>
   }
 }
 
-/// Mean over the levels of each mode of what their frequencies are off by.
+/// Mean over the levels of each mode of their frequency offsets.
 void read_offsets(const CalibrationEvidence& evidence, const LevelStates& states,
                   CalibrationResult& result) {
   const std::size_t modes = states.structure().linear().vibrations();
@@ -385,7 +386,7 @@ double loss_deviation(const LevelDeviations& deviations) {
   return std::sqrt(variance);
 }
 
-/// Residuals over what they scatter by, and in `change` less the offset of their mode.
+/// Residuals over their scatter, and in `change` minus the offset of their mode.
 void read_residuals(const CalibrationEvidence& evidence, std::size_t level, double error,
                     const LevelDeviations& deviations, CalibrationResult& result) {
   CalibratedLevel& told = result.levels[level];
@@ -398,7 +399,7 @@ void read_residuals(const CalibrationEvidence& evidence, std::size_t level, doub
   told.frequency_residual = error / (deviations.frequency * result.frequency_scatter);
 }
 
-/// What the loss of a level scatters by, J; without the error of its displacement.
+/// Standard deviation of the loss of a level, J; without the error of its displacement.
 double loss_noise(const CalibrationEvidence& evidence, std::size_t level,
                   const SteadyVibration& vibration, const CalibrationResult& result) {
   const CalibratedLevel& told = result.levels[level];
@@ -423,11 +424,11 @@ double loss_noise(const CalibrationEvidence& evidence, std::size_t level,
   return std::sqrt(variance);
 }
 
-/// No draw of a density above 0 has a loss of 0, however little is told of it: the band of a loss
-/// that is within the error of a level goes on to 0. Where one joint may have none, the others may
-/// have all, up to the error of the sum.
+/// No draw of a density above 0 has a loss of 0, however little the levels determine it: the band
+/// of a loss that is within the error of a level extends to 0. Where one joint may have none, the
+/// others may have all, up to the error of the sum.
 /// @param sought        joints of the structure that were found, and their losses without slip, J.
-/// @param above         by how much the loss of all joints together may be more than found, J.
+/// @param above         by how much the loss of all joints together may exceed the estimate, J.
 void open_bands(const std::vector<std::pair<std::size_t, double>>& sought,
                 const LevelDeviations& deviations, double above, const CalibrationResult& result,
                 CalibratedLevel& told) {
@@ -452,8 +453,7 @@ void open_bands(const std::vector<std::pair<std::size_t, double>>& sought,
   }
 }
 
-/// By how much the upper end of the band of the loss of all joints that were found is above its
-/// mean.
+/// Upper end of the band of the loss of all identified joints, above its mean.
 /// @param losses  [joint][draw], J.
 double above_the_sum(const std::vector<std::vector<double>>& losses, double confidence) {
   std::vector<double> sum(losses.front().size(), 0.0);
@@ -499,7 +499,7 @@ void read_calibration(const CalibrationEvidence& evidence, const CalibrationOpti
   states.set_joints(joints);
   std::vector<std::size_t> all(evidence.levels.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  std::vector<std::size_t> left_out;  // of the fit: what is found of them now is not to be believed
+  std::vector<std::size_t> left_out;  // of the fit: their results now are not reliable
   for (const std::size_t level : all) {
     if (!states.at(level)) left_out.push_back(level);
   }

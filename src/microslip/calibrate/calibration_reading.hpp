@@ -6,12 +6,12 @@
 #include "microslip/calibrate/growing_range.hpp"
 
 /// @file
-/// From what was settled to what is told of it. Internal to calibrate.
+/// Results of a calibration from its settled state. Internal to calibrate.
 
 namespace microslip {
 
-/// Draws the posterior, and reads joints, levels and what cannot be told apart from the draws. The
-/// states are solved once more with the joints that come of it.
+/// Draws the posterior, and computes joints, levels and joints known only together from the draws.
+/// The states are solved once more with the resulting joints.
 void read_calibration(const CalibrationEvidence& evidence, const CalibrationOptions& options,
                       const CalibratedState& state, GrowingRange& range, LevelStates& states,
                       CalibrationResult& result);

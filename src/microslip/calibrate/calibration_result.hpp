@@ -18,7 +18,7 @@ struct DensityEdge {
   double deviation = 0.0;   ///< its standard deviation, N
 };
 
-/// A joint that was found.
+/// An identified joint.
 struct CalibratedJoint {
   std::string name;                            ///< of the joint in the structure
   std::size_t index = 0;                       ///< among the joints of the structure
@@ -28,15 +28,16 @@ struct CalibratedJoint {
   std::vector<double> lower = {};              ///< of its band
   std::vector<double> upper = {};              ///< of its band
   DensityBand band = {};                       ///< of φ at f* = k x*, 1/N
-  /// Share of the prior's variance of ψ that the levels took, at the knots, 1: 0 where they tell
-  /// nothing of this joint, 1 where they tell all.
+  /// Variance reduction: share of the prior's variance of ψ that the levels remove, at the knots,
+  /// 1: 0 where they do not determine this joint, 1 where they determine it fully.
   std::vector<double> told = {};
-  /// Its loss over the standard deviation of it over the draws, 1, at the level where that is most.
+  /// Its loss over the standard deviation of that over the draws, 1, at the level where it is
+  /// largest.
   double loss_told = 0.0;
   Estimate stiffness = {};              ///< k, N/m
-  Estimate elastic_stiffness = {};      ///< K_e, N/m: what does not slip within the levels
-  std::vector<DensityEdge> edges = {};  ///< rising; the draws have theirs as far off as they may be
-  /// By what −2 ln of the likelihood falls with all of them, 1; 17 and more each.
+  Estimate elastic_stiffness = {};      ///< K_e, N/m: the part that does not slip within the levels
+  std::vector<DensityEdge> edges = {};  ///< rising; those of the draws vary by their uncertainty
+  /// Decrease of −2 ln of the likelihood by all of them, 1; 17 and more each.
   double edges_evidence = 0.0;
   double exponent = 0.0;               ///< χ₀ of the prior
   double edf = 0.0;                    ///< effective degrees of freedom of its density
@@ -52,52 +53,54 @@ struct JointAtLevel {
   Estimate dissipation = {};        ///< D, J
 };
 
-/// A level as measured and as found.
+/// A level as measured and as fitted.
 struct CalibratedLevel {
   bool found = false;               ///< whether the structure has the resonance
-  double frequency = 0.0;           ///< of the structure with the joints found, Hz
+  double frequency = 0.0;           ///< of the structure with the identified joints, Hz
   double measured_frequency = 0.0;  ///< Hz; NaN without
-  /// What those of its mode and session are off by, relative, the mean; NaN without.
+  /// Mean frequency offset of its mode and session, relative; NaN without.
   double frequency_offset = std::numeric_limits<double>::quiet_NaN();
   double dissipation = 0.0;               ///< of all joints together, J
-  double measured_dissipation = 0.0;      ///< J; of ζ less the loss of the structure
+  double measured_dissipation = 0.0;      ///< J; of ζ minus the loss of the structure
   double measured_dissipation_std = 0.0;  ///< J; NaN where it was not given
-  /// What D of the level scatters by, J: σ where all are known, times what losses scatter by over
-  /// it where that is above 1; else that share of D or, of ζ, of the loss of structure and joints.
-  /// NaN where the level was not found.
+  /// Standard deviation of D of the level, J: σ where all are known, times the scatter of the
+  /// losses over it where that is above 1; else the relative scatter times D or, for ζ, times the
+  /// loss of structure and joints. NaN where the level was not found.
   double loss_noise = std::numeric_limits<double>::quiet_NaN();
-  double damping_ratio = 0.0;          ///< ζ of structure and joints, 1
-  double residual = 0.0;               ///< of the dissipation, over its standard deviation, 1
-  double frequency_residual = 0.0;     ///< likewise; NaN without
-  std::vector<JointAtLevel> joints{};  ///< one a joint of the structure
+  double damping_ratio = 0.0;  ///< ζ of structure and joints, 1
+  double residual = 0.0;       ///< of the dissipation, over its standard deviation, 1
+  /// Of the frequency, over its standard deviation, 1; NaN without.
+  double frequency_residual = 0.0;
+  std::vector<JointAtLevel> joints{};  ///< one per joint of the structure
 };
 
-/// Two joints that the levels hardly tell apart.
+/// Two joints that the levels hardly distinguish.
 struct JointPair {
-  std::size_t first = 0;         ///< among the joints found
-  std::size_t second = 0;        ///< among the joints found
+  std::size_t first = 0;         ///< among the identified joints
+  std::size_t second = 0;        ///< among the identified joints
   double correlation = 0.0;      ///< of their D over the draws, median of the levels, 1
   double spread_alone = 0.0;     ///< of D of the better known, relative, median of the levels, 1
-  double spread_together = 0.0;  ///< of the sum of both, likewise
-  /// The sum is known some times better than either: only that is to be believed.
+  double spread_together = 0.0;  ///< of D of both together, relative, median of the levels, 1
+  /// The sum is known several times better than either: only the sum is reliable.
   bool known_only_together = false;
 };
 
-/// What calibrate() found.
+/// Result of calibrate().
 struct CalibrationResult {
   std::vector<CalibratedJoint> joints = {};  ///< those that were sought, in the structure's order
   std::vector<CalibratedLevel> levels = {};  ///< in the order given
-  std::vector<JointPair> pairs = {};         ///< every two joints found
-  /// Of three joints found and more: those whose loss is known far less well than that of all.
+  std::vector<JointPair> pairs = {};         ///< all pairs of identified joints
+  /// With three or more identified joints: those whose loss is known far less well than that of
+  /// all.
   std::vector<std::size_t> known_in_sum = {};
-  /// What frequencies are off by in each mode, relative, the mean of its levels; NaN for
-  /// modes without frequencies.
+  /// Mean frequency offset of each mode, relative; NaN for modes without frequencies.
   std::vector<double> frequency_offset = {};
-  double loss_scatter = 0.0;           ///< of the losses: over σ where given, else relative
-  double frequency_scatter = 0.0;      ///< of the frequencies, likewise; 0 without
+  double loss_scatter = 0.0;  ///< of the losses: over σ where given, else relative
+  /// Of the frequencies: over σ where given, else relative; 0 without.
+  double frequency_scatter = 0.0;
   bool loss_std_given = false;         ///< whether σ of all losses was known
   bool frequency_std_given = false;    ///< whether σ of all frequencies was known
-  bool edges_sought = false;           ///< whether the levels were enough, and it was asked for
+  bool edges_sought = false;           ///< whether edges were requested and the levels sufficient
   double edf = 0.0;                    ///< effective degrees of freedom of all densities together
   double confidence = 0.0;             ///< of the bands
   std::vector<Warning> warnings = {};  ///< see diagnose()

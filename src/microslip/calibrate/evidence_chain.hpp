@@ -10,11 +10,11 @@
 #include "microslip/calibrate/linear_evidence.hpp"
 
 /// @file
-/// Draws of what levels and prior leave possible. Internal to calibrate.
+/// Draws from the posterior of levels and prior. Internal to calibrate.
 
 namespace microslip {
 
-/// What is drawn, and how often.
+/// Number and random stream of the draws of a chain.
 struct ChainLength {
   std::size_t draws = 0;
   std::uint64_t seed = 0;
@@ -33,7 +33,7 @@ void draw_evidence(const NormalEquations& equations, const SettledEvidence& sett
                    const std::array<double, kRowKinds.size()>& least, const ChainLength& length,
                    const std::function<void(const Eigen::VectorXd&)>& keep);
 
-/// Draws of the prior alone, at the settled λ: what is possible before the levels.
+/// Draws of the prior alone, at the settled λ.
 void draw_prior(const NormalEquations& equations, const SettledEvidence& settled,
                 const ChainLength& length, const std::function<void(const Eigen::VectorXd&)>& keep);
 

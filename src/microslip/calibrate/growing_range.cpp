@@ -26,18 +26,20 @@ constexpr std::size_t kFirstOfJoint = 6;
 /// Passes over one range: the first from far away, the others follow their range closely.
 constexpr int kFirstPasses = 3;
 constexpr int kRangePasses = 2;
-/// Of a step that makes levels fit worse.
+/// Halvings of a step that makes levels fit worse.
 constexpr int kMostHalvings = 5;
-/// Passes that try an exponent: enough that its joints belong to their amplitudes.
+/// Passes that try an exponent: enough for its joints to match their amplitudes.
 constexpr int kTrialPasses = 2;
 constexpr int kMostPasses = 30;
-/// Passes after which λ and τ are kept: where two pairs of them are as likely they may take turns.
+/// Passes after which λ and τ are kept: where two pairs of them are equally likely they may
+/// alternate.
 constexpr int kPassesOfWeights = 8;
-/// Largest relative change of an amplitude that counts as none: far below what levels tell of it.
+/// Largest relative change of an amplitude that counts as none: far below its uncertainty.
 constexpr double kSmallestChange = 1e-5;
-/// The same before exponents are compared: a tenth of what levels tell of it.
+/// The same before exponents are compared: a tenth of its uncertainty.
 constexpr double kSteady = 1e-3;
-/// χ₀ that are tried beside 0, and what their −2 ln likelihood must gain, as for records.
+/// χ₀ that are tried beside 0, and the required gain of their −2 ln likelihood, as for
+/// records.
 constexpr std::array kTriedExponents = {-0.25, -0.5, -0.75};
 constexpr std::array kAllExponents = {0.0, -0.25, -0.5, -0.75};
 constexpr double kStrongEvidence = 6.0;
@@ -46,7 +48,7 @@ constexpr std::array kDrawnExponents = {0.0, -0.125, -0.25, -0.375, -0.5, -0.625
 /// Chains of draws with exponents of their own: one of this share of probability has one at least.
 /// A power of 2, so that each odd number goes through all of them.
 constexpr std::size_t kExponentChains = 16;
-/// Levels for each joint: fewer hardly tell an edge from a smooth density.
+/// Levels per joint: fewer hardly distinguish an edge from a smooth density.
 constexpr std::size_t kFewestForEdges = 20;
 /// Places of edges beside those found.
 constexpr std::size_t kPlacesOfEdges = 8;
@@ -67,7 +69,7 @@ Eigen::VectorXd projected(const AllUnknowns& now, const AllUnknowns& before,
   return found;
 }
 
-/// Edges whose ranges are not looked at yet. @param places  x*, m; rising.
+/// Edges whose ranges are not examined yet. @param places  x*, m; rising.
 FoundEdges edges_at(std::vector<double> places) {
   FoundEdges edges;
   if (!places.empty()) edges.empty.assign(places.size() + 1, false);
@@ -87,7 +89,7 @@ std::vector<bool> emptied(const FoundEdges& edges, std::size_t chain) {
   return all ? edges.empty : empty;
 }
 
-/// What settle() makes least, over the number of levels: they may have become more.
+/// The criterion that settle() minimises, over the number of levels, which may have grown.
 double objective(const LinearEvidence& evidence, const EvidenceWeights& weights,
                  const Eigen::VectorXd& x) {
   const NormalEquations equations(evidence);
@@ -122,8 +124,8 @@ GrowingRange::GrowingRange(CalibrationEvidence evidence, const std::vector<std::
       sought_(sought),
       options_(options),
       states_(states),
-      // Deviations that were told are not made smaller: few levels leave no residual, and what is
-      // common to neighbouring ones does not show in it.
+      // Given deviations are not reduced: few levels leave no residual, and an error common to
+      // neighbouring ones does not show in it.
       least_{evidence_.loss_std_given ? 1.0 : kLeastLossScatter,
              evidence_.frequency_std_given ? 1.0 : kLeastFrequencyScatter, 1.0},
       all_(evidence_.levels.size()),
@@ -137,8 +139,8 @@ GrowingRange::GrowingRange(CalibrationEvidence evidence, const std::vector<std::
   }
 }
 
-/// Deviations that were told are believed until the displacements are steady: about joints that are
-/// wrong, scatter can pass for what the joints are wrong by, and keeps them so.
+/// Given deviations are used unchanged until the displacements are steady: about wrong joints the
+/// error of the joints can be taken for scatter, which keeps them wrong.
 ScatterBounds GrowingRange::bounds() const {
   ScatterBounds bounds{.least = least_};
   if (!deviations_believed_) return bounds;
@@ -147,8 +149,8 @@ ScatterBounds GrowingRange::bounds() const {
   return bounds;
 }
 
-/// Least and largest amplitude of a joint. A level that was sought in vain counts where it is not
-/// far beyond the others: it may be found yet.
+/// Least and largest amplitude of a joint. A level that was not found counts where it is not far
+/// beyond the others: it may be found later.
 std::pair<double, double> GrowingRange::reach(std::size_t joint) const {
   double least = std::numeric_limits<double>::infinity();
   double largest = 0.0;
@@ -214,15 +216,15 @@ CalibratedState GrowingRange::linear_about(const std::vector<std::size_t>& which
           std::move(evidence), {}};
 }
 
-/// To the joints that were settled, or a part of the way to them where the levels, which are not
-/// linear, fit worse there.
+/// Steps to the settled joints, or a part of that step where the levels, which are nonlinear, fit
+/// worse there.
 CalibratedState GrowingRange::step(const std::vector<std::size_t>& which,
                                    const CalibratedState& before,
                                    const std::vector<double>& exponents) {
   const AllUnknowns now = unknowns(found_with(exponents));
   const Eigen::VectorXd from = projected(now, before.unknowns, before.about);
   Eigen::VectorXd to = projected(now, before.unknowns, before.settled.x);
-  if (keep_weights_) to = 0.5 * (to + from);  // where whole steps go to and fro
+  if (keep_weights_) to = 0.5 * (to + from);  // where full steps oscillate
   const double misfit = objective(before.evidence, before.settled.weights, before.about);
   CalibratedState next = linear_about(which, now, to);
   for (int i = 0; i < kMostHalvings && which == before.levels; ++i) {
@@ -314,7 +316,7 @@ CalibratedState GrowingRange::tried(const CalibratedState& start,
   return state;
 }
 
-/// Takes the exponents where they are much likelier than those in use.
+/// Accepts the exponents where they are much likelier than those in use.
 void GrowingRange::take_if_likelier(const CalibratedState& start,
                                     const std::vector<double>& exponents, CalibratedState& best) {
   CalibratedState other = tried(start, exponents);
@@ -325,7 +327,7 @@ void GrowingRange::take_if_likelier(const CalibratedState& start,
   exponents_ = exponents;
 }
 
-// One for all joints first: joints that work alike would share the loss by the order in which
+// One for all joints first: joints that contribute alike would share the loss by the order in which
 // theirs are chosen.
 CalibratedState GrowingRange::choose_exponents(const CalibratedState& start) {
   exponents_.assign(sought_.size(), 0.0);
@@ -383,7 +385,7 @@ CalibratedState GrowingRange::converge(CalibratedState state) {
   return state;
 }
 
-/// Who finds too few resonances knows nothing of the joints.
+/// With too few resonances the joints cannot be identified.
 void GrowingRange::require_levels(const CalibratedState& state) const {
   const std::size_t fewest = kFewestModalLevels * sought_.size();
   if (state.found >= fewest) return;
@@ -405,8 +407,8 @@ void GrowingRange::require_losses(const CalibratedState& state) const {
                    "Damping ratios must include the loss of the structure, as the model does.");
 }
 
-// Stiffnesses that are sought are found last: far from the joints frequencies would be taken for
-// them. The exponents then are chosen anew, as a wrong stiffness asks for a wrong tail.
+// Stiffnesses that are sought are found last: with wrong joints frequencies would be attributed to
+// them. The exponents are then chosen anew, as a wrong stiffness leads to a wrong tail.
 CalibratedState GrowingRange::find(const std::function<void()>& tick) {
   tick_ = tick;
   const bool fit_stiffness = evidence_.fit_stiffness;
@@ -441,7 +443,7 @@ bool GrowingRange::edges_sought() const {
   return options_.edges && all_.size() >= kFewestForEdges * sought_.size();
 }
 
-/// Gives the joint that gains most its edges. Those that have some keep them.
+/// Adds the edges of the joint that gains most by them. Joints that have some keep them.
 /// @return whether there is one.
 bool GrowingRange::find_edges(const CalibratedState& state) {
   double most = 0.0;
@@ -503,7 +505,7 @@ bool GrowingRange::thin_edges(const CalibratedState& state) {
   return any;
 }
 
-// One joint after the other, as a jump that one of them leaves unexplained may pass for one of
+// One joint after the other, as a jump that one of them leaves unexplained may be attributed to
 // another.
 CalibratedState GrowingRange::with_edges(CalibratedState state) {
   if (!edges_sought()) return state;
@@ -518,7 +520,7 @@ CalibratedState GrowingRange::with_new_edges(const CalibratedState& before) {
   return choose_exponents(state);
 }
 
-/// How sure the edges are, and where else they may be.
+/// The evidence of the edges, and other places where they may be.
 void GrowingRange::weigh_edges(const CalibratedState& found) {
   const std::vector<FoundEdges> before = edges_;
   find_emptiness(found);

@@ -18,28 +18,28 @@
 
 namespace microslip {
 
-/// The levels linear about the joints that they are most likely of.
+/// The levels linearised about the most likely joints.
 struct CalibratedState {
   AllUnknowns unknowns;
-  std::vector<std::size_t> levels;  ///< that it is of
-  std::size_t found = 0;            ///< how many of them the structure has
-  Eigen::VectorXd about;            ///< coefficients that it is linear about
+  std::vector<std::size_t> levels;  ///< used by it
+  std::size_t found = 0;            ///< how many of them have a resonance of the structure
+  Eigen::VectorXd about;            ///< coefficients about which it is linearised
   LinearisedLevels linear;
   LinearEvidence evidence;  ///< of them
   SettledEvidence settled;
 };
 
-/// A state, and how many of the draws are of it.
+/// A state, and the number of its draws.
 struct WeighedState {
   CalibratedState state;
   std::size_t weight = 0;
 };
 
-/// Edges of a joint that were found.
+/// Edges found in the density of a joint.
 struct FoundEdges {
   std::vector<double> slip_displacement = {};  ///< x*, m; rising
   std::vector<double> deviation = {};          ///< standard deviation of each place, m
-  /// By what −2 ln of the likelihood falls with them all
+  /// Decrease of −2 ln of the likelihood by all of them
   double evidence = 0.0;
   std::vector<std::vector<double>> elsewhere = {};  ///< other places of all, as likely, m
   /// Ranges between them, from 0 to the first on: whether nothing slips there, and how likely
@@ -48,35 +48,35 @@ struct FoundEdges {
   std::vector<double> emptiness = {};
 };
 
-/// What is settled with the joints given, and with those of its own result, is the same.
+/// Fixed-point iteration: the joints settled with given joints are those joints.
 class GrowingRange {
  public:
   /// @param sought, options, states  must outlive this; `sought` are indices in the structure.
   GrowingRange(CalibrationEvidence evidence, const std::vector<std::size_t>& sought,
                const CalibrationOptions& options, LevelStates& states);
 
-  /// Finds it. @param tick  called after each pass; throws to stop.
+  /// Finds the fixed point. @param tick  called after each pass; throws to stop.
   [[nodiscard]] CalibratedState find(const std::function<void()>& tick);
 
-  /// What was found, and the same with other exponents of the joints as often as they are likely,
-  /// and with edges at other places: levels hardly tell how a joint goes on below the amplitudes at
-  /// which it shows, and a band for one exponent alone is far too narrow there. The likelihood of
-  /// an exponent is taken with those of the other joints as they were found.
+  /// The state found, and states with other exponents of the joints, weighted by their likelihood,
+  /// and with edges at other places: levels hardly determine how a joint continues below the
+  /// amplitudes at which it shows, and a band for one exponent alone is far too narrow there. The
+  /// likelihood of an exponent is computed with those of the other joints as found.
   /// @param found  by find(). @return at least one.
   [[nodiscard]] std::vector<WeighedState> with_others(const CalibratedState& found);
 
-  /// Whether edges are asked for, and the levels enough.
+  /// Whether edges are requested and the levels sufficient.
   [[nodiscard]] bool edges_sought() const;
   /// Edges of each joint that is sought; after find().
   [[nodiscard]] const std::vector<FoundEdges>& edges() const { return edges_; }
 
-  /// Smallest τ of each kind of rows that is believed.
+  /// Smallest admissible τ of each kind of rows.
   [[nodiscard]] const std::array<double, kRowKinds.size()>& least_scatter() const { return least_; }
 
   /// Why it ended, iterations and the last change of an amplitude.
   [[nodiscard]] const Summary& summary() const { return summary_; }
 
-  /// The joints of the structure with those sought as coefficients have them.
+  /// The joints of the structure with those sought given by coefficients.
   [[nodiscard]] std::vector<Joint> joints(const AllUnknowns& unknowns,
                                           const Eigen::VectorXd& x) const;
 
@@ -91,8 +91,8 @@ class GrowingRange {
                                      const std::vector<double>& exponents);
   [[nodiscard]] ScatterBounds bounds() const;
   [[nodiscard]] std::pair<double, double> reach(std::size_t joint) const;
-  /// What is drawn beside the coefficients, of each joint: χ₀, which of FoundEdges::elsewhere or
-  /// kFound, and empty ranges.
+  /// Discrete variables drawn in addition to the coefficients, of each joint: χ₀, which of
+  /// FoundEdges::elsewhere or kFound, and empty ranges.
   struct Variant {
     std::vector<double> exponents;
     std::vector<std::size_t> places;

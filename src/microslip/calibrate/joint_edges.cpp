@@ -19,12 +19,13 @@ namespace {
 constexpr double kResolvedLoss = 3e-3;
 /// Degrees of freedom that the levels must leave the scatter.
 constexpr double kLeastFreedom = 10.0;
-/// Edges that may have to come together before one of them tells: the ends of one population.
+/// Edges that may have to be added together before one of them is significant: the ends of one
+/// population.
 constexpr std::size_t kLookAhead = 2;
 /// Spacings of the knots: an edge whose place is known no better may be where a density bends, or
 /// falls fast.
 constexpr double kToldFromABend = 0.3;
-/// By how much more smoothing an edge may ask for than there was.
+/// Factor by which an edge may increase the smoothing.
 constexpr double kMuchMore = 1e3;
 
 double log_determinant(const Eigen::MatrixXd& matrix) {
@@ -40,7 +41,7 @@ EvidenceWeights weights_of(const EdgedFit& fit) {
   return weights;
 }
 
-/// What costs nothing: straight lines, and what does not slip of each joint.
+/// The unpenalised part: straight lines, and the elastic remainder of each joint.
 double free_count(const LinearEvidence& evidence) {
   double count = 0.0;
   for (const RoughnessBlock& block : evidence.roughness) {
@@ -49,7 +50,7 @@ double free_count(const LinearEvidence& evidence) {
   return count;
 }
 
-/// What the lines on the ranges of a joint add to the Hessian and to −2 ln p.
+/// Contribution of the lines on the ranges of a joint to the Hessian and to −2 ln p.
 double hold_lines(const RoughnessBlock& block, const Eigen::VectorXd& x, Eigen::MatrixXd& hessian) {
   const double size = x.segment(block.begin, block.free_count).squaredNorm() /
                           static_cast<double>(block.free_count) +

@@ -18,7 +18,7 @@ namespace microslip {
 ///     −2 ln p = Σ_kinds (‖Ax − b‖²/τ² + 2m ln τ) + Σ_j λ_j‖L_j x‖²
 ///               + ln det(H + diag p) − Σ_j ln det⁺(λ_j L_jᵀL_j) − Σ_j Σ_ranges 2 ln p_r,
 ///
-/// all coefficients integrated out. What costs nothing, a straight line on each of the ranges
+/// all coefficients integrated out. The unpenalised part, a straight line on each of the ranges
 /// between edges, is given the size of the solution as its prior deviation 1/√p_r, as in
 /// InversionModel::evidence(). Infinite where the levels leave too little freedom.
 class JointEdges final : public EdgedModel {
@@ -36,14 +36,14 @@ class JointEdges final : public EdgedModel {
 
   /// A fit with the weights of all joints.
   [[nodiscard]] static EdgedFit start(const EvidenceWeights& weights);
-  /// With edges as the unknowns have them.
+  /// The fit with the edges of the unknowns.
   [[nodiscard]] EdgedFit present(const EvidenceWeights& weights);
 
-  /// All edges that are worth their price, and whose place is known well enough to tell them from
-  /// a bend.
+  /// All edges that are worth their price, and whose place is known well enough to distinguish them
+  /// from a bend.
   [[nodiscard]] EdgedFit find(const EdgedFit& start);
 
-  /// Those of the unknowns that still are.
+  /// The edges of the unknowns that still are.
   [[nodiscard]] EdgedFit kept(const EvidenceWeights& weights);
 
   /// −2 ln p with ψ = 0 on some of the ranges between the edges of the unknowns.

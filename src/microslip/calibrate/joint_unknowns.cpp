@@ -70,7 +70,7 @@ JointUnknowns::JointUnknowns(double stiffness, double length, double lowest, dou
       theta_scale_(0.5 / basis_.area().sum()) {
   if (exponent != 0.0) begin_power_law();
   refine(exponent == 0.0 ? 1 : kRefinement);
-  // The first coefficient carries the knots below the lowest amplitude along.
+  // The first coefficient includes the knots below the lowest amplitude.
   const auto below = static_cast<Eigen::Index>(basis_.knots().size()) - basis_.size();
   place_.assign(basis_.knots().begin() + below, basis_.knots().end());
   there_ = basis_.nodal().bottomRows(basis_.size()).diagonal();
@@ -174,7 +174,7 @@ std::vector<Eigen::Index> JointUnknowns::ranges() const {
 }
 
 // Below the knots of the basis θ is constant and ψ goes on as the power law, on knots an e-fold
-// apart: what it has of stiffness there is small, but frequencies are known well.
+// apart: its stiffness there is small, but frequencies are known well.
 void JointUnknowns::begin_power_law() {
   const double first = basis_.knots().front();
   for (int i = kTailFolds; i > 0; --i) knots_.push_back(first * std::exp(-i));

@@ -12,8 +12,8 @@
 
 namespace microslip {
 
-/// The stiffness density of a joint over its slip displacement x* = f*/k and what does not slip
-/// within the range,
+/// The stiffness density of a joint over its slip displacement x* = f*/k and the elastic remainder
+/// of the range,
 ///
 ///     ψ(x*) = (k₀/X) t s^χ₀ θ(s),   s = x*/X,   K_e = k₀ e,   k = K_e + ∫ψ dx*,
 ///
@@ -21,7 +21,7 @@ namespace microslip {
 /// θ, then e; all ≥ 0.
 class JointUnknowns {
  public:
-  /// @param stiffness     k₀, N/m: of the stuck joint as it is known before.
+  /// @param stiffness     k₀, N/m: of the stuck joint, as given.
   /// @param length        X, m: where the density ends.
   /// @param lowest        smallest amplitude over X, in (0, 1).
   /// @param exponent      χ₀ of the basis, in (−1, 0].
@@ -31,15 +31,15 @@ class JointUnknowns {
   JointUnknowns(double stiffness, double length, double lowest, double exponent, int coefficients,
                 const std::vector<double>& edges = {});
 
-  /// The same with edges at these places of uniform().
+  /// The unknowns with edges at these places of uniform().
   [[nodiscard]] JointUnknowns with_edges(const std::vector<BasisEdge>& edges) const;
 
-  /// The same with ψ = 0 on some of the ranges between edges, which have no coefficients then.
+  /// The unknowns with ψ = 0 on some of the ranges between edges, which then have no coefficients.
   /// @param empty  which of them; not all.
   [[nodiscard]] JointUnknowns without(const std::vector<bool>& empty) const;
 
-  /// The same range with a coefficient for each knot of ψ in place of θ: densities of any exponent,
-  /// and with any of these edges, can be told by it. It has no penalty().
+  /// The same range with a coefficient for each knot of ψ in place of θ: it can represent
+  /// densities of any exponent, and with any of these edges. It has no penalty().
   /// @param edges  rising, m.
   [[nodiscard]] JointUnknowns by_knots(const std::vector<double>& edges = {}) const;
 
@@ -55,18 +55,18 @@ class JointUnknowns {
   [[nodiscard]] std::vector<double> edges() const;
   /// The basis of θ without edges, of s.
   [[nodiscard]] InversionBasis uniform() const { return {lowest_, 1.0, exponent_, coefficients_}; }
-  /// The same among the knots of uniform().
+  /// The edges as places among the knots of uniform().
   [[nodiscard]] std::vector<BasisEdge> basis_edges() const;
-  /// Where the middle of each row of penalty() is among them.
+  /// The middle of each row of penalty() among these knots.
   [[nodiscard]] Eigen::VectorXd middles() const;
-  /// How many θ are of each range between edges that has some.
+  /// The number of θ of each range between edges that has some.
   [[nodiscard]] std::vector<Eigen::Index> ranges() const;
 
   /// 0 and knots through which ψ is straight, m.
   [[nodiscard]] const std::vector<double>& slip_displacement() const { return slip_; }
 
-  /// What makes ψ at slip_displacement(), D and the first-harmonic stiffness k_eq of an amplitude,
-  /// and k over k₀ from coefficients.
+  /// Rows that give ψ at slip_displacement(), D and the first-harmonic stiffness k_eq of an
+  /// amplitude, and k over k₀ from coefficients.
   [[nodiscard]] const Eigen::MatrixXd& density_matrix() const { return density_; }
   [[nodiscard]] Eigen::RowVectorXd dissipation_row(double amplitude) const;  ///< J
   [[nodiscard]] Eigen::RowVectorXd secant_row(double amplitude) const;       ///< N/m
@@ -75,7 +75,7 @@ class JointUnknowns {
   /// L with ‖Lθ‖² the roughness of θ: over all coefficients but the last.
   [[nodiscard]] Eigen::MatrixXd penalty() const;
 
-  /// The joint of coefficients; a stiffness that is known is kept.
+  /// The joint of coefficients; a known stiffness is kept.
   /// @param known  whether k is k₀.
   [[nodiscard]] Joint joint(const Eigen::VectorXd& x, bool known) const;
 

@@ -27,7 +27,7 @@ Complex describing_function(const Joint& joint, double a) {
   return {secant_stiffness(joint, a), dissipation(joint, a) / (std::numbers::pi * a * a)};
 }
 
-/// The first harmonic of a vibration, and what moves it.
+/// The first harmonic of a vibration, and its excitation.
 struct FirstHarmonic {
   Eigen::VectorXcd modal;        // q
   Eigen::VectorXcd flexibility;  // 1/(Z − iωξ) of each mode
@@ -36,14 +36,15 @@ struct FirstHarmonic {
   Eigen::MatrixXd shapes;        // ψ: modes × joints
   Eigen::VectorXcd u;
   Eigen::VectorXcd compliance;  // 1 + cκ: Ψᵀq over u
-  Eigen::VectorXcd stiffness;   // κ − k_s(1 + cκ): what a joint does to the modes over u
+  Eigen::VectorXcd stiffness;   // κ − k_s(1 + cκ): action of a joint on the modes over u
   Eigen::VectorXcd softening;   // dκ/da
   Eigen::VectorXd series;       // c
   Eigen::VectorXd share;        // 1 − k_s c
 };
 
-/// What keeps a free mode that no joint changes up takes all of its dynamic stiffness away: what is
-/// left is rounding, of any size down to 0, and its size cancels from the derivatives.
+/// The forcing that maintains a free mode that no joint changes cancels all of its dynamic
+/// stiffness: the remainder is rounding, of any size down to 0, and its size cancels from the
+/// derivatives.
 Complex above_rounding(Complex stiffness, const Mode& mode) {
   const double rounding =
       std::numeric_limits<double>::epsilon() * mode.angular_frequency * mode.angular_frequency;
@@ -113,14 +114,14 @@ void read_joints(const JointedStructure& structure, const SteadyVibration& vibra
   }
 }
 
-/// The displacements of the joints, and last of the response point, that forces across the joints,
-/// the frequency and the drive make.
+/// The displacements of the joints, and last of the response point, caused by forces across the
+/// joints, the frequency and the drive.
 struct SeenMotion {
   Eigen::MatrixXcd by_force;
   Eigen::VectorXcd by_frequency;
   Eigen::VectorXcd by_drive;
   Eigen::VectorXcd direction;  ///< u/|u|; 0 of a joint that stands still
-  Complex response;            ///< likewise of the response point, over its displacement, 1/m
+  Complex response;            ///< the same for the response point, over its displacement, 1/m
 };
 
 SeenMotion seen_motion(const JointedStructure& structure, std::string_view response,
@@ -144,7 +145,8 @@ SeenMotion seen_motion(const JointedStructure& structure, std::string_view respo
   return motion;
 }
 
-/// What Re δu, Im δu, δω and s make of the equations below: real parts of all, then imaginary ones.
+/// Matrix of the equations below in Re δu, Im δu, δω and s: real parts of all, then imaginary
+/// ones.
 Eigen::MatrixXd system_of(const FirstHarmonic& first, const SeenMotion& motion) {
   const Eigen::Index joints = first.u.size();
   Eigen::MatrixXd system = Eigen::MatrixXd::Zero(2 * joints + 2, 2 * joints + 2);
@@ -167,7 +169,8 @@ Eigen::MatrixXd system_of(const FirstHarmonic& first, const SeenMotion& motion) 
   return system;
 }
 
-/// Minus what Re δκ, Im δκ of each joint and, last, the displacement of the response point make.
+/// Minus the terms of Re δκ, Im δκ of each joint and, last, of the displacement of the response
+/// point.
 Eigen::MatrixXd right_hand_sides(const FirstHarmonic& first, const SeenMotion& motion) {
   const Eigen::Index joints = first.u.size();
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(2 * joints + 2, 2 * joints + 1);

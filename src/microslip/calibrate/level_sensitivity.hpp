@@ -11,7 +11,7 @@
 #include "microslip/dynamics/structure/jointed_structure.hpp"
 
 /// @file
-/// How the resonance of a level answers to its joints. Internal to calibrate.
+/// Sensitivity of the resonance of a level to its joints. Internal to calibrate.
 
 namespace microslip {
 
@@ -19,17 +19,17 @@ namespace microslip {
 /// δκ_l, N/m: its first harmonic is F_1 = κ(a) u_1 with κ = k_eq + iD/(πa²).
 struct LevelSensitivity {
   Eigen::RowVectorXcd frequency;  ///< ∂ω/∂Re κ_l − i ∂ω/∂Im κ_l: δω = Re(frequency · δκ)
-  Eigen::MatrixXcd amplitude;             ///< likewise of a_j, joints × joints
+  Eigen::MatrixXcd amplitude;             ///< the same for a_j, joints × joints
   double frequency_by_response = 0.0;     ///< ∂ω/∂X, X the displacement of the response point
   Eigen::VectorXd amplitude_by_response;  ///< ∂a_j/∂X
 };
 
-/// The derivatives, with what κ itself changes as the amplitudes do. Higher harmonics are taken to
-/// follow, which is right to some thousandths, and shortening is left out.
+/// The derivatives, with the change of κ itself with the amplitudes. Higher harmonics are assumed
+/// to follow, which is accurate to some thousandths, and shortening is neglected.
 /// @param structure  with the joints that the vibration is of.
 /// @param response   the point whose displacement is kept.
 /// @param vibration  a resonance of it, in motion.
-/// @param forcing    what keeps it up.
+/// @param forcing    the excitation that maintains it.
 [[nodiscard]] LevelSensitivity level_sensitivity(const JointedStructure& structure,
                                                  std::string_view response,
                                                  const SteadyVibration& vibration, Forcing forcing);

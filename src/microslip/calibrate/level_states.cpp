@@ -142,7 +142,7 @@ std::optional<SteadyVibration> LevelStates::find(std::size_t level) const {
   return std::move(found.vibration);
 }
 
-// All levels start from what was there before, so that it does not matter in which order they run.
+// All levels start from the previous states, so that the order in which they run does not matter.
 void LevelStates::solve(const std::vector<std::size_t>& which) {
   std::vector<std::optional<SteadyVibration>> found(which.size());
   execution_.for_each(which.size(), [&](std::size_t i) { found[i] = find(which[i]); });

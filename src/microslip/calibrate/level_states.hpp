@@ -19,19 +19,19 @@ namespace microslip {
 /// Where the resonances of the levels are.
 class LevelStates {
  public:
-  /// @param structure  with its joints as they are thought to be at first.
+  /// @param structure  with the initial guess of its joints.
   /// @param response   where the displacements of the levels were measured.
   /// @param balance    how the vibrations are computed.
   /// @param levels     must outlive this.
   LevelStates(JointedStructure structure, std::string response, HarmonicBalanceOptions balance,
               const ModalLevels& levels, Execution execution);
 
-  /// Takes other joints; vibrations stay as they are until solve().
-  /// @param joints  one a joint of the structure.
+  /// Sets other joints; vibrations are unchanged until solve().
+  /// @param joints  one per joint of the structure.
   void set_joints(const std::vector<Joint>& joints);
 
-  /// Finds the resonance of each of these levels with the present joints, at the displacement that
-  /// was measured. A level that was solved before starts from there, else from the nearest solved
+  /// Finds the resonance of each of these levels with the present joints, at the measured
+  /// displacement. A level that was solved before starts from there, else from the nearest solved
   /// one of its mode, else from the stuck structure. One that is not found keeps nothing; another
   /// mode is not taken for it.
   /// @param which  levels.
@@ -49,16 +49,16 @@ class LevelStates {
   /// Half range of a joint's displacement at a level, m: found, or in proportion to the nearest
   /// solved level of the mode, or by the shape of the stuck structure.
   [[nodiscard]] double amplitude(std::size_t level, std::size_t joint) const;
-  /// The same by the shape of the stuck structure.
+  /// Half range by the shape of the stuck structure.
   [[nodiscard]] double stuck_amplitude(std::size_t level, std::size_t joint) const {
     return stuck_shape_[levels_.mode[level]][joint] * levels_.displacement[level];
   }
 
-  /// Drops a level: it was not part of what the joints were found from.
+  /// Drops a level that the joints were not identified from.
   void drop(std::size_t level) { states_[level].reset(); }
 
-  /// Whether a level was sought and not found: its displacement is none that the structure reaches
-  /// in its mode.
+  /// Whether a level was sought and not found: the structure does not reach its displacement in its
+  /// mode.
   [[nodiscard]] bool missed(std::size_t level) const { return tried_[level] && !states_[level]; }
 
   /// Whether the response point moves in a mode of the stuck structure.

@@ -15,12 +15,12 @@ namespace {
 constexpr int kMostRounds = 60;
 /// Weights are settled where no λ and no τ changes by more, relative; the fit changes far less.
 constexpr double kSettledChange = 0.02;
-/// Where the search begins that knows nothing.
+/// Start of the search where the weights are unknown.
 constexpr std::array kFirstLambdas = {1e-4, 1e-1, 1e2};
 /// Of each element of the diagonal: rounding, so that a factor exists.
 constexpr double kRidge = 1e-13;
 
-/// One round: the solution with given weights, and what it says of them.
+/// One round: the solution with given weights, and the weights estimated from it.
 class Round {
  public:
   Round(const NormalEquations& equations, const EvidenceWeights& weights, std::vector<bool> start)
@@ -47,7 +47,7 @@ class Round {
     return inverse_.cwiseProduct(equations_.information(kind)).sum() / (scatter * scatter);
   }
 
-  /// What of edf() of losses and frequencies goes into the coefficients of each joint.
+  /// The part of edf() of losses and frequencies due to the coefficients of each joint.
   [[nodiscard]] std::vector<double> edf_by_joint() const {
     const std::vector<RoughnessBlock>& blocks = equations_.evidence().roughness;
     std::vector<double> freedom(blocks.size(), 0.0);
@@ -91,7 +91,8 @@ class Round {
     return std::sqrt(equations_.residual(kind, solution_.x) / std::max(freedom, 1.0));
   }
 
-  /// As without limits but for the residual, so that solutions with others at 0 compare.
+  /// As without limits but for the residual, so that solutions with different coefficients at 0
+  /// compare.
   [[nodiscard]] double likelihood() const {
     double sum = log_determinant_;
     for (const RowKind kind : kRowKinds) {

@@ -9,22 +9,20 @@
 #include "microslip/identify/smoothing/quadratic_program.hpp"
 
 /// @file
-/// Levels about the joints as they are known so far, linear in what is sought, and how it is
-/// weighed. Internal to calibrate.
+/// Levels linearised about the current joints, and their weights. Internal to calibrate.
 
 namespace microslip {
 
-/// Rows by what they are of. Those of a kind share a scatter, which is found, but that of k, which
-/// is known.
+/// Kinds of rows. Those of a kind share a scatter, which is found, but that of k, which is known.
 enum class RowKind { kLoss, kFrequency, kStiffness };
 inline constexpr std::array kRowKinds = {RowKind::kLoss, RowKind::kFrequency, RowKind::kStiffness};
 
 /// λ goes no further. Above, θ bends by less than a hundredth of the stiffness: no joint is known
-/// to be a power law as closely. Below, it is as free as the basis.
+/// to follow a power law so closely. Below, it is as free as the basis.
 inline constexpr double kLeastLambda = 1e-8;
 inline constexpr double kMostLambda = 1e3;
 
-/// k of a joint is as it was given to this share of it: as good as exact, and well-conditioned.
+/// Relative tolerance of a given k of a joint: as good as exact, and well-conditioned.
 inline constexpr double kKnownStiffness = 1e-5;
 
 /// A prior of the coefficients from `begin` on: roughness ‖Lx‖² of unknown weight λ.
@@ -32,7 +30,7 @@ struct RoughnessBlock {
   Eigen::Index begin = 0;
   Eigen::Index free_count = 0;  ///< coefficients that it acts on: columns of L
   Eigen::MatrixXd rows;         ///< L, over those alone
-  /// How many of them are of each range on which a straight line costs nothing.
+  /// The number of coefficients of each range on which a straight line is not penalised.
   std::vector<Eigen::Index> ranges = {};
 };
 
@@ -40,10 +38,10 @@ struct RoughnessBlock {
 struct WeightedRows {
   Eigen::MatrixXd design;
   Eigen::VectorXd data;
-  double freedom_taken = 0.0;  ///< degrees of freedom that went into offsets
+  double freedom_taken = 0.0;  ///< degrees of freedom used by offsets
 
   [[nodiscard]] double count() const { return static_cast<double>(data.size()) - freedom_taken; }
-  /// Whether anything is left of them beside the offsets.
+  /// Whether any degrees of freedom are left beside the offsets.
   [[nodiscard]] bool tells() const { return count() > 0.5; }
 };
 
@@ -68,7 +66,7 @@ struct EvidenceWeights {
   [[nodiscard]] double of(RowKind kind) const { return scatter[static_cast<std::size_t>(kind)]; }
 };
 
-/// Between which τ of each kind of rows is sought.
+/// Bounds of τ of each kind of rows.
 struct ScatterBounds {
   std::array<double, kRowKinds.size()> least{};
   std::array<double, kRowKinds.size()> most{std::numeric_limits<double>::infinity(),
@@ -76,7 +74,7 @@ struct ScatterBounds {
                                             std::numeric_limits<double>::infinity()};
 };
 
-/// With rounding more on its diagonal, so that it has a factor.
+/// The matrix with a ridge at rounding level, so that it has a factor.
 [[nodiscard]] Eigen::MatrixXd with_ridge(Eigen::MatrixXd hessian);
 
 /// AᵀA, Aᵀb and LᵀL, from which every weighing is a sum.
@@ -95,7 +93,7 @@ class NormalEquations {
 
   [[nodiscard]] Eigen::MatrixXd hessian(const EvidenceWeights& weights) const;
   [[nodiscard]] Eigen::VectorXd linear(const EvidenceWeights& weights) const;
-  /// Without the levels, and with k as it was given: what is known before they are.
+  /// The prior: without the levels, and with k as given.
   [[nodiscard]] Eigen::MatrixXd prior_hessian(const EvidenceWeights& weights) const;
   [[nodiscard]] Eigen::VectorXd prior_linear() const;
 
@@ -114,12 +112,12 @@ class NormalEquations {
   std::vector<Eigen::MatrixXd> roughness_;
 };
 
-/// The most likely coefficients with the weights that the evidence asks for.
+/// The most likely coefficients with the weights estimated from the evidence.
 struct SettledEvidence {
   Eigen::VectorXd x;
   EvidenceWeights weights;
   double edf = 0.0;                     ///< effective degrees of freedom of the levels
-  std::vector<double> edf_by_joint;     ///< of it, what each joint takes
+  std::vector<double> edf_by_joint;     ///< of each joint
   double likelihood = 0.0;              ///< −2 log restricted likelihood, up to a constant
   QuadraticProgram::Solution solution;  ///< of x, with its optimality conditions
 };
@@ -132,11 +130,11 @@ struct SettledEvidence {
 [[nodiscard]] SettledEvidence settle(const NormalEquations& equations, EvidenceWeights start,
                                      const ScatterBounds& bounds);
 
-/// The most likely coefficients with weights that are kept.
+/// The most likely coefficients with given weights.
 [[nodiscard]] SettledEvidence settle_with(const NormalEquations& equations,
                                           const EvidenceWeights& weights);
 
-/// As settle() where nothing is known of the weights: the most likely of what several λ lead to, as
+/// As settle() where the weights are unknown: the most likely of the results from several λ, as
 /// the likelihood has a second maximum where all is scatter.
 [[nodiscard]] SettledEvidence settle_from_afar(const NormalEquations& equations,
                                                const ScatterBounds& bounds);

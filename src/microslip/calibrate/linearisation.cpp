@@ -14,13 +14,13 @@
 namespace microslip {
 namespace {
 
-/// k that is to be found too is near what was given: what the levels say counts far more.
+/// Prior deviation of a k that is identified too, about the given one: the levels count far more.
 constexpr double kSoughtStiffness = 0.5;
-/// A loss counts with a deviation of this share of the largest at least: what is next to nothing
-/// must not rule.
+/// A loss counts with a deviation of this share of the largest at least: a negligible loss must not
+/// dominate.
 constexpr double kLeastLoss = 1e-9;
 
-/// How the quantities of a level answer to the loss and the stiffness of each joint there.
+/// Derivatives of the quantities of a level by the loss and the stiffness of each joint there.
 class AnswersOfLevel {
  public:
   AnswersOfLevel(const CalibrationEvidence& evidence, const AllUnknowns& unknowns,
@@ -38,7 +38,7 @@ class AnswersOfLevel {
     }
   }
 
-  /// D of one joint of the structure: what it is, and its derivative.
+  /// D of one joint of the structure, and its derivative.
   [[nodiscard]] Eigen::RowVectorXd loss(std::size_t joint, double& value) const {
     Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(size());
     const StructuralJoint& placed = states_.structure().joints()[joint];
@@ -57,12 +57,12 @@ class AnswersOfLevel {
   /// ω: its derivative.
   [[nodiscard]] Eigen::RowVectorXd frequency() const { return answer(sensitivity_.frequency); }
 
-  /// What one standard deviation of the displacement of the response point makes of ω.
+  /// Effect of one standard deviation of the displacement of the response point on ω.
   [[nodiscard]] double frequency_share() const {
     return sensitivity_.frequency_by_response * displacement_deviation();
   }
 
-  /// The same of measured less found loss of all joints together. Amplitudes of sensors do not
+  /// The effect on measured minus fitted loss of all joints together. Amplitudes of sensors do not
   /// follow; a loss of ζ does, with the square.
   [[nodiscard]] double loss_share(double measured_slope) const {
     double slope = measured_slope;
@@ -71,7 +71,7 @@ class AnswersOfLevel {
     }
     return slope * displacement_deviation();
   }
-  /// The same of the loss of one.
+  /// The effect on the loss of one joint.
   [[nodiscard]] double loss_share_of(std::size_t joint) const {
     return loss_slope(joint) * amplitude_by_response(joint) * displacement_deviation();
   }
@@ -136,7 +136,7 @@ class JointRows {
     }
   }
 
-  /// What answers to these as `by` has it, from coefficients.
+  /// The row with the derivatives `by`, by coefficients.
   [[nodiscard]] Eigen::RowVectorXd of(const Eigen::RowVectorXd& by) const {
     Eigen::RowVectorXd row(unknowns_.size());
     for (std::size_t j = 0; j < unknowns_.count(); ++j) {
@@ -169,7 +169,7 @@ double joint_entry(const CalibrationEvidence& evidence, std::size_t joint, std::
   return ModalLevels::value(evidence.levels.joints[column].*values, level);
 }
 
-/// What ± σ of a sensor's amplitude makes of D.
+/// Effect of ± σ of a sensor's amplitude on D.
 double sensor_share(const CalibrationEvidence& evidence, const LevelStates& states,
                     std::size_t level, std::size_t joint) {
   const double sigma = joint_entry(evidence, joint, level, &JointLevels::amplitude_std);
@@ -218,8 +218,8 @@ void add_losses(const CalibrationEvidence& evidence, const AllUnknowns& unknowns
   rows.push_back(std::move(together));
 }
 
-/// Adds what the error of the displacement makes of each row, c_i. Repeated levels, of one mode at
-/// one displacement, share that error, and their mean is known no better than it: with
+/// Adds the effect of the displacement error on each row, c_i. Repeated levels, of one mode at one
+/// displacement, share that error, and their mean is known no better than it: with
 ///
 ///     σ_i² ← σ_i²(1 + c_i² Σ_r 1/σ_r²)   over the rows r of the same quantity at such levels
 ///
@@ -269,8 +269,8 @@ WeightedRows weighed(const std::vector<LevelRow>& rows, Eigen::Index columns,
   return result;
 }
 
-/// Takes what all levels of a mode in a session have in common from their frequencies: an offset,
-/// which no joint has to explain.
+/// Subtracts the common offset of all levels of a mode in a session from their frequencies, which
+/// no joint has to explain.
 void centre_modes(const ModalLevels& levels, const std::vector<LevelRow>& raw, WeightedRows& rows) {
   std::vector<bool> centred(raw.size(), false);
   for (std::size_t first = 0; first < raw.size(); ++first) {
@@ -281,7 +281,7 @@ void centre_modes(const ModalLevels& levels, const std::vector<LevelRow>& raw, W
       of_mode.push_back(static_cast<Eigen::Index>(i));
       centred[i] = true;
     }
-    // 1/σ is what an offset of 1 makes of a row.
+    // An offset of 1 changes a row by 1/σ.
     Eigen::VectorXd offset(static_cast<Eigen::Index>(of_mode.size()));
     for (Eigen::Index i = 0; i < offset.size(); ++i) {
       offset(i) =

@@ -13,12 +13,12 @@
 #include "microslip/observe/modal_levels.hpp"
 
 /// @file
-/// What levels say of the joints, about the joints as they are known so far. Internal to calibrate.
+/// Levels linearised about the current joints. Internal to calibrate.
 
 namespace microslip {
 
-/// Smallest relative scatter that is believed of a frequency: the harmonics and the basis of the
-/// density follow a resonance no further.
+/// Smallest admissible relative scatter of a frequency: the harmonics and the basis of the density
+/// follow a resonance no further.
 inline constexpr double kLeastFrequencyScatter = 1e-5;
 
 /// The unknowns of all joints that are sought, one after the other.
@@ -34,7 +34,7 @@ class AllUnknowns {
   [[nodiscard]] Eigen::Index begin(std::size_t j) const { return begin_[j]; }
   [[nodiscard]] Eigen::Index size() const { return begin_.back(); }
 
-  /// The same with other unknowns of one joint.
+  /// The unknowns with those of one joint replaced.
   [[nodiscard]] AllUnknowns with(std::size_t j, JointUnknowns joint) const;
 
   /// The coefficients of one joint among those of all.
@@ -53,9 +53,9 @@ struct CalibrationEvidence {
   const ModalLevels& levels;
   FrequencyUse frequency;
   bool fit_stiffness;
-  bool stuck_shapes;  ///< amplitudes of the joints do not answer to what is found
+  bool stuck_shapes;  ///< amplitudes of the joints do not depend on the joints found
   Forcing forcing;
-  /// Of levels.joints of each joint of the structure; kNone without.
+  /// Index in levels.joints of each joint of the structure; kNone without.
   std::vector<std::size_t> column;
   /// Whether standard deviations are known: positive at every level. Otherwise none of them is
   /// used, as the ratio of some to the others is not known.
@@ -64,65 +64,66 @@ struct CalibrationEvidence {
 
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-  /// What a sensor shows of a joint's amplitude at a level, m; NaN without.
+  /// Amplitude of a joint at a level by its sensor, m; NaN without.
   [[nodiscard]] double measured_amplitude(std::size_t level, std::size_t joint) const;
 };
 
 /// Whether the loss of a level has a positive standard deviation, in each column that counts.
 [[nodiscard]] bool loss_deviation_known(const CalibrationEvidence& evidence, std::size_t level);
 
-/// Half range of a joint's displacement at a level by which its energies are taken: as measured,
-/// else as the states have it.
+/// Half range of a joint's displacement at a level that its energies are computed from: as
+/// measured, else that of the states.
 [[nodiscard]] double used_amplitude(const CalibrationEvidence& evidence, const LevelStates& states,
                                     std::size_t level, std::size_t joint);
 
-/// D of all joints that a level shows: as measured, or ζ less the loss of the structure as it
-/// vibrates now. NaN where neither was measured.
+/// Measured D of all joints at a level: as given, or from ζ minus the loss of the structure in its
+/// present vibration. NaN where neither was measured.
 struct MeasuredLoss {
-  double value;            ///< J
-  double deviation;        ///< its standard deviation, J; 0 where it is not known
-  double scattered;        ///< of what an unknown deviation is a share, J: D, or all that ζ holds
+  double value;      ///< J
+  double deviation;  ///< its standard deviation, J; 0 where it is not known
+  /// The loss to which an unknown deviation is relative, J: D, or all of ζ.
+  double scattered;
   double by_displacement;  ///< dD/dX where ζ is measured: energies grow with X², N; else 0
 };
 [[nodiscard]] MeasuredLoss measured_loss(const ModalLevels& levels, std::size_t level,
                                          const SteadyVibration& vibration);
 
-/// ω of a level as measured over that of its vibration, less 1; NaN where it was not measured.
+/// ω of a level as measured over that of its vibration, minus 1; NaN where it was not measured.
 [[nodiscard]] double frequency_error(const ModalLevels& levels, std::size_t level,
                                      const SteadyVibration& vibration);
 
-/// D of a joint at a level, J, and its derivative by the coefficients, with the amplitude that
-/// answers to them.
+/// D of a joint at a level, J, and its derivative by the coefficients, with the dependence of the
+/// amplitude on them.
 struct LinearLoss {
   double value = 0.0;
   Eigen::RowVectorXd slope;
 };
-/// Of each joint that is sought, about the joints of the states.
-/// @param level  one that is solved.
+/// The losses of each joint sought, about the joints of the states.
+/// @param level  a solved level.
 [[nodiscard]] std::vector<LinearLoss> losses_about(const CalibrationEvidence& evidence,
                                                    const AllUnknowns& unknowns,
                                                    const LevelStates& states, std::size_t level);
 
-/// Standard deviations by which a level counts, the error of its displacement with them; relative
-/// ones, of a scatter of 1, where they are not known. NaN where something was not measured.
+/// Standard deviations that weight a level, including the error of its displacement; relative ones,
+/// of a scatter of 1, where they are not known. NaN where not measured.
 struct LevelDeviations {
   double loss;                 ///< of all joints together, J
   std::vector<double> joints;  ///< of the loss of each joint of the structure, J
   double frequency;            ///< relative, 1
 };
-/// @param level  one that is solved.
+/// @param level  a solved level.
 [[nodiscard]] LevelDeviations deviations_about(const CalibrationEvidence& evidence,
                                                const AllUnknowns& unknowns,
                                                const LevelStates& states, std::size_t level);
 
-/// What a level shows before it is weighed, linear in the loss D_j and the stiffness k_eq,j of the
-/// joints that are sought at their amplitudes there.
+/// A row of a level before weighting, linear in the loss D_j and the stiffness k_eq,j of the joints
+/// sought at their amplitudes there.
 struct LevelRow {
-  Eigen::RowVectorXd by;         ///< how it answers to D_1, k_eq,1, D_2, k_eq,2 …
-  double data = 0.0;             ///< what is measured of it
-  double size = 0.0;             ///< the loss that was measured, J
+  Eigen::RowVectorXd by;         ///< derivatives by D_1, k_eq,1, D_2, k_eq,2 …
+  double data = 0.0;             ///< measured value
+  double size = 0.0;             ///< measured loss, J
   double deviation = 1.0;        ///< standard deviation
-  double by_displacement = 0.0;  ///< what the error of the displacement adds to the deviation
+  double by_displacement = 0.0;  ///< contribution of the displacement error to the deviation
   std::size_t level = 0;
   std::size_t joint = kAllJoints;  ///< whose loss it is
   std::size_t place = 0;           ///< of the level among LinearisedLevels::amplitude
@@ -130,24 +131,23 @@ struct LevelRow {
   static constexpr std::size_t kAllJoints = static_cast<std::size_t>(-1);
 };
 
-/// Levels that are solved, linear about the joints of the states: whatever coefficients the
-/// densities have.
+/// Solved levels, linearised about the joints of the states, for any coefficients of the densities.
 struct LinearisedLevels {
   std::vector<LevelRow> losses;
   std::vector<LevelRow> frequencies;
   std::vector<std::vector<double>> amplitude;  ///< [solved level][joint that is sought], m
 };
 
-/// Rows of levels that are solved. A loss of unknown deviation counts with itself as one, a
-/// frequency likewise: the scatter that is found is then relative. Repeated levels, of one mode at
-/// one displacement, count as their mean would: the error of the displacement is theirs together.
-/// @param x  the coefficients that the joints of the states are of.
+/// Rows of solved levels. A loss or a frequency of unknown deviation is weighted by itself: the
+/// scatter found is then relative. Repeated levels, of one mode at one displacement, count as their
+/// mean would: they share the error of the displacement.
+/// @param x  the coefficients of the joints of the states.
 [[nodiscard]] LinearisedLevels linearise(const CalibrationEvidence& evidence,
                                          const AllUnknowns& unknowns, const LevelStates& states,
                                          const std::vector<std::size_t>& which,
                                          const Eigen::VectorXd& x);
 
-/// The same with the coefficients of any unknowns of these joints, and their priors.
+/// The linearised levels in the coefficients of any unknowns of these joints, with their priors.
 [[nodiscard]] LinearEvidence in_terms_of(const CalibrationEvidence& evidence,
                                          const AllUnknowns& unknowns,
                                          const LinearisedLevels& levels);

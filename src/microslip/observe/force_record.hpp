@@ -6,7 +6,7 @@
 
 namespace microslip {
 
-/// A path that a joint was led along and the force that answered it: one entry a sample, evenly
+/// The displacement path imposed on a joint and its force response: one entry per sample, evenly
 /// spaced in time.
 struct ForceRecord {
   std::vector<double> displacement = {};  ///< u across the joint, m

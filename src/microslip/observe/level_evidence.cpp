@@ -17,7 +17,7 @@ namespace {
 
 using Column = std::vector<double>;
 
-/// Below this share of what D ∝ A³ through the largest level would be, a level counts as zero.
+/// Below this share of D ∝ A³ through the largest level, a level counts as zero.
 constexpr double kFloorShare = 1e-3;
 /// A scatter of exactly zero would make weights infinite.
 constexpr double kLeastScatter = 1e-9;

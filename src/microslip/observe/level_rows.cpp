@@ -13,7 +13,8 @@
 namespace microslip {
 namespace {
 
-/// What one hat function, linear between knots, contributes from one cell: ∫ kernel·(ends' shares).
+/// Contribution of one hat function, linear between knots, from one cell: ∫ kernel·(ends'
+/// shares).
 struct CellIntegrals {
   double left;   ///< weight of the value at the cell's left end
   double right;  ///< and of that at its right end

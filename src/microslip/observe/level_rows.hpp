@@ -6,10 +6,10 @@
 #include "microslip/algebra/core.hpp"
 
 /// @file
-/// What levels are of a density: D and k_eq are linear in it. Scaled: amplitude a = A/A_max, slip
-/// force s = f*/(kA_max), density p = kA_max φ, dissipation d = D/(kA_max²), softening 1 − k_eq/k.
-/// The density is continuous and linear between rising knots s, constant below the first and zero
-/// above the last. Internal: Eigen stays out of the installed headers.
+/// Levels as rows of a density: D and k_eq are linear in it. Scaled: amplitude a = A/A_max, slip
+/// force s = f*/(kA_max), density p = kA_max φ, dissipation d = D/(kA_max²), softening 1 −
+/// k_eq/k. The density is continuous and linear between rising knots s, constant below the first
+/// and zero above the last. Internal: Eigen stays out of the installed headers.
 
 namespace microslip {
 

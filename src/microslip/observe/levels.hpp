@@ -7,7 +7,7 @@
 
 namespace microslip {
 
-/// What was measured: one entry a level of vibration. The vectors `amplitude` and `dissipation` are
+/// Measured levels: one entry per level of vibration. The vectors `amplitude` and `dissipation` are
 /// of one length; each of the others is of that length or empty (not measured).
 struct Levels {
   std::vector<double> amplitude = {};             ///< A, amplitude of the joint displacement, m
@@ -16,11 +16,11 @@ struct Levels {
   std::vector<double> dissipation_std = {};       ///< standard deviation of D, J
   std::vector<double> secant_stiffness = {};      ///< k_eq of the first harmonic, N/m
   std::vector<double> secant_stiffness_std = {};  ///< standard deviation of k_eq, N/m
-  /// W_lin, linear loss per cycle that was taken from the input energy to get D, J; it serves
-  /// BandOptions::loss_factor_std only.
+  /// W_lin, linear loss per cycle that was subtracted from the input energy to get D, J; it is used
+  /// by BandOptions::loss_factor_std only.
   std::vector<double> linear_dissipation = {};
-  /// Frequency of the resonance at the level, Hz, or of a drive that was held there. No method fits
-  /// it: a joint is held against it, see stiffness_evidence().
+  /// Frequency of the resonance at the level, Hz, or of a drive that was kept there. No method fits
+  /// it: a joint is compared with it, see stiffness_evidence().
   std::vector<double> frequency = {};
   std::vector<double> frequency_std = {};  ///< its standard deviation, Hz
 
@@ -28,8 +28,8 @@ struct Levels {
   [[nodiscard]] std::size_t size() const { return amplitude.size(); }
 };
 
-/// Checks what every method needs: lengths agree, A > 0, all finite, D ≥ 0, k_eq > 0, W_lin ≥ 0,
-/// f > 0, standard deviations ≥ 0. Order and repetition are free.
+/// Checks the requirements of every method: lengths agree, A > 0, all finite, D ≥ 0, k_eq > 0,
+/// W_lin ≥ 0, f > 0, standard deviations ≥ 0. Order and repetition are free.
 /// @throws InputError  naming the level (1-based) and the value.
 void check_levels(const Levels& levels);
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// A vector of one entry a level, and the rule of its values.
+/// A vector of one entry per level, and the rule of its values.
 template <typename Owner>
 struct ModalColumn {
   std::string_view name;

@@ -9,8 +9,8 @@
 
 namespace microslip {
 
-/// What was measured of one joint of a structure at its modal levels, one entry a level; NaN where
-/// it was not. Vectors may be empty: never measured.
+/// Measurements of one joint of a structure at its modal levels, one entry per level; NaN where not
+/// measured. Vectors may be empty: never measured.
 struct JointLevels {
   std::string name = {};                     ///< of the joint in the model
   std::vector<double> amplitude = {};        ///< half range of its displacement, m
@@ -19,8 +19,8 @@ struct JointLevels {
   std::vector<double> dissipation_std = {};  ///< standard deviation of it, J
 };
 
-/// Levels of the resonances of a structure with joints: what a cycle of a mode loses at rising
-/// amplitude, and its frequency there. One entry a level; NaN where something was not measured.
+/// Levels of the resonances of a structure with joints: the loss per cycle of a mode at rising
+/// amplitude, and its frequency there. One entry per level; NaN where something was not measured.
 /// `mode` and `displacement` are whole; each other vector is as long or empty (never measured).
 struct ModalLevels {
   std::vector<std::size_t> mode = {};          ///< by frequency with all joints stuck, from 0
@@ -33,8 +33,8 @@ struct ModalLevels {
   std::vector<double> damping_ratio = {};      ///< ζ of structure and joints, 1; ≥ 0
   std::vector<double> damping_ratio_std = {};  ///< its standard deviation, 1; ≥ 0
   std::vector<JointLevels> joints = {};        ///< those with sensors or an observer of their own
-  /// Number of the session that it was measured in, any; empty: one. What the frequencies of a mode
-  /// are off by may be another in each.
+  /// Number of the measurement session, any; empty: one session. The frequency offset of a mode may
+  /// differ between sessions.
   std::vector<std::size_t> session = {};
 
   /// The number of levels.
@@ -51,18 +51,18 @@ struct ModalLevels {
   }
 };
 
-/// Levels of another file behind these; columns that one of them lacks are NaN there, and the
+/// Appends the levels of another file; columns that one of them lacks are NaN there, and the
 /// session is 0.
 void append(const ModalLevels& more, ModalLevels& levels);
 
-/// Those of some numbers, from 0.
+/// The levels with the given indices, from 0.
 [[nodiscard]] ModalLevels some_levels(const ModalLevels& levels,
                                       std::span<const std::size_t> which);
 
 /// The number of levels without repetitions: those of one mode at one displacement are one.
 [[nodiscard]] std::size_t distinct_levels(const ModalLevels& levels);
 
-/// Checks the rules of ModalLevels, and that each level tells a loss: D of all joints, D of one, or
+/// Checks the rules of ModalLevels, and that each level has a loss: D of all joints, D of one, or
 /// ζ.
 /// @throws InputError  naming the level (from 1) and the value.
 void check_modal_levels(const ModalLevels& levels);

@@ -19,8 +19,8 @@ constexpr double kFullRowAfter = 8.0;  ///< lengths of a row from the turn
 /// Rows of the largest branch: as many as a density has details.
 constexpr double kRowsOfBranch = 64.0;
 
-/// What the joint remembers of its path: the reversals that still matter, and from where the virgin
-/// curve goes.
+/// Memory of the joint of its path: the reversals that still matter, and where the virgin curve
+/// starts.
 class Walk {
  public:
   Walk(PathStart start, double first) : start_(start), origin_(first), low_(first), high_(first) {}

@@ -10,14 +10,14 @@
 
 namespace microslip {
 
-/// In which state a joint is when its record begins.
+/// State of a joint when its record begins.
 enum class PathStart {
   /// No slider has slipped: the force is that of the virgin curve from the first sample on.
   kVirgin,
-  /// Nobody knows. Sliders of slip displacement x* below half the range of the path so far have
-  /// slipped once at least, so that their force is known; the others are stuck, with a force that
-  /// is constant but for the motion until the range grows: a group of samples with an offset of its
-  /// own. Samples while it grows tell nothing.
+  /// Unknown. Sliders of slip displacement x* below half the range of the path so far have slipped
+  /// once at least, so that their force is known; the others are stuck, with a force that is
+  /// constant but for the motion until the range grows: a group of samples with an offset of its
+  /// own. Samples while it grows carry no information.
   kUnknown,
 };
 
@@ -43,7 +43,7 @@ struct PathRow {
   std::size_t turns = 0;      ///< index into PathRows::turns
   PathStretch last = {};      ///< c and mean h of the stretch that the samples lie on
   double displacement = 0.0;  ///< mean of u from where the joint is without force, m
-  double velocity = 0.0;      ///< mean of u̇, m a sample
+  double velocity = 0.0;      ///< mean of u̇, m per sample
   double force = 0.0;         ///< mean of F, N
 };
 
@@ -59,14 +59,13 @@ struct PathRows {
 };
 
 /// Rows of a path by Madelung's rules. Where as many rows would be longer than a 64th of the range
-/// of the path, most branches have rows as long as that makes them, and some, spread evenly over
-/// all, rows of a 64th: a mean over a branch has what it tells of the joint as a whole, but not
-/// where it slips.
+/// of the path, most branches have rows of that length, and some, spread evenly over all, rows of a
+/// 64th: a mean over a branch determines the joint as a whole, but not where it slips.
 /// @param path       displacement of each sample, m.
 /// @param force      of each sample, N.
 /// @param start      the state that it begins in.
-/// @param threshold  turns smaller than this are held together, m; ≥ 0.
-/// @param most_rows  about so many rows at most; more samples make rows of several.
+/// @param threshold  turns smaller than this are ignored, m; ≥ 0.
+/// @param most_rows  largest number of rows, approximately; more samples are grouped.
 [[nodiscard]] PathRows path_rows(std::span<const double> path, std::span<const double> force,
                                  PathStart start, double threshold, std::size_t most_rows);
 

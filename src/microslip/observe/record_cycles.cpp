@@ -14,13 +14,13 @@ namespace {
 
 /// Ranges within this share of each other are the same, beside the noise;
 constexpr double kAlike = 1e-4;
-/// and those within this share close again, where no larger cycle holds them.
+/// and those within this share close again, where no larger cycle contains them.
 constexpr double kAsLarge = 0.03;
 /// The range before them may lack less: where a path goes beyond its last turns, the joint leaves
 /// the branch for the one outside, an error of first order.
 constexpr double kGrows = 5e-3;
-/// A record that begins at a turn of what is this share of its whole range, at least, was cut out
-/// of cycles alike, where its force comes back to this share of its range beside the noise.
+/// A record that begins at a turn of at least this share of its whole range was cut out of similar
+/// cycles, where its force comes back to this share of its range beside the noise.
 constexpr double kLoopAlone = 0.9;
 constexpr double kForceReturns = 0.01;
 /// A cycle is flagged where it misses by this share, and by so many deviations.
@@ -184,8 +184,8 @@ double norm(const std::vector<double>& values) {
   return std::sqrt(sum);
 }
 
-/// √(Σ(mean of `length` values in a row)²), over all that hold one of them: the norm for errors
-/// that a low-pass of that length has left of independent ones.
+/// √(Σ(mean of `length` values in a row)²), over all that contain one of them: the norm for
+/// errors that a low-pass of that length has left of independent ones.
 double norm_of_means(const std::vector<double>& values, std::size_t length) {
   double sum = 0.0;
   double squares = 0.0;
@@ -197,7 +197,7 @@ double norm_of_means(const std::vector<double>& values, std::size_t length) {
   return std::sqrt(squares) / static_cast<double>(length);
 }
 
-/// Walks over a path and takes cycles off it as they close.
+/// Follows a path and removes cycles from it as they close.
 class CycleFinder {
  public:
   explicit CycleFinder(const RecordEvidence& evidence)
@@ -259,7 +259,7 @@ class CycleFinder {
       if (!cut_out && (i == 0 || range(i - 1) < (1.0 - kGrows) * range(i))) continue;
       cycle.inner = inner_of(cycle.first, last);
       keep(std::move(cycle));
-      ++i;  // the way back is no branch of another
+      ++i;  // the return is no branch of another cycle
     }
   }
 

@@ -7,12 +7,12 @@
 
 namespace microslip {
 
-/// A force–displacement record with the errors that it has: its path without noise, and rows that
-/// are linear in the stiffness density (path_rows.hpp). The force of a row of n samples scatters by
+/// A force–displacement record with its errors: its path without noise, and rows that are linear
+/// in the stiffness density (path_rows.hpp). The force of a row of n samples scatters by
 ///
 ///     σ_i = s/√n_i,
 ///
-/// s that of one sample, which whoever fits estimates.
+/// s that of one sample, which a fit estimates.
 class RecordEvidence {
  public:
   /// About so many rows, beside a few of each branch: a density has a few dozen degrees of freedom,
@@ -29,7 +29,7 @@ class RecordEvidence {
   [[nodiscard]] const PathRows& rows() const { return rows_; }             ///< of that path
   [[nodiscard]] PathStart start() const { return start_; }                 ///< as given
 
-  /// The same record from another state.
+  /// This record with another state at its first sample.
   [[nodiscard]] RecordEvidence from(PathStart start) const;
 
  private:

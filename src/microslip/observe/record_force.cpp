@@ -10,7 +10,7 @@
 namespace microslip {
 namespace {
 
-/// What the stretches behind a row add.
+/// Contribution of the stretches behind a row.
 double force_behind(const std::vector<PathStretch>& turns, const Joint& joint) {
   double force = 0.0;
   for (const PathStretch& turn : turns) {
@@ -19,7 +19,7 @@ double force_behind(const std::vector<PathStretch>& turns, const Joint& joint) {
   return force;
 }
 
-/// What the stretch of a row adds, at so much more displacement than its mean.
+/// Contribution of the stretch of a row, at a displacement offset from its mean.
 double force_on(const PathRow& row, double more, const Joint& joint) {
   const double c = row.last.coefficient;
   if (std::abs(c) == 1.0) return joint.virgin_force(row.displacement + more);
@@ -34,7 +34,7 @@ double mean_of(const std::vector<double>& path, const PathRow& row) {
   return sum / static_cast<double>(row.count);
 }
 
-/// u̇ at a sample, m a sample.
+/// u̇ at a sample, m per sample.
 double velocity_at(const std::vector<double>& path, std::size_t i) {
   const std::size_t before = i == 0 ? 0 : i - 1;
   const std::size_t after = std::min(path.size() - 1, i + 1);

@@ -7,10 +7,10 @@
 #include "microslip/observe/path_rows.hpp"
 
 /// @file
-/// What a path is of a density: the force is linear in it. Scaled by a length X and a stiffness k₀:
-/// half range h/X, slip displacement s = x*/X, density p = Xψ/k₀, force F/(k₀X). The density is
-/// continuous and linear between rising knots s, constant below the first and zero above the last.
-/// Internal: Eigen stays out of the installed headers.
+/// A path as rows of a density: the force is linear in it. Scaled by a length X and a stiffness
+/// k₀: half range h/X, slip displacement s = x*/X, density p = Xψ/k₀, force F/(k₀X). The
+/// density is continuous and linear between rising knots s, constant below the first and zero above
+/// the last. Internal: Eigen stays out of the installed headers.
 
 namespace microslip {
 

@@ -40,7 +40,7 @@ struct Periodic {
   std::vector<double> values;
   std::size_t first = 0;  ///< of the path in it
   double start = 0.0;     ///< of the line
-  double slope = 0.0;     ///< a sample
+  double slope = 0.0;     ///< per sample
 
   explicit Periodic(std::span<const double> path) {
     const std::size_t n = path.size();

@@ -9,7 +9,7 @@ namespace microslip {
 
 /// Samples at which a path turns by more than the threshold, the first and the last among them.
 /// @param path       displacement of each sample, m; not empty.
-/// @param threshold  smaller turns are held together, m; ≥ 0.
+/// @param threshold  smaller turns are ignored, m; ≥ 0.
 [[nodiscard]] std::vector<std::size_t> turning_samples(std::span<const double> path,
                                                        double threshold);
 
