@@ -11,10 +11,10 @@ namespace microslip {
 
 /// How identify_assemblies() solves.
 struct AssembliesOptions {
-  int coefficients = 56;     ///< of the density; ≥ 10. More change nothing but the time.
-  std::size_t draws = 1000;  ///< of the posterior; ≥ 100
-  double confidence = 0.95;  ///< of bands and intervals, in (0, 1)
-  std::uint64_t seed = 1;    ///< of the draws
+  int coefficients = 56;                       ///< of the density; ≥ 10. More cost time only.
+  std::size_t draws = 1000;                    ///< of the posterior; ≥ 100
+  double confidence = 0.95;                    ///< of bands and intervals, in (0, 1)
+  std::uint64_t seed = 1;                      ///< of the draws
   Execution execution = Execution::threads();  ///< of the chains
   Progress progress = {};                      ///< of the draws
 

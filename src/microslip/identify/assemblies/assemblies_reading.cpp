@@ -19,13 +19,13 @@
 namespace microslip {
 namespace {
 
-/// Streams of what the next assemblies are off by come after those of the chains.
+/// Streams of the deviations of the next assemblies come after those of the chains.
 constexpr std::uint64_t kNextStreams = std::uint64_t{1} << 33U;
 /// Points of a density between two knots, so that little is lost where scales move knots.
 constexpr std::size_t kPointsOfKnot = 2;
-/// Fewer independent draws than this tell ends of intervals roughly.
+/// Fewer independent draws than this determine interval bounds only roughly.
 constexpr double kFewestEffective = 100.0;
-/// Fewer assemblies than this tell a spread to a factor of two or worse.
+/// Fewer assemblies than this determine a spread to a factor of two or worse.
 constexpr std::size_t kFewAssemblies = 6;
 
 /// Densities of draws as numbers on one axis of slip forces.

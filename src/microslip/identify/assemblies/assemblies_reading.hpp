@@ -13,11 +13,11 @@
 #include "microslip/identify/assemblies/assembly_stiffness.hpp"
 
 /// @file
-/// What draws of assemblies say. Internal: Eigen stays out of the installed headers.
+/// Results from draws of assemblies. Internal: Eigen stays out of the installed headers.
 
 namespace microslip {
 
-/// All that a result is read from.
+/// The draws and all data that a result is computed from.
 struct DrawnAssemblies {
   std::span<const Assembly> assemblies;
   const StiffnessOfAssemblies& stiffness;
@@ -27,8 +27,8 @@ struct DrawnAssemblies {
   std::size_t chain;  ///< draws of a chain
 };
 
-/// Densities, spreads and draws of the next assembly, with what few assemblies leave open. Draw i
-/// of the next is a function of (seed, i) and of draw i of the others.
+/// Densities, spreads and draws of the next assembly, with warnings where assemblies are few. Draw
+/// i of the next is a function of (seed, i) and of draw i of the others.
 void read_assemblies(const DrawnAssemblies& drawn, AssembliesResult& result);
 
 }  // namespace microslip

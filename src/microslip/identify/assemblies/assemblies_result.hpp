@@ -17,7 +17,7 @@ namespace microslip {
 /// A standard deviation between assemblies, of a logarithm: 0.1 is 10 %.
 struct Spread {
   double median = 0.0;  ///< of the draws
-  double lower = 0.0;   ///< half of what the interval leaves out is below
+  double lower = 0.0;   ///< half of the draws outside the interval lie below
   double upper = 0.0;   ///< and the other half above
 };
 
@@ -29,7 +29,7 @@ struct BandedDensity {
   std::vector<double> upper = {};    ///< 1/N
 };
 
-/// What came of one assembly. Deviations are from the middle of those that were measured.
+/// Result of one assembly. Deviations are from the middle of the measured assemblies.
 struct AssemblyFit {
   std::string name;                ///< as given
   Estimate stiffness = {};         ///< k, N/m
@@ -38,22 +38,22 @@ struct AssemblyFit {
   BandedDensity density = {};      ///< its own
   double covered_from = 0.0;       ///< kA_min, N
   double covered_to = 0.0;         ///< kA_max, N
-  LevelRows value = {};            ///< D as found, J, at LevelEvidence::levels()
+  LevelRows value = {};            ///< fitted D, J, at LevelEvidence::levels()
 };
 
-/// A joint that the next assembly may be.
+/// A possible joint of the next assembly.
 struct AssemblyJoint {
   double stiffness = 0.0;            ///< k, N/m
   std::vector<double> density = {};  ///< ψ at AssembliesResult::slip_displacement, N/m per m
 };
 
-/// What identify_assemblies() found.
+/// Result of identify_assemblies().
 struct AssembliesResult {
   double stiffness = 0.0;  ///< k of the middle, geometric mean of the assemblies', N/m
   AssemblyStiffness stiffness_from = AssemblyStiffness::kGiven;  ///< how k are known
   std::vector<double> slip_force = {};  ///< of all densities, N; from 0 to the largest k_j A_max,j
   BandedDensity common = {};            ///< of the middle of the assemblies
-  BandedDensity next = {};              ///< of another assembly: the band holds that one
+  BandedDensity next = {};              ///< of another assembly: the band contains it
   double covered_from = 0.0;            ///< least kA_min/S of all assemblies, N
   double covered_to = 0.0;              ///< largest kA_max/S of all assemblies, N
 
@@ -65,11 +65,11 @@ struct AssembliesResult {
   std::vector<double> slip_displacement = {};  ///< x* of `draws`, m
   std::vector<AssemblyJoint> draws = {};       ///< of the next assembly; each a feasible joint
 
-  double scatter = 0.0;                ///< of D: of all levels about those found, 1
+  double scatter = 0.0;                ///< of D: of all levels about the fit, 1
   bool scatter_is_relative = true;     ///< to D; else to the standard deviations given
   double confidence = 0.0;             ///< of bands and intervals
-  double effective_draws = 0.0;        ///< the least that the spreads' draws are worth
-  std::vector<Warning> warnings = {};  ///< what few assemblies, or levels, leave open
+  double effective_draws = 0.0;        ///< the fewest independent draws of a spread
+  std::vector<Warning> warnings = {};  ///< where assemblies or levels are few
   Summary summary = {};                ///< of the method
 
   /// The joint in the middle: the mean of the draws up to `covered_to`.

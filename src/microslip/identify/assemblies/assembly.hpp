@@ -8,26 +8,26 @@
 #include "microslip/observe/level_evidence.hpp"
 
 /// @file
-/// Assemblies of one kind of joint: what is given of each.
+/// Nominally equal assemblies of a joint, as input of their identification.
 
 namespace microslip {
 
-/// The least number of assemblies that identify_assemblies() takes: of two there is one difference,
-/// and a spread of one number is hardly told.
+/// The least number of assemblies that identify_assemblies() takes: two give one difference, and
+/// one number hardly determines a spread.
 inline constexpr std::size_t kFewestAssemblies = 3;
 
-/// What was measured of one assembly of a joint.
+/// Measured levels of one assembly of a joint.
 struct Assembly {
-  std::string name;                      ///< for messages and files; each its own
+  std::string name;                      ///< for messages and files; unique
   LevelEvidence levels;                  ///< one level will do
   std::optional<double> stiffness = {};  ///< k of this assembly, N/m, where it is known; > 0
 };
 
-/// Where the stiffnesses of assemblies come from.
+/// Source of the stiffnesses of assemblies.
 enum class AssemblyStiffness {
-  kGiven,   ///< each its own, as given
-  kSought,  ///< their ratios by k_eq; their geometric mean is the one that was given
-  kCommon,  ///< all have the one that was given: what they differ by is not known
+  kGiven,   ///< one given for each
+  kSought,  ///< their ratios from k_eq; their geometric mean as given
+  kCommon,  ///< one given for all: how they differ is not known
 };
 
 }  // namespace microslip

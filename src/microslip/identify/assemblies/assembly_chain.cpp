@@ -15,12 +15,12 @@ namespace {
 
 /// Steps of a derivative: of logarithms, whose rows bend over changes of 1.
 constexpr double kSmallStep = 1e-4;
-/// Newton steps to a start, and draws after each of which rows are made linear anew.
+/// Newton steps to a start, and draws after each of which rows are linearised anew.
 constexpr int kNewtonSteps = 6;
 constexpr int kRounds = 4;
 constexpr int kDrawsOfRound = 25;
-/// What is kept of the last deviations in the steps of a draw: independent ones, which may be
-/// refused, and others that are near.
+/// Correlation with the last deviations in the steps of a draw: independent proposals, which may be
+/// rejected, and near ones.
 constexpr double kKept[] = {0.0, 0.7, 0.0, 0.9};
 /// Rounds of these and of the spreads in a draw: they take little time beside that of the density.
 constexpr int kSweeps = 3;

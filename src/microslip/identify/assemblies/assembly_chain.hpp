@@ -9,8 +9,8 @@
 #include "microslip/identify/posterior/posterior_chain.hpp"
 
 /// @file
-/// Draws of a density and of what assemblies make of it. Internal: Eigen stays out of the installed
-/// headers.
+/// Draws of a density and of the deviations of assemblies from it. Internal: Eigen stays out of the
+/// installed headers.
 
 namespace microslip {
 
@@ -21,7 +21,7 @@ struct AssemblySpread {
   double shape = 0.1;       ///< of each term of a shape, which is that of Φγ at any place
 };
 
-/// All that is drawn.
+/// One draw.
 struct AssemblyDraw {
   Eigen::VectorXd middle;         ///< p of the middle at the knots
   AssemblyDeviations deviations;  ///< of the assemblies
@@ -41,8 +41,8 @@ struct AssemblyStart {
 ///     p(x, λ, l, τ) · Π_f N(deviations_f; 0, σ_f²) · p(σ_f) · likelihood of all levels,
 ///
 /// deviations being those from the middle of the assemblies that were measured: they add up to 0,
-/// and what the middle of all assemblies is off from that one is N(0, σ²/J), which is left to
-/// who predicts. So the density in the middle and the deviations from it hardly depend on each
+/// and the deviation of the middle of all assemblies from that one is N(0, σ²/J), which the
+/// prediction adds. So the density in the middle and the deviations from it hardly depend on each
 /// other, and are drawn in turn: x, λ, l and τ by PosteriorChain; deviations by steps that keep
 /// their distribution for rows that are linear in them, corrected by Metropolis; each σ given the
 /// deviations, and together with them as they are over σ.
@@ -53,14 +53,14 @@ class AssemblyChain {
   AssemblyChain(const AssemblyChain&) = delete;
   AssemblyChain& operator=(const AssemblyChain&) = delete;
 
-  /// Steps until the start is forgotten, during which rows are made linear anew.
+  /// Steps until the start is forgotten, during which rows are linearised anew.
   void settle(RandomStream& random);
 
-  /// The next draw, alike to the one before it.
+  /// The next draw, correlated with the one before it.
   const AssemblyDraw& next(RandomStream& random);
 
  private:
-  /// All rows, those of D, of k_eq and of its mean, the last without what all have in common.
+  /// All rows, those of D, of k_eq and of its mean, the last without their common offset.
   struct Residual {
     Eigen::VectorXd dissipation;
     Eigen::VectorXd secant;

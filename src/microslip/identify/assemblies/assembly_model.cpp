@@ -17,7 +17,7 @@ namespace {
 /// them is right to 1e−6 of D.
 constexpr Eigen::Index kTableSize = 1200;
 constexpr double kTableReach = 20.0;
-/// Of the variance of a shape that its terms hold.
+/// Share of the variance of a shape that its terms contain.
 constexpr double kShapeVariance = 0.99;
 
 /// Cubic through four equally spaced values at −1, 0, 1, 2.
@@ -75,7 +75,7 @@ AssemblyModel::AssemblyModel(std::vector<const LevelEvidence*> levels,
   set_tables(secant);
 }
 
-// Karhunen–Loève terms; the sign of a vector is of no account, but fixed.
+// Karhunen–Loève terms; the sign of a vector does not matter, but is fixed.
 void AssemblyModel::set_shapes(const Eigen::VectorXd& places) {
   const Eigen::Index n = places.size();
   Eigen::MatrixXd covariance(n, n);

@@ -8,22 +8,22 @@
 #include "microslip/observe/level_evidence.hpp"
 
 /// @file
-/// What levels of several assemblies are of one density and of what each assembly makes of it.
+/// Levels of several assemblies as functions of one density and of the deviations of each assembly.
 /// Internal: Eigen stays out of the installed headers.
 
 namespace microslip {
 
-/// How assemblies differ from the one in their middle: a row each, the columns of AssemblyModel.
+/// Deviations of assemblies from their middle: one row per assembly, the columns of AssemblyModel.
 using AssemblyDeviations = Eigen::MatrixXd;
 
-/// What the levels of one assembly are over their σ: D; changes of k_eq; its mean.
+/// Levels of one assembly over their σ: D; changes of k_eq; its mean.
 struct AssemblyRows {
   Eigen::VectorXd dissipation;
   Eigen::VectorXd secant;     ///< less their weighted mean; empty where not measured
   Eigen::VectorXd stiffness;  ///< that mean; empty where k is not sought
 };
 
-/// The same of coefficients: a column each.
+/// Rows of the levels by coefficients: one column per coefficient.
 struct AssemblyDesign {
   Eigen::MatrixXd dissipation;
   Eigen::MatrixXd secant;
@@ -45,7 +45,7 @@ class AssemblyModel {
   static constexpr double kShapeLength = 0.35;
 
   /// @param levels         of each assembly; must outlive this.
-  /// @param log_stiffness  ln κ of each where it is known; else what it begins with.
+  /// @param log_stiffness  ln κ of each where it is known; else its initial value.
   /// @param sought         whether κ is sought by k_eq, which all have then.
   /// @param common         the model of all levels together, with knots and scale.
   /// @param secant         whether k_eq counts.
@@ -77,15 +77,15 @@ class AssemblyModel {
   [[nodiscard]] const Eigen::VectorXd& knot_area() const { return knot_area_; }
   [[nodiscard]] const std::vector<double>& knots() const { return knots_; }
 
-  /// Whether an assembly can be so: area ≤ 1, levels within reach.
+  /// Whether the deviations are admissible: area ≤ 1, levels within reach.
   [[nodiscard]] bool possible(const Eigen::VectorXd& middle, const AssemblyDeviations& all,
                               Eigen::Index j) const;
 
-  /// What makes the rows of an assembly from coefficients, and its area.
+  /// Matrix of the rows of an assembly by coefficients, and the row of its area.
   [[nodiscard]] AssemblyDesign design(const AssemblyDeviations& all, Eigen::Index j) const;
   [[nodiscard]] Eigen::VectorXd area_row(const AssemblyDeviations& all, Eigen::Index j) const;
 
-  /// Rows of an assembly as they are with p of the middle, and as they were measured.
+  /// Rows of an assembly as predicted from p of the middle, and as measured.
   [[nodiscard]] AssemblyRows predicted(const Eigen::VectorXd& middle, const AssemblyDeviations& all,
                                        Eigen::Index j) const;
   [[nodiscard]] const AssemblyRows& measured(Eigen::Index j) const {
@@ -97,7 +97,7 @@ class AssemblyModel {
                                             const AssemblyDeviations& all, Eigen::Index j,
                                             const Eigen::VectorXd& amplitude) const;
 
-  /// Sets σ of all rows by what is predicted.
+  /// Sets σ of all rows from the prediction.
   void set_weights(const Eigen::VectorXd& middle, const AssemblyDeviations& all);
 
   /// 1/σ of the mean of k_eq of an assembly, of k_eq/kₘ; where κ is sought.
@@ -109,8 +109,8 @@ class AssemblyModel {
   /// levels, which their scatter does not show.
   [[nodiscard]] double least_secant_scale() const;
 
-  /// Independent data of D, and what of the square of its residual nothing can change; independent
-  /// changes of k_eq.
+  /// The number of independent data of D, the part of its squared residual from repeated levels,
+  /// and the number of independent changes of k_eq.
   [[nodiscard]] double dissipation_count() const { return dissipation_count_; }
   [[nodiscard]] double repeat_square() const { return repeat_square_; }
   [[nodiscard]] double secant_count() const { return secant_count_; }
@@ -144,7 +144,7 @@ class AssemblyModel {
   [[nodiscard]] Eigen::VectorXd log_scaled(const AssemblyDeviations& all, Eigen::Index j,
                                            const Eigen::VectorXd& log_amplitude) const;
   [[nodiscard]] Eigen::VectorXd shape_factor(const AssemblyDeviations& all, Eigen::Index j) const;
-  /// Of p at the knots; secant without what no density changes.
+  /// Design by p at the knots; secant without the constant part.
   [[nodiscard]] AssemblyDesign knot_design(const AssemblyDeviations& all, Eigen::Index j) const;
 
   std::vector<const LevelEvidence*> levels_;

@@ -18,8 +18,8 @@ namespace microslip {
 namespace {
 
 constexpr int kMostPasses = 8;
-constexpr double kScalesFound = 3e-3;  // far below what levels tell
-/// What scales may differ by before levels are seen, and by a step of their search.
+constexpr double kScalesFound = 3e-3;  // far below the accuracy of levels
+/// Prior deviation of the scales, and the step of their search.
 constexpr double kScalePrior = 0.7;
 constexpr double kMostStep = 0.5;
 /// The knots go on above the levels by these: at least, deviations of ln S, at most.
@@ -123,7 +123,7 @@ AssemblyDeviations deviations_of(const AssemblyModel& model, const StiffnessOfAs
   return all;
 }
 
-/// Joints of one kind do not differ by so much.
+/// Assemblies of one joint do not differ by so much.
 void check_scales(std::span<const Assembly> assemblies, const Eigen::VectorXd& log_force) {
   constexpr double kMostScale = 8.0;
   for (Eigen::Index j = 0; j < log_force.size(); ++j) {

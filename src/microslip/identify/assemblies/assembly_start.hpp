@@ -12,7 +12,7 @@
 #include "microslip/identify/assemblies/assembly_stiffness.hpp"
 
 /// @file
-/// Where draws of assemblies start. Internal: Eigen stays out of the installed headers.
+/// Start of the draws of assemblies. Internal: Eigen stays out of the installed headers.
 
 namespace microslip {
 
@@ -25,8 +25,8 @@ struct StartOfAssemblies {
 
 /// Scales the amplitudes of all assemblies such that their D lie on one curve, in turn with the
 /// inversion of all levels together, which gives knots, prior and smoothing. The knots go on above
-/// the levels as far as scales differ: of an assembly with smaller slip forces than the others,
-/// that is seen.
+/// the levels as far as scales differ: an assembly with smaller slip forces than the others covers
+/// them.
 /// @param levels     of each assembly; must outlive the result.
 /// @throws InputError  where they are too few.
 [[nodiscard]] StartOfAssemblies start_of_assemblies(std::span<const Assembly> assemblies,

@@ -10,13 +10,13 @@
 
 namespace microslip {
 
-/// All that was measured of one joint. It must outlive what refers to it.
+/// All measurements of one joint. It must outlive the objects that refer to it.
 struct JointEvidence {
   std::span<const RecordEvidence> records = {};  ///< forces on paths
   std::span<const LevelEvidence> levels = {};    ///< tables of levels, each with its own scatter
 
-  std::vector<std::string> record_names = {};  ///< for messages, one each; else numbers
-  std::vector<std::string> level_names = {};   ///< likewise
+  std::vector<std::string> record_names = {};  ///< for messages, one per record; else numbers
+  std::vector<std::string> level_names = {};   ///< the same, one per table
 
   /// "record 2", or its name.
   [[nodiscard]] std::string name_of_record(std::size_t record) const;

@@ -20,11 +20,11 @@
 namespace microslip {
 namespace {
 
-/// Rising and falling levels differ where that is more than so many times what scatter makes,
+/// Rising and falling levels differ where that is more than so many times that expected of scatter,
 constexpr double kOverScatter = 3.5;
 /// and more than this share.
 constexpr double kLeastOrder = 0.01;
-/// An amplitude that changes by less is the same again, of ln A.
+/// Changes of ln A below this count as the same amplitude.
 constexpr double kSameAmplitude = 0.05;
 constexpr Eigen::Index kFewestOfEach = 4;
 
@@ -78,7 +78,7 @@ Directions directions_of(const std::vector<double>& amplitude) {
   return found;
 }
 
-/// What rising levels have more than falling ones, of relative residuals with deviations.
+/// Excess of rising over falling levels, of relative residuals with deviations.
 LevelDepartureVerdict order_of(const Directions& of, const std::vector<double>& log_amplitude,
                                const Eigen::VectorXd& residual, const Eigen::VectorXd& deviation,
                                std::string_view quantity) {
@@ -94,7 +94,7 @@ LevelDepartureVerdict order_of(const Directions& of, const std::vector<double>& 
   }
   x.array() -= x.mean();
   const Eigen::Map<const Eigen::VectorXd> rising = view_of(of.rising);
-  // What both have beside it is the misfit of the joint.
+  // Their common part is the misfit of the joint.
   Eigen::MatrixXd columns(n, 5);
   columns << Eigen::VectorXd::Ones(n), x, x.cwiseAbs2(), rising, rising.cwiseProduct(x);
   const Eigen::MatrixXd weighted = weight.asDiagonal() * columns;
@@ -121,7 +121,7 @@ bool has_any(const std::vector<Warning>& warnings, std::initializer_list<std::st
   });
 }
 
-/// What k_eq is off that of the joint without their means, over k.
+/// Deviation of k_eq from that of the joint without their means, over k.
 LevelDepartureVerdict judge_secant(const LevelEvidence& levels, const Joint& joint,
                                    const SecantEvidence& evidence,
                                    const std::vector<Warning>& warnings) {

@@ -12,8 +12,7 @@
 #include "microslip/observe/level_evidence.hpp"
 
 /// @file
-/// Whether levels are those of one joint of the kind that is sought: the counterpart of
-/// RecordVerdict.
+/// Verdicts on whether levels are those of one Masing joint: the counterpart of RecordVerdict.
 
 namespace microslip {
 
@@ -21,10 +20,10 @@ namespace microslip {
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wshadow"
 
-/// What no such joint does over its levels.
+/// Departures of levels from a Masing joint under constant normal load.
 enum class LevelDeparture {
-  kOrder,      ///< D or k_eq of rising levels is another than of falling ones
-  kSecant,     ///< k_eq is not that of the joint that D tells of
+  kOrder,      ///< D or k_eq of rising levels differs from that of falling ones
+  kSecant,     ///< k_eq deviates from that of the joint identified from D
   kFrequency,  ///< the frequency rises, or falls beyond the softening of that joint
 };
 
@@ -36,20 +35,20 @@ inline constexpr std::array kLevelDepartures = {LevelDeparture::kOrder, LevelDep
 /// "order_matters", "secant_against_dissipation", "frequency_against_dissipation".
 [[nodiscard]] std::string_view to_string(LevelDeparture departure);
 
-/// What was found of a departure in levels that can show it.
+/// Verdict on one departure in levels that can show it.
 struct LevelDepartureVerdict {
-  LevelDeparture departure = LevelDeparture::kOrder;  ///< that was looked for
+  LevelDeparture departure = LevelDeparture::kOrder;  ///< that was tested
   double share = 0.0;         ///< relative: of D, of k_eq, of the frequency, 1
-  double noise = 0.0;         ///< what of it noise would make, 1
-  bool broken = false;        ///< whether it is there
-  std::string_view quantity;  ///< in which it is largest: "D", "k_eq", "frequency"
+  double noise = 0.0;         ///< expected of noise alone, 1
+  bool broken = false;        ///< whether it was detected
+  std::string_view quantity;  ///< where it is largest: "D", "k_eq", "frequency"
 };
 
-/// Rising against falling levels, where at least four of each lie where both were measured. A level
-/// rises or falls by the order of LevelEvidence::measured(), changes below 5 % aside. What D/D̂ − 1
-/// of rising ones has more than of falling ones, constant and linear in ln A, is a departure where
-/// it is more than 3.5 times what scatter makes of it, and above 1 % (rms). The same of k_eq over
-/// k.
+/// Compares rising with falling levels, where at least four of each lie in the range of both. A
+/// level rises or falls by the order of LevelEvidence::measured(), changes below 5 % aside. The
+/// excess of D/D̂ − 1 of rising over falling ones, constant and linear in ln A, is a departure
+/// where it is more than 3.5 times that expected of scatter, and above 1 % (rms). The same holds
+/// for k_eq over k.
 /// @param levels          with their errors.
 /// @param joint           identified from them, D̂.
 /// @param linear_damping  β of it, J/m².
@@ -57,8 +56,8 @@ struct LevelDepartureVerdict {
                                                                const Joint& joint,
                                                                double linear_damping = 0.0);
 
-/// All of them, of those that the levels can show. kSecant and kFrequency are there where the
-/// warnings say so that stand for them; their numbers are those of the evidence.
+/// All verdicts that the levels permit. kSecant and kFrequency are detected where their warnings
+/// were given; their numbers are those of the evidence.
 /// @param levels          with their errors.
 /// @param joint           identified from them.
 /// @param linear_damping  β of it, J/m².
@@ -70,7 +69,8 @@ struct LevelDepartureVerdict {
                                                               const StiffnessEvidence& evidence,
                                                               const std::vector<Warning>& warnings);
 
-/// `order_matters`, where that is broken: the others have warnings of their own.
+/// The warning `order_matters`, where that departure was detected: the others have warnings of
+/// their own.
 [[nodiscard]] std::vector<Warning> diagnose(const std::vector<LevelDepartureVerdict>& verdicts);
 
 }  // namespace microslip

@@ -57,7 +57,8 @@ std::optional<SecantEvidence> secant_evidence(const LevelEvidence& levels, const
   return evidence;
 }
 
-/// The levels by rising amplitude: ln f, its σ, and what the joint's softening makes of it at most.
+/// The levels by rising amplitude: ln f, its σ, and the most that the joint's softening changes
+/// it.
 struct Frequencies {
   std::vector<double> amplitude;
   std::vector<double> frequency;
@@ -85,7 +86,7 @@ struct Frequencies {
   [[nodiscard]] std::size_t size() const { return log.size(); }
 };
 
-/// The pair of levels between which `value` rises most, its deviations taken off.
+/// The pair of levels between which `value` rises most, its deviations subtracted.
 FrequencyChange largest_rise(const Frequencies& levels, const std::vector<double>& value) {
   std::size_t lowest = 0;
   std::size_t from = 0;
@@ -111,7 +112,7 @@ FrequencyChange largest_rise(const Frequencies& levels, const std::vector<double
           .significant = most > std::log1p(limit)};
 }
 
-/// Half the range of what a share p leaves of ln f.
+/// Half the range of the residual of ln f with a share p.
 double half_range(const Frequencies& levels, double share) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
@@ -167,7 +168,7 @@ std::string between(const FrequencyChange& change) {
                      change.to / kMicrometre, change.from_frequency, change.to_frequency);
 }
 
-/// What a prediction by this joint has to reckon with.
+/// Consequence for predictions with this joint.
 std::string consequence(const FrequencyEvidence& evidence) {
   return fmt::format(
       "A resonance predicted from this joint is uncertain by at least ± {:.2g} Hz, whatever the "
@@ -214,7 +215,7 @@ std::optional<Warning> diagnose_offset(const SecantEvidence& secant, double stif
       std::abs(offset), percent_text(std::abs(offset) / stiffness),
       percent_text(secant.offset_std / stiffness), offset > 0.0 ? "above" : "below",
       stiffness + offset);
-  // D tells of what slips below the lowest amplitude only two moments, not the area.
+  // Below the lowest amplitude D determines only two moments of the density, not its area.
   const double other = remainder + offset / stiffness;
   if (offset < 0.0 && other >= 0.0) {
     text += fmt::format(

@@ -9,9 +9,9 @@
 #include "microslip/observe/level_evidence.hpp"
 
 /// @file
-/// Measured stiffness held against a joint that was identified from dissipation: secant stiffnesses
-/// as they are, and resonance frequencies by their change, for which no model of the structure is
-/// needed. With the share p(A) of the joint in the stiffness energy of a mode
+/// Measured stiffness compared with a joint that was identified from dissipation: secant
+/// stiffnesses as they are, and resonance frequencies by their change, for which no model of the
+/// structure is needed. With the share p(A) of the joint in the stiffness energy of a mode
 ///
 ///     d ln f = ½ p d ln k_eq,   0 ≤ p ≤ 1                  (Rayleigh's quotient is stationary)
 ///
@@ -22,13 +22,13 @@ namespace microslip {
 
 /// k_eq of the levels against that of a joint.
 struct SecantEvidence {
-  /// Mean of k_eq as measured less that of the joint, weighted by 1/σ², N/m.
+  /// Mean of k_eq as measured minus that of the joint, weighted by 1/σ², N/m.
   double offset = 0.0;
   /// Of that mean, N/m: the weighted mean of the σ given, as if the errors were common to all
   /// levels; where none was given that of a mean of independent errors as large as the measured
   /// scatter, of 0.1 % of k at least.
   double offset_std = 0.0;
-  /// What is left without the offset, rms over σ, 1; nothing where σ was not given.
+  /// Residual without the offset, rms over σ, 1; nothing where σ was not given.
   std::optional<double> scatter;
 };
 
@@ -39,8 +39,8 @@ struct FrequencyChange {
   double from_frequency = 0.0;  ///< Hz
   double to_frequency = 0.0;    ///< Hz
   double change = 0.0;          ///< of the frequency, relative, 1
-  double explained = 0.0;       ///< what the joint explains of it at most, 1
-  bool significant = false;     ///< beyond what the deviations given, or steps of a drive, make
+  double explained = 0.0;       ///< the most that the joint explains of it, 1
+  bool significant = false;     ///< beyond the given deviations, or steps of a drive
 };
 
 /// Frequencies of the levels against k_eq of a joint.
@@ -49,36 +49,36 @@ struct FrequencyEvidence {
   FrequencyChange fall;  ///< the one that exceeds the joint's softening most
   double share = 0.0;    ///< p in [0, 1] that leaves the least `uncertainty`, 1
   /// Half the range that the measured frequencies have about f0 (k_eq(A)/k_eq(A_1))^(p/2) with the
-  /// best f0 and p, Hz. No structure with this joint explains them better: what is predicted is
+  /// best f0 and p, Hz. No structure with this joint explains them better: predictions are
   /// uncertain by that at least.
   double uncertainty = 0.0;
   /// The largest |f − f̂|, Hz, with f̂ through the lowest level and p = 1.
   double equivalent_joint_error = 0.0;
 };
 
-/// What the levels tell of the stiffness; nothing of what they do not have.
+/// Evidence of the levels on the stiffness; empty where they have no such column.
 struct StiffnessEvidence {
   std::optional<SecantEvidence> secant;  ///< where k_eq was measured
   std::optional<FrequencyEvidence>
-      frequency;  ///< where frequencies are there, of two levels or more
+      frequency;  ///< where frequencies of two levels or more are given
 };
 
 /// @param levels  with their errors.
 /// @param joint   identified from them.
 [[nodiscard]] StiffnessEvidence stiffness_evidence(const LevelEvidence& levels, const Joint& joint);
 
-/// What it gives reason to say:
-///   * `secant_inconsistent`     the mean of k_eq is off that of the joint by more than 1 % of k,
-///                               and by more than three standard deviations;
-///   * `secant_misfit`           k_eq changes otherwise than that of the joint: by more than twice
-///                               the standard deviations given;
+/// The warnings of the evidence:
+///   * `secant_inconsistent`     the mean of k_eq deviates from that of the joint by more than 1 %
+///                               of k, and by more than three standard deviations;
+///   * `secant_misfit`           k_eq changes differently from that of the joint: by more than
+///                               twice the standard deviations given;
 ///   * `frequency_rises`         by more than 0.3 % between two levels, or more than 0.1 % and
 ///                               three standard deviations of each where they are given;
-///   * `softening_unexplained`   it falls by as much more than all of the joint's softening.
+///   * `softening_unexplained`   it falls by as much beyond all of the joint's softening.
 [[nodiscard]] std::vector<Warning> diagnose(const StiffnessEvidence& evidence, const Joint& joint);
 
 /// `secant_inconsistent` alone.
-/// @param secant     what was measured, against the joint.
+/// @param secant     measured k_eq against the joint.
 /// @param stiffness  k of the joint, N/m.
 /// @param remainder  elastic remainder of the joint, 1.
 [[nodiscard]] std::optional<Warning> diagnose_offset(const SecantEvidence& secant, double stiffness,

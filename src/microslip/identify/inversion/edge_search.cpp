@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMostEdges = 8;
 constexpr double kVeryStrong = 10.0;
-/// Of what holds a knot in place, so that one that nothing else holds is no division by 0.
+/// Least penalty of a knot, so that one without any other is no division by 0.
 constexpr double kHeld = 1e-9;
 /// Of the trend: the step in which it is sought, and how far.
 constexpr double kTrendStep = 2.0;

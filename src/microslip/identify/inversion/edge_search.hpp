@@ -10,7 +10,8 @@
 #include "microslip/identify/inversion/inversion_basis.hpp"
 
 /// @file
-/// Where populations of sliders end at once. Internal: Eigen stays out of the installed headers.
+/// Slip forces at which populations of sliders end abruptly. Internal: Eigen stays out of the
+/// installed headers.
 
 namespace microslip {
 
@@ -18,27 +19,27 @@ namespace microslip {
 struct EdgedFit {
   std::vector<BasisEdge> edges = {};
   double trend = 0.0;
-  std::vector<double> weights = {};  ///< λ, and what else of the kind the model has
+  std::vector<double> weights = {};  ///< λ, and further weights of the model
   /// −2 log of the likelihood; infinite where there is none
   double evidence = std::numeric_limits<double>::infinity();
 };
 
-/// How a solution bends: y = Lx of the rows of its penalty, the share λLH⁻¹Lᵀ of what holds it
-/// straight, and where the middle of each row is among the equally spaced knots.
+/// How a solution bends: y = Lx of the rows of its penalty, the share λLH⁻¹Lᵀ of the penalty
+/// in it, and where the middle of each row is among the equally spaced knots.
 struct HeldBends {
   Eigen::VectorXd bend = {};
   Eigen::MatrixXd bound = {};
   Eigen::VectorXd middles = {};
 };
 
-/// One density among what is linear in it, of which edges are sought.
+/// A linear model with one density whose edges are sought.
 class EdgedModel {
  public:
   virtual ~EdgedModel() = default;
 
   /// The likeliest weights.
   /// @param edges   with room for each.
-  /// @param trend   of the smoothness.
+  /// @param trend   trend of the smoothness.
   /// @param start   a fit whose weights are near.
   /// @param coarse  whether the likeliest may be far from them.
   [[nodiscard]] virtual EdgedFit fit(std::vector<BasisEdge> edges, double trend,
@@ -48,23 +49,24 @@ class EdgedModel {
   [[nodiscard]] virtual HeldBends bends(const EdgedFit& fit) = 0;
 };
 
-/// What is known of the density, and how far the search goes.
+/// The basis of the density, and the extent of the search.
 struct EdgeSearchOptions {
-  InversionBasis uniform;      ///< without edges
-  Eigen::VectorXd amplitude;   ///< of the levels, scaled as the basis is
-  int coefficients = 0;        ///< of `uniform`
-  std::size_t look_ahead = 3;  ///< so many edges together may be needed before one of them tells
-  bool trend = true;           ///< whether the smoothness may change along the density
+  InversionBasis uniform;     ///< without edges
+  Eigen::VectorXd amplitude;  ///< of the levels, scaled as the basis is
+  int coefficients = 0;       ///< of `uniform`
+  /// So many edges together may be needed before one of them is significant.
+  std::size_t look_ahead = 3;
+  bool trend = true;  ///< whether the smoothness may change along the density
 };
 
-/// How the smoothness of a density changes along it: edges and a trend.
+/// Search of edges and of a trend: how the smoothness of a density changes along it.
 ///
-/// Edges are each as likely as "very strong" evidence asks for: −2 log of the likelihood
-/// falls by 10 [Kass & Raftery, J. Am. Stat. Assoc. 90 (1995) 773] and by the price of having
-/// looked at n places for it, 2 ln n, or more, on average over edges that tell only together, as
-/// the two ends of a narrow population may. They are sought one by one among the knots, each then
-/// moved between them to where it is likeliest, and those that the others make needless are left
-/// out again. The trend is the likeliest, with a prior deviation of 3.
+/// Each edge needs "very strong" evidence: −2 log of the likelihood falls by 10 [Kass & Raftery,
+/// J. Am. Stat. Assoc. 90 (1995) 773] and by the price of having looked at n places for it, 2 ln n,
+/// or more, on average over edges that are significant only together, as the two ends of a narrow
+/// population may. They are sought one by one among the knots, each then moved between them to
+/// where it is likeliest, and those that the others make redundant are removed. The trend is the
+/// likeliest, with a prior deviation of 3.
 class EdgeSearch {
  public:
   /// Steps of λ while places are compared, and while one is moved.
@@ -78,7 +80,8 @@ class EdgeSearch {
   /// All edges that are worth their price. @param start  a fit whose weights are near.
   [[nodiscard]] EdgedFit find(const EdgedFit& start);
 
-  /// With each edge where it is likeliest, and without those that are not worth their price.
+  /// The fit with each edge where it is likeliest, and without those that are not worth their
+  /// price.
   [[nodiscard]] EdgedFit renewed(EdgedFit fit);
 
   /// Standard deviation of the place of each edge, in spacings: −2 log of the likelihood rises by 1

@@ -19,7 +19,7 @@ namespace microslip {
 namespace {
 
 constexpr std::size_t kDensityPoints = 40;
-constexpr double kToldNothing = 100.0;     // σ over D of a level that tells nothing
+constexpr double kToldNothing = 100.0;     // σ over D of a level without information
 constexpr double kLeastLevelShare = 1e-4;  // σ over D of any level
 
 /// The scatter that was found, as LevelEvidence takes it.
@@ -43,7 +43,7 @@ LevelRows deviations_of(const LevelEvidence& evidence, const InversionResult& re
   return deviation;
 }
 
-/// Of single levels: one that stands for n has √n times as much.
+/// Of single levels: one merged from n has √n times as much.
 void undo_merging(const LevelEvidence& evidence, LevelRows& deviation) {
   for (std::size_t i = 0; i < evidence.size(); ++i) {
     const double root = std::sqrt(static_cast<double>(evidence.merged().count[i]));

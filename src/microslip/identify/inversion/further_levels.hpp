@@ -10,26 +10,26 @@
 #include "microslip/observe/level_evidence.hpp"
 
 /// @file
-/// What design_levels() takes, from levels and draws of their posterior.
+/// Arguments of design_levels(), from levels and draws of their posterior.
 
 namespace microslip {
 
-/// The same levels, and one more of which nothing is known, with 100 times its D as standard
-/// deviation: draws of their posterior reach to its amplitude, and are there what the prior and
-/// Φ0 ≤ 1 leave possible. The others have the standard deviations that `result` found.
+/// The same levels, and one more that carries no information, with 100 times its D as standard
+/// deviation: draws of their posterior extend to its amplitude, where only the prior and Φ0 ≤ 1
+/// limit them. The others have the standard deviations that `result` found.
 /// @param evidence   the levels.
 /// @param result     of invert() of them.
 /// @param stiffness  k, N/m.
 /// @param amplitude  above all levels, m.
-/// @throws InputError  where it is not.
+/// @throws InputError  where the amplitude is not above all levels.
 [[nodiscard]] LevelEvidence reaching_to(const LevelEvidence& evidence,
                                         const InversionResult& result, double stiffness,
                                         double amplitude);
 
-/// What levels at some amplitudes would tell, measured as those that are there. A level has as
-/// σ_D/D and σ_k what the deviations of the levels are at that amplitude, straight over ln A
-/// between them and constant beyond, times the scatter that was found; of D 0.01 % at least. k_eq
-/// counts where it was measured, less its mean, as in invert().
+/// Further levels at candidate amplitudes, measured as the existing ones. σ_D/D and σ_k of a
+/// level are the deviations of the existing levels, interpolated linearly over ln A and constant
+/// beyond, times the scatter found; of D 0.01 % at least. k_eq counts where it was measured, minus
+/// its mean, as in invert().
 /// @param evidence   the levels.
 /// @param result     of invert() of them.
 /// @param joints     drawn_joints().
@@ -45,7 +45,7 @@ namespace microslip {
 [[nodiscard]] DesignTarget density_target(std::span<const Joint> joints,
                                           std::pair<double, double> range);
 
-/// ∫φ df* over a range, the share of k that slips there, 1.
+/// ∫φ df* over a range, the fraction of k that slips there, 1.
 /// @param joints  draws.
 /// @param range   of slip forces, N.
 [[nodiscard]] DesignTarget area_target(std::span<const Joint> joints,

@@ -22,13 +22,13 @@
 namespace microslip {
 namespace {
 
-/// That draws go to, beside the likeliest.
+/// Places of the edges that draws take, beside the likeliest.
 constexpr std::size_t kPlacesOfEdges = 8;
 /// Slip forces at which an atom is sought first, and the levels that it takes.
 constexpr int kAtomCandidates = 41;
 constexpr int kAtomPlacesNear = 13;
 constexpr Eigen::Index kFewestForAtom = 20;
-/// Fewer levels hardly tell an edge or a trend from a smooth density.
+/// Fewer levels hardly distinguish an edge or a trend from a smooth density.
 constexpr Eigen::Index kFewestForShape = 40;
 /// Of Schwarz's criterion: "very strong" [Kass & Raftery, J. Am. Stat. Assoc. 90 (1995) 773].
 constexpr double kStrongEvidence = 10.0;
@@ -119,9 +119,9 @@ class AtomSearch {
     options_.lambda.reset();
   }
 
-  /// Its slip force as a share of kA_max: it ends the density, and above it D grows in a straight
-  /// line. Nothing where the density goes on to the end of the data or ends without an atom, or
-  /// where the levels are too few to tell.
+  /// Its slip force as a share of kA_max: it ends the density, and above it D grows linearly.
+  /// Nothing where the density continues to the end of the data or ends without an atom, or where
+  /// the levels are too few to decide.
   [[nodiscard]] std::optional<double> find();
 
  private:
@@ -259,8 +259,8 @@ SmoothingPoint unlimited_solution(const InversionModel& model) {
 }
 
 // A test of the unlimited density itself would find every peak and edge guilty, as a smoother rings
-// beside them. What a flexible density ≥ 0 leaves of D has no peaks and edges any more, only what
-// no such density can give.
+// beside them. The residual of a flexible density ≥ 0 contains no peaks and edges any more, only
+// the part of D that no such density can explain.
 void judge_sign(const InversionModel& model, const ScaledLevels& levels, InversionResult& result,
                 InnerSolutions& inner) {
   const SmoothingProblem& problem = model.problem();
@@ -296,7 +296,7 @@ void judge_sign(const InversionModel& model, const ScaledLevels& levels, Inversi
       model.largest_slip_force() * model.basis().knots()[static_cast<std::size_t>(lowest)];
 }
 
-/// What area ≤ 1 costs: the solution without it, at the same λ.
+/// The cost of area ≤ 1: the solution without it, at the same λ.
 void judge_area(const InversionModel& model, const ScaledLevels& levels, InversionResult& result,
                 InnerSolutions& inner) {
   const SmoothingPoint& point = model.solution();

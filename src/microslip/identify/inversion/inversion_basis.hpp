@@ -6,32 +6,32 @@
 #include "microslip/algebra/core.hpp"
 
 /// @file
-/// The unknowns of the inversion and what they do to D and k_eq. Internal: Eigen stays out of the
-/// installed headers.
+/// The unknowns of the inversion, and D and k_eq as linear functions of them. Internal: Eigen stays
+/// out of the installed headers.
 ///
 /// All in scaled variables: amplitude a = A/A_max, slip force s = f*/(kA_max), density p = kA_max
 /// φ, dissipation d = D/(kA_max²), softening 1 − k_eq/k.
 
 namespace microslip {
 
-/// Where a density may jump and bend: one of the equally spaced knots is there instead, twice.
+/// Place where a density may jump and bend: one of the equally spaced knots is moved there, twice.
 struct BasisEdge {
   int knot = 0;     ///< number of that knot among them, from 0
   double at = 0.0;  ///< where it is, in spacings of them: within ½ of `knot`
 };
 
 /// The density is linear between knots, constant below the first, and continuous but at edges,
-/// whose two knots are kWidth apart, relative; so the result
-/// is written without loss as a piecewise-linear part. The coefficients θ are what the roughness
-/// penalty sees: p at knot j is reference_j θ_j. With the reference s^χ₀ (χ₀ from the log–log slope
-/// of D) a power law is a constant θ and costs nothing. The first coefficient carries the knots
-/// below the lowest amplitude along: D tells only two moments of the density there.
+/// whose two knots are kWidth apart, relative; so the result is written without loss as a
+/// piecewise-linear part. The roughness penalty acts on the coefficients θ: p at knot j is
+/// reference_j θ_j. With the reference s^χ₀ (χ₀ from the log–log slope of D) a power law
+/// is a constant θ and costs nothing. The first coefficient includes the knots below the lowest
+/// amplitude: D determines only two moments of the density there.
 class InversionBasis {
  public:
   /// @param lowest        lowest scaled amplitude, in (0, 1).
   /// @param top           where the density ends, in (lowest, 1].
   /// @param exponent      χ₀, in (−1, 0].
-  /// @param coefficients  how many θ without edges, one a knot that is equally spaced; ≥ 4.
+  /// @param coefficients  how many θ without edges, one per equally spaced knot; ≥ 4.
   /// @param edges         rising, kLeastBetween knots or more from each other and from both ends.
   InversionBasis(double lowest, double top, double exponent, int coefficients,
                  const std::vector<BasisEdge>& edges = {});
@@ -47,7 +47,7 @@ class InversionBasis {
   /// Slip forces of the edges, s.
   [[nodiscard]] std::vector<double> edges() const;
 
-  /// How many θ are of a range. @param range  from 0.
+  /// The number of θ of a range. @param range  from 0.
   [[nodiscard]] Eigen::Index size_of(Eigen::Index range) const;
 
   /// The slip force s at a place among the equally spaced knots. @param at  in their spacings.
@@ -68,7 +68,7 @@ class InversionBasis {
   /// 1 − k_eq/k of each amplitude from θ: amplitudes × coefficients.
   [[nodiscard]] Eigen::MatrixXd softening(const Eigen::VectorXd& amplitude) const;
 
-  /// Area ∫p ds from p at the knots: one a knot.
+  /// Area ∫p ds from p at the knots: one per knot.
   [[nodiscard]] Eigen::VectorXd knot_area() const;
 
   /// Where each knot is among those that are equally spaced, 0 to 1; 0 for the ones below them.

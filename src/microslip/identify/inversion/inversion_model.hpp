@@ -32,12 +32,12 @@ struct ScaledLevels {
   Eigen::VectorXd typical;      ///< d smoothed without a model
   Eigen::VectorXd softening;    ///< 1 − k_eq/k; empty where not measured
 
-  /// What the scatter found is a multiple of. Two kinds of rows share one solution: what is not
-  /// known of their scatter is estimated before, as their ratio decides which of them is believed.
+  /// Unit of the scatter found. Two kinds of rows share one solution: where their scatter is not
+  /// known it is estimated before, as its ratio decides their relative weight.
   LevelScatter unit;
 };
 
-/// What a pass is to assume.
+/// Assumptions of a pass.
 struct PassOptions {
   double exponent = 0.0;  ///< χ₀
   double top = 1.0;       ///< end of the density, s
@@ -45,9 +45,9 @@ struct PassOptions {
   bool atom = false;  ///< at the top
   int coefficients = 0;
   Eigen::VectorXd fit;  ///< d of an earlier pass, for the weights
-  /// ω, one a second difference without edges; empty for 1.
+  /// ω, one per second difference without edges; empty for 1.
   Eigen::VectorXd penalty_weights;
-  double trend = 0.0;  ///< by what ln λ is more at the last knot than at the first
+  double trend = 0.0;  ///< ln λ at the last knot minus that at the first
   std::vector<BasisEdge> edges;
 };
 
@@ -64,8 +64,8 @@ class InversionModel {
   /// Rows that carry information: levels at the floor of the weights do not.
   [[nodiscard]] double informative_rows() const { return informative_rows_; }
 
-  /// Weighted square of what repeated levels differ by, and the degrees of freedom that it tells of
-  /// their scatter: beside the residual, which sees their means alone.
+  /// Weighted sum of squares of the differences between repeated levels, and its degrees of
+  /// freedom: in addition to the residual, which contains their means alone.
   [[nodiscard]] double repeat_residual() const { return repeat_residual_; }
   [[nodiscard]] double repeat_freedom() const { return repeat_freedom_; }
 
@@ -79,8 +79,8 @@ class InversionModel {
   /// W of the rows.
   [[nodiscard]] const Eigen::VectorXd& weights() const { return weights_; }
 
-  /// What makes β/k and the weight of the atom from coefficients: β/k and that weight of a
-  /// coefficient of 1 in its column, and 0 in all others.
+  /// Rows that give β/k and the weight of the atom from coefficients: the value of a coefficient
+  /// of 1 in its column, and 0 in all others.
   [[nodiscard]] Eigen::VectorXd linear_damping_row() const;
   [[nodiscard]] Eigen::VectorXd atom_row() const;
 
@@ -89,7 +89,7 @@ class InversionModel {
     return x.head(basis_.size());
   }
 
-  /// The matrix that makes φ at the knots of the basis, 1/N, from coefficients.
+  /// The matrix that gives φ at the knots of the basis, 1/N, from coefficients.
   [[nodiscard]] Eigen::MatrixXd density_matrix() const;
 
   /// φ at the knots of the basis, 1/N.
@@ -113,20 +113,21 @@ class InversionModel {
   double scatter = 0.0;              ///< σ̂, in units of 1/W
   double dissipation_scatter = 1.0;  ///< of the rows of D, over σ̂
   double softening_scatter = 1.0;    ///< of those of k_eq, over σ̂
-  /// What samples perturb the rows of k_eq by at least, over σ̂: an error common to neighbouring
-  /// levels does not show in their scatter.
+  /// The least perturbation of the rows of k_eq by samples, over σ̂: an error common to
+  /// neighbouring levels does not show in their scatter.
   double least_softening_scatter = 0.0;
   double degrees_of_freedom = 0.0;  ///< ν of σ̂²
 
-  /// Path, scatter and all else that the choice of λ set, from another model of the same levels.
+  /// Takes path, scatter and all other results of the choice of λ from another model of the same
+  /// levels.
   void take_smoothing(const InversionModel& other);
 
   [[nodiscard]] const SmoothingPoint& solution() const { return path[chosen]; }
 
-  /// −2 log of the likelihood of λ and the edges, with all coefficients and the scatter integrated
-  /// out: to compare models with different edges, up to what they have in common. What costs
-  /// nothing, a straight line on each of the ranges between edges, is given the size of the
-  /// solution as its prior deviation. Infinite where the levels leave too little freedom.
+  /// −2 log of the likelihood of λ and the edges, with all coefficients and the scatter
+  /// integrated out: to compare models with different edges, up to a common constant. The
+  /// unpenalised part, a straight line on each of the ranges between edges, is given the size of
+  /// the solution as its prior deviation. Infinite where the levels leave too little freedom.
   [[nodiscard]] double evidence(const SmoothingPoint& point) const;
 
  private:

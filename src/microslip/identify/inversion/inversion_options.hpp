@@ -17,7 +17,7 @@ struct InversionOptions {
   std::optional<double> lambda = {};
 
   /// Adds βA² with β ≥ 0 to D: linear (material, air, shaker) damping that was not subtracted.
-  /// Where the density goes on below the lowest amplitude the two can hardly be told apart.
+  /// Where the density continues below the lowest amplitude the two can hardly be distinguished.
   bool linear_damping = false;
 
   /// Adds an atom where the density ends: the slip force at which the joint passes into macro-slip,
@@ -28,7 +28,7 @@ struct InversionOptions {
   /// sliders ends there, and its smoothness have a trend; of 40 levels or more.
   bool edges = true;
 
-  /// Coefficients of the density; ≥ 10. More than the default change nothing but the time.
+  /// Coefficients of the density; ≥ 10. More than the default cost time only.
   int coefficients = 56;
 
   /// Points of the λ path; ≥ 5.

@@ -11,11 +11,11 @@
 namespace microslip {
 namespace {
 
-/// χ₀ stays where its power law has an area, and never rises: a rising reference would claim that
-/// there is no density at small slip forces, which D hardly tells.
+/// χ₀ stays where its power law has an area, and never rises: a rising reference would claim
+/// that there is no density at small slip forces, which D hardly determines.
 constexpr double kLeastExponent = -0.9;
 
-/// More points than this tell no more about a slope.
+/// More points than this do not improve a slope.
 constexpr Eigen::Index kSlopePoints = 200;
 
 /// χ₀: the median slope of ln d over ln a between levels far enough apart, less 3. [Theil & Sen]
@@ -70,7 +70,7 @@ void tell_kinds_apart(InversionModel& model, const ScaledLevels& levels) {
   const SmoothingPoint& point = model.solution();
   const Eigen::VectorXd square = (problem.data() - problem.design() * point.solution.x).cwiseAbs2();
   const Eigen::VectorXd leverage = problem.leverage(point);
-  const double both = std::max(model.scatter, 1e-150);  // levels of nothing leave none
+  const double both = std::max(model.scatter, 1e-150);  // levels of zero leave none
   const auto relative = [&](double residual, double edf, double rows, double more_freedom) {
     const double informative = std::max(rows, 1.0);
     const double freedom = informative - std::min(edf, 0.8 * informative) + more_freedom;

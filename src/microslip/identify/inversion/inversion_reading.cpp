@@ -30,7 +30,7 @@ std::vector<double> knots_of(const InversionModel& model) {
   return knots;
 }
 
-/// Makes φ at some knots that hold all of the model's, 1/N, from coefficients.
+/// The matrix that gives φ at knots that include all of the model's, 1/N, from coefficients.
 Eigen::MatrixXd density_at(const InversionModel& model, const std::vector<double>& knots) {
   const Eigen::MatrixXd own = model.density_matrix();
   const std::vector<double> at = knots_of(model);

@@ -18,10 +18,10 @@ struct PathPoint {
   double gcv;           ///< generalised cross-validation score, with the factor 1.4
   double likelihood;    ///< −2 log restricted likelihood, up to a constant
   double kkt_residual;  ///< of the constrained solution, relative
-  double kkt_rounding;  ///< as much of that may be rounding
+  double kkt_rounding;  ///< the part of that which may be rounding
 };
 
-/// What invert() found. The density is continuous and linear between the knots, up to the last one.
+/// Result of invert(). The density is continuous and linear between the knots, up to the last one.
 struct InversionResult {
   std::vector<double> slip_force;  ///< knots, N; from 0 to kA_max, or to the atom
   std::vector<double> density;     ///< φ at the knots, 1/N; ≥ 0
@@ -29,7 +29,7 @@ struct InversionResult {
 
   /// Slip forces at which the density jumps, N, rising: two knots each.
   std::vector<double> edges;
-  /// By what ln λ is more at the last knot than at the first: smoothness changes along the density.
+  /// ln λ at the last knot minus that at the first: smoothness changes along the density.
   double smoothing_trend = 0.0;
 
   std::optional<double> linear_damping;   ///< β, J/m²
@@ -45,12 +45,12 @@ struct InversionResult {
   double scatter = 0.0;
   bool scatter_is_relative = true;  ///< to D
 
-  /// The same of D alone; `scatter` is of D and k_eq together. Degrees of freedom are those that
-  /// the rows of each kind leave.
+  /// Scatter of D alone; `scatter` is of D and k_eq together. Degrees of freedom are those that the
+  /// rows of each kind leave.
   double dissipation_scatter = 0.0;
   /// Of k_eq alone, relative to its standard deviation; nothing where that was not given. Below 1
-  /// where the standard deviation holds an error common to neighbouring levels, as that of Reducer
-  /// does.
+  /// where the standard deviation includes an error common to neighbouring levels, as that of
+  /// Reducer does.
   std::optional<double> secant_scatter = {};
 
   std::vector<double> fitted_dissipation;       ///< D of the result at LevelEvidence::levels(), J
@@ -60,18 +60,18 @@ struct InversionResult {
   /// errors were common to all levels; otherwise that of a mean of independent ones.
   double secant_offset_std = 0.0;
 
-  /// By how much D asks for a negative density, in standard deviations (smoothing included): what
-  /// the residual of a flexible density ≥ 0 still tells, smoothed as without limits, where it makes
-  /// the density negative. Below −3.5 or so the data contradict φ ≥ 0. ≤ 0.
+  /// By how much D requires a negative density, in standard deviations (smoothing included): the
+  /// residual of a flexible density ≥ 0, smoothed as without limits, where it makes the density
+  /// negative. Below −3.5 or so the data contradict φ ≥ 0. ≤ 0.
   double lowest_score = 0.0;
   double lowest_at = 0.0;  ///< slip force there, N
 
-  /// Objective that area ≤ 1 costs in units of the scatter's variance, and Φ0 without that limit: a
-  /// cost above a dozen or so contradicts the stiffness k.
+  /// Increase of the objective by the limit area ≤ 1, in units of the scatter's variance: above a
+  /// dozen or so it contradicts the stiffness k.
   double area_cost = 0.0;
   double unlimited_area = 0.0;  ///< Φ0 without the limit, 1
 
-  /// Solutions beside the result itself: those of the path and of its first pass, of the search of
+  /// Solutions beside the result itself: those of the path and of its first pass, of the search for
   /// an atom, and those behind lowest_score and area_cost; and how many did not converge.
   std::size_t inner_solutions = 0;
   std::size_t inner_not_converged = 0;  ///< of them
@@ -81,7 +81,7 @@ struct InversionResult {
   /// @throws InputError  where its parts do not belong together, or it is empty.
   void check() const;
 
-  /// What is left possible beside this: bands come from it.
+  /// The posterior of the density: bands are drawn from it.
   DensityPosterior posterior;
 };
 

@@ -9,17 +9,17 @@
 #include "microslip/joint/joint.hpp"
 
 /// @file
-/// What invert() finds, as joints.
+/// Results of invert() as joints.
 
 namespace microslip {
 
 /// The joint of a result of invert().
 /// @param result     with its atom, where it has one.
-/// @param stiffness  k that it was found with, N/m.
+/// @param stiffness  k of the inversion, N/m.
 [[nodiscard]] Joint joint_of(const InversionResult& result, double stiffness);
 
 /// Draws of its posterior as joints.
-/// @param result     that they are of.
+/// @param result     whose posterior was drawn.
 /// @param samples    of its posterior.
 /// @param stiffness  k, N/m.
 [[nodiscard]] std::vector<Joint> drawn_joints(const InversionResult& result,

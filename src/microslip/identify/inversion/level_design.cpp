@@ -73,7 +73,7 @@ void check_design(const FurtherLevels& further, const DesignTarget& target, std:
                    m);
 }
 
-/// The covariance that is left, of what the candidates would measure and of the target.
+/// The remaining covariance of the measurements of the candidates and of the target.
 class Knowledge {
  public:
   Knowledge(const FurtherLevels& further, const DesignTarget& target)
@@ -203,7 +203,7 @@ std::size_t choose_levels(const Knowledge& start, std::size_t count,
   return exchanges;
 }
 
-/// By rank: all levels at the amplitude come next at which they lower S most.
+/// By rank: next come all levels at the amplitude at which they lower S most.
 std::vector<DesignedLevel> ranked_levels(Knowledge left, const std::vector<Eigen::Index>& chosen,
                                          LevelDesign& design) {
   std::vector<std::size_t> repeats(static_cast<std::size_t>(left.candidates()));

@@ -64,7 +64,7 @@ EdgedFit EdgedLevels::fit(std::vector<BasisEdge> edges, double trend, const Edge
     return true;
   };
   improves(first);
-  // An edge may ask for far more smoothing than there was, with less likely λ in between.
+  // An edge may need far more smoothing than before, with less likely λ in between.
   const double factor = coarse ? EdgeSearch::kCoarseStep : EdgeSearch::kFineStep;
   const int patience = coarse ? kPatience : 1;
   for (const double step : {factor, 1.0 / factor}) {

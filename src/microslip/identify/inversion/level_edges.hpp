@@ -14,11 +14,11 @@
 
 namespace microslip {
 
-/// Edges and the trend of a pass, as EdgeSearch has them.
-/// @param levels  what was measured.
+/// Finds edges and the trend of a pass, see EdgeSearch.
+/// @param levels  measured levels.
 /// @param lambda  of the solution of the pass: where each search of λ begins.
 /// @param pass    without edges and trend, and with its weights; gets both.
-/// @param inner   told of all solutions.
+/// @param inner   counts all solutions.
 void find_shape(const ScaledLevels& levels, double lambda, PassOptions& pass,
                 InnerSolutions& inner);
 

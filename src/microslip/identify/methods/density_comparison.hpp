@@ -7,7 +7,7 @@
 #include "microslip/joint/density.hpp"
 
 /// @file
-/// How an identified density compares with one that is known, as of a simulated test.
+/// Comparison of an identified density with a known one, as of a simulated test.
 
 namespace microslip {
 
@@ -19,11 +19,11 @@ struct CoveredRange {
 
 /// ‖φ − φ_true‖₂/‖φ_true‖₂ over the range, at 2001 points of equal distance; atoms do not take
 /// part.
-/// @throws InputError  for a range that is none, or where the true density is 0 all over it.
+/// @throws InputError  for an invalid range, or where the true density is 0 all over it.
 [[nodiscard]] double density_error(const Identification& found, const SlipDensity& truth,
                                    CoveredRange range = {});
 
-/// The same of a density that the levels show up to a slip force.
+/// The error of a density that the levels determine up to a slip force.
 /// @param density  φ, compared without its atoms.
 /// @param reach    kA_max, N.
 /// @param truth    the density that is known.
@@ -32,10 +32,10 @@ struct CoveredRange {
 [[nodiscard]] double density_error(const SlipDensity& density, double reach,
                                    const SlipDensity& truth, CoveredRange range = {});
 
-/// The same of a density at points, linear between them and with the end values beyond; it may be
+/// The error of a density at points, linear between them and with the end values beyond; it may be
 /// negative, as that of SplineDensityResult.
 /// @param slip_force  f*, N; rising, one at least.
-/// @param density     1/N; one a slip force.
+/// @param density     1/N; one per slip force.
 /// @param reach       kA_max, N.
 /// @param truth       the density that is known.
 /// @param range       over which the two are compared.
@@ -45,7 +45,7 @@ struct CoveredRange {
                                    const SlipDensity& truth, CoveredRange range = {});
 
 /// Share of the range on which the true density lies within the band, 1, at the same points.
-/// @throws InputError  for a range that is none, or an identification without band.
+/// @throws InputError  for an invalid range, or an identification without band.
 [[nodiscard]] double band_coverage(const Identification& found, const SlipDensity& truth,
                                    CoveredRange range = {});
 

@@ -32,8 +32,8 @@ constexpr double kRepeatsDiffer = 4.0;         // times the scatter from amplitu
 constexpr double kLeastDifference = 0.01;      // relative to D
 constexpr double kLeastSlip = 0.01;            // area
 constexpr double kNarrowRange = 1.5;           // highest over lowest amplitude
-constexpr double kDampingRange = 2.0;          // the same, from which A² and A³ are told apart
-constexpr double kAsScatter = 1.3;             // times what the fit leaves
+constexpr double kDampingRange = 2.0;          // the same, from which A² and A³ are distinguished
+constexpr double kAsScatter = 1.3;             // times the residual of the fit
 constexpr double kExponentMargin = 0.1;        // from 2
 constexpr double kExponentScore = 3.0;         // standard deviations
 constexpr double kDissipationRounding = 1e-6;  // relative to D
@@ -53,7 +53,7 @@ void diagnose_zero_std(std::string_view name, const std::vector<double>& deviati
                                   name, zero - deviations.begin() + 1)});
 }
 
-/// A result beside the levels that it is of.
+/// A result with the levels that were inverted.
 struct Inverted {
   const LevelEvidence& evidence;
   const InversionResult& result;
@@ -61,7 +61,7 @@ struct Inverted {
 
   [[nodiscard]] const Levels& levels() const { return evidence.levels(); }
 
-  /// What D of each level scatters by, J.
+  /// Standard deviation of D of each level, J.
   [[nodiscard]] std::vector<double> deviations() const {
     LevelPrediction prediction;
     prediction.value.dissipation = result.fitted_dissipation;
@@ -153,7 +153,7 @@ void diagnose_repeats(const MergedLevels& merged, std::vector<Warning>& warnings
            percent_text(*repeats), percent_text(*curve))});
 }
 
-/// A density has to serve both; where D by itself is smooth, k_eq is what bends the fit of it.
+/// One density has to fit both; where D by itself is smooth, k_eq spoils its fit.
 void diagnose_contradiction(const Inverted& inverted, std::vector<Warning>& warnings) {
   const InversionResult& result = inverted.result;
   if (result.fitted_secant_stiffness.empty() || !result.scatter_is_relative) return;
@@ -226,8 +226,8 @@ double exponent_margin(const Exponent& exponent) {
   return std::max(kExponentMargin, kExponentScore * exponent.std);
 }
 
-/// Below A², which is the least that micro-slip and linear damping make. A joint that the levels
-/// follow into macro-slip is no such case: its D begins above A².
+/// An exponent below 2, the least of micro-slip and linear damping. A joint that the levels follow
+/// into macro-slip is no such case: its D begins above A².
 void diagnose_exponent(const Levels& merged, std::vector<Warning>& warnings) {
   const std::vector<double>& a = merged.amplitude;
   if (a.back() < kDampingRange * a.front()) return;
@@ -248,7 +248,8 @@ void diagnose_exponent(const Levels& merged, std::vector<Warning>& warnings) {
                    all->value, all->std)});
 }
 
-/// Whether βA² alone is as near to D as the density. Measured secant stiffnesses tell slip from it.
+/// Whether βA² alone fits D as well as the density. Measured secant stiffnesses distinguish slip
+/// from it.
 bool is_as_linear_damping(const Inverted& inverted) {
   const InversionResult& result = inverted.result;
   const std::vector<double>& a = inverted.levels().amplitude;

@@ -11,7 +11,7 @@
 
 namespace microslip {
 
-/// What levels alone give reason to say, before any method:
+/// Warnings of the levels alone, before any method:
 ///   * `few_levels`          fewer than 10 different amplitudes;
 ///   * `narrow_range`        the highest amplitude is below 1.5 times the lowest;
 ///   * `amplitudes_merged`   equal amplitudes became one level each;
@@ -24,54 +24,51 @@ namespace microslip {
 ///                           plausibility.hpp.
 [[nodiscard]] std::vector<Warning> diagnose(const LevelEvidence& evidence);
 
-/// What an inversion gives reason to say:
+/// Warnings of an inversion:
 ///   * `density_negative`        without the limit φ would be significantly negative
 ///                               [AR14 Fig. B1];
-///   * `data_not_convex`         three neighbouring levels bend D the wrong way, beyond their
-///                               scatter;
+///   * `data_not_convex`         three neighbouring levels make D concave, beyond their scatter;
 ///   * `stiffness_inconsistent`  the area would exceed 1: more stiffness slips than k has;
 ///   * `secant_contradicts`      k_eq, of unknown deviation, bends the fit off a D that is smooth
 ///                               by itself;
-///   * `secant_inconsistent`     measured secant stiffnesses do not belong to D and k, see
+///   * `secant_inconsistent`     measured secant stiffnesses contradict D and k, see
 ///                               stiffness_evidence.hpp;
-///   * `stiffness_unchecked`     less than 1 % of k slips, and no secant stiffness tells whether k
-///                               is right;
+///   * `stiffness_unchecked`     less than 1 % of k slips, and no secant stiffness verifies k;
 ///   * `extrapolation`           much of the area lies below the lowest amplitude;
-///   * `damping_suspected`       βA² alone fits D as well, and D grows as A²: it may be no slip
+///   * `damping_suspected`       βA² alone fits D as well, and D grows as A²: it may not be slip
 ///                               at all;
-///   * `damping_ambiguous`       linear damping takes most of D at the lowest level;
-///   * `scatter_large`           the levels scatter more than a usable measurement, or than was
-///                               said;
-///   * `scatter_small`           they scatter much less than was said;
-///   * `inner_not_converged`     solutions that λ, the atom or these warnings rest on did not
+///   * `damping_ambiguous`       linear damping accounts for most of D at the lowest level;
+///   * `scatter_large`           the levels scatter more than a usable measurement, or than stated;
+///   * `scatter_small`           they scatter much less than stated;
+///   * `inner_not_converged`     solutions that λ, the atom or these warnings depend on did not
 ///                               converge;
 ///   * `macroslip_not_reached`   no atom was found.
 /// @param result     of invert().
-/// @param evidence   that it was found from.
+/// @param evidence   that was inverted.
 /// @param stiffness  k, N/m.
-/// @param options    that it was found with.
-/// @throws InputError  where the result is none of invert() or has another number of levels.
+/// @param options    of the inversion.
+/// @throws InputError  where the result is not one of invert() or has another number of levels.
 [[nodiscard]] std::vector<Warning> diagnose(const InversionResult& result,
                                             const LevelEvidence& evidence, double stiffness,
                                             const InversionOptions& options);
 
-/// What records and levels together give reason to say. Of each record that is not of a joint of
-/// the kind that is sought:
-///   * `rate_dependent`  the force follows the velocity;
-///   * `asymmetric`      it is other to one side than to the other;
+/// Warnings of records and levels together. Of each record that is not of a Masing joint under
+/// constant normal load:
+///   * `rate_dependent`  the force depends on the velocity;
+///   * `asymmetric`      it differs between the two directions;
 ///   * `dead_zone`       it is missing about zero;
 ///   * `drifts`          it grows or falls over the record;
-///   * `offset_drifts`   its zero moves;
-///   * `not_masing`      branches of different ranges do not lie on one curve;
-/// and of each table of levels that is of another joint than all else:
+///   * `offset_drifts`   its zero drifts;
+///   * `not_masing`      branches of different ranges do not follow one curve;
+/// and of each table of levels that is of another joint than all other evidence:
 ///   * `levels_contradict`  D differs, by more than four times the noise and 3 %;
-///   * `secant_differs`     k_eq does, by as much of the noise and 1 %.
-/// @param result    of the records. @param evidence  that it was found from: its names.
+///   * `secant_differs`     k_eq differs, by more than four times the noise and 1 %.
+/// @param result    of the records. @param evidence  that was inverted, with its names.
 [[nodiscard]] std::vector<Warning> diagnose(const RecordInversionResult& result,
                                             const JointEvidence& evidence);
 
-/// What bands give reason to say: `bands_not_converged`, where so many are alike that
-/// they tell no more than 3 in 100 independent ones would.
+/// Warning of bands: `bands_not_converged`, where so many draws are correlated that they are worth
+/// no more than 3 independent ones in 100.
 [[nodiscard]] std::vector<Warning> diagnose(const DensityBands& bands);
 
 }  // namespace microslip

@@ -27,7 +27,7 @@ void append(std::vector<Warning>& all, std::vector<Warning> more) {
   std::ranges::move(more, std::back_inserter(all));
 }
 
-/// A density that may be negative, made one that a joint can have.
+/// The admissible joint of a density that may be negative.
 Joint feasible_joint(double stiffness, const SignedDensity& found, std::vector<Warning>& warnings) {
   std::vector<double> density = found.density;
   const auto negative = std::ranges::count_if(density, [](double v) { return v < 0.0; });
@@ -124,7 +124,7 @@ Identification by_method(const LevelEvidence& levels, double stiffness,
   return by_inversion(levels, stiffness, options);
 }
 
-/// The joint becomes the parametric one; what the method found stays beside it.
+/// Replaces the joint by the parametric one; the result of the method stays beside it.
 void replace_by_fit(const LevelEvidence& levels, double stiffness,
                     const IdentificationOptions& options, Identification& found) {
   ParametricResult fit = fit_parametric(levels, stiffness, *options.fit,
@@ -157,7 +157,7 @@ bool has_code(const std::vector<Warning>& warnings, std::string_view code) {
   return std::ranges::find(warnings, code, &Warning::code) != warnings.end();
 }
 
-/// Of the joint that is given, whatever the inversion said of its own.
+/// Judges the stiffness of the final joint, whatever the inversion found for its own.
 void judge_stiffness(const LevelEvidence& levels, Identification& found) {
   found.stiffness = stiffness_evidence(levels, found.joint);
   std::erase_if(found.warnings, [](const Warning& w) { return w.code == "secant_inconsistent"; });
@@ -170,8 +170,8 @@ void judge_stiffness(const LevelEvidence& levels, Identification& found) {
   }
 }
 
-/// Of the levels by themselves and of their stiffness, named. What other evidence makes up for is
-/// not said.
+/// Warnings of the levels by themselves and of their stiffness, with the name of the table, without
+/// those that other evidence makes irrelevant.
 std::vector<Warning> warnings_of_table(const JointEvidence& evidence, std::size_t table,
                                        const Joint& joint) {
   const LevelEvidence& levels = evidence.levels[table];
@@ -208,7 +208,8 @@ std::optional<IdentificationMethod> find_identification_method(std::string_view 
   return std::nullopt;
 }
 
-// The band is of the free density of the inversion: beside another joint it would pass for its own.
+// The band is of the free density of the inversion: beside another joint it would be taken for its
+// own.
 void IdentificationOptions::check() const {
   inversion.check();
   if (!bands) return;

@@ -25,9 +25,9 @@
 
 namespace microslip {
 
-/// How a density is found from levels.
+/// Method of identifying a density from levels.
 enum class IdentificationMethod {
-  kInversion,    ///< invert() of levels, invert_together() of all else: the one to use
+  kInversion,    ///< invert() of levels, invert_together() of other evidence: the recommended one
   kSpline,       ///< density_by_spline(), [AR14 Fig. 9]
   kDifferences,  ///< density_by_differences(), a baseline
 };
@@ -41,41 +41,41 @@ inline constexpr std::array kIdentificationMethods = {IdentificationMethod::kInv
 /// The method of such a name; nothing for another.
 [[nodiscard]] std::optional<IdentificationMethod> find_identification_method(std::string_view name);
 
-/// What identify() does.
+/// Options of identify().
 struct IdentificationOptions {
   IdentificationMethod method = IdentificationMethod::kInversion;  ///< how the density is found
   InversionOptions inversion = {};          ///< of kInversion, and the linear damping of a fit
   SplineDensityOptions spline = {};         ///< of kSpline
-  std::optional<ParametricModel> fit = {};  ///< a parametric model in place of the density
+  std::optional<ParametricModel> fit = {};  ///< a parametric model instead of the density
   std::optional<BandOptions> bands = {};    ///< with kInversion and without `fit` only
 
-  /// @throws InputError  where options break their rules, or do not go together.
+  /// @throws InputError  where options break their rules, or are incompatible.
   void check() const;
 };
 
-/// What invert() found, with draws and their band where these were asked for.
+/// Result of invert(), with draws and their band where requested.
 struct InvertedDensity {
   InversionResult result;                   ///< of invert()
   std::vector<DensitySample> samples = {};  ///< of its posterior
   std::optional<DensityBands> bands = {};   ///< of these
 };
 
-/// A free density, by the method that found it; none where a parametric model was asked for and the
-/// levels are too few for more.
+/// A free density, by the method that found it; none where a parametric model was requested and the
+/// levels are too few for a free density.
 using FreeDensity = std::variant<std::monostate, InvertedDensity, SplineDensityResult,
                                  SignedDensity, RecordInversionResult>;
 
-/// A joint from levels or records, and what its user must know of it.
+/// A joint identified from levels or records, with its evidence and warnings.
 struct Identification {
   /// @param used   the method.
   /// @param found  its joint.
   Identification(IdentificationMethod used, Joint found) : method(used), joint(std::move(found)) {}
 
-  IdentificationMethod method;  ///< that was used
-  Joint joint;  ///< the identified density, or the parametric model that was asked for
-  /// kA_min, N: below it levels tell two moments of φ only; of records what their noise hides
+  IdentificationMethod method;  ///< method used
+  Joint joint;                  ///< the identified density, or the requested parametric model
+  /// kA_min, N: below it levels determine two moments of φ only; of records the limit set by noise
   double covered_from = 0.0;
-  double covered_to = 0.0;  ///< kA_max, N: above it they tell nothing
+  double covered_to = 0.0;  ///< kA_max, N: above it they determine nothing
 
   /// The density of `joint` at points for plots, with its band where there is one.
   std::vector<double> slip_force;  ///< N
@@ -85,19 +85,19 @@ struct Identification {
 
   std::optional<double> linear_damping;  ///< β, J/m²
 
-  FreeDensity free = {};  ///< what the method found; beside the parametric model where there is one
-  std::optional<ParametricResult> parametric = {};  ///< of the model that was asked for
+  FreeDensity free = {};  ///< of the method; beside the parametric model where there is one
+  std::optional<ParametricResult> parametric = {};  ///< of the requested model
 
   [[nodiscard]] const InversionResult* inversion() const;   ///< in `free`; null for another method
   [[nodiscard]] const DensityBands* bands() const;          ///< in `free`; null without
-  [[nodiscard]] const SplineDensityResult* spline() const;  ///< in `free`; null likewise
-  [[nodiscard]] const SignedDensity* differences() const;   ///< in `free`; null likewise
+  [[nodiscard]] const SplineDensityResult* spline() const;  ///< in `free`; null without
+  [[nodiscard]] const SignedDensity* differences() const;   ///< in `free`; null without
   [[nodiscard]] const RecordInversionResult* records()
       const;  ///< in `free`; null for one table of levels
 
-  /// Measured k_eq and frequencies held against `joint`.
+  /// Measured k_eq and frequencies compared with `joint`.
   StiffnessEvidence stiffness = {};
-  /// Whether one table of levels is of a joint of this kind; of records see `records()`.
+  /// Verdicts on whether one table of levels is of a Masing joint; of records see `records()`.
   std::vector<LevelDepartureVerdict> verdicts = {};
 
   std::vector<Warning> warnings;  ///< of the levels, the method and the stiffness, see diagnose()
@@ -105,23 +105,23 @@ struct Identification {
 };
 
 /// Levels to joint by the chosen method, judged: see diagnose() in diagnostics.hpp and
-/// stiffness_evidence.hpp for the warnings.
-/// Methods whose density may be negative give a joint with max(φ, 0), scaled to an area of 1 where
-/// it is above; both are said in a warning.
+/// stiffness_evidence.hpp for the warnings. Methods whose density may be negative give a joint with
+/// max(φ, 0), scaled to an area of 1 where it is above; both give a warning.
 /// @param evidence   the levels with their errors.
 /// @param stiffness  k of the stuck joint, N/m; > 0. It scales the slip forces: f* = kA.
-/// @param options    the method, and what belongs to it.
+/// @param options    the method, and its options.
 /// @throws InputError  where an option or a level breaks a rule.
 /// @throws Cancelled   as density_bands().
 [[nodiscard]] Identification identify(const LevelEvidence& evidence, double stiffness,
                                       const IdentificationOptions& options = {});
 
 /// Records and tables of levels of one joint together: see invert_together(). Frequencies of the
-/// levels are held against the joint as in the other case.
+/// levels are compared with the joint as in the other case.
 /// @param evidence   of one joint.
 /// @param stiffness  k of the stuck joint, N/m, where it is known; needed without records.
 /// @param options    how it is solved.
-/// @throws InputError  as invert_together(). @throws Cancelled  likewise.
+/// @throws InputError  as invert_together().
+/// @throws Cancelled   as invert_together().
 [[nodiscard]] Identification identify(const JointEvidence& evidence,
                                       std::optional<double> stiffness = {},
                                       const RecordInversionOptions& options = {});
@@ -130,7 +130,8 @@ struct Identification {
 /// @param evidence   of one joint.
 /// @param stiffness  k of the stuck joint, N/m, where it is known.
 /// @param options    how it is solved.
-/// @throws InputError  as invert_records(). @throws Cancelled  likewise.
+/// @throws InputError  as invert_records().
+/// @throws Cancelled   as invert_records().
 [[nodiscard]] Identification identify(std::span<const RecordEvidence> evidence,
                                       std::optional<double> stiffness = {},
                                       const RecordInversionOptions& options = {});

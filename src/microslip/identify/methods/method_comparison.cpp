@@ -11,7 +11,7 @@
 namespace microslip {
 namespace {
 
-/// The other methods know no linear damping. At the lowest levels it may be all that there is.
+/// The other methods do not model linear damping. At the lowest levels it may be all of D.
 Levels without_damping(Levels levels, double beta) {
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const double damping = beta * std::pow(levels.amplitude[i], 2);
@@ -25,7 +25,7 @@ Identification invert_levels(const LevelEvidence& levels, double stiffness,
   return identify(levels, stiffness, {.inversion = options});
 }
 
-/// What the method of the options says of these levels.
+/// Warnings of the method of the options for these levels.
 std::vector<Warning> warnings_of(const LevelEvidence& levels, double stiffness,
                                  IdentificationOptions options, const Identification& inversion) {
   if (options.method == IdentificationMethod::kInversion && !options.fit) return inversion.warnings;

@@ -15,13 +15,14 @@
 
 namespace microslip {
 
-/// What compare_methods() found.
+/// Result of compare_methods().
 struct MethodComparison {
   LevelEvidence evidence;    ///< with the linear damping in D
   double stiffness = 0.0;    ///< k, N/m
   InversionOptions options;  ///< of the inversion
   Identification inversion;  ///< of the levels
-  /// The levels less the linear damping, which the methods below do not know: D − βA², 0 or more.
+  /// The levels minus the linear damping, which the methods below do not model: D − βA², 0 or
+  /// more.
   LevelEvidence net_evidence;
   SplineDensityResult spline;     ///< of the net levels
   SignedDensity differences;      ///< of the net levels
@@ -41,7 +42,7 @@ struct MethodComparison {
 /// The inversion with λ times a factor.
 /// @param methods  of the levels.
 /// @param factor   > 0.
-/// @throws InputError  where they hold no inversion, or the factor breaks its rule.
+/// @throws InputError  where they contain no inversion, or the factor breaks its rule.
 [[nodiscard]] Identification inversion_with(const MethodComparison& methods, double factor);
 
 /// The spline with λ times a factor.

@@ -14,11 +14,11 @@
 namespace microslip {
 namespace {
 
-/// A loss that is not so many of its standard deviations off 0 may as well be none: one that is not
-/// there comes out at 2 of them, as it cannot be negative.
+/// A loss less than so many of its standard deviations above 0 may as well be none: the estimate of
+/// a zero loss is 2 of them, as it cannot be negative.
 constexpr double kLeastLossTold = 3.0;
 
-/// What a departure is, and what it calls for.
+/// Description of a departure, and its remedy.
 struct DepartureText {
   std::string_view what;
   std::string_view remedy;
@@ -81,7 +81,7 @@ std::vector<double> losses_of_draws(const RecordInversionResult& result) {
   return losses;
 }
 
-/// Forces of a spring tell no friction: what was found of it is what cannot be ruled out.
+/// Forces of a spring contain no friction: the friction found is what cannot be ruled out.
 void warn_of_no_slip(const RecordInversionResult& result, std::vector<Warning>& warnings) {
   const std::vector<double> losses = losses_of_draws(result);
   if (losses.size() < 2) return;

@@ -202,9 +202,9 @@ class Fit {
     return result;
   }
 
-  /// σ where they are a share of what is predicted, or hold what the amplitude's make of it: by the
-  /// best joint so far. Where two minima are nearly as good the turns may go round in circles:
-  /// later ones count less and less.
+  /// Updates σ where they are a share of the prediction, or include the effect of those of the
+  /// amplitude, by the best joint so far. Where two minima are nearly as good the alternation may
+  /// cycle: later updates count less and less.
   /// @return  the largest change of ln σ.
   double update_prediction(const Minimum& best, int turn) {
     constexpr int kFullTurns = 4;
@@ -222,8 +222,8 @@ class Fit {
                     largest_log_ratio(sigma.secant_stiffness, last.secant_stiffness));
   }
 
-  /// Fit and σ in turns, unless all σ are known. The turns follow the best start, and when σ has
-  /// settled all starts are tried again.
+  /// Fit and σ alternately, unless all σ are known. The iteration follows the best start, and
+  /// when σ has settled all starts are tried again.
   Minimum search() {
     constexpr int kMostTurns = 60;
     constexpr double kStill = 1.0;  // see update_weights()
@@ -306,7 +306,7 @@ class Fit {
     return summary;
   }
 
-  /// The Gauss–Newton step that is left, in u, which is relative.
+  /// The remaining Gauss–Newton step, in u, which is relative.
   [[nodiscard]] double step_left(const Minimum& best) const {
     if (best.free().empty()) return 0.0;
     Eigen::JacobiSVD<MatrixXd> svd(free_jacobian(problem_, best),
@@ -337,8 +337,9 @@ class Fit {
     }
   }
 
-  /// G(JᵀJ)⁻¹Gᵀ, with J of the residuals and G of the parameters over the free u. Directions of u
-  /// that the residuals do not feel make the parameters that change along them unknown: ∞.
+  /// G(JᵀJ)⁻¹Gᵀ, with J of the residuals and G of the parameters over the free u. Directions
+  /// of u to which the residuals are insensitive make the parameters that change along them
+  /// unknown: ∞.
   template <class Report>
   [[nodiscard]] MatrixXd covariance(const Minimum& best, const Report& report, Index size) const {
     MatrixXd result = MatrixXd::Zero(size, size);
@@ -356,7 +357,7 @@ class Fit {
       if (singular[k] > kRankTolerance * singular[0]) continue;
       for (Index i = 0; i < size; ++i) {
         const double share = std::abs(along(i, k)) / along.row(i).norm();
-        if (share > 1e-3) result(i, i) = kInfinity;  // not for 0/0, which is a held parameter
+        if (share > 1e-3) result(i, i) = kInfinity;  // not for 0/0, which is a fixed parameter
       }
     }
     return result;
@@ -450,7 +451,7 @@ class Fit {
   double stiffness_;
   const ParametricOptions& options_;
   std::unique_ptr<ParametricForm> form_;
-  LevelPrediction weighing_;  // what σ are by
+  LevelPrediction weighing_;  // from which σ is computed
   LevelScatter scatter_;
   LevelRows sigma_;
   ParametricModel model_;

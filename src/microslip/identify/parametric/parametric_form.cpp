@@ -17,7 +17,7 @@ using Vector = std::vector<double>;
 /// Past these a coordinate stands at its bound to all digits.
 constexpr double kFarthest = 30.0;
 
-/// What the levels tell of the scales of a joint.
+/// Scales of a joint from the levels.
 struct Range {
   double stiffness;   ///< N/m
   double amplitude;   ///< A_max, m
@@ -89,8 +89,8 @@ class FourParameterForm final : public ParametricForm {
     const double psi = q[0];
     const double a = range_.amplitude;
     if (psi <= a) return {};
-    // The same power law may end anywhere between A_max and where it holds all the stiffness, with
-    // the rest of the stiffness in the atom.
+    // The same power law may end anywhere between A_max and where it contains all the stiffness,
+    // with the rest of the stiffness in the atom.
     const double p = q[1] + 1.0;
     const double share = 1.0 / (1.0 + q[2]);  // of the power law, at ψ_max
     const double share_at_a = share * std::pow(a / psi, p);

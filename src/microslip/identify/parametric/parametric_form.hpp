@@ -50,7 +50,7 @@ class ParametricForm {
   /// Starts beyond the kinks near q: places where the sum of squares has a minimum of its own.
   [[nodiscard]] virtual std::vector<std::vector<double>> neighbours(
       std::span<const double> q) const = 0;
-  /// What the levels do not tell about this q.
+  /// Warnings where the levels do not determine this q.
   [[nodiscard]] virtual std::vector<Warning> limits(std::span<const double> q) const = 0;
 };
 

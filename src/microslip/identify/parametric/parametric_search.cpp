@@ -23,7 +23,7 @@ std::vector<std::size_t> free_places(const std::vector<Hold>& hold) {
   return places;
 }
 
-/// The face of the ranges on which some coordinates are held, over the u of the others.
+/// The face of the ranges on which some coordinates are fixed, over the u of the others.
 class Face {
  public:
   Face(const LeastSquares& problem, std::vector<Hold> hold)
@@ -76,7 +76,7 @@ class Face {
   std::vector<std::size_t> free_;
 };
 
-/// What Eigen's solver asks for.
+/// The interface that Eigen's solver needs.
 struct Functor {
   const Face* face;
   Index rows;
@@ -153,7 +153,7 @@ std::ptrdiff_t held(const Minimum& minimum) {
   return std::ranges::count_if(minimum.hold, [](Hold hold) { return hold != Hold::kFree; });
 }
 
-/// A smaller sum, or an equal one with more coordinates held.
+/// A smaller sum, or an equal one with more coordinates fixed.
 bool better(const Minimum& a, const Minimum& b, double rounding) {
   constexpr double kEqual = 1e-9;
   const double tolerance = kEqual * std::min(a.sum_of_squares, b.sum_of_squares) + rounding;

@@ -22,7 +22,7 @@ struct LeastSquares {
   double rounding = 0.0;
 };
 
-/// Whether a coordinate moves or is held at a bound.
+/// Whether a coordinate moves or is fixed at a bound.
 enum class Hold { kFree, kLower, kUpper };
 
 struct Minimum {
@@ -37,7 +37,7 @@ struct Minimum {
   [[nodiscard]] std::vector<std::size_t> free() const;
 };
 
-/// The smallest sum of squares over all ways to hold coordinates at admissible bounds.
+/// The smallest sum of squares over all combinations of coordinates fixed at admissible bounds.
 /// @param candidates  q inside of the ranges, at least one; the best `starts` of them are followed.
 [[nodiscard]] Minimum minimise(const LeastSquares& problem,
                                const std::vector<std::vector<double>>& candidates, int starts,

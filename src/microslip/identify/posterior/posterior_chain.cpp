@@ -27,7 +27,8 @@ constexpr double kInside = 1e-3;
 constexpr int kSettling = 100;
 constexpr int kStepsOfDraw = 3;
 /// While the chain settles: a trajectory of more reflections than the first is watched, ends at the
-/// second, and a coefficient that has more than the third is held near, to half of its deviation.
+/// second, and a coefficient that has more than the third is kept near its value, to half of its
+/// deviation.
 constexpr int kManyReflections = 60;
 constexpr int kMostReflections = 300;
 constexpr int kManyOfOne = 8;
@@ -127,8 +128,8 @@ Eigen::MatrixXd PosteriorChain::whole_hessian() const {
   return hessian_with(first, first.lambda, first.roughness);
 }
 
-// A sum, not the present one less what goes: of a λ many decades above the new one rounding would
-// be left, which is not definite.
+// A new sum, not an update of the present one: subtracting a λ many decades above the new one
+// would leave rounding, which is not definite.
 Eigen::MatrixXd PosteriorChain::hessian_with(const Smoothing& own, double lambda,
                                              const Eigen::MatrixXd& roughness) const {
   Eigen::MatrixXd sum = hessian_;

@@ -11,39 +11,38 @@
 #include "microslip/identify/smoothing/quadratic_program.hpp"
 
 /// @file
-/// Draws from what data and prior leave possible. Internal: Eigen stays out of the installed
-/// headers.
+/// Draws from the posterior of data and prior. Internal: Eigen stays out of the installed headers.
 
 namespace microslip {
 
 /// Rows of one kind, with a scatter of their own.
 struct ChainRows {
   Eigen::MatrixXd design =
-      {};  ///< D, rows × coefficients; as many rows as say the same of x will do
+      {};  ///< D, rows × coefficients; an equivalent smaller set of rows will do
   Eigen::VectorXd data = {};   ///< d
   Eigen::VectorXd shift = {};  ///< w: with an error δ the data are d + δw; empty for none
-  double more_square = 0.0;    ///< what x cannot change of the square of the residual
+  double more_square = 0.0;    ///< the part of the squared residual that does not depend on x
   double count = 0.0;          ///< m, of independent data: rows as measured, and repeats
   double least_scale = 0.0;    ///< of τ; 0 where it is free
-  bool scale_known = false;    ///< τ stays what it starts with: the rows are what is known before
+  bool scale_known = false;    ///< τ keeps its initial value: the rows are prior knowledge
 };
 
-/// Rows of L that have a λ and local factors of their own: those of one density among several.
+/// Rows of L with a λ and local factors of their own: those of one density among several.
 struct ChainBlock {
-  Eigen::Index rows = 0;  ///< how many
+  Eigen::Index rows = 0;  ///< number of rows
   double least_lambda = 0.0;
   double most_lambda = 0.0;
 };
 
-/// What is drawn from: with coefficients x, a scale τ_g of the scatter of each kind of rows, the
-/// smoothing λ and its local factors l,
+/// The distribution that is drawn from: with coefficients x, a scale τ_g of the scatter of each
+/// kind of rows, the smoothing λ and its local factors l,
 ///
 ///     p ∝ Π_g τ_g^−(m_g + 2) exp(−(‖D_g x − d_g‖² + more_g)/2τ_g²)
 ///         · λ^(r/2 − 1) Π_j √l_j exp(−½λ l_j (Lx)_j²) · p(l)
 ///
-/// within limits: the priors of ln λ and ln τ are flat. λ stays between two ends: where a density
-/// as smooth as can be is possible, so is any λ above. Where they are one, l is 1 too. With blocks
-/// the second line is a product of those of each.
+/// within limits: the priors of ln λ and ln τ are flat. λ stays between two ends: where a
+/// density as smooth as can be is possible, so is any λ above. Where the two are equal, l is 1
+/// too. With blocks the second line is a product of those of each.
 struct ChainTarget {
   std::vector<ChainRows> rows;
   Eigen::MatrixXd penalty;  ///< L, r × coefficients
@@ -55,7 +54,7 @@ struct ChainTarget {
   double local_deviation = 3.0;  ///< of LocalSmoothing
 };
 
-/// Where a chain starts: at a good solution.
+/// Start of a chain: a good solution.
 struct ChainStart {
   Eigen::VectorXd x;
   double lambda = 0.0;        ///< of every block
@@ -67,9 +66,9 @@ struct ChainStart {
 /// Gamma distribution and l by LocalSmoothing; τ from its scaled inverse χ² distribution.
 ///
 /// Coefficients that data press against their limit far below what the prior would let them be are
-/// reflected thousands of times on one trajectory. Near those a normal number a_j ~ N(x_j, w_j²) is
-/// drawn first, and x given a: the distribution of x stays what it is, for any w, and the
-/// trajectory is held near a.
+/// reflected thousands of times on one trajectory. Near those a normal number a_j ~ N(x_j, w_j²)
+/// is drawn first, and x given a: the distribution of x is unchanged, for any w, and the trajectory
+/// is kept near a.
 class PosteriorChain {
  public:
   /// @param target  must outlive this. @param start  may lie on limits.
@@ -78,15 +77,15 @@ class PosteriorChain {
   /// Steps until the start is forgotten, during which w is found.
   void settle(RandomStream& random);
 
-  /// Reads rows and limits of the target again, which were changed: as a step of another chain
-  /// that moves what they depend on. The last draw is within the new limits.
+  /// Reads rows and limits of the target again after a change, as by a step of another chain that
+  /// moves the quantities they depend on. The last draw is within the new limits.
   void renew();
 
-  /// What the data are wrong by in the draws to come: δ of the shifts of all rows. Data do not
+  /// Sets the error of the data in the draws to come: δ of the shifts of all rows. Data do not
   /// correct it.
   void set_error(double error);
 
-  /// The next draw, some steps on; alike to the one before it.
+  /// The next draw, some steps on; correlated with the one before it.
   const Eigen::VectorXd& next(RandomStream& random);
 
   /// Another x for the λ, l and τ of the last draw: one of the Gaussian without limits, brought
@@ -98,7 +97,7 @@ class PosteriorChain {
   /// 1812.05741]. next() hardly ever comes near limits that many coefficients have in common:
   /// where all are 0 in truth, what they sum up to is above it in every draw. Here those that may
   /// be 0 are 0 as often as noise puts them below.
-  /// @return  x, and whether it is the least.
+  /// @return  x, and whether it is the minimiser.
   [[nodiscard]] QuadraticProgram::Solution projected(RandomStream& random) const;
 
   /// Coefficients of the last draw.
@@ -113,7 +112,7 @@ class PosteriorChain {
   void step(RandomStream& random, int most_reflections);
   void gather_data(RandomStream& random);
   void add_data(Eigen::MatrixXd& hessian, Eigen::VectorXd& linear) const;
-  /// λ and l of a block, and what they make of it.
+  /// λ and l of a block, with its roughness.
   struct Smoothing {
     Eigen::Index begin;  // of its rows of L
     ChainBlock block;

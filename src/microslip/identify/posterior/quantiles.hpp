@@ -27,8 +27,8 @@ namespace microslip {
   return {quantile(values, 0.5 * (1.0 - confidence)), quantile(values, 0.5 * (1.0 + confidence))};
 }
 
-/// The same of what cannot be below 0: from 0 on where that is the shorter interval. A value that
-/// may well be 0 has no draws below, and all of them lie above.
+/// The interval of a quantity that cannot be below 0: from 0 on where that is the shorter interval.
+/// A value that may well be 0 has no draws below, and all of them lie above.
 [[nodiscard]] inline std::pair<double, double> quantile_pair_above_zero(std::vector<double>& values,
                                                                         double confidence) {
   const auto [lower, upper] = quantile_pair(values, confidence);
@@ -37,8 +37,8 @@ namespace microslip {
   return {lower, upper};
 }
 
-/// The shortest interval that holds a share of draws. Of a number that limits press to one side it
-/// goes on to where the draws are densest, where quantile_pair() leaves some out.
+/// The shortest interval that contains a share of draws. Of a number that limits press to one side
+/// it goes on to where the draws are densest, where quantile_pair() leaves some out.
 /// @param values      not empty; sorted afterwards.
 /// @param confidence  in (0, 1).
 [[nodiscard]] inline std::pair<double, double> shortest_interval(std::vector<double>& values,

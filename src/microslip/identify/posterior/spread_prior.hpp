@@ -5,13 +5,12 @@
 
 namespace microslip {
 
-/// What is known of the standard deviation σ of the logarithm of something between assemblies,
-/// before any was measured:
+/// Prior of the standard deviation σ of the logarithm of a quantity between assemblies:
 ///
 ///     p(σ) ∝ 1/((s₀ + σ)(1 + (σ/S)²)),   s₀ = 0.005, S = 0.5.
 ///
 /// From half a per cent to a factor of e^½ no order of magnitude is likelier than another, so that
-/// a few assemblies tell their spread as Student's t does; smaller ones are as good as none; larger
+/// a few assemblies determine their spread as Student's t does; smaller ones count as none; larger
 /// ones are ever less likely, so that it is proper however few assemblies there are, as half-t
 /// distributions are [Gelman, Bayesian Anal. 1 (2006) 515].
 struct SpreadPrior {
@@ -24,8 +23,8 @@ struct SpreadPrior {
   /// @param log_spread  ln σ.
   [[nodiscard]] static double log_density(double log_spread);
 
-  /// σ given deviations d ~ N(0, σ²) that are known.
-  /// @param count   of them, which are independent.
+  /// A draw of σ given known deviations d ~ N(0, σ²).
+  /// @param count   number of independent deviations.
   /// @param square  Σd².
   /// @param random  gives two numbers.
   [[nodiscard]] static double draw(double count, double square, RandomStream& random);

@@ -16,7 +16,7 @@ constexpr double kQuarterPeriod = 0.5 * std::numbers::pi;
 constexpr double kJustLeft = 1e-9;
 /// A share of the budget that is left where it would be used up.
 constexpr double kLeftOfBudget = 1e-9;
-/// What is added to the diagonal of H where rounding makes it indefinite, and how often more.
+/// Ridge on the diagonal of H where rounding makes it indefinite, and how often it is increased.
 constexpr double kLeastRidge = 1e-14;
 constexpr int kRidges = 8;
 

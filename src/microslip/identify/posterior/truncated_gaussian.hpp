@@ -18,7 +18,7 @@ struct LinearLimits {
   Eigen::Index positive = 0;
   Eigen::MatrixXd budget_weights;  ///< m ≥ 0: coefficients × budgets; 0 for no such limit
 
-  /// Whether x keeps to them.
+  /// Whether x satisfies them.
   [[nodiscard]] bool hold(const Eigen::VectorXd& x) const;
 
   /// x with what lies on a limit moved inside.
@@ -27,7 +27,8 @@ struct LinearLimits {
                                              const Eigen::VectorXd& least) const;
 };
 
-/// Draws from  p(x) ∝ exp(−½xᵀHx + gᵀx)  within limits, each from the one before it.
+/// Draws from  p(x) ∝ exp(−½xᵀHx + gᵀx)  within limits, each starting from the one before
+/// it.
 ///
 /// Hamiltonian trajectories of a quarter period, which are closed forms of sine and cosine, with
 /// exact reflections at the limits: no draw is rejected, there is no step, and the distribution is
@@ -53,7 +54,7 @@ class TruncatedGaussian {
   /// ln of the integral of exp(−½xᵀHx + gᵀx) without the limits, less ½n ln 2π.
   [[nodiscard]] double log_integral() const;
 
-  /// Of each coefficient without the limits.
+  /// Standard deviation of each coefficient without the limits.
   [[nodiscard]] Eigen::VectorXd standard_deviation() const;
 
   /// Coordinates z in which it is N(0, 1) without the limits: x = mean + L⁻ᵀz, H = LLᵀ.
@@ -62,7 +63,7 @@ class TruncatedGaussian {
 
   /// The next draw.
   /// @param x                 the last one, within the limits; replaced.
-  /// @param random            gives a normal number a coefficient.
+  /// @param random            gives one normal number per coefficient.
   /// @param most_reflections  ends the trajectory there, which is then no draw: to find a start.
   void move(Eigen::VectorXd& x, RandomStream& random, int most_reflections = kNoEnd);
 

@@ -12,7 +12,7 @@
 namespace microslip {
 namespace {
 
-/// Levels contradict where they differ by more than so many times what noise makes,
+/// Levels contradict where they differ by more than so many times the noise,
 constexpr double kOverNoiseOfLevels = 4.0;
 /// and by more than this share: of D gains of two tests, of k_eq the stiffnesses of two set-ups.
 constexpr double kLeastDifferenceOfD = 0.03;
@@ -49,7 +49,7 @@ struct WithinReach {
   }
 };
 
-/// A joint with what is not known of it.
+/// A joint with its covariance.
 class Predicted {
  public:
   /// Coefficients at their limits are not known to be there, either.
@@ -57,7 +57,7 @@ class Predicted {
       : x_(settled.best.solution.x),
         normal_(settled.model.problem().hessian(settled.best.lambda)) {}
 
-  /// rms of the differences over `scale`, weighted by what is known of each, and what noise makes.
+  /// rms of the differences over `scale`, weighted by 1/variance of each, and as expected of noise.
   [[nodiscard]] LevelVerdict judge(const Eigen::MatrixXd& rows, const Eigen::VectorXd& measured,
                                    const Eigen::VectorXd& deviation, const Eigen::VectorXd& scale,
                                    double least) const {

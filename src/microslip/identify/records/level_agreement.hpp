@@ -8,12 +8,13 @@
 #include "microslip/identify/evidence/joint_evidence.hpp"
 
 /// @file
-/// Whether a table of levels is of the joint of the records, or without any of all other tables.
+/// Agreement of a table of levels with the joint of the records, or of all other tables where there
+/// are no records.
 
 namespace microslip {
 
-/// What the joint of that evidence says of a table of levels, against what was measured: D, and
-/// k_eq where it was measured. Levels beyond the reach of the others are not judged.
+/// Verdicts on a table of levels, measured against the joint of that evidence: D, and k_eq where it
+/// was measured. Levels beyond the range of the others are not judged.
 struct LevelAgreement {
   std::optional<LevelVerdict> dissipation;
   std::optional<LevelVerdict> secant;

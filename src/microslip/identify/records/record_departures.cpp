@@ -15,13 +15,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A departure is there where it explains more of the force than so many times what noise would,
+/// A departure is detected where it explains more of the force than so many times the noise would,
 constexpr double kOverNoise = 5.0;
 /// and more than this share of it: paths are not known better.
 constexpr double kLeastDeparture = 4e-3;
 
-/// Columns describe a departure in the small; what they leave of a large one looks like others. So
-/// beside it another counts where it explains so much of what that does.
+/// Columns describe a small departure; the residual of a large one looks like others. So another
+/// counts in addition only where it explains so much of what the first does.
 constexpr double kBesideAnother = 0.25;
 
 /// A record is of another joint where taking it with others costs it more of its force than this.
@@ -32,7 +32,7 @@ struct RowSignals {
   VectorXd force;  // of the joint that was found
   VectorXd velocity;
   VectorXd time;   // from −1 to 1
-  VectorXd work;   // that the joint has taken, likewise
+  VectorXd work;   // dissipated by the joint, from −1 to 1
   VectorXd range;  // of the stretch from the last turn over the largest
 };
 
@@ -135,7 +135,7 @@ class Joined {
     factor();
   }
 
-  /// What columns would explain.
+  /// The part that columns would explain.
   struct Explained {
     VectorXd coefficients;
     MatrixXd covariance;  // of coefficients, by noise
@@ -205,8 +205,8 @@ Judged judge(const SettledRecords& settled, const ScaledRecords& records, std::s
   return judged;
 }
 
-/// What the joint of all records leaves of one beyond what its own joint does, against what
-/// noise makes of the coefficients of that.
+/// The residual of one record with the joint of all beyond that with its own joint, against the
+/// effect of noise on the coefficients of the latter.
 RecordVerdict against_others(const SettledRecords& settled, const ScaledRecords& records,
                              std::size_t record) {
   std::optional<double> known;
@@ -227,7 +227,7 @@ RecordVerdict against_others(const SettledRecords& settled, const ScaledRecords&
   return verdict;
 }
 
-/// What is there of the departures that have columns; the weightiest first.
+/// The detected departures that have columns; the largest first.
 std::vector<RecordVerdict> departures_of(const SettledRecords& settled,
                                          const ScaledRecords& records, std::size_t record) {
   const RowSignals signals = signals_of(settled, records.records[record], record);

@@ -25,10 +25,10 @@ namespace {
 
 constexpr std::size_t kFewestReversals = 2;
 constexpr std::size_t kFewestDraws = 100;
-/// A record may give back this share of the work that goes to and fro: noise.
+/// A record may return this share of the work exchanged: noise.
 constexpr double kMostGiven = 1e-2;
 
-/// A joint takes work, and its force pulls back.
+/// A joint dissipates work, and its force opposes the displacement.
 void check_sign(const RecordEvidence& evidence) {
   const std::vector<double>& u = evidence.path().displacement;
   const std::vector<double>& f = evidence.measured().force;
@@ -111,7 +111,7 @@ ChainTarget chain_target(const SettledRecords& settled) {
   return target;
 }
 
-/// Joints that the evidence leaves possible, and K_e of each.
+/// Posterior draws of the joint, and K_e of each.
 std::vector<double> draw_all(const SettledRecords& settled, const DrawReader& reader,
                              const RecordInversionOptions& options, RecordInversionResult& result) {
   const ChainTarget target = chain_target(settled);
@@ -188,7 +188,7 @@ void read_levels(const SettledRecords& settled, const JointEvidence& evidence,
   }
 }
 
-/// Levels alone tell no k, nor a viscous part.
+/// Levels alone determine neither k nor a viscous part.
 void check_evidence(const JointEvidence& evidence, std::optional<double> stiffness,
                     const RecordInversionOptions& options) {
   if (!evidence.records.empty() || evidence.levels.empty()) {

@@ -22,7 +22,7 @@ struct RecordInversionOptions {
   /// Adds c u̇ with c ≥ 0 to the force: a viscous part beside the friction. It needs a time step.
   bool viscous = false;
 
-  int coefficients = 56;     ///< of the density; ≥ 10. More change nothing but the time.
+  int coefficients = 56;     ///< of the density; ≥ 10. More cost time only.
   std::size_t draws = 1000;  ///< of the posterior; ≥ 100
   double confidence = 0.95;  ///< of the bands, in (0, 1)
   std::uint64_t seed = 1;    ///< of the draws
@@ -32,7 +32,7 @@ struct RecordInversionOptions {
   void check() const;
 };
 
-/// A joint that the records leave possible.
+/// A posterior draw of the joint.
 struct StiffnessDraw {
   std::vector<double> density = {};  ///< ψ at the knots, N/m per m; ≥ 0
   double stiffness = 0.0;            ///< k = K_e + ∫ψ dx*, N/m
@@ -41,42 +41,42 @@ struct StiffnessDraw {
 
 /// A number with its uncertainty.
 struct Estimate {
-  double value = 0.0;  ///< what is the best of it: whoever gives it says how
+  double value = 0.0;  ///< best estimate, as the result defines it
   double lower = 0.0;  ///< end of the band
   double upper = 0.0;  ///< the other end
 };
 
-/// Between these densities lie as many of the draws as asked for, slip force by slip force.
+/// Pointwise band of a density: between its edges lies the requested share of the draws.
 struct DensityBand {
   std::vector<double> lower = {};  ///< 1/N
   std::vector<double> upper = {};  ///< 1/N
 };
 
-/// What came of one record.
+/// Result of one record.
 struct RecordFit {
-  PathStart start = PathStart::kVirgin;  ///< the state that it was taken to begin in
+  PathStart start = PathStart::kVirgin;  ///< the state assumed at its first sample
   std::vector<double> offset = {};       ///< F₀ of each group of rows, N
-  std::vector<double> residual = {};     ///< measured less found force of each row, N
+  std::vector<double> residual = {};     ///< measured minus fitted force of each row, N
   double scatter = 0.0;                  ///< of the force of one sample, N
   double correlation = 0.0;              ///< of the residuals of neighbouring rows, 1
   double unexplained = 0.0;              ///< rms of residuals over that of the force, 1
-  /// Of each departure that was looked for; the weightiest first. Where kOther is there, no other
-  /// is: a joint of several would depart from each of them.
+  /// Verdicts on each departure that was tested; the largest first. Where kOther is detected, no
+  /// other is: the common joint would deviate from each record.
   std::vector<RecordVerdict> verdicts = {};
 };
 
-/// What came of one table of levels.
+/// Result of one table of levels.
 struct LevelFit {
   LevelScatter scatter = {};        ///< as LevelEvidence has it: σ is by it
   bool scatter_is_relative = true;  ///< that of D, to D; else to the standard deviations given
-  LevelRows value = {};             ///< found, J and N/m; of LevelEvidence::levels()
+  LevelRows value = {};             ///< fitted, J and N/m; of LevelEvidence::levels()
   LevelRows deviation = {};         ///< σ that they were weighted by, J and N/m
   std::optional<LevelVerdict> dissipation_verdict = {};  ///< nothing without other evidence
   std::optional<LevelVerdict> secant_verdict = {};       ///< nor where k_eq was not measured
 };
 
-/// What invert_records() found: the likeliest joint, with bands of the draws: of k, K_e and c the
-/// shortest that hold as many as asked for, widened to the estimate where they do not hold it.
+/// Result of invert_records(): the likeliest joint, with bands of the draws: of k, K_e and c the
+/// shortest that contain the requested share, widened to the estimate where they do not contain it.
 struct RecordInversionResult {
   std::vector<double> slip_displacement = {};  ///< knots x*, m; from 0 to the largest half range
   std::vector<double> density = {};            ///< ψ, N/m per m
@@ -84,15 +84,17 @@ struct RecordInversionResult {
   std::vector<double> upper = {};              ///< of its band
   Estimate stiffness = {};                     ///< k, N/m
   bool stiffness_known = false;                ///< given, not found
-  Estimate elastic_stiffness = {};             ///< K_e, N/m: what does not slip within the records
-  std::optional<Estimate> viscous = {};        ///< c, N s/m
+  /// K_e, N/m: the part that does not slip within the records.
+  Estimate elastic_stiffness = {};
+  std::optional<Estimate> viscous = {};   ///< c, N s/m
   double reference_exponent = 0.0;        ///< χ₀ of the prior: ψ ∝ x*^χ₀ costs nothing
-  std::vector<RecordFit> records = {};    ///< one a record
-  std::vector<LevelFit> levels = {};      ///< one a table of levels
+  std::vector<RecordFit> records = {};    ///< one per record
+  std::vector<LevelFit> levels = {};      ///< one per table of levels
   std::vector<StiffnessDraw> draws = {};  ///< each a feasible joint
   double confidence = 0.0;                ///< of the bands
-  double resolved_from = 0.0;             ///< smallest slip displacement that the records tell, m
-  Summary summary = {};                   ///< residual: of the optimality conditions, relative
+  /// Smallest slip displacement that the records resolve, m.
+  double resolved_from = 0.0;
+  Summary summary = {};  ///< residual: of the optimality conditions, relative
 
   /// The joint of ψ and k, with f* = kx* and φ(f*) = ψ(f*/k)/k².
   [[nodiscard]] Joint joint() const;
@@ -100,10 +102,10 @@ struct RecordInversionResult {
   [[nodiscard]] DensityBand density_band() const;
 };
 
-/// Checks that records are forces of a joint on a path that turns: twice at least, with samples to
-/// tell of it, work taken and not given, and with a time step where a viscous part is sought.
+/// Checks that records are forces of a joint on a path that turns: twice at least, with samples
+/// after that, positive work, and with a time step where a viscous part is sought.
 /// @param evidence  of one joint.
-/// @param options   that they are to be inverted with.
+/// @param options   of the inversion.
 /// @throws InputError  naming what breaks a rule.
 void check_records(std::span<const RecordEvidence> evidence,
                    const RecordInversionOptions& options = {});
@@ -113,37 +115,38 @@ void check_records(std::span<const RecordEvidence> evidence,
 ///
 ///     F(t) = F₀ + K_e u(t) + c u̇(t) + ∫ S_x*[u](t) ψ dx*,   ψ, K_e, c ≥ 0,
 ///
-/// is linear in all that is sought, and k = K_e + ∫ψ dx* is found with it.
+/// is linear in all unknowns, and k = K_e + ∫ψ dx* is found with it.
 ///
 /// Likelihood: rows of path_rows(), each with the scatter that the record shows and correlated as
-/// neighbouring residuals are. Prior: Gaussian on second differences of ψ/x*^χ₀ over x*^P, within
-/// the limits, χ₀ = 0 unless the likelihood asks strongly for a power law. The smoothing and the
-/// scale of the scatter are drawn with the density (PosteriorChain); given these, a draw is one of
-/// the Gaussian without limits, brought within them. The estimate is the minimiser at the likeliest
-/// smoothing: the mean of the draws, some of which are far rougher, is further from the truth.
+/// neighbouring residuals are. Prior: Gaussian on second differences of ψ/x*^χ₀ over x*^P,
+/// within the limits, χ₀ = 0 unless the likelihood strongly favours a power law. The smoothing
+/// and the scale of the scatter are drawn with the density (PosteriorChain); given these, a draw is
+/// one of the Gaussian without limits, brought within them. The estimate is the minimiser at the
+/// likeliest smoothing: the mean of the draws, some of which are far rougher, is further from the
+/// truth.
 ///
-/// Nothing in a record tells the sliders that slip within its noise: their stiffness is that of a
-/// density that goes on smoothly, and k rests on it.
+/// A record does not determine the sliders that slip within its noise: their stiffness is that of a
+/// smoothly continued density, and k depends on it.
 /// @param evidence   of one joint; each with two reversals at least.
 /// @param stiffness  k of the stuck joint, N/m, where it is known.
 /// @param options    how it is solved.
 /// @throws InputError  naming what breaks a rule.
-/// @throws Cancelled   as the progress callback says.
+/// @throws Cancelled   when the progress callback returns false.
 [[nodiscard]] RecordInversionResult invert_records(std::span<const RecordEvidence> evidence,
                                                    std::optional<double> stiffness = {},
                                                    const RecordInversionOptions& options = {});
 
-/// The same from records and levels together, or from several tables of levels. D of a level is
-/// linear in ψ, too, whatever k is, and so is k_eq = K_e + ∫ g(x*/A) ψ dx* [level_rows.hpp], which
-/// counts in full: with records k is found, else it must be given. Rows of levels have σ of
-/// LevelEvidence; their scatter is that of their residuals. Each table is also held against the
-/// joint of the records, or without any of all other tables: see LevelVerdict. Common errors of
-/// levels are not among what is drawn.
+/// Identifies the stiffness density from records and levels together, or from several tables of
+/// levels. D of a level is linear in ψ, too, whatever k is, and so is k_eq = K_e + ∫ g(x*/A) ψ
+/// dx* [level_rows.hpp], which counts in full: with records k is found, else it must be given. Rows
+/// of levels have σ of LevelEvidence; their scatter is that of their residuals. Each table is also
+/// compared with the joint of the records, or of all other tables where there are no records: see
+/// LevelVerdict. Common errors of levels are not drawn.
 /// @param evidence   of one joint.
 /// @param stiffness  k of the stuck joint, N/m, where it is known; needed without records.
 /// @param options    how it is solved.
 /// @throws InputError  naming what breaks a rule.
-/// @throws Cancelled   as the progress callback says.
+/// @throws Cancelled   when the progress callback returns false.
 [[nodiscard]] RecordInversionResult invert_together(const JointEvidence& evidence,
                                                     std::optional<double> stiffness = {},
                                                     const RecordInversionOptions& options = {});

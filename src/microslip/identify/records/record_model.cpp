@@ -140,7 +140,7 @@ RecordModel::LevelBlock RecordModel::level_block(std::size_t table) const {
   return block;
 }
 
-/// Takes the offset of each group from columns of rows: their mean, each row as often as it has
+/// Subtracts the offset of each group from columns of rows: their mean, each row as often as it has
 /// samples.
 void RecordModel::centre(const Block& block, Eigen::Ref<Eigen::MatrixXd> columns) {
   for (std::size_t g = 0; g + 1 < block.group_begin.size(); ++g) {
@@ -152,7 +152,7 @@ void RecordModel::centre(const Block& block, Eigen::Ref<Eigen::MatrixXd> columns
   }
 }
 
-// Neighbouring rows are alike by ρ: what is new in each, with the deviation of 1 that it had.
+// Neighbouring rows have the correlation ρ: the innovation of each, with its deviation of 1.
 void RecordModel::whiten(const Block& block, double scatter, double correlation,
                          Eigen::Ref<Eigen::MatrixXd> columns) {
   columns.array().colwise() *= block.count.array().sqrt() / scatter;

@@ -18,7 +18,7 @@
 
 namespace microslip {
 
-/// The evidence in the variables of the problem, and what of it no pass changes.
+/// The evidence in the variables of the problem, and the parts that no pass changes.
 struct ScaledRecords {
   /// @param evidence      must outlive this; records with rows, and levels: not both empty.
   /// @param known         k, N/m; needed without records.
@@ -42,13 +42,13 @@ struct ScaledRecords {
   [[nodiscard]] double energy() const { return stiffness * length * length; }
 };
 
-/// What a pass is to assume of a table of levels.
+/// Assumptions of a pass on a table of levels.
 struct LevelPass {
   LevelScatter scatter;
-  std::vector<double> dissipation;  ///< of an earlier fit, which σ are by, J
+  std::vector<double> dissipation;  ///< of an earlier fit, from which σ is computed, J
 };
 
-/// What a pass is to assume.
+/// Assumptions of a pass.
 struct RecordPass {
   double exponent = 0.0;  ///< χ₀
   bool viscous = false;
@@ -70,23 +70,24 @@ class RecordModel {
     return x.head(basis_.size());
   }
 
-  /// Makes p at the knots of the basis from coefficients.
+  /// The matrix that gives p at the knots of the basis from coefficients.
   [[nodiscard]] Eigen::MatrixXd density_matrix() const;
-  /// Make ∫p ds, K_e/k₀ and c/(k₀Δt) from coefficients. Where k is known K_e is what is left of it.
+  /// The rows that give ∫p ds, K_e/k₀ and c/(k₀Δt) from coefficients. Where k is known K_e
+  /// is the remainder of it.
   [[nodiscard]] Eigen::VectorXd area_row() const;
   [[nodiscard]] Eigen::VectorXd elastic_row() const;
   [[nodiscard]] Eigen::VectorXd viscous_row() const;
 
-  /// Further columns of the rows of a record as its rows enter the problem: offsets taken out,
-  /// over their scatter.
+  /// Weights further columns of the rows of a record as its rows enter the problem: offsets
+  /// subtracted, over their scatter.
   void weight(std::size_t record, Eigen::Ref<Eigen::MatrixXd> columns) const;
 
-  /// Takes the offset of each group from columns of the rows of a record.
+  /// Subtracts the offset of each group from columns of the rows of a record.
   void centre(std::size_t record, Eigen::Ref<Eigen::MatrixXd> columns) const;
 
   /// D, J, and where it was measured k_eq, N/m, of the levels of a table from coefficients.
   [[nodiscard]] LevelRows levels_of(std::size_t table, const Eigen::VectorXd& x) const;
-  /// What of the levels of a table is more than found, over their σ: D, and k_eq behind it.
+  /// Measured minus fitted levels of a table, over their σ: D, followed by k_eq.
   [[nodiscard]] Eigen::VectorXd level_residual(std::size_t table, const Eigen::VectorXd& x) const;
   /// σ of the rows of a table, J and N/m.
   [[nodiscard]] const LevelRows& level_deviations(std::size_t table) const {
@@ -95,18 +96,18 @@ class RecordModel {
   /// The first of the rows of a table in the problem.
   [[nodiscard]] Eigen::Index first_row(std::size_t table) const { return levels_[table].first; }
 
-  /// What makes d and k_eq/k₀ of any levels from coefficients.
+  /// Matrices that give d and k_eq/k₀ of any levels from coefficients.
   /// @param dissipation, softening  of p at the knots of the basis.
   [[nodiscard]] Eigen::MatrixXd dissipation_matrix(const Eigen::MatrixXd& dissipation) const;
   [[nodiscard]] Eigen::MatrixXd secant_matrix(const Eigen::MatrixXd& softening) const;
-  /// What of k_eq/k₀ no coefficient makes: 1 where k is known.
+  /// The part of k_eq/k₀ that does not depend on the coefficients: 1 where k is known.
   [[nodiscard]] double secant_given() const { return records_->stiffness_known ? 1.0 : 0.0; }
 
-  /// Force of each row of a record as found, over k₀X, without offset.
+  /// Fitted force of each row of a record, over k₀X, without offset.
   [[nodiscard]] Eigen::VectorXd found(std::size_t record, const Eigen::VectorXd& x) const;
-  /// What the force of each row of a record is more than found, over k₀X; offsets taken out.
+  /// Measured minus fitted force of each row of a record, over k₀X; offsets subtracted.
   [[nodiscard]] Eigen::VectorXd residual(std::size_t record, const Eigen::VectorXd& x) const;
-  /// Norm of the force of its rows, over k₀X; offsets taken out.
+  /// Norm of the force of its rows, over k₀X; offsets subtracted.
   [[nodiscard]] double force_norm(std::size_t record) const;
   /// F₀ of each group of a record, over k₀X.
   [[nodiscard]] Eigen::VectorXd offsets(std::size_t record, const Eigen::VectorXd& x) const;
@@ -121,7 +122,7 @@ class RecordModel {
   };
   struct LevelBlock {
     Eigen::MatrixXd design;  // D, then k_eq: rows × coefficients, neither centred nor weighted
-    Eigen::VectorXd data;    // less what no coefficient makes
+    Eigen::VectorXd data;    // minus the part that does not depend on the coefficients
     Eigen::VectorXd weight;
     LevelRows deviation;
     Eigen::Index first = 0;  // row in the problem

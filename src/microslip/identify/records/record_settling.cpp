@@ -17,9 +17,8 @@ constexpr double kFirstScatter = 1e-2;
 constexpr double kMostCorrelation = 0.95;
 /// No levels are exact to more than this, of D or of the deviations given.
 constexpr double kLeastLevelScatter = 1e-6;
-/// χ₀ that are tried beside 0. What slips below the resolution of a record follows from it, and k
-/// with it: a power law that goes on to zero has more stiffness there than a density that levels
-/// off.
+/// χ₀ that are tried beside 0. The slip below the resolution of a record follows from it, and k
+/// with it: a power law continued to zero has more stiffness there than a density that levels off.
 constexpr std::array kPowers = {-0.25, -0.5, -0.75};
 /// Of −2 ln likelihood: "strong" [Kass & Raftery, J. Am. Stat. Assoc. 90 (1995) 773].
 constexpr double kStrongPower = 6.0;
@@ -33,14 +32,14 @@ SettledRecords run_pass(const ScaledRecords& records, const RecordPass& settings
   return pass;
 }
 
-/// The scatter of rows, in units of what was assumed: by what they leave beyond their degrees of
-/// freedom. 1 where they leave none.
+/// The scatter of rows, in units of what was assumed: from their residuals and degrees of freedom.
+/// 1 where no degrees of freedom are left.
 double scatter_of(double square, double rows, double leverage) {
   const double freedom = rows - leverage;
   return freedom < 1.0 ? 1.0 : std::sqrt(square / freedom);
 }
 
-/// What the residuals of levels tell of their scatter, where D of the fit is what it is a share of.
+/// Scatter of levels from their residuals, relative to D of the fit.
 void read_level_noise(const SettledRecords& pass, const ScaledRecords& records, RecordPass& next) {
   if (records.levels.empty()) return;
   const Eigen::VectorXd leverage = pass.model.problem().leverage(pass.best);
@@ -70,7 +69,7 @@ void read_level_noise(const SettledRecords& pass, const ScaledRecords& records, 
   }
 }
 
-/// What the residual of each record tells of its noise.
+/// Noise of each record from its residual.
 void read_noise(const SettledRecords& pass, const ScaledRecords& records, RecordPass& next) {
   for (std::size_t r = 0; r < records.records.size(); ++r) {
     const PathRows& path = records.records[r].rows();

@@ -5,8 +5,8 @@
 #include "microslip/identify/smoothing/smoothing_path.hpp"
 
 /// @file
-/// The noise that records show, and the prior that they ask for. Internal: Eigen stays out of the
-/// installed headers.
+/// The noise of records and the prior exponent, estimated from them. Internal: Eigen stays out of
+/// the installed headers.
 
 namespace microslip {
 
@@ -18,7 +18,7 @@ struct SettledRecords {
 };
 
 /// The model to draw from: scatter and correlation are those of its own residuals, and χ₀ is 0
-/// unless the likelihood asks strongly for a power law.
+/// unless the likelihood strongly favours a power law.
 /// @param records  must outlive the result.
 /// @param viscous  whether c u̇ is sought too.
 [[nodiscard]] SettledRecords settle_records(const ScaledRecords& records, bool viscous);

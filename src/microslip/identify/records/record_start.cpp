@@ -11,7 +11,7 @@
 namespace microslip {
 namespace {
 
-/// The density has as many coefficients as it needs to show a virgin joint from another.
+/// The density has as many coefficients as are needed to distinguish a virgin joint from another.
 constexpr int kCoefficients = 30;
 /// Samples that a virgin joint misses by more than so many scatters of the others are those of a
 /// joint that had slipped.
@@ -20,10 +20,10 @@ constexpr double kMostMisfit = 2.0;
 constexpr std::size_t kFewestRows = 100;
 
 /// No force is known to more than this share of the largest: the path is not, either. Rows of many
-/// samples would show what matters to nobody.
+/// samples would show irrelevant deviations.
 constexpr double kForceFloor = 4e-3;
 
-/// What a virgin or another joint leaves of its record, N.
+/// Residual of a virgin or another joint with its record, N.
 struct Left {
   Eigen::VectorXd residual;  ///< of each row
   double scatter;            ///< of a sample
@@ -39,7 +39,7 @@ Left left_of(const RecordEvidence& evidence) {
           force * settled.model.found(0, x).cwiseAbs().maxCoeff()};
 }
 
-/// rms of the rows for which `counts` holds, over what noise and floor make of them.
+/// rms of the rows for which `counts` holds, over that expected of noise and floor.
 template <typename Counts>
 double misfit(const Left& left, double scatter, const PathRows& path, const Counts& counts) {
   const double floor = kForceFloor * left.largest;

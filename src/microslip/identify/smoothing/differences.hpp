@@ -16,7 +16,7 @@ namespace microslip {
 /// about 2.4σ/h² of D″: a baseline to compare with, not a result to use.
 /// @param levels     with their errors; at least 3 distinct.
 /// @param stiffness  k, N/m; positive and finite.
-/// @return  one point an inner level; with standard deviations where `dissipation_std` is given.
+/// @return  one point per inner level; with standard deviations where `dissipation_std` is given.
 /// @throws InputError  naming the level and the value that breaks a rule.
 [[nodiscard]] SignedDensity density_by_differences(const LevelEvidence& levels, double stiffness);
 

@@ -6,7 +6,7 @@
 #include "microslip/algebra/core.hpp"
 
 /// @file
-/// Plain numbers as Eigen sees them. Internal: Eigen stays out of the installed headers.
+/// Views of plain numbers for Eigen. Internal: Eigen stays out of the installed headers.
 
 namespace microslip {
 

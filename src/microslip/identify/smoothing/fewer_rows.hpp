@@ -7,7 +7,7 @@
 
 namespace microslip {
 
-/// No more rows than columns that say the same: ‖Ax‖ is kept for any x, as A = QR.
+/// An equivalent matrix of no more rows than columns: ‖Ax‖ is kept for any x, as A = QR.
 [[nodiscard]] inline Eigen::MatrixXd fewer_rows(const Eigen::MatrixXd& rows) {
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(rows);
   return qr.matrixQR().topRows(std::min(rows.rows(), rows.cols())).triangularView<Eigen::Upper>();

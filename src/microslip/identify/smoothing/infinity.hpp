@@ -4,8 +4,8 @@
 #include <limits>
 
 /// @file
-/// No limit of a parameter, or the score of a fit that leaves nothing to judge it by. Internal to
-/// identify.
+/// The value of a parameter without limit, and the score of a fit without degrees of freedom.
+/// Internal to identify.
 
 namespace microslip {
 

@@ -9,7 +9,7 @@ namespace microslip {
 namespace {
 
 constexpr Eigen::Index kNodes = 10;
-/// Neighbouring slices are alike; they cost little beside a draw of the coefficients.
+/// Neighbouring slices are correlated; they cost little compared with a draw of the coefficients.
 constexpr int kSlices = 3;
 constexpr double kCircle = 2.0 * std::numbers::pi;
 

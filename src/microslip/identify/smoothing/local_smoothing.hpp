@@ -9,14 +9,14 @@
 
 namespace microslip {
 
-/// Factors l_j of λ, one a row of the penalty: a density may bend sharply at one place and be
+/// Factors l_j of λ, one per row of the penalty: a density may bend sharply at one place and be
 /// smooth at another, as a peak on a plain is. With nodes that are equally spaced along the rows,
 ///
 ///     ln l = Bw less its mean,   w ~ N(0, S²),
 ///
-/// and B interpolates between the nodes. Ten nodes are as many as levels or records can tell
-/// details of a density; with S = 3 λ changes 20 times by one standard deviation, and the curvature
-/// that is usual 4 times; 2 is enough beside a trend that L has already.
+/// and B interpolates between the nodes. Ten nodes are as many as the details of a density that
+/// levels or records resolve; with S = 3 one standard deviation changes λ by a factor of 20, and
+/// the usual curvature by 4; 2 is enough where L has a trend already.
 class LocalSmoothing {
  public:
   /// @param rows  of the penalty. @param deviation  S; 0: l = 1, and nothing is drawn.
@@ -25,8 +25,7 @@ class LocalSmoothing {
   [[nodiscard]] bool varies() const { return nodes_.size() > 0; }
   [[nodiscard]] const Eigen::VectorXd& factors() const { return factors_; }  ///< l
 
-  /// Another w of the prior, alike to this one or not at all: as likely to be reached from it as it
-  /// from that one.
+  /// Another w of the prior, near this one or independent of it: reversible with respect to the prior.
   [[nodiscard]] LocalSmoothing proposed(RandomStream& random) const;
 
   /// A draw of w given λ‖·‖² of each row: of  Π √l_j exp(−½l_j s_j) · N(w; 0, S²)  by slices of

@@ -65,7 +65,7 @@ double NaturalSpline::second_derivative(double x) const {
   return second_[i] + a * (second_[i + 1] - second_[i]);
 }
 
-/// The interval that holds x, by its left knot; x within the knots.
+/// The interval that contains x, by its left knot; x within the knots.
 std::size_t NaturalSpline::interval(double x) const {
   const auto right = std::upper_bound(x_.begin() + 1, x_.end() - 1, x);
   return static_cast<std::size_t>(right - x_.begin()) - 1;

@@ -18,7 +18,7 @@ class NaturalSpline {
   /// @throws InputError  where lengths or order are wrong.
   NaturalSpline(std::vector<double> x, std::vector<double> value, std::vector<double> second);
 
-  /// g(x), and straight on outside of the knots; O(log n). NaN where x is, and without knots.
+  /// g(x), extrapolated linearly outside of the knots; O(log n). NaN where x is, and without knots.
   [[nodiscard]] double value(double x) const;
   /// g′(x).
   [[nodiscard]] double first_derivative(double x) const;

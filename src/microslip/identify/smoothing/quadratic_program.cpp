@@ -18,7 +18,7 @@ constexpr double kDualTolerance = 1e-10;
 /// Of the sum of |H_ij x_j|: a dozen of them or so are as large as the largest, and so is the
 /// backward error of the factorisation.
 constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
-constexpr int kBlockTrials = 4;  // block exchanges without progress before the way downhill
+constexpr int kBlockTrials = 4;  // block exchanges without progress before go_downhill()
 constexpr int kMostExchanges = 2000;
 
 }  // namespace
@@ -64,8 +64,8 @@ bool QuadraticProgram::solve_on_free(const Eigen::MatrixXd& hessian, const Eigen
   return true;
 }
 
-// In extended precision: with strong smoothing Hx is a small difference of large numbers, and what
-// double rounding makes of it is no violation.
+// In extended precision: with strong smoothing Hx is a small difference of large numbers, and its
+// rounding in double precision is no violation.
 double QuadraticProgram::kkt_residual(const Eigen::MatrixXd& hessian, const Eigen::VectorXd& linear,
                                       const Solution& solution) const {
   const double gradient_scale = std::max(linear.cwiseAbs().maxCoeff(), 1e-300);

@@ -24,10 +24,10 @@ class QuadraticProgram {
   struct Solution {
     Eigen::VectorXd x;
     double multiplier = 0.0;    ///< μ
-    std::vector<bool> free;     ///< not held at 0
+    std::vector<bool> free;     ///< not fixed at 0
     int exchanges = 0;          ///< how often the set of free variables was changed
     double kkt_residual = 0.0;  ///< largest violation of (KKT), relative; see solve()
-    double rounding = 0.0;      ///< as much of it may be the rounding of x to doubles
+    double rounding = 0.0;      ///< the part that may be the rounding of x to doubles
     bool converged = false;
 
     /// Whether it converged, and (KKT) holds to 1e−9 or rounding.
@@ -38,20 +38,20 @@ class QuadraticProgram {
 
   static constexpr double kMostKktResidual = 1e-9;
 
-  /// @param budget_weights  m, one a variable.
+  /// @param budget_weights  m, one per variable.
   QuadraticProgram(Eigen::VectorXd budget_weights, double budget);
 
   /// Block principal pivoting (Portugal, Júdice & Vicente, Math. Comp. 63 (1994) 625), the
-  /// multiplier eliminated on each set of free variables. With the budget it may go round in
-  /// circles: where a few exchanges make no progress, an active-set method that only goes downhill
-  /// ends it. It stops when all signs are right to 1e−12 of the largest x and 1e−10 of the largest
-  /// |g|, but for what rounding alone makes of Hx.
+  /// multiplier eliminated on each set of free variables. With the budget it may cycle: where a few
+  /// exchanges make no progress, a descending active-set method completes the solution. It stops
+  /// when all signs are right to 1e−12 of the largest x and 1e−10 of the largest |g|, but for
+  /// the rounding of Hx.
   ///
   /// The residual is the largest of |s_i| over the free and −s_i over the others relative to ‖g‖∞,
   /// −x_i relative to ‖x‖∞ and mᵀx − budget relative to the budget; infinite where H is not
   /// positive definite to rounding.
   ///
-  /// @param start  variables free at first: those of a similar problem make one exchange enough.
+  /// @param start  variables free at first: with those of a similar problem one exchange is enough.
   [[nodiscard]] Solution solve(const Eigen::MatrixXd& hessian, const Eigen::VectorXd& linear,
                                std::vector<bool> start);
 
@@ -76,12 +76,12 @@ class QuadraticProgram {
   double slack_rounding_ = 0.0;
 };
 
-/// What a summary says of a solution: whether (KKT) holds, and to what.
-/// @param what  that the reason begins with, as "optimality conditions".
+/// Enters a solution in a summary: whether (KKT) holds, and to which residual.
+/// @param what  the start of the reason, such as "optimality conditions".
 void read_optimality(const QuadraticProgram::Solution& solution, std::string_view what,
                      Summary& summary);
 
-/// Indices of the coefficients that are not held at 0.
+/// Indices of the coefficients that are not fixed at 0.
 [[nodiscard]] std::vector<Eigen::Index> free_coefficients(
     const QuadraticProgram::Solution& solution);
 

@@ -5,8 +5,8 @@
 
 namespace microslip {
 
-/// A density as (9) gives it from measured dissipation, point by point. Nothing keeps it positive
-/// or its area below 1: where noise or a normal load that varied is strong, it is negative.
+/// A density by (9) from measured dissipation, point by point. It is not limited to positive values
+/// or to an area below 1: with strong noise or a varying normal load it is negative.
 struct SignedDensity {
   std::vector<double> slip_force;  ///< f* = kA, N; increasing
   std::vector<double> density;     ///< φ(f*), 1/N; of the same length

@@ -15,7 +15,7 @@ namespace {
 constexpr double kGcvInflation = 1.4;
 constexpr double kLikelihoodGuard = 1.0;
 /// Smaller shares of the data in an eigenvector are rounding. Equally spaced levels leave the
-/// lowest coefficients without any: a path that went on until these count would end anywhere.
+/// lowest coefficients without any: a path that continued until these count would end anywhere.
 constexpr double kLeastShare = 1e-12;
 constexpr double kMostOfTold = 0.97;
 
@@ -137,7 +137,7 @@ Eigen::VectorXd SmoothingProblem::leverage(const SmoothingPoint& point) const {
   return result;
 }
 
-// Residual, roughness and what the rules choose by; edf must be there.
+// Residual, roughness and the criteria of the rules; edf must be set.
 void SmoothingProblem::score(SmoothingPoint& point) const {
   const Eigen::VectorXd& x = point.solution.x;
   // Data without noise leave no residual; its logarithm must stay finite.

@@ -32,9 +32,9 @@ struct SmoothingPoint {
 class SmoothingProblem {
  public:
   /// @param design       WK: rows × coefficients.
-  /// @param data         Wd: one a row.
+  /// @param data         Wd: one per row.
   /// @param penalty      L: penalty rows × coefficients.
-  /// @param area         m: one a coefficient.
+  /// @param area         m: one per coefficient.
   /// @param unpenalised  q, dimension of the null space of L.
   SmoothingProblem(Eigen::MatrixXd design, Eigen::VectorXd data, Eigen::MatrixXd penalty,
                    Eigen::VectorXd area, Eigen::Index unpenalised);
@@ -51,8 +51,8 @@ class SmoothingProblem {
   /// WKᵀWK + λLᵀL.
   [[nodiscard]] Eigen::MatrixXd hessian(double lambda) const;
 
-  /// ln det(WKᵀWK + λLᵀL + diag(p)) − ln det⁺(λLᵀL), det⁺ over what L penalises. By factors, which
-  /// is quick, and right to 1e−4 up to stiffest().
+  /// ln det(WKᵀWK + λLᵀL + diag(p)) − ln det⁺(λLᵀL), det⁺ over what L penalises. By
+  /// factors, which is quick, and accurate to 1e−4 up to stiffest().
   /// @param lambda     not above that.
   /// @param precision  p.
   [[nodiscard]] double log_volume(double lambda, const Eigen::VectorXd& precision) const;
@@ -61,24 +61,24 @@ class SmoothingProblem {
   [[nodiscard]] double stiffest() const { return 1e12 * normal_.trace() / roughness_.trace(); }
 
   /// λ in equal ratios, from almost only the null space of L to as many degrees of freedom as 0.85
-  /// of the rows or coefficients, or as almost all that the data tell; both without the
+  /// of the rows or coefficients, or almost all that the data determine; both without the
   /// constraints.
   [[nodiscard]] std::vector<double> lambda_grid(std::size_t count) const;
 
   /// @param start  free coefficients of a neighbour's solution, or all.
   [[nodiscard]] SmoothingPoint solve(double lambda, std::vector<bool> start) const;
 
-  /// The same without the limits; edf and likelihood are then those of a linear smoother.
+  /// The solution without the limits; edf and likelihood are then those of a linear smoother.
   [[nodiscard]] SmoothingPoint solve_unlimited(double lambda) const;
 
   /// ∂(fitted datum)/∂(datum) of each row at a solution of solve(); their sum is its edf.
   [[nodiscard]] Eigen::VectorXd leverage(const SmoothingPoint& point) const;
 
-  /// All of a grid, each started from the one before it.
+  /// The solutions for all λ of a grid, each started from the one before it.
   [[nodiscard]] std::vector<SmoothingPoint> path(const std::vector<double>& lambdas) const;
 
  private:
-  /// In the basis that makes both diagonal: WKᵀWK ~ data, LᵀL ~ penalty.
+  /// Diagonals in the basis that diagonalises both: WKᵀWK ~ data, LᵀL ~ penalty.
   struct Spectrum {
     Eigen::ArrayXd data;
     Eigen::ArrayXd penalty;
@@ -89,7 +89,7 @@ class SmoothingProblem {
   };
 
   [[nodiscard]] Spectrum find_spectrum() const;
-  /// Found when it is first asked for: comparing models does without.
+  /// Computed on first use: comparing models does not need it.
   [[nodiscard]] const Spectrum& spectrum() const;
   [[nodiscard]] double unconstrained_edf(double lambda) const;
   [[nodiscard]] double likelihood(const SmoothingPoint& point) const;
@@ -110,7 +110,8 @@ class SmoothingProblem {
   std::shared_ptr<LazySpectrum> spectrum_ = std::make_shared<LazySpectrum>();  // of all copies
 };
 
-/// The inner solutions of an inversion: the result rests on them, though it is none of them.
+/// Counts of the inner solutions of an inversion: the result depends on them, but is not among
+/// them.
 struct InnerSolutions {
   std::size_t count = 0;
   std::size_t not_converged = 0;
@@ -121,7 +122,7 @@ struct InnerSolutions {
   }
 };
 
-/// The guard of both rules: more degrees of freedom than this are not supported by so many rows.
+/// The limit of both rules: more degrees of freedom than this are not supported by so many rows.
 [[nodiscard]] double most_degrees_of_freedom(Eigen::Index rows, Eigen::Index unpenalised);
 
 /// Index of the chosen point of a path. @param path  not empty.

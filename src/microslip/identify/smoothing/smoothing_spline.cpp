@@ -39,7 +39,7 @@ void check_values(std::string_view name, std::span<const double> values, std::si
   }
 }
 
-/// The observations as the solver sees them: one a distinct x, the mean spacing and the mean weight
+/// The observations scaled for the solver: one per distinct x, the mean spacing and the mean weight
 /// 1.
 struct Observations {
   Vector x;                  ///< as given, increasing
@@ -52,7 +52,7 @@ struct Observations {
   double repeat_rss = 0.0;   ///< Σ w (y − mean of its x)², in units of w̄
 
   [[nodiscard]] std::size_t size() const { return x.size(); }
-  /// What repeated x add to the degrees of freedom of the residual.
+  /// Degrees of freedom that repeated x add to the residual.
   [[nodiscard]] double repeats() const { return static_cast<double>(count - size()); }
   [[nodiscard]] double lambda_unit() const { return spacing * spacing * spacing * mean_weight; }
 };
@@ -198,7 +198,7 @@ class Reinsch {
     return lambda == kInfinity || inner_ == 0 ? straight_line() : spline(lambda);
   }
 
-  /// A scaled λ that smooths not even the narrowest place.
+  /// A scaled λ that smooths nowhere, not even the narrowest interval.
   [[nodiscard]] double negligible_lambda() const {
     double steepest = 0.0;
     for (std::size_t j = 0; j < inner_; ++j) {
@@ -308,7 +308,7 @@ class Reinsch {
   Vector qty_;
 };
 
-/// What a choice of λ found, in scaled variables.
+/// Result of a choice of λ, in scaled variables.
 struct Choice {
   double lambda = 0.0;
   std::vector<GcvPoint> curve{};
@@ -508,7 +508,7 @@ void lose_to_rounding(const Observations& data, SmoothingSplineResult& result) {
                   data.size(), result.edf);
 }
 
-/// Above the largest λ the straight-line part of many points drowns in rounding; the curvature of
+/// Above the largest λ the straight-line part of many points is lost in rounding; the curvature of
 /// few is negligible before it comes to that. edf leaves [2, n] only where all digits are lost.
 void check_rounding(const Observations& data, SmoothingSplineResult& result) {
   constexpr std::size_t kFew = 1000;  // the condition number stays below 0.2·n⁴

@@ -49,9 +49,9 @@ struct TargetEdf {
   double edf;  ///< 1; from 2 (straight line) to the number of distinct x (interpolation)
 };
 
-/// The smoothing factor of csaps in MATLAB and Octave: p Σ w(y − g)² + (1 − p) ∫ g″² with x
-/// expressed in some unit, so λ = (1 − p)/p · unit³. The same p means another curve in another
-/// unit.
+/// The smoothing factor of csaps in MATLAB and Octave: p Σ w(y − g)² + (1 − p) ∫ g″²
+/// with x expressed in some unit, so λ = (1 − p)/p · unit³. The same p gives another curve in
+/// another unit.
 struct MatlabP {
   double p;                 ///< 1; in [0, 1]: 0 is the straight line, 1 interpolates
   double x_unit_in_metres;  ///< > 0; 1e−6 where p was found with x in µm; 1 where x is no length
@@ -73,7 +73,7 @@ struct GcvPoint {
   double gcv;            ///< [w][y]², with the γ of the choice; ∞ where γ edf ≥ n
 };
 
-/// What fit_smoothing_spline() found.
+/// Result of fit_smoothing_spline().
 struct SmoothingSplineResult {
   NaturalSpline spline;        ///< its knots are the distinct x
   double lambda = 0.0;         ///< [w][x]³

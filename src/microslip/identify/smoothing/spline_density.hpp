@@ -10,15 +10,15 @@
 
 namespace microslip {
 
-/// How to smooth D(A). A smoothing factor p is that of csaps with the amplitude in the unit that
-/// comes with it: MatlabP{0.965, 1e-6} for p = 0.965 found with A in µm.
+/// Smoothing of D(A). A smoothing factor p is that of csaps with the amplitude in its given unit:
+/// MatlabP{0.965, 1e-6} for p = 0.965 found with A in µm.
 struct SplineDensityOptions {
-  /// By default GCV that charges 1.4 for a degree of freedom: with plain GCV one density in ten or
-  /// so is next to unsmoothed, for 12 levels as for 90.
+  /// By default GCV that charges 1.4 for a degree of freedom: with plain GCV about one density in
+  /// ten is almost unsmoothed, for 12 levels as for 90.
   Smoothing smoothing = Gcv{.edf_factor = 1.4};
 };
 
-/// What density_by_spline() found.
+/// Result of density_by_spline().
 struct SplineDensityResult {
   double stiffness = 0.0;  ///< k, N/m
   SignedDensity density;   ///< at each distinct level; zero at the first and the last
@@ -34,12 +34,11 @@ struct SplineDensityResult {
 ///
 /// Weights are 1/σ², divided by their mean over the levels, where `dissipation_std` is given and
 /// all positive, and 1 otherwise; so λ is in m³ and does not depend on the unit of D. A natural
-/// spline has D̂″ = 0 at both ends, whatever the joint does there: the first and last few values
-/// are too low.
+/// spline has D̂″ = 0 at both ends, whatever the joint: the first and last few values are too
+/// low.
 ///
 /// One λ serves all amplitudes. Where σ is in proportion to D, the weights make the curve follow
-/// the low levels closely, and φ is noisy there; without `dissipation_std` it is the other way
-/// round.
+/// the low levels closely, and φ is noisy there; without `dissipation_std` the opposite holds.
 /// @param levels     with their errors; at least 3 distinct (4 for Gcv).
 /// @param stiffness  k, N/m; positive and finite.
 /// @param options    how D(A) is smoothed.
