@@ -15,11 +15,11 @@ namespace {
 /// The state shared by the thread that works and the one that waits.
 class SharedState {
  public:
-  /// The first time it waits for the answer: short work would end before anybody was asked.
-  bool tell(std::size_t done, std::size_t total) {
+  /// The first call waits for the answer: short work would end before `attend` was called.
+  bool report(std::size_t done, std::size_t total) {
     done_.store(done, std::memory_order_relaxed);
     total_.store(total, std::memory_order_relaxed);
-    if (!told_.exchange(true)) wait_for_answer();
+    if (!reported_.exchange(true)) wait_for_answer();
     return !stopped_.load(std::memory_order_relaxed);
   }
   void stop() { stopped_.store(true, std::memory_order_relaxed); }
@@ -64,7 +64,7 @@ class SharedState {
   std::condition_variable changed_;
   bool ended_ = false;
   bool waits_ = false;  ///< for the first answer
-  std::atomic<bool> told_ = false;
+  std::atomic<bool> reported_ = false;
 };
 
 }  // namespace
@@ -76,7 +76,7 @@ void do_attended(const std::function<void(const Progress& progress)>& work,
   std::exception_ptr of_attendance;
   std::thread worker([&] {
     try {
-      work([&](std::size_t done, std::size_t total) { return state.tell(done, total); });
+      work([&](std::size_t done, std::size_t total) { return state.report(done, total); });
     } catch (...) {
       of_work = std::current_exception();
     }

@@ -16,7 +16,7 @@ namespace microslip {
 namespace {
 
 void on_threads(std::size_t count, const Execution::Work& work) {
-  // Pieces are long: each is handed out by itself.
+  // Pieces are long: each is a task of its own.
   tbb::parallel_for(std::size_t{0}, count, work, tbb::simple_partitioner());
 }
 

@@ -18,10 +18,10 @@ namespace microslip {
 namespace {
 
 /// A joint is not seen where the variance reduction of its density is below this everywhere.
-constexpr double kLeastTold = 0.5;
+constexpr double kLeastReduction = 0.5;
 /// A loss less than so many of its standard deviations above 0 at all levels may as well be none:
 /// the estimate of a zero loss is 2 of them, as it cannot be negative.
-constexpr double kLeastLossTold = 3.0;
+constexpr double kLeastLossRatio = 3.0;
 /// Offsets of the frequencies beyond this are more than a model and a test usually differ by.
 constexpr double kLargeOffset = 0.01;
 /// Scatter of losses: relative, and over the given deviations.
@@ -106,14 +106,14 @@ void warn_of_unseen(const CalibrationResult& result, std::vector<Warning>& warni
     const CalibratedJoint& joint = result.joints[j];
     const double most = std::ranges::max(joint.told);
     if (known_only_together(result, j)) continue;  // has a warning of its own
-    if (joint.loss_told < kLeastLossTold) {
+    if (joint.loss_told < kLeastLossRatio) {
       warnings.push_back(
           {"joint_not_seen",
            fmt::format("the loss of {} is not distinguishable from 0: it is {:.2g} times its "
                        "standard deviation at best, over all levels. Only the upper end of its "
                        "density's band is informative. Measure a mode that exercises it.",
                        joint.name, joint.loss_told)});
-    } else if (most < kLeastTold) {
+    } else if (most < kLeastReduction) {
       warnings.push_back({"joint_not_seen",
                           fmt::format("the levels hardly determine {}: variance reduction of its "
                                       "density is {} at best. Measure a mode that exercises it.",

@@ -29,7 +29,7 @@ Estimate band_of(std::vector<double> values, double confidence) {
   return {mean, lower, upper};
 }
 
-/// Losses of joints lie between 0 and what all lose together: where one has almost none, draws of
+/// Losses of joints lie between 0 and the loss of all together: where one has almost none, draws of
 /// it press against 0 and those of another against the sum. The shortest interval contains both
 /// ends; the least draw of a loss that may be 0 stands for 0.
 std::pair<double, double> band_of_loss(std::vector<double> values, double confidence) {
@@ -192,22 +192,22 @@ std::vector<std::vector<double>> losses_of_draws(const CalibrationEvidence& evid
 }
 
 void read_vibration(const CalibrationEvidence& evidence, const LevelStates& states,
-                    std::size_t level, CalibratedLevel& told) {
+                    std::size_t level, CalibratedLevel& fitted) {
   const SteadyVibration& vibration = *states.at(level);
-  told.found = true;
-  told.frequency = vibration.frequency();
-  told.damping_ratio = vibration.damping_ratio();
-  told.dissipation = 0.0;
-  for (std::size_t j = 0; j < told.joints.size(); ++j) {
-    told.dissipation += told.joints[j].dissipation.value;
+  fitted.found = true;
+  fitted.frequency = vibration.frequency();
+  fitted.damping_ratio = vibration.damping_ratio();
+  fitted.dissipation = 0.0;
+  for (std::size_t j = 0; j < fitted.joints.size(); ++j) {
+    fitted.dissipation += fitted.joints[j].dissipation.value;
   }
   const MeasuredLoss measured = measured_loss(evidence.levels, level, vibration);
-  told.measured_dissipation = measured.value;
-  if (measured.deviation > 0.0) told.measured_dissipation_std = measured.deviation;
-  if (!std::isnan(told.measured_dissipation)) return;
-  told.measured_dissipation = 0.0;  // of the parts, or NaN where one is missing
+  fitted.measured_dissipation = measured.value;
+  if (measured.deviation > 0.0) fitted.measured_dissipation_std = measured.deviation;
+  if (!std::isnan(fitted.measured_dissipation)) return;
+  fitted.measured_dissipation = 0.0;  // of the parts, or NaN where one is missing
   for (const std::size_t column : evidence.column) {
-    told.measured_dissipation +=
+    fitted.measured_dissipation +=
         column == CalibrationEvidence::kNone
             ? std::numeric_limits<double>::quiet_NaN()
             : ModalLevels::value(evidence.levels.joints[column].dissipation, level);
@@ -219,22 +219,22 @@ CalibratedLevel read_level(const CalibrationEvidence& evidence, const AllUnknown
                            const CalibrationOptions& options, const LevelStates& states,
                            std::size_t level) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  CalibratedLevel told;
-  told.measured_frequency = ModalLevels::value(evidence.levels.frequency, level);
-  told.measured_dissipation = ModalLevels::value(evidence.levels.dissipation, level);
-  told.frequency = told.dissipation = told.damping_ratio = kUnknown;
-  told.measured_dissipation_std = kUnknown;
-  told.residual = told.frequency_residual = kUnknown;
+  CalibratedLevel fitted;
+  fitted.measured_frequency = ModalLevels::value(evidence.levels.frequency, level);
+  fitted.measured_dissipation = ModalLevels::value(evidence.levels.dissipation, level);
+  fitted.frequency = fitted.dissipation = fitted.damping_ratio = kUnknown;
+  fitted.measured_dissipation_std = kUnknown;
+  fitted.residual = fitted.frequency_residual = kUnknown;
   for (std::size_t joint = 0; joint < states.structure().joints().size(); ++joint) {
     const StructuralJoint& placed = states.structure().joints()[joint];
     const double a = used_amplitude(evidence, states, level, joint);
     const double loss = dissipation(placed.joint, a) + placed.linear_damping * a * a;
-    told.joints.push_back({states.amplitude(level, joint),
-                           evidence.measured_amplitude(level, joint),
-                           {loss, loss, loss}});
+    fitted.joints.push_back({states.amplitude(level, joint),
+                             evidence.measured_amplitude(level, joint),
+                             {loss, loss, loss}});
   }
   for (std::size_t j = 0; j < losses.size(); ++j) {
-    JointAtLevel& joint = told.joints[unknowns.index(j)];
+    JointAtLevel& joint = fitted.joints[unknowns.index(j)];
     const auto [lower, upper] = band_of_loss(losses[j], options.confidence);
     const StructuralJoint& placed = states.structure().joints()[unknowns.index(j)];
     const double a = used_amplitude(evidence, states, level, unknowns.index(j));
@@ -242,8 +242,8 @@ CalibratedLevel read_level(const CalibrationEvidence& evidence, const AllUnknown
     joint.dissipation.lower = lower + beside;
     joint.dissipation.upper = upper + beside;
   }
-  if (states.at(level)) read_vibration(evidence, states, level, told);
-  return told;
+  if (states.at(level)) read_vibration(evidence, states, level, fitted);
+  return fitted;
 }
 
 struct Moments {
@@ -389,36 +389,36 @@ double loss_deviation(const LevelDeviations& deviations) {
 /// Residuals over their scatter, and in `change` minus the offset of their mode.
 void read_residuals(const CalibrationEvidence& evidence, std::size_t level, double error,
                     const LevelDeviations& deviations, CalibrationResult& result) {
-  CalibratedLevel& told = result.levels[level];
-  told.residual = (told.measured_dissipation - told.dissipation) /
-                  (loss_deviation(deviations) * result.loss_scatter);
+  CalibratedLevel& fitted = result.levels[level];
+  fitted.residual = (fitted.measured_dissipation - fitted.dissipation) /
+                    (loss_deviation(deviations) * result.loss_scatter);
   if (evidence.frequency == FrequencyUse::kIgnore || std::isnan(error)) return;
   if (evidence.frequency == FrequencyUse::kChange) {
-    error -= told.frequency_offset;
+    error -= fitted.frequency_offset;
   }
-  told.frequency_residual = error / (deviations.frequency * result.frequency_scatter);
+  fitted.frequency_residual = error / (deviations.frequency * result.frequency_scatter);
 }
 
 /// Standard deviation of the loss of a level, J; without the error of its displacement.
 double loss_noise(const CalibrationEvidence& evidence, std::size_t level,
                   const SteadyVibration& vibration, const CalibrationResult& result) {
-  const CalibratedLevel& told = result.levels[level];
+  const CalibratedLevel& fitted = result.levels[level];
   const auto one = [&](double value, double deviation, double scattered) {
     return evidence.loss_std_given ? std::max(1.0, result.loss_scatter) * deviation
                                    : result.loss_scatter * std::max(value, scattered);
   };
   const MeasuredLoss measured = measured_loss(evidence.levels, level, vibration);
   if (!std::isnan(measured.value)) {
-    return one(told.dissipation, measured.deviation, measured.scattered);
+    return one(fitted.dissipation, measured.deviation, measured.scattered);
   }
   double variance = 0.0;  // of the parts
-  for (std::size_t joint = 0; joint < told.joints.size(); ++joint) {
+  for (std::size_t joint = 0; joint < fitted.joints.size(); ++joint) {
     const std::size_t column = evidence.column[joint];
     if (column == CalibrationEvidence::kNone) continue;
     const JointLevels& levels = evidence.levels.joints[column];
-    const double noise =
-        one(told.joints[joint].dissipation.value, ModalLevels::value(levels.dissipation_std, level),
-            ModalLevels::value(levels.dissipation, level));
+    const double noise = one(fitted.joints[joint].dissipation.value,
+                             ModalLevels::value(levels.dissipation_std, level),
+                             ModalLevels::value(levels.dissipation, level));
     variance += noise * noise;
   }
   return std::sqrt(variance);
@@ -431,13 +431,13 @@ double loss_noise(const CalibrationEvidence& evidence, std::size_t level,
 /// @param above         by how much the loss of all joints together may exceed the estimate, J.
 void open_bands(const std::vector<std::pair<std::size_t, double>>& sought,
                 const LevelDeviations& deviations, double above, const CalibrationResult& result,
-                CalibratedLevel& told) {
+                CalibratedLevel& fitted) {
   const boost::math::normal standard;
   const double deviations_of_band =
       boost::math::quantile(standard, 0.5 * (1.0 + result.confidence)) * result.loss_scatter;
   bool opened = false;
   for (const auto& [joint, beside] : sought) {
-    Estimate& loss = told.joints[joint].dissipation;
+    Estimate& loss = fitted.joints[joint].dissipation;
     const double own = deviations.joints[joint];
     const double error = deviations_of_band * (std::isnan(own) ? deviations.loss : own);
     if (!(loss.lower > beside && loss.lower - beside < error)) continue;
@@ -446,10 +446,10 @@ void open_bands(const std::vector<std::pair<std::size_t, double>>& sought,
   }
   if (!opened) return;
   double lower = 0.0;
-  for (const JointAtLevel& joint : told.joints) lower += joint.dissipation.lower;
+  for (const JointAtLevel& joint : fitted.joints) lower += joint.dissipation.lower;
   for (const auto& [joint, beside] : sought) {
-    Estimate& loss = told.joints[joint].dissipation;
-    loss.upper = std::max(loss.upper, told.dissipation + above - (lower - loss.lower));
+    Estimate& loss = fitted.joints[joint].dissipation;
+    loss.upper = std::max(loss.upper, fitted.dissipation + above - (lower - loss.lower));
   }
 }
 
@@ -510,7 +510,7 @@ void read_calibration(const CalibrationEvidence& evidence, const CalibrationOpti
   result.loss_std_given = evidence.loss_std_given;
   result.frequency_std_given = evidence.frequency_std_given;
   result.loss_scatter = state.settled.weights.of(RowKind::kLoss);
-  result.frequency_scatter = state.evidence.of(RowKind::kFrequency).tells()
+  result.frequency_scatter = state.evidence.of(RowKind::kFrequency).has_freedom()
                                  ? state.settled.weights.of(RowKind::kFrequency)
                                  : 0.0;
   result.edges_sought = range.edges_sought();

@@ -61,7 +61,7 @@ void draw_evidence(const NormalEquations& equations, const SettledEvidence& sett
   }
   ChainStart start{settled.x, 1.0, {}};
   for (const RowKind kind : kRowKinds) {
-    if (!evidence.of(kind).tells()) continue;
+    if (!evidence.of(kind).has_freedom()) continue;
     target.rows.push_back(chain_rows(evidence, kind, least[static_cast<std::size_t>(kind)]));
     start.scale.push_back(settled.weights.of(kind));
   }

@@ -91,15 +91,16 @@ double evidence_of(const NormalEquations& equations, const SettledEvidence& sett
   return sum + log_determinant(hessian);
 }
 
-/// A scatter below what the knots resolve proves nothing.
+/// A scatter below the resolution of the knots proves nothing.
 ScatterBounds resolved(ScatterBounds bounds, const LinearisedLevels& levels) {
-  std::vector<double> told;
+  std::vector<double> signal_to_noise;
   for (const LevelRow& row : levels.losses) {
-    if (row.size > 0.0) told.push_back(row.size / row.deviation);
+    if (row.size > 0.0) signal_to_noise.push_back(row.size / row.deviation);
   }
-  if (told.empty()) return bounds;
+  if (signal_to_noise.empty()) return bounds;
   const auto loss = static_cast<std::size_t>(RowKind::kLoss);
-  bounds.least[loss] = std::max(bounds.least[loss], kResolvedLoss * median(std::move(told)));
+  bounds.least[loss] =
+      std::max(bounds.least[loss], kResolvedLoss * median(std::move(signal_to_noise)));
   bounds.most[loss] = std::max(bounds.most[loss], bounds.least[loss]);
   return bounds;
 }
@@ -129,13 +130,15 @@ EdgedFit JointEdges::present(const EvidenceWeights& weights) {
   return fit(unknowns_.of(joint_).basis_edges(), 0.0, start(weights), false);
 }
 
-EdgedFit JointEdges::find(const EdgedFit& start) { return told_from_bends(search().find(start)); }
-
-EdgedFit JointEdges::kept(const EvidenceWeights& weights) {
-  return told_from_bends(search().renewed(present(weights)));
+EdgedFit JointEdges::find(const EdgedFit& start) {
+  return distinguished_from_bends(search().find(start));
 }
 
-EdgedFit JointEdges::told_from_bends(EdgedFit found) {
+EdgedFit JointEdges::kept(const EvidenceWeights& weights) {
+  return distinguished_from_bends(search().renewed(present(weights)));
+}
+
+EdgedFit JointEdges::distinguished_from_bends(EdgedFit found) {
   EdgeSearch one = search();
   while (!found.edges.empty()) {
     const std::vector<double> deviations = one.deviations(found);
@@ -176,7 +179,7 @@ EdgedFit JointEdges::fit(std::vector<BasisEdge> edges, double trend, const Edged
   return best;
 }
 
-HeldBends JointEdges::bends(const EdgedFit& fit) {
+SolutionBends JointEdges::bends(const EdgedFit& fit) {
   const AllUnknowns unknowns = with(fit.edges);
   const LinearEvidence linear = in_terms_of(evidence_, unknowns, levels_);
   const NormalEquations equations(linear);

@@ -32,7 +32,7 @@ class JointEdges final : public EdgedModel {
 
   [[nodiscard]] EdgedFit fit(std::vector<BasisEdge> edges, double trend, const EdgedFit& start,
                              bool coarse) override;
-  [[nodiscard]] HeldBends bends(const EdgedFit& fit) override;
+  [[nodiscard]] SolutionBends bends(const EdgedFit& fit) override;
 
   /// A fit with the weights of all joints.
   [[nodiscard]] static EdgedFit start(const EvidenceWeights& weights);
@@ -56,7 +56,7 @@ class JointEdges final : public EdgedModel {
   [[nodiscard]] std::vector<double> slip_displacements(const std::vector<BasisEdge>& edges) const;
 
  private:
-  [[nodiscard]] EdgedFit told_from_bends(EdgedFit found);
+  [[nodiscard]] EdgedFit distinguished_from_bends(EdgedFit found);
   [[nodiscard]] AllUnknowns with(const std::vector<BasisEdge>& edges) const;
 
   const CalibrationEvidence& evidence_;

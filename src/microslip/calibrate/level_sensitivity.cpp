@@ -15,7 +15,8 @@ namespace {
 
 using Complex = std::complex<double>;
 constexpr Complex kI{0.0, 1.0};
-/// Of a difference quotient of κ over the amplitude: far above rounding, far below what bends.
+/// Relative step of a difference quotient of κ over the amplitude: far above rounding, far below
+/// its curvature.
 constexpr double kAmplitudeStep = 1e-4;
 
 Eigen::Map<const Eigen::VectorXd> view(std::span<const double> values) {

@@ -10,14 +10,14 @@
 namespace microslip {
 namespace {
 
-/// A point that moves by less of what the modes could move it by stands still, to rounding.
+/// A point that moves by less than this share of the motion possible with the modes stands still,
+/// to rounding.
 constexpr double kLeastMotion = 1e-9;
 /// Two shapes are of one mode where the modal assurance criterion of their first harmonics is above
 /// this; neighbouring levels differ by far less.
 constexpr double kLeastLikeness = 0.8;
 /// From one level to the next above it, and from the stuck structure to the first, a resonance
-/// falls; what lies beyond these shares of its frequency is another place where the phase is the
-/// same.
+/// falls; beyond these shares of its frequency lies another place where the phase is the same.
 constexpr double kMostRise = 1.02;
 constexpr double kLeastFall = 0.7;
 

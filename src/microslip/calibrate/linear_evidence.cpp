@@ -63,7 +63,7 @@ class Round {
     return freedom;
   }
 
-  /// r_j: rank of L_j on what is free of its joint.
+  /// r_j: rank of L_j on the free coefficients of its joint.
   [[nodiscard]] double rank(std::size_t block) const {
     const RoughnessBlock& own = equations_.evidence().roughness[block];
     Eigen::Index free = 0;
@@ -221,7 +221,7 @@ SettledEvidence settle(const NormalEquations& equations, EvidenceWeights weights
       weights.lambda[j] = next;
     }
     for (const RowKind kind : {RowKind::kLoss, RowKind::kFrequency}) {
-      if (!equations.evidence().of(kind).tells()) continue;
+      if (!equations.evidence().of(kind).has_freedom()) continue;
       const auto k = static_cast<std::size_t>(kind);
       const double next = std::clamp(now.next_scatter(kind), bounds.least[k], bounds.most[k]);
       change = std::max(change, std::abs(std::log(next / weights.of(kind))));

@@ -42,7 +42,7 @@ struct WeightedRows {
 
   [[nodiscard]] double count() const { return static_cast<double>(data.size()) - freedom_taken; }
   /// Whether any degrees of freedom are left beside the offsets.
-  [[nodiscard]] bool tells() const { return count() > 0.5; }
+  [[nodiscard]] bool has_freedom() const { return count() > 0.5; }
 };
 
 /// ½ Σ ‖(A_k x − b_k)/τ_k‖² + ½ Σ λ_j ‖L_j x‖², x ≥ 0.
@@ -122,9 +122,9 @@ struct SettledEvidence {
   QuadraticProgram::Solution solution;  ///< of x, with its optimality conditions
 };
 
-/// λ and τ by restricted likelihood on the coefficients that are not 0 [Wood & Fasiolo, Biometrics
-/// 73 (2017) 1071: λ_j ← λ_j (r_j/λ_j − tr H⁻¹S_j)/‖L_jx‖²; τ² ← residual over what freedom the
-/// solution leaves].
+/// λ and τ by restricted likelihood on the coefficients that are not 0 [Wood & Fasiolo,
+/// Biometrics 73 (2017) 1071: λ_j ← λ_j (r_j/λ_j − tr H⁻¹S_j)/‖L_jx‖²; τ² ←
+/// residual over the degrees of freedom that the solution leaves].
 /// @param start   weights to begin with: near those of the solution.
 /// @param bounds  of τ.
 [[nodiscard]] SettledEvidence settle(const NormalEquations& equations, EvidenceWeights start,

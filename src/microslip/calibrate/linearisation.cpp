@@ -103,7 +103,8 @@ class AnswersOfLevel {
     return states_.stuck_amplitude(level_, joint) / evidence_.levels.displacement[level_];
   }
 
-  /// Of what has the derivative `by_kappa` with respect to κ of each joint of the structure.
+  /// The row of a quantity with the derivative `by_kappa` with respect to κ of each joint of the
+  /// structure.
   [[nodiscard]] Eigen::RowVectorXd answer(const Eigen::RowVectorXcd& by_kappa) const {
     Eigen::RowVectorXd row(size());
     for (std::size_t j = 0; j < unknowns_.count(); ++j) {

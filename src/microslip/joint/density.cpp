@@ -180,7 +180,7 @@ AtomsPart sort_and_merge(const AtomsPart& atoms) {
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return atoms.slip_force[i]; });
   AtomsPart merged;
   for (const std::size_t i : order) {
-    if (atoms.weight[i] == 0.0) continue;  // what does not slip has no largest slip force
+    if (atoms.weight[i] == 0.0) continue;  // an atom without weight has no slip force
     if (!merged.slip_force.empty() && merged.slip_force.back() == atoms.slip_force[i]) {
       merged.weight.back() += atoms.weight[i];
     } else {
@@ -251,7 +251,7 @@ double slip_energy_within(const Segment& segment, double t) {
   return energy + t * (at_start.first + t * curvature);
 }
 
-/// Fills in what each segment holds at its start, from the left.
+/// Fills in the values of each segment at its start, from the left.
 void accumulate(std::vector<Segment>& segments, const AtomsPart& atoms) {
   std::size_t atom = 0;
   for (std::size_t j = 0; j < segments.size(); ++j) {

@@ -141,7 +141,7 @@ class Memory {
   double x_ = 0.0;
   double force_ = 0.0;
   int direction_ = 0;  ///< of the last move; 0 in the virgin state
-  double end_ = 0.0;   ///< of the curve of the last move, or of what is within reach; 0 at rest
+  double end_ = 0.0;   ///< of the curve of the last move, or of the reach; 0 at rest
 };
 
 }  // namespace microslip

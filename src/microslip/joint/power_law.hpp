@@ -6,7 +6,7 @@
 /// @file
 /// Integrals of one power law φ = R f*^χ on [from, to], all accurate to a few rounding errors of
 /// their own value, also just above `from` and for χ near −1, −2 and −3 where the textbook
-/// antiderivatives cancel or divide by zero. s is in N and may be infinite unless said otherwise.
+/// antiderivatives cancel or divide by zero. s is in N and may be infinite unless stated otherwise.
 
 namespace microslip {
 

@@ -11,7 +11,7 @@ namespace microslip {
 /// Internal to joint.
 class PowerLawCurve {
  public:
-  /// @param part  as a density holds it.
+  /// @param part  as in a density.
   explicit PowerLawCurve(const PowerLawPart& part);
 
   /// Φ0(s) and ∫ (s − f*) φ df*. @param s  N; ≥ 0, finite.

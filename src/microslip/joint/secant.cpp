@@ -105,7 +105,7 @@ double loss_factor(const Joint& joint, double amplitude) {
   if (amplitude == 0.0) return 0.0;
   const double secant = secant_stiffness(joint, amplitude);
   const double stored = pi * secant * amplitude * amplitude;
-  if (stored == 0.0) return 0.0;  // below what squares of doubles can tell
+  if (stored == 0.0) return 0.0;  // below the resolution of squares of doubles
   if (std::isinf(stored))
     return dissipation(joint, amplitude) / amplitude / (pi * secant * amplitude);
   return dissipation(joint, amplitude) / stored;

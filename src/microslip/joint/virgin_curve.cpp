@@ -37,7 +37,7 @@ VirginCurve::VirginCurve(const SlipDensity& density)
   cubics_.push_back({std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0, 0.0, 0.0});
 }
 
-// The table grows until no bucket holds two knots, or until its size stops being worth it; a
+// The table grows until no bucket contains two knots, or until its size stops being worth it; a
 // crowded bucket is searched.
 void VirginCurve::fill_buckets() {
   const std::size_t knots = cubics_.size();

@@ -25,7 +25,7 @@ class Walk {
  public:
   Walk(PathStart start, double first) : start_(start), origin_(first), low_(first), high_(first) {}
 
-  /// Goes on to u in a direction. @return whether the stretches behind changed.
+  /// Continues to u in a direction. @return whether the stretches behind changed.
   bool move(double u, double direction) {
     bool changed = false;
     while (turns_.size() >= 2 && direction * (u - turns_[turns_.size() - 2]) > 0.0 &&

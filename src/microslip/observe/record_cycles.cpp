@@ -23,17 +23,17 @@ constexpr double kGrows = 5e-3;
 /// cycles, where its force comes back to this share of its range beside the noise.
 constexpr double kLoopAlone = 0.9;
 constexpr double kForceReturns = 0.01;
-/// A cycle is flagged where it misses by this share, and by so many deviations.
+/// A cycle is flagged where its gap exceeds this share, and so many deviations.
 constexpr double kMostGap = 0.02;
 constexpr double kGapDeviations = 5.0;
 /// Fewer samples show no shape; of n, chords make D too small by 6.6/n² [polygon in an ellipse].
 constexpr std::size_t kFewestPoints = 12;
 constexpr std::size_t kEnoughPoints = 40;
-/// D below so many deviations is in the noise.
+/// D of less than so many deviations is below noise.
 constexpr double kResolved = 3.0;
 /// Noise below this share of the range of the signal is that of digits, or of its own kinks.
 constexpr double kLeastNoise = 2e-5;
-/// Of a branch, by which its tangent at the tip is taken.
+/// Share of a branch from which its tangent at the tip is computed.
 constexpr double kTipShare = 0.125;
 /// The mean of a cycle moves by more than this share of its amplitude, so many times in a row.
 constexpr double kMeanMoved = 0.02;
@@ -226,7 +226,7 @@ class CycleFinder {
     return std::abs(path_[turns_[i]] - path_[turns_[i + 1]]);
   }
 
-  /// Takes the cycle that the last turn closes. @return false where it closes none.
+  /// Removes the cycle that the last turn closes. @return false where it closes none.
   bool take_closed() {
     const std::size_t n = turns_.size();
     if (n < 4) return false;
@@ -263,7 +263,8 @@ class CycleFinder {
     }
   }
 
-  /// Its vertices without closed cycles. @param last  the next turn; becomes the end of the cycle.
+  /// The vertices of a cycle without closed cycles inside. @param last  the next turn; becomes the
+  /// end of the cycle.
   [[nodiscard]] Loop loop_of(std::size_t a, std::size_t b, std::size_t& last) const {
     Loop loop;
     const double start = path_[a];
@@ -286,7 +287,7 @@ class CycleFinder {
     return {path_[i], force_[i], smooth_force_.displacement[i]};
   }
 
-  /// Of the straight line between two samples, at a displacement.
+  /// Force on the straight line between two samples, at a displacement.
   [[nodiscard]] Vertex vertex_between(std::size_t i, std::size_t k, double displacement) const {
     const double share = (displacement - path_[i]) / (path_[k] - path_[i]);
     const auto at = [&](const std::vector<double>& values) {
@@ -329,7 +330,8 @@ class CycleFinder {
     return cycle;
   }
 
-  /// Of a sum of independent errors of force and path; of the path those that its smoothing left.
+  /// Deviation of a sum of independent errors of force and path; of the path those that its
+  /// smoothing left.
   [[nodiscard]] double deviation(const std::vector<double>& of_force,
                                  const std::vector<double>& of_path) const {
     if (!(found_.path_noise > 0.0)) return found_.force_noise * norm(of_force);
@@ -340,7 +342,7 @@ class CycleFinder {
                       found_.path_noise * norm_of_means(of_path, length));
   }
 
-  /// Of the force at a, along the tangent where the path lacks of it.
+  /// Gap of the force at a, extrapolated along the tangent where the path ends short of it.
   [[nodiscard]] static double gap_of(const Loop& loop) {
     const Vertex& start = loop.vertices.front();
     const Vertex& end = loop.vertices.back();
@@ -401,7 +403,7 @@ class CycleFinder {
   RecordCycles found_;
 };
 
-/// Leaves out what is in the noise.
+/// Removes the cycles below noise.
 void leave_unresolved_out(RecordCycles& found) {
   for (const RecordCycle& cycle : found.cycles) {
     if (cycle.has_flag(kNotClosed) || cycle.dissipation >= kResolved * cycle.dissipation_std) {

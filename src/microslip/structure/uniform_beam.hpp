@@ -16,9 +16,9 @@ struct PointMass {
 ///     EI w⁗ + [ρA + Σ_j m_j δ(x − x_j)] ẅ = 0,   w(0) = w′(0) = 0,   w(L) = 0,
 ///     EI w″(L) = −k_θ w′(L)
 ///
-/// clamped at 0; at L held against transverse motion and, by a torsional spring, against rotation:
-/// the beam of the friction rig of [AR14 (10)], with k_θ = k r² for a stuck contact of stiffness k
-/// at the radius r.
+/// clamped at 0; at L supported against transverse motion and, by a torsional spring, against
+/// rotation: the beam of the friction rig of [AR14 (10)], with k_θ = k r² for a stuck contact of
+/// stiffness k at the radius r.
 struct Beam {
   double length;                       ///< L, m; > 0
   double bending_stiffness;            ///< EI, N m²; > 0

@@ -21,7 +21,7 @@
 namespace microslip {
 namespace {
 
-/// Draws of a chain: enough that its start is worth its time.
+/// Draws of a chain: enough to amortise its start.
 constexpr std::size_t kAssemblyChain = 250;
 
 void check_names(std::span<const Assembly> assemblies) {
@@ -36,7 +36,7 @@ void check_names(std::span<const Assembly> assemblies) {
   }
 }
 
-/// What all must have, or none.
+/// Checks that all assemblies have a column, or none.
 template <typename Has>
 void check_alike(std::span<const Assembly> assemblies, std::string_view what, const Has& has) {
   const bool first = has(assemblies.front().levels);
@@ -112,7 +112,7 @@ AssembliesResult identify_assemblies(std::span<const Assembly> assemblies,
   options.check();
   check_assemblies(assemblies, stiffness);
   const StiffnessOfAssemblies known = stiffness_of_assemblies(assemblies, stiffness);
-  // In the order of their names: what is found does not depend on that in which they come.
+  // In the order of their names: the result does not depend on the order given.
   std::vector<std::size_t> order(assemblies.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::ranges::sort(order, {}, [&](std::size_t i) { return assemblies[i].name; });

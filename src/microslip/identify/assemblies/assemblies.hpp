@@ -32,7 +32,7 @@ void check_assemblies(std::span<const Assembly> assemblies, std::optional<double
 ///                    its differences between assemblies determine ratios of k, and this is their
 ///                    geometric mean.
 /// @param options     how it is solved.
-/// @throws InputError  naming the assembly and what breaks a rule.
+/// @throws InputError  naming the assembly and the rule that is broken.
 /// @throws Cancelled   when the progress callback returns false.
 [[nodiscard]] AssembliesResult identify_assemblies(std::span<const Assembly> assemblies,
                                                    std::optional<double> stiffness = {},

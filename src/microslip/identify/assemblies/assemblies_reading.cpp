@@ -89,7 +89,7 @@ Estimate estimate_of_assembly(std::vector<double> values, double confidence) {
   return {mean, lower, upper};
 }
 
-/// Of densities of all draws, on one axis.
+/// The band of the densities of all draws, on one axis.
 BandedDensity band_of(const std::vector<std::vector<double>>& densities, double confidence,
                       bool median) {
   BandedDensity band;
@@ -179,7 +179,7 @@ AssemblyFit read_assembly(const DrawnAssemblies& drawn, const DensityReader& rea
   return fit;
 }
 
-/// How the next assembly differs from the middle of those that were measured.
+/// Deviation of the next assembly from the middle of the measured ones.
 struct NextDeviation {
   double log_stiffness;
   double log_force;

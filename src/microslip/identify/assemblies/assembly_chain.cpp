@@ -124,7 +124,7 @@ void AssemblyChain::set_rows() {
   }
 }
 
-// The state of the other chain, and how well it does.
+// Reads the state of the other chain, and its residual.
 void AssemblyChain::read_middle() {
   draw_.middle = model_.middle(chain_.coefficients());
   std::size_t kind = 0;

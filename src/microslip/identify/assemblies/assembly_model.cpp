@@ -88,8 +88,8 @@ void AssemblyModel::set_shapes(const Eigen::VectorXd& places) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> terms(covariance);
   const double all = terms.eigenvalues().sum();
   Eigen::Index count = 0;
-  double held = 0.0;
-  while (count < n && held < kShapeVariance * all) held += terms.eigenvalues()(n - ++count);
+  double included = 0.0;
+  while (count < n && included < kShapeVariance * all) included += terms.eigenvalues()(n - ++count);
   shapes_.resize(n, count);
   for (Eigen::Index b = 0; b < count; ++b) {
     const Eigen::Index from = n - 1 - b;

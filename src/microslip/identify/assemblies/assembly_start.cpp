@@ -50,7 +50,7 @@ Levels over_each_other(std::span<const Assembly> assemblies, const Eigen::Vector
   return all;
 }
 
-/// The levels with knots that go on above them.
+/// The levels with knots that continue above them.
 ScaledLevels extended(const LevelEvidence& levels, double stiffness, double extension) {
   ScaledLevels scaled(levels, stiffness);
   const double square = extension * extension;
@@ -86,7 +86,7 @@ struct Pass {
   Pass& operator=(const Pass&) = delete;
 };
 
-/// Of the deviations of an assembly alone ln S, by a step of Gauss and Newton.
+/// One Gauss–Newton step of ln S of an assembly alone.
 double better_scale(const AssemblyModel& model, const Eigen::VectorXd& middle,
                     AssemblyDeviations all, Eigen::Index j, double scatter) {
   constexpr double kStep = 1e-3;
@@ -136,7 +136,7 @@ void check_scales(std::span<const Assembly> assemblies, const Eigen::VectorXd& l
   }
 }
 
-/// ln S as it would be if all D grew as A³, mean 0: in the right place, whatever units are wrong.
+/// ln S as if all D grew as A³, mean 0: a robust start, even with wrong units.
 Eigen::VectorXd first_scales(std::span<const Assembly> assemblies,
                              const StiffnessOfAssemblies& stiffness) {
   Eigen::VectorXd log_force(std::ssize(assemblies));

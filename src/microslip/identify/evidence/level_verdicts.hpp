@@ -16,7 +16,7 @@
 
 namespace microslip {
 
-// g++ 12 says that scoped enumerators hide names of other types, which they do not.
+// g++ 12 warns that scoped enumerators hide names of other types, which they do not.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wshadow"
 

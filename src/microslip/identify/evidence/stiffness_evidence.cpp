@@ -16,9 +16,9 @@
 namespace microslip {
 namespace {
 
-constexpr double kMostOffset = 0.01;    // of k, about as well as it is known
-constexpr double kTellingOffset = 3.0;  // standard deviations
-constexpr double kMostScatter = 2.0;    // standard deviations
+constexpr double kMostOffset = 0.01;        // of k, about as well as it is known
+constexpr double kSignificantOffset = 3.0;  // standard deviations
+constexpr double kMostScatter = 2.0;        // standard deviations
 /// Drives of 0.1 Hz steps at 55 Hz jump by up to 0.2 %.
 constexpr double kMostChange = 3e-3;
 constexpr double kMostChangeOfKnown = 1e-3;
@@ -208,7 +208,7 @@ std::optional<Warning> diagnose_offset(const SecantEvidence& secant, double stif
                                        double remainder) {
   const double offset = secant.offset;
   if (std::abs(offset) <= kMostOffset * stiffness) return std::nullopt;
-  if (std::abs(offset) <= kTellingOffset * secant.offset_std) return std::nullopt;
+  if (std::abs(offset) <= kSignificantOffset * secant.offset_std) return std::nullopt;
   std::string text = fmt::format(
       "The measured secant stiffnesses lie {:.3g} N/m ({} of k, ± {}) {} what D and k give: k = "
       "{:.4g} N/m would agree",

@@ -67,7 +67,7 @@ struct StiffnessEvidence {
 /// @param joint   identified from them.
 [[nodiscard]] StiffnessEvidence stiffness_evidence(const LevelEvidence& levels, const Joint& joint);
 
-/// The warnings of the evidence:
+/// Warnings of the evidence:
 ///   * `secant_inconsistent`     the mean of k_eq deviates from that of the joint by more than 1 %
 ///                               of k, and by more than three standard deviations;
 ///   * `secant_misfit`           k_eq changes differently from that of the joint: by more than

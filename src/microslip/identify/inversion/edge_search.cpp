@@ -16,28 +16,29 @@ namespace {
 
 constexpr std::size_t kMostEdges = 8;
 constexpr double kVeryStrong = 10.0;
-/// Least penalty of a knot, so that one without any other is no division by 0.
-constexpr double kHeld = 1e-9;
-/// Of the trend: the step in which it is sought, and how far.
+/// Ridge on the share of the penalty, so that a knot without data is no division by 0.
+constexpr double kPenaltyRidge = 1e-9;
+/// The step and the range of the search of the trend.
 constexpr double kTrendStep = 2.0;
 constexpr double kMostTrend = 6.0;
-constexpr double kMostTrendOnTheWay = 20.0;  ///< until all edges are found
-/// By which the evidence must rise for a step of the trend: it is one number more.
+constexpr double kMostTrendDuringSearch = 20.0;  ///< until all edges are found
+/// Gain of the evidence required for a step of the trend, which is one more parameter.
 constexpr double kTrendPrice = 2.0;
 /// Knots that are tried for another edge.
 constexpr std::size_t kPlaces = 6;
 /// On either side of a knot, within one spacing; the minimum lies between two of them.
 constexpr int kPlacesOfCell = 4;
 constexpr std::uintmax_t kMostOfBrent = 8;
-/// How far from an edge its deviation is sought first, in spacings, and how often.
+/// Distance from an edge at which its deviation is sought first, in spacings, and the number of
+/// tries.
 constexpr double kFirstDistance = 0.1;
 constexpr int kDistances = 9;
-/// Of a row of numbers mod 1 that fills 0 to 1 evenly: the golden section.
+/// Step of a sequence mod 1 that fills 0 to 1 evenly: the golden section.
 constexpr double kEven = 0.6180339887498949;
-/// Rounds in which all edges are moved, and what the evidence must fall by for another.
+/// Rounds in which all edges are moved, and the decrease of the evidence required for another.
 constexpr int kMostRounds = 4;
 constexpr double kWorthARound = 2.0;
-/// Levels in a range between edges: a straight line, and something that it may be wrong by.
+/// Levels in a range between edges: a straight line, and at least one degree of freedom.
 constexpr Eigen::Index kLeastLevels = 3;
 
 std::vector<BasisEdge> with_edge(const std::vector<BasisEdge>& edges, int knot) {
@@ -56,7 +57,7 @@ EdgeSearch::EdgeSearch(EdgedModel& model, EdgeSearchOptions options)
 
 EdgedFit EdgeSearch::bent(EdgedFit fit) {
   if (!options_.trend) return fit;
-  const double most = fit.edges.empty() ? kMostTrend : kMostTrendOnTheWay;
+  const double most = fit.edges.empty() ? kMostTrend : kMostTrendDuringSearch;
   for (const double step : {kTrendStep, -kTrendStep}) {
     while (std::abs(fit.trend + step) <= most) {
       EdgedFit tried = model_.fit(fit.edges, fit.trend + step, fit, false);
@@ -88,18 +89,18 @@ bool EdgeSearch::has_room(const std::vector<BasisEdge>& edges) const {
 // Where the solution gains most from leaving out the penalty around a knot: by
 // λyᵀ(I − λLH⁻¹Lᵀ)⁻¹y, y = Lx, L the rows that reach it.
 std::vector<int> EdgeSearch::likely_places(const EdgedFit& fit) {
-  const HeldBends held = model_.bends(fit);
+  const SolutionBends bends = model_.bends(fit);
   std::vector<std::pair<double, int>> gains;
   for (int knot = 1; knot + 1 < options_.coefficients; ++knot) {
     if (!has_room(with_edge(fit.edges, knot))) continue;
     std::vector<Eigen::Index> rows;
-    for (Eigen::Index i = 0; i < held.middles.size(); ++i) {
-      if (std::abs(held.middles(i) - knot) < 1.5) rows.push_back(i);
+    for (Eigen::Index i = 0; i < bends.middles.size(); ++i) {
+      if (std::abs(bends.middles(i) - knot) < 1.5) rows.push_back(i);
     }
     const auto n = static_cast<Eigen::Index>(rows.size());
     const Eigen::MatrixXd left =
-        (1.0 + kHeld) * Eigen::MatrixXd::Identity(n, n) - held.bound(rows, rows);
-    gains.emplace_back(held.bend(rows).dot(left.ldlt().solve(held.bend(rows))), knot);
+        (1.0 + kPenaltyRidge) * Eigen::MatrixXd::Identity(n, n) - bends.bound(rows, rows);
+    gains.emplace_back(bends.bend(rows).dot(left.ldlt().solve(bends.bend(rows))), knot);
   }
   std::ranges::sort(gains, std::greater());
   std::vector<int> places;
@@ -118,7 +119,7 @@ std::optional<EdgedFit> EdgeSearch::with_another(const EdgedFit& fit) {
     if (!best || tried.evidence < best->evidence) best = std::move(tried);
   }
   if (!best || fit.trend == 0.0) return best;
-  // An edge may have been what the trend was for.
+  // An edge may replace the trend.
   EdgedFit level = model_.fit(best->edges, 0.0, fit, true);
   if (level.evidence < best->evidence) best = std::move(level);
   return best;

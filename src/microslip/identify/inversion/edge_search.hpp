@@ -26,7 +26,7 @@ struct EdgedFit {
 
 /// How a solution bends: y = Lx of the rows of its penalty, the share λLH⁻¹Lᵀ of the penalty
 /// in it, and where the middle of each row is among the equally spaced knots.
-struct HeldBends {
+struct SolutionBends {
   Eigen::VectorXd bend = {};
   Eigen::MatrixXd bound = {};
   Eigen::VectorXd middles = {};
@@ -46,7 +46,7 @@ class EdgedModel {
                                      const EdgedFit& start, bool coarse) = 0;
 
   /// Of the solution of a fit.
-  [[nodiscard]] virtual HeldBends bends(const EdgedFit& fit) = 0;
+  [[nodiscard]] virtual SolutionBends bends(const EdgedFit& fit) = 0;
 };
 
 /// The basis of the density, and the extent of the search.

@@ -19,7 +19,7 @@ namespace microslip {
 namespace {
 
 constexpr std::size_t kDensityPoints = 40;
-constexpr double kToldNothing = 100.0;     // σ over D of a level without information
+constexpr double kNoInformation = 100.0;   // σ over D of a level without information
 constexpr double kLeastLevelShare = 1e-4;  // σ over D of any level
 
 /// The scatter that was found, as LevelEvidence takes it.
@@ -114,12 +114,12 @@ LevelEvidence reaching_to(const LevelEvidence& evidence, const InversionResult& 
   levels.amplitude.push_back(amplitude);
   levels.dissipation.push_back(dissipation(joint, amplitude));
   levels.dissipation_std = deviation.dissipation;
-  levels.dissipation_std.push_back(kToldNothing * levels.dissipation.back());
+  levels.dissipation_std.push_back(kNoInformation * levels.dissipation.back());
   if (!levels.amplitude_std.empty()) levels.amplitude_std.assign(levels.amplitude.size(), 0.0);
   if (!levels.secant_stiffness.empty()) {
     levels.secant_stiffness.push_back(levels.secant_stiffness.back());
     levels.secant_stiffness_std = deviation.secant_stiffness;
-    levels.secant_stiffness_std.push_back(kToldNothing * stiffness);
+    levels.secant_stiffness_std.push_back(kNoInformation * stiffness);
   }
   levels.linear_dissipation.clear();
   levels.frequency.clear();

@@ -53,7 +53,7 @@ void check_count(const Levels& merged) {
   }
 }
 
-/// Whether edges are asked for, and the levels enough.
+/// Whether edges are requested and the levels sufficient.
 bool seeks_shape(const ScaledLevels& levels, const InversionOptions& options) {
   return options.edges && levels.amplitude.size() >= kFewestForShape;
 }
@@ -64,7 +64,7 @@ struct ShapedModel {
   std::vector<InversionModel> elsewhere = {};
 };
 
-/// The same smoothing and scatter with edges elsewhere.
+/// The model with the same smoothing and scatter, and edges elsewhere.
 InversionModel moved_edges(const ScaledLevels& levels, PassOptions pass,
                            std::vector<BasisEdge> edges, const InversionModel& like,
                            InnerSolutions& inner) {
@@ -77,7 +77,7 @@ InversionModel moved_edges(const ScaledLevels& levels, PassOptions pass,
   return model;
 }
 
-/// The same with edges, and a trend of the smoothness, where they are likely.
+/// The model with edges, and a trend of the smoothness, where they are likely.
 ShapedModel shaped(const PassedModel& passed, const ScaledLevels& levels,
                    const InversionOptions& options, InnerSolutions& inner) {
   PassOptions pass = passed.pass;
@@ -89,7 +89,7 @@ ShapedModel shaped(const PassedModel& passed, const ScaledLevels& levels,
   found.model.trend = pass.trend;
   if (same) return found;
   run_path(found.model, options, options.path_points, inner);
-  tell_kinds_apart(found.model, levels);
+  separate_scatter(found.model, levels);
   if (pass.edges.empty()) return found;
   for (std::vector<BasisEdge>& edges :
        edges_elsewhere(levels, found.model.solution().lambda, pass, kPlacesOfEdges, inner)) {
@@ -99,7 +99,7 @@ ShapedModel shaped(const PassedModel& passed, const ScaledLevels& levels,
 }
 
 /// Schwarz's criterion of a model: m ln rss + edf ln m, with residuals relative to the same d for
-/// all models, whatever weights each of them took. An edge costs what an atom does for its place.
+/// all models, whatever their weights. An edge costs as much as the place of an atom.
 double schwarz_criterion(const ScaledLevels& levels, const InversionModel& model) {
   const SmoothingPoint& point = model.solution();
   const Eigen::ArrayXd typical = levels.typical.cwiseMax(levels.floor).array();
@@ -161,8 +161,8 @@ double AtomSearch::criterion_of_atom(const InversionModel& model) const {
   return has_weight ? schwarz_criterion(levels_, model) : std::numeric_limits<double>::infinity();
 }
 
-/// With the first of the edges that were found without it: those next to an atom may be what took
-/// its place.
+/// The criterion with the atom and the first of the edges found without it: those next to an atom
+/// may have replaced it.
 double AtomSearch::with_atom(double top, std::size_t edges) {
   const PassedModel smooth = two_passes(levels_, options_, top, true, inner_);
   if (edges == 0) return criterion_of_atom(smooth.model);
@@ -230,7 +230,7 @@ std::optional<double> AtomSearch::find() {
     if (found.second < best.second) best = found;
   }
   // The position is a parameter of its own. A density that ends at once does so at an edge: that it
-  // is an atom must be likely beyond what both have in common.
+  // is an atom must be likely beyond that edge.
   const double parameters = edges_.empty() ? 1.0 : 2.0;
   const double price = parameters * std::log(static_cast<double>(count)) + kStrongEvidence;
   if (!(with_atom_and_new_edges(best.first) + price < without)) return std::nullopt;
@@ -240,8 +240,9 @@ std::optional<double> AtomSearch::find() {
 /// σ̂ in units of 1/W from a residual, not below what the basis resolves.
 double scatter_beyond_resolution(const InversionModel& model, const ScaledLevels& levels,
                                  const SmoothingPoint& point) {
-  const Eigen::ArrayXd told = model.problem().data().head(levels.amplitude.size());  // d/σ
-  const double typical = median({told.begin(), told.end()});
+  const Eigen::ArrayXd signal_to_noise =
+      model.problem().data().head(levels.amplitude.size());  // d/σ
+  const double typical = median({signal_to_noise.begin(), signal_to_noise.end()});
   return std::max(
       {estimate_scatter(model, point.residual, point.edf).value, kResolution * typical, 1e-150});
 }
@@ -347,7 +348,7 @@ InversionResult invert(const LevelEvidence& evidence, double stiffness,
     result.linear_damping = stiffness * model.linear_damping(model.solution().solution.x);
   }
   timings.push_back(watch.lap("search of edges"));
-  // Edges would take up what contradicts a density at one place.
+  // Edges would absorb the contradiction of a density at one place.
   judge_sign(smooth.model, scaled, result, inner);
   judge_area(smooth.model, scaled, result, inner);
   // The chosen point of the path is the result itself.

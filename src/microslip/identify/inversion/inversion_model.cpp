@@ -24,11 +24,12 @@ constexpr double kLeastFreedom = 10.0;
 
 /// kResolved of D in units of its scatter, by the levels above the floor.
 double unresolved_of(const ScaledLevels& levels, const Eigen::VectorXd& weights) {
-  std::vector<double> told;
+  std::vector<double> signal_to_noise;
   for (Eigen::Index i = 0; i < levels.dissipation.size(); ++i) {
-    if (levels.dissipation(i) > levels.floor(i)) told.push_back(weights(i) * levels.dissipation(i));
+    if (levels.dissipation(i) > levels.floor(i))
+      signal_to_noise.push_back(weights(i) * levels.dissipation(i));
   }
-  return told.empty() ? 0.0 : kResolved * median(std::move(told));
+  return signal_to_noise.empty() ? 0.0 : kResolved * median(std::move(signal_to_noise));
 }
 
 /// Weights of the second differences at equally spaced knots, at other places.

@@ -62,7 +62,7 @@ PathScatter estimate_scatter(const InversionModel& model, double residual, doubl
   return {std::sqrt((residual + model.repeat_residual()) / freedom), freedom};
 }
 
-void tell_kinds_apart(InversionModel& model, const ScaledLevels& levels) {
+void separate_scatter(InversionModel& model, const ScaledLevels& levels) {
   const SmoothingProblem& problem = model.problem();
   const Eigen::Index n = model.dissipation_rows();
   const Eigen::Index rest = problem.rows() - n;
@@ -129,7 +129,7 @@ PassedModel two_passes(const ScaledLevels& levels, const InversionOptions& optio
   }
   InversionModel second(levels, pass);
   run_path(second, automatic, options.path_points, inner);
-  tell_kinds_apart(second, levels);
+  separate_scatter(second, levels);
   return {std::move(pass), std::move(second)};
 }
 

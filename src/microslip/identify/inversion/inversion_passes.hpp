@@ -29,7 +29,7 @@ struct PathScatter {
 
 /// Sets the scatter of D and of k_eq, each over that of both, from the residual and the degrees of
 /// freedom of each kind of rows.
-void tell_kinds_apart(InversionModel& model, const ScaledLevels& levels);
+void separate_scatter(InversionModel& model, const ScaledLevels& levels);
 
 /// Computes so many points of the λ path, and chooses one of them, or λ of the options.
 /// @param inner  counts all solutions.

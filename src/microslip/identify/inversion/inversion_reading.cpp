@@ -47,7 +47,7 @@ Eigen::MatrixXd density_at(const InversionModel& model, const std::vector<double
   return density;
 }
 
-/// Of all models together, without those that differ by rounding.
+/// The knots of all models together, without those that differ by rounding.
 std::vector<double> common_knots(const InversionModel& model,
                                  const std::vector<InversionModel>& elsewhere) {
   std::vector<double> all = knots_of(model);
@@ -146,7 +146,7 @@ PosteriorRows rows_of(const Eigen::MatrixXd& design, const Eigen::VectorXd& loss
 /// Levels without noise leave none.
 double start_scatter(const InversionModel& model) { return std::max(model.scatter, 1e-6); }
 
-/// From end to end of the path, or the one that was fixed.
+/// The range of λ of the path, or the fixed one.
 PossibleSmoothing possible_smoothing(const InversionModel& model) {
   const double scatter = start_scatter(model);
   const double of_unit = 1.0 / (scatter * scatter);

@@ -15,7 +15,7 @@
 namespace microslip {
 namespace {
 
-/// An exchange counts that lowers S by this share: rounding is far below.
+/// An exchange counts where it lowers S by this share: rounding is far below.
 constexpr double kExchangeGain = 1e-7;
 constexpr int kMostSweeps = 20;
 
@@ -155,14 +155,14 @@ class Knowledge {
   [[nodiscard]] double deviation_of(const Eigen::VectorXd& variances) const {
     return weight_.dot(variances.cwiseMax(0.0).cwiseSqrt());
   }
-  /// 1 over a variance, unless that is rounding of what it is left of.
+  /// 1 over a remaining variance, 0 where that is rounding of the original one.
   [[nodiscard]] static double share(double variance, double of) {
     return variance > 1e-12 * of ? 1.0 / variance : 0.0;
   }
   [[nodiscard]] double gain(Eigen::Index row, double noise) const {
     return share(covariance_(row, row) + noise * variance_(row), covariance_(row, row));
   }
-  /// A measurement of a row more, or with a sign of −1 less.
+  /// Adds a measurement of a row, or with a sign of −1 removes it.
   void change(Eigen::Index row, double sign) {
     const Eigen::VectorXd column = covariance_.col(row);
     covariance_.noalias() -=
@@ -176,7 +176,7 @@ class Knowledge {
   Eigen::MatrixXd covariance_;  // candidates' D, their k_eq, target
 };
 
-/// The levels one by one, then exchanged; how many were.
+/// Chooses the levels one by one, then exchanges them; returns the number exchanged.
 std::size_t choose_levels(const Knowledge& start, std::size_t count,
                           std::vector<Eigen::Index>& chosen) {
   Knowledge left = start;

@@ -22,7 +22,7 @@ class EdgedLevels final : public EdgedModel {
 
   EdgedFit fit(std::vector<BasisEdge> edges, double trend, const EdgedFit& start,
                bool coarse) override;
-  HeldBends bends(const EdgedFit& fit) override;
+  SolutionBends bends(const EdgedFit& fit) override;
 
   [[nodiscard]] EdgeSearch search() {
     return {*this,
@@ -78,7 +78,7 @@ EdgedFit EdgedLevels::fit(std::vector<BasisEdge> edges, double trend, const Edge
   return best;
 }
 
-HeldBends EdgedLevels::bends(const EdgedFit& fit) {
+SolutionBends EdgedLevels::bends(const EdgedFit& fit) {
   pass_.edges = fit.edges;
   pass_.trend = fit.trend;
   const InversionModel model(levels_, pass_);

@@ -162,10 +162,10 @@ void judge_stiffness(const LevelEvidence& levels, Identification& found) {
   found.stiffness = stiffness_evidence(levels, found.joint);
   std::erase_if(found.warnings, [](const Warning& w) { return w.code == "secant_inconsistent"; });
   const InversionResult* inversion = found.parametric ? nullptr : found.inversion();
-  const bool told =
+  const bool reported =
       inversion && inversion->secant_scatter && has_code(found.warnings, "scatter_large");
   for (Warning& warning : diagnose(found.stiffness, found.joint)) {
-    if (told && warning.code == "secant_misfit") continue;
+    if (reported && warning.code == "secant_misfit") continue;
     found.warnings.push_back(std::move(warning));
   }
 }

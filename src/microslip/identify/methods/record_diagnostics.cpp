@@ -16,7 +16,7 @@ namespace {
 
 /// A loss less than so many of its standard deviations above 0 may as well be none: the estimate of
 /// a zero loss is 2 of them, as it cannot be negative.
-constexpr double kLeastLossTold = 3.0;
+constexpr double kLeastLossRatio = 3.0;
 
 /// Description of a departure, and its remedy.
 struct DepartureText {
@@ -61,7 +61,7 @@ Warning contradiction(const std::string& name, std::string_view what, const Leve
               name, what, percent_text(verdict.share), percent_text(verdict.noise))};
 }
 
-/// D at the largest displacement a from draw to draw: 4∫x*(a − x*)ψ dx*, by Simpson's rule, exact
+/// D of each draw at the largest displacement a: 4∫x*(a − x*)ψ dx*, by Simpson's rule, exact
 /// for a straight ψ.
 std::vector<double> losses_of_draws(const RecordInversionResult& result) {
   const std::vector<double>& x = result.slip_displacement;
@@ -90,7 +90,7 @@ void warn_of_no_slip(const RecordInversionResult& result, std::vector<Warning>& 
   double square = 0.0;
   for (const double loss : losses) square += (loss - mean) * (loss - mean);
   const double deviation = std::sqrt(square / n);
-  if (mean >= kLeastLossTold * deviation && mean > 0.0) return;
+  if (mean >= kLeastLossRatio * deviation && mean > 0.0) return;
   warnings.push_back(
       {"no_slip",
        fmt::format("the force is that of a spring: the loss is not distinguishable from 0, {:.3g} "

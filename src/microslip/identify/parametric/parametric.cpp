@@ -107,7 +107,7 @@ class Fit {
   }
 
  private:
-  /// βl, J/m², from 0; its scale is what one level alone would allow.
+  /// βl, J/m², from 0; its scale is the limit of one level alone.
   [[nodiscard]] Coordinate damping_coordinate() const {
     double scale = kInfinity;
     for (std::size_t i = 0; i < levels_.size(); ++i) {
@@ -174,7 +174,7 @@ class Fit {
     return result;
   }
 
-  /// The smallest sum from these starts, and from those beyond its kinks as long as that helps.
+  /// The smallest sum from these starts, and from those beyond its kinks as long as it improves.
   [[nodiscard]] Minimum minimise_from(const std::vector<Vector>& from) {
     constexpr int kMostRounds = 10;
     problem_.rounding = rounding();
@@ -247,8 +247,8 @@ class Fit {
     return best;
   }
 
-  /// @return  the largest change of a noise or a σ, over what changes the result far less than its
-  ///          own error: σ weighs the levels against each other only.
+  /// @return  the largest change of a noise or a σ, relative to a change that affects the result
+  ///          far less than its own error: σ only weights the levels against each other.
   double update_weights(const Minimum& best, int turn) {
     constexpr double kStillNoise = 1e-3;
     constexpr double kStillSigma = 1e-2;
@@ -430,10 +430,11 @@ class Fit {
   /// @param residual  of the energies.
   void add_misfit_warning(const Vector& residual, ParametricResult& result) const {
     constexpr double kRounding = 1e-6;
-    constexpr double kTelling = 4.0;  // standard deviations: once in 3e4 fits of the right model
+    constexpr double kSignificant =
+        4.0;  // standard deviations: once in 3e4 fits of the right model
     if (result.misfit < kRounding) return;
     const SerialCorrelation serial = serial_correlation(residual);
-    if (serial.deviations < kTelling) return;
+    if (serial.deviations < kSignificant) return;
     result.warnings.push_back(
         {"systematic_misfit",
          fmt::format("the misfit, {} of D, is not scatter: errors of neighbouring levels have a "

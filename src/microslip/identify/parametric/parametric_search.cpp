@@ -149,7 +149,7 @@ std::vector<Vector> best_of(const LeastSquares& problem, const std::vector<Vecto
   return best;
 }
 
-std::ptrdiff_t held(const Minimum& minimum) {
+std::ptrdiff_t fixed_count(const Minimum& minimum) {
   return std::ranges::count_if(minimum.hold, [](Hold hold) { return hold != Hold::kFree; });
 }
 
@@ -157,10 +157,11 @@ std::ptrdiff_t held(const Minimum& minimum) {
 bool better(const Minimum& a, const Minimum& b, double rounding) {
   constexpr double kEqual = 1e-9;
   const double tolerance = kEqual * std::min(a.sum_of_squares, b.sum_of_squares) + rounding;
-  if (std::abs(a.sum_of_squares - b.sum_of_squares) > tolerance || held(a) == held(b)) {
+  if (std::abs(a.sum_of_squares - b.sum_of_squares) > tolerance ||
+      fixed_count(a) == fixed_count(b)) {
     return a.sum_of_squares < b.sum_of_squares;
   }
-  return held(a) > held(b);
+  return fixed_count(a) > fixed_count(b);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ Eigen::Map<const RowMajor> matrix_of(const PlainMatrix& m) {
           static_cast<Eigen::Index>(m.columns)};
 }
 
-/// As a draw, and once more where it is handed on.
+/// Memory of a draw, and of its copy in the result.
 double bytes_of_draw(std::size_t knots) {
   return 2.0 * static_cast<double>(sizeof(DensitySample) + knots * sizeof(double));
 }
@@ -51,7 +51,7 @@ void check_shape(std::string_view what, const PlainMatrix& m, std::size_t column
   check_length(what, m.values.size(), rows * columns);
 }
 
-/// Of any number of rows.
+/// Checks a matrix with any number of rows.
 void check_columns(std::string_view what, const PlainMatrix& m, std::size_t columns) {
   check_shape(what, m, m.values.empty() ? m.columns : columns, m.rows());
 }

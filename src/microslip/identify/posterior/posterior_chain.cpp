@@ -110,8 +110,8 @@ void PosteriorChain::add_data(Eigen::MatrixXd& hessian, Eigen::VectorXd& linear)
   }
 }
 
-// Without limits p(λ, l, x) = p(λ, l) N(x | λ, l), and at the same z any λ and l are as likely as
-// p(λ, l) says, which is the integral over x.
+// Without limits p(λ, l, x) = p(λ, l) N(x | λ, l), and at the same z any λ and l have the
+// probability p(λ, l), which is the integral over x.
 bool PosteriorChain::moves_along(double log_ratio, RandomStream& random) {
   const double uniform = random.uniform();
   const Eigen::VectorXd x = moved_.from_standardised(gaussian_.standardised(x_));

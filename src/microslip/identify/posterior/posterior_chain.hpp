@@ -61,14 +61,14 @@ struct ChainStart {
   std::vector<double> scale;  ///< τ of each kind of rows
 };
 
-/// A Markov chain of that distribution. x given all else by TruncatedGaussian; λ and l once with
-/// x moved along, at the same place among what is possible with them, and once given x, λ from its
+/// A Markov chain of that distribution. x given all else by TruncatedGaussian; λ and l once with x
+/// moved along, at the same place of the distribution given them, and once given x, λ from its
 /// Gamma distribution and l by LocalSmoothing; τ from its scaled inverse χ² distribution.
 ///
-/// Coefficients that data press against their limit far below what the prior would let them be are
-/// reflected thousands of times on one trajectory. Near those a normal number a_j ~ N(x_j, w_j²)
-/// is drawn first, and x given a: the distribution of x is unchanged, for any w, and the trajectory
-/// is kept near a.
+/// Coefficients that data press against their limit far more tightly than the prior are reflected
+/// thousands of times on one trajectory. Near those a normal number a_j ~ N(x_j, w_j²) is drawn
+/// first, and x given a: the distribution of x is unchanged, for any w, and the trajectory is kept
+/// near a.
 class PosteriorChain {
  public:
   /// @param target  must outlive this. @param start  may lie on limits.
@@ -94,9 +94,9 @@ class PosteriorChain {
   ///     x = argmin (y − z)ᵀH(y − z)  over y within the limits,   z ~ N(H⁻¹g, H⁻¹),
   ///
   /// independent of all others [Lin & Dunson, Biometrika 101 (2014) 303; Astfalck et al., arXiv
-  /// 1812.05741]. next() hardly ever comes near limits that many coefficients have in common:
-  /// where all are 0 in truth, what they sum up to is above it in every draw. Here those that may
-  /// be 0 are 0 as often as noise puts them below.
+  /// 1812.05741]. next() hardly ever comes near limits that many coefficients have in common: where
+  /// all are 0 in truth, their sum is above it in every draw. Here those that may be 0 are 0 as
+  /// often as noise puts them below.
   /// @return  x, and whether it is the minimiser.
   [[nodiscard]] QuadraticProgram::Solution projected(RandomStream& random) const;
 

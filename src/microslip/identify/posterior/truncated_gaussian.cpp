@@ -14,7 +14,7 @@ namespace {
 constexpr double kQuarterPeriod = 0.5 * std::numbers::pi;
 /// A limit just left is not met again at once: that would be rounding.
 constexpr double kJustLeft = 1e-9;
-/// A share of the budget that is left where it would be used up.
+/// Share of the budget that is left where x would use all of it.
 constexpr double kLeftOfBudget = 1e-9;
 /// Ridge on the diagonal of H where rounding makes it indefinite, and how often it is increased.
 constexpr double kLeastRidge = 1e-14;

@@ -21,7 +21,7 @@ struct LinearLimits {
   /// Whether x satisfies them.
   [[nodiscard]] bool hold(const Eigen::VectorXd& x) const;
 
-  /// x with what lies on a limit moved inside.
+  /// x with coefficients on a limit moved inside.
   /// @param least  coefficients below this are moved to it, > 0.
   [[nodiscard]] Eigen::VectorXd moved_inside(const Eigen::VectorXd& x,
                                              const Eigen::VectorXd& least) const;

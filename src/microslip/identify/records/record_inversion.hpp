@@ -106,7 +106,7 @@ struct RecordInversionResult {
 /// after that, positive work, and with a time step where a viscous part is sought.
 /// @param evidence  of one joint.
 /// @param options   of the inversion.
-/// @throws InputError  naming what breaks a rule.
+/// @throws InputError  naming the value that breaks a rule.
 void check_records(std::span<const RecordEvidence> evidence,
                    const RecordInversionOptions& options = {});
 
@@ -130,7 +130,7 @@ void check_records(std::span<const RecordEvidence> evidence,
 /// @param evidence   of one joint; each with two reversals at least.
 /// @param stiffness  k of the stuck joint, N/m, where it is known.
 /// @param options    how it is solved.
-/// @throws InputError  naming what breaks a rule.
+/// @throws InputError  naming the value that breaks a rule.
 /// @throws Cancelled   when the progress callback returns false.
 [[nodiscard]] RecordInversionResult invert_records(std::span<const RecordEvidence> evidence,
                                                    std::optional<double> stiffness = {},
@@ -145,7 +145,7 @@ void check_records(std::span<const RecordEvidence> evidence,
 /// @param evidence   of one joint.
 /// @param stiffness  k of the stuck joint, N/m, where it is known; needed without records.
 /// @param options    how it is solved.
-/// @throws InputError  naming what breaks a rule.
+/// @throws InputError  naming the value that breaks a rule.
 /// @throws Cancelled   when the progress callback returns false.
 [[nodiscard]] RecordInversionResult invert_together(const JointEvidence& evidence,
                                                     std::optional<double> stiffness = {},

@@ -32,8 +32,8 @@ SettledRecords run_pass(const ScaledRecords& records, const RecordPass& settings
   return pass;
 }
 
-/// The scatter of rows, in units of what was assumed: from their residuals and degrees of freedom.
-/// 1 where no degrees of freedom are left.
+/// The scatter of rows, in units of the assumed one: from their residuals and degrees of freedom. 1
+/// where no degrees of freedom are left.
 double scatter_of(double square, double rows, double leverage) {
   const double freedom = rows - leverage;
   return freedom < 1.0 ? 1.0 : std::sqrt(square / freedom);

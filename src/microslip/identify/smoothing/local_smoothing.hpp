@@ -25,7 +25,8 @@ class LocalSmoothing {
   [[nodiscard]] bool varies() const { return nodes_.size() > 0; }
   [[nodiscard]] const Eigen::VectorXd& factors() const { return factors_; }  ///< l
 
-  /// Another w of the prior, near this one or independent of it: reversible with respect to the prior.
+  /// Another w of the prior, near this one or independent of it: reversible with respect to the
+  /// prior.
   [[nodiscard]] LocalSmoothing proposed(RandomStream& random) const;
 
   /// A draw of w given λ‖·‖² of each row: of  Π √l_j exp(−½l_j s_j) · N(w; 0, S²)  by slices of

@@ -17,7 +17,7 @@ constexpr double kLikelihoodGuard = 1.0;
 /// Smaller shares of the data in an eigenvector are rounding. Equally spaced levels leave the
 /// lowest coefficients without any: a path that continued until these count would end anywhere.
 constexpr double kLeastShare = 1e-12;
-constexpr double kMostOfTold = 0.97;
+constexpr double kMostDetermined = 0.97;
 
 /// log10 of the λ at which a falling function reaches a target.
 template <typename Function>
@@ -87,9 +87,9 @@ double SmoothingProblem::unconstrained_edf(double lambda) const {
 std::vector<double> SmoothingProblem::lambda_grid(std::size_t count) const {
   const auto edf = [this](double lambda) { return unconstrained_edf(lambda); };
   const auto q = static_cast<double>(unpenalised_);
-  const auto told = static_cast<double>((spectrum().data > 0.0).count());
+  const auto determined = static_cast<double>((spectrum().data > 0.0).count());
   const double most =
-      std::min(0.85 * static_cast<double>(std::min(rows(), size())), kMostOfTold * told);
+      std::min(0.85 * static_cast<double>(std::min(rows(), size())), kMostDetermined * determined);
   const double stiff = bisect_log10(edf, q + 0.03);
   const double flexible = bisect_log10(edf, std::max(q + 0.5, most));
   std::vector<double> lambdas(count);

@@ -51,8 +51,8 @@ class SmoothingProblem {
   /// WKᵀWK + λLᵀL.
   [[nodiscard]] Eigen::MatrixXd hessian(double lambda) const;
 
-  /// ln det(WKᵀWK + λLᵀL + diag(p)) − ln det⁺(λLᵀL), det⁺ over what L penalises. By
-  /// factors, which is quick, and accurate to 1e−4 up to stiffest().
+  /// ln det(WKᵀWK + λLᵀL + diag(p)) − ln det⁺(λLᵀL), det⁺ over the penalised
+  /// subspace. By factors, which is quick, and accurate to 1e−4 up to stiffest().
   /// @param lambda     not above that.
   /// @param precision  p.
   [[nodiscard]] double log_volume(double lambda, const Eigen::VectorXd& precision) const;
